@@ -1,0 +1,134 @@
+#include "protocols/allocation.h"
+
+#include <cassert>
+#include <numeric>
+#include <set>
+#include <string_view>
+#include <utility>
+
+namespace protocols {
+
+namespace {
+
+// Neither alphabet has characters that are read or heard for one another.
+constexpr std::string_view fileCodeLetters = "abcdefghjkmnpqrstuvwxyz23456789";
+constexpr std::string_view presentationLetters = "ACEFHJKLMNPRTUVWXY3479";
+constexpr int fileCodeLength = 8;
+constexpr int presentationCodeLength = 4;
+constexpr std::size_t presentationCodes = 22 * 22 * 22 * 22;
+
+std::string drawCode(std::string_view letters, int length, Random& random)
+{
+    std::string code;
+    for (int i = 0; i < length; ++i) code += letters[random.below(letters.size())];
+    return code;
+}
+
+std::string drawUnusedCode(std::string_view letters, int length, std::set<std::string>& used, Random& random)
+{
+    std::string code = drawCode(letters, length, random);
+    while (!used.insert(code).second) code = drawCode(letters, length, random);
+    return code;
+}
+
+std::vector<std::size_t> permutation(std::size_t count, Random random)
+{
+    std::vector<std::size_t> order(count);
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    random.shuffle(order);
+    return order;
+}
+
+/// [label][fabric]. Drawn label by label, of which only the secret knows what they stand for.
+std::vector<std::vector<FileCode>> drawFileCodes(std::size_t labels, std::size_t fabrics, std::uint64_t secretSeed)
+{
+    Random random = Random::stream(secretSeed, "allocation/file codes");
+    std::set<std::string> used;
+    std::vector<std::vector<FileCode>> codes(labels);
+    for (auto& perFabric : codes)
+        for (std::size_t fabric = 0; fabric < fabrics; ++fabric)
+            perFabric.emplace_back(drawUnusedCode(fileCodeLetters, fileCodeLength, used, random));
+    return codes;
+}
+
+AllocationKey keyOf(const Protocol& protocol, const std::vector<FabricId>& fabrics,
+                    const std::vector<std::vector<FileCode>>& codes, std::uint64_t secretSeed)
+{
+    const auto conditions = permutation(codes.size(), Random::stream(secretSeed, "allocation/conditions"));
+    const auto masks = permutation(codes.size(), Random::stream(secretSeed, "allocation/masked labels"));
+    AllocationKey key;
+    for (std::size_t label = 0; label < codes.size(); ++label)
+        for (std::size_t fabric = 0; fabric < fabrics.size(); ++fabric)
+            key.entries[codes[label][fabric]] = {fabrics[fabric], protocol.conditions[conditions[label]],
+                                                 ConditionLabel("K" + std::to_string(masks[label] + 1))};
+    return key;
+}
+
+/// Unique in the study as long as codes are plenty, in any case within the participant.
+class PresentationCodes {
+public:
+    PresentationCodes(const Design& design, std::uint64_t secretSeed)
+        : m_random(Random::stream(secretSeed, "allocation/presentation codes"))
+    {
+        std::size_t needed = 0;
+        for (const auto& participant : design.participants) needed += participant.size();
+        m_uniqueInStudy = needed <= presentationCodes / 4;
+    }
+
+    void beginParticipant()
+    {
+        if (!m_uniqueInStudy) m_used.clear();
+    }
+
+    PresentationCode next()
+    {
+        // A participant's own trials may outnumber the four-character codes; longer ones follow then.
+        if (m_used.size() >= presentationCodes / 2) {
+            ++m_length;
+            m_used.clear();
+        }
+        return PresentationCode(drawUnusedCode(presentationLetters, m_length, m_used, m_random));
+    }
+
+private:
+    Random m_random;
+    std::set<std::string> m_used;
+    bool m_uniqueInStudy = true;
+    int m_length = presentationCodeLength;
+};
+
+}  // namespace
+
+Allocation allocate(const Protocol& protocol, const Design& design, const std::vector<FabricId>& fabrics,
+                    std::uint64_t secretSeed)
+{
+    assert(static_cast<int>(fabrics.size()) == protocol.fabricCount && "one fabric id for each number of the design");
+    const auto codes = drawFileCodes(protocol.conditions.size(), fabrics.size(), secretSeed);
+    PresentationCodes presentationCodesOf(design, secretSeed);
+    Allocation allocation;
+    allocation.key = keyOf(protocol, fabrics, codes, secretSeed);
+    for (const auto& trials : design.participants) {
+        auto& list = allocation.participants.emplace_back();
+        presentationCodesOf.beginParticipant();
+        for (const DesignTrial& trial : trials) {
+            BlindedTrial blinded;
+            blinded.number = TrialNumber{static_cast<int>(list.size()) + 1};
+            blinded.phase = trial.phase;
+            blinded.fileCode = codes.at(static_cast<std::size_t>(trial.label)).at(static_cast<std::size_t>(trial.fabric));
+            blinded.presentationCode = presentationCodesOf.next();
+            for (const int fabric : trial.alternatives)
+                blinded.alternatives.push_back(fabrics.at(static_cast<std::size_t>(fabric)));
+            list.push_back(std::move(blinded));
+        }
+    }
+    return allocation;
+}
+
+MaskedKey masked(const AllocationKey& key)
+{
+    MaskedKey result;
+    for (const auto& [code, entry] : key.entries) result.entries[code] = {entry.fabric, entry.label};
+    return result;
+}
+
+}  // namespace protocols

@@ -1,0 +1,71 @@
+// From a design over abstract labels to what a study folder holds: blinded trial lists (file codes
+// and presentation codes), the allocation key that says what each file code is, and the masked key
+// that says only its fabric and K-label.
+#pragma once
+
+#include "protocols/counterbalancing.h"
+#include "protocols/ids.h"
+#include "protocols/protocol.h"
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace protocols {
+
+/// One presentation as session and app know it.
+struct BlindedTrial {
+    TrialNumber number;
+    int phase = 0;  ///< index into Protocol::phases
+    FileCode fileCode;
+    PresentationCode presentationCode;
+    std::vector<FabricId> alternatives;  ///< on the tray, in slot order; the one fabric in rating phases
+    bool operator==(const BlindedTrial&) const = default;
+};
+
+/// File code -> condition and fabric. Only scripted and simulated participants and the recorded act
+/// of unblinding may read it.
+struct AllocationKey {
+    struct Entry {
+        FabricId fabric;
+        ConditionId condition;
+        ConditionLabel label;
+        bool operator==(const Entry&) const = default;
+    };
+    std::map<FileCode, Entry> entries;
+    bool operator==(const AllocationKey&) const = default;
+};
+
+/// File code -> fabric and K-label: what report, status and export may read.
+struct MaskedKey {
+    struct Entry {
+        FabricId fabric;
+        ConditionLabel label;
+        bool operator==(const Entry&) const = default;
+    };
+    std::map<FileCode, Entry> entries;
+    bool operator==(const MaskedKey&) const = default;
+};
+
+struct Allocation {
+    std::vector<std::vector<BlindedTrial>> participants;  ///< [slot][presentation]
+    AllocationKey key;
+};
+
+/// `fabrics`: the study's, in the order of the design's numbers. `secretSeed` draws which condition
+/// each label is, the file codes, the K-labels and the presentation codes; it comes from
+/// drawSecretSeed() except in tests.
+Allocation allocate(const Protocol& protocol, const Design& design, const std::vector<FabricId>& fabrics,
+                    std::uint64_t secretSeed);
+
+MaskedKey masked(const AllocationKey& key);
+
+/// The texts of allocation-key.json and masked-key.json; both throw badInput on malformed text.
+std::string toJson(const AllocationKey& key);
+std::string toJson(const MaskedKey& key);
+AllocationKey allocationKeyFromJson(std::string_view json, const std::string& where);
+MaskedKey maskedKeyFromJson(std::string_view json, const std::string& where);
+
+}  // namespace protocols

@@ -1,0 +1,209 @@
+// The certificate is counted on the design as it stands and shares nothing with the searches that drew it.
+#include "protocols/counterbalancing.h"
+#include "protocols/foil_sets.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace protocols {
+
+namespace {
+
+/// Beyond so many possible foil sets most are never used, and a count of each says nothing.
+constexpr std::int64_t mostFoilSets = 5000;
+
+using Key = std::vector<int>;
+using Counts = std::map<Key, int>;
+using Range = BalanceCertificate::Range;
+
+/// A phase of the design: each participant's trials in it.
+using PhaseTrials = std::vector<std::vector<DesignTrial>>;
+
+PhaseTrials trialsOf(const Design& design, int phase)
+{
+    PhaseTrials trials;
+    for (const auto& participant : design.participants) {
+        auto& own = trials.emplace_back();
+        std::ranges::copy_if(participant, std::back_inserter(own), [&](const DesignTrial& t) { return t.phase == phase; });
+    }
+    return trials;
+}
+
+/// Calls `visit(participant, trial)` for every trial.
+template <class Visit>
+void forEach(const PhaseTrials& trials, Visit visit)
+{
+    for (std::size_t participant = 0; participant < trials.size(); ++participant)
+        for (const DesignTrial& trial : trials[participant]) visit(static_cast<int>(participant), trial);
+}
+
+Range rangeOf(std::string what, const Counts& counts)
+{
+    Range range{std::move(what), 0, 0};
+    if (counts.empty()) return range;
+    const auto [least, most] = std::ranges::minmax_element(counts, {}, &Counts::value_type::second);
+    range.min = least->second;
+    range.max = most->second;
+    return range;
+}
+
+/// Every cell of the given sizes at 0, so that what never occurs counts as 0.
+Counts emptyTable(const std::vector<int>& sizes)
+{
+    std::vector<Key> keys{{}};
+    for (const int size : sizes) {
+        std::vector<Key> longer;
+        for (const Key& key : keys)
+            for (int i = 0; i < size; ++i) {
+                longer.push_back(key);
+                longer.back().push_back(i);
+            }
+        keys = std::move(longer);
+    }
+    Counts counts;
+    for (Key& key : keys) counts.emplace_hint(counts.end(), std::move(key), 0);
+    return counts;
+}
+
+Counts orderedPairs(const PhaseTrials& trials, int kinds, int DesignTrial::*member)
+{
+    Counts counts;
+    for (int a = 0; a < kinds; ++a)
+        for (int b = 0; b < kinds; ++b)
+            if (a != b) counts[{a, b}] = 0;
+    for (const auto& own : trials)
+        for (std::size_t i = 1; i < own.size(); ++i)
+            if (own[i - 1].*member != own[i].*member) ++counts[{own[i - 1].*member, own[i].*member}];
+    return counts;
+}
+
+/// How often each kind stands in each stretch of as many positions as there are kinds.
+Counts perStretch(const PhaseTrials& trials, int kinds, int stretches, int DesignTrial::*member)
+{
+    Counts counts = emptyTable({stretches, kinds});
+    for (const auto& own : trials)
+        for (std::size_t i = 0; i < own.size(); ++i) ++counts[{static_cast<int>(i) / kinds, own[i].*member}];
+    return counts;
+}
+
+int repeatsIn(const PhaseTrials& trials)
+{
+    int repeats = 0;
+    for (const auto& own : trials)
+        for (std::size_t i = 1; i < own.size(); ++i)
+            if (own[i - 1].label == own[i].label || own[i - 1].fabric == own[i].fabric) ++repeats;
+    return repeats;
+}
+
+FoilSet foilsOf(const DesignTrial& trial)
+{
+    FoilSet foils;
+    std::ranges::copy_if(trial.alternatives, std::back_inserter(foils), [&](int fabric) { return fabric != trial.fabric; });
+    std::ranges::sort(foils);
+    return foils;
+}
+
+int slotOf(const DesignTrial& trial, int fabric)
+{
+    return static_cast<int>(std::ranges::find(trial.alternatives, fabric) - trial.alternatives.begin());
+}
+
+int repeatedFoilSets(const PhaseTrials& trials)
+{
+    int repeated = 0;
+    std::set<std::pair<Key, FoilSet>> seen;
+    forEach(trials, [&](int participant, const DesignTrial& trial) {
+        if (!seen.insert({{participant, trial.fabric}, foilsOf(trial)}).second) ++repeated;
+    });
+    return repeated;
+}
+
+Counts foilSetUses(const PhaseTrials& trials, int fabrics, int foils)
+{
+    Counts counts;
+    const auto keyOf = [](int trueFabric, const FoilSet& set) {
+        Key key{trueFabric};
+        key.insert(key.end(), set.begin(), set.end());
+        return key;
+    };
+    for (int fabric = 0; fabric < fabrics; ++fabric)
+        for (const FoilSet& set : allFoilSets(fabrics, fabric, foils)) counts[keyOf(fabric, set)] = 0;
+    forEach(trials, [&](int, const DesignTrial& trial) { ++counts[keyOf(trial.fabric, foilsOf(trial))]; });
+    return counts;
+}
+
+void addChoiceRanges(const PhaseTrials& trials, const Protocol& protocol, int alternatives, const std::string& phase,
+                     std::vector<Range>& ranges)
+{
+    const int people = protocol.participants;
+    const int fabrics = protocol.fabricCount;
+    Counts slots = emptyTable({people, fabrics, alternatives});
+    Counts labelSlots = emptyTable({static_cast<int>(protocol.conditions.size()), alternatives});
+    Counts asFoil = emptyTable({people, fabrics});
+    Counts foilSlots = emptyTable({people, fabrics, alternatives});
+    forEach(trials, [&](int participant, const DesignTrial& trial) {
+        ++slots[{participant, trial.fabric, slotOf(trial, trial.fabric)}];
+        ++labelSlots[{trial.label, slotOf(trial, trial.fabric)}];
+        for (const int foil : foilsOf(trial)) {
+            ++asFoil[{participant, foil}];
+            ++foilSlots[{participant, foil, slotOf(trial, foil)}];
+        }
+    });
+    if (combinations(fabrics - 1, alternatives - 1, mostFoilSets + 1) <= mostFoilSets)
+        ranges.push_back(rangeOf("foil sets per true fabric" + phase, foilSetUses(trials, fabrics, alternatives - 1)));
+    ranges.push_back(rangeOf("true slots per participant and fabric" + phase, slots));
+    ranges.push_back(rangeOf("true slots per condition" + phase, labelSlots));
+    ranges.push_back(rangeOf("a fabric as foil per participant" + phase, asFoil));
+    ranges.push_back(rangeOf("slots of a foil per participant" + phase, foilSlots));
+}
+
+/// ", Q1" or ", Q2-Q4"
+std::string nameOf(const Phase& phase)
+{
+    if (phase.questions.empty()) return "";
+    const std::string first = phase.questions.front().id.value;
+    return ", " + (phase.questions.size() == 1 ? first : first + "-" + phase.questions.back().id.value);
+}
+
+}  // namespace
+
+BalanceCertificate balanceOf(const Design& design, const Protocol& protocol)
+{
+    const int labels = static_cast<int>(protocol.conditions.size());
+    const int fabrics = protocol.fabricCount;
+    BalanceCertificate certificate;
+    auto& ranges = certificate.ranges;
+    for (std::size_t i = 0; i < protocol.phases.size(); ++i) {
+        const PhaseTrials trials = trialsOf(design, static_cast<int>(i));
+        const std::string phase = nameOf(protocol.phases[i]);
+        Counts renderings = emptyTable({protocol.participants, labels, fabrics});
+        forEach(trials, [&](int participant, const DesignTrial& t) { ++renderings[{participant, t.label, t.fabric}]; });
+        ranges.push_back(rangeOf("presentations of a rendering per participant" + phase, renderings));
+        ranges.push_back(rangeOf("ordered pairs of conditions" + phase, orderedPairs(trials, labels, &DesignTrial::label)));
+        ranges.push_back(rangeOf("ordered pairs of fabrics" + phase, orderedPairs(trials, fabrics, &DesignTrial::fabric)));
+        ranges.push_back(rangeOf("a condition per stretch of the order" + phase,
+                                 perStretch(trials, labels, fabrics, &DesignTrial::label)));
+        ranges.push_back(rangeOf("a fabric per stretch of the order" + phase,
+                                 perStretch(trials, fabrics, labels, &DesignTrial::fabric)));
+        certificate.immediateRepeats += repeatsIn(trials);
+        if (!protocol.phases[i].isChoice()) continue;
+        addChoiceRanges(trials, protocol, *protocol.phases[i].alternatives, phase, ranges);
+        certificate.repeatedFoilPairs += repeatedFoilSets(trials);
+    }
+    return certificate;
+}
+
+std::string describe(const BalanceCertificate& certificate)
+{
+    std::string text;
+    for (const Range& range : certificate.ranges) {
+        const std::string least = std::to_string(range.min);
+        text += range.what + ": " + (range.min == range.max ? least : least + " to " + std::to_string(range.max)) + "\n";
+    }
+    text += "immediate repeats of a condition or fabric: " + std::to_string(certificate.immediateRepeats) + "\n";
+    text += "foil sets repeated within participant and true fabric: " + std::to_string(certificate.repeatedFoilPairs) + "\n";
+    return text;
+}
+
+}  // namespace protocols

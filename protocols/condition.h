@@ -1,0 +1,40 @@
+// The nine input conditions of the paper (section "Baselines of haptic rendering"), as a table.
+// Which signals must be computed follows from a row's two sources (rendering/plan.h); a tenth
+// condition is one more row.
+#pragma once
+
+#include "protocols/ids.h"
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace protocols {
+
+enum class ConditionGroup { Vision, Generated, Measured };
+enum class ReliefSource { None, GreyPhotograph, ShapeFromShading, GeneratedHeight, GreyTactile, PhotometricHeight };
+enum class FrictionSource { None, GeneratedTrace, MeasuredTrace };
+
+struct Condition {
+    std::string_view id;
+    ConditionGroup group;
+    ReliefSource relief;
+    FrictionSource friction;
+
+    ConditionId conditionId() const { return ConditionId(std::string(id)); }
+};
+
+/// In the order of the paper, which is the order of every table and file.
+std::span<const Condition> allConditions();
+
+/// Accepts "h_g&f_g" and its file-name spelling "h_g+f_g". Throws badInput naming the known ids.
+const Condition& conditionNamed(std::string_view id);
+
+/// "h_g&f_g" -> "h_g+f_g".
+std::string fileNameOf(const ConditionId& id);
+
+/// "all", or a comma-separated list of ids. Throws badInput for an unknown or doubled one.
+std::vector<ConditionId> conditionList(std::string_view text);
+
+}  // namespace protocols

@@ -1,0 +1,64 @@
+#include "protocols/counterbalancing.h"
+
+#include "protocols/errors.h"
+#include "protocols/running_orders.h"
+#include "protocols/trays.h"
+
+#include <utility>
+
+namespace protocols {
+
+namespace {
+
+/// A design needs the counts alone; what else is wrong with a protocol is not its business.
+void refuseWithoutCounts(const Protocol& protocol)
+{
+    const auto refuse = [](const std::string& what, const std::string& expected) {
+        throw badInput({.what = what, .where = "protocol", .expected = expected, .nextStep = "correct the protocol"});
+    };
+    if (protocol.participants < 1 || protocol.fabricCount < 1 || protocol.conditions.empty() || protocol.phases.empty())
+        refuse("there is nothing to counterbalance", "at least one participant, fabric, condition and phase");
+    for (const Phase& phase : protocol.phases)
+        if (phase.isChoice() && (*phase.alternatives < 2 || *phase.alternatives > protocol.fabricCount))
+            refuse(
+                std::to_string(*phase.alternatives) + " alternatives among " + std::to_string(protocol.fabricCount) + " fabrics",
+                "at least two alternatives and no more than fabrics");
+    if (protocol.fabricCount > 100) refuse(std::to_string(protocol.fabricCount) + " fabrics", "at most 100");
+}
+
+std::vector<std::vector<Tray>> traysFor(const Phase& phase, const std::vector<std::vector<Rendering>>& orders,
+                                        const StudySize& size, Random& random)
+{
+    if (phase.isChoice()) return drawTrays(orders, size, *phase.alternatives, random);
+    std::vector<std::vector<Tray>> trays;
+    for (const auto& order : orders) {
+        auto& list = trays.emplace_back();
+        for (const Rendering& rendering : order) list.push_back({rendering.fabric});
+    }
+    return trays;
+}
+
+}  // namespace
+
+Design drawDesign(const Protocol& protocol, std::uint64_t seed)
+{
+    refuseWithoutCounts(protocol);
+    const StudySize size{protocol.participants, static_cast<int>(protocol.conditions.size()), protocol.fabricCount};
+    Design design;
+    design.participants.resize(static_cast<std::size_t>(size.participants));
+    for (std::size_t phase = 0; phase < protocol.phases.size(); ++phase) {
+        const std::string purpose = "design/phase " + std::to_string(phase);
+        Random orderDraws = Random::stream(seed, purpose + "/orders");
+        Random trayDraws = Random::stream(seed, purpose + "/trays");
+        const auto orders = drawRunningOrders(size, orderDraws);
+        auto trays = traysFor(protocol.phases[phase], orders, size, trayDraws);
+        for (std::size_t participant = 0; participant < orders.size(); ++participant)
+            for (std::size_t at = 0; at < orders[participant].size(); ++at)
+                design.participants[participant].push_back({static_cast<int>(phase), orders[participant][at].label,
+                                                            orders[participant][at].fabric,
+                                                            std::move(trays[participant][at])});
+    }
+    return design;
+}
+
+}  // namespace protocols

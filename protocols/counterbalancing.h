@@ -1,0 +1,57 @@
+// Running orders of a whole study over abstract labels: which label and fabric each participant
+// meets when, beside which foils, in which tray slot. Labels are numbers without meaning; which
+// condition each one is, is drawn elsewhere and secretly (allocation.h), so the seed of a design
+// tells nobody a condition.
+#pragma once
+
+#include "protocols/protocol.h"
+#include "protocols/random.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace protocols {
+
+/// One presentation of the design. All numbers count from 0.
+struct DesignTrial {
+    int phase = 0;
+    int label = 0;                  ///< stands for a condition
+    int fabric = 0;                 ///< the true fabric
+    std::vector<int> alternatives;  ///< fabrics in tray-slot order A, B, C ...; one entry in rating phases
+    bool operator==(const DesignTrial&) const = default;
+};
+
+/// [participant][presentation], all phases one after another.
+struct Design {
+    std::vector<std::vector<DesignTrial>> participants;
+    bool operator==(const Design&) const = default;
+};
+
+/// Balanced over the whole study, per phase: each ordered pair of labels and of fabrics follows one
+/// another equally often (counts differ by at most one where that can be had), no immediate repeat,
+/// foil pairs equally often per true fabric, none repeated within participant x true fabric, true
+/// slots balanced per participant x fabric and per label. Integer arithmetic only: the same seed
+/// gives the same design on every machine. Takes the counts from the protocol.
+Design drawDesign(const Protocol& protocol, std::uint64_t seed);
+
+/// What balance was reached, measured on the design itself.
+struct BalanceCertificate {
+    struct Range {
+        std::string what;  ///< "ordered pairs of conditions, Q1"
+        int min = 0;
+        int max = 0;
+        bool operator==(const Range&) const = default;
+    };
+    std::vector<Range> ranges;
+    int immediateRepeats = 0;      ///< same label or same fabric twice in a row
+    int repeatedFoilPairs = 0;     ///< within participant x true fabric
+    bool operator==(const BalanceCertificate&) const = default;
+};
+
+BalanceCertificate balanceOf(const Design& design, const Protocol& protocol);
+
+/// Lines for people.
+std::string describe(const BalanceCertificate& certificate);
+
+}  // namespace protocols

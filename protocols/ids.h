@@ -1,0 +1,41 @@
+// Distinct types for the names that a study deals in, so that a fabric is never passed where a
+// condition belongs. They are plain values; the text is what files and tables show.
+#pragma once
+
+#include <string>  // brings <compare>, over which Qt's moc stumbles where that header comes first
+#include <utility>
+
+namespace protocols {
+
+template <class Tag>
+struct Id {
+    std::string value;
+
+    Id() = default;
+    explicit Id(std::string text) : value(std::move(text)) {}
+    bool empty() const { return value.empty(); }
+    auto operator<=>(const Id&) const = default;
+};
+
+using ParticipantId = Id<struct ParticipantTag>;        ///< "P01"; scripted ones bring their own, "S01"
+using FabricId = Id<struct FabricTag>;                  ///< "F01"
+using ConditionId = Id<struct ConditionTag>;            ///< "h_g&f_g"
+using QuestionId = Id<struct QuestionTag>;              ///< "Q1"
+using FileCode = Id<struct FileCodeTag>;                ///< opaque name of a stimulus in the study folder
+using ConditionLabel = Id<struct ConditionLabelTag>;    ///< "K3": a condition's masked name
+using PresentationCode = Id<struct PresentationTag>;    ///< what the console shows; fresh per participant and trial
+
+/// Place of a presentation in a participant's list, from 1.
+struct TrialNumber {
+    int value = 0;
+    auto operator<=>(const TrialNumber&) const = default;
+};
+
+/// A rating in whole tenths of a scale point, so that 5.4 stays 5.4.
+struct Tenths {
+    int value = 0;
+    double inScaleUnits() const { return value / 10.0; }
+    auto operator<=>(const Tenths&) const = default;
+};
+
+}  // namespace protocols

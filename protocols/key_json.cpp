@@ -1,0 +1,105 @@
+// The texts of the two keys (allocation.h).
+#include "protocols/allocation.h"
+#include "protocols/condition.h"
+#include "protocols/errors.h"
+#include "protocols/strict_json.h"
+
+#include <map>
+#include <set>
+#include <utility>
+
+namespace protocols {
+
+namespace {
+
+using nlohmann::json;
+using nlohmann::ordered_json;
+
+constexpr const char* allocationSchema = "vis2hap.allocation-key/1";
+constexpr const char* maskedSchema = "vis2hap.masked-key/1";
+
+Error malformed(const std::string& what, const std::string& where, const std::string& expected)
+{
+    return badInput({.what = what, .where = where, .expected = expected, .nextStep = "restore the file from a backup"});
+}
+
+/// The object of entries below the right schema name.
+json entriesOf(std::string_view text, const std::string& where, const std::string& schema)
+{
+    const json document = parseStrictJson(text, where);
+    if (!document.is_object() || !document.contains("schema") || document.at("schema") != schema)
+        throw malformed("not a key of this kind", where, "\"schema\": \"" + schema + "\"");
+    if (!document.contains("entries") || !document.at("entries").is_object())
+        throw malformed("entries are missing", where, "an object from file code to what it is");
+    return document.at("entries");
+}
+
+std::string textIn(const json& entry, const char* name, const std::string& where)
+{
+    if (!entry.is_object() || !entry.contains(name) || !entry.at(name).is_string() || entry.at(name).get<std::string>().empty())
+        throw malformed(std::string("'") + name + "' is missing", where, "a text that is not empty");
+    return entry.at(name).get<std::string>();
+}
+
+ConditionId conditionIn(const json& entry, const std::string& where)
+{
+    const std::string id = textIn(entry, "condition", where);
+    for (const Condition& known : allConditions())
+        if (known.id == id) return known.conditionId();
+    throw malformed("unknown condition '" + id + "'", where, "the id of a condition");
+}
+
+std::string inLines(const ordered_json& document) { return document.dump(2) + "\n"; }
+
+}  // namespace
+
+std::string toJson(const AllocationKey& key)
+{
+    ordered_json document{{"schema", allocationSchema}, {"entries", ordered_json::object()}};
+    for (const auto& [code, entry] : key.entries)
+        document["entries"][code.value] = {
+            {"fabric", entry.fabric.value}, {"condition", entry.condition.value}, {"label", entry.label.value}};
+    return inLines(document);
+}
+
+std::string toJson(const MaskedKey& key)
+{
+    ordered_json document{{"schema", maskedSchema}, {"entries", ordered_json::object()}};
+    for (const auto& [code, entry] : key.entries)
+        document["entries"][code.value] = {{"fabric", entry.fabric.value}, {"label", entry.label.value}};
+    return inLines(document);
+}
+
+AllocationKey allocationKeyFromJson(std::string_view text, const std::string& where)
+{
+    AllocationKey key;
+    std::set<std::pair<FabricId, ConditionId>> seen;
+    std::map<ConditionLabel, ConditionId> meanings;
+    const json entries = entriesOf(text, where, allocationSchema);
+    for (const auto& [code, entry] : entries.items()) {
+        const std::string place = where + ", " + code;
+        const FabricId fabric(textIn(entry, "fabric", place));
+        const ConditionId condition = conditionIn(entry, place);
+        const ConditionLabel label(textIn(entry, "label", place));
+        if (!seen.insert({fabric, condition}).second)
+            throw malformed("a second file code for " + fabric.value + " and " + condition.value, place,
+                            "one for each rendering");
+        if (meanings.emplace(label, condition).first->second != condition)
+            throw malformed(label.value + " stands for two conditions", place, "one condition for each label");
+        key.entries[FileCode(code)] = {fabric, condition, label};
+    }
+    return key;
+}
+
+MaskedKey maskedKeyFromJson(std::string_view text, const std::string& where)
+{
+    MaskedKey key;
+    const json entries = entriesOf(text, where, maskedSchema);
+    for (const auto& [code, entry] : entries.items()) {
+        const std::string place = where + ", " + code;
+        key.entries[FileCode(code)] = {FabricId(textIn(entry, "fabric", place)), ConditionLabel(textIn(entry, "label", place))};
+    }
+    return key;
+}
+
+}  // namespace protocols

@@ -1,0 +1,145 @@
+#include "protocols/protocol.h"
+
+#include "protocols/condition.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace protocols {
+
+namespace {
+
+using Faults = std::vector<std::string>;
+
+std::string element(const std::string& list, std::size_t index) { return list + "[" + std::to_string(index) + "]"; }
+
+std::string knownConditions()
+{
+    std::string text;
+    for (const Condition& condition : allConditions()) text += (text.empty() ? "" : ", ") + std::string(condition.id);
+    return text;
+}
+
+bool isKnown(const ConditionId& id)
+{
+    return std::ranges::any_of(allConditions(), [&](const Condition& c) { return c.id == id.value; });
+}
+
+void checkCounts(const Protocol& p, Faults& faults)
+{
+    if (p.name.empty()) faults.push_back("name: is empty, expected a name for the study");
+    if (p.participants < 1) faults.push_back("participants: " + std::to_string(p.participants) + ", expected at least 1");
+    if (p.fabricCount < 1) faults.push_back("fabrics: " + std::to_string(p.fabricCount) + ", expected at least 1");
+    if (!p.fabrics.empty() && static_cast<int>(p.fabrics.size()) != p.fabricCount)
+        faults.push_back("fabrics: " + std::to_string(p.fabrics.size()) + " are named, expected " +
+                         std::to_string(p.fabricCount));
+    std::set<FabricId> seen;
+    for (std::size_t i = 0; i < p.fabrics.size(); ++i) {
+        if (p.fabrics[i].empty()) faults.push_back(element("fabrics", i) + ": is empty, expected the id of a fabric");
+        if (!seen.insert(p.fabrics[i]).second)
+            faults.push_back(element("fabrics", i) + ": '" + p.fabrics[i].value + "' is named twice, expected each fabric once");
+    }
+}
+
+void checkConditions(const Protocol& p, Faults& faults)
+{
+    if (p.conditions.empty()) faults.push_back("conditions: is empty, expected at least one of " + knownConditions());
+    std::set<ConditionId> seen;
+    for (std::size_t i = 0; i < p.conditions.size(); ++i) {
+        const ConditionId& id = p.conditions[i];
+        if (!isKnown(id))
+            faults.push_back(element("conditions", i) + ": unknown condition '" + id.value + "', expected one of " +
+                             knownConditions());
+        if (!seen.insert(id).second)
+            faults.push_back(element("conditions", i) + ": '" + id.value + "' is named twice, expected each condition once");
+    }
+}
+
+void checkScale(const Scale& scale, const std::string& place, Faults& faults)
+{
+    if (scale.max <= scale.min) faults.push_back(place + ": max is not above min, expected min < max");
+    if (scale.step.value < 1)
+        faults.push_back(place + ".step: is not positive, expected at least 0.1");
+    else if ((scale.max.value - scale.min.value) % scale.step.value != 0)
+        faults.push_back(place + ".step: does not lead from min to max, expected a whole number of steps");
+    if (scale.sections < 1) faults.push_back(place + ".sections: expected at least 1");
+}
+
+void checkAnswers(const Protocol& p, const Phase& phase, const std::string& place, Faults& faults)
+{
+    if (phase.alternatives.has_value() == phase.scale.has_value())
+        faults.push_back(place + ": has " + (phase.scale ? "both alternatives and a scale" : "neither alternatives nor a scale") +
+                         ", expected one of the two");
+    if (phase.scale) checkScale(*phase.scale, place + ".scale", faults);
+    if (!phase.alternatives) return;
+    if (*phase.alternatives < 2)
+        faults.push_back(place + ".alternatives: " + std::to_string(*phase.alternatives) + ", expected at least 2");
+    if (*phase.alternatives > 26)
+        faults.push_back(place + ".alternatives: " + std::to_string(*phase.alternatives) + ", expected at most 26 tray slots");
+    if (*phase.alternatives > p.fabricCount)
+        faults.push_back(place + ".alternatives: " + std::to_string(*phase.alternatives) + " of " +
+                         std::to_string(p.fabricCount) + " fabrics, expected no more alternatives than fabrics");
+    if (phase.questions.size() > 1)
+        faults.push_back(place + ".questions: " + std::to_string(phase.questions.size()) +
+                         " questions over one choice, expected one");
+}
+
+void checkPhases(const Protocol& p, Faults& faults)
+{
+    if (p.phases.empty()) faults.push_back("phases: is empty, expected at least one phase");
+    std::set<QuestionId> seen;
+    for (std::size_t i = 0; i < p.phases.size(); ++i) {
+        const std::string place = element("phases", i);
+        if (p.phases[i].questions.empty()) faults.push_back(place + ".questions: is empty, expected at least one question");
+        for (const Question& question : p.phases[i].questions) {
+            if (!seen.insert(question.id).second)
+                faults.push_back(place + ".questions: '" + question.id.value + "' is asked twice, expected each question once");
+            if (question.text.empty())
+                faults.push_back(place + ".questions: '" + question.id.value +
+                                 "' has no words, expected them in question_texts");
+        }
+        checkAnswers(p, p.phases[i], place, faults);
+    }
+}
+
+void checkPlanned(const Protocol& p, Faults& faults)
+{
+    std::set<std::pair<ConditionId, ConditionId>> seen;
+    for (std::size_t i = 0; i < p.planned.size(); ++i) {
+        const auto& [a, b] = p.planned[i];
+        for (const ConditionId& id : {a, b})
+            if (std::ranges::find(p.conditions, id) == p.conditions.end())
+                faults.push_back(element("planned", i) + ": '" + id.value +
+                                 "' is not among the conditions, expected a pair of the protocol's conditions");
+        if (a == b) faults.push_back(element("planned", i) + ": compares '" + a.value + "' with itself, expected two conditions");
+        if (!seen.insert(std::minmax(a, b)).second)
+            faults.push_back(element("planned", i) + ": repeats an earlier contrast, expected each pair once");
+    }
+}
+
+void checkNumbers(const Protocol& p, Faults& faults)
+{
+    const auto [lower, upper] = p.equivalenceBounds;
+    if (!std::isfinite(lower) || !std::isfinite(upper) || lower >= upper)
+        faults.push_back("equivalence_bounds: the lower is not below the upper, expected [lower, upper]");
+    if (!std::isfinite(p.secondsPerPresentation) || p.secondsPerPresentation <= 0)
+        faults.push_back("seconds_per_presentation: expected more than 0");
+    if (p.breakAfterPresentations < 1) faults.push_back("break_after: expected at least 1 presentation");
+    if (p.sittingMinutes < 1) faults.push_back("sitting_minutes: expected at least 1 minute");
+}
+
+}  // namespace
+
+std::vector<std::string> faultsOf(const Protocol& protocol)
+{
+    Faults faults;
+    checkCounts(protocol, faults);
+    checkConditions(protocol, faults);
+    checkPhases(protocol, faults);
+    checkPlanned(protocol, faults);
+    checkNumbers(protocol, faults);
+    return faults;
+}
+
+}  // namespace protocols

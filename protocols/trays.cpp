@@ -1,0 +1,320 @@
+#include "protocols/trays.h"
+
+#include "protocols/annealing.h"
+#include "protocols/foil_sets.h"
+
+#include <array>
+#include <bitset>
+#include <utility>
+
+namespace protocols {
+
+namespace {
+
+using Orders = std::vector<std::vector<Rendering>>;
+using Trays = std::vector<std::vector<Tray>>;
+using Places = std::vector<std::size_t>;
+
+/// [participant][true fabric]: where in the order it is presented.
+std::vector<std::vector<Places>> placesOf(const Orders& orders, const StudySize& size)
+{
+    std::vector<std::vector<Places>> places;
+    for (const auto& order : orders) {
+        auto& own = places.emplace_back(static_cast<std::size_t>(size.fabrics));
+        for (std::size_t at = 0; at < order.size(); ++at) own[static_cast<std::size_t>(order[at].fabric)].push_back(at);
+    }
+    return places;
+}
+
+/// Two different presentations of one fabric to one participant.
+struct PlacePair {
+    std::size_t participant = 0;
+    std::size_t first = 0;
+    std::size_t second = 0;
+};
+
+PlacePair randomPair(const std::vector<std::vector<Places>>& places, Random& random)
+{
+    const std::size_t participant = random.below(places.size());
+    const Places& own = places[participant][random.below(places[participant].size())];
+    return {participant, own[random.below(own.size())], own[random.below(own.size())]};
+}
+
+/// The true fabric never repeats at once, so a fabric that lies on two trays running is more often a
+/// foil if the foils are placed blindly. This search places them so that, among trays that look alike
+/// in what they share with their neighbours, each fabric on them is equally often the true one.
+class NeighbourSearch {
+public:
+    NeighbourSearch(const Orders& orders, const StudySize& size, int alternatives, Trays sets)
+        : m_orders(orders),
+          m_places(placesOf(orders, size)),
+          m_alternatives(alternatives),
+          m_sets(std::move(sets)),
+          m_surplus(surplusCells(alternatives), 0)
+    {
+        for (const auto& list : m_sets) {
+            auto& members = m_members.emplace_back();
+            for (const Tray& tray : list) members.push_back(membersOf(tray));
+        }
+        for (std::size_t participant = 0; participant < m_sets.size(); ++participant)
+            for (std::size_t at = 0; at < m_sets[participant].size(); ++at) count(participant, at, 1);
+    }
+
+    std::int64_t excess() const { return m_excess; }
+    const Trays& sets() const { return m_sets; }
+
+    std::int64_t applyRandomMove(Random& random)
+    {
+        m_pair = randomPair(m_places, random);
+        return swapSets();
+    }
+
+    void undoMove() { swapSets(); }
+
+private:
+    using Members = std::bitset<128>;
+    static constexpr std::size_t patterns = 4;  // lay on the tray before: 1; lies on the one after: 2
+    static constexpr int mostForClasses = 5;    // with more alternatives trays hardly ever look alike
+
+    static std::size_t surplusCells(int alternatives)
+    {
+        const auto base = static_cast<std::size_t>(alternatives + 1);
+        return alternatives > mostForClasses ? patterns : base * base * base * base * patterns;
+    }
+
+    static Members membersOf(const Tray& tray)
+    {
+        Members members;
+        for (const int fabric : tray) members.set(static_cast<std::size_t>(fabric));
+        return members;
+    }
+
+    std::int64_t swapSets()
+    {
+        if (m_pair.first == m_pair.second) return 0;
+        const std::int64_t before = m_excess;
+        countAround(-1);
+        std::swap(m_sets[m_pair.participant][m_pair.first], m_sets[m_pair.participant][m_pair.second]);
+        std::swap(m_members[m_pair.participant][m_pair.first], m_members[m_pair.participant][m_pair.second]);
+        countAround(1);
+        return m_excess - before;
+    }
+
+    /// The two trays and their neighbours, each once.
+    void countAround(std::int64_t sign)
+    {
+        const std::size_t low = std::min(m_pair.first, m_pair.second);
+        const std::size_t high = std::max(m_pair.first, m_pair.second);
+        const std::size_t last = m_sets[m_pair.participant].size() - 1;
+        const std::size_t lowEnd = std::min(low + 1, last);
+        for (std::size_t at = low == 0 ? 0 : low - 1; at <= lowEnd; ++at) count(m_pair.participant, at, sign);
+        for (std::size_t at = std::max(high - 1, lowEnd + 1); at <= std::min(high + 1, last); ++at)
+            count(m_pair.participant, at, sign);
+    }
+
+    /// Adds a tray to the surplus of its class: alternatives x (the true one shows the pattern) - fabrics
+    /// that show it. Zero in sum where the pattern tells nothing.
+    void count(std::size_t participant, std::size_t at, std::int64_t sign)
+    {
+        const auto& members = m_members[participant];
+        const Members before = at > 0 ? members[at - 1] : Members();
+        const Members after = at + 1 < members.size() ? members[at + 1] : Members();
+        const auto patternOf = [&](int fabric) {
+            const auto bit = static_cast<std::size_t>(fabric);
+            return (before[bit] ? 1u : 0u) + (after[bit] ? 2u : 0u);
+        };
+        std::array<std::int64_t, patterns> showing{};
+        for (const int fabric : m_sets[participant][at]) ++showing[patternOf(fabric)];
+        std::size_t kind = 0;
+        if (m_alternatives <= mostForClasses)
+            for (const std::int64_t fabrics : showing)
+                kind = kind * static_cast<std::size_t>(m_alternatives + 1) + static_cast<std::size_t>(fabrics);
+        const std::size_t truePattern = patternOf(m_orders[participant][at].fabric);
+        for (std::size_t pattern = 0; pattern < patterns; ++pattern) {
+            const std::int64_t due = pattern == truePattern ? m_alternatives : 0;
+            std::int64_t& surplus = m_surplus[kind * patterns + pattern];
+            m_excess -= surplus * surplus;
+            surplus += sign * (due - showing[pattern]);
+            m_excess += surplus * surplus;
+        }
+    }
+
+    const Orders& m_orders;
+    std::vector<std::vector<Places>> m_places;
+    int m_alternatives;
+    Trays m_sets;
+    std::vector<std::vector<Members>> m_members;
+    std::vector<std::int64_t> m_surplus;  ///< [class][pattern]
+    std::int64_t m_excess = 0;
+    PlacePair m_pair;
+};
+
+/// Trays with the true fabric in its slot; exchanging the true slots of two presentations of one fabric,
+/// or two foils of one tray, as its move. Both keep the true slots per participant x fabric.
+class SlotSearch {
+public:
+    SlotSearch(const Orders& orders, const StudySize& size, int alternatives, Trays trays)
+        : m_orders(orders),
+          m_places(placesOf(orders, size)),
+          m_fabrics(static_cast<std::size_t>(size.fabrics)),
+          m_slots(static_cast<std::size_t>(alternatives)),
+          m_trays(std::move(trays)),
+          m_trueSlots(static_cast<std::size_t>(size.labels) * m_slots),
+          m_foilSlots(m_trays.size() * m_fabrics * m_slots)
+    {
+        const std::int64_t presentations = std::int64_t{size.participants} * size.fabrics;
+        const std::int64_t asFoil = std::int64_t{size.labels} * (alternatives - 1);
+        m_excess = -(trueWeight * size.labels * leastSquares(presentations, alternatives) +
+                     presentations * leastSquares(asFoil, alternatives));
+        for (std::size_t participant = 0; participant < m_trays.size(); ++participant)
+            for (std::size_t at = 0; at < m_trays[participant].size(); ++at) count(participant, at, true);
+    }
+
+    std::int64_t excess() const { return m_excess; }
+    const Trays& trays() const { return m_trays; }
+
+    std::int64_t applyRandomMove(Random& random)
+    {
+        m_pair = randomPair(m_places, random);
+        m_betweenTrays = m_slots == 2 || random.below(2) == 0;
+        m_slot = m_betweenTrays ? trueSlot(m_pair.first) : random.below(m_slots);
+        m_otherSlot = m_betweenTrays ? trueSlot(m_pair.second) : random.below(m_slots);
+        const std::size_t shown = trueSlot(m_pair.first);
+        m_moves = m_slot != m_otherSlot && (m_betweenTrays || (m_slot != shown && m_otherSlot != shown));
+        return swapSlots();
+    }
+
+    void undoMove() { swapSlots(); }
+
+private:
+    static constexpr std::int64_t trueWeight = 4;
+
+    std::size_t trueSlot(std::size_t at) const { return trueSlotOf(m_pair.participant, at); }
+
+    std::size_t trueSlotOf(std::size_t participant, std::size_t at) const
+    {
+        const Tray& tray = m_trays[participant][at];
+        return static_cast<std::size_t>(std::ranges::find(tray, m_orders[participant][at].fabric) - tray.begin());
+    }
+
+    std::int64_t swapSlots()
+    {
+        if (!m_moves) return 0;
+        const std::int64_t before = m_excess;
+        swapWithin(m_pair.first);
+        if (m_betweenTrays) swapWithin(m_pair.second);
+        return m_excess - before;
+    }
+
+    void swapWithin(std::size_t at)
+    {
+        count(m_pair.participant, at, false);
+        Tray& tray = m_trays[m_pair.participant][at];
+        std::swap(tray[m_slot], tray[m_otherSlot]);
+        count(m_pair.participant, at, true);
+    }
+
+    void count(std::size_t participant, std::size_t at, bool adding)
+    {
+        const Tray& tray = m_trays[participant][at];
+        const Rendering& shown = m_orders[participant][at];
+        for (std::size_t slot = 0; slot < m_slots; ++slot) {
+            const auto fabric = static_cast<std::size_t>(tray[slot]);
+            const bool isTrue = tray[slot] == shown.fabric;
+            SquaredCounts& counts = isTrue ? m_trueSlots : m_foilSlots;
+            const std::size_t row = isTrue ? static_cast<std::size_t>(shown.label) : participant * m_fabrics + fabric;
+            const std::int64_t change = adding ? counts.add(row * m_slots + slot) : counts.remove(row * m_slots + slot);
+            m_excess += (isTrue ? trueWeight : 1) * change;
+        }
+    }
+
+    const Orders& m_orders;
+    std::vector<std::vector<Places>> m_places;
+    std::size_t m_fabrics;
+    std::size_t m_slots;
+    Trays m_trays;
+    SquaredCounts m_trueSlots;  ///< [label][slot], over the study
+    SquaredCounts m_foilSlots;  ///< [participant][foil][slot]
+    std::int64_t m_excess = 0;
+    PlacePair m_pair;
+    std::size_t m_slot = 0;
+    std::size_t m_otherSlot = 0;
+    bool m_betweenTrays = false;
+    bool m_moves = false;
+};
+
+/// The true fabric first, then its foils.
+Trays setsInOrder(const Orders& orders, const StudySize& size, int alternatives, Random& random)
+{
+    const auto foilSets = drawFoilSets(size, alternatives - 1, random);
+    const auto places = placesOf(orders, size);
+    Trays trays;
+    for (std::size_t participant = 0; participant < orders.size(); ++participant) {
+        auto& list = trays.emplace_back(orders[participant].size());
+        for (std::size_t fabric = 0; fabric < places[participant].size(); ++fabric)
+            for (std::size_t i = 0; i < places[participant][fabric].size(); ++i) {
+                Tray& tray = list[places[participant][fabric][i]];
+                tray = {static_cast<int>(fabric)};
+                const FoilSet& foils = foilSets[participant][fabric][i];
+                tray.insert(tray.end(), foils.begin(), foils.end());
+            }
+    }
+    return trays;
+}
+
+/// True slots for one participant x fabric: each equally often; what is left over goes to the slots that
+/// the participant, then the study, has had least.
+std::vector<std::size_t> evenSlots(std::size_t count, std::vector<int>& own, std::vector<int>& study, Random& random)
+{
+    std::vector<std::size_t> slots(own.size());
+    for (std::size_t slot = 0; slot < slots.size(); ++slot) slots[slot] = slot;
+    random.shuffle(slots);
+    std::ranges::stable_sort(slots, [&](std::size_t a, std::size_t b) {
+        return std::pair(own[a], study[a]) < std::pair(own[b], study[b]);
+    });
+    std::vector<std::size_t> drawn;
+    for (std::size_t i = 0; i < count; ++i) {
+        drawn.push_back(slots[i % slots.size()]);
+        ++own[drawn.back()];
+        ++study[drawn.back()];
+    }
+    random.shuffle(drawn);
+    return drawn;
+}
+
+/// Puts the true fabric (first so far) into its slot, the foils in random order into the others.
+void layOut(Trays& trays, const Orders& orders, const StudySize& size, int alternatives, Random& random)
+{
+    const auto places = placesOf(orders, size);
+    std::vector<int> study(static_cast<std::size_t>(alternatives), 0);
+    for (std::size_t participant = 0; participant < trays.size(); ++participant) {
+        std::vector<int> own(study.size(), 0);
+        for (const Places& list : places[participant]) {
+            const std::vector<std::size_t> slots = evenSlots(list.size(), own, study, random);
+            for (std::size_t i = 0; i < list.size(); ++i) {
+                Tray& tray = trays[participant][list[i]];
+                Tray foils(tray.begin() + 1, tray.end());
+                random.shuffle(foils);
+                foils.insert(foils.begin() + static_cast<std::ptrdiff_t>(slots[i]), tray.front());
+                tray = std::move(foils);
+            }
+        }
+    }
+}
+
+}  // namespace
+
+Trays drawTrays(const Orders& orders, const StudySize& size, int alternatives, Random& random)
+{
+    const std::int64_t places = std::int64_t{size.participants} * size.labels * size.fabrics;
+    const std::int64_t moves = std::clamp<std::int64_t>(places * 400, 20'000, 1'000'000);
+    NeighbourSearch neighbours(orders, size, alternatives, setsInOrder(orders, size, alternatives, random));
+    anneal(neighbours, random, {.moves = moves, .hot = 16});
+    Trays trays = neighbours.sets();
+    layOut(trays, orders, size, alternatives, random);
+    SlotSearch slots(orders, size, alternatives, std::move(trays));
+    annealAgain(slots, random, {.moves = moves, .hot = 4});
+    return slots.trays();
+}
+
+}  // namespace protocols

@@ -1,0 +1,79 @@
+#include "protocols/condition.h"
+#include "protocols/errors.h"
+
+#include <QtTest>
+
+using namespace protocols;
+
+class ConditionTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void nineConditionsInTheOrderOfThePaper()
+    {
+        QStringList ids;
+        for (const Condition& condition : allConditions()) ids << QString::fromStdString(condition.conditionId().value);
+        QCOMPARE(ids.join(' '), QString("v_grey v_shape f_g h_g h_g&f_g t_grey f h h&f"));
+    }
+
+    void groupsFollowTheSignals()
+    {
+        for (const Condition& condition : allConditions()) {
+            const bool generated = condition.relief == ReliefSource::GeneratedHeight ||
+                                   condition.friction == FrictionSource::GeneratedTrace;
+            QCOMPARE(condition.group == ConditionGroup::Generated, generated);
+            QVERIFY(condition.relief != ReliefSource::None || condition.friction != FrictionSource::None);
+        }
+    }
+
+    void bothSpellingsNameTheSameCondition()
+    {
+        QCOMPARE(&conditionNamed("h_g+f_g"), &conditionNamed("h_g&f_g"));
+        QCOMPARE(fileNameOf(ConditionId("h_g&f_g")), std::string("h_g+f_g"));
+        QCOMPARE(fileNameOf(ConditionId("v_grey")), std::string("v_grey"));
+    }
+
+    void listsAreReadInTheirOrder()
+    {
+        QCOMPARE(conditionList("h+f,v_grey"), (std::vector<ConditionId>{ConditionId("h&f"), ConditionId("v_grey")}));
+        QCOMPARE(conditionList("all").size(), std::size_t{9});
+    }
+
+    void wrongListsAreRefusedByName_data()
+    {
+        QTest::addColumn<QString>("list");
+        QTest::addColumn<QString>("named");
+        QTest::newRow("unknown") << "v_grey,velvet" << "'velvet'";
+        QTest::newRow("doubled in two spellings") << "h&f,h+f" << "'h&f'";
+        QTest::newRow("empty") << "" << "''";
+        QTest::newRow("trailing comma") << "f," << "''";
+        QTest::newRow("capital letters") << "V_GREY" << "'V_GREY'";
+    }
+
+    void wrongListsAreRefusedByName()
+    {
+        QFETCH(const QString, list);
+        QFETCH(const QString, named);
+        try {
+            conditionList(list.toStdString());
+            QFAIL("a wrong list was taken");
+        } catch (const Error& error) {
+            QCOMPARE(error.exitCode(), ExitCode::BadInput);
+            QVERIFY2(QString(error.what()).contains(named), error.what());
+        }
+    }
+
+    void refusalNamesTheKnownIds()
+    {
+        try {
+            conditionNamed("silk");
+            QFAIL("silk is no condition");
+        } catch (const Error& error) {
+            for (const Condition& condition : allConditions())
+                QVERIFY(QString(error.what()).contains(QString::fromStdString(std::string(condition.id))));
+        }
+    }
+};
+
+QTEST_GUILESS_MAIN(ConditionTest)
+#include "condition_test.moc"

@@ -1,0 +1,265 @@
+#include "protocols/counterbalancing.h"
+#include "protocols/protocol_json.h"
+
+#include <QElapsedTimer>
+#include <QtTest>
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <set>
+
+using namespace protocols;
+
+namespace {
+
+Protocol studyOf(int participants, int conditions, int fabrics, int alternatives)
+{
+    Protocol protocol = protocolFromJson(paperProtocolJson(), "vis2hap.json");
+    protocol.participants = participants;
+    protocol.conditions.resize(static_cast<std::size_t>(conditions));
+    protocol.fabricCount = fabrics;
+    protocol.phases[0].alternatives = alternatives;
+    return protocol;
+}
+
+Protocol choicesOfThePaper()
+{
+    Protocol protocol = studyOf(10, 9, 7, 3);
+    protocol.phases.resize(1);
+    return protocol;
+}
+
+using Range = BalanceCertificate::Range;
+
+Range rangeNamed(const BalanceCertificate& certificate, const std::string& what)
+{
+    const auto found = std::ranges::find(certificate.ranges, what, &Range::what);
+    return found == certificate.ranges.end() ? Range{"no range " + what, -1, -1} : *found;
+}
+
+/// Trials of the choice phase, in order.
+std::vector<DesignTrial> choicesOf(const std::vector<DesignTrial>& trials)
+{
+    std::vector<DesignTrial> choices;
+    std::ranges::copy_if(trials, std::back_inserter(choices), [](const DesignTrial& t) { return t.phase == 0; });
+    return choices;
+}
+
+bool liesOn(const std::vector<DesignTrial>& list, std::size_t at, std::ptrdiff_t away, int fabric)
+{
+    const std::ptrdiff_t other = static_cast<std::ptrdiff_t>(at) + away;
+    if (other < 0 || other >= static_cast<std::ptrdiff_t>(list.size())) return false;
+    const auto& tray = list[static_cast<std::size_t>(other)].alternatives;
+    return std::ranges::find(tray, fabric) != tray.end();
+}
+
+/// Scores a fabric on a tray from what can be seen of a participant's list; the guesser takes the highest.
+using Rule = std::function<int(const std::vector<DesignTrial>& list, std::size_t at, int fabric)>;
+
+/// Expected number of true slots that a guesser by `rule` names, ties shared.
+double hitsBy(const Rule& rule, const Design& design)
+{
+    double hits = 0;
+    for (const auto& participant : design.participants) {
+        const auto list = choicesOf(participant);
+        for (std::size_t at = 0; at < list.size(); ++at) {
+            std::map<int, std::vector<int>> byScore;
+            for (const int fabric : list[at].alternatives) byScore[rule(list, at, fabric)].push_back(fabric);
+            const auto& best = byScore.rbegin()->second;
+            if (std::ranges::find(best, list[at].fabric) != best.end()) hits += 1.0 / static_cast<double>(best.size());
+        }
+    }
+    return hits;
+}
+
+int appearances(const std::vector<DesignTrial>& list, int fabric)
+{
+    return static_cast<int>(std::ranges::count_if(list, [&](const DesignTrial& t) {
+        return std::ranges::find(t.alternatives, fabric) != t.alternatives.end();
+    }));
+}
+
+int appearancesInSlot(const std::vector<DesignTrial>& list, std::size_t at, int fabric)
+{
+    const auto& tray = list[at].alternatives;
+    const auto slot = std::ranges::find(tray, fabric) - tray.begin();
+    return static_cast<int>(std::ranges::count_if(
+        list, [&](const DesignTrial& t) { return t.alternatives[static_cast<std::size_t>(slot)] == fabric; }));
+}
+
+/// Presentations until the fabric lies on a tray again (or since it did).
+int distance(const std::vector<DesignTrial>& list, std::size_t at, int fabric, int direction)
+{
+    for (int away = 1; away < 10; ++away)
+        if (liesOn(list, at, direction * away, fabric)) return away;
+    return 10;
+}
+
+const std::vector<std::pair<const char*, Rule>>& guessingRules()
+{
+    static const std::vector<std::pair<const char*, Rule>> rules{
+        {"most frequent fabric", [](auto& list, auto, int f) { return appearances(list, f); }},
+        {"least frequent fabric", [](auto& list, auto, int f) { return -appearances(list, f); }},
+        {"most frequent in its slot", [](auto& list, auto at, int f) { return appearancesInSlot(list, at, f); }},
+        {"least frequent in its slot", [](auto& list, auto at, int f) { return -appearancesInSlot(list, at, f); }},
+        {"was there before", [](auto& list, auto at, int f) { return liesOn(list, at, -1, f) ? 1 : 0; }},
+        {"was not there before", [](auto& list, auto at, int f) { return liesOn(list, at, -1, f) ? 0 : 1; }},
+        {"stays for the next", [](auto& list, auto at, int f) { return liesOn(list, at, 1, f) ? 1 : 0; }},
+        {"goes before the next", [](auto& list, auto at, int f) { return liesOn(list, at, 1, f) ? 0 : 1; }},
+        {"alone among its neighbours",
+         [](auto& list, auto at, int f) { return -(liesOn(list, at, -1, f) ? 1 : 0) - (liesOn(list, at, 1, f) ? 1 : 0); }},
+        {"longest away", [](auto& list, auto at, int f) { return distance(list, at, f, -1); }},
+        {"soonest back", [](auto& list, auto at, int f) { return -distance(list, at, f, 1); }},
+        {"lowest number", [](auto&, auto, int f) { return -f; }},
+    };
+    return rules;
+}
+
+}  // namespace
+
+class CounterbalancingTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void paperStudyIsBalanced_data()
+    {
+        QTest::addColumn<quint64>("seed");
+        const quint64 seeds = qEnvironmentVariableIsSet("VIS2HAP_ALL_SEEDS") ? 200 : 5;
+        for (quint64 seed = 1; seed <= seeds; ++seed) QTest::addRow("seed %llu", seed) << seed;
+    }
+
+    void paperStudyIsBalanced()
+    {
+        QFETCH(const quint64, seed);
+        const Protocol protocol = studyOf(10, 9, 7, 3);
+        QElapsedTimer timer;
+        timer.start();
+        const Design design = drawDesign(protocol, seed);
+        QVERIFY2(timer.elapsed() < 10'000, qPrintable(QString("%1 ms").arg(timer.elapsed())));
+        const BalanceCertificate certificate = balanceOf(design, protocol);
+        const QByteArray shown = QByteArray::fromStdString(describe(certificate));
+        for (const std::string phase : {", Q1", ", Q2-Q4"}) {
+            QCOMPARE(rangeNamed(certificate, "presentations of a rendering per participant" + phase),
+                     (Range{"presentations of a rendering per participant" + phase, 1, 1}));
+            QVERIFY2(lies(certificate, "ordered pairs of conditions" + phase, 8, 9), shown);
+            QVERIFY2(lies(certificate, "ordered pairs of fabrics" + phase, 14, 15), shown);
+            QVERIFY2(lies(certificate, "a condition per stretch of the order" + phase, 8, 12), shown);
+            QVERIFY2(lies(certificate, "a fabric per stretch of the order" + phase, 8, 12), shown);
+        }
+        QVERIFY2(lies(certificate, "foil sets per true fabric, Q1", 6, 6), shown);
+        QVERIFY2(lies(certificate, "true slots per participant and fabric, Q1", 3, 3), shown);
+        QVERIFY2(lies(certificate, "true slots per condition, Q1", 23, 24), shown);
+        QVERIFY2(lies(certificate, "a fabric as foil per participant, Q1", 18, 18), shown);
+        QVERIFY2(lies(certificate, "slots of a foil per participant, Q1", 6, 6), shown);
+        QCOMPARE(certificate.immediateRepeats, 0);
+        QCOMPARE(certificate.repeatedFoilPairs, 0);
+    }
+
+    void otherSizesComeAsNearAsTheyCan_data()
+    {
+        QTest::addColumn<int>("participants");
+        QTest::addColumn<int>("conditions");
+        QTest::addColumn<int>("fabrics");
+        QTest::addColumn<int>("alternatives");
+        QTest::addColumn<int>("slack");    // how far counts of a kind may differ
+        QTest::addColumn<bool>("repeats");  // unavoidable
+        QTest::newRow("six fabrics, five conditions") << 10 << 5 << 6 << 3 << 1 << false;
+        QTest::newRow("two participants") << 2 << 9 << 7 << 3 << 1 << false;
+        QTest::newRow("one participant") << 1 << 9 << 7 << 3 << 2 << false;
+        QTest::newRow("four alternatives") << 10 << 9 << 7 << 4 << 1 << false;
+        QTest::newRow("two alternatives") << 6 << 9 << 7 << 2 << 1 << false;
+        QTest::newRow("one condition") << 10 << 1 << 7 << 3 << 1 << true;
+        QTest::newRow("three fabrics") << 10 << 9 << 3 << 3 << 1 << false;
+        QTest::newRow("two fabrics") << 10 << 9 << 2 << 2 << 2 << true;
+        QTest::newRow("smallest") << 1 << 1 << 2 << 2 << 1 << true;
+        QTest::newRow("twenty fabrics") << 4 << 3 << 20 << 5 << 2 << false;
+    }
+
+    void otherSizesComeAsNearAsTheyCan()
+    {
+        QFETCH(const int, participants);
+        QFETCH(const int, conditions);
+        QFETCH(const int, fabrics);
+        QFETCH(const int, alternatives);
+        QFETCH(const int, slack);
+        QFETCH(const bool, repeats);
+        const Protocol protocol = studyOf(participants, conditions, fabrics, alternatives);
+        const Design design = drawDesign(protocol, 3);
+        const BalanceCertificate certificate = balanceOf(design, protocol);
+        const QByteArray shown = QByteArray::fromStdString(describe(certificate));
+        for (const Range& range : certificate.ranges)
+            if (range.what.find("stretch") == std::string::npos && range.what.find("slots of a foil") == std::string::npos)
+                QVERIFY2(range.max - range.min <= slack, shown);
+        QVERIFY2(lies(certificate, "presentations of a rendering per participant, Q1", 1, 1), shown);
+        if (!repeats) QCOMPARE(certificate.immediateRepeats, 0);
+        for (const auto& trials : design.participants)
+            for (const DesignTrial& trial : choicesOf(trials)) {
+                QCOMPARE(trial.alternatives.size(), static_cast<std::size_t>(alternatives));
+                QCOMPARE(std::set<int>(trial.alternatives.begin(), trial.alternatives.end()).size(), trial.alternatives.size());
+                QCOMPARE(std::ranges::count(trial.alternatives, trial.fabric), 1);
+            }
+    }
+
+    void foilSetsRepeatOnlyWhereTheyMust()
+    {
+        // Three fabrics have one set of two foils for each true fabric: nine presentations repeat it eight times.
+        const Protocol protocol = studyOf(10, 9, 3, 3);
+        QCOMPARE(balanceOf(drawDesign(protocol, 5), protocol).repeatedFoilPairs, 10 * 3 * 8);
+        const Protocol four = studyOf(10, 9, 7, 4);
+        QCOMPARE(balanceOf(drawDesign(four, 5), four).repeatedFoilPairs, 0);
+    }
+
+    void sameSeedGivesTheSameDesign()
+    {
+        const Protocol protocol = studyOf(4, 5, 6, 3);
+        QVERIFY(drawDesign(protocol, 9) == drawDesign(protocol, 9));
+        QVERIFY(drawDesign(protocol, 9) != drawDesign(protocol, 10));
+    }
+
+    void whatCanBeSeenDoesNotNameTheTrueSlot_data()
+    {
+        QTest::addColumn<int>("rule");
+        for (std::size_t i = 0; i < guessingRules().size(); ++i) QTest::newRow(guessingRules()[i].first) << static_cast<int>(i);
+    }
+
+    void whatCanBeSeenDoesNotNameTheTrueSlot()
+    {
+        QFETCH(const int, rule);
+        double hits = 0;
+        for (const Design& design : m_designs) hits += hitsBy(guessingRules()[static_cast<std::size_t>(rule)].second, design);
+        // Chance is a third of 5 x 630 trials; blind guessing has a standard deviation of 26.
+        QVERIFY2(std::abs(hits - 1050) < 45, qPrintable(QString("%1 hits, 1050 by chance").arg(hits)));
+    }
+
+    void certificateSeesADesignThatIsNotBalanced()
+    {
+        const Protocol protocol = choicesOfThePaper();
+        Design design = m_designs.front();
+        auto& first = design.participants[0];
+        first[1].label = first[0].label;
+        std::swap(first[2].alternatives[0], first[2].alternatives[1]);
+        const BalanceCertificate certificate = balanceOf(design, protocol);
+        QVERIFY(certificate.immediateRepeats > 0);
+        QVERIFY(!lies(certificate, "presentations of a rendering per participant, Q1", 1, 1));
+        QVERIFY(!lies(certificate, "slots of a foil per participant, Q1", 6, 6));
+        QVERIFY(describe(certificate).find("immediate repeats of a condition or fabric: 1") != std::string::npos);
+    }
+
+    void initTestCase()
+    {
+        for (std::uint64_t seed = 101; seed <= 105; ++seed) m_designs.push_back(drawDesign(choicesOfThePaper(), seed));
+    }
+
+private:
+    static bool lies(const BalanceCertificate& certificate, const std::string& what, int low, int high)
+    {
+        const Range range = rangeNamed(certificate, what);
+        return range.min >= low && range.max <= high;
+    }
+
+    std::vector<Design> m_designs;
+};
+
+QTEST_GUILESS_MAIN(CounterbalancingTest)
+#include "counterbalancing_test.moc"

@@ -1,0 +1,199 @@
+#include "protocols/errors.h"
+#include "protocols/protocol_json.h"
+
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include <fstream>
+
+using namespace protocols;
+
+namespace {
+
+Protocol paper() { return protocolFromJson(paperProtocolJson(), "vis2hap.json"); }
+
+/// The refusal of a text; empty when it was taken.
+QString refusalOf(const QString& json)
+{
+    try {
+        protocolFromJson(json.toStdString(), "study.json");
+    } catch (const Error& error) {
+        return error.exitCode() == ExitCode::BadInput ? error.what() : "wrong exit code";
+    }
+    return {};
+}
+
+/// A small protocol that can run, with one part replaced.
+QString smallProtocol(const QString& part = {}, const QString& by = {})
+{
+    QString json = R"({"schema": "vis2hap.protocol/1", "name": "small", "participants": 2, "fabrics": 3,
+ "conditions": ["v_grey", "h_g+f_g"],
+ "phases": [{"questions": ["Q1"], "alternatives": 3}, {"questions": ["Q2"], "scale": {"min": 0, "max": 10}}]})";
+    if (!part.isEmpty() && !json.contains(part)) qFatal("the part is not in the protocol");
+    return part.isEmpty() ? json : json.replace(part, by);
+}
+
+}  // namespace
+
+class ProtocolTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void paperAsks126TrialsAnd252AnswersOfEachParticipant()
+    {
+        const Protocol protocol = paper();
+        int trials = 0;
+        int answers = 0;
+        for (const Phase& phase : protocol.phases) {
+            trials += protocol.presentationsPerPhase();
+            answers += protocol.presentationsPerPhase() * static_cast<int>(phase.questions.size());
+        }
+        QCOMPARE(protocol.participants, 10);
+        QCOMPARE(protocol.presentationsPerPhase(), 63);
+        QCOMPARE(trials, 126);
+        QCOMPARE(answers, 252);
+    }
+
+    void paperAsksItsQuestions()
+    {
+        const Protocol protocol = paper();
+        QCOMPARE(protocol.phases.size(), std::size_t{2});
+        QCOMPARE(protocol.phases[0].alternatives, std::optional<int>(3));
+        QCOMPARE(protocol.phases[1].questions.size(), std::size_t{3});
+        QVERIFY(protocol.phases[1].questions[0].text.find("slipperiness") != std::string::npos);
+        QCOMPARE(protocol.phases[1].scale, std::optional<Scale>(Scale{}));
+        QVERIFY(protocol.phases[1].scale->holds(Tenths{54}));
+        QVERIFY(!protocol.phases[1].scale->holds(Tenths{101}));
+        QCOMPARE(protocol.equivalenceBounds, (std::pair<double, double>{-0.5, 0.5}));
+        QCOMPARE(protocol.planned.front(), (PlannedContrast{ConditionId("h_g&f_g"), ConditionId("h&f")}));
+    }
+
+    void shippedFileIsTheOneInTheProgram()
+    {
+        const std::filesystem::path file = std::filesystem::path(VIS2HAP_SOURCE_DIR) / "protocols/vis2hap.json";
+        std::ifstream stream(file, std::ios::binary);
+        const std::string text{std::istreambuf_iterator<char>(stream), {}};
+        QVERIFY(!text.empty());
+        QCOMPARE(text, std::string(paperProtocolJson()));
+        QCOMPARE(readProtocol(file), paper());
+    }
+
+    void smallProtocolTakesDefaults()
+    {
+        const Protocol protocol = protocolFromJson(smallProtocol().toStdString(), "small.json");
+        QCOMPARE(protocol.conditions[1], ConditionId("h_g&f_g"));
+        QCOMPARE(protocol.phases[1].scale->step, Tenths{1});
+        QCOMPARE(protocol.equivalenceBounds, (std::pair<double, double>{-0.5, 0.5}));
+        QVERIFY(!protocol.phases[0].questions[0].text.empty());
+        QVERIFY(protocol.planned.empty());
+    }
+
+    void fabricsMayBeNamed()
+    {
+        const QString json = smallProtocol("\"fabrics\": 3", "\"fabrics\": [\"F02\", \"F05\", \"F07\"]");
+        const Protocol protocol = protocolFromJson(json.toStdString(), "small.json");
+        QCOMPARE(protocol.fabricCount, 3);
+        QCOMPARE(protocol.fabrics[1], FabricId("F05"));
+    }
+
+    void everyFaultIsNamedAtItsPlace_data()
+    {
+        QTest::addColumn<QString>("part");
+        QTest::addColumn<QString>("by");
+        QTest::addColumn<QString>("named");
+        const auto row = [](const char* name, const char* part, const char* by, const char* named) {
+            QTest::newRow(name) << QString(part) << QString(by) << QString(named);
+        };
+        row("other schema", "protocol/1", "protocol/9", "schema: \"vis2hap.protocol/9\", expected \"vis2hap.protocol/1\"");
+        row("missing name", "\"name\": \"small\", ", "", "'name' is missing");
+        row("misspelt key", "\"name\"", "\"planed\": [], \"name\"", "unknown key 'planed'");
+        row("no participant", "\"participants\": 2", "\"participants\": 0", "participants: 0");
+        row("half a participant", "\"participants\": 2", "\"participants\": 2.5", "participants: 2.5, expected a whole number");
+        row("text for a number", "\"participants\": 2", "\"participants\": \"2\"", "participants: \"2\"");
+        row("huge number", "\"participants\": 2", "\"participants\": 99999999999999999999", "participants");
+        row("unknown condition", "v_grey", "v_gray",
+            "conditions[0]: unknown condition 'v_gray', expected one of v_grey, v_shape");
+        row("doubled condition", "v_grey", "h_g&f_g", "conditions[1]: 'h_g&f_g' is named twice");
+        row("too many alternatives", "\"alternatives\": 3", "\"alternatives\": 4", "phases[0].alternatives: 4 of 3 fabrics");
+        row("no answers", ", \"alternatives\": 3", "", "phases[0]: has neither alternatives nor a scale");
+        row("two kinds of answers", "\"alternatives\": 3", "\"alternatives\": 3, \"scale\": {\"min\": 0, \"max\": 1}",
+            "phases[0]: has both");
+        row("question asked twice", "\"Q2\"", "\"Q1\"", "phases[1].questions: 'Q1' is asked twice");
+        row("question without words", "\"Q2\"", "\"Q9\"", "'Q9' has no words");
+        row("words without question", "\"name\"", "\"question_texts\": {\"Q7\": \"Is it warm?\"}, \"name\"",
+            "'Q7' is asked in no phase");
+        row("scale upside down", "\"max\": 10", "\"max\": -1", "phases[1].scale: max is not above min");
+        row("scale between tenths", "\"max\": 10", "\"max\": 10.05",
+            "phases[1].scale.max: 10.05, expected a whole number of tenths");
+        row("step that misses max", "\"max\": 10", "\"max\": 10, \"step\": 0.3", "phases[1].scale.step");
+        row("bounds upside down", "\"name\"", "\"equivalence_bounds\": [1, -1], \"name\"", "equivalence_bounds");
+        row("one bound", "\"name\"", "\"equivalence_bounds\": [1], \"name\"", "equivalence_bounds: a list of 1");
+        row("contrast outside", "\"name\"", "\"planned\": [[\"h\", \"v_grey\"]], \"name\"",
+            "planned[0]: 'h' is not among the conditions");
+        row("contrast with itself", "\"name\"", "\"planned\": [[\"v_grey\", \"v_grey\"]], \"name\"", "with itself");
+        row("fabric twice", "\"fabrics\": 3", "\"fabrics\": [\"A\", \"B\", \"A\"]", "fabrics");
+        row("cut off", "\"scale\": {\"min\": 0, \"max\": 10}}]}", "", "line 3");
+        row("key twice", "\"name\"", "\"participants\": 4, \"name\"", "doubled key 'participants'");
+        row("not an object", "{\"schema\"", "[{\"schema\"", "study.json");
+    }
+
+    void everyFaultIsNamedAtItsPlace()
+    {
+        QFETCH(const QString, part);
+        QFETCH(const QString, by);
+        QFETCH(const QString, named);
+        const QString refusal = refusalOf(smallProtocol(part, by));
+        QVERIFY2(refusal.startsWith("study.json: "), qPrintable(refusal));
+        QVERIFY2(refusal.contains(named), qPrintable(refusal));
+        QVERIFY2(!refusal.contains('\n') && !refusal.contains("Failed to"), qPrintable(refusal));
+    }
+
+    void severalFaultsAreListedAtOnce()
+    {
+        QString json = smallProtocol("\"participants\": 2", "\"participants\": -1");
+        json.replace("\"max\": 10", "\"max\": \"ten\"").replace("\"alternatives\": 3", "\"alternatives\": 1");
+        const QString refusal = refusalOf(json);
+        QVERIFY2(refusal.contains("3 faults"), qPrintable(refusal));
+        for (const char* place : {"participants: -1", "phases[0].alternatives: 1", "phases[1].scale.max: \"ten\""})
+            QVERIFY2(refusal.contains(place), qPrintable(refusal));
+    }
+
+    void severalBrokenRulesAreListedAtOnce()
+    {
+        QString json = smallProtocol("v_grey", "velvet");
+        json.replace("\"alternatives\": 3", "\"alternatives\": 5").replace("\"Q2\"", "\"Q1\"");
+        const QString refusal = refusalOf(json);
+        for (const char* named : {"velvet", "5 of 3 fabrics", "asked twice"})
+            QVERIFY2(refusal.contains(named), qPrintable(refusal));
+    }
+
+    void bytesOutsideUtf8AreRefused()
+    {
+        std::string json = smallProtocol().toStdString();
+        json.replace(json.find("small"), 1, "\xff");
+        try {
+            protocolFromJson(json, "study.json");
+            QFAIL("a name that is not UTF-8 was taken");
+        } catch (const Error& error) {
+            QVERIFY2(QString(error.what()).contains("not UTF-8 at line 1, column 4"), error.what());
+        }
+        QVERIFY(refusalOf(smallProtocol("small", "Prüfung 織物")).isEmpty());
+    }
+
+    void unreadableFileIsNamed()
+    {
+        const QTemporaryDir folder;
+        for (const QString& path : {folder.filePath("none.json"), folder.path()}) {
+            try {
+                readProtocol(path.toStdString());
+                QFAIL("a protocol was read from nowhere");
+            } catch (const Error& error) {
+                QCOMPARE(error.exitCode(), ExitCode::BadInput);
+                QVERIFY2(QString(error.what()).startsWith(path), error.what());
+            }
+        }
+    }
+};
+
+QTEST_GUILESS_MAIN(ProtocolTest)
+#include "protocol_test.moc"

@@ -1,0 +1,7 @@
+vis2hap_test(protocols random_test LINK protocols)
+vis2hap_test(protocols sha256_test LINK protocols)
+vis2hap_test(protocols condition_test LINK protocols)
+vis2hap_test(protocols protocol_test LINK protocols)
+vis2hap_test(protocols allocation_test LINK protocols)
+vis2hap_test(protocols counterbalancing_test LINK protocols)
+vis2hap_test(. layering_test LINK protocols)

@@ -1,0 +1,172 @@
+// verify's part that lies in the database: whole file, whole references, unbroken log.
+#include "database/event_chain.h"
+#include "database/store_connection.h"
+#include "database/study_store.h"
+
+#include <nlohmann/json.hpp>
+
+#include <functional>
+#include <map>
+#include <set>
+
+namespace database {
+
+namespace {
+
+using Log = std::map<std::int64_t, LogEntry>;
+
+struct StoredHashes { std::string previous, own; };
+
+std::optional<std::string> textOrNone(const QVariant& value) { return value.isNull() ? std::nullopt : std::optional(fromQt(value)); }
+
+void readResponses(const SqliteConnection& sqlite, Log& log)
+{
+    QSqlQuery row = sqlite.run(QStringLiteral("SELECT event, participant, trial, attempt, question, file_code, alternatives, choice, rating_tenths, "
+                                              "ready_at, touched_at, answered_at, stored_at, is_correction FROM responses ORDER BY id"));
+    while (row.next()) {
+        ResponseRow response{fromQt(row.value(1)), row.value(2).toInt(), row.value(3).toInt(), fromQt(row.value(4)), fromQt(row.value(5)),
+                             fromQt(row.value(6)), textOrNone(row.value(7)), {}, row.value(9).toLongLong(), {}, row.value(11).toLongLong(),
+                             row.value(12).toLongLong(), row.value(13).toInt() != 0};
+        if (!row.value(8).isNull())
+            response.ratingTenths = row.value(8).toInt();
+        if (!row.value(10).isNull())
+            response.touchedAt = row.value(10).toLongLong();
+        log[row.value(0).toLongLong()].responses.push_back(std::move(response));
+    }
+}
+
+void readRest(const SqliteConnection& sqlite, Log& log)
+{
+    QSqlQuery row = sqlite.run(QStringLiteral("SELECT event, participant, trial, attempt FROM voids ORDER BY rowid"));
+    while (row.next())
+        log[row.value(0).toLongLong()].voids.push_back({fromQt(row.value(1)), row.value(2).toInt(), row.value(3).toInt()});
+    row = sqlite.run(QStringLiteral("SELECT event, participant, trial, attempt, question, text FROM notes ORDER BY id"));
+    while (row.next())
+        log[row.value(0).toLongLong()].notes.push_back(
+            {fromQt(row.value(1)), row.value(2).toInt(), row.value(3).toInt(), textOrNone(row.value(4)), fromQt(row.value(5))});
+    row = sqlite.run(QStringLiteral("SELECT event, who, why, wall_time FROM unblindings"));
+    while (row.next())
+        log[row.value(0).toLongLong()].unblinding = {fromQt(row.value(1)), fromQt(row.value(2)), fromQt(row.value(3))};
+}
+
+std::map<std::int64_t, StoredHashes> readEvents(const SqliteConnection& sqlite, Log& log)
+{
+    std::map<std::int64_t, StoredHashes> hashes;
+    QSqlQuery row = sqlite.run(
+        QStringLiteral("SELECT sequence, participant, sitting, kind, payload, at_ns, wall_time, previous_hash, hash FROM events ORDER BY sequence"));
+    while (row.next()) {
+        const std::int64_t sequence = row.value(0).toLongLong();
+        log[sequence].event = {sequence, protocols::ParticipantId(fromQt(row.value(1))), row.value(2).toInt(), fromQt(row.value(3)),
+                               fromQt(row.value(4)), row.value(5).toLongLong(), fromQt(row.value(6))};
+        hashes[sequence] = {fromQt(row.value(7)), fromQt(row.value(8))};
+    }
+    return hashes;
+}
+
+std::string nameOfEntry(const EventRecord& event)
+{
+    const std::string whose = event.participant.empty() ? std::string() : " of " + event.participant.value;
+    return "log entry " + std::to_string(event.sequence) + " (" + event.kind + whose + ")";
+}
+
+std::vector<std::string> faultsOfChain(const Log& log, const std::map<std::int64_t, StoredHashes>& hashes)
+{
+    std::vector<std::string> faults;
+    std::string previous;
+    std::int64_t expected = 1;
+    for (const auto& [sequence, entry] : log) {
+        const auto stored = hashes.find(sequence);
+        if (stored == hashes.end()) {
+            faults.push_back("log entry " + std::to_string(sequence) + " is missing, its answers or notes are there");
+            continue;
+        }
+        if (sequence != expected)
+            faults.push_back("log entries from " + std::to_string(expected) + " to " + std::to_string(sequence - 1) + " are missing");
+        if (stored->second.previous != previous)
+            faults.push_back(nameOfEntry(entry.event) + ": does not follow the entry before it");
+        if (chainHash(stored->second.previous, entry) != stored->second.own)
+            faults.push_back(nameOfEntry(entry.event) + ": it or what it stored was altered");
+        previous = stored->second.own;
+        expected = sequence + 1;
+    }
+    return faults;
+}
+
+void checkEnd(const SqliteConnection& sqlite, const Log& log, std::vector<std::string>& faults)
+{
+    const std::int64_t written = sqlite.value(QStringLiteral("SELECT seq FROM sqlite_sequence WHERE name = 'events'")).toLongLong();
+    const std::int64_t last = log.empty() ? 0 : log.rbegin()->first;
+    if (written != last)
+        faults.push_back("the log ends at entry " + std::to_string(last) + ", " + std::to_string(written) + " were written");
+}
+
+void checkFixedTables(const SqliteConnection& sqlite, const Log& log, std::vector<std::string>& faults)
+{
+    const auto first = log.find(1);
+    if (first == log.end() || first->second.event.kind != "created") {
+        faults.push_back("the log does not begin with the making of the study");
+        return;
+    }
+    const nlohmann::json payload = nlohmann::json::parse(first->second.event.payloadJson, nullptr, false);
+    if (!payload.is_object() || payload.value("fixed_sha256", std::string()) != hashOfFixedTables(sqlite))
+        faults.push_back("study facts, fabrics, stimulus hashes or trial lists were altered after the study was made");
+}
+
+/// "P01 in slot 1 (human)" of every participant, by the log and by the table.
+void checkPlaces(const SqliteConnection& sqlite, const Log& log, std::vector<std::string>& faults)
+{
+    std::set<std::string> logged, stored;
+    const auto place = [](const std::string& id, int slot, const std::string& kind) { return id + " in slot " + std::to_string(slot) + " (" + kind + ")"; };
+    for (const auto& [sequence, entry] : log) {
+        if (entry.event.kind != "enrolled")
+            continue;
+        const nlohmann::json payload = nlohmann::json::parse(entry.event.payloadJson, nullptr, false);
+        if (payload.is_object())
+            logged.insert(place(payload.value("participant", std::string()), payload.value("slot", 0), payload.value("kind", std::string())));
+    }
+    QSqlQuery row = sqlite.run(QStringLiteral("SELECT id, slot, kind FROM participants"));
+    while (row.next())
+        stored.insert(place(fromQt(row.value(0)), row.value(1).toInt(), fromQt(row.value(2))));
+    for (const std::string& one : stored)
+        if (!logged.contains(one))
+            faults.push_back("participant " + one + " is not in the log");
+    for (const std::string& one : logged)
+        if (!stored.contains(one))
+            faults.push_back("participant " + one + " was enrolled and is missing");
+}
+
+}  // namespace
+
+std::vector<std::string> faultsOfLog(const SqliteConnection& connection)
+{
+    Log log;
+    readResponses(connection, log);
+    readRest(connection, log);
+    const auto hashes = readEvents(connection, log);
+    std::vector<std::string> faults = faultsOfChain(log, hashes);
+    checkEnd(connection, log, faults);
+    checkFixedTables(connection, log, faults);
+    checkPlaces(connection, log, faults);
+    return faults;
+}
+
+std::vector<std::string> StudyStore::faults() const
+{
+    const SqliteConnection& sqlite = m_connection->sqlite;
+    std::vector<std::string> faults;
+    QSqlQuery row = sqlite.run(QStringLiteral("PRAGMA integrity_check"));
+    while (row.next())
+        if (fromQt(row.value(0)) != "ok")
+            faults.push_back("study.db: " + fromQt(row.value(0)));
+    row = sqlite.run(QStringLiteral("PRAGMA foreign_key_check"));
+    while (row.next())
+        faults.push_back("study.db: table " + fromQt(row.value(0)) + ", row " + fromQt(row.value(1)) + " refers to a missing row of " + fromQt(row.value(2)));
+    row.finish();
+    // One snapshot for the whole chain, whatever a writer does meanwhile.
+    const ReadSnapshot snapshot(sqlite);
+    for (std::string& fault : faultsOfLog(sqlite))
+        faults.push_back(std::move(fault));
+    return faults;
+}
+
+}  // namespace database

@@ -1,0 +1,141 @@
+#include "database/event_chain.h"
+
+#include "protocols/sha256.h"
+
+#include <QSqlRecord>
+
+namespace database {
+
+namespace {
+
+/// Fields in a form with one reading only: length, colon, bytes; "-" for an absent one.
+class Canonical {
+public:
+    Canonical& operator<<(const std::string& field)
+    {
+        m_bytes += std::to_string(field.size()) + ':' + field + ',';
+        return *this;
+    }
+    Canonical& operator<<(std::int64_t number) { return *this << std::to_string(number); }
+    template <class T>
+    Canonical& operator<<(const std::optional<T>& field)
+    {
+        if (field)
+            return *this << *field;
+        m_bytes += "-,";
+        return *this;
+    }
+    std::string hash() const { return protocols::sha256(m_bytes); }
+
+private:
+    std::string m_bytes;
+};
+
+// Columns by name: a later schema may add some, and the hash of an older study must stay.
+constexpr const char* fixedRows[] = {
+    "SELECT name, protocol_json, protocol_sha256, design_seed, key_sha256, masked_key_sha256, dataset_path, dataset_sha256, "
+    "dataset_procedural, model_sha256, stamps, signals_json, created_at, program_version FROM study",
+    "SELECT position, id, name FROM fabrics ORDER BY position",
+    "SELECT file_code, sha256 FROM stimuli ORDER BY file_code",
+    "SELECT number FROM slots ORDER BY number",
+    "SELECT slot, number, phase, file_code, presentation_code, alternatives FROM trials ORDER BY slot, number",
+};
+
+std::optional<std::int64_t> wide(const std::optional<int>& number)
+{
+    return number ? std::optional<std::int64_t>(*number) : std::nullopt;
+}
+
+void add(Canonical& bytes, const ResponseRow& row)
+{
+    bytes << std::string("response") << row.participant << std::int64_t(row.trial) << std::int64_t(row.attempt) << row.question
+          << row.fileCode << row.alternatives << row.choice << wide(row.ratingTenths) << row.readyAt << row.touchedAt
+          << row.answeredAt << row.storedAt << std::int64_t(row.isCorrection);
+}
+
+QVariant orNull(const std::optional<std::string>& text) { return text ? QVariant(toQt(*text)) : QVariant(); }
+QVariant orNull(const std::optional<int>& number) { return number ? QVariant(*number) : QVariant(); }
+QVariant orNull(const std::optional<std::int64_t>& number) { return number ? QVariant(qlonglong(*number)) : QVariant(); }
+
+void insertResponse(const SqliteConnection& connection, std::int64_t event, const ResponseRow& row)
+{
+    connection.run(QStringLiteral("INSERT INTO responses(event, participant, trial, attempt, question, file_code, alternatives, choice, "
+                                  "rating_tenths, ready_at, touched_at, answered_at, stored_at, is_correction) "
+                                  "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"),
+                   {qlonglong(event), toQt(row.participant), row.trial, row.attempt, toQt(row.question), toQt(row.fileCode),
+                    toQt(row.alternatives), orNull(row.choice), orNull(row.ratingTenths), qlonglong(row.readyAt),
+                    orNull(row.touchedAt), qlonglong(row.answeredAt), qlonglong(row.storedAt), int(row.isCorrection)});
+}
+
+void insertEvent(const SqliteConnection& connection, const EventRecord& event, const std::string& previous, const std::string& hash)
+{
+    connection.run(QStringLiteral("INSERT INTO events(sequence, participant, sitting, kind, payload, at_ns, wall_time, previous_hash, hash) "
+                                  "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)"),
+                   {qlonglong(event.sequence), toQt(event.participant.value), event.sitting, toQt(event.kind), toQt(event.payloadJson),
+                    qlonglong(event.atNs), toQt(event.wallTime), toQt(previous), toQt(hash)});
+}
+
+void insertRows(const SqliteConnection& connection, const LogEntry& entry)
+{
+    const qlonglong event = entry.event.sequence;
+    for (const ResponseRow& row : entry.responses)
+        insertResponse(connection, event, row);
+    for (const VoidRow& row : entry.voids)
+        connection.run(QStringLiteral("INSERT INTO voids(event, participant, trial, attempt) VALUES (?, ?, ?, ?)"),
+                       {event, toQt(row.participant), row.trial, row.attempt});
+    for (const NoteRow& row : entry.notes)
+        connection.run(QStringLiteral("INSERT INTO notes(event, participant, trial, attempt, question, text) VALUES (?, ?, ?, ?, ?, ?)"),
+                       {event, toQt(row.participant), row.trial, row.attempt, orNull(row.question), toQt(row.text)});
+    if (entry.unblinding)
+        connection.run(QStringLiteral("INSERT INTO unblindings(event, who, why, wall_time) VALUES (?, ?, ?, ?)"),
+                       {event, toQt(entry.unblinding->who), toQt(entry.unblinding->why), toQt(entry.unblinding->wallTime)});
+}
+
+}  // namespace
+
+std::string chainHash(const std::string& previous, const LogEntry& entry)
+{
+    Canonical bytes;
+    const EventRecord& event = entry.event;
+    bytes << previous << event.sequence << event.participant.value << std::int64_t(event.sitting) << event.kind << event.payloadJson
+          << event.atNs << event.wallTime;
+    for (const ResponseRow& row : entry.responses)
+        add(bytes, row);
+    for (const VoidRow& row : entry.voids)
+        bytes << std::string("void") << row.participant << std::int64_t(row.trial) << std::int64_t(row.attempt);
+    for (const NoteRow& row : entry.notes)
+        bytes << std::string("note") << row.participant << std::int64_t(row.trial) << std::int64_t(row.attempt) << row.question << row.text;
+    if (entry.unblinding)
+        bytes << std::string("unblinding") << entry.unblinding->who << entry.unblinding->why << entry.unblinding->wallTime;
+    return bytes.hash();
+}
+
+void store(const SqliteConnection& connection, LogEntry entry)
+{
+    std::string previous;
+    entry.event.sequence = 1;
+    QSqlQuery last = connection.run(QStringLiteral("SELECT sequence, hash FROM events ORDER BY sequence DESC LIMIT 1"));
+    if (last.next()) {
+        entry.event.sequence = last.value(0).toLongLong() + 1;
+        previous = fromQt(last.value(1));
+    }
+    last.finish();
+    insertEvent(connection, entry.event, previous, chainHash(previous, entry));
+    insertRows(connection, entry);
+}
+
+std::string hashOfFixedTables(const SqliteConnection& connection)
+{
+    Canonical bytes;
+    for (const char* rows : fixedRows) {
+        bytes << std::string(rows);
+        QSqlQuery query = connection.run(QString::fromLatin1(rows));
+        const int columns = query.record().count();
+        while (query.next())
+            for (int column = 0; column < columns; ++column)
+                bytes << fromQt(query.value(column));
+    }
+    return bytes.hash();
+}
+
+}  // namespace database

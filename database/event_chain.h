@@ -1,0 +1,62 @@
+// The hash chain of the log: each entry's hash is the SHA-256 of the hash before it and of everything
+// stored with it. Changing, removing or inserting a row breaks the chain from there on.
+#pragma once
+
+#include "database/sqlite_connection.h"
+#include "database/study_store.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace database {
+
+struct ResponseRow {
+    std::string participant;
+    int trial = 0;
+    int attempt = 1;
+    std::string question, fileCode, alternatives;
+    std::optional<std::string> choice;
+    std::optional<int> ratingTenths;
+    std::int64_t readyAt = 0;
+    std::optional<std::int64_t> touchedAt;
+    std::int64_t answeredAt = 0, storedAt = 0;
+    bool isCorrection = false;
+};
+
+struct VoidRow {
+    std::string participant;
+    int trial = 0;
+    int attempt = 1;
+};
+
+struct NoteRow {
+    std::string participant;
+    int trial = 0;
+    int attempt = 1;
+    std::optional<std::string> question;
+    std::string text;
+};
+
+/// An event and all that its transaction stores.
+struct LogEntry {
+    EventRecord event;
+    std::vector<ResponseRow> responses;
+    std::vector<VoidRow> voids;
+    std::vector<NoteRow> notes;
+    std::optional<UnblindingRecord> unblinding;
+};
+
+/// Lower-case hexadecimal; `previous` is empty for the first entry.
+std::string chainHash(const std::string& previous, const LogEntry& entry);
+
+/// Gives the entry the next sequence number and writes all its rows, in the caller's transaction.
+void store(const SqliteConnection& connection, LogEntry entry);
+
+/// SHA-256 over the rows that are fixed when a study is made: facts, fabrics, stimuli, trials.
+std::string hashOfFixedTables(const SqliteConnection& connection);
+
+/// A line for each place at which the log is not the one that was written.
+std::vector<std::string> faultsOfLog(const SqliteConnection& connection);
+
+}  // namespace database

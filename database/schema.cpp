@@ -1,0 +1,142 @@
+#include "database/schema.h"
+
+#include "protocols/errors.h"
+
+#include <span>
+#include <string>
+
+namespace database {
+
+namespace {
+
+// Version 1. Whatever is fixed or logged refuses UPDATE and DELETE by trigger (see appendOnlyTables);
+// only participants.state moves, and every move is in the log as well.
+constexpr const char* firstTables[] = {
+    // The study's fixed facts: one row. design_seed is text because SQLite has no unsigned 64 bits.
+    R"(CREATE TABLE study(
+        id INTEGER PRIMARY KEY CHECK (id = 1), name TEXT NOT NULL,
+        protocol_json TEXT NOT NULL, protocol_sha256 TEXT NOT NULL, design_seed TEXT NOT NULL,
+        key_sha256 TEXT NOT NULL, masked_key_sha256 TEXT NOT NULL,
+        dataset_path TEXT NOT NULL, dataset_sha256 TEXT NOT NULL, dataset_procedural INTEGER NOT NULL,
+        model_sha256 TEXT NOT NULL, stamps TEXT NOT NULL, signals_json TEXT NOT NULL,
+        created_at TEXT NOT NULL, program_version TEXT NOT NULL) STRICT)",
+    "CREATE TABLE fabrics(position INTEGER PRIMARY KEY, id TEXT NOT NULL UNIQUE, name TEXT NOT NULL) STRICT",
+    "CREATE TABLE stimuli(file_code TEXT PRIMARY KEY, sha256 TEXT NOT NULL) STRICT",
+    // A slot is a place in the design with its own running order; a participant takes one.
+    "CREATE TABLE slots(number INTEGER PRIMARY KEY CHECK (number >= 1)) STRICT",
+    R"(CREATE TABLE trials(
+        slot INTEGER NOT NULL REFERENCES slots(number), number INTEGER NOT NULL CHECK (number >= 1),
+        phase INTEGER NOT NULL, file_code TEXT NOT NULL REFERENCES stimuli(file_code),
+        presentation_code TEXT NOT NULL, alternatives TEXT NOT NULL,
+        PRIMARY KEY (slot, number)) STRICT, WITHOUT ROWID)",
+    R"(CREATE TABLE participants(
+        id TEXT PRIMARY KEY, slot INTEGER NOT NULL UNIQUE REFERENCES slots(number),
+        kind TEXT NOT NULL CHECK (kind IN ('human', 'scripted', 'simulated')),
+        state TEXT NOT NULL CHECK (state IN ('started', 'finished', 'withdrawn'))) STRICT)",
+    // The log. participant is empty for acts on the study itself (created, enrolled, unblinded).
+    R"(CREATE TABLE events(
+        sequence INTEGER PRIMARY KEY AUTOINCREMENT, participant TEXT NOT NULL, sitting INTEGER NOT NULL,
+        kind TEXT NOT NULL, payload TEXT NOT NULL, at_ns INTEGER NOT NULL, wall_time TEXT NOT NULL,
+        previous_hash TEXT NOT NULL, hash TEXT NOT NULL UNIQUE) STRICT)",
+    "CREATE INDEX events_of_participant ON events(participant, sequence)",
+    // Every answer ever given. attempt counts a trial's presentations from 1; a void starts the next.
+    R"(CREATE TABLE responses(
+        id INTEGER PRIMARY KEY, event INTEGER NOT NULL REFERENCES events(sequence),
+        participant TEXT NOT NULL REFERENCES participants(id), trial INTEGER NOT NULL, attempt INTEGER NOT NULL,
+        question TEXT NOT NULL, file_code TEXT NOT NULL REFERENCES stimuli(file_code), alternatives TEXT NOT NULL,
+        choice TEXT, rating_tenths INTEGER, ready_at INTEGER NOT NULL, touched_at INTEGER,
+        answered_at INTEGER NOT NULL, stored_at INTEGER NOT NULL, is_correction INTEGER NOT NULL,
+        CHECK ((choice IS NULL) <> (rating_tenths IS NULL))) STRICT)",
+    "CREATE INDEX responses_of_question ON responses(participant, trial, attempt, question, id)",
+    // The promise that an answer is stored once: one first answer to a question of one attempt.
+    "CREATE UNIQUE INDEX one_first_answer ON responses(participant, trial, attempt, question) WHERE is_correction = 0",
+    R"(CREATE TABLE voids(
+        event INTEGER NOT NULL REFERENCES events(sequence), participant TEXT NOT NULL REFERENCES participants(id),
+        trial INTEGER NOT NULL, attempt INTEGER NOT NULL, PRIMARY KEY (participant, trial, attempt)) STRICT)",
+    // question is null where the note is on the whole presentation.
+    R"(CREATE TABLE notes(
+        id INTEGER PRIMARY KEY, event INTEGER NOT NULL REFERENCES events(sequence),
+        participant TEXT NOT NULL REFERENCES participants(id), trial INTEGER NOT NULL, attempt INTEGER NOT NULL,
+        question TEXT, text TEXT NOT NULL) STRICT)",
+    "CREATE INDEX notes_of_trial ON notes(participant, trial, attempt)",
+    R"(CREATE TABLE unblindings(
+        event INTEGER PRIMARY KEY REFERENCES events(sequence), who TEXT NOT NULL, why TEXT NOT NULL,
+        wall_time TEXT NOT NULL) STRICT)",
+    // The latest response to each question of each attempt; the stamps are those of the first, because
+    // a correction changes what was answered, not when.
+    R"(CREATE VIEW current_responses AS SELECT
+        p.slot AS slot, first.id AS first_id, first.attempt AS attempt, first.participant AS participant,
+        first.trial AS trial, first.question AS question, first.file_code AS file_code,
+        first.alternatives AS alternatives, latest.choice AS choice, latest.rating_tenths AS rating_tenths,
+        first.ready_at AS ready_at, first.touched_at AS touched_at, first.answered_at AS answered_at,
+        latest.stored_at AS stored_at,
+        (SELECT COUNT(*) FROM responses r WHERE r.participant = first.participant AND r.trial = first.trial
+            AND r.attempt = first.attempt AND r.question = first.question) - 1 AS corrections,
+        EXISTS (SELECT 1 FROM voids v WHERE v.participant = first.participant AND v.trial = first.trial
+            AND v.attempt = first.attempt) AS voided,
+        e.wall_time AS wall_time,
+        COALESCE((SELECT group_concat(text, '; ') FROM (SELECT n.text AS text FROM notes n
+            WHERE n.participant = first.participant AND n.trial = first.trial AND n.attempt = first.attempt
+            AND (n.question IS NULL OR n.question = first.question) ORDER BY n.id)), '') AS note
+      FROM responses first
+      JOIN participants p ON p.id = first.participant
+      JOIN responses latest ON latest.id = (SELECT MAX(r.id) FROM responses r WHERE r.participant = first.participant
+            AND r.trial = first.trial AND r.attempt = first.attempt AND r.question = first.question)
+      JOIN events e ON e.sequence = latest.event
+      WHERE first.is_correction = 0)",
+    // The documented view for everybody's SQL; its columns are promised.
+    R"(CREATE VIEW answers AS SELECT participant, trial, question, file_code, alternatives, choice AS answer,
+        rating_tenths / 10.0 AS rating, ready_at, touched_at, answered_at, stored_at,
+        (answered_at - COALESCE(touched_at, ready_at)) / 1e9 AS seconds, corrections, voided, wall_time, note
+      FROM current_responses ORDER BY slot, trial, first_id)",
+};
+
+constexpr const char* appendOnlyTables[] = {"study",  "fabrics",   "stimuli", "slots", "trials",
+                                            "events", "responses", "voids",   "notes", "unblindings"};
+
+void refuseChanges(const SqliteConnection& connection, const char* table)
+{
+    for (const char* change : {"UPDATE", "DELETE"})
+        connection.run(QStringLiteral("CREATE TRIGGER %1_no_%2 BEFORE %2 ON %1 BEGIN "
+                                      "SELECT RAISE(ABORT, '%1 is append-only'); END")
+                           .arg(QLatin1String(table), QLatin1String(change)));
+}
+
+void makeFirstVersion(const SqliteConnection& connection)
+{
+    for (const char* statement : firstTables)
+        connection.run(QString::fromUtf8(statement));
+    for (const char* table : appendOnlyTables)
+        refuseChanges(connection, table);
+    connection.run(QStringLiteral("PRAGMA application_id = %1").arg(applicationId));
+}
+
+/// Step i leads from version i to version i + 1.
+using MigrationStep = void (*)(const SqliteConnection&);
+constexpr MigrationStep steps[] = {makeFirstVersion};
+static_assert(std::size(steps) == schemaVersion);
+
+int versionOf(const SqliteConnection& connection) { return connection.value(QStringLiteral("PRAGMA user_version")).toInt(); }
+
+}  // namespace
+
+void migrate(const SqliteConnection& connection)
+{
+    for (int version = versionOf(connection); version < schemaVersion; ++version) {
+        steps[version](connection);
+        connection.run(QStringLiteral("PRAGMA user_version = %1").arg(version + 1));
+    }
+}
+
+int checkedVersion(const SqliteConnection& connection)
+{
+    const int version = versionOf(connection);
+    if (connection.value(QStringLiteral("PRAGMA application_id")).toInt() != applicationId || version < 1)
+        throw protocols::badInput({"this database is not a study's", connection.file().string(), "the study.db of a study folder", "check the path"});
+    if (version > schemaVersion)
+        throw protocols::badInput({"the study was made by a newer version of this program (schema " + std::to_string(version) + ")",
+                                   connection.file().string(), "schema " + std::to_string(schemaVersion) + " or older", "update this program"});
+    return version;
+}
+
+}  // namespace database

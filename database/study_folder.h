@@ -1,0 +1,19 @@
+// The files of a study folder, by name.
+#pragma once
+
+#include <filesystem>
+
+namespace database {
+
+struct StudyFolder {
+    std::filesystem::path folder;
+
+    std::filesystem::path database() const { return folder / "study.db"; }
+    std::filesystem::path protocol() const { return folder / "protocol.json"; }
+    std::filesystem::path stimuli() const { return folder / "stimuli"; }
+    std::filesystem::path allocationKey() const { return folder / "allocation-key.json"; }
+    std::filesystem::path maskedKey() const { return folder / "masked-key.json"; }
+    std::filesystem::path lock() const { return folder / ".lock"; }
+};
+
+}  // namespace database

@@ -1,0 +1,188 @@
+// Everything that adds to a study: places taken, events with their answers, unblindings.
+#include "database/event_chain.h"
+#include "database/store_connection.h"
+#include "database/study_store.h"
+#include "protocols/errors.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace database {
+
+namespace {
+
+LogEntry actOnStudy(const std::string& kind, const nlohmann::ordered_json& payload, const std::string& wallTime)
+{
+    LogEntry entry;
+    entry.event.kind = kind;
+    entry.event.payloadJson = payload.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+    entry.event.wallTime = wallTime;
+    return entry;
+}
+
+void checkId(const protocols::ParticipantId& participant)
+{
+    const std::string& id = participant.value;
+    const bool isPrintable = std::none_of(id.begin(), id.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; });
+    if (id.empty() || id.size() > 64 || !isPrintable)
+        throw protocols::badInput({"\"" + id + "\" cannot name a participant", "", "1 to 64 printable characters", "choose another id"});
+}
+
+/// Presentations of this trial so far: the one now on is the void ones' successor.
+int attemptOf(const SqliteConnection& sqlite, const std::string& participant, int trial)
+{
+    return 1 + sqlite.value(QStringLiteral("SELECT COUNT(*) FROM voids WHERE participant = ? AND trial = ?"), {toQt(participant), trial}).toInt();
+}
+
+std::string placeOf(const std::string& participant, int trial, const std::string& question)
+{
+    return participant + ", trial " + std::to_string(trial) + ", " + question;
+}
+
+bool hasAnswer(const SqliteConnection& sqlite, const ResponseRow& row)
+{
+    return sqlite.value(QStringLiteral("SELECT COUNT(*) FROM responses WHERE participant = ? AND trial = ? AND attempt = ? AND question = ?"),
+                        {toQt(row.participant), row.trial, row.attempt, toQt(row.question)}).toInt() > 0;
+}
+
+/// A correction changes what was answered, not when.
+void takeStampsOfFirst(const SqliteConnection& sqlite, ResponseRow& row)
+{
+    QSqlQuery first = sqlite.run(QStringLiteral("SELECT ready_at, touched_at, answered_at FROM responses WHERE participant = ? AND trial = ? "
+                                                "AND attempt = ? AND question = ? ORDER BY id LIMIT 1"),
+                                 {toQt(row.participant), row.trial, row.attempt, toQt(row.question)});
+    if (!first.next())
+        throw protocols::workFailed({"there is no answer to correct", placeOf(row.participant, row.trial, row.question), "", ""});
+    row.readyAt = first.value(0).toLongLong();
+    row.touchedAt = first.value(1).isNull() ? std::nullopt : std::optional<std::int64_t>(first.value(1).toLongLong());
+    row.answeredAt = first.value(2).toLongLong();
+}
+
+ResponseRow rowOf(const SqliteConnection& sqlite, const StudyStore::Append& entry, const AnswerRecord& answer)
+{
+    ResponseRow row;
+    row.participant = entry.event.participant.value;
+    row.trial = answer.trial.value;
+    row.attempt = attemptOf(sqlite, row.participant, row.trial);
+    row.question = answer.question.value;
+    row.fileCode = answer.fileCode.value;
+    row.alternatives = jsonOf(answer.alternatives);
+    row.choice = answer.answer ? std::optional<std::string>(answer.answer->value) : std::nullopt;
+    row.ratingTenths = answer.rating ? std::optional<int>(answer.rating->value) : std::nullopt;
+    row.readyAt = answer.readyAtNs;
+    row.touchedAt = answer.touchedAtNs;
+    row.answeredAt = answer.answeredAtNs;
+    row.storedAt = entry.storedAtNs;
+    row.isCorrection = answer.isCorrection;
+    if (row.isCorrection)
+        takeStampsOfFirst(sqlite, row);
+    else if (hasAnswer(sqlite, row))
+        throw protocols::workFailed({"this answer is stored already", placeOf(row.participant, row.trial, row.question), "one answer to a question", ""});
+    return row;
+}
+
+LogEntry logEntryOf(const SqliteConnection& sqlite, const StudyStore::Append& entry)
+{
+    LogEntry log;
+    log.event = entry.event;
+    const std::string& participant = entry.event.participant.value;
+    for (const AnswerRecord& answer : entry.answers) {
+        log.responses.push_back(rowOf(sqlite, entry, answer));
+        if (!answer.note.empty())
+            log.notes.push_back({participant, answer.trial.value, log.responses.back().attempt, answer.question.value, answer.note});
+    }
+    if (entry.note)
+        log.notes.push_back({participant, entry.note->trial.value, attemptOf(sqlite, participant, entry.note->trial.value), std::nullopt, entry.note->text});
+    if (entry.voids)
+        log.voids.push_back({participant, entry.voids->value, attemptOf(sqlite, participant, entry.voids->value)});
+    return log;
+}
+
+void moveState(const SqliteConnection& sqlite, const protocols::ParticipantId& participant, SlotState state)
+{
+    if (state == SlotState::Free)
+        throw protocols::workFailed({"a slot that was taken does not become free again", participant.value, "", ""});
+    QSqlQuery changed = sqlite.run(QStringLiteral("UPDATE participants SET state = ? WHERE id = ?"), {toQt(nameOf(state)), toQt(participant.value)});
+    if (changed.numRowsAffected() != 1)
+        throw protocols::badInput({"no such participant", participant.value, "one who is enrolled", "enrol them first"});
+}
+
+}  // namespace
+
+Slot StudyStore::enrol(const protocols::ParticipantId& participant, ParticipantKind kind)
+{
+    checkId(participant);
+    const SqliteConnection& sqlite = m_connection->sqlite;
+    Transaction transaction(sqlite);
+    std::optional<Slot> free;
+    for (const Slot& slot : slots()) {
+        if (slot.participant == participant && slot.kind != kind)
+            throw protocols::badInput({"participant " + participant.value + " is " + nameOf(slot.kind) + ", not " + nameOf(kind),
+                                       folder().folder.string(), "another id", ""});
+        if (slot.participant == participant)
+            return slot;
+        if (!free && slot.state == SlotState::Free)
+            free = slot;
+    }
+    if (!free)
+        throw protocols::workFailed({"every slot of the study is taken", folder().folder.string(), "a free slot for " + participant.value,
+                                     "make a study with more participants"});
+    *free = {free->number, SlotState::Started, participant, kind};
+    sqlite.run(QStringLiteral("INSERT INTO participants(id, slot, kind, state) VALUES (?, ?, ?, ?)"),
+               {toQt(participant.value), free->number, toQt(nameOf(kind)), toQt(nameOf(free->state))});
+    store(sqlite, actOnStudy("enrolled", {{"slot", free->number}, {"participant", participant.value}, {"kind", nameOf(kind)}}, wallTimeNow()));
+    transaction.commit();
+    return *free;
+}
+
+protocols::ParticipantId StudyStore::nextParticipantId() const
+{
+    const std::vector<Slot> taken = slots();
+    for (int number = 1;; ++number) {
+        const protocols::ParticipantId id((number < 10 ? "P0" : "P") + std::to_string(number));
+        if (std::none_of(taken.begin(), taken.end(), [&](const Slot& slot) { return slot.participant == id; }))
+            return id;
+    }
+}
+
+void StudyStore::setSlotState(const protocols::ParticipantId& participant, SlotState state)
+{
+    const SqliteConnection& sqlite = m_connection->sqlite;
+    Transaction transaction(sqlite);
+    moveState(sqlite, participant, state);
+    store(sqlite, actOnStudy("slot_state_set", {{"participant", participant.value}, {"state", nameOf(state)}}, wallTimeNow()));
+    transaction.commit();
+}
+
+void StudyStore::append(const Append& entry)
+{
+    const SqliteConnection& sqlite = m_connection->sqlite;
+    Transaction transaction(sqlite);
+    store(sqlite, logEntryOf(sqlite, entry));
+    if (entry.slotState)
+        moveState(sqlite, entry.event.participant, *entry.slotState);
+    transaction.commit();
+}
+
+void StudyStore::recordUnblinding(const UnblindingRecord& record)
+{
+    if (record.who.empty() || record.why.empty())
+        throw protocols::badInput({"an unblinding needs a name and a reason", folder().folder.string(), "--who NAME --why TEXT", ""});
+    const SqliteConnection& sqlite = m_connection->sqlite;
+    Transaction transaction(sqlite);
+    LogEntry entry = actOnStudy("unblinded", {{"who", record.who}, {"why", record.why}}, record.wallTime);
+    entry.unblinding = record;
+    store(sqlite, entry);
+    transaction.commit();
+}
+
+std::optional<UnblindingRecord> StudyStore::unblinding() const
+{
+    QSqlQuery row = m_connection->sqlite.run(QStringLiteral("SELECT who, why, wall_time FROM unblindings ORDER BY event LIMIT 1"));
+    if (!row.next())
+        return std::nullopt;
+    return UnblindingRecord{fromQt(row.value(0)), fromQt(row.value(1)), fromQt(row.value(2))};
+}
+
+}  // namespace database

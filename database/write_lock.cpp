@@ -1,0 +1,64 @@
+#include "database/write_lock.h"
+
+#include "protocols/errors.h"
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <string>
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+namespace database {
+
+namespace {
+
+/// The process that wrote itself into the lock file; empty where nothing can be read.
+std::string holderOf(int descriptor)
+{
+    std::array<char, 32> text{};
+    const ssize_t length = ::pread(descriptor, text.data(), text.size(), 0);
+    std::string digits;
+    for (ssize_t i = 0; i < length && text[i] >= '0' && text[i] <= '9'; ++i)
+        digits += text[i];
+    return digits;
+}
+
+protocols::Error heldByAnother(const StudyFolder& folder, int descriptor)
+{
+    const std::string holder = holderOf(descriptor);
+    return protocols::environmentFault({"the study is open for writing elsewhere" +
+                                            (holder.empty() ? std::string() : " (process " + holder + ")"),
+                                        folder.folder.string(), "one writer at a time", "close it there first"});
+}
+
+}  // namespace
+
+WriteLock::WriteLock(const StudyFolder& folder)
+{
+    m_descriptor = ::open(folder.lock().c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
+    if (m_descriptor < 0)
+        throw protocols::environmentFault({std::string("the study cannot be opened for writing: ") + std::strerror(errno),
+                                           folder.folder.string(), "a folder that may be written",
+                                           "check its permissions and its file system"});
+    if (::flock(m_descriptor, LOCK_EX | LOCK_NB) != 0) {
+        const int reason = errno;
+        const protocols::Error held = heldByAnother(folder, m_descriptor);
+        ::close(m_descriptor);
+        if (reason == EWOULDBLOCK)
+            throw held;
+        throw protocols::environmentFault({std::string("the file system gives no lock: ") + std::strerror(reason),
+                                           folder.lock().string(), "a file system with file locks", "use a local disk"});
+    }
+    // The number only serves the message to a second writer; the lock itself is the open file.
+    const std::string process = std::to_string(::getpid()) + "\n";
+    if (::ftruncate(m_descriptor, 0) == 0) {
+        [[maybe_unused]] const ssize_t written = ::pwrite(m_descriptor, process.data(), process.size(), 0);
+    }
+}
+
+WriteLock::~WriteLock() { ::close(m_descriptor); }
+
+}  // namespace database

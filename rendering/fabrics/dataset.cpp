@@ -1,0 +1,174 @@
+#include "rendering/fabrics/dataset.h"
+
+#include <algorithm>
+#include <charconv>
+
+#include "protocols/errors.h"
+#include "protocols/sha256.h"
+#include "rendering/fabrics/dataset_json.h"
+#include "rendering/image_io.h"
+#include "rendering/whole_file.h"
+
+namespace rendering::fabrics {
+
+namespace fs = std::filesystem;
+using protocols::FabricId;
+
+namespace {
+
+constexpr const char* endingOf(Modality modality) { return modality == Modality::Friction ? ".csv" : ".png"; }
+
+std::string sampleName(int index, const char* ending)
+{
+    std::string digits = std::to_string(index);
+    if (digits.size() < 3) digits.insert(0, 3 - digits.size(), '0');
+    return digits + ending;
+}
+
+/// Of the fabric and signal that are missing, by name.
+void needSample(const Dataset& dataset, const FabricId& fabric, Modality modality, int index)
+{
+    const FabricInfo& info = dataset.fabric(fabric);
+    if (fs::exists(samplePath(dataset, fabric, modality, index))) return;
+    const auto there = sampleIndices(dataset, fabric, modality);
+    const std::string what = there.empty() ? "has no " + nameOf(modality) + " samples"
+                                           : "has no " + nameOf(modality) + " sample " + std::to_string(index);
+    throw protocols::badInput({"fabric " + fabric.value + (info.name.empty() ? "" : " (" + info.name + ")") + " " + what,
+                               dataset.folder.string(),
+                               there.empty() ? ""
+                                             : "one of " + std::to_string(there.size()) + " from " +
+                                                   std::to_string(there.front()) + " to " + std::to_string(there.back()),
+                               there.empty() ? "import that signal, or choose a condition that does not need it" : ""});
+}
+
+cv::Mat readColour(const fs::path& file)
+{
+    cv::Mat image = readPng(file);
+    if (image.type() != CV_8UC3)
+        throw protocols::badInput(
+            {"has " + std::to_string(image.channels()) + " channels of " + std::to_string(8 * image.elemSize1()) + " bits",
+             file.string(), "an 8-bit RGB image", ""});
+    return image;
+}
+
+}  // namespace
+
+std::string nameOf(Modality modality)
+{
+    switch (modality) {
+        case Modality::Visual:
+            return "visual";
+        case Modality::Tactile:
+            return "tactile";
+        case Modality::Friction:
+            return "friction";
+    }
+    return {};
+}
+
+const FabricInfo& Dataset::fabric(const FabricId& id) const
+{
+    const auto found = std::find_if(fabrics.begin(), fabrics.end(), [&](const FabricInfo& info) { return info.id == id; });
+    if (found != fabrics.end()) return *found;
+    std::string known;
+    for (const FabricInfo& info : fabrics) known += (known.empty() ? "" : ", ") + info.id.value;
+    throw protocols::badInput({"there is no fabric \"" + id.value + "\"", (folder / "dataset.json").string(),
+                               known.empty() ? "nothing: the data set holds no fabrics" : "one of " + known, ""});
+}
+
+Dataset readDataset(const fs::path& folder)
+{
+    const fs::path file = folder / "dataset.json";
+    std::error_code problem;
+    if (!fs::is_regular_file(file, problem))
+        throw protocols::badInput({"is no data set (there is no dataset.json)", folder.string(), "a data set folder",
+                                   "make one with `vis2hap fabrics make` or `vis2hap import`"});
+    Dataset dataset = datasetFromJson(readWholeFile(file), file.string());
+    dataset.folder = folder;
+    return dataset;
+}
+
+void writeDatasetJson(const Dataset& dataset) { writeWholeFile(dataset.folder / "dataset.json", toJson(dataset)); }
+
+std::string hashOf(const Dataset& dataset)
+{
+    std::vector<fs::path> files{"dataset.json"};
+    const auto addIfThere = [&](const fs::path& file) {
+        if (fs::is_regular_file(dataset.folder / file)) files.push_back(file);
+    };
+    addIfThere("samples.csv");
+    addIfThere("tactile-reference.png");
+    if (!dataset.tactileCalibration.empty() && dataset.tactileCalibration != "known") addIfThere(dataset.tactileCalibration);
+    for (const FabricInfo& fabric : dataset.fabrics)
+        for (const Modality modality : {Modality::Visual, Modality::Tactile, Modality::Friction})
+            for (const int index : sampleIndices(dataset, fabric.id, modality)) {
+                files.push_back(fs::relative(samplePath(dataset, fabric.id, modality, index), dataset.folder));
+                if (modality == Modality::Tactile)
+                    addIfThere(fs::relative(knownHeightPath(dataset, fabric.id, index), dataset.folder));
+            }
+    std::sort(files.begin(), files.end(),
+              [](const fs::path& a, const fs::path& b) { return a.generic_string() < b.generic_string(); });
+    std::string list;
+    for (const fs::path& file : files)
+        list += file.generic_string() + " " + protocols::sha256OfFile(dataset.folder / file) + "\n";
+    return protocols::sha256(list);
+}
+
+std::vector<int> sampleIndices(const Dataset& dataset, const FabricId& fabric, Modality modality)
+{
+    std::vector<int> indices;
+    std::error_code problem;
+    const fs::path folder = dataset.folder / fabric.value / nameOf(modality);
+    for (fs::directory_iterator entry(folder, problem), end; !problem && entry != end; entry.increment(problem)) {
+        const std::string stem = entry->path().stem().string();
+        int index = -1;
+        const auto [rest, fault] = std::from_chars(stem.data(), stem.data() + stem.size(), index);
+        if (fault == std::errc{} && rest == stem.data() + stem.size() && index >= 0 &&
+            entry->path().filename().string() == sampleName(index, endingOf(modality)))
+            indices.push_back(index);
+    }
+    std::sort(indices.begin(), indices.end());
+    return indices;
+}
+
+fs::path samplePath(const Dataset& dataset, const FabricId& fabric, Modality modality, int index)
+{
+    return dataset.folder / fabric.value / nameOf(modality) / sampleName(index, endingOf(modality));
+}
+
+fs::path knownHeightPath(const Dataset& dataset, const FabricId& fabric, int index)
+{
+    return dataset.folder / fabric.value / "height" / sampleName(index, ".tiff");
+}
+
+cv::Mat readPhotograph(const Dataset& dataset, const FabricId& fabric, int index)
+{
+    needSample(dataset, fabric, Modality::Visual, index);
+    return readColour(samplePath(dataset, fabric, Modality::Visual, index));
+}
+
+cv::Mat readTactileFrame(const Dataset& dataset, const FabricId& fabric, int index)
+{
+    needSample(dataset, fabric, Modality::Tactile, index);
+    return readColour(samplePath(dataset, fabric, Modality::Tactile, index));
+}
+
+cv::Mat readTactileReference(const Dataset& dataset)
+{
+    const fs::path file = dataset.folder / "tactile-reference.png";
+    if (!fs::exists(file))
+        throw protocols::badInput({"is missing, so heights cannot be had from the tactile frames", file.string(),
+                                   "a frame of the untouched sensor", "import one named background.png or reference.png"});
+    return readColour(file);
+}
+
+std::optional<cv::Mat> readKnownHeight(const Dataset& dataset, const FabricId& fabric, int index)
+{
+    const fs::path file = knownHeightPath(dataset, fabric, index);
+    if (!fs::exists(file)) return std::nullopt;
+    cv::Mat height = readTiff(file);
+    if (height.type() != CV_32FC1) throw protocols::badInput({"holds integers", file.string(), "32-bit float, mm", ""});
+    return height;
+}
+
+}  // namespace rendering::fabrics

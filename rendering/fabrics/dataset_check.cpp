@@ -1,0 +1,244 @@
+#include "rendering/fabrics/dataset_check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <tuple>
+
+#include "protocols/errors.h"
+#include "protocols/strict_json.h"
+#include "rendering/fabrics/dataset.h"
+#include "rendering/fabrics/dataset_json.h"
+#include "rendering/image_io.h"
+#include "rendering/whole_file.h"
+
+namespace rendering::fabrics {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr Modality modalities[] = {Modality::Visual, Modality::Tactile, Modality::Friction};
+
+std::string sizeText(cv::Size size) { return std::to_string(size.width) + " x " + std::to_string(size.height); }
+
+class Check {
+public:
+    explicit Check(const fs::path& folder) : m_folder(folder) {}
+
+    std::vector<std::string> run()
+    {
+        try {
+            m_dataset = datasetFromJson(readWholeFile(m_folder / "dataset.json"), (m_folder / "dataset.json").string());
+        } catch (const protocols::Error& error) {
+            return {error.what()};  // without it nothing says what else should be here
+        }
+        m_dataset.folder = m_folder;
+        if (m_dataset.fabrics.empty()) fault("dataset.json", "names no fabrics");
+        checkFolders();
+        for (const FabricInfo& fabric : m_dataset.fabrics) checkSamples(fabric);
+        checkSizes();
+        checkSensor();
+        checkPlaces();
+        return m_faults;
+    }
+
+private:
+    void fault(const fs::path& file, const std::string& what) { m_faults.push_back((m_folder / file).string() + ": " + what); }
+
+    /// What a reader throws is a fault of that file, worded with its name already.
+    template <class Read>
+    bool readable(Read read)
+    {
+        try {
+            read();
+            return true;
+        } catch (const protocols::Error& error) {
+            m_faults.emplace_back(error.what());
+        }
+        return false;
+    }
+
+    void checkFolders()
+    {
+        for (const auto& entry : fs::directory_iterator(m_folder)) {
+            const std::string name = entry.path().filename().string();
+            if (!entry.is_directory()) continue;
+            const bool known = std::any_of(m_dataset.fabrics.begin(), m_dataset.fabrics.end(),
+                                           [&](const FabricInfo& fabric) { return fabric.id.value == name; });
+            if (!known) fault(name, "is a folder of no fabric in dataset.json");
+        }
+        for (const FabricInfo& fabric : m_dataset.fabrics) {
+            if (!fs::is_directory(m_folder / fabric.id.value)) {
+                fault(fabric.id.value, "the folder of this fabric is missing");
+                continue;
+            }
+            for (const auto& entry : fs::directory_iterator(m_folder / fabric.id.value)) checkSignalFolder(fabric, entry);
+        }
+    }
+
+    void checkSignalFolder(const FabricInfo& fabric, const fs::directory_entry& entry)
+    {
+        const std::string name = entry.path().filename().string();
+        const fs::path relative = fs::path(fabric.id.value) / name;
+        const bool signal =
+            std::any_of(std::begin(modalities), std::end(modalities), [&](Modality m) { return nameOf(m) == name; });
+        if (!entry.is_directory() || (!signal && name != "height")) {
+            fault(relative, "is none of visual, tactile, friction and height");
+            return;
+        }
+        const auto expected = filesOf(fabric, name);
+        for (const auto& file : fs::directory_iterator(entry.path()))
+            if (!expected.contains(file.path().filename().string()))
+                fault(relative / file.path().filename(), name == "height" ? "is a height without a tactile frame, or is misnamed"
+                                                                          : "is not named as a sample (000.png, 000.csv)");
+    }
+
+    std::set<std::string> filesOf(const FabricInfo& fabric, const std::string& folder) const
+    {
+        std::set<std::string> names;
+        for (const Modality modality : modalities)
+            for (const int index : sampleIndices(m_dataset, fabric.id, modality)) {
+                if (nameOf(modality) == folder)
+                    names.insert(samplePath(m_dataset, fabric.id, modality, index).filename().string());
+                if (modality == Modality::Tactile && folder == "height")
+                    names.insert(knownHeightPath(m_dataset, fabric.id, index).filename().string());
+            }
+        return names;
+    }
+
+    void checkSamples(const FabricInfo& fabric)
+    {
+        int samples = 0;
+        for (const Modality modality : modalities)
+            for (const int index : sampleIndices(m_dataset, fabric.id, modality)) {
+                ++samples;
+                m_present.insert({fabric.id.value, modality, index});
+                checkSample(fabric, modality, index);
+            }
+        if (samples == 0 && fs::is_directory(m_folder / fabric.id.value)) fault(fabric.id.value, "holds no samples");
+    }
+
+    void checkSample(const FabricInfo& fabric, Modality modality, int index)
+    {
+        const fs::path file = samplePath(m_dataset, fabric.id, modality, index);
+        switch (modality) {
+            case Modality::Visual:
+                readable([&] { m_sizes["visual"].emplace_back(file, readPhotograph(m_dataset, fabric.id, index).size()); });
+                return;
+            case Modality::Tactile: {
+                cv::Size size;
+                readable([&] {
+                    size = readTactileFrame(m_dataset, fabric.id, index).size();
+                    m_sizes["tactile"].emplace_back(file, size);
+                });
+                readable([&] { checkHeight(fabric, index, size); });
+                return;
+            }
+            case Modality::Friction:
+                readable([&] { readFriction(m_dataset, fabric.id, index); });
+                return;
+        }
+    }
+
+    void checkHeight(const FabricInfo& fabric, int index, cv::Size frameSize)
+    {
+        const auto height = readKnownHeight(m_dataset, fabric.id, index);
+        if (!height) return;
+        const fs::path file = knownHeightPath(m_dataset, fabric.id, index).lexically_relative(m_folder);
+        if (frameSize.area() > 0 && height->size() != frameSize)
+            fault(file, "is " + sizeText(height->size()) + ", the tactile frame " + sizeText(frameSize));
+        bool finite = true, positive = true;
+        for (const float value : cv::Mat_<float>(*height)) {
+            finite = finite && std::isfinite(value);
+            positive = positive && !(value < 0);
+        }
+        if (!finite) fault(file, "holds heights that are not finite");
+        if (!positive) fault(file, "holds heights below 0");
+    }
+
+    /// The commonest size of a signal is the right one.
+    void checkSizes()
+    {
+        for (const auto& [signal, sizes] : m_sizes) {
+            std::map<std::pair<int, int>, int> counts;
+            for (const auto& [file, size] : sizes) ++counts[{size.width, size.height}];
+            if (counts.size() < 2) continue;
+            const auto commonest =
+                std::max_element(counts.begin(), counts.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+            const cv::Size usual(commonest->first.first, commonest->first.second);
+            for (const auto& [file, size] : sizes)
+                if (size != usual)
+                    fault(file.lexically_relative(m_folder),
+                          "is " + sizeText(size) + ", most " + signal + " samples are " + sizeText(usual));
+        }
+    }
+
+    void checkSensor()
+    {
+        const auto& frames = m_sizes["tactile"];
+        const bool calibrated = !m_dataset.tactileCalibration.empty();
+        if (fs::exists(m_folder / "tactile-reference.png")) {
+            readable([&] {
+                const cv::Size size = readTactileReference(m_dataset).size();
+                if (!frames.empty() && frames.front().second != size)
+                    fault("tactile-reference.png",
+                          "is " + sizeText(size) + ", the frames are " + sizeText(frames.front().second));
+            });
+        } else if (calibrated && m_dataset.tactileCalibration != "known" && !frames.empty()) {
+            fault("tactile-reference.png", "is missing though the frames are calibrated");
+        }
+        if (!calibrated || m_dataset.tactileCalibration == "known") return;
+        const fs::path file = m_folder / m_dataset.tactileCalibration;
+        readable([&] {
+            const nlohmann::json calibration = protocols::parseStrictJson(readWholeFile(file), file.string());
+            if (!calibration.is_object() || calibration.value("schema", nlohmann::json()) != "vis2hap.calibration/1")
+                fault(m_dataset.tactileCalibration, "is no calibration (schema vis2hap.calibration/1)");
+        });
+    }
+
+    void checkPlaces()
+    {
+        if (!fs::exists(m_folder / "samples.csv")) return;
+        std::vector<SamplePlace> places;
+        if (!readable([&] { places = readSamplePlaces(m_dataset); })) return;
+        std::set<Key> listed;
+        for (const SamplePlace& place : places) {
+            const Key key{place.fabric.value, place.modality, place.index};
+            const std::string name = place.fabric.value + " " + nameOf(place.modality) + " " + std::to_string(place.index);
+            if (!listed.insert(key).second)
+                fault("samples.csv", "lists " + name + " twice");
+            else if (!m_present.contains(key))
+                fault("samples.csv", "lists " + name + ", which has no file");
+        }
+        for (const Key& key : m_present)
+            if (!listed.contains(key)) {
+                const auto& [fabric, modality, index] = key;
+                fault(samplePath(m_dataset, protocols::FabricId(fabric), modality, index).lexically_relative(m_folder),
+                      "has no row in samples.csv");
+            }
+    }
+
+    using Key = std::tuple<std::string, Modality, int>;
+
+    fs::path m_folder;
+    Dataset m_dataset;
+    std::vector<std::string> m_faults;
+    std::map<std::string, std::vector<std::pair<fs::path, cv::Size>>> m_sizes;
+    std::set<Key> m_present;
+};
+
+}  // namespace
+
+std::vector<std::string> faultsOfDataset(const fs::path& folder)
+{
+    std::error_code problem;
+    if (!fs::is_regular_file(folder / "dataset.json", problem))
+        throw protocols::badInput({"is no data set (there is no dataset.json)", folder.string(), "a data set folder",
+                                   "make one with `vis2hap fabrics make` or `vis2hap import`"});
+    return Check(folder).run();
+}
+
+}  // namespace rendering::fabrics

@@ -1,0 +1,32 @@
+// Real recordings into a data set. Each importer refuses unusable input by file and reason, writes
+// nothing on refusal, and adds to an existing data set.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "rendering/fabrics/dataset.h"
+
+namespace rendering::fabrics {
+
+enum class ImportKind { Photos, Gelsight, FrictionCsv, Tribometer, Labview, Slide };
+ImportKind importKindNamed(std::string_view name);  ///< throws badInput naming the kinds
+
+struct ImportRequest {
+    ImportKind kind = ImportKind::Photos;
+    std::vector<std::filesystem::path> from;  ///< files or folders
+    std::filesystem::path out;
+    std::optional<protocols::FabricId> fabric;  ///< put all into this fabric
+    /// Decodes what image_io does not read (JPEG, BMP ...): the caller lends one, so that the
+    /// importers link no codec. Returns CV_8UC3 RGB, throws badInput.
+    std::function<cv::Mat(const std::filesystem::path&)> decodeOther;
+};
+
+/// What was imported, a line each for people: "F01 Linen: slide, 812 samples, taxel_sum_counts (counts, not a coefficient), ...".
+std::vector<std::string> importRecordings(const ImportRequest& request);
+
+}  // namespace rendering::fabrics

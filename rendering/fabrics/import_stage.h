@@ -1,0 +1,50 @@
+// An import that becomes visible only as a whole: files are made in a hidden folder beside (or in)
+// the data set and moved into place by commit(); without it they vanish.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "rendering/fabrics/dataset.h"
+
+namespace rendering::fabrics {
+
+class ImportStage {
+public:
+    /// Opens the data set at `out` or begins a new one. Throws badInput where `out` is something else.
+    explicit ImportStage(const std::filesystem::path& out);
+    ~ImportStage();
+    ImportStage(const ImportStage&) = delete;
+    ImportStage& operator=(const ImportStage&) = delete;
+
+    Dataset& dataset() { return m_dataset; }
+    bool isNew() const { return m_isNew; }
+
+    /// The fabric of that name, or a new one under the next free id. `wanted` sets the id.
+    protocols::FabricId fabricFor(const std::string& name, const std::optional<protocols::FabricId>& wanted);
+
+    struct Slot {
+        int index;
+        std::filesystem::path file;  ///< write the sample here
+    };
+    /// The next sample of a fabric and signal; its place stays unknown and it is a group of its own.
+    Slot addSample(const protocols::FabricId& fabric, Modality modality);
+
+    /// Where to write a file that belongs to the whole data set.
+    std::filesystem::path addFile(const std::string& name);
+
+    /// Moves everything into the data set; dataset.json last. Throws environmentFault.
+    void commit();
+
+private:
+    std::filesystem::path m_out, m_staging;
+    Dataset m_dataset;
+    bool m_isNew = false;
+    std::vector<std::filesystem::path> m_files;  ///< relative to both folders
+    std::vector<SamplePlace> m_added;
+};
+
+}  // namespace rendering::fabrics

@@ -1,0 +1,77 @@
+// Data set -> friction images of fabrics x conditions, computing each needed signal once per fabric
+// and nothing else.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "protocols/condition.h"
+#include "rendering/fabrics/dataset.h"
+#include "rendering/friction_image.h"
+#include "rendering/models/generation.h"
+#include "rendering/plan.h"
+
+namespace rendering {
+
+struct SampleChoice {
+    int visual = 0, tactile = 0, friction = 0;  ///< sample indices
+};
+
+struct RenderRequest {
+    std::vector<protocols::FabricId> fabrics;    ///< what to write
+    std::vector<protocols::FabricId> rangeOver;  ///< whose maps set the range; empty: all of the data set
+    std::vector<protocols::ConditionId> conditions;
+    std::map<protocols::FabricId, SampleChoice> samples;  ///< missing: the first sample of each signal
+    Scale scale = Scale::Pixels;
+    models::GenerationOptions generation;  ///< model and quality; what is generated follows from the conditions
+
+    /// Asked at most once, with the photographs of all fabrics, and only where a condition needs it.
+    std::function<std::vector<models::GeneratedSignals>(std::span<const models::PhotographToTouch>,
+                                                        const models::GenerationOptions&)>
+        generate = models::generate;
+};
+
+/// Signals of one fabric, so that measured and generated can be compared and shown.
+struct FabricSignals {
+    std::map<Signal, cv::Mat> images;
+    std::map<Signal, std::vector<double>> traces;
+    std::optional<double> measuredMeanFriction, generatedMeanFriction;
+    std::string measuredQuantity = "mu";  ///< what the measured trace holds; "mu": a coefficient
+    std::optional<double> photographMmPerPixel, tactileMmPerPixel, generatedMmPerPixel, traceMmPerSample,
+        generatedTraceMmPerSample;
+};
+
+struct RenderedCondition {
+    protocols::ConditionId condition;
+    MapRange range;  ///< of the first fabric written
+    /// By the quantity of the measured friction ("" where none is used): a coefficient and a count of
+    /// sensor units have no common range.
+    std::map<std::string, MapRange> ranges;
+    std::vector<protocols::FabricId> rangeOver;            ///< whose maps the ranges are of
+    std::map<protocols::FabricId, std::string> extension;  ///< how a source smaller than the screen was continued
+    std::map<protocols::FabricId, cv::Mat> images;         ///< CV_8UC1 [800 x 1280], of RenderRequest::fabrics
+    double milliseconds = 0;
+};
+
+struct Rendering {
+    std::vector<RenderedCondition> conditions;
+    std::map<protocols::FabricId, FabricSignals> signals;
+    std::map<Signal, int> computed;         ///< how often each signal was computed
+    std::map<Signal, double> milliseconds;  ///< spent on it, all fabrics; both generators under the first
+    std::map<protocols::FabricId, SampleChoice> samples;
+};
+
+/// `progress(done, total, what)`. Throws badInput naming the fabric and the signal that the data set
+/// lacks for an image asked for, before anything is computed; a fabric that would only take part in the
+/// range is left out of it instead.
+Rendering renderFabrics(const fabrics::Dataset& dataset, const RenderRequest& request,
+                        const std::function<void(int, int, const std::string&)>& progress = {});
+
+/// The text of render.json: range and its set, samples, signals computed, ms.
+std::string renderJson(const fabrics::Dataset& dataset, const RenderRequest& request, const Rendering& rendering);
+
+}  // namespace rendering

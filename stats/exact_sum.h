@@ -1,0 +1,55 @@
+// Sums that keep the rounding errors of their additions (Knuth's two-sum): [1e16, 1, -1e16] adds up
+// to 1. Must not be compiled with fast-math, which would optimise the error term away.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+namespace stats {
+
+class ExactSum {
+public:
+    void add(double term)
+    {
+        const double sum = m_sum + term;
+        const double part = sum - m_sum;
+        m_error += (m_sum - (sum - part)) + (term - part);
+        m_sum = sum;
+    }
+    double total() const { return m_sum + m_error; }
+    double error() const { return m_error; }
+    double roundedSum() const { return m_sum; }
+
+private:
+    double m_sum = 0;
+    double m_error = 0;
+};
+
+/// Sum of term(0) ... term(n-1). Four interleaved sums, so that the compiler can use vector registers
+/// and no addition waits for the one before.
+template <typename Term>
+double exactSum(std::size_t n, Term term)
+{
+    constexpr std::size_t lanes = 4;
+    std::array<double, lanes> sum{};
+    std::array<double, lanes> error{};
+    const std::size_t whole = n - n % lanes;
+    for (std::size_t i = 0; i < whole; i += lanes)
+        for (std::size_t lane = 0; lane < lanes; ++lane) {
+            const double x = term(i + lane);
+            const double next = sum[lane] + x;
+            const double part = next - sum[lane];
+            error[lane] += (sum[lane] - (next - part)) + (x - part);
+            sum[lane] = next;
+        }
+    ExactSum all;
+    for (std::size_t lane = 0; lane < lanes; ++lane)
+        all.add(sum[lane]);
+    for (std::size_t i = whole; i < n; ++i)
+        all.add(term(i));
+    for (std::size_t lane = 0; lane < lanes; ++lane)
+        all.add(error[lane]);
+    return all.total();
+}
+
+}  // namespace stats

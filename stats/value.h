@@ -1,0 +1,49 @@
+// A number, or the sentence saying why there is none. Every quantity of this module that can be
+// undefined is returned as one of these, so that no NaN, p = 0 or p = 1 stands in for "undefined".
+#pragma once
+
+#include <cassert>
+#include <string>
+#include <utility>
+
+namespace stats {
+
+class Value {
+public:
+    Value() = default;
+    Value(double number) : m_number(number), m_exists(true) {}
+    static Value undefined(std::string why)
+    {
+        Value value;
+        value.m_why = std::move(why);
+        return value;
+    }
+
+    bool exists() const { return m_exists; }
+    explicit operator bool() const { return m_exists; }
+
+    /// Only where it exists.
+    double operator*() const
+    {
+        assert(m_exists && "an undefined value has no number");
+        return m_number;
+    }
+    double orElse(double other) const { return m_exists ? m_number : other; }
+    const std::string& why() const { return m_why; }
+
+    bool operator==(const Value&) const = default;
+
+private:
+    double m_number = 0;
+    bool m_exists = false;
+    std::string m_why = "not computed";
+};
+
+/// Interval ends; -infinity or infinity marks the open end of a one-sided interval.
+struct Interval {
+    Value low;
+    Value high;
+    bool operator==(const Interval&) const = default;
+};
+
+}  // namespace stats

@@ -1,0 +1,39 @@
+// Puts widgets in a row and goes on in the next where the row is full, so that bars of buttons stay whole at
+// any text size. Rows are aligned left.
+#pragma once
+
+#include <QLayout>
+
+#include <memory>
+#include <vector>
+
+namespace study::app {
+
+class FlowLayout : public QLayout {
+    Q_OBJECT
+public:
+    explicit FlowLayout(int gapPx, QWidget* parent = nullptr);
+    ~FlowLayout() override;
+
+    void addItem(QLayoutItem* item) override;
+    int count() const override { return static_cast<int>(m_items.size()); }
+    QLayoutItem* itemAt(int index) const override;
+    QLayoutItem* takeAt(int index) override;
+    Qt::Orientations expandingDirections() const override { return {}; }
+    bool hasHeightForWidth() const override { return true; }
+    int heightForWidth(int width) const override;
+    QSize sizeHint() const override;
+    QSize minimumSize() const override;
+    void setGeometry(const QRect& rect) override;
+
+private:
+    enum class Placing { Try, Do };
+    /// Height used when the items are laid into `rect`.
+    int place(const QRect& rect, Placing placing) const;
+    void placeRow(const QRect& rect, std::size_t first, std::size_t end, int top, int height) const;
+
+    int m_gapPx;
+    std::vector<std::unique_ptr<QLayoutItem>> m_items;
+};
+
+}  // namespace study::app

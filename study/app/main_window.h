@@ -1,0 +1,73 @@
+// The window: a stack of four pages (start, new study, study, session), what is open behind them, and the
+// looks. It decides nothing about a session; it joins pages to the controller.
+#pragma once
+
+#include "study/app/app_options.h"
+#include "study/app/appearance.h"
+#include "study/app/open_study.h"
+#include "study/app/session_controller.h"
+
+#include <QWidget>
+
+#include <memory>
+
+class QStackedWidget;
+
+namespace study::app {
+
+class NewStudyPage;
+class SessionPage;
+class StartPage;
+class StudyPage;
+
+class MainWindow : public QWidget {
+    Q_OBJECT
+public:
+    explicit MainWindow(const AppOptions& options, QWidget* parent = nullptr);
+    ~MainWindow() override;
+
+    /// Opens the study for writing and shows its page. Throws protocols::Error; what was open stays open then.
+    void openStudy(const std::filesystem::path& folder);
+    /// Enrols the participant, or resumes their session, and shows it. Throws protocols::Error.
+    void startSession(const protocols::ParticipantId& participant);
+
+    OpenStudy* study() const { return m_study.get(); }
+    SessionController* session() const { return m_session.get(); }
+    /// The page now to be seen.
+    QWidget* currentPage() const;
+
+    StartPage& startPage() const { return *m_startPage; }
+    void setAppearance(const Appearance& appearance);
+
+protected:
+    void closeEvent(QCloseEvent* event) override;
+    void changeEvent(QEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+
+private:
+    void joinPages();
+    void joinSession();
+    void bindKeys();
+    void showStart();
+    void showStudy();
+    void refreshSession();
+    void leaveSession();
+    /// Pauses a session that runs; false where that could not be stored.
+    bool pauseForLeaving();
+    void closeStudy();
+
+    AppOptions m_options;
+    QFont m_baseFont;
+    Appearance m_appearance;
+    std::unique_ptr<OpenStudy> m_study;
+    std::unique_ptr<SessionController> m_session;
+    bool m_leavingToldOnce = false;
+
+    QStackedWidget* m_pages;
+    StartPage* m_startPage;
+    NewStudyPage* m_newStudyPage;
+    StudyPage* m_studyPage;
+    SessionPage* m_sessionPage;
+};
+
+}  // namespace study::app

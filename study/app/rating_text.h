@@ -1,0 +1,27 @@
+// A rating as it is spoken and typed: a number with at most one decimal, with point or comma, whatever the
+// computer's locale is.
+#pragma once
+
+#include "protocols/protocol.h"
+
+#include <QString>
+
+#include <variant>
+
+namespace study::app {
+
+/// Why typed text is no rating, as a sentence for the operator.
+struct NoRating {
+    QString why;
+};
+
+/// "5", "5.4", "5,4" -> tenths on the scale; else the reason.
+std::variant<protocols::Tenths, NoRating> ratingFromText(const QString& typed, const protocols::Scale& scale);
+
+/// "5.4", "10", always with a point; whole numbers without a decimal.
+QString textOf(protocols::Tenths rating);
+
+/// The rating of the scale's step that lies nearest to `fraction` (0..1) of the line.
+protocols::Tenths ratingAt(double fraction, const protocols::Scale& scale);
+
+}  // namespace study::app

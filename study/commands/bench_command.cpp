@@ -1,0 +1,74 @@
+// vis2hap bench: speed and error of every stage that has a fast and an accurate way.
+#include "protocols/errors.h"
+#include "rendering/bench.h"
+#include "study/commands/command_line.h"
+#include "study/commands/json_output.h"
+#include "study/commands/second_program.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+
+namespace study::commands {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+const std::vector<std::string> stages{"signals", "generators"};
+
+ordered_json signalRows()
+{
+    ordered_json rows = ordered_json::array();
+    for (const auto& row : rendering::benchSignals())
+        rows.push_back({{"stage", row.stage}, {"quality", row.quality}, {"ms", row.milliseconds}, {"error", row.error},
+                        {"error_is", row.errorUnit}, {"note", row.note}});
+    return rows;
+}
+
+ordered_json generatorRows()
+{
+    return ordered_json::parse(outputOfSecondProgram({"bench", "--json"}))["rows"];
+}
+
+void print(const ordered_json& rows)
+{
+    std::printf("%-34s %-10s %10s %12s  %s\n", "stage", "quality", "ms", "error", "error is");
+    for (const auto& row : rows) {
+        const auto note = row["note"].get<std::string>();
+        std::printf("%-34s %-10s %10.3f %12.4g  %s%s%s\n", row["stage"].get<std::string>().c_str(),
+                    row["quality"].get<std::string>().c_str(), row["ms"].get<double>(), row["error"].get<double>(),
+                    row["error_is"].get<std::string>().c_str(), note.empty() ? "" : "; ", note.c_str());
+    }
+}
+
+int bench(std::vector<std::string> wanted, const JsonTarget& target)
+{
+    if (wanted.empty())
+        wanted = stages;
+    ordered_json rows = ordered_json::array();
+    for (const auto& stage : wanted)
+        for (auto& row : stage == "signals" ? signalRows() : generatorRows())
+            rows.push_back(row);
+    if (target)
+        writeJson(target, {{"schema", "vis2hap.bench/1"}, {"rows", rows}});
+    else
+        print(rows);
+    return 0;
+}
+
+}  // namespace
+
+void addBench(CLI::App& app, Action& action)
+{
+    auto* command = app.add_subcommand("bench", "the speed-accuracy table of this machine");
+    auto wanted = std::make_shared<std::vector<std::string>>();
+    auto target = std::make_shared<JsonTarget>();
+    command->add_option("STAGE", *wanted, "signals, generators (default: all)")->check(CLI::IsMember(stages));
+    addJsonOption(*command, *target);
+    command->callback([wanted, target, &action] { action.work = [wanted, target] { return bench(*wanted, *target); }; });
+}
+
+}  // namespace study::commands

@@ -1,0 +1,46 @@
+// The commands of the program, one file each. A command adds itself to the command line and, when it
+// is the one called, leaves its work in `Action`; main() runs it after the whole line was understood.
+#pragma once
+
+#include <functional>
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace study::commands {
+
+/// What kind of Qt application the work needs around it.
+enum class Surroundings {
+    None,       ///< no Qt at all
+    Core,       ///< Qt SQL needs a QCoreApplication for its driver
+    Window,     ///< a real screen; without one the command ends with exit code 3
+    Offscreen,  ///< widgets, with or without a screen
+};
+
+struct Action {
+    Surroundings surroundings = Surroundings::None;
+    std::function<int()> work;  ///< returns the exit code
+};
+
+void addFabrics(CLI::App& app, Action& action);
+void addImport(CLI::App& app, Action& action);
+void addTrain(CLI::App& app, Action& action);
+void addRender(CLI::App& app, Action& action);
+void addStudy(CLI::App& app, Action& action);
+void addReplay(CLI::App& app, Action& action);
+void addSimulate(CLI::App& app, Action& action);
+void addReport(CLI::App& app, Action& action);
+void addExport(CLI::App& app, Action& action);
+void addUnblind(CLI::App& app, Action& action);
+void addVerify(CLI::App& app, Action& action);
+void addNumbers(CLI::App& app, Action& action);  ///< describe, compare, metrics
+void addBench(CLI::App& app, Action& action);
+/// The app itself: `vis2hap [STUDY]`, when no command is named.
+void addApp(CLI::App& app, Action& action);
+
+/// Text that `--version` prints.
+std::string versionText();
+
+}  // namespace study::commands

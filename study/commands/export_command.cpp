@@ -1,0 +1,177 @@
+// vis2hap export STUDY --out DIR [--format csv|json|script]
+#include "protocols/errors.h"
+#include "study/commands/command_line.h"
+#include "study/commands/json_output.h"
+#include "study/commands/stored_study.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <functional>
+#include <memory>
+
+namespace study::commands {
+
+namespace {
+
+namespace fs = std::filesystem;
+using database::CurrentAnswer;
+using nlohmann::ordered_json;
+
+struct Export {
+    const database::StudyStore& store;
+    database::StudyFacts facts;
+    protocols::Protocol protocol;
+    Naming naming;
+    fs::path out;
+};
+
+/// One answer with everything that may be told of it; absent values are null.
+ordered_json rowOf(const Export& job, const CurrentAnswer& answer)
+{
+    const auto& record = answer.record;
+    const auto& entry = job.naming.entries.at(record.fileCode);
+    ordered_json alternatives = ordered_json::array();
+    for (const auto& fabric : record.alternatives)
+        alternatives.push_back(fabric.value);
+    ordered_json row{{"participant", answer.participant.value}, {"trial", record.trial.value}, {"question", record.question.value},
+                     {"fabric", entry.fabric.value}, {"condition", entry.condition}, {"alternatives", alternatives}};
+    row["answer"] = record.answer ? ordered_json(record.answer->value) : ordered_json();
+    row["correct"] = record.answer ? ordered_json(*record.answer == entry.fabric ? 1 : 0) : ordered_json();
+    row["rating"] = record.rating ? ordered_json(record.rating->inScaleUnits()) : ordered_json();
+    row["seconds"] = answer.seconds;
+    row["ready_at"] = record.readyAtNs;
+    row["touched_at"] = record.touchedAtNs ? ordered_json(*record.touchedAtNs) : ordered_json();
+    row["answered_at"] = record.answeredAtNs;
+    row["stored_at"] = answer.storedAtNs;
+    row["corrections"] = answer.corrections;
+    row["voided"] = answer.voided ? 1 : 0;
+    row["wall_time"] = answer.wallTime;
+    row["note"] = record.note;
+    return row;
+}
+
+std::string cell(const ordered_json& value)
+{
+    if (value.is_null())
+        return "";
+    if (value.is_string())
+        return csvCell(value.get<std::string>());
+    return value.is_number_float() ? numberText(value.get<double>()) : csvCell(value.dump());
+}
+
+ordered_json participantRows(const Export& job)
+{
+    ordered_json rows = ordered_json::array();
+    for (const auto& slot : job.store.slots())
+        if (slot.state != database::SlotState::Free)
+            rows.push_back({{"slot", slot.number}, {"participant", slot.participant.value}, {"kind", nameOf(slot.kind)},
+                            {"state", nameOf(slot.state)}});
+    return rows;
+}
+
+std::string csvOf(const ordered_json& rows, const std::vector<std::string>& columns)
+{
+    std::string text;
+    for (const auto& column : columns)
+        text += (text.empty() ? "" : ",") + column;
+    text += "\n";
+    for (const auto& row : rows) {
+        std::string line;
+        for (const auto& column : columns)
+            line += (&column == &columns.front() ? "" : ",") + cell(row[column]);
+        text += line + "\n";
+    }
+    return text;
+}
+
+void writeCsv(const Export& job)
+{
+    ordered_json rows = ordered_json::array();
+    for (const auto& answer : job.store.answers())
+        rows.push_back(rowOf(job, answer));
+    writeFile(job.out / "answers.csv",
+              csvOf(rows, {"participant", "trial", "question", "fabric", "condition", "alternatives", "answer", "correct", "rating",
+                           "seconds", "ready_at", "touched_at", "answered_at", "stored_at", "corrections", "voided", "wall_time", "note"}));
+    writeFile(job.out / "participants.csv", csvOf(participantRows(job), {"slot", "participant", "kind", "state"}));
+}
+
+void writeJsonExport(const Export& job)
+{
+    ordered_json json{{"schema", "vis2hap.export/1"}, {"study", job.facts.name}, {"protocol_sha256", job.facts.protocolSha256},
+                      {"blinded", job.naming.blinded}, {"stamps", job.facts.stamps}, {"participants", participantRows(job)}};
+    json["answers"] = ordered_json::array();
+    for (const auto& answer : job.store.answers())
+        json["answers"].push_back(rowOf(job, answer));
+    writeFile(job.out / "export.json", json.dump(1) + "\n");
+}
+
+/// A session as a script: the current answers, by rendering once the study is unblinded, else by trial.
+void writeScripts(const Export& job)
+{
+    std::map<std::string, ordered_json> scripts;
+    for (const auto& answer : job.store.answers()) {
+        if (answer.voided)
+            continue;
+        auto& script = scripts[answer.participant.value];
+        if (script.empty())
+            script = {{"schema", "vis2hap.script/1"}, {"participant", answer.participant.value}, {"answers", ordered_json::array()}};
+        const auto& record = answer.record;
+        ordered_json entry{{"question", record.question.value}};
+        if (job.naming.blinded)
+            entry["trial"] = record.trial.value;
+        else {
+            entry["condition"] = job.naming.entries.at(record.fileCode).condition;
+            entry["fabric"] = job.naming.entries.at(record.fileCode).fabric.value;
+        }
+        entry["answer"] = record.answer ? ordered_json(record.answer->value) : ordered_json(record.rating->inScaleUnits());
+        entry["seconds"] = answer.seconds > 0 ? answer.seconds : 0.001;
+        script["answers"].push_back(entry);
+    }
+    for (const auto& [participant, script] : scripts)
+        writeFile(job.out / (participant + ".json"), script.dump(1) + "\n");
+}
+
+int exportStudy(const std::string& study, const std::string& out, const std::string& format)
+{
+    const auto store = openStudy(study);
+    auto facts = store.facts();
+    const auto protocol = protocolOf(facts);
+    const Export job{store, facts, protocol, namingOf(store, protocol, recordedUnblinding(store)), out};
+    std::error_code failure;
+    fs::create_directories(job.out, failure);
+    if (failure)
+        throw protocols::environmentFault({"cannot make the folder (" + failure.message() + ")", out, "a writable place",
+                                           "choose another --out"});
+    if (format == "csv")
+        writeCsv(job);
+    else if (format == "json")
+        writeJsonExport(job);
+    else
+        writeScripts(job);
+    std::printf("%s: %zu answers as %s%s\n", out.c_str(), store.answers().size(), format.c_str(),
+                job.naming.blinded ? ", blinded (conditions as K-labels)" : "");
+    return 0;
+}
+
+}  // namespace
+
+void addExport(CLI::App& app, Action& action)
+{
+    struct Call {
+        std::string study, out, format = "csv";
+    };
+    auto* command = app.add_subcommand("export", "answers and participants as files; blinded until the study is unblinded");
+    auto call = std::make_shared<Call>();
+    command->add_option("STUDY", call->study, "the study")->required();
+    command->add_option("--out", call->out, "folder to write into")->required();
+    command->add_option("--format", call->format, "csv, json, or script (sessions that `replay` takes)")
+        ->check(CLI::IsMember({"csv", "json", "script"}))
+        ->capture_default_str();
+    command->callback([call, &action] {
+        action.surroundings = Surroundings::Core;
+        action.work = [call] { return exportStudy(call->study, call->out, call->format); };
+    });
+}
+
+}  // namespace study::commands

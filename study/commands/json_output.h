@@ -1,0 +1,37 @@
+// `--json [FILE]`: one JSON object to a file, or alone on standard output.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace CLI {
+class App;
+}
+
+namespace study::commands {
+
+/// Absent: text for people. Present and empty: standard output. Else a file.
+using JsonTarget = std::optional<std::string>;
+
+/// Adds the option; `target` must outlive the parse.
+void addJsonOption(CLI::App& command, JsonTarget& target);
+
+void writeJson(const JsonTarget& target, const nlohmann::ordered_json& object);
+
+/// Whole file, written beside it and renamed. Throws environmentFault.
+void writeFile(const std::filesystem::path& file, std::string_view text);
+
+/// Throws badInput where it cannot be read.
+std::string readFile(const std::filesystem::path& file);
+
+/// One CSV cell by RFC 4180.
+std::string csvCell(const std::string& text);
+
+/// The shortest text that reads back exactly.
+std::string numberText(double value);
+
+}  // namespace study::commands

@@ -1,0 +1,94 @@
+// The program `vis2hap`: understands the command line, makes the surroundings that the command needs,
+// runs it, and turns every fault into one line and an exit code.
+#include "protocols/errors.h"
+#include "study/commands/command_line.h"
+
+#include <CLI/CLI.hpp>
+#include <QApplication>
+#include <QCoreApplication>
+
+#include <clocale>
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+#include <new>
+
+namespace {
+
+using protocols::ExitCode;
+using study::commands::Action;
+using study::commands::Surroundings;
+
+bool screenIsThere()
+{
+    return std::getenv("DISPLAY") != nullptr || std::getenv("WAYLAND_DISPLAY") != nullptr ||
+           std::getenv("QT_QPA_PLATFORM") != nullptr;
+}
+
+std::unique_ptr<QCoreApplication> surroundingsFor(Surroundings kind, int& argc, char** argv)
+{
+    if (kind == Surroundings::None)
+        return nullptr;
+    if (kind == Surroundings::Core)
+        return std::make_unique<QCoreApplication>(argc, argv);
+    if (kind == Surroundings::Window && !screenIsThere())
+        throw protocols::environmentFault({"the app needs a screen", "", "DISPLAY or WAYLAND_DISPLAY to be set",
+                                           "start it from a desktop, or use `vis2hap replay` and `vis2hap report`"});
+    if (!screenIsThere())
+        qputenv("QT_QPA_PLATFORM", "offscreen");
+    return std::make_unique<QApplication>(argc, argv);
+}
+
+int run(int argc, char** argv)
+{
+    CLI::App app("Blinded, randomized haptic-rendering studies: touch from vision.", "vis2hap");
+    app.set_version_flag("--version", study::commands::versionText());
+    app.require_subcommand(0, 1);
+    app.get_formatter()->column_width(28);
+    Action action;
+    study::commands::addApp(app, action);
+    study::commands::addFabrics(app, action);
+    study::commands::addImport(app, action);
+    study::commands::addTrain(app, action);
+    study::commands::addRender(app, action);
+    study::commands::addStudy(app, action);
+    study::commands::addReplay(app, action);
+    study::commands::addSimulate(app, action);
+    study::commands::addReport(app, action);
+    study::commands::addExport(app, action);
+    study::commands::addUnblind(app, action);
+    study::commands::addVerify(app, action);
+    study::commands::addNumbers(app, action);
+    study::commands::addBench(app, action);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& problem) {
+        if (problem.get_exit_code() == 0)
+            return app.exit(problem);  // help and version
+        const auto called = app.get_subcommands();
+        const std::string command = called.empty() ? "" : called.front()->get_name() + " ";
+        std::fprintf(stderr, "vis2hap: %s; see `vis2hap %s--help`\n", problem.what(), command.c_str());
+        return static_cast<int>(ExitCode::BadInput);
+    }
+    const auto application = surroundingsFor(action.surroundings, argc, argv);
+    std::setlocale(LC_NUMERIC, "C");  // Qt has set the user's, under which C functions read 5.4 as 5
+    return action.work();
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    try {
+        return run(argc, argv);
+    } catch (const protocols::Error& error) {
+        std::fprintf(stderr, "vis2hap: %s\n", error.what());
+        return static_cast<int>(error.exitCode());
+    } catch (const std::bad_alloc&) {
+        std::fputs("vis2hap: not enough memory; close other programs or use smaller input\n", stderr);
+        return static_cast<int>(ExitCode::Environment);
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "vis2hap: unexpected failure: %s; please report it with the command that you ran\n", error.what());
+        return static_cast<int>(ExitCode::WorkFailed);
+    }
+}

@@ -1,0 +1,242 @@
+#include "study/commands/new_study.h"
+
+#include "database/keys.h"
+#include "protocols/allocation.h"
+#include "protocols/condition.h"
+#include "protocols/errors.h"
+#include "protocols/protocol_json.h"
+#include "protocols/random.h"
+#include "protocols/sha256.h"
+#include "rendering/render_fabrics.h"
+#include "rendering/stimulus_bank.h"
+#include "study/commands/command_line.h"
+#include "study/commands/image_folder.h"
+#include "study/commands/json_output.h"
+#include "study/commands/sample_choice.h"
+#include "study/commands/signal_quality.h"
+#include "study/session/clock.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+
+namespace study::commands {
+
+namespace {
+
+namespace fs = std::filesystem;
+using rendering::fabrics::Dataset;
+
+struct ProtocolText {
+    std::string json;
+    protocols::Protocol protocol;
+};
+
+/// The text that is kept and hashed: the file byte for byte, unless the number of participants is changed.
+ProtocolText protocolText(const NewStudy& request)
+{
+    const std::string where = request.protocol.empty() ? "the paper's protocol" : request.protocol.string();
+    ProtocolText text;
+    text.json = request.protocol.empty() ? std::string(protocols::paperProtocolJson()) : readFile(request.protocol);
+    text.protocol = protocols::protocolFromJson(text.json, where);
+    if (request.participants && *request.participants != text.protocol.participants) {
+        auto json = nlohmann::ordered_json::parse(text.json);
+        json["participants"] = *request.participants;
+        text.json = json.dump(2) + "\n";
+        text.protocol = protocols::protocolFromJson(text.json, where + " with --participants " + std::to_string(*request.participants));
+    }
+    return text;
+}
+
+std::vector<protocols::FabricId> drawFabrics(const Dataset& dataset, const protocols::Protocol& protocol, std::uint64_t seed)
+{
+    if (!protocol.fabrics.empty()) {
+        for (const auto& fabric : protocol.fabrics)
+            (void)dataset.fabric(fabric);
+        return protocol.fabrics;
+    }
+    if (static_cast<int>(dataset.fabrics.size()) < protocol.fabricCount)
+        throw protocols::badInput({"the data set has " + std::to_string(dataset.fabrics.size()) + " fabrics", dataset.folder.string(),
+                                   std::to_string(protocol.fabricCount) + " or more, as the protocol says",
+                                   "use a larger data set or a protocol with fewer fabrics"});
+    std::vector<protocols::FabricId> fabrics;
+    for (const auto& fabric : dataset.fabrics)
+        fabrics.push_back(fabric.id);
+    protocols::Random::stream(seed, "fabrics of the study").shuffle(fabrics);
+    fabrics.resize(protocol.fabricCount);
+    std::sort(fabrics.begin(), fabrics.end());
+    return fabrics;
+}
+
+/// Whether a study lies there that may be remade: one of ours in which no human took part.
+bool mayBeReplaced(const fs::path& study)
+{
+    if (!fs::exists(database::StudyFolder{study}.database()))
+        return false;
+    const auto slots = database::StudyStore({study}, database::StudyStore::Access::Read).slots();
+    return std::none_of(slots.begin(), slots.end(), [](const database::Slot& slot) {
+        return slot.state != database::SlotState::Free && slot.kind == database::ParticipantKind::Human;
+    });
+}
+
+void requireFreePlace(const NewStudy& request)
+{
+    if (!fs::exists(request.study))
+        return;
+    if (!request.replaceSimulated)
+        throw protocols::badInput({"the folder exists", request.study.string(), "a new folder for a new study",
+                                   "choose another name, or open this one with `vis2hap " + request.study.string() + "`"});
+    if (!mayBeReplaced(request.study))
+        throw protocols::badInput({"it holds answers of people, or is no study", request.study.string(),
+                                   "a study of simulated participants alone", "move it away or choose another name; nothing was deleted"});
+}
+
+/// A folder that vanishes unless it becomes the study.
+class Unfinished {
+public:
+    explicit Unfinished(const fs::path& study) : m_study(study), m_folder(study)
+    {
+        m_folder += ".making-" + std::to_string(getpid());
+        std::error_code failure;
+        fs::create_directories(m_folder / "stimuli", failure);
+        if (failure)
+            throw protocols::environmentFault({"cannot make the folder (" + failure.message() + ")", m_folder.string(),
+                                               "a writable place", "choose another one"});
+    }
+    ~Unfinished()
+    {
+        std::error_code ignored;
+        fs::remove_all(m_folder, ignored);
+    }
+    database::StudyFolder folder() const { return {m_folder}; }
+    void becomeStudy()
+    {
+        fs::path old = m_study;
+        old += ".old-" + std::to_string(getpid());
+        std::error_code failure;
+        if (fs::exists(m_study))
+            fs::rename(m_study, old, failure);
+        if (!failure)
+            fs::rename(m_folder, m_study, failure);
+        if (failure)
+            throw protocols::environmentFault({"cannot be put in place (" + failure.message() + ")", m_study.string(), "a writable place",
+                                               "choose another one"});
+        fs::remove_all(old, failure);
+    }
+
+private:
+    fs::path m_study, m_folder;
+};
+
+struct Images {
+    std::map<protocols::ConditionId, std::map<protocols::FabricId, cv::Mat>> byCondition;
+    std::string signalsJson = "{}";
+    bool reused = false;
+};
+
+Images friction(const NewStudy& request, const Dataset& dataset, const rendering::RenderRequest& render, const std::string& key,
+                const StepProgress& progress)
+{
+    Images images;
+    if (!request.images.empty())
+        if (auto kept = readImageFolder(request.images, key, render)) {
+            images.byCondition = std::move(kept->images);
+            images.signalsJson = kept->signalsJson;
+            images.reused = true;
+            return images;
+        }
+    auto rendering = renderFabrics(dataset, render, progress);
+    images.signalsJson = signalQuality(rendering.signals).dump();
+    if (!request.images.empty())
+        writeImageFolder(request.images, key, renderJson(dataset, render, rendering), rendering, images.signalsJson);
+    for (auto& condition : rendering.conditions)
+        images.byCondition[condition.condition] = std::move(condition.images);
+    return images;
+}
+
+std::map<protocols::FileCode, std::string> writeStimuli(const fs::path& folder, const protocols::AllocationKey& key, const Images& images)
+{
+    std::map<protocols::FileCode, std::string> hashes;
+    for (const auto& [code, entry] : key.entries)
+        hashes[code] = rendering::writeStimulus(folder, code, images.byCondition.at(entry.condition).at(entry.fabric));
+    return hashes;
+}
+
+struct Model {
+    std::optional<rendering::models::ModelCard> card;
+    std::vector<std::string> stamps;
+};
+
+Model modelFor(const NewStudy& request, const Dataset& dataset, const std::vector<rendering::Signal>& signals)
+{
+    Model model;
+    if (!needsGenerators(signals))
+        return model;
+    model.card = rendering::models::readModelCard(request.model.empty() ? rendering::models::shippedModel() : request.model);
+    if (request.model.empty() && !dataset.procedural)
+        model.stamps.push_back("Generated signals come from the shipped weights, which were trained on procedural fabrics, not on this data set.");
+    return model;
+}
+
+}  // namespace
+
+MadeStudy makeStudy(const NewStudy& request, const StepProgress& progress)
+{
+    requireFreePlace(request);
+    const auto text = protocolText(request);
+    const auto dataset = rendering::fabrics::readDataset(request.dataset);
+    const auto fabrics = drawFabrics(dataset, text.protocol, request.seed);
+    const auto signals = rendering::signalsFor(std::span<const protocols::ConditionId>(text.protocol.conditions));
+    const auto model = modelFor(request, dataset, signals);
+    const auto* card = model.card ? &*model.card : nullptr;
+    const auto samples = chooseSamples(dataset, fabrics, signals, card, request.seed, request.allowTrainingSamples);
+
+    rendering::RenderRequest render;
+    render.fabrics = fabrics;
+    render.rangeOver = fabrics;
+    render.conditions = text.protocol.conditions;
+    render.samples = samples.samples;
+    render.generation.model = request.model;
+
+    MadeStudy made;
+    auto& facts = made.facts;
+    facts.name = text.protocol.name;
+    facts.protocolJson = text.json;
+    facts.protocolSha256 = protocols::sha256(text.json);
+    facts.designSeed = request.seed;
+    facts.datasetPath = fs::absolute(request.dataset).lexically_normal().string();
+    facts.datasetSha256 = hashOf(dataset);
+    facts.datasetProcedural = dataset.procedural;
+    facts.modelSha256 = card ? card->sha256 : "";
+    facts.stamps = model.stamps;
+    if (samples.someTrainedOn)
+        facts.stamps.push_back("Some fabrics are shown by samples that the generators were trained on (--allow-training-samples).");
+    facts.fabrics = fabrics;
+    for (const auto& fabric : fabrics)
+        facts.fabricNames[fabric] = dataset.fabric(fabric).name;
+    facts.createdAt = session::SystemClock().wallTime();
+    facts.programVersion = versionText();
+    made.warnings = facts.stamps;
+
+    const auto images = friction(request, dataset, render, imageFolderKey(facts, render), progress);
+    facts.signalsJson = images.signalsJson;
+    made.imagesReused = images.reused;
+
+    const auto design = protocols::drawDesign(text.protocol, request.seed);
+    made.balance = balanceOf(design, text.protocol);
+    const auto secret = request.keySeed ? *request.keySeed : protocols::drawSecretSeed();
+    const auto allocation = allocate(text.protocol, design, fabrics, secret);
+
+    Unfinished unfinished(request.study);
+    const auto folder = unfinished.folder();
+    const auto hashes = writeStimuli(folder.stimuli(), allocation.key, images);
+    const auto keys = database::writeKeys(folder, allocation.key);
+    facts.keySha256 = keys.allocation;
+    facts.maskedKeySha256 = keys.masked;
+    writeFile(folder.protocol(), text.json);
+    database::StudyStore::create(folder, facts, allocation.participants, hashes);
+    unfinished.becomeStudy();
+    return made;
+}
+
+}  // namespace study::commands

@@ -1,0 +1,30 @@
+// Progress of long work on standard error: a bar with the remaining time on a terminal, plain lines
+// otherwise.
+#pragma once
+
+#include <chrono>
+#include <string>
+
+namespace study::commands {
+
+class Progress {
+public:
+    explicit Progress(std::string label);
+    ~Progress();
+    Progress(const Progress&) = delete;
+    Progress& operator=(const Progress&) = delete;
+
+    /// Cheap to call often; prints at most ten times a second (a line at every tenth part otherwise).
+    void show(int done, int total, const std::string& what = {});
+
+private:
+    std::string remaining(int done, int total) const;
+
+    std::string m_label;
+    bool m_terminal;
+    std::chrono::steady_clock::time_point m_start, m_lastDrawn;
+    int m_lastTenth = -1;
+    bool m_open = false;
+};
+
+}  // namespace study::commands

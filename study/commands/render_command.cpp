@@ -1,0 +1,117 @@
+// vis2hap render DATASET --fabric ID|all --condition ID|all --out DIR
+#include "protocols/errors.h"
+#include "rendering/image_io.h"
+#include "rendering/render_fabrics.h"
+#include "study/commands/command_line.h"
+#include "study/commands/json_output.h"
+#include "study/commands/progress.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <memory>
+#include <sstream>
+
+namespace study::commands {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct RenderCall {
+    std::string dataset, fabric = "all", condition = "all", out, model, quality = "balanced", scale = "pixels";
+    std::optional<int> sample;
+    bool explain = false;
+};
+
+const std::map<std::string, rendering::models::Quality> qualities{{"fast", rendering::models::Quality::Fast},
+                                                                  {"balanced", rendering::models::Quality::Balanced},
+                                                                  {"accurate", rendering::models::Quality::Accurate}};
+
+std::vector<protocols::FabricId> fabricList(const rendering::fabrics::Dataset& dataset, const std::string& text)
+{
+    std::vector<protocols::FabricId> ids;
+    if (text == "all") {
+        for (const auto& fabric : dataset.fabrics)
+            ids.push_back(fabric.id);
+        return ids;
+    }
+    std::istringstream parts(text);
+    for (std::string part; std::getline(parts, part, ',');)
+        ids.push_back(dataset.fabric(protocols::FabricId(part)).id);
+    return ids;
+}
+
+/// The asked-for index of every signal, which must be there for each signal that the conditions read.
+std::map<protocols::FabricId, rendering::SampleChoice> chosenSamples(const rendering::fabrics::Dataset& dataset,
+                                                                     std::optional<int> sample)
+{
+    std::map<protocols::FabricId, rendering::SampleChoice> samples;
+    if (sample)
+        for (const auto& fabric : dataset.fabrics)
+            samples[fabric.id] = {*sample, *sample, *sample};
+    return samples;
+}
+
+void writeRendering(const fs::path& out, const rendering::Rendering& rendering, const std::string& json)
+{
+    for (const auto& condition : rendering.conditions)
+        for (const auto& [fabric, image] : condition.images) {
+            std::error_code failure;
+            fs::create_directories(out / fabric.value, failure);
+            if (failure)
+                throw protocols::environmentFault(
+                    {"cannot make the folder (" + failure.message() + ")", (out / fabric.value).string(), "a writable place", "choose another --out"});
+            rendering::writePng(out / fabric.value / (protocols::fileNameOf(condition.condition) + ".png"), image);
+        }
+    writeFile(out / "render.json", json);
+}
+
+int render(const RenderCall& call)
+{
+    const auto dataset = rendering::fabrics::readDataset(call.dataset);
+    rendering::RenderRequest request;
+    request.conditions = protocols::conditionList(call.condition);
+    request.fabrics = fabricList(dataset, call.fabric);
+    request.samples = chosenSamples(dataset, call.sample);
+    request.scale = call.scale == "physical" ? rendering::Scale::Physical : rendering::Scale::Pixels;
+    request.generation.model = call.model;
+    request.generation.quality = qualities.at(call.quality);
+    if (call.explain)
+        std::fputs(rendering::explain(request.conditions).c_str(), stdout);
+    Progress progress("friction images");
+    const auto rendering = renderFabrics(dataset, request, [&](int done, int total, const std::string& what) {
+        progress.show(done, total, what);
+    });
+    writeRendering(call.out, rendering, renderJson(dataset, request, rendering));
+    std::printf("%s: friction images of %zu fabrics x %zu conditions, ranges over %zu fabrics in render.json\n", call.out.c_str(),
+                request.fabrics.size(), request.conditions.size(), dataset.fabrics.size());
+    if (call.explain)
+        for (const auto& [signal, times] : rendering.computed)
+            std::printf("computed %s: %d times\n", rendering::nameOf(signal).c_str(), times);
+    return 0;
+}
+
+}  // namespace
+
+void addRender(CLI::App& app, Action& action)
+{
+    auto* command = app.add_subcommand("render", "friction images of fabrics under conditions");
+    auto call = std::make_shared<RenderCall>();
+    command->add_option("DATASET", call->dataset, "the data set")->required();
+    command->add_option("--fabric", call->fabric, "ids, comma-separated, or all")->capture_default_str();
+    command->add_option("--condition", call->condition, "ids, comma-separated, or all; h_g+f_g is h_g&f_g")->capture_default_str();
+    command->add_option("--out", call->out, "folder for DIR/F01/h_g+f_g.png and DIR/render.json")->required();
+    command->add_option("--sample", call->sample, "sample index of every signal (default: the first there is)");
+    command->add_option("--model", call->model, "weights (default: the shipped ones)");
+    command->add_option("--quality", call->quality, "of the generators")
+        ->check(CLI::IsMember({"fast", "balanced", "accurate"}))
+        ->capture_default_str();
+    command->add_option("--scale", call->scale, "pixels: 1:1 as in the paper; physical: true millimetres")
+        ->check(CLI::IsMember({"pixels", "physical"}))
+        ->capture_default_str();
+    command->add_flag("--explain", call->explain, "print which signals each condition computes");
+    command->callback([call, &action] { action.work = [call] { return render(*call); }; });
+}
+
+}  // namespace study::commands

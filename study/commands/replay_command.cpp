@@ -1,0 +1,173 @@
+// vis2hap replay STUDY SCRIPT... [--gui]: scripted participants through the session engine, or through
+// the window's own widgets.
+#include "database/keys.h"
+#include "protocols/errors.h"
+#include "rendering/display.h"
+#include "rendering/stimulus_bank.h"
+#include "study/app/gui_hands.h"
+#include "study/app/main_window.h"
+#include "study/commands/command_line.h"
+#include "study/commands/json_output.h"
+#include "study/commands/progress.h"
+#include "study/commands/scripted_participant.h"
+#include "study/commands/stored_study.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <set>
+
+namespace study::commands {
+
+namespace {
+
+using database::ParticipantKind;
+using database::SlotState;
+using database::StudyStore;
+
+class WindowHands final : public Hands {
+public:
+    explicit WindowHands(app::MainWindow& window) : m_hands(window) {}
+    std::optional<session::Refusal> perform(const session::EventBody& event) override { return m_hands.perform(event); }
+    const session::State& state() const override { return m_hands.view().state; }
+
+private:
+    app::GuiHands m_hands;
+};
+
+std::vector<Script> readScripts(const std::vector<std::string>& files, const protocols::Protocol& protocol)
+{
+    std::vector<Script> scripts;
+    std::set<protocols::ParticipantId> seen;
+    for (const auto& file : files) {
+        scripts.push_back(scriptFromJson(readFile(file), file, protocol));
+        if (!seen.insert(scripts.back().participant).second)
+            throw protocols::badInput({"participant " + scripts.back().participant.value + " comes twice", file,
+                                       "one script for each participant", "leave one out"});
+    }
+    return scripts;
+}
+
+database::Slot slotOf(const StudyStore& store, const protocols::ParticipantId& participant)
+{
+    const auto slots = store.slots();
+    const auto found = std::find_if(slots.begin(), slots.end(), [&](const auto& slot) { return slot.participant == participant; });
+    return found == slots.end() ? database::Slot{} : *found;
+}
+
+/// A script drives its own sessions alone, never on in the session of a person.
+void requireScripted(const database::Slot& slot, const Script& script)
+{
+    if (slot.state != SlotState::Free && slot.kind != ParticipantKind::Scripted)
+        throw protocols::badInput({"participant " + script.participant.value + " is " + nameOf(slot.kind) + ", not scripted", script.where,
+                                   "a participant id of its own", "change \"participant\" in the script"});
+}
+
+bool finishedAlready(const database::Slot& slot, const Script& script)
+{
+    if (slot.state != SlotState::Finished)
+        return false;
+    std::printf("%s: finished already, nothing to do\n", script.participant.value.c_str());
+    return true;
+}
+
+ScriptedTrials trialsFor(const StudyStore& store, int slot, const protocols::Protocol& protocol)
+{
+    return {store.trials(slot), readAllocationKeyForTestDriver(store, ParticipantKind::Scripted), protocol};
+}
+
+struct Playing {
+    const protocols::Protocol& protocol;
+    std::size_t answersInAll;
+};
+
+void play(const Script& script, StudyStore& store, Hands& hands, session::VirtualClock& clock,
+          const std::vector<database::EventRecord>& logged, const Playing& playing)
+{
+    const auto trials = trialsFor(store, slotOf(store, script.participant).number, playing.protocol);
+    Progress progress(script.participant.value);
+    playScript(script, trials, logged, hands, clock,
+               [&](int stored) { progress.show(stored, static_cast<int>(playing.answersInAll)); });
+    std::printf("%s: %d answers stored, %s\n", script.participant.value.c_str(), hands.state().answersStored,
+                std::holds_alternative<session::Finished>(hands.state().stage) ? "finished" : "withdrawn");
+}
+
+void playDirectly(const std::vector<Script>& scripts, StudyStore& store, const Playing& playing)
+{
+    rendering::StimulusBank bank(store.folder().stimuli(), store.stimulusHashes());
+    const auto display = rendering::openDisplay("none");
+    for (const auto& script : scripts) {
+        const auto slot = slotOf(store, script.participant);
+        requireScripted(slot, script);
+        if (finishedAlready(slot, script))
+            continue;
+        const auto logged = store.events(script.participant);
+        session::VirtualClock clock;
+        session::Driver driver(store, script.participant, ParticipantKind::Scripted, bank, *display, clock);
+        DriverHands hands(driver);
+        play(script, store, hands, clock, logged, playing);
+    }
+}
+
+void playThroughWindow(const std::vector<Script>& scripts, const std::filesystem::path& study, const Playing& playing)
+{
+    for (const auto& script : scripts) {
+        const auto clock = std::make_shared<session::VirtualClock>();
+        app::AppOptions options;
+        options.kind = ParticipantKind::Scripted;
+        options.clock = clock;
+        app::MainWindow window(options);
+        window.openStudy(study);
+        auto& store = window.study()->store();
+        const auto slot = slotOf(store, script.participant);
+        requireScripted(slot, script);
+        if (finishedAlready(slot, script))
+            continue;
+        const auto logged = store.events(script.participant);
+        window.show();
+        window.startSession(script.participant);
+        WindowHands hands(window);
+        play(script, store, hands, *clock, logged, playing);
+    }
+}
+
+int replay(const std::string& study, const std::vector<std::string>& files, bool gui)
+{
+    const auto protocol = protocolOf(openStudy(study).facts());
+    const auto scripts = readScripts(files, protocol);
+    std::size_t answers = 0;
+    for (const auto& phase : protocol.phases)
+        answers += phase.questions.size() * static_cast<std::size_t>(protocol.presentationsPerPhase());
+    const Playing playing{protocol, answers};
+    if (gui) {
+        playThroughWindow(scripts, study, playing);
+        return 0;
+    }
+    StudyStore store({study}, StudyStore::Access::Write);
+    playDirectly(scripts, store, playing);
+    return 0;
+}
+
+}  // namespace
+
+void addReplay(CLI::App& app, Action& action)
+{
+    struct Call {
+        std::string study;
+        std::vector<std::string> scripts;
+        bool gui = false;
+    };
+    auto* command = app.add_subcommand("replay", "scripted participants through the session engine; resumes where it was stopped");
+    auto call = std::make_shared<Call>();
+    command->add_option("STUDY", call->study, "the study")->required();
+    command->add_option("SCRIPT", call->scripts, "scripts, a participant each")->required();
+    command->add_flag("--gui", call->gui, "press the keys of the window instead (without a screen: offscreen)");
+    command->callback([call, &action] {
+        action.surroundings = call->gui ? Surroundings::Offscreen : Surroundings::Core;
+        action.work = [call] { return replay(call->study, call->scripts, call->gui); };
+    });
+}
+
+}  // namespace study::commands

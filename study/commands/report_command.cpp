@@ -1,0 +1,69 @@
+// vis2hap report STUDY --out DIR, and report --from ANSWERS.csv --out DIR
+#include "protocols/errors.h"
+#include "protocols/protocol_json.h"
+#include "protocols/sha256.h"
+#include "reports/answers_csv.h"
+#include "reports/report.h"
+#include "study/commands/command_line.h"
+#include "study/commands/json_output.h"
+#include "study/commands/stored_study.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <memory>
+
+namespace study::commands {
+
+namespace {
+
+struct ReportCall {
+    std::string study, from, out, protocol;
+    int alternatives = 3;
+};
+
+reports::StudyData dataFor(const ReportCall& call)
+{
+    if (call.from.empty())
+        return studyData(openStudy(call.study));
+    auto data = reports::readAnswersCsv(call.from, call.alternatives);
+    if (!call.protocol.empty()) {
+        const auto protocol = protocols::readProtocol(call.protocol);
+        data.name = protocol.name;
+        data.protocolSha256 = protocols::sha256OfFile(call.protocol);
+        data.questions.clear();
+        describeProtocol(protocol, data);
+    }
+    return data;
+}
+
+int report(const ReportCall& call)
+{
+    if (call.study.empty() == call.from.empty())
+        throw protocols::badInput({"a report of what?", "", "either a STUDY or --from ANSWERS.csv", "see `vis2hap report --help`"});
+    const auto data = dataFor(call);
+    reports::writeReport(data, call.out);
+    std::printf("%s\n%s/index.html\n", reports::resultTable(reports::results(data)).c_str(), call.out.c_str());
+    return 0;
+}
+
+}  // namespace
+
+void addReport(CLI::App& app, Action& action)
+{
+    auto* command = app.add_subcommand("report", "result tables, figures and documents; blinded until the study is unblinded");
+    auto call = std::make_shared<ReportCall>();
+    command->add_option("STUDY", call->study, "the study");
+    command->add_option("--from", call->from, "answers collected elsewhere: participant,fabric,condition,Q1_correct,Q2,Q3,Q4");
+    command->add_option("--out", call->out, "folder of the report")->required();
+    command->add_option("--protocol", call->protocol, "with --from: bounds, contrasts and questions from this protocol");
+    command->add_option("--alternatives", call->alternatives, "with --from: fabrics to choose among in Q1")
+        ->check(CLI::Range(2, 100))
+        ->capture_default_str();
+    command->callback([call, &action] {
+        action.surroundings = Surroundings::Core;
+        action.work = [call] { return report(*call); };
+    });
+}
+
+}  // namespace study::commands

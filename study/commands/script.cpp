@@ -1,0 +1,158 @@
+#include "study/commands/script.h"
+
+#include "protocols/condition.h"
+#include "protocols/errors.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <tuple>
+
+namespace study::commands {
+
+namespace {
+
+using nlohmann::json;
+using What = ScriptedEvent::What;
+
+const std::map<std::string, What> eventNames{{"pause", What::Pause}, {"resume", What::Resume}, {"correct", What::Correct},
+                                             {"void", What::Void},   {"crash", What::Crash},   {"note", What::Note}};
+
+protocols::Error fault(const std::string& what, const std::string& where, const std::string& expected)
+{
+    return protocols::badInput({what, where, expected, "mend the script and run the same command again"});
+}
+
+std::string textField(const json& entry, const char* field, const std::string& where)
+{
+    if (!entry.contains(field) || !entry[field].is_string())
+        throw fault(std::string("no text \"") + field + "\"", where, std::string("\"") + field + "\": \"...\"");
+    return entry[field].get<std::string>();
+}
+
+ScriptedResponse responseFrom(const json& value, const std::string& where)
+{
+    if (value.is_string())
+        return value.get<std::string>();
+    if (!value.is_number())
+        throw fault("an answer that is neither text nor a number", where, "correct, foil:1, a fabric id, or a rating");
+    const double tenths = value.get<double>() * 10;
+    if (std::abs(tenths) > 1e6 || std::abs(tenths - std::round(tenths)) > 1e-6)
+        throw fault("rating " + value.dump() + " is not a whole number of tenths", where, "a rating like 5.4");
+    return protocols::Tenths{static_cast<int>(std::lround(tenths))};
+}
+
+ScriptedPlace placeFrom(const json& entry, const std::string& where)
+{
+    ScriptedPlace place;
+    if (entry.contains("trial")) {
+        if (!entry["trial"].is_number_integer())
+            throw fault("trial is no whole number", where, "\"trial\": N, from 1");
+        place.trial = protocols::TrialNumber{entry["trial"].get<int>()};
+        return place;
+    }
+    place.condition = protocols::conditionNamed(textField(entry, "condition", where)).conditionId();
+    place.fabric = protocols::FabricId(textField(entry, "fabric", where));
+    return place;
+}
+
+ScriptedAnswer answerFrom(const json& entry, const std::string& where)
+{
+    ScriptedAnswer answer;
+    answer.question = protocols::QuestionId(textField(entry, "question", where));
+    answer.place = placeFrom(entry, where);
+    if (!entry.contains("answer"))
+        throw fault("no answer", where, "\"answer\": ...");
+    answer.response = responseFrom(entry["answer"], where);
+    answer.seconds = entry.contains("seconds") && entry["seconds"].is_number() ? entry["seconds"].get<double>() : 1.0;
+    if (!(answer.seconds > 0 && answer.seconds < 86400))
+        throw fault("seconds out of range", where, "a number above 0 and below a day");
+    return answer;
+}
+
+ScriptedEvent eventFrom(const json& entry, const std::string& where)
+{
+    ScriptedEvent event;
+    const auto name = eventNames.find(textField(entry, "do", where));
+    if (name == eventNames.end())
+        throw fault("unknown event \"" + entry["do"].get<std::string>() + "\"", where, "pause, resume, correct, void, crash or note");
+    event.what = name->second;
+    event.beforeAnswer = entry.contains("before_answer");
+    const char* count = event.beforeAnswer ? "before_answer" : "after_answer";
+    if (!entry.contains(count) || !entry[count].is_number_integer() || entry[count].get<int>() < (event.beforeAnswer ? 1 : 0))
+        throw fault("an event without its place", where, "before_answer or after_answer: N, counted from 1");
+    event.answersStoredBefore = entry[count].get<int>() - (event.beforeAnswer ? 1 : 0);
+    if (event.what == What::Correct) {
+        event.question = protocols::QuestionId(textField(entry, "question", where));
+        if (!entry.contains("answer"))
+            throw fault("a correction without its answer", where, "\"answer\": ...");
+        event.response = responseFrom(entry["answer"], where);
+    }
+    event.text = entry.value(event.what == What::Note ? "text" : "why", std::string());
+    return event;
+}
+
+void checkQuestions(const Script& script, const protocols::Protocol& protocol)
+{
+    std::set<protocols::QuestionId> known;
+    for (const auto& phase : protocol.phases)
+        for (const auto& question : phase.questions)
+            known.insert(question.id);
+    for (const auto& answer : script.answers)
+        if (!known.contains(answer.question))
+            throw fault("the protocol asks no question " + answer.question.value, script.where, "the questions of the protocol");
+}
+
+void checkDoubled(const Script& script)
+{
+    std::set<std::tuple<protocols::QuestionId, ScriptedPlace>> seen;
+    for (const auto& answer : script.answers) {
+        if (seen.emplace(answer.question, answer.place).second)
+            continue;
+        const std::string place = answer.place.trial ? "trial " + std::to_string(answer.place.trial->value)
+                                                     : answer.place.condition.value + ", " + answer.place.fabric.value;
+        throw fault("doubled answer to " + answer.question.value + " for " + place, script.where, "one answer for each question and rendering");
+    }
+}
+
+}  // namespace
+
+const ScriptedAnswer* Script::answerTo(const protocols::QuestionId& question, const ScriptedPlace& place) const
+{
+    const auto found = std::find_if(answers.begin(), answers.end(), [&](const ScriptedAnswer& answer) {
+        return answer.question == question && answer.place == place;
+    });
+    return found == answers.end() ? nullptr : &*found;
+}
+
+Script scriptFromJson(std::string_view text, const std::string& where, const protocols::Protocol& protocol)
+{
+    json root;
+    try {
+        root = json::parse(text);
+    } catch (const json::exception& problem) {
+        throw fault(std::string("no JSON (") + problem.what() + ")", where, "a script as the README describes it");
+    }
+    if (!root.is_object() || root.value("schema", "") != "vis2hap.script/1")
+        throw fault("no script of this program", where, "\"schema\": \"vis2hap.script/1\"");
+    Script script;
+    script.where = where;
+    script.participant = protocols::ParticipantId(textField(root, "participant", where));
+    if (script.participant.empty())
+        throw fault("an empty participant id", where, "\"participant\": \"S01\"");
+    if (!root.contains("answers") || !root["answers"].is_array())
+        throw fault("no list of answers", where, "\"answers\": [...]");
+    for (std::size_t i = 0; i < root["answers"].size(); ++i)
+        script.answers.push_back(answerFrom(root["answers"][i], where + ", answer " + std::to_string(i + 1)));
+    if (root.contains("events"))
+        for (std::size_t i = 0; i < root["events"].size(); ++i)
+            script.events.push_back(eventFrom(root["events"][i], where + ", event " + std::to_string(i + 1)));
+    checkQuestions(script, protocol);
+    checkDoubled(script);
+    return script;
+}
+
+}  // namespace study::commands

@@ -1,0 +1,210 @@
+#include "study/commands/scripted_participant.h"
+
+#include "protocols/errors.h"
+
+#include <algorithm>
+#include <csignal>
+#include <map>
+
+namespace study::commands {
+
+namespace {
+
+using namespace session;
+using What = ScriptedEvent::What;
+
+/// The kind under which an event of the script is found in the log; a crash shows as the sitting begun after it.
+std::string loggedKind(What what)
+{
+    switch (what) {
+    case What::Pause: return kindOf(Paused{});
+    case What::Resume: return kindOf(Resumed{});
+    case What::Correct: return kindOf(Corrected{});
+    case What::Void: return kindOf(Voided{});
+    case What::Crash: return kindOf(SittingStarted{});
+    case What::Note: return kindOf(Noted{});
+    }
+    return {};
+}
+
+class Player {
+public:
+    Player(const Script& script, const ScriptedTrials& trials, Hands& hands, VirtualClock& clock)
+        : m_script(script), m_trials(trials), m_hands(hands), m_clock(clock), m_passed(script.events.size(), false)
+    {
+    }
+
+    void skipPassed(const std::vector<database::EventRecord>& logged);
+    void play(const std::function<void(int)>& progress);
+
+private:
+    bool performDueEvent();
+    void perform(const ScriptedEvent& event);
+    void act(const EventBody& event);
+    void moveOn();
+    void answer(const Presenting& presenting);
+    Response responseFor(const ScriptedResponse& scripted, int index, const protocols::QuestionId& question) const;
+    std::string placeName(int index, const protocols::QuestionId& question) const;
+
+    const Script& m_script;
+    const ScriptedTrials& m_trials;
+    Hands& m_hands;
+    VirtualClock& m_clock;
+    std::vector<bool> m_passed;
+};
+
+void Player::skipPassed(const std::vector<database::EventRecord>& logged)
+{
+    std::map<std::pair<std::string, int>, int> happened;
+    int stored = 0;
+    for (const auto& record : logged) {
+        if (record.kind == kindOf(Answered{}))
+            ++stored;
+        else if (record.kind != kindOf(SittingStarted{}) || record.sitting > 1)
+            ++happened[{record.kind, stored}];
+    }
+    for (std::size_t i = 0; i < m_script.events.size(); ++i) {
+        const auto& event = m_script.events[i];
+        int& left = happened[{loggedKind(event.what), event.answersStoredBefore}];
+        m_passed[i] = event.answersStoredBefore < stored || left > 0;
+        left -= left > 0;
+    }
+}
+
+std::string Player::placeName(int index, const protocols::QuestionId& question) const
+{
+    const auto& trial = m_trials.trials[index];
+    return m_script.participant.value + ", trial " + std::to_string(trial.number.value) + " (" + trial.presentationCode.value + "), " +
+           question.value;
+}
+
+void Player::act(const EventBody& event)
+{
+    if (const auto refusal = m_hands.perform(event))
+        throw protocols::badInput({"the session refuses \"" + kindOf(event) + "\" after " + std::to_string(m_hands.state().answersStored) +
+                                       " answers: " + refusal->reason,
+                                   m_script.where, "a script that a session can follow",
+                                   "mend the script; what was answered before is stored"});
+}
+
+Response Player::responseFor(const ScriptedResponse& scripted, int index, const protocols::QuestionId& question) const
+{
+    if (const auto* rating = std::get_if<protocols::Tenths>(&scripted))
+        return *rating;
+    const auto& text = std::get<std::string>(scripted);
+    const auto& trial = m_trials.trials[index];
+    const auto& truth = m_trials.key.entries.at(trial.fileCode).fabric;
+    if (text == "correct")
+        return truth;
+    std::vector<protocols::FabricId> foils;
+    std::copy_if(trial.alternatives.begin(), trial.alternatives.end(), std::back_inserter(foils),
+                 [&](const auto& fabric) { return fabric != truth; });
+    for (std::size_t k = 0; k < foils.size(); ++k)
+        if (text == "foil:" + std::to_string(k + 1))
+            return foils[k];
+    const protocols::FabricId fabric(text);
+    if (std::find(trial.alternatives.begin(), trial.alternatives.end(), fabric) == trial.alternatives.end())
+        throw protocols::badInput({"answer \"" + text + "\" is not on the tray", m_script.where + ": " + placeName(index, question),
+                                   "correct, foil:1 .. foil:" + std::to_string(foils.size()) + " or a fabric of the tray",
+                                   "mend the script and run the same command again; what was answered before is stored"});
+    return fabric;
+}
+
+void Player::perform(const ScriptedEvent& event)
+{
+    switch (event.what) {
+    case What::Pause: return act(Paused{});
+    case What::Resume: return act(Resumed{});
+    case What::Void: return act(Voided{event.text});
+    case What::Note: return act(Noted{event.text});
+    case What::Crash: std::raise(SIGKILL); return;
+    case What::Correct: {
+        const auto& answers = m_hands.state().answers;
+        for (auto latest = answers.rbegin(); latest != answers.rend(); ++latest) {
+            const auto& phase = m_trials.protocol.phases[m_trials.trials[latest->index].phase];
+            if (phase.questions[latest->question].id == event.question)
+                return act(Corrected{event.question, responseFor(*event.response, latest->index, event.question), event.text});
+        }
+        throw protocols::badInput({"a correction of " + event.question.value + " before it was answered", m_script.where,
+                                   "an answer to correct", "mend the script"});
+    }
+    }
+}
+
+bool Player::performDueEvent()
+{
+    const auto& state = m_hands.state();
+    for (std::size_t i = 0; i < m_script.events.size(); ++i) {
+        const auto& event = m_script.events[i];
+        if (m_passed[i] || event.answersStoredBefore != state.answersStored)
+            continue;
+        // "Before the answer" means while the rendering is on the display; a resume follows its pause at once.
+        if (event.beforeAnswer && !state.paused && !std::holds_alternative<Presenting>(state.stage))
+            return false;
+        m_passed[i] = true;
+        perform(event);
+        return true;
+    }
+    return false;
+}
+
+void Player::answer(const Presenting& presenting)
+{
+    const auto& trial = m_trials.trials[presenting.index];
+    const auto& question = m_trials.protocol.phases[trial.phase].questions[presenting.question].id;
+    const auto& entry = m_trials.key.entries.at(trial.fileCode);
+    const auto* scripted = m_script.answerTo(question, {trial.number, {}, {}});
+    if (!scripted)
+        scripted = m_script.answerTo(question, {std::nullopt, entry.condition, entry.fabric});
+    if (!scripted)
+        throw protocols::badInput({"no answer", m_script.where + ": " + placeName(presenting.index, question),
+                                   "an answer to every question and rendering of the protocol",
+                                   "add it and run the same command again; what was answered before is stored"});
+    const Response response = responseFor(scripted->response, presenting.index, question);
+    m_clock.advanceSeconds(scripted->seconds);
+    act(Answered{response});
+}
+
+void Player::moveOn()
+{
+    const Stage stage = m_hands.state().stage;
+    if (m_hands.state().paused)
+        return act(Resumed{});
+    if (std::holds_alternative<Enrolled>(stage))
+        return act(Begun{});
+    if (std::holds_alternative<Familiarising>(stage))
+        return act(FamiliarisationDone{});
+    if (std::holds_alternative<ScaleTraining>(stage))
+        return act(ScaleTrainingDone{});
+    if (std::holds_alternative<OnBreak>(stage))
+        return act(BreakEnded{});
+    if (std::holds_alternative<PlacingTray>(stage)) {
+        m_clock.advanceSeconds(2);
+        return act(TrayReady{});
+    }
+    answer(std::get<Presenting>(stage));
+}
+
+void Player::play(const std::function<void(int)>& progress)
+{
+    while (!std::holds_alternative<Finished>(m_hands.state().stage) && !std::holds_alternative<Withdrawn>(m_hands.state().stage)) {
+        if (!performDueEvent())
+            moveOn();
+        if (progress)
+            progress(m_hands.state().answersStored);
+    }
+    while (performDueEvent()) {
+    }
+}
+
+}  // namespace
+
+void playScript(const Script& script, const ScriptedTrials& trials, const std::vector<database::EventRecord>& logged, Hands& hands,
+                session::VirtualClock& clock, const std::function<void(int)>& progress)
+{
+    Player player(script, trials, hands, clock);
+    player.skipPassed(logged);
+    player.play(progress);
+}
+
+}  // namespace study::commands

@@ -1,0 +1,102 @@
+// vis2hap simulate STUDY: simulated participants feel the friction images and answer through the
+// session engine, like everybody else.
+#include "database/keys.h"
+#include "protocols/errors.h"
+#include "protocols/sha256.h"
+#include "rendering/display.h"
+#include "rendering/stimulus_bank.h"
+#include "study/commands/command_line.h"
+#include "study/commands/expected_touch.h"
+#include "study/commands/progress.h"
+#include "study/commands/simulated_participant.h"
+#include "study/commands/stored_study.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+
+namespace study::commands {
+
+namespace {
+
+using database::ParticipantKind;
+using database::SlotState;
+using database::StudyStore;
+
+struct SimulateCall {
+    std::string study, dataset;
+    std::optional<int> participants;
+    std::uint64_t seed = 1;
+};
+
+/// Those begun and not finished go on first; then the free slots, as many as asked for.
+std::vector<protocols::ParticipantId> participantsToPlay(const StudyStore& store, std::optional<int> wanted)
+{
+    std::vector<protocols::ParticipantId> participants;
+    int free = 0, known = 0;
+    for (const auto& slot : store.slots()) {
+        free += slot.state == SlotState::Free;
+        if (slot.state == SlotState::Free || slot.kind != ParticipantKind::Simulated)
+            continue;
+        ++known;
+        if (slot.state == SlotState::Started)
+            participants.push_back(slot.participant);
+    }
+    if (wanted && *wanted > free)
+        throw protocols::badInput({"only " + std::to_string(free) + " slots are free", store.folder().folder.string(),
+                                   "--participants of at most that", "make a study with more participants"});
+    for (int i = 0; i < wanted.value_or(free); ++i) {
+        std::string number = std::to_string(known + i + 1);
+        participants.emplace_back("SIM" + std::string(number.size() < 2 ? 1 : 0, '0') + number);
+    }
+    return participants;
+}
+
+int simulate(const SimulateCall& call)
+{
+    StudyStore store({call.study}, StudyStore::Access::Write);
+    const auto facts = store.facts();
+    const auto protocol = protocolOf(facts);
+    const auto participants = participantsToPlay(store, call.participants);
+    const auto key = readAllocationKeyForTestDriver(store, ParticipantKind::Simulated);
+    rendering::StimulusBank bank(store.folder().stimuli(), store.stimulusHashes());
+
+    Percepts percepts;
+    percepts.fabrics = expectedTouch(facts, call.dataset.empty() ? facts.datasetPath : call.dataset);
+    for (const auto& [code, entry] : key.entries)
+        percepts.stimuli[code] = feel(bank.image(code));
+
+    const auto display = rendering::openDisplay("none");
+    Progress progress("simulated participants");
+    int played = 0;
+    for (const auto& id : participants) {
+        session::VirtualClock clock;
+        session::Driver driver(store, id, ParticipantKind::Simulated, bank, *display, clock);
+        DriverHands hands(driver);
+        SimulatedParticipant participant(percepts, call.seed, id.value);
+        playSimulated(participant, driver.plan(), hands, clock);
+        progress.show(++played, static_cast<int>(participants.size()), id.value);
+    }
+    std::printf("%s: %d simulated participants answered\n", call.study.c_str(), played);
+    return 0;
+}
+
+}  // namespace
+
+void addSimulate(CLI::App& app, Action& action)
+{
+    auto* command = app.add_subcommand("simulate", "simulated participants take the free slots");
+    auto call = std::make_shared<SimulateCall>();
+    command->add_option("STUDY", call->study, "the study")->required();
+    command->add_option("--participants", call->participants, "how many (default: all free slots)")->check(CLI::Range(1, 10000));
+    command->add_option("--seed", call->seed, "draws the people and their noise")->capture_default_str();
+    command->add_option("--dataset", call->dataset, "where the data set lies now, if it was moved");
+    command->callback([call, &action] {
+        action.surroundings = Surroundings::Core;
+        action.work = [call] { return simulate(*call); };
+    });
+}
+
+}  // namespace study::commands

@@ -1,0 +1,106 @@
+// vis2hap verify STUDY, and vis2hap unblind STUDY --who NAME --why TEXT
+#include "database/keys.h"
+#include "protocols/errors.h"
+#include "protocols/sha256.h"
+#include "rendering/stimulus_bank.h"
+#include "study/commands/command_line.h"
+#include "study/commands/json_output.h"
+#include "study/commands/stored_study.h"
+#include "study/session/clock.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <memory>
+
+namespace study::commands {
+
+namespace {
+
+std::vector<std::string> faultsOf(const database::StudyStore& store)
+{
+    auto faults = store.faults();
+    const auto add = [&](const std::vector<std::string>& more) { faults.insert(faults.end(), more.begin(), more.end()); };
+    add(faultsOfKeys(store));
+    add(rendering::StimulusBank(store.folder().stimuli(), store.stimulusHashes()).faults());
+    const auto file = store.folder().protocol();
+    if (!std::filesystem::exists(file))
+        faults.push_back("protocol.json: missing");
+    else if (protocols::sha256OfFile(file) != store.facts().protocolSha256)
+        faults.push_back("protocol.json: changed since the study was made");
+    return faults;
+}
+
+int verify(const std::string& study, const JsonTarget& target)
+{
+    const auto store = openStudy(study);
+    const auto faults = faultsOf(store);
+    if (target)
+        writeJson(target, {{"schema", "vis2hap.verify/1"}, {"study", store.facts().name}, {"sound", faults.empty()},
+                           {"stimuli", store.stimulusHashes().size()}, {"answers", store.answers().size()}, {"faults", faults}});
+    else {
+        for (const auto& fault : faults)
+            std::printf("%s\n", fault.c_str());
+        std::printf("%s: %s (%zu answers, %zu stimuli, hash chain, keys, protocol)\n", study.c_str(),
+                    faults.empty() ? "sound" : (std::to_string(faults.size()) + " faults").c_str(), store.answers().size(),
+                    store.stimulusHashes().size());
+    }
+    return static_cast<int>(faults.empty() ? protocols::ExitCode::Done : protocols::ExitCode::WorkFailed);
+}
+
+int unblind(const std::string& study, const std::string& who, const std::string& why)
+{
+    database::StudyStore store({study}, database::StudyStore::Access::Write);
+    if (const auto earlier = store.unblinding()) {
+        std::printf("%s: unblinded already, by %s on %s (%s)\n", study.c_str(), earlier->who.c_str(), earlier->wallTime.c_str(),
+                    earlier->why.c_str());
+        return 0;
+    }
+    const auto done = database::unblind(store, who, why, session::SystemClock().wallTime());
+    const auto key = readAllocationKey(store, done);
+    std::printf("%s: unblinded by %s, recorded\n", study.c_str(), who.c_str());
+    std::map<protocols::ConditionLabel, protocols::ConditionId> names;
+    for (const auto& [code, entry] : key.entries)
+        names[entry.label] = entry.condition;
+    for (const auto& [label, condition] : names)
+        std::printf("  %s is %s\n", label.value.c_str(), condition.value.c_str());
+    return 0;
+}
+
+std::string nonEmpty(const std::string& text)
+{
+    return text.find_first_not_of(" \t") == std::string::npos ? "must not be empty" : "";
+}
+
+}  // namespace
+
+void addVerify(CLI::App& app, Action& action)
+{
+    auto* command = app.add_subcommand("verify", "integrity, hash chain, keys and stimuli of a study");
+    auto study = std::make_shared<std::string>();
+    auto target = std::make_shared<JsonTarget>();
+    command->add_option("STUDY", *study, "the study")->required();
+    addJsonOption(*command, *target);
+    command->callback([study, target, &action] {
+        action.surroundings = Surroundings::Core;
+        action.work = [study, target] { return verify(*study, *target); };
+    });
+}
+
+void addUnblind(CLI::App& app, Action& action)
+{
+    struct Call {
+        std::string study, who, why;
+    };
+    auto* command = app.add_subcommand("unblind", "open the key of a study; who and why are recorded");
+    auto call = std::make_shared<Call>();
+    command->add_option("STUDY", call->study, "the study")->required();
+    command->add_option("--who", call->who, "your name")->required()->check(nonEmpty);
+    command->add_option("--why", call->why, "the reason")->required()->check(nonEmpty);
+    command->callback([call, &action] {
+        action.surroundings = Surroundings::Core;
+        action.work = [call] { return unblind(call->study, call->who, call->why); };
+    });
+}
+
+}  // namespace study::commands

@@ -1,0 +1,7 @@
+#include "study/commands/command_line.h"
+
+namespace study::commands {
+
+std::string versionText() { return "vis2hap " VIS2HAP_VERSION; }
+
+}  // namespace study::commands

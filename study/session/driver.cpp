@@ -1,0 +1,188 @@
+#include "study/session/driver.h"
+
+#include "protocols/errors.h"
+#include "protocols/protocol_json.h"
+#include "study/session/session_moves.h"
+
+namespace study::session {
+
+namespace {
+
+using database::AnswerRecord;
+using database::StudyStore;
+
+const protocols::BlindedTrial& trialOf(const Plan& plan, int index) { return plan.trials[static_cast<std::size_t>(index)]; }
+
+Plan planOf(const StudyStore& store, int slot)
+{
+    const database::StudyFacts facts = store.facts();
+    return {protocols::protocolFromJson(facts.protocolJson, store.folder().protocol().string()), store.trials(slot), facts.fabricNames};
+}
+
+AnswerRecord recordOf(const Plan& plan, const StoredAnswer& answer)
+{
+    const protocols::BlindedTrial& trial = trialOf(plan, answer.index);
+    AnswerRecord record;
+    record.trial = trial.number;
+    record.question = questionOf(plan, answer.index, answer.question).id;
+    record.fileCode = trial.fileCode;
+    record.alternatives = trial.alternatives;
+    if (const auto* fabric = std::get_if<protocols::FabricId>(&answer.response))
+        record.answer = *fabric;
+    else
+        record.rating = std::get<protocols::Tenths>(answer.response);
+    return record;
+}
+
+AnswerRecord givenAnswer(const Plan& plan, const Presenting& asked, const StoredAnswer& answer, std::int64_t atNs)
+{
+    AnswerRecord record = recordOf(plan, answer);
+    record.readyAtNs = asked.readyAtNs;
+    record.touchedAtNs = asked.touchedAtNs;
+    record.answeredAtNs = atNs;
+    return record;
+}
+
+AnswerRecord correction(const Plan& plan, const State& next, const Corrected& event)
+{
+    AnswerRecord record = recordOf(plan, next.answers[*latestAnswerTo(plan, next, event.question)]);
+    record.isCorrection = true;
+    record.note = event.why;
+    return record;
+}
+
+/// The trial whose answers a void removed: the one that `order` grew by.
+int voidedTrial(const State& before, const State& next)
+{
+    std::size_t place = 0;
+    while (place < before.order.size() && before.order[place] == next.order[place])
+        ++place;
+    return next.order[place];
+}
+
+/// What a remark made now is about: the presentation that is on, or the one answered last.
+std::optional<int> trialNotedOn(const State& state)
+{
+    if (const auto* presenting = std::get_if<Presenting>(&state.stage))
+        return presenting->index;
+    if (state.answers.empty())
+        return std::nullopt;
+    return state.answers.back().index;
+}
+
+void addWhatItStores(StudyStore::Append& entry, const Plan& plan, const State& before, const State& next, const EventBody& body)
+{
+    if (std::holds_alternative<Answered>(body))
+        entry.answers.push_back(givenAnswer(plan, std::get<Presenting>(before.stage), next.answers.back(), entry.event.atNs));
+    if (const auto* corrected = std::get_if<Corrected>(&body))
+        entry.answers.push_back(correction(plan, next, *corrected));
+    if (const auto* voided = std::get_if<Voided>(&body)) {
+        entry.voids = trialOf(plan, voidedTrial(before, next)).number;
+        if (!voided->why.empty())
+            entry.note = {*entry.voids, voided->why};
+    }
+    if (const auto* noted = std::get_if<Noted>(&body))
+        if (const auto trial = trialNotedOn(before))
+            entry.note = {trialOf(plan, *trial).number, noted->text};
+    if (std::holds_alternative<Finished>(next.stage) && !std::holds_alternative<Finished>(before.stage))
+        entry.slotState = database::SlotState::Finished;
+    if (std::holds_alternative<Withdrawn>(next.stage) && !std::holds_alternative<Withdrawn>(before.stage))
+        entry.slotState = database::SlotState::Withdrawn;
+}
+
+}  // namespace
+
+Driver::Driver(StudyStore& store, const protocols::ParticipantId& participant, database::ParticipantKind kind,
+               rendering::StimulusBank& bank, rendering::HapticDisplay& display, Clock& clock)
+    : m_store(store), m_participant(participant), m_bank(bank), m_display(display), m_clock(clock)
+{
+    m_plan = planOf(store, store.enrol(participant, kind).number);
+    replayLog();
+    if (const auto refusal = send(SittingStarted{}))
+        throw protocols::workFailed({"the session cannot be opened: " + refusal->reason, participant.value, "", "run vis2hap verify on the study"});
+}
+
+void Driver::replayLog()
+{
+    for (const database::EventRecord& record : m_store.events(m_participant)) {
+        auto outcome = apply(m_plan, m_state, {eventFromRecord(record.kind, record.payloadJson), record.atNs});
+        if (const auto* refusal = std::get_if<Refusal>(&outcome))
+            throw protocols::workFailed({"the stored log does not hold together: " + refusal->reason,
+                                         m_store.folder().database().string() + ", event " + std::to_string(record.sequence) + " (" + record.kind + ")",
+                                         "", "run vis2hap verify on the study"});
+        m_state = std::move(std::get<Step>(outcome).next);
+    }
+}
+
+std::optional<Refusal> Driver::send(const EventBody& body)
+{
+    const std::int64_t atNs = m_clock.monotonicNs();
+    auto outcome = apply(m_plan, m_state, {body, atNs});
+    if (auto* refusal = std::get_if<Refusal>(&outcome))
+        return std::move(*refusal);
+    const std::vector<Effect> effects = std::get<Step>(outcome).effects;
+    commit(body, atNs, std::move(std::get<Step>(outcome)));
+    letOut(effects);
+    return std::nullopt;
+}
+
+void Driver::commit(const EventBody& body, std::int64_t atNs, Step step)
+{
+    StudyStore::Append entry;
+    entry.event = {0, m_participant, step.next.sitting, kindOf(body), payloadJson(body), atNs, m_clock.wallTime()};
+    addWhatItStores(entry, m_plan, m_state, step.next, body);
+    entry.storedAtNs = m_clock.monotonicNs();
+    m_store.append(entry);
+    m_state = std::move(step.next);
+}
+
+/// Runs only what is already on the disk. A display that fails leaves a paused session, so that the
+/// presentation begins anew once the display works.
+void Driver::letOut(const std::vector<Effect>& effects)
+{
+    try {
+        for (const Effect& effect : effects)
+            perform(effect);
+    } catch (...) {
+        pauseAfterFault();
+        throw;
+    }
+}
+
+void Driver::perform(const Effect& effect)
+{
+    if (const auto* show = std::get_if<ShowStimulus>(&effect))
+        m_display.show(m_bank.image(show->code));
+    else if (const auto* prefetch = std::get_if<Prefetch>(&effect))
+        prefetchIfPossible(prefetch->code);
+    else
+        m_display.clear();
+}
+
+void Driver::prefetchIfPossible(const protocols::FileCode& code)
+{
+    try {
+        m_bank.prefetch(code);
+    } catch (const protocols::Error&) {
+        // Reading ahead saves time only; a missing or altered stimulus is told when it is to be shown.
+    }
+}
+
+void Driver::pauseAfterFault()
+{
+    if (m_state.paused)
+        return;
+    const std::int64_t atNs = m_clock.monotonicNs();
+    auto outcome = apply(m_plan, m_state, {Paused{}, atNs});
+    auto* step = std::get_if<Step>(&outcome);
+    if (!step)
+        return;  // the session was over
+    commit(Paused{}, atNs, std::move(*step));
+    try {
+        m_display.clear();
+    } catch (const protocols::Error&) {
+        // The display's first fault is the one that is told.
+    }
+}
+
+}  // namespace study::session

@@ -1,0 +1,67 @@
+// The one way into a session for window, script and simulation: commits an accepted event with its
+// answers in one transaction and only then lets the effects out. Opening it replays the log, so a
+// session goes on where the last acknowledged event left it.
+#pragma once
+
+#include "database/study_store.h"
+#include "rendering/display.h"
+#include "rendering/stimulus_bank.h"
+#include "study/session/clock.h"
+#include "study/session/session.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace study::session {
+
+/// What a front end may show: a value, without any key.
+struct View {
+    State state;
+    std::string participant;
+    std::string phaseName;                    ///< "Q1", "Q2-Q4"
+    protocols::PresentationCode code;         ///< while a trial is on; else empty
+    std::vector<std::string> tray;            ///< names of the fabrics in slots A, B, C
+    std::vector<protocols::FabricId> trayIds;
+    std::optional<protocols::Question> question;  ///< the one now asked, or asked next in PlacingTray
+    std::optional<protocols::Scale> scale;        ///< of that question
+    int presentation = 0, presentations = 0;  ///< progress, from 1; voided ones add to the total
+    int answersStored = 0, answersInAll = 0;
+    double minutesLeft = 0;                   ///< by the protocol's seconds per presentation
+    int presentationsToBreak = 0;
+    std::optional<std::string> lastAnswer;    ///< read-back: "Q3: 5.5"
+    std::optional<protocols::QuestionId> lastQuestion;
+};
+
+class Driver {
+public:
+    /// Enrols the participant, or finds where they were. `store` must be open for writing.
+    Driver(database::StudyStore& store, const protocols::ParticipantId& participant, database::ParticipantKind kind,
+           rendering::StimulusBank& bank, rendering::HapticDisplay& display, Clock& clock);
+
+    /// Empty when accepted and on the disk; else why not (nothing has changed then). A display or disk
+    /// that fails throws protocols::Error; after a display fault the session is paused, nothing lost.
+    std::optional<Refusal> send(const EventBody& event);
+
+    const State& state() const { return m_state; }
+    const Plan& plan() const { return m_plan; }
+    View view() const;
+
+private:
+    void replayLog();
+    void commit(const EventBody& body, std::int64_t atNs, Step step);
+    void letOut(const std::vector<Effect>& effects);
+    void perform(const Effect& effect);
+    void prefetchIfPossible(const protocols::FileCode& code);
+    void pauseAfterFault();
+
+    database::StudyStore& m_store;
+    protocols::ParticipantId m_participant;
+    rendering::StimulusBank& m_bank;
+    rendering::HapticDisplay& m_display;
+    Clock& m_clock;
+    Plan m_plan;
+    State m_state;
+};
+
+}  // namespace study::session

@@ -1,0 +1,4 @@
+vis2hap_test(rendering image_io_test LINK rendering_fabrics)
+vis2hap_test(rendering dataset_test LINK rendering_fabrics)
+vis2hap_test(rendering procedural_fabrics_test LINK rendering_fabrics)
+vis2hap_test(rendering import_test LINK rendering_fabrics)

@@ -1,0 +1,8 @@
+foreach(test grey_test surface_integration_test photometric_stereo_test shape_from_shading_test spectrogram_test)
+  vis2hap_test(rendering ${test} LINK rendering_signals rendering_fabrics)
+endforeach()
+foreach(test plan_test friction_image_test stimulus_bank_test display_test stroke_test)
+  vis2hap_test(rendering ${test} LINK rendering_images)
+endforeach()
+vis2hap_test(rendering render_fabrics_test LINK rendering)
+vis2hap_test(rendering bench_test LINK rendering)

@@ -1,13 +1,12 @@
 // verify's part that lies in the database: whole file, whole references, unbroken log.
+#include <functional>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+
 #include "database/event_chain.h"
 #include "database/store_connection.h"
 #include "database/study_store.h"
-
-#include <nlohmann/json.hpp>
-
-#include <functional>
-#include <map>
-#include <set>
 
 namespace database {
 
@@ -15,22 +14,30 @@ namespace {
 
 using Log = std::map<std::int64_t, LogEntry>;
 
-struct StoredHashes { std::string previous, own; };
+struct StoredHashes {
+    std::string previous, own;
+};
 
-std::optional<std::string> textOrNone(const QVariant& value) { return value.isNull() ? std::nullopt : std::optional(fromQt(value)); }
+std::optional<std::string> textOrNone(const QVariant& value)
+{
+    return value.isNull() ? std::nullopt : std::optional(fromQt(value));
+}
 
 void readResponses(const SqliteConnection& sqlite, Log& log)
 {
-    QSqlQuery row = sqlite.run(QStringLiteral("SELECT event, participant, trial, attempt, question, file_code, alternatives, choice, rating_tenths, "
-                                              "ready_at, touched_at, answered_at, stored_at, is_correction FROM responses ORDER BY id"));
+    QSqlQuery row = sqlite.run(
+        QStringLiteral("SELECT event, participant, trial, attempt, question, file_code, alternatives, choice, rating_tenths, "
+                       "ready_at, touched_at, answered_at, stored_at, is_correction FROM responses ORDER BY id"));
     while (row.next()) {
-        ResponseRow response{fromQt(row.value(1)), row.value(2).toInt(), row.value(3).toInt(), fromQt(row.value(4)), fromQt(row.value(5)),
-                             fromQt(row.value(6)), textOrNone(row.value(7)), {}, row.value(9).toLongLong(), {}, row.value(11).toLongLong(),
-                             row.value(12).toLongLong(), row.value(13).toInt() != 0};
-        if (!row.value(8).isNull())
-            response.ratingTenths = row.value(8).toInt();
-        if (!row.value(10).isNull())
-            response.touchedAt = row.value(10).toLongLong();
+        ResponseRow response{fromQt(row.value(1)),       row.value(2).toInt(),
+                             row.value(3).toInt(),       fromQt(row.value(4)),
+                             fromQt(row.value(5)),       fromQt(row.value(6)),
+                             textOrNone(row.value(7)),   {},
+                             row.value(9).toLongLong(),  {},
+                             row.value(11).toLongLong(), row.value(12).toLongLong(),
+                             row.value(13).toInt() != 0};
+        if (!row.value(8).isNull()) response.ratingTenths = row.value(8).toInt();
+        if (!row.value(10).isNull()) response.touchedAt = row.value(10).toLongLong();
         log[row.value(0).toLongLong()].responses.push_back(std::move(response));
     }
 }
@@ -52,12 +59,18 @@ void readRest(const SqliteConnection& sqlite, Log& log)
 std::map<std::int64_t, StoredHashes> readEvents(const SqliteConnection& sqlite, Log& log)
 {
     std::map<std::int64_t, StoredHashes> hashes;
-    QSqlQuery row = sqlite.run(
-        QStringLiteral("SELECT sequence, participant, sitting, kind, payload, at_ns, wall_time, previous_hash, hash FROM events ORDER BY sequence"));
+    QSqlQuery row =
+        sqlite.run(QStringLiteral("SELECT sequence, participant, sitting, kind, payload, at_ns, wall_time, previous_hash, hash "
+                                  "FROM events ORDER BY sequence"));
     while (row.next()) {
         const std::int64_t sequence = row.value(0).toLongLong();
-        log[sequence].event = {sequence, protocols::ParticipantId(fromQt(row.value(1))), row.value(2).toInt(), fromQt(row.value(3)),
-                               fromQt(row.value(4)), row.value(5).toLongLong(), fromQt(row.value(6))};
+        log[sequence].event = {sequence,
+                               protocols::ParticipantId(fromQt(row.value(1))),
+                               row.value(2).toInt(),
+                               fromQt(row.value(3)),
+                               fromQt(row.value(4)),
+                               row.value(5).toLongLong(),
+                               fromQt(row.value(6))};
         hashes[sequence] = {fromQt(row.value(7)), fromQt(row.value(8))};
     }
     return hashes;
@@ -81,7 +94,8 @@ std::vector<std::string> faultsOfChain(const Log& log, const std::map<std::int64
             continue;
         }
         if (sequence != expected)
-            faults.push_back("log entries from " + std::to_string(expected) + " to " + std::to_string(sequence - 1) + " are missing");
+            faults.push_back("log entries from " + std::to_string(expected) + " to " + std::to_string(sequence - 1) +
+                             " are missing");
         if (stored->second.previous != previous)
             faults.push_back(nameOfEntry(entry.event) + ": does not follow the entry before it");
         if (chainHash(stored->second.previous, entry) != stored->second.own)
@@ -94,7 +108,8 @@ std::vector<std::string> faultsOfChain(const Log& log, const std::map<std::int64
 
 void checkEnd(const SqliteConnection& sqlite, const Log& log, std::vector<std::string>& faults)
 {
-    const std::int64_t written = sqlite.value(QStringLiteral("SELECT seq FROM sqlite_sequence WHERE name = 'events'")).toLongLong();
+    const std::int64_t written =
+        sqlite.value(QStringLiteral("SELECT seq FROM sqlite_sequence WHERE name = 'events'")).toLongLong();
     const std::int64_t last = log.empty() ? 0 : log.rbegin()->first;
     if (written != last)
         faults.push_back("the log ends at entry " + std::to_string(last) + ", " + std::to_string(written) + " were written");
@@ -116,23 +131,22 @@ void checkFixedTables(const SqliteConnection& sqlite, const Log& log, std::vecto
 void checkPlaces(const SqliteConnection& sqlite, const Log& log, std::vector<std::string>& faults)
 {
     std::set<std::string> logged, stored;
-    const auto place = [](const std::string& id, int slot, const std::string& kind) { return id + " in slot " + std::to_string(slot) + " (" + kind + ")"; };
+    const auto place = [](const std::string& id, int slot, const std::string& kind) {
+        return id + " in slot " + std::to_string(slot) + " (" + kind + ")";
+    };
     for (const auto& [sequence, entry] : log) {
-        if (entry.event.kind != "enrolled")
-            continue;
+        if (entry.event.kind != "enrolled") continue;
         const nlohmann::json payload = nlohmann::json::parse(entry.event.payloadJson, nullptr, false);
         if (payload.is_object())
-            logged.insert(place(payload.value("participant", std::string()), payload.value("slot", 0), payload.value("kind", std::string())));
+            logged.insert(place(payload.value("participant", std::string()), payload.value("slot", 0),
+                                payload.value("kind", std::string())));
     }
     QSqlQuery row = sqlite.run(QStringLiteral("SELECT id, slot, kind FROM participants"));
-    while (row.next())
-        stored.insert(place(fromQt(row.value(0)), row.value(1).toInt(), fromQt(row.value(2))));
+    while (row.next()) stored.insert(place(fromQt(row.value(0)), row.value(1).toInt(), fromQt(row.value(2))));
     for (const std::string& one : stored)
-        if (!logged.contains(one))
-            faults.push_back("participant " + one + " is not in the log");
+        if (!logged.contains(one)) faults.push_back("participant " + one + " is not in the log");
     for (const std::string& one : logged)
-        if (!stored.contains(one))
-            faults.push_back("participant " + one + " was enrolled and is missing");
+        if (!stored.contains(one)) faults.push_back("participant " + one + " was enrolled and is missing");
 }
 
 }  // namespace
@@ -156,16 +170,15 @@ std::vector<std::string> StudyStore::faults() const
     std::vector<std::string> faults;
     QSqlQuery row = sqlite.run(QStringLiteral("PRAGMA integrity_check"));
     while (row.next())
-        if (fromQt(row.value(0)) != "ok")
-            faults.push_back("study.db: " + fromQt(row.value(0)));
+        if (fromQt(row.value(0)) != "ok") faults.push_back("study.db: " + fromQt(row.value(0)));
     row = sqlite.run(QStringLiteral("PRAGMA foreign_key_check"));
     while (row.next())
-        faults.push_back("study.db: table " + fromQt(row.value(0)) + ", row " + fromQt(row.value(1)) + " refers to a missing row of " + fromQt(row.value(2)));
+        faults.push_back("study.db: table " + fromQt(row.value(0)) + ", row " + fromQt(row.value(1)) +
+                         " refers to a missing row of " + fromQt(row.value(2)));
     row.finish();
     // One snapshot for the whole chain, whatever a writer does meanwhile.
     const ReadSnapshot snapshot(sqlite);
-    for (std::string& fault : faultsOfLog(sqlite))
-        faults.push_back(std::move(fault));
+    for (std::string& fault : faultsOfLog(sqlite)) faults.push_back(std::move(fault));
     return faults;
 }
 

@@ -1,8 +1,8 @@
 #include "database/event_chain.h"
 
-#include "protocols/sha256.h"
-
 #include <QSqlRecord>
+
+#include "protocols/sha256.h"
 
 namespace database {
 
@@ -20,8 +20,7 @@ public:
     template <class T>
     Canonical& operator<<(const std::optional<T>& field)
     {
-        if (field)
-            return *this << *field;
+        if (field) return *this << *field;
         m_bytes += "-,";
         return *this;
     }
@@ -59,33 +58,36 @@ QVariant orNull(const std::optional<std::int64_t>& number) { return number ? QVa
 
 void insertResponse(const SqliteConnection& connection, std::int64_t event, const ResponseRow& row)
 {
-    connection.run(QStringLiteral("INSERT INTO responses(event, participant, trial, attempt, question, file_code, alternatives, choice, "
-                                  "rating_tenths, ready_at, touched_at, answered_at, stored_at, is_correction) "
-                                  "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"),
-                   {qlonglong(event), toQt(row.participant), row.trial, row.attempt, toQt(row.question), toQt(row.fileCode),
-                    toQt(row.alternatives), orNull(row.choice), orNull(row.ratingTenths), qlonglong(row.readyAt),
-                    orNull(row.touchedAt), qlonglong(row.answeredAt), qlonglong(row.storedAt), int(row.isCorrection)});
+    connection.run(
+        QStringLiteral("INSERT INTO responses(event, participant, trial, attempt, question, file_code, alternatives, choice, "
+                       "rating_tenths, ready_at, touched_at, answered_at, stored_at, is_correction) "
+                       "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"),
+        {qlonglong(event), toQt(row.participant), row.trial, row.attempt, toQt(row.question), toQt(row.fileCode),
+         toQt(row.alternatives), orNull(row.choice), orNull(row.ratingTenths), qlonglong(row.readyAt), orNull(row.touchedAt),
+         qlonglong(row.answeredAt), qlonglong(row.storedAt), int(row.isCorrection)});
 }
 
-void insertEvent(const SqliteConnection& connection, const EventRecord& event, const std::string& previous, const std::string& hash)
+void insertEvent(const SqliteConnection& connection, const EventRecord& event, const std::string& previous,
+                 const std::string& hash)
 {
-    connection.run(QStringLiteral("INSERT INTO events(sequence, participant, sitting, kind, payload, at_ns, wall_time, previous_hash, hash) "
-                                  "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)"),
-                   {qlonglong(event.sequence), toQt(event.participant.value), event.sitting, toQt(event.kind), toQt(event.payloadJson),
-                    qlonglong(event.atNs), toQt(event.wallTime), toQt(previous), toQt(hash)});
+    connection.run(
+        QStringLiteral("INSERT INTO events(sequence, participant, sitting, kind, payload, at_ns, wall_time, previous_hash, hash) "
+                       "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)"),
+        {qlonglong(event.sequence), toQt(event.participant.value), event.sitting, toQt(event.kind), toQt(event.payloadJson),
+         qlonglong(event.atNs), toQt(event.wallTime), toQt(previous), toQt(hash)});
 }
 
 void insertRows(const SqliteConnection& connection, const LogEntry& entry)
 {
     const qlonglong event = entry.event.sequence;
-    for (const ResponseRow& row : entry.responses)
-        insertResponse(connection, event, row);
+    for (const ResponseRow& row : entry.responses) insertResponse(connection, event, row);
     for (const VoidRow& row : entry.voids)
         connection.run(QStringLiteral("INSERT INTO voids(event, participant, trial, attempt) VALUES (?, ?, ?, ?)"),
                        {event, toQt(row.participant), row.trial, row.attempt});
     for (const NoteRow& row : entry.notes)
-        connection.run(QStringLiteral("INSERT INTO notes(event, participant, trial, attempt, question, text) VALUES (?, ?, ?, ?, ?, ?)"),
-                       {event, toQt(row.participant), row.trial, row.attempt, orNull(row.question), toQt(row.text)});
+        connection.run(
+            QStringLiteral("INSERT INTO notes(event, participant, trial, attempt, question, text) VALUES (?, ?, ?, ?, ?, ?)"),
+            {event, toQt(row.participant), row.trial, row.attempt, orNull(row.question), toQt(row.text)});
     if (entry.unblinding)
         connection.run(QStringLiteral("INSERT INTO unblindings(event, who, why, wall_time) VALUES (?, ?, ?, ?)"),
                        {event, toQt(entry.unblinding->who), toQt(entry.unblinding->why), toQt(entry.unblinding->wallTime)});
@@ -97,14 +99,14 @@ std::string chainHash(const std::string& previous, const LogEntry& entry)
 {
     Canonical bytes;
     const EventRecord& event = entry.event;
-    bytes << previous << event.sequence << event.participant.value << std::int64_t(event.sitting) << event.kind << event.payloadJson
-          << event.atNs << event.wallTime;
-    for (const ResponseRow& row : entry.responses)
-        add(bytes, row);
+    bytes << previous << event.sequence << event.participant.value << std::int64_t(event.sitting) << event.kind
+          << event.payloadJson << event.atNs << event.wallTime;
+    for (const ResponseRow& row : entry.responses) add(bytes, row);
     for (const VoidRow& row : entry.voids)
         bytes << std::string("void") << row.participant << std::int64_t(row.trial) << std::int64_t(row.attempt);
     for (const NoteRow& row : entry.notes)
-        bytes << std::string("note") << row.participant << std::int64_t(row.trial) << std::int64_t(row.attempt) << row.question << row.text;
+        bytes << std::string("note") << row.participant << std::int64_t(row.trial) << std::int64_t(row.attempt) << row.question
+              << row.text;
     if (entry.unblinding)
         bytes << std::string("unblinding") << entry.unblinding->who << entry.unblinding->why << entry.unblinding->wallTime;
     return bytes.hash();
@@ -132,8 +134,7 @@ std::string hashOfFixedTables(const SqliteConnection& connection)
         QSqlQuery query = connection.run(QString::fromLatin1(rows));
         const int columns = query.record().count();
         while (query.next())
-            for (int column = 0; column < columns; ++column)
-                bytes << fromQt(query.value(column));
+            for (int column = 0; column < columns; ++column) bytes << fromQt(query.value(column));
     }
     return bytes.hash();
 }

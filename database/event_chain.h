@@ -2,12 +2,12 @@
 // stored with it. Changing, removing or inserting a row breaks the chain from there on.
 #pragma once
 
-#include "database/sqlite_connection.h"
-#include "database/study_store.h"
-
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "database/sqlite_connection.h"
+#include "database/study_store.h"
 
 namespace database {
 

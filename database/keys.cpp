@@ -1,16 +1,16 @@
 #include "database/keys.h"
 
-#include "protocols/errors.h"
-#include "protocols/sha256.h"
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
 #include <fstream>
 #include <iterator>
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
+#include "protocols/errors.h"
+#include "protocols/sha256.h"
 
 namespace database {
 
@@ -21,7 +21,8 @@ constexpr mode_t everyoneReads = 0644;
 
 protocols::Error cannotWrite(const std::filesystem::path& file)
 {
-    return protocols::environmentFault({std::string("the key cannot be written: ") + std::strerror(errno), file.string(), "a new file", "check the folder and the disk"});
+    return protocols::environmentFault({std::string("the key cannot be written: ") + std::strerror(errno), file.string(),
+                                        "a new file", "check the folder and the disk"});
 }
 
 bool writeAll(int descriptor, const std::string& text)
@@ -29,8 +30,7 @@ bool writeAll(int descriptor, const std::string& text)
     std::size_t done = 0;
     while (done < text.size()) {
         const ssize_t written = ::write(descriptor, text.data() + done, text.size() - done);
-        if (written < 0 && errno != EINTR)
-            return false;
+        if (written < 0 && errno != EINTR) return false;
         done += written > 0 ? static_cast<std::size_t>(written) : 0;
     }
     return ::fsync(descriptor) == 0;
@@ -40,13 +40,11 @@ bool writeAll(int descriptor, const std::string& text)
 void writeKeyFile(const std::filesystem::path& file, const std::string& text, mode_t mode)
 {
     const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
-    if (descriptor < 0)
-        throw cannotWrite(file);
+    if (descriptor < 0) throw cannotWrite(file);
     const bool written = ::fchmod(descriptor, mode) == 0 && writeAll(descriptor, text);
     const int reason = errno;
     ::close(descriptor);
-    if (written)
-        return;
+    if (written) return;
     std::error_code ignored;
     std::filesystem::remove(file, ignored);
     errno = reason;
@@ -58,10 +56,12 @@ std::string committedText(const std::filesystem::path& file, const std::string& 
 {
     std::ifstream stream(file, std::ios::binary);
     if (!stream)
-        throw protocols::workFailed({"the key cannot be read", file.string(), "the file that was made with the study", "bring it back from a backup"});
+        throw protocols::workFailed(
+            {"the key cannot be read", file.string(), "the file that was made with the study", "bring it back from a backup"});
     std::string text{std::istreambuf_iterator<char>(stream), {}};
     if (protocols::sha256(text) != commitment)
-        throw protocols::workFailed({"the key is not the one committed in the database", file.string(), "SHA-256 " + commitment, "bring it back from a backup"});
+        throw protocols::workFailed({"the key is not the one committed in the database", file.string(), "SHA-256 " + commitment,
+                                     "bring it back from a backup"});
     return text;
 }
 
@@ -81,8 +81,7 @@ Unblinded unblind(StudyStore& store, const std::string& who, const std::string& 
 
 std::optional<Unblinded> recordedUnblinding(const StudyStore& store)
 {
-    if (std::optional<UnblindingRecord> record = store.unblinding())
-        return Unblinded(std::move(*record));
+    if (std::optional<UnblindingRecord> record = store.unblinding()) return Unblinded(std::move(*record));
     return std::nullopt;
 }
 
@@ -97,8 +96,9 @@ protocols::MaskedKey readMaskedKey(const StudyStore& store)
 protocols::AllocationKey readAllocationKeyForTestDriver(const StudyStore& store, ParticipantKind kind)
 {
     if (kind == ParticipantKind::Human)
-        throw protocols::workFailed({"the allocation key stays closed while a human takes part", store.folder().allocationKey().string(),
-                                     "a scripted or simulated participant", "unblind the study when it is over"});
+        throw protocols::workFailed({"the allocation key stays closed while a human takes part",
+                                     store.folder().allocationKey().string(), "a scripted or simulated participant",
+                                     "unblind the study when it is over"});
     return readKey(store);
 }
 

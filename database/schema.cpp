@@ -1,9 +1,9 @@
 #include "database/schema.h"
 
-#include "protocols/errors.h"
-
 #include <span>
 #include <string>
+
+#include "protocols/errors.h"
 
 namespace database {
 
@@ -104,10 +104,8 @@ void refuseChanges(const SqliteConnection& connection, const char* table)
 
 void makeFirstVersion(const SqliteConnection& connection)
 {
-    for (const char* statement : firstTables)
-        connection.run(QString::fromUtf8(statement));
-    for (const char* table : appendOnlyTables)
-        refuseChanges(connection, table);
+    for (const char* statement : firstTables) connection.run(QString::fromUtf8(statement));
+    for (const char* table : appendOnlyTables) refuseChanges(connection, table);
     connection.run(QStringLiteral("PRAGMA application_id = %1").arg(applicationId));
 }
 
@@ -132,10 +130,12 @@ int checkedVersion(const SqliteConnection& connection)
 {
     const int version = versionOf(connection);
     if (connection.value(QStringLiteral("PRAGMA application_id")).toInt() != applicationId || version < 1)
-        throw protocols::badInput({"this database is not a study's", connection.file().string(), "the study.db of a study folder", "check the path"});
+        throw protocols::badInput(
+            {"this database is not a study's", connection.file().string(), "the study.db of a study folder", "check the path"});
     if (version > schemaVersion)
-        throw protocols::badInput({"the study was made by a newer version of this program (schema " + std::to_string(version) + ")",
-                                   connection.file().string(), "schema " + std::to_string(schemaVersion) + " or older", "update this program"});
+        throw protocols::badInput(
+            {"the study was made by a newer version of this program (schema " + std::to_string(version) + ")",
+             connection.file().string(), "schema " + std::to_string(schemaVersion) + " or older", "update this program"});
     return version;
 }
 

@@ -1,18 +1,27 @@
 #include "database/sqlite_connection.h"
 
-#include "protocols/errors.h"
-
 #include <QUrl>
-
 #include <atomic>
 #include <system_error>
+
+#include "protocols/errors.h"
 
 namespace database {
 
 namespace {
 
 // SQLite's primary result codes (https://www.sqlite.org/rescode.html).
-enum SqliteCode { Permission = 3, Busy = 5, Locked = 6, ReadOnly = 8, InputOutput = 10, Corrupt = 11, Full = 13, CannotOpen = 14, NotADatabase = 26 };
+enum SqliteCode {
+    Permission = 3,
+    Busy = 5,
+    Locked = 6,
+    ReadOnly = 8,
+    InputOutput = 10,
+    Corrupt = 11,
+    Full = 13,
+    CannotOpen = 14,
+    NotADatabase = 26
+};
 
 int primaryCode(const QSqlError& error)
 {
@@ -25,26 +34,30 @@ protocols::Error faultOf(const QSqlError& error, const std::string& file)
 {
     const std::string detail = error.databaseText().toStdString();
     switch (primaryCode(error)) {
-    case Full:
-        return protocols::environmentFault({"the disk is full; nothing of this step was stored", file, "", "free some space and try again"});
-    case ReadOnly:
-    case Permission:
-        return protocols::environmentFault({"the database cannot be written (" + detail + ")", file,
-                                            "a folder that may be written", "check its permissions and its file system"});
-    case InputOutput:
-        return protocols::environmentFault({"the disk reported an error (" + detail + "); nothing of this step was stored", file, "", "check the disk"});
-    case Busy:
-    case Locked:
-        return protocols::environmentFault({"another program holds the database (" + detail + ")", file, "", "close that program and try again"});
-    case CannotOpen:
-        return protocols::environmentFault({"the database cannot be opened (" + detail + ")", file, "a readable file",
-                                            "check its permissions; a study that was not closed needs its study.db-wal beside it"});
-    case NotADatabase:
-        return protocols::badInput({"this is no SQLite database", file, "the study.db of a study folder", "check the path"});
-    case Corrupt:
-        return protocols::workFailed({"the database is damaged (" + detail + ")", file, "", "go back to a backup"});
-    default:
-        return protocols::workFailed({"the database refused a step: " + detail, file, "", "run vis2hap verify on the study"});
+        case Full:
+            return protocols::environmentFault(
+                {"the disk is full; nothing of this step was stored", file, "", "free some space and try again"});
+        case ReadOnly:
+        case Permission:
+            return protocols::environmentFault({"the database cannot be written (" + detail + ")", file,
+                                                "a folder that may be written", "check its permissions and its file system"});
+        case InputOutput:
+            return protocols::environmentFault(
+                {"the disk reported an error (" + detail + "); nothing of this step was stored", file, "", "check the disk"});
+        case Busy:
+        case Locked:
+            return protocols::environmentFault(
+                {"another program holds the database (" + detail + ")", file, "", "close that program and try again"});
+        case CannotOpen:
+            return protocols::environmentFault(
+                {"the database cannot be opened (" + detail + ")", file, "a readable file",
+                 "check its permissions; a study that was not closed needs its study.db-wal beside it"});
+        case NotADatabase:
+            return protocols::badInput({"this is no SQLite database", file, "the study.db of a study folder", "check the path"});
+        case Corrupt:
+            return protocols::workFailed({"the database is damaged (" + detail + ")", file, "", "go back to a backup"});
+        default:
+            return protocols::workFailed({"the database refused a step: " + detail, file, "", "run vis2hap verify on the study"});
     }
 }
 
@@ -64,7 +77,8 @@ SqliteConnection::SqliteConnection(std::filesystem::path file, Mode mode) : m_fi
     m_connection = QSqlDatabase::addDatabase(QStringLiteral("QSQLITE"), m_name);
     try {
         if (!m_connection.isValid())
-            throw protocols::environmentFault({"Qt's SQLite driver cannot be loaded", "", "the package libqt6sql6-sqlite", "install it"});
+            throw protocols::environmentFault(
+                {"Qt's SQLite driver cannot be loaded", "", "the package libqt6sql6-sqlite", "install it"});
         if (mode == Mode::Read)
             openForReading();
         else
@@ -88,8 +102,7 @@ void SqliteConnection::open(const QString& name, const QString& options)
 {
     m_connection.setDatabaseName(name);
     m_connection.setConnectOptions(options);
-    if (!m_connection.open())
-        fail(m_connection.lastError());
+    if (!m_connection.open()) fail(m_connection.lastError());
 }
 
 /// A WAL database needs its -shm file even to be read. Where the folder cannot be written and no log
@@ -99,14 +112,13 @@ void SqliteConnection::openForReading()
     const QString plain = toQt(m_file.string());
     open(plain, QStringLiteral("QSQLITE_BUSY_TIMEOUT=5000;QSQLITE_OPEN_READONLY"));
     QSqlQuery probe(m_connection);
-    if (probe.exec(QStringLiteral("SELECT COUNT(*) FROM sqlite_master")))
-        return;
+    if (probe.exec(QStringLiteral("SELECT COUNT(*) FROM sqlite_master"))) return;
     const QSqlError error = probe.lastError();
     probe.clear();
     std::error_code noLog;
     const auto logBytes = std::filesystem::file_size(m_file.string() + "-wal", noLog);
-    if (primaryCode(error) != CannotOpen || (!noLog && logBytes > 0))
-        fail(error);
+    const bool lacksSharedMemory = primaryCode(error) == CannotOpen || primaryCode(error) == ReadOnly;
+    if (!lacksSharedMemory || (!noLog && logBytes > 0)) fail(error);
     m_connection.close();
     const QString address = QString::fromUtf8(QUrl::fromLocalFile(plain).toEncoded());
     open(address + QStringLiteral("?immutable=1"), QStringLiteral("QSQLITE_OPEN_READONLY;QSQLITE_OPEN_URI"));
@@ -115,23 +127,22 @@ void SqliteConnection::openForReading()
 void SqliteConnection::applyPragmas(Mode mode)
 {
     if (mode != Mode::Read && fromQt(value(QStringLiteral("PRAGMA journal_mode = WAL"))) != "wal")
-        throw protocols::environmentFault({"the file system does not let SQLite keep a write-ahead log", m_file.string(), "a local disk", "move the study there"});
+        throw protocols::environmentFault({"the file system does not let SQLite keep a write-ahead log", m_file.string(),
+                                           "a local disk", "move the study there"});
     run(QStringLiteral("PRAGMA synchronous = FULL"));
     run(QStringLiteral("PRAGMA foreign_keys = ON"));
     if (value(QStringLiteral("PRAGMA synchronous")).toInt() != 2 || value(QStringLiteral("PRAGMA foreign_keys")).toInt() != 1)
-        throw protocols::environmentFault({"this SQLite does not keep synchronous FULL and foreign keys", m_file.string(), "", "use Debian's libsqlite3-0"});
+        throw protocols::environmentFault(
+            {"this SQLite does not keep synchronous FULL and foreign keys", m_file.string(), "", "use Debian's libsqlite3-0"});
 }
 
 QSqlQuery SqliteConnection::run(const QString& sql, const QVariantList& values) const
 {
     QSqlQuery query(m_connection);
     query.setForwardOnly(true);
-    if (!query.prepare(sql))
-        fail(query.lastError());
-    for (const QVariant& bound : values)
-        query.addBindValue(bound);
-    if (!query.exec())
-        fail(query.lastError());
+    if (!query.prepare(sql)) fail(query.lastError());
+    for (const QVariant& bound : values) query.addBindValue(bound);
+    if (!query.exec()) fail(query.lastError());
     return query;
 }
 
@@ -150,8 +161,7 @@ Transaction::Transaction(const SqliteConnection& connection) : m_connection(conn
 
 Transaction::~Transaction()
 {
-    if (m_committed)
-        return;
+    if (m_committed) return;
     try {
         m_connection.run(QStringLiteral("ROLLBACK"));
     } catch (const protocols::Error&) {
@@ -165,7 +175,10 @@ void Transaction::commit()
     m_committed = true;
 }
 
-ReadSnapshot::ReadSnapshot(const SqliteConnection& connection) : m_connection(connection) { m_connection.run(QStringLiteral("BEGIN")); }
+ReadSnapshot::ReadSnapshot(const SqliteConnection& connection) : m_connection(connection)
+{
+    m_connection.run(QStringLiteral("BEGIN"));
+}
 
 ReadSnapshot::~ReadSnapshot()
 {

@@ -9,7 +9,6 @@
 #include <QSqlError>
 #include <QSqlQuery>
 #include <QVariant>
-
 #include <filesystem>
 #include <string>
 
@@ -20,7 +19,7 @@ public:
     enum class Mode {
         Create,  ///< the file is made
         Write,
-        Read,    ///< also on a folder that cannot be written
+        Read,  ///< also on a folder that cannot be written
     };
 
     /// Throws environmentFault where it cannot be opened, badInput where it is no SQLite database.

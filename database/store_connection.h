@@ -1,14 +1,14 @@
 // What an open study store holds; shared by the store's source files only.
 #pragma once
 
-#include "database/sqlite_connection.h"
-#include "database/study_store.h"
-#include "database/write_lock.h"
-
 #include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "database/sqlite_connection.h"
+#include "database/study_store.h"
+#include "database/write_lock.h"
 
 namespace database {
 

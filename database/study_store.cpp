@@ -1,21 +1,19 @@
 #include "database/study_store.h"
 
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <QDateTime>
+#include <cerrno>
+#include <charconv>
+#include <cstring>
+#include <nlohmann/json.hpp>
+#include <system_error>
+
 #include "database/event_chain.h"
 #include "database/schema.h"
 #include "database/store_connection.h"
 #include "protocols/errors.h"
-
-#include <QDateTime>
-
-#include <nlohmann/json.hpp>
-
-#include <cerrno>
-#include <charconv>
-#include <cstring>
-#include <system_error>
-
-#include <fcntl.h>
-#include <unistd.h>
 
 namespace database {
 
@@ -23,13 +21,14 @@ namespace {
 
 void insertFacts(const SqliteConnection& sqlite, const StudyFacts& facts)
 {
-    sqlite.run(QStringLiteral("INSERT INTO study(id, name, protocol_json, protocol_sha256, design_seed, key_sha256, masked_key_sha256, "
-                              "dataset_path, dataset_sha256, dataset_procedural, model_sha256, stamps, signals_json, created_at, "
-                              "program_version) VALUES (1, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"),
-               {toQt(facts.name), toQt(facts.protocolJson), toQt(facts.protocolSha256), toQt(std::to_string(facts.designSeed)),
-                toQt(facts.keySha256), toQt(facts.maskedKeySha256), toQt(facts.datasetPath), toQt(facts.datasetSha256),
-                int(facts.datasetProcedural), toQt(facts.modelSha256), toQt(jsonOf(facts.stamps)), toQt(facts.signalsJson),
-                toQt(facts.createdAt), toQt(facts.programVersion)});
+    sqlite.run(
+        QStringLiteral("INSERT INTO study(id, name, protocol_json, protocol_sha256, design_seed, key_sha256, masked_key_sha256, "
+                       "dataset_path, dataset_sha256, dataset_procedural, model_sha256, stamps, signals_json, created_at, "
+                       "program_version) VALUES (1, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"),
+        {toQt(facts.name), toQt(facts.protocolJson), toQt(facts.protocolSha256), toQt(std::to_string(facts.designSeed)),
+         toQt(facts.keySha256), toQt(facts.maskedKeySha256), toQt(facts.datasetPath), toQt(facts.datasetSha256),
+         int(facts.datasetProcedural), toQt(facts.modelSha256), toQt(jsonOf(facts.stamps)), toQt(facts.signalsJson),
+         toQt(facts.createdAt), toQt(facts.programVersion)});
     int position = 0;
     for (const protocols::FabricId& fabric : facts.fabrics) {
         const auto name = facts.fabricNames.find(fabric);
@@ -62,16 +61,19 @@ void syncFolder(const std::filesystem::path& folder)
     const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     const bool synced = descriptor >= 0 && ::fsync(descriptor) == 0;
     const int reason = errno;
-    if (descriptor >= 0)
-        ::close(descriptor);
+    if (descriptor >= 0) ::close(descriptor);
     if (!synced)
-        throw protocols::environmentFault({std::string("the folder cannot be synced: ") + std::strerror(reason), folder.string(), "", "check the disk"});
+        throw protocols::environmentFault(
+            {std::string("the folder cannot be synced: ") + std::strerror(reason), folder.string(), "", "check the disk"});
 }
 
 /// Under another name until it is whole, so that a study.db is never half a study.
 class DraftDatabase {
 public:
-    explicit DraftDatabase(const StudyFolder& folder) : m_final(folder.database()), m_draft(folder.folder / "study.db.partial") { removeDraft(); }
+    explicit DraftDatabase(const StudyFolder& folder) : m_final(folder.database()), m_draft(folder.folder / "study.db.partial")
+    {
+        removeDraft();
+    }
     ~DraftDatabase() { removeDraft(); }
     DraftDatabase(const DraftDatabase&) = delete;
     DraftDatabase& operator=(const DraftDatabase&) = delete;
@@ -87,8 +89,7 @@ private:
     void removeDraft() const
     {
         std::error_code ignored;
-        for (const char* ending : {"", "-wal", "-shm", "-journal"})
-            std::filesystem::remove(m_draft.string() + ending, ignored);
+        for (const char* ending : {"", "-wal", "-shm", "-journal"}) std::filesystem::remove(m_draft.string() + ending, ignored);
     }
     std::filesystem::path m_final, m_draft;
 };
@@ -106,9 +107,9 @@ template <class Enum>
 Enum namedValue(const std::string& name, std::initializer_list<Enum> values)
 {
     for (const Enum value : values)
-        if (nameOf(value) == name)
-            return value;
-    throw protocols::workFailed({"unknown name \"" + name + "\" in the database", "study.db", "", "run vis2hap verify on the study"});
+        if (nameOf(value) == name) return value;
+    throw protocols::workFailed(
+        {"unknown name \"" + name + "\" in the database", "study.db", "", "run vis2hap verify on the study"});
 }
 
 }  // namespace
@@ -116,9 +117,12 @@ Enum namedValue(const std::string& name, std::initializer_list<Enum> values)
 std::string nameOf(ParticipantKind kind)
 {
     switch (kind) {
-    case ParticipantKind::Human: return "human";
-    case ParticipantKind::Scripted: return "scripted";
-    case ParticipantKind::Simulated: return "simulated";
+        case ParticipantKind::Human:
+            return "human";
+        case ParticipantKind::Scripted:
+            return "scripted";
+        case ParticipantKind::Simulated:
+            return "simulated";
     }
     return {};
 }
@@ -126,10 +130,14 @@ std::string nameOf(ParticipantKind kind)
 std::string nameOf(SlotState state)
 {
     switch (state) {
-    case SlotState::Free: return "free";
-    case SlotState::Started: return "started";
-    case SlotState::Finished: return "finished";
-    case SlotState::Withdrawn: return "withdrawn";
+        case SlotState::Free:
+            return "free";
+        case SlotState::Started:
+            return "started";
+        case SlotState::Finished:
+            return "finished";
+        case SlotState::Withdrawn:
+            return "withdrawn";
     }
     return {};
 }
@@ -144,35 +152,35 @@ std::vector<std::string> textsOf(const std::string& json)
     const nlohmann::json parsed = nlohmann::json::parse(json, nullptr, false);
     std::vector<std::string> texts;
     if (!parsed.is_array())
-        throw protocols::workFailed({"a stored list cannot be read: " + json, "study.db", "a JSON array of texts", "run vis2hap verify on the study"});
-    for (const nlohmann::json& text : parsed)
-        texts.push_back(text.is_string() ? text.get<std::string>() : text.dump());
+        throw protocols::workFailed(
+            {"a stored list cannot be read: " + json, "study.db", "a JSON array of texts", "run vis2hap verify on the study"});
+    for (const nlohmann::json& text : parsed) texts.push_back(text.is_string() ? text.get<std::string>() : text.dump());
     return texts;
 }
 
 std::string jsonOf(const std::vector<protocols::FabricId>& fabrics)
 {
     std::vector<std::string> texts;
-    for (const protocols::FabricId& fabric : fabrics)
-        texts.push_back(fabric.value);
+    for (const protocols::FabricId& fabric : fabrics) texts.push_back(fabric.value);
     return jsonOf(texts);
 }
 
 std::vector<protocols::FabricId> fabricsOf(const std::string& json)
 {
     std::vector<protocols::FabricId> fabrics;
-    for (const std::string& text : textsOf(json))
-        fabrics.emplace_back(text);
+    for (const std::string& text : textsOf(json)) fabrics.emplace_back(text);
     return fabrics;
 }
 
 std::string wallTimeNow() { return QDateTime::currentDateTimeUtc().toString(Qt::ISODateWithMs).toStdString(); }
 
-void StudyStore::create(const StudyFolder& folder, const StudyFacts& facts, const std::vector<std::vector<protocols::BlindedTrial>>& slots,
+void StudyStore::create(const StudyFolder& folder, const StudyFacts& facts,
+                        const std::vector<std::vector<protocols::BlindedTrial>>& slots,
                         const std::map<protocols::FileCode, std::string>& stimulusHashes)
 {
     if (std::filesystem::exists(folder.database()))
-        throw protocols::badInput({"there is a study here already", folder.folder.string(), "a new folder", "choose another name"});
+        throw protocols::badInput(
+            {"there is a study here already", folder.folder.string(), "a new folder", "choose another name"});
     const WriteLock lock(folder);
     const DraftDatabase draft(folder);
     {
@@ -182,8 +190,7 @@ void StudyStore::create(const StudyFolder& folder, const StudyFacts& facts, cons
         insertFacts(sqlite, facts);
         for (const auto& [code, hash] : stimulusHashes)
             sqlite.run(QStringLiteral("INSERT INTO stimuli(file_code, sha256) VALUES (?, ?)"), {toQt(code.value), toQt(hash)});
-        for (std::size_t slot = 0; slot < slots.size(); ++slot)
-            insertSlot(sqlite, static_cast<int>(slot) + 1, slots[slot]);
+        for (std::size_t slot = 0; slot < slots.size(); ++slot) insertSlot(sqlite, static_cast<int>(slot) + 1, slots[slot]);
         recordCreation(sqlite, facts);
         transaction.commit();
         sqlite.run(QStringLiteral("PRAGMA wal_checkpoint(TRUNCATE)"));
@@ -195,14 +202,14 @@ StudyStore::StudyStore(const StudyFolder& folder, Access access)
 {
     std::error_code unreadable;
     if (!std::filesystem::is_regular_file(folder.database(), unreadable))
-        throw protocols::badInput({"this is no study folder (no study.db in it)", folder.folder.string(), "a folder made by vis2hap study new", "check the path"});
+        throw protocols::badInput({"this is no study folder (no study.db in it)", folder.folder.string(),
+                                   "a folder made by vis2hap study new", "check the path"});
     const bool writes = access == Access::Write;
     auto lock = writes ? std::make_unique<WriteLock>(folder) : nullptr;
     const auto mode = writes ? SqliteConnection::Mode::Write : SqliteConnection::Mode::Read;
     m_connection.reset(new Connection{folder, std::move(lock), {folder.database(), mode}});
     const SqliteConnection& sqlite = m_connection->sqlite;
-    if (checkedVersion(sqlite) == schemaVersion)
-        return;
+    if (checkedVersion(sqlite) == schemaVersion) return;
     if (!writes)
         throw protocols::badInput({"the study was made by an older version of this program", folder.folder.string(), "",
                                    "open it once in the app, which brings it up to date"});
@@ -219,22 +226,21 @@ const StudyFolder& StudyStore::folder() const { return m_connection->folder; }
 StudyFacts StudyStore::facts() const
 {
     StudyFacts facts;
-    QSqlQuery row = m_connection->sqlite.run(
-        QStringLiteral("SELECT name, protocol_json, protocol_sha256, design_seed, key_sha256, masked_key_sha256, dataset_path, "
-                       "dataset_sha256, dataset_procedural, model_sha256, stamps, signals_json, created_at, program_version FROM study"));
+    QSqlQuery row = m_connection->sqlite.run(QStringLiteral(
+        "SELECT name, protocol_json, protocol_sha256, design_seed, key_sha256, masked_key_sha256, dataset_path, "
+        "dataset_sha256, dataset_procedural, model_sha256, stamps, signals_json, created_at, program_version FROM study"));
     if (!row.next())
-        throw protocols::workFailed({"the study's facts are missing", folder().database().string(), "one row in table study", "go back to a backup"});
+        throw protocols::workFailed(
+            {"the study's facts are missing", folder().database().string(), "one row in table study", "go back to a backup"});
     int column = 0;
-    for (std::string* text : {&facts.name, &facts.protocolJson, &facts.protocolSha256})
-        *text = fromQt(row.value(column++));
+    for (std::string* text : {&facts.name, &facts.protocolJson, &facts.protocolSha256}) *text = fromQt(row.value(column++));
     facts.designSeed = seedOf(fromQt(row.value(column++)));
     for (std::string* text : {&facts.keySha256, &facts.maskedKeySha256, &facts.datasetPath, &facts.datasetSha256})
         *text = fromQt(row.value(column++));
     facts.datasetProcedural = row.value(column++).toInt() != 0;
     facts.modelSha256 = fromQt(row.value(column++));
     facts.stamps = textsOf(fromQt(row.value(column++)));
-    for (std::string* text : {&facts.signalsJson, &facts.createdAt, &facts.programVersion})
-        *text = fromQt(row.value(column++));
+    for (std::string* text : {&facts.signalsJson, &facts.createdAt, &facts.programVersion}) *text = fromQt(row.value(column++));
     QSqlQuery fabric = m_connection->sqlite.run(QStringLiteral("SELECT id, name FROM fabrics ORDER BY position"));
     while (fabric.next()) {
         facts.fabrics.emplace_back(fromQt(fabric.value(0)));
@@ -247,23 +253,24 @@ std::map<protocols::FileCode, std::string> StudyStore::stimulusHashes() const
 {
     std::map<protocols::FileCode, std::string> hashes;
     QSqlQuery row = m_connection->sqlite.run(QStringLiteral("SELECT file_code, sha256 FROM stimuli"));
-    while (row.next())
-        hashes[protocols::FileCode(fromQt(row.value(0)))] = fromQt(row.value(1));
+    while (row.next()) hashes[protocols::FileCode(fromQt(row.value(0)))] = fromQt(row.value(1));
     return hashes;
 }
 
 std::vector<Slot> StudyStore::slots() const
 {
     std::vector<Slot> slots;
-    QSqlQuery row = m_connection->sqlite.run(
-        QStringLiteral("SELECT s.number, p.state, p.id, p.kind FROM slots s LEFT JOIN participants p ON p.slot = s.number ORDER BY s.number"));
+    QSqlQuery row = m_connection->sqlite.run(QStringLiteral(
+        "SELECT s.number, p.state, p.id, p.kind FROM slots s LEFT JOIN participants p ON p.slot = s.number ORDER BY s.number"));
     while (row.next()) {
         Slot slot;
         slot.number = row.value(0).toInt();
-        slot.state = namedValue(stateName(row.value(1)), {SlotState::Free, SlotState::Started, SlotState::Finished, SlotState::Withdrawn});
+        slot.state =
+            namedValue(stateName(row.value(1)), {SlotState::Free, SlotState::Started, SlotState::Finished, SlotState::Withdrawn});
         if (slot.state != SlotState::Free) {
             slot.participant = protocols::ParticipantId(fromQt(row.value(2)));
-            slot.kind = namedValue(fromQt(row.value(3)), {ParticipantKind::Human, ParticipantKind::Scripted, ParticipantKind::Simulated});
+            slot.kind =
+                namedValue(fromQt(row.value(3)), {ParticipantKind::Human, ParticipantKind::Scripted, ParticipantKind::Simulated});
         }
         slots.push_back(slot);
     }
@@ -274,10 +281,13 @@ std::vector<protocols::BlindedTrial> StudyStore::trials(int slot) const
 {
     std::vector<protocols::BlindedTrial> trials;
     QSqlQuery row = m_connection->sqlite.run(
-        QStringLiteral("SELECT number, phase, file_code, presentation_code, alternatives FROM trials WHERE slot = ? ORDER BY number"), {slot});
+        QStringLiteral(
+            "SELECT number, phase, file_code, presentation_code, alternatives FROM trials WHERE slot = ? ORDER BY number"),
+        {slot});
     while (row.next())
-        trials.push_back({protocols::TrialNumber{row.value(0).toInt()}, row.value(1).toInt(), protocols::FileCode(fromQt(row.value(2))),
-                          protocols::PresentationCode(fromQt(row.value(3))), fabricsOf(fromQt(row.value(4)))});
+        trials.push_back({protocols::TrialNumber{row.value(0).toInt()}, row.value(1).toInt(),
+                          protocols::FileCode(fromQt(row.value(2))), protocols::PresentationCode(fromQt(row.value(3))),
+                          fabricsOf(fromQt(row.value(4)))});
     return trials;
 }
 

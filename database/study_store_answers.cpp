@@ -16,13 +16,10 @@ CurrentAnswer answerOf(const QSqlQuery& row)
     record.question = protocols::QuestionId(fromQt(row.value(3)));
     record.fileCode = protocols::FileCode(fromQt(row.value(4)));
     record.alternatives = fabricsOf(fromQt(row.value(5)));
-    if (!row.value(6).isNull())
-        record.answer = protocols::FabricId(fromQt(row.value(6)));
-    if (!row.value(7).isNull())
-        record.rating = protocols::Tenths{row.value(7).toInt()};
+    if (!row.value(6).isNull()) record.answer = protocols::FabricId(fromQt(row.value(6)));
+    if (!row.value(7).isNull()) record.rating = protocols::Tenths{row.value(7).toInt()};
     record.readyAtNs = row.value(8).toLongLong();
-    if (!row.value(9).isNull())
-        record.touchedAtNs = row.value(9).toLongLong();
+    if (!row.value(9).isNull()) record.touchedAtNs = row.value(9).toLongLong();
     record.answeredAtNs = row.value(10).toLongLong();
     answer.storedAtNs = row.value(11).toLongLong();
     answer.corrections = row.value(12).toInt();
@@ -40,22 +37,22 @@ std::vector<EventRecord> StudyStore::events(const protocols::ParticipantId& part
 {
     std::vector<EventRecord> events;
     QSqlQuery row = m_connection->sqlite.run(
-        QStringLiteral("SELECT sequence, sitting, kind, payload, at_ns, wall_time FROM events WHERE participant = ? ORDER BY sequence"),
+        QStringLiteral(
+            "SELECT sequence, sitting, kind, payload, at_ns, wall_time FROM events WHERE participant = ? ORDER BY sequence"),
         {toQt(participant.value)});
     while (row.next())
-        events.push_back({row.value(0).toLongLong(), participant, row.value(1).toInt(), fromQt(row.value(2)), fromQt(row.value(3)),
-                          row.value(4).toLongLong(), fromQt(row.value(5))});
+        events.push_back({row.value(0).toLongLong(), participant, row.value(1).toInt(), fromQt(row.value(2)),
+                          fromQt(row.value(3)), row.value(4).toLongLong(), fromQt(row.value(5))});
     return events;
 }
 
 std::vector<CurrentAnswer> StudyStore::answers() const
 {
     std::vector<CurrentAnswer> answers;
-    QSqlQuery row = m_connection->sqlite.run(
-        QStringLiteral("SELECT participant, trial, attempt, question, file_code, alternatives, choice, rating_tenths, ready_at, touched_at, "
-                       "answered_at, stored_at, corrections, voided, wall_time, note FROM current_responses ORDER BY slot, trial, first_id"));
-    while (row.next())
-        answers.push_back(answerOf(row));
+    QSqlQuery row = m_connection->sqlite.run(QStringLiteral(
+        "SELECT participant, trial, attempt, question, file_code, alternatives, choice, rating_tenths, ready_at, touched_at, "
+        "answered_at, stored_at, corrections, voided, wall_time, note FROM current_responses ORDER BY slot, trial, first_id"));
+    while (row.next()) answers.push_back(answerOf(row));
     return answers;
 }
 

@@ -1,12 +1,11 @@
 // Everything that adds to a study: places taken, events with their answers, unblindings.
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
 #include "database/event_chain.h"
 #include "database/store_connection.h"
 #include "database/study_store.h"
 #include "protocols/errors.h"
-
-#include <nlohmann/json.hpp>
-
-#include <algorithm>
 
 namespace database {
 
@@ -26,13 +25,17 @@ void checkId(const protocols::ParticipantId& participant)
     const std::string& id = participant.value;
     const bool isPrintable = std::none_of(id.begin(), id.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; });
     if (id.empty() || id.size() > 64 || !isPrintable)
-        throw protocols::badInput({"\"" + id + "\" cannot name a participant", "", "1 to 64 printable characters", "choose another id"});
+        throw protocols::badInput(
+            {"\"" + id + "\" cannot name a participant", "", "1 to 64 printable characters", "choose another id"});
 }
 
 /// Presentations of this trial so far: the one now on is the void ones' successor.
 int attemptOf(const SqliteConnection& sqlite, const std::string& participant, int trial)
 {
-    return 1 + sqlite.value(QStringLiteral("SELECT COUNT(*) FROM voids WHERE participant = ? AND trial = ?"), {toQt(participant), trial}).toInt();
+    return 1 + sqlite
+                   .value(QStringLiteral("SELECT COUNT(*) FROM voids WHERE participant = ? AND trial = ?"),
+                          {toQt(participant), trial})
+                   .toInt();
 }
 
 std::string placeOf(const std::string& participant, int trial, const std::string& question)
@@ -42,16 +45,20 @@ std::string placeOf(const std::string& participant, int trial, const std::string
 
 bool hasAnswer(const SqliteConnection& sqlite, const ResponseRow& row)
 {
-    return sqlite.value(QStringLiteral("SELECT COUNT(*) FROM responses WHERE participant = ? AND trial = ? AND attempt = ? AND question = ?"),
-                        {toQt(row.participant), row.trial, row.attempt, toQt(row.question)}).toInt() > 0;
+    return sqlite
+               .value(QStringLiteral(
+                          "SELECT COUNT(*) FROM responses WHERE participant = ? AND trial = ? AND attempt = ? AND question = ?"),
+                      {toQt(row.participant), row.trial, row.attempt, toQt(row.question)})
+               .toInt() > 0;
 }
 
 /// A correction changes what was answered, not when.
 void takeStampsOfFirst(const SqliteConnection& sqlite, ResponseRow& row)
 {
-    QSqlQuery first = sqlite.run(QStringLiteral("SELECT ready_at, touched_at, answered_at FROM responses WHERE participant = ? AND trial = ? "
-                                                "AND attempt = ? AND question = ? ORDER BY id LIMIT 1"),
-                                 {toQt(row.participant), row.trial, row.attempt, toQt(row.question)});
+    QSqlQuery first =
+        sqlite.run(QStringLiteral("SELECT ready_at, touched_at, answered_at FROM responses WHERE participant = ? AND trial = ? "
+                                  "AND attempt = ? AND question = ? ORDER BY id LIMIT 1"),
+                   {toQt(row.participant), row.trial, row.attempt, toQt(row.question)});
     if (!first.next())
         throw protocols::workFailed({"there is no answer to correct", placeOf(row.participant, row.trial, row.question), "", ""});
     row.readyAt = first.value(0).toLongLong();
@@ -78,7 +85,8 @@ ResponseRow rowOf(const SqliteConnection& sqlite, const StudyStore::Append& entr
     if (row.isCorrection)
         takeStampsOfFirst(sqlite, row);
     else if (hasAnswer(sqlite, row))
-        throw protocols::workFailed({"this answer is stored already", placeOf(row.participant, row.trial, row.question), "one answer to a question", ""});
+        throw protocols::workFailed(
+            {"this answer is stored already", placeOf(row.participant, row.trial, row.question), "one answer to a question", ""});
     return row;
 }
 
@@ -90,12 +98,13 @@ LogEntry logEntryOf(const SqliteConnection& sqlite, const StudyStore::Append& en
     for (const AnswerRecord& answer : entry.answers) {
         log.responses.push_back(rowOf(sqlite, entry, answer));
         if (!answer.note.empty())
-            log.notes.push_back({participant, answer.trial.value, log.responses.back().attempt, answer.question.value, answer.note});
+            log.notes.push_back(
+                {participant, answer.trial.value, log.responses.back().attempt, answer.question.value, answer.note});
     }
     if (entry.note)
-        log.notes.push_back({participant, entry.note->trial.value, attemptOf(sqlite, participant, entry.note->trial.value), std::nullopt, entry.note->text});
-    if (entry.voids)
-        log.voids.push_back({participant, entry.voids->value, attemptOf(sqlite, participant, entry.voids->value)});
+        log.notes.push_back({participant, entry.note->trial.value, attemptOf(sqlite, participant, entry.note->trial.value),
+                             std::nullopt, entry.note->text});
+    if (entry.voids) log.voids.push_back({participant, entry.voids->value, attemptOf(sqlite, participant, entry.voids->value)});
     return log;
 }
 
@@ -103,7 +112,8 @@ void moveState(const SqliteConnection& sqlite, const protocols::ParticipantId& p
 {
     if (state == SlotState::Free)
         throw protocols::workFailed({"a slot that was taken does not become free again", participant.value, "", ""});
-    QSqlQuery changed = sqlite.run(QStringLiteral("UPDATE participants SET state = ? WHERE id = ?"), {toQt(nameOf(state)), toQt(participant.value)});
+    QSqlQuery changed = sqlite.run(QStringLiteral("UPDATE participants SET state = ? WHERE id = ?"),
+                                   {toQt(nameOf(state)), toQt(participant.value)});
     if (changed.numRowsAffected() != 1)
         throw protocols::badInput({"no such participant", participant.value, "one who is enrolled", "enrol them first"});
 }
@@ -120,18 +130,17 @@ Slot StudyStore::enrol(const protocols::ParticipantId& participant, ParticipantK
         if (slot.participant == participant && slot.kind != kind)
             throw protocols::badInput({"participant " + participant.value + " is " + nameOf(slot.kind) + ", not " + nameOf(kind),
                                        folder().folder.string(), "another id", ""});
-        if (slot.participant == participant)
-            return slot;
-        if (!free && slot.state == SlotState::Free)
-            free = slot;
+        if (slot.participant == participant) return slot;
+        if (!free && slot.state == SlotState::Free) free = slot;
     }
     if (!free)
-        throw protocols::workFailed({"every slot of the study is taken", folder().folder.string(), "a free slot for " + participant.value,
-                                     "make a study with more participants"});
+        throw protocols::workFailed({"every slot of the study is taken", folder().folder.string(),
+                                     "a free slot for " + participant.value, "make a study with more participants"});
     *free = {free->number, SlotState::Started, participant, kind};
     sqlite.run(QStringLiteral("INSERT INTO participants(id, slot, kind, state) VALUES (?, ?, ?, ?)"),
                {toQt(participant.value), free->number, toQt(nameOf(kind)), toQt(nameOf(free->state))});
-    store(sqlite, actOnStudy("enrolled", {{"slot", free->number}, {"participant", participant.value}, {"kind", nameOf(kind)}}, wallTimeNow()));
+    store(sqlite, actOnStudy("enrolled", {{"slot", free->number}, {"participant", participant.value}, {"kind", nameOf(kind)}},
+                             wallTimeNow()));
     transaction.commit();
     return *free;
 }
@@ -141,8 +150,7 @@ protocols::ParticipantId StudyStore::nextParticipantId() const
     const std::vector<Slot> taken = slots();
     for (int number = 1;; ++number) {
         const protocols::ParticipantId id((number < 10 ? "P0" : "P") + std::to_string(number));
-        if (std::none_of(taken.begin(), taken.end(), [&](const Slot& slot) { return slot.participant == id; }))
-            return id;
+        if (std::none_of(taken.begin(), taken.end(), [&](const Slot& slot) { return slot.participant == id; })) return id;
     }
 }
 
@@ -160,15 +168,15 @@ void StudyStore::append(const Append& entry)
     const SqliteConnection& sqlite = m_connection->sqlite;
     Transaction transaction(sqlite);
     store(sqlite, logEntryOf(sqlite, entry));
-    if (entry.slotState)
-        moveState(sqlite, entry.event.participant, *entry.slotState);
+    if (entry.slotState) moveState(sqlite, entry.event.participant, *entry.slotState);
     transaction.commit();
 }
 
 void StudyStore::recordUnblinding(const UnblindingRecord& record)
 {
     if (record.who.empty() || record.why.empty())
-        throw protocols::badInput({"an unblinding needs a name and a reason", folder().folder.string(), "--who NAME --why TEXT", ""});
+        throw protocols::badInput(
+            {"an unblinding needs a name and a reason", folder().folder.string(), "--who NAME --why TEXT", ""});
     const SqliteConnection& sqlite = m_connection->sqlite;
     Transaction transaction(sqlite);
     LogEntry entry = actOnStudy("unblinded", {{"who", record.who}, {"why", record.why}}, record.wallTime);
@@ -179,9 +187,9 @@ void StudyStore::recordUnblinding(const UnblindingRecord& record)
 
 std::optional<UnblindingRecord> StudyStore::unblinding() const
 {
-    QSqlQuery row = m_connection->sqlite.run(QStringLiteral("SELECT who, why, wall_time FROM unblindings ORDER BY event LIMIT 1"));
-    if (!row.next())
-        return std::nullopt;
+    QSqlQuery row =
+        m_connection->sqlite.run(QStringLiteral("SELECT who, why, wall_time FROM unblindings ORDER BY event LIMIT 1"));
+    if (!row.next()) return std::nullopt;
     return UnblindingRecord{fromQt(row.value(0)), fromQt(row.value(1)), fromQt(row.value(2))};
 }
 

@@ -1,15 +1,15 @@
 #include "database/write_lock.h"
 
-#include "protocols/errors.h"
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
 
 #include <array>
 #include <cerrno>
 #include <cstring>
 #include <string>
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <unistd.h>
+#include "protocols/errors.h"
 
 namespace database {
 
@@ -21,17 +21,16 @@ std::string holderOf(int descriptor)
     std::array<char, 32> text{};
     const ssize_t length = ::pread(descriptor, text.data(), text.size(), 0);
     std::string digits;
-    for (ssize_t i = 0; i < length && text[i] >= '0' && text[i] <= '9'; ++i)
-        digits += text[i];
+    for (ssize_t i = 0; i < length && text[i] >= '0' && text[i] <= '9'; ++i) digits += text[i];
     return digits;
 }
 
 protocols::Error heldByAnother(const StudyFolder& folder, int descriptor)
 {
     const std::string holder = holderOf(descriptor);
-    return protocols::environmentFault({"the study is open for writing elsewhere" +
-                                            (holder.empty() ? std::string() : " (process " + holder + ")"),
-                                        folder.folder.string(), "one writer at a time", "close it there first"});
+    return protocols::environmentFault(
+        {"the study is open for writing elsewhere" + (holder.empty() ? std::string() : " (process " + holder + ")"),
+         folder.folder.string(), "one writer at a time", "close it there first"});
 }
 
 }  // namespace
@@ -47,8 +46,7 @@ WriteLock::WriteLock(const StudyFolder& folder)
         const int reason = errno;
         const protocols::Error held = heldByAnother(folder, m_descriptor);
         ::close(m_descriptor);
-        if (reason == EWOULDBLOCK)
-            throw held;
+        if (reason == EWOULDBLOCK) throw held;
         throw protocols::environmentFault({std::string("the file system gives no lock: ") + std::strerror(reason),
                                            folder.lock().string(), "a file system with file locks", "use a local disk"});
     }

@@ -1,12 +1,11 @@
 // Numbers -> documents: the analysis of a study as one value, and its files.
 #pragma once
 
-#include "reports/study_data.h"
-
-#include <nlohmann/json.hpp>
-
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <string>
+
+#include "reports/study_data.h"
 
 namespace reports {
 

@@ -15,11 +15,11 @@ struct Response {
     std::string participant;
     std::string fabric;
     std::string condition;
-    std::string question;              ///< "Q1"
-    std::optional<bool> correct;       ///< choice questions
-    std::optional<std::string> answer; ///< the fabric chosen
-    std::optional<int> answerSlot;     ///< 0 = A
-    std::optional<double> rating;      ///< scale units
+    std::string question;               ///< "Q1"
+    std::optional<bool> correct;        ///< choice questions
+    std::optional<std::string> answer;  ///< the fabric chosen
+    std::optional<int> answerSlot;      ///< 0 = A
+    std::optional<double> rating;       ///< scale units
     std::optional<double> seconds;
 };
 
@@ -33,14 +33,14 @@ struct StudyData {
     std::string name;
     std::string protocolSha256;
     bool blinded = true;
-    bool simulated = false;             ///< any participant simulated: said on every page
+    bool simulated = false;  ///< any participant simulated: said on every page
     bool scripted = false;
-    std::vector<std::string> stamps;    ///< sentences that must be printed
+    std::vector<std::string> stamps;  ///< sentences that must be printed
     std::vector<std::string> participants;
     std::vector<std::string> fabrics;
-    std::vector<std::string> conditions;           ///< in the order of every table
+    std::vector<std::string> conditions;  ///< in the order of every table
     std::vector<QuestionInfo> questions;
-    int alternatives = 3;               ///< m of the forced choice
+    int alternatives = 3;  ///< m of the forced choice
     double scaleMin = 0, scaleMax = 10;
     std::pair<double, double> equivalenceBounds{-0.5, 0.5};
     std::vector<std::pair<std::string, std::string>> planned;  ///< empty while blinded

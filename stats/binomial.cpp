@@ -1,24 +1,22 @@
 #include "stats/binomial.h"
 
-#include "stats/distributions.h"
-
 #include <algorithm>
 #include <cmath>
+
+#include "stats/distributions.h"
 
 namespace stats {
 namespace {
 
 double atLeast(long long k, long long n, double chance)
 {
-    if (k <= 0)
-        return 1;
+    if (k <= 0) return 1;
     return k > n ? 0 : betaLower(static_cast<double>(k), static_cast<double>(n - k + 1), chance);
 }
 
 double atMost(long long k, long long n, double chance)
 {
-    if (k >= n)
-        return 1;
+    if (k >= n) return 1;
     return k < 0 ? 0 : betaUpper(static_cast<double>(k + 1), static_cast<double>(n - k), chance);
 }
 
@@ -26,8 +24,8 @@ double logProbability(long long k, long long n, double chance)
 {
     const auto kk = static_cast<double>(k);
     const auto nn = static_cast<double>(n);
-    return std::lgamma(nn + 1) - std::lgamma(kk + 1) - std::lgamma(nn - kk + 1) + kk * std::log(chance)
-        + (nn - kk) * std::log1p(-chance);
+    return std::lgamma(nn + 1) - std::lgamma(kk + 1) - std::lgamma(nn - kk + 1) + kk * std::log(chance) +
+           (nn - kk) * std::log1p(-chance);
 }
 
 /// log P(X >= k) from its largest term and the falling ratios after it; k above the mean.
@@ -51,24 +49,19 @@ double twoSided(long long k, long long n, double chance)
     const auto asUnlikely = [&](long long i) { return logProbability(i, n, chance) <= limit; };
     if (static_cast<double>(k) < mean) {
         long long other = static_cast<long long>(std::ceil(mean));
-        while (other <= n && !asUnlikely(other))
-            ++other;
+        while (other <= n && !asUnlikely(other)) ++other;
         return std::min(1.0, atMost(k, n, chance) + atLeast(std::max(other, k + 1), n, chance));
     }
     long long other = static_cast<long long>(std::floor(mean));
-    while (other >= 0 && !asUnlikely(other))
-        --other;
+    while (other >= 0 && !asUnlikely(other)) --other;
     return std::min(1.0, atLeast(k, n, chance) + atMost(std::min(other, k - 1), n, chance));
 }
 
 std::string countsFault(long long successes, long long trials)
 {
-    if (trials <= 0)
-        return "there are no trials";
-    if (successes < 0)
-        return "a count cannot be negative";
-    if (successes > trials)
-        return "more successes than trials";
+    if (trials <= 0) return "there are no trials";
+    if (successes < 0) return "a count cannot be negative";
+    if (successes > trials) return "more successes than trials";
     return {};
 }
 
@@ -80,17 +73,13 @@ void refuse(BinomialTest& test, const std::string& why)
         *value = Value::undefined(why);
 }
 
-Interval undefinedInterval(const std::string& why)
-{
-    return {Value::undefined(why), Value::undefined(why)};
-}
+Interval undefinedInterval(const std::string& why) { return {Value::undefined(why), Value::undefined(why)}; }
 
 }  // namespace
 
 Interval wilsonInterval(long long successes, long long trials, double confidence)
 {
-    if (const std::string fault = countsFault(successes, trials); !fault.empty())
-        return undefinedInterval(fault);
+    if (const std::string fault = countsFault(successes, trials); !fault.empty()) return undefinedInterval(fault);
     const auto n = static_cast<double>(trials);
     const double share = static_cast<double>(successes) / n;
     const double z = normalQuantile((1 - confidence) / 2);
@@ -102,8 +91,7 @@ Interval wilsonInterval(long long successes, long long trials, double confidence
 
 Interval clopperPearsonInterval(long long successes, long long trials, double confidence)
 {
-    if (const std::string fault = countsFault(successes, trials); !fault.empty())
-        return undefinedInterval(fault);
+    if (const std::string fault = countsFault(successes, trials); !fault.empty()) return undefinedInterval(fault);
     const auto k = static_cast<double>(successes);
     const auto n = static_cast<double>(trials);
     const double outside = (1 - confidence) / 2;
@@ -115,8 +103,7 @@ BinomialTest binomialTest(long long successes, long long trials, double chance, 
 {
     BinomialTest test;
     std::string fault = countsFault(successes, trials);
-    if (fault.empty() && !(chance > 0 && chance < 1))
-        fault = "the chance level must lie between 0 and 1";
+    if (fault.empty() && !(chance > 0 && chance < 1)) fault = "the chance level must lie between 0 and 1";
     if (!fault.empty()) {
         refuse(test, fault);
         return test;

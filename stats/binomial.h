@@ -6,13 +6,13 @@
 namespace stats {
 
 struct BinomialTest {
-    std::string why;       ///< empty when the test exists
-    Value estimate;        ///< successes / trials
-    Value pGreater;        ///< P(X >= successes) at the chance level
+    std::string why;  ///< empty when the test exists
+    Value estimate;   ///< successes / trials
+    Value pGreater;   ///< P(X >= successes) at the chance level
     Value logPGreater;
-    Value pLess;           ///< P(X <= successes)
-    Value pTwoSided;       ///< sum over all counts at most as likely as the observed one
-    Value pMidGreater;     ///< pGreater minus half the probability of the observed count
+    Value pLess;        ///< P(X <= successes)
+    Value pTwoSided;    ///< sum over all counts at most as likely as the observed one
+    Value pMidGreater;  ///< pGreater minus half the probability of the observed count
     Interval clopperPearson;
     Interval wilson;
 };

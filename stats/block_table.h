@@ -1,12 +1,12 @@
 // A complete table of blocks (participants) by conditions.
 #pragma once
 
-#include "stats/value.h"
-
 #include <cstddef>
 #include <span>
 #include <string>
 #include <vector>
+
+#include "stats/value.h"
 
 namespace stats {
 
@@ -21,8 +21,7 @@ struct BlockTable {
     std::vector<double> column(std::size_t condition) const
     {
         std::vector<double> result(blocks);
-        for (std::size_t block = 0; block < blocks; ++block)
-            result[block] = at(block, condition);
+        for (std::size_t block = 0; block < blocks; ++block) result[block] = at(block, condition);
         return result;
     }
 };

@@ -7,10 +7,7 @@
 namespace stats {
 namespace {
 
-double largestMagnitude(const Moments& moments)
-{
-    return std::max(std::fabs(moments.smallest), std::fabs(moments.largest));
-}
+double largestMagnitude(const Moments& moments) { return std::max(std::fabs(moments.smallest), std::fabs(moments.largest)); }
 
 /// Differences of decimals differ by at most two units in the last place of the inputs when they are
 /// all the same difference.
@@ -33,8 +30,7 @@ Contrast oneSample(std::span<const double> x)
     contrast.sd = std::sqrt(contrast.first.variance());
     contrast.se = contrast.sd / std::sqrt(static_cast<double>(x.size()));
     contrast.df = static_cast<double>(x.size() - 1);
-    if (isConstant(contrast.first))
-        contrast.why = "no variation: all values are equal";
+    if (isConstant(contrast.first)) contrast.why = "no variation: all values are equal";
     return contrast;
 }
 
@@ -51,8 +47,7 @@ Contrast paired(std::span<const double> x, std::span<const double> y)
     const Moments ofY = momentsOf(y);
     contrast.sdX = std::sqrt(ofX.variance());
     contrast.sdY = std::sqrt(ofY.variance());
-    if (isConstantDifference(contrast.first, ofX, ofY))
-        contrast.why = "no variation: all differences are equal";
+    if (isConstantDifference(contrast.first, ofX, ofY)) contrast.why = "no variation: all differences are equal";
     return contrast;
 }
 
@@ -87,8 +82,7 @@ Contrast twoSamples(TKind kind, std::span<const double> x, std::span<const doubl
         contrast.df = 1 / (share1 * share1 / (n1 - 1) + share2 * share2 / (n2 - 1));
     }
     contrast.hasSpread = true;
-    if (isConstant(contrast.first) && isConstant(contrast.second))
-        contrast.why = "no variation: both samples are constant";
+    if (isConstant(contrast.first) && isConstant(contrast.second)) contrast.why = "no variation: both samples are constant";
     return contrast;
 }
 
@@ -96,18 +90,20 @@ Contrast twoSamples(TKind kind, std::span<const double> x, std::span<const doubl
 
 double Contrast::estimateMinus(double reference) const
 {
-    if (!twoSamples)
-        return first.meanMinus(reference);
+    if (!twoSamples) return first.meanMinus(reference);
     return ((first.shift - second.shift) - reference) + (first.residual - second.residual);
 }
 
 Contrast contrastOf(TKind kind, const ScaledSamples& scaled)
 {
     switch (kind) {
-    case TKind::OneSample: return oneSample(scaled.sample(0));
-    case TKind::Paired: return paired(scaled.sample(0), scaled.sample(1));
-    case TKind::Student:
-    case TKind::Welch: return twoSamples(kind, scaled.sample(0), scaled.sample(1));
+        case TKind::OneSample:
+            return oneSample(scaled.sample(0));
+        case TKind::Paired:
+            return paired(scaled.sample(0), scaled.sample(1));
+        case TKind::Student:
+        case TKind::Welch:
+            return twoSamples(kind, scaled.sample(0), scaled.sample(1));
     }
     return {};
 }
@@ -121,10 +117,8 @@ std::string inputFault(TKind kind, std::span<const double> x, std::span<const do
 {
     if (kind == TKind::Paired && x.size() != y.size())
         return "the two samples are not pairs: " + std::to_string(x.size()) + " and " + std::to_string(y.size()) + " values";
-    if (x.empty() || (kind != TKind::OneSample && y.empty()))
-        return "there are no values";
-    if (std::string fault = nonFiniteFault(x, "x"); !fault.empty())
-        return fault;
+    if (x.empty() || (kind != TKind::OneSample && y.empty())) return "there are no values";
+    if (std::string fault = nonFiniteFault(x, "x"); !fault.empty()) return fault;
     return nonFiniteFault(secondOf(kind, y), "y");
 }
 

@@ -2,21 +2,21 @@
 // equivalence tests share. Numbers are in the power-of-two scale of the samples.
 #pragma once
 
-#include "stats/moments.h"
-#include "stats/t_tests.h"
-
 #include <span>
 #include <string>
+
+#include "stats/moments.h"
+#include "stats/t_tests.h"
 
 namespace stats {
 
 struct Contrast {
-    std::string why;      ///< empty when it can be tested
-    Moments first;        ///< of x, or of the differences (Paired)
-    Moments second;       ///< of y (Student, Welch)
-    double sdX = 0;       ///< of the two samples of a paired contrast
+    std::string why;  ///< empty when it can be tested
+    Moments first;    ///< of x, or of the differences (Paired)
+    Moments second;   ///< of y (Student, Welch)
+    double sdX = 0;   ///< of the two samples of a paired contrast
     double sdY = 0;
-    double sd = 0;        ///< of the sample or the differences; pooled (Student)
+    double sd = 0;  ///< of the sample or the differences; pooled (Student)
     double se = 0;
     double df = 0;
     bool hasEstimate = false;

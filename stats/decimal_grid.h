@@ -2,12 +2,12 @@
 // and means of such data are taken on whole multiples of 10^-places, where ties are ties.
 #pragma once
 
-#include "stats/value.h"
-
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
+
+#include "stats/value.h"
 
 namespace stats {
 

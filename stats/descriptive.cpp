@@ -1,21 +1,21 @@
 #include "stats/descriptive.h"
 
-#include "stats/distributions.h"
-#include "stats/exact_sum.h"
-#include "stats/moments.h"
-
 #include <algorithm>
 #include <cmath>
 #include <vector>
+
+#include "stats/distributions.h"
+#include "stats/exact_sum.h"
+#include "stats/moments.h"
 
 namespace stats {
 namespace {
 
 void setAll(Description& description, const std::string& why)
 {
-    for (Value* value : {&description.mean, &description.sd, &description.variance, &description.autocorrelationLag1,
-                         &description.median, &description.q1, &description.q3, &description.min, &description.max,
-                         &description.ci95.low, &description.ci95.high})
+    for (Value* value :
+         {&description.mean, &description.sd, &description.variance, &description.autocorrelationLag1, &description.median,
+          &description.q1, &description.q3, &description.min, &description.max, &description.ci95.low, &description.ci95.high})
         *value = Value::undefined(why);
 }
 
@@ -28,8 +28,7 @@ void setSpread(Description& description, const std::string& why)
 
 Value lagOne(std::span<const double> x, const Moments& moments)
 {
-    if (moments.squares == 0)
-        return Value::undefined("all values are equal");
+    if (moments.squares == 0) return Value::undefined("all values are equal");
     const auto deviation = [&](std::size_t i) { return (x[i] - moments.shift) - moments.residual; };
     return exactSum(x.size() - 1, [&](std::size_t i) { return deviation(i) * deviation(i + 1); }) / moments.squares;
 }
@@ -71,28 +70,26 @@ Description describe(std::span<const double> values)
         return description;
     }
     const double sd = std::sqrt(moments.variance());
-    const double margin = studentQuantile(0.025, static_cast<double>(x.size() - 1)) * sd / std::sqrt(static_cast<double>(x.size()));
+    const double margin =
+        studentQuantile(0.025, static_cast<double>(x.size() - 1)) * sd / std::sqrt(static_cast<double>(x.size()));
     description.sd = scaled.unscaled(sd);
     description.autocorrelationLag1 = lagOne(scaled.sample(0), moments);
     description.ci95 = {scaled.unscaled(moments.shift + (moments.residual - margin)),
                         scaled.unscaled(moments.shift + (moments.residual + margin))};
     const double variance = std::ldexp(moments.variance(), 2 * scaled.exponent());
-    description.variance = std::isfinite(variance)
-        ? Value(variance)
-        : Value::undefined("beyond the largest number that can be written as a double");
+    description.variance =
+        std::isfinite(variance) ? Value(variance) : Value::undefined("beyond the largest number that can be written as a double");
     return description;
 }
 
 Value quantile(std::span<const double> ascending, double probability)
 {
-    if (ascending.empty())
-        return Value::undefined("there are no values");
+    if (ascending.empty()) return Value::undefined("there are no values");
     const double place = probability * static_cast<double>(ascending.size() - 1);
     const auto below = static_cast<std::size_t>(std::floor(place));
     const std::size_t above = std::min(below + 1, ascending.size() - 1);
     const double share = place - static_cast<double>(below);
-    if (share == 0 || ascending[below] == ascending[above])
-        return ascending[below];
+    if (share == 0 || ascending[below] == ascending[above]) return ascending[below];
     // A weighted mean instead of low + share * (high - low), whose difference can overflow.
     return (1 - share) * ascending[below] + share * ascending[above];
 }

@@ -4,7 +4,6 @@
 #include <boost/math/distributions/students_t.hpp>
 #include <boost/math/special_functions/beta.hpp>
 #include <boost/math/special_functions/gamma.hpp>
-
 #include <cmath>
 #include <numbers>
 
@@ -48,22 +47,17 @@ double logGammaUpper(double a, double x)
         c = b + an / c;
         c = std::fabs(c) < tiny ? tiny : c;
         fraction *= d * c;
-        if (std::fabs(d * c - 1) < 1e-16)
-            break;
+        if (std::fabs(d * c - 1) < 1e-16) break;
     }
     return a * std::log(x) - x - bm::lgamma(a) + std::log(fraction);
 }
 
-TailProbability fromLinear(double p)
-{
-    return {p, std::log(p)};
-}
+TailProbability fromLinear(double p) { return {p, std::log(p)}; }
 
 TailProbability gammaUpper(double a, double x)
 {
     const double p = bm::gamma_q(a, x, Quiet());
-    if (p >= smallestLinear)
-        return p > 0.5 ? TailProbability{p, std::log1p(-bm::gamma_p(a, x, Quiet()))} : fromLinear(p);
+    if (p >= smallestLinear) return p > 0.5 ? TailProbability{p, std::log1p(-bm::gamma_p(a, x, Quiet()))} : fromLinear(p);
     return {p, logGammaUpper(a, x)};
 }
 
@@ -74,15 +68,11 @@ TailProbability twice(const TailProbability& tail)
     return {std::fmin(1.0, 2 * tail.p), std::fmin(0.0, tail.logP + std::numbers::ln2)};
 }
 
-TailProbability complementOf(const TailProbability& tail)
-{
-    return {1 - tail.p, std::log1p(-tail.p)};
-}
+TailProbability complementOf(const TailProbability& tail) { return {1 - tail.p, std::log1p(-tail.p)}; }
 
 TailProbability studentUpper(double t, double df)
 {
-    if (t < 0)
-        return complementOf(studentUpper(-t, df));
+    if (t < 0) return complementOf(studentUpper(-t, df));
     // df / (df + t^2), written so that no square can overflow.
     const double ratio = std::sqrt(df) / t;
     if (ratio < 1e-5 || t > 1e100) {
@@ -92,8 +82,7 @@ TailProbability studentUpper(double t, double df)
         return {std::exp(logP), logP};
     }
     const double p = bm::cdf(bm::complement(bm::students_t_distribution<double, Quiet>(df), t));
-    if (p >= smallestLinear)
-        return fromLinear(p);
+    if (p >= smallestLinear) return fromLinear(p);
     const double x = df / (df + t * t);
     return {p, logBetaLower(df / 2, 0.5, std::log(x), x) - std::numbers::ln2};
 }
@@ -111,8 +100,7 @@ double studentQuantile(double upperTail, double df)
 
 TailProbability fisherUpper(double f, double df1, double df2)
 {
-    if (f <= 0)
-        return {1, 0};
+    if (f <= 0) return {1, 0};
     const double x = df2 / (df2 + df1 * f);
     const double p = bm::ibeta(df2 / 2, df1 / 2, x, Quiet());
     if (p >= smallestLinear)
@@ -122,15 +110,13 @@ TailProbability fisherUpper(double f, double df1, double df2)
 
 TailProbability chiSquaredUpper(double x, double df)
 {
-    if (x <= 0)
-        return {1, 0};
+    if (x <= 0) return {1, 0};
     return gammaUpper(df / 2, x / 2);
 }
 
 TailProbability normalUpper(double z)
 {
-    if (z < 0)
-        return complementOf(normalUpper(-z));
+    if (z < 0) return complementOf(normalUpper(-z));
     const TailProbability both = gammaUpper(0.5, z * z / 2);
     return {both.p / 2, both.logP - std::numbers::ln2};
 }
@@ -140,24 +126,12 @@ double normalQuantile(double upperTail)
     return bm::quantile(bm::complement(bm::normal_distribution<double, Quiet>(), upperTail));
 }
 
-double betaLower(double a, double b, double x)
-{
-    return bm::ibeta(a, b, x, Quiet());
-}
+double betaLower(double a, double b, double x) { return bm::ibeta(a, b, x, Quiet()); }
 
-double betaUpper(double a, double b, double x)
-{
-    return bm::ibetac(a, b, x, Quiet());
-}
+double betaUpper(double a, double b, double x) { return bm::ibetac(a, b, x, Quiet()); }
 
-double betaQuantile(double a, double b, double p)
-{
-    return bm::ibeta_inv(a, b, p, Quiet());
-}
+double betaQuantile(double a, double b, double p) { return bm::ibeta_inv(a, b, p, Quiet()); }
 
-double hedgesCorrection(double m)
-{
-    return 1 / (bm::tgamma_delta_ratio((m - 1) / 2, 0.5, Quiet()) * std::sqrt(m / 2));
-}
+double hedgesCorrection(double m) { return 1 / (bm::tgamma_delta_ratio((m - 1) / 2, 0.5, Quiet()) * std::sqrt(m / 2)); }
 
 }  // namespace stats

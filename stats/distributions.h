@@ -4,8 +4,8 @@
 namespace stats {
 
 struct TailProbability {
-    double p = 1;        ///< rounds to 0 below 1e-308: then read logP
-    double logP = 0;     ///< natural logarithm
+    double p = 1;     ///< rounds to 0 below 1e-308: then read logP
+    double logP = 0;  ///< natural logarithm
 };
 
 /// P(T >= t), Student's t with `df` > 0 degrees of freedom (not necessarily whole).

@@ -1,9 +1,9 @@
 #include "stats/equivalence.h"
 
+#include <cmath>
+
 #include "stats/contrast.h"
 #include "stats/distributions.h"
-
-#include <cmath>
 
 namespace stats {
 namespace {
@@ -13,16 +13,14 @@ void refuse(EquivalenceTest& test, const std::string& why)
     test.why = why;
     for (Value* value : {&test.estimate, &test.se, &test.df, &test.tLower, &test.pLower, &test.tUpper, &test.pUpper, &test.p,
                          &test.logP, &test.ci.low, &test.ci.high, &test.tDifference, &test.pDifference, &test.dZ})
-        if (!value->exists())
-            *value = Value::undefined(why);
+        if (!value->exists()) *value = Value::undefined(why);
 }
 
 std::string optionsFault(const EquivalenceOptions& options)
 {
     if (!std::isfinite(options.low) || !std::isfinite(options.high) || !(options.low < options.high))
         return "the bounds must be two numbers, the lower first";
-    if (!(options.alpha > 0 && options.alpha < 0.5))
-        return "alpha must lie between 0 and 0.5";
+    if (!(options.alpha > 0 && options.alpha < 0.5)) return "alpha must lie between 0 and 0.5";
     return {};
 }
 
@@ -30,8 +28,7 @@ std::string optionsFault(const EquivalenceOptions& options)
 
 std::string EquivalenceTest::verdict() const
 {
-    if (!why.empty())
-        return "undefined: " + why;
+    if (!why.empty()) return "undefined: " + why;
     return std::string(different ? "different" : "not different") + (equivalent ? " / equivalent" : " / not shown equivalent");
 }
 
@@ -42,8 +39,7 @@ EquivalenceTest equivalenceTest(TKind kind, std::span<const double> x, std::span
     test.n = x.size();
     test.nSecond = kind == TKind::Student || kind == TKind::Welch ? y.size() : 0;
     std::string fault = optionsFault(options);
-    if (fault.empty())
-        fault = inputFault(kind, x, y);
+    if (fault.empty()) fault = inputFault(kind, x, y);
     if (!fault.empty()) {
         refuse(test, fault);
         return test;

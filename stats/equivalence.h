@@ -8,7 +8,7 @@
 namespace stats {
 
 struct EquivalenceOptions {
-    double low = -0.5;   ///< in the unit of the data, low < high
+    double low = -0.5;  ///< in the unit of the data, low < high
     double high = 0.5;
     double alpha = 0.05;
 };
@@ -20,13 +20,13 @@ struct EquivalenceTest {
     Value estimate;
     Value se;
     Value df;
-    Value tLower;     ///< tests mean > low
+    Value tLower;  ///< tests mean > low
     Value pLower;
-    Value tUpper;     ///< tests mean < high
+    Value tUpper;  ///< tests mean < high
     Value pUpper;
-    Value p;          ///< the larger of the two
+    Value p;  ///< the larger of the two
     Value logP;
-    Interval ci;      ///< of level 1 - 2 alpha: inside the bounds exactly when p < alpha
+    Interval ci;        ///< of level 1 - 2 alpha: inside the bounds exactly when p < alpha
     Value tDifference;  ///< the two-sided test against 0
     Value pDifference;
     Value dZ;

@@ -43,12 +43,9 @@ double exactSum(std::size_t n, Term term)
             sum[lane] = next;
         }
     ExactSum all;
-    for (std::size_t lane = 0; lane < lanes; ++lane)
-        all.add(sum[lane]);
-    for (std::size_t i = whole; i < n; ++i)
-        all.add(term(i));
-    for (std::size_t lane = 0; lane < lanes; ++lane)
-        all.add(error[lane]);
+    for (std::size_t lane = 0; lane < lanes; ++lane) all.add(sum[lane]);
+    for (std::size_t i = whole; i < n; ++i) all.add(term(i));
+    for (std::size_t lane = 0; lane < lanes; ++lane) all.add(error[lane]);
     return all.total();
 }
 

@@ -1,12 +1,12 @@
 #include "stats/image_metrics.h"
 
-#include "stats/exact_sum.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
 #include <vector>
+
+#include "stats/exact_sum.h"
 
 namespace stats {
 namespace {
@@ -30,8 +30,7 @@ std::array<double, window> gaussian()
         weights[i] = std::exp(-distance * distance / (2 * sigma * sigma));
         sum += weights[i];
     }
-    for (double& weight : weights)
-        weight /= sum;
+    for (double& weight : weights) weight /= sum;
     return weights;
 }
 
@@ -39,24 +38,21 @@ std::string pixelFault(const ImageView& image, const char* which)
 {
     for (std::size_t i = 0; i < image.values.size(); ++i)
         if (!std::isfinite(image.values[i]))
-            return "pixel x " + std::to_string(i % image.width) + ", y " + std::to_string(i / image.width) + " of the "
-                + which + " image " + (std::isnan(image.values[i]) ? "is not a number" : "is infinite");
+            return "pixel x " + std::to_string(i % image.width) + ", y " + std::to_string(i / image.width) + " of the " + which +
+                   " image " + (std::isnan(image.values[i]) ? "is not a number" : "is infinite");
     return {};
 }
 
 std::string faultOf(const ImageView& a, const ImageView& b, double range)
 {
     if (a.width != b.width || a.height != b.height)
-        return "the images differ in shape: " + std::to_string(a.width) + "x" + std::to_string(a.height) + " and "
-            + std::to_string(b.width) + "x" + std::to_string(b.height);
+        return "the images differ in shape: " + std::to_string(a.width) + "x" + std::to_string(a.height) + " and " +
+               std::to_string(b.width) + "x" + std::to_string(b.height);
     if (a.values.size() != a.width * a.height || b.values.size() != b.width * b.height)
         return "an image's size and the number of its pixels disagree";
-    if (a.width < window || a.height < window)
-        return "the images are smaller than the 11x11 window";
-    if (!(range > 0) || !std::isfinite(range))
-        return "the range must be a positive number";
-    if (std::string fault = pixelFault(a, "first"); !fault.empty())
-        return fault;
+    if (a.width < window || a.height < window) return "the images are smaller than the 11x11 window";
+    if (!(range > 0) || !std::isfinite(range)) return "the range must be a positive number";
+    if (std::string fault = pixelFault(a, "first"); !fault.empty()) return fault;
     return pixelFault(b, "second");
 }
 
@@ -68,7 +64,7 @@ enum Quantity : std::size_t { A, B, AA, BB, AB, Quantities };
 struct Tile {
     std::size_t left = 0;
     std::size_t top = 0;
-    std::size_t width = 0;   ///< of its windows
+    std::size_t width = 0;  ///< of its windows
     std::size_t height = 0;
 };
 
@@ -88,10 +84,8 @@ public:
         const std::size_t centre = (tile.top + tile.height / 2) * m_a.width + tile.left + tile.width / 2;
         m_shiftA = m_a.values[centre] * m_factor;
         m_shiftB = m_b.values[centre] * m_factor;
-        for (std::size_t y = 0; y < tile.height + window - 1; ++y)
-            filterRow(tile, y);
-        for (std::size_t y = 0; y < tile.height; ++y)
-            addRow(tile, y);
+        for (std::size_t y = 0; y < tile.height + window - 1; ++y) filterRow(tile, y);
+        for (std::size_t y = 0; y < tile.height; ++y) addRow(tile, y);
     }
 
     double total() const { return m_total.total(); }
@@ -130,8 +124,7 @@ private:
         std::array<Row, Quantities> sums{};
         for (std::size_t i = 0; i < window; ++i)
             for (std::size_t quantity = 0; quantity < Quantities; ++quantity)
-                for (std::size_t x = 0; x < tile.width; ++x)
-                    sums[quantity][x] += m_weights[i] * m_rows[y + i][quantity][x];
+                for (std::size_t x = 0; x < tile.width; ++x) sums[quantity][x] += m_weights[i] * m_rows[y + i][quantity][x];
         for (std::size_t x = 0; x < tile.width; ++x) {
             const double varianceA = std::max(0.0, sums[AA][x] - sums[A][x] * sums[A][x]);
             const double varianceB = std::max(0.0, sums[BB][x] - sums[B][x] * sums[B][x]);
@@ -139,8 +132,8 @@ private:
             const double covariance = std::clamp(sums[AB][x] - sums[A][x] * sums[B][x], -most, most);
             const double meanA = m_shiftA + sums[A][x];
             const double meanB = m_shiftB + sums[B][x];
-            const double value = std::clamp((2 * (meanA * meanB) + m_c1) / (meanA * meanA + meanB * meanB + m_c1)
-                                                * ((2 * covariance + m_c2) / (varianceA + varianceB + m_c2)),
+            const double value = std::clamp((2 * (meanA * meanB) + m_c1) / (meanA * meanA + meanB * meanB + m_c1) *
+                                                ((2 * covariance + m_c2) / (varianceA + varianceB + m_c2)),
                                             -1.0, 1.0);
             m_total.add(value);
             m_smallest = std::min(m_smallest, value);
@@ -177,7 +170,8 @@ Ssim ssim(const ImageView& a, const ImageView& b, double range)
     SsimSums sums(a, b, range);
     for (std::size_t top = 0; top < result.windowsDown; top += tileHeight)
         for (std::size_t left = 0; left < result.windowsAcross; left += tileWidth)
-            sums.addTile({left, top, std::min(tileWidth, result.windowsAcross - left), std::min(tileHeight, result.windowsDown - top)});
+            sums.addTile(
+                {left, top, std::min(tileWidth, result.windowsAcross - left), std::min(tileHeight, result.windowsDown - top)});
     if (!std::isfinite(sums.total())) {
         result.why = "the pixels lie too far beyond the range for their squares to be written as doubles";
         result.mean = result.smallest = result.largest = Value::undefined(result.why);

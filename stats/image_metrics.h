@@ -3,10 +3,10 @@
 // over the windows that lie wholly inside.
 #pragma once
 
-#include "stats/value.h"
-
 #include <cstddef>
 #include <span>
+
+#include "stats/value.h"
 
 namespace stats {
 
@@ -18,9 +18,9 @@ struct ImageView {
 };
 
 struct Ssim {
-    std::string why;   ///< empty when it exists
-    Value mean;        ///< 1 exactly for equal images; between -1 and 1
-    Value smallest;    ///< over the windows
+    std::string why;  ///< empty when it exists
+    Value mean;       ///< 1 exactly for equal images; between -1 and 1
+    Value smallest;   ///< over the windows
     Value largest;
     std::size_t windowsAcross = 0;
     std::size_t windowsDown = 0;

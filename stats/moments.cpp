@@ -1,10 +1,10 @@
 #include "stats/moments.h"
 
-#include "stats/exact_sum.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "stats/exact_sum.h"
 
 namespace stats {
 namespace {
@@ -16,8 +16,7 @@ constexpr int largestSafeExponent = 200;
 double largestMagnitude(std::span<const double> x)
 {
     double largest = 0;
-    for (const double value : x)
-        largest = std::max(largest, std::fabs(value));
+    for (const double value : x) largest = std::max(largest, std::fabs(value));
     return largest;
 }
 
@@ -27,34 +26,25 @@ ScaledSamples::ScaledSamples(std::initializer_list<std::span<const double>> samp
     : m_samples(samples)
 {
     double largest = 0;
-    for (const auto& sample : m_samples)
-        largest = std::max(largest, largestMagnitude(sample));
-    for (const double reference : references)
-        largest = std::max(largest, std::fabs(reference));
-    if (largest == 0)
-        return;
+    for (const auto& sample : m_samples) largest = std::max(largest, largestMagnitude(sample));
+    for (const double reference : references) largest = std::max(largest, std::fabs(reference));
+    if (largest == 0) return;
     const int exponent = std::ilogb(largest);
-    if (exponent >= smallestSafeExponent && exponent <= largestSafeExponent)
-        return;
+    if (exponent >= smallestSafeExponent && exponent <= largestSafeExponent) return;
     m_exponent = exponent;
     m_copies.reserve(m_samples.size());
     for (auto& sample : m_samples) {
         auto& copy = m_copies.emplace_back(sample.begin(), sample.end());
-        for (double& value : copy)
-            value = std::ldexp(value, -exponent);
+        for (double& value : copy) value = std::ldexp(value, -exponent);
         sample = copy;
     }
 }
 
-double ScaledSamples::scaled(double reference) const
-{
-    return m_exponent == 0 ? reference : std::ldexp(reference, -m_exponent);
-}
+double ScaledSamples::scaled(double reference) const { return m_exponent == 0 ? reference : std::ldexp(reference, -m_exponent); }
 
 Value ScaledSamples::unscaled(double number) const
 {
-    if (m_exponent == 0)
-        return number;
+    if (m_exponent == 0) return number;
     const double value = std::ldexp(number, m_exponent);
     if (std::isinf(value) && !std::isinf(number))
         return Value::undefined("beyond the largest number that can be written as a double");
@@ -93,10 +83,9 @@ bool isConstant(const Moments& moments)
 std::string nonFiniteFault(std::span<const double> x, const std::string& name)
 {
     const auto found = std::find_if(x.begin(), x.end(), [](double value) { return !std::isfinite(value); });
-    if (found == x.end())
-        return {};
-    return "value " + std::to_string(found - x.begin() + 1) + " of " + name
-        + (std::isnan(*found) ? " is not a number" : " is infinite");
+    if (found == x.end()) return {};
+    return "value " + std::to_string(found - x.begin() + 1) + " of " + name +
+           (std::isnan(*found) ? " is not a number" : " is infinite");
 }
 
 }  // namespace stats

@@ -3,13 +3,13 @@
 // summed in two passes around their mean.
 #pragma once
 
-#include "stats/value.h"
-
 #include <cstddef>
 #include <initializer_list>
 #include <span>
 #include <string>
 #include <vector>
+
+#include "stats/value.h"
 
 namespace stats {
 
@@ -36,9 +36,9 @@ private:
 
 struct Moments {
     std::size_t n = 0;
-    double shift = 0;      ///< near the mean
-    double residual = 0;   ///< mean - shift
-    double squares = 0;    ///< sum of (x - mean)^2
+    double shift = 0;     ///< near the mean
+    double residual = 0;  ///< mean - shift
+    double squares = 0;   ///< sum of (x - mean)^2
     double smallest = 0;
     double largest = 0;
 

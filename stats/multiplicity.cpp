@@ -9,8 +9,7 @@ namespace {
 double harmonic(std::size_t m)
 {
     double sum = 0;
-    for (std::size_t i = 1; i <= m; ++i)
-        sum += 1 / static_cast<double>(i);
+    for (std::size_t i = 1; i <= m; ++i) sum += 1 / static_cast<double>(i);
     return sum;
 }
 
@@ -20,11 +19,15 @@ double scaledUp(double p, std::size_t rank, std::size_t m, Adjustment method)
     const auto members = static_cast<double>(m);
     const double place = static_cast<double>(rank) + 1;
     switch (method) {
-    case Adjustment::Holm:
-    case Adjustment::Hochberg: return p * (members - static_cast<double>(rank));
-    case Adjustment::Bonferroni: return p * members;
-    case Adjustment::BenjaminiHochberg: return p * members / place;
-    case Adjustment::BenjaminiYekutieli: return p * members * harmonic(m) / place;
+        case Adjustment::Holm:
+        case Adjustment::Hochberg:
+            return p * (members - static_cast<double>(rank));
+        case Adjustment::Bonferroni:
+            return p * members;
+        case Adjustment::BenjaminiHochberg:
+            return p * members / place;
+        case Adjustment::BenjaminiYekutieli:
+            return p * members * harmonic(m) / place;
     }
     return p;
 }
@@ -36,21 +39,17 @@ std::vector<Value> adjusted(std::span<const Value> p, Adjustment method)
     std::vector<Value> result(p.begin(), p.end());
     std::vector<std::size_t> order;
     for (std::size_t i = 0; i < p.size(); ++i)
-        if (p[i].exists())
-            order.push_back(i);
+        if (p[i].exists()) order.push_back(i);
     std::sort(order.begin(), order.end(), [p](std::size_t a, std::size_t b) { return *p[a] < *p[b]; });
     std::vector<double> values(order.size());
     for (std::size_t rank = 0; rank < order.size(); ++rank)
         values[rank] = std::min(1.0, scaledUp(*p[order[rank]], rank, order.size(), method));
     if (method == Adjustment::Holm) {
-        for (std::size_t rank = 1; rank < values.size(); ++rank)
-            values[rank] = std::max(values[rank], values[rank - 1]);
+        for (std::size_t rank = 1; rank < values.size(); ++rank) values[rank] = std::max(values[rank], values[rank - 1]);
     } else if (method != Adjustment::Bonferroni) {
-        for (std::size_t rank = values.size(); rank-- > 1;)
-            values[rank - 1] = std::min(values[rank - 1], values[rank]);
+        for (std::size_t rank = values.size(); rank-- > 1;) values[rank - 1] = std::min(values[rank - 1], values[rank]);
     }
-    for (std::size_t rank = 0; rank < order.size(); ++rank)
-        result[order[rank]] = std::max(values[rank], *p[order[rank]]);
+    for (std::size_t rank = 0; rank < order.size(); ++rank) result[order[rank]] = std::max(values[rank], *p[order[rank]]);
     return result;
 }
 

@@ -1,16 +1,16 @@
 // P values adjusted for how many tests a family holds.
 #pragma once
 
-#include "stats/value.h"
-
 #include <span>
 #include <vector>
+
+#include "stats/value.h"
 
 namespace stats {
 
 enum class Adjustment {
-    Holm,               ///< family-wise error, needs no assumption (Holm 1979)
-    Hochberg,           ///< family-wise error, under positive dependence
+    Holm,      ///< family-wise error, needs no assumption (Holm 1979)
+    Hochberg,  ///< family-wise error, under positive dependence
     Bonferroni,
     BenjaminiHochberg,  ///< false discovery rate
     BenjaminiYekutieli,

@@ -1,36 +1,33 @@
 #include "stats/rank_tests.h"
 
+#include <algorithm>
+
 #include "stats/distributions.h"
 #include "stats/moments.h"
 #include "stats/ranks.h"
-
-#include <algorithm>
 
 namespace stats {
 namespace {
 
 std::string tableFault(const BlockTable& table)
 {
-    if (table.blocks == 0)
-        return "there are no complete blocks";
-    if (table.conditions < 2)
-        return "needs at least 2 conditions";
+    if (table.blocks == 0) return "there are no complete blocks";
+    if (table.conditions < 2) return "needs at least 2 conditions";
     return nonFiniteFault(table.values, "the table");
 }
 
 void refuse(FriedmanTest& test, const std::string& why)
 {
     test.why = why;
-    for (Value* value : {&test.q, &test.df, &test.p, &test.logP, &test.kendallW, &test.imanDavenportF, &test.fDf1, &test.fDf2,
-                         &test.fP})
+    for (Value* value :
+         {&test.q, &test.df, &test.p, &test.logP, &test.kendallW, &test.imanDavenportF, &test.fDf1, &test.fDf2, &test.fP})
         *value = Value::undefined(why);
 }
 
 void refuse(CochranTest& test, const std::string& why)
 {
     test.why = why;
-    for (Value* value : {&test.q, &test.df, &test.p, &test.logP})
-        *value = Value::undefined(why);
+    for (Value* value : {&test.q, &test.df, &test.p, &test.logP}) *value = Value::undefined(why);
 }
 
 void setImanDavenport(FriedmanTest& test, double k, double n)
@@ -79,8 +76,7 @@ FriedmanTest friedmanTest(const BlockTable& table)
     double tied = 0;
     for (std::size_t block = 0; block < table.blocks; ++block) {
         const MidRanks ranks = midRanks<double>(table.row(block));
-        for (std::size_t condition = 0; condition < table.conditions; ++condition)
-            sums[condition] += ranks.doubled[condition];
+        for (std::size_t condition = 0; condition < table.conditions; ++condition) sums[condition] += ranks.doubled[condition];
         for (const std::size_t size : ranks.ties) {
             const auto t = static_cast<double>(size);
             tied += t * t * t - t;
@@ -88,8 +84,7 @@ FriedmanTest friedmanTest(const BlockTable& table)
     }
     double squares = 0;
     const long long expected = static_cast<long long>(table.blocks) * static_cast<long long>(table.conditions + 1);
-    for (const long long sum : sums)
-        squares += static_cast<double>(sum - expected) * static_cast<double>(sum - expected) / 4;
+    for (const long long sum : sums) squares += static_cast<double>(sum - expected) * static_cast<double>(sum - expected) / 4;
     const double spread = n * k * (k + 1) - tied / (k - 1);
     if (!(spread > 0)) {
         refuse(test, "every block rates all conditions alike");
@@ -122,15 +117,13 @@ CochranTest cochranTest(const BlockTable& table)
     double columnSquares = 0;
     for (std::size_t block = 0; block < table.blocks; ++block) {
         double successes = 0;
-        for (const double x : table.row(block))
-            successes += x;
+        for (const double x : table.row(block)) successes += x;
         total += successes;
         rowTerm += successes * (k - successes);
     }
     for (std::size_t condition = 0; condition < table.conditions; ++condition) {
         double successes = 0;
-        for (const double x : table.column(condition))
-            successes += x;
+        for (const double x : table.column(condition)) successes += x;
         columnSquares += successes * successes;
     }
     if (rowTerm == 0) {

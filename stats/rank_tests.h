@@ -7,14 +7,14 @@
 namespace stats {
 
 struct FriedmanTest {
-    std::string why;      ///< empty when the test exists
+    std::string why;  ///< empty when the test exists
     std::size_t blocks = 0;
-    Value q;              ///< corrected for ties
+    Value q;  ///< corrected for ties
     Value df;
-    Value p;              ///< chi-squared approximation
+    Value p;  ///< chi-squared approximation
     Value logP;
-    Value kendallW;       ///< agreement of the blocks, 0 to 1
-    Value imanDavenportF; ///< undefined at perfect agreement
+    Value kendallW;        ///< agreement of the blocks, 0 to 1
+    Value imanDavenportF;  ///< undefined at perfect agreement
     Value fDf1;
     Value fDf2;
     Value fP;

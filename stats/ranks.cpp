@@ -15,10 +15,8 @@ MidRanks midRanks(std::span<const T> x)
     ranks.doubled.resize(x.size());
     for (std::size_t begin = 0; begin < order.size();) {
         std::size_t end = begin + 1;
-        while (end < order.size() && x[order[end]] == x[order[begin]])
-            ++end;
-        for (std::size_t i = begin; i < end; ++i)
-            ranks.doubled[order[i]] = static_cast<long long>(begin + 1 + end);
+        while (end < order.size() && x[order[end]] == x[order[begin]]) ++end;
+        for (std::size_t i = begin; i < end; ++i) ranks.doubled[order[i]] = static_cast<long long>(begin + 1 + end);
         ranks.ties.push_back(end - begin);
         begin = end;
     }

@@ -8,8 +8,8 @@
 namespace stats {
 
 struct MidRanks {
-    std::vector<long long> doubled;   ///< twice the rank of each value (1 = smallest), hence whole
-    std::vector<std::size_t> ties;    ///< sizes of the groups of equal values, 1 for a value alone
+    std::vector<long long> doubled;  ///< twice the rank of each value (1 = smallest), hence whole
+    std::vector<std::size_t> ties;   ///< sizes of the groups of equal values, 1 for a value alone
 };
 
 /// T: a number type with < and ==.

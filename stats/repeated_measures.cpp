@@ -1,11 +1,11 @@
 #include "stats/repeated_measures.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "stats/distributions.h"
 #include "stats/exact_sum.h"
 #include "stats/moments.h"
-
-#include <algorithm>
-#include <cmath>
 
 namespace stats {
 namespace {
@@ -16,13 +16,10 @@ struct Effects {
     std::vector<double> condition;
     std::vector<double> residual;  ///< row-major
     double largestResidual = 0;
-    double ulp = 0;                ///< of the largest value: the grain of the inputs
+    double ulp = 0;  ///< of the largest value: the grain of the inputs
 };
 
-double meanMinus(std::span<const double> x, double reference)
-{
-    return momentsOf(x).meanMinus(reference);
-}
+double meanMinus(std::span<const double> x, double reference) { return momentsOf(x).meanMinus(reference); }
 
 Effects effectsOf(std::span<const double> scaled, const BlockTable& shape)
 {
@@ -36,12 +33,10 @@ Effects effectsOf(std::span<const double> scaled, const BlockTable& shape)
     effects.ulp = unitInLastPlace(std::max(std::fabs(all.smallest), std::fabs(all.largest)));
     effects.block.resize(n);
     effects.condition.resize(k);
-    for (std::size_t i = 0; i < n; ++i)
-        effects.block[i] = meanMinus(std::span(y).subspan(i * k, k), 0);
+    for (std::size_t i = 0; i < n; ++i) effects.block[i] = meanMinus(std::span(y).subspan(i * k, k), 0);
     for (std::size_t j = 0; j < k; ++j) {
         std::vector<double> column(n);
-        for (std::size_t i = 0; i < n; ++i)
-            column[i] = y[i * k + j] - effects.block[i];
+        for (std::size_t i = 0; i < n; ++i) column[i] = y[i * k + j] - effects.block[i];
         effects.condition[j] = meanMinus(column, 0);
     }
     effects.residual.resize(y.size());
@@ -66,10 +61,10 @@ double greenhouseGeisser(const Effects& effects, std::size_t n, std::size_t k)
     double squares = 0;
     for (std::size_t a = 0; a < k; ++a)
         for (std::size_t b = 0; b < k; ++b) {
-            const double c = exactSum(n, [&](std::size_t i) { return effects.residual[i * k + a] * effects.residual[i * k + b]; });
+            const double c =
+                exactSum(n, [&](std::size_t i) { return effects.residual[i * k + a] * effects.residual[i * k + b]; });
             squares += c * c;
-            if (a == b)
-                trace += c;
+            if (a == b) trace += c;
         }
     const double epsilon = trace * trace / (static_cast<double>(k - 1) * squares);
     return std::clamp(epsilon, 1 / static_cast<double>(k - 1), 1.0);
@@ -77,11 +72,9 @@ double greenhouseGeisser(const Effects& effects, std::size_t n, std::size_t k)
 
 Value huynhFeldt(double epsilonGg, double n, double k)
 {
-    if (k == 2)
-        return 1.0;
+    if (k == 2) return 1.0;
     const double denominator = (k - 1) * (n - 1 - (k - 1) * epsilonGg);
-    if (denominator <= 0)
-        return Value::undefined("too few blocks for the Huynh-Feldt correction");
+    if (denominator <= 0) return Value::undefined("too few blocks for the Huynh-Feldt correction");
     return (n * (k - 1) * epsilonGg - 2) / denominator;
 }
 
@@ -99,20 +92,17 @@ void setIcc(RepeatedMeasuresAnova& anova, double msCondition, double msSubject, 
 void refuse(RepeatedMeasuresAnova& anova, const std::string& why)
 {
     anova.why = why;
-    for (Value* value : {&anova.ssCondition, &anova.ssSubject, &anova.ssError, &anova.f, &anova.df1, &anova.df2, &anova.p,
-                         &anova.logP, &anova.epsilonGg, &anova.pGg, &anova.logPGg, &anova.epsilonHf, &anova.pHf,
-                         &anova.partialEtaSquared, &anova.generalizedEtaSquared, &anova.icc2, &anova.icc2k, &anova.icc3,
-                         &anova.icc3k})
-        if (!value->exists())
-            *value = Value::undefined(why);
+    for (Value* value :
+         {&anova.ssCondition, &anova.ssSubject, &anova.ssError, &anova.f, &anova.df1, &anova.df2, &anova.p, &anova.logP,
+          &anova.epsilonGg, &anova.pGg, &anova.logPGg, &anova.epsilonHf, &anova.pHf, &anova.partialEtaSquared,
+          &anova.generalizedEtaSquared, &anova.icc2, &anova.icc2k, &anova.icc3, &anova.icc3k})
+        if (!value->exists()) *value = Value::undefined(why);
 }
 
 std::string tableFault(const BlockTable& table)
 {
-    if (table.conditions < 2)
-        return "needs at least 2 conditions";
-    if (table.blocks < 2)
-        return "needs at least 2 complete blocks";
+    if (table.conditions < 2) return "needs at least 2 conditions";
+    if (table.blocks < 2) return "needs at least 2 complete blocks";
     return nonFiniteFault(table.values, "the table");
 }
 

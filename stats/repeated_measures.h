@@ -7,7 +7,7 @@
 namespace stats {
 
 struct RepeatedMeasuresAnova {
-    std::string why;       ///< empty when F exists
+    std::string why;  ///< empty when F exists
     std::size_t blocks = 0;
     Value ssCondition;
     Value ssSubject;
@@ -15,17 +15,17 @@ struct RepeatedMeasuresAnova {
     Value f;
     Value df1;
     Value df2;
-    Value p;               ///< assumes sphericity
+    Value p;  ///< assumes sphericity
     Value logP;
-    Value epsilonGg;       ///< Greenhouse and Geisser 1959, from the double-centred covariance
+    Value epsilonGg;  ///< Greenhouse and Geisser 1959, from the double-centred covariance
     Value pGg;
     Value logPGg;
-    Value epsilonHf;       ///< Huynh and Feldt 1976; may exceed 1, the test then uses 1
+    Value epsilonHf;  ///< Huynh and Feldt 1976; may exceed 1, the test then uses 1
     Value pHf;
     Value partialEtaSquared;
     Value generalizedEtaSquared;
     std::vector<Value> moreyHalfWidths;  ///< by condition
-    Value icc2;            ///< ICC(2,1): conditions as targets, blocks as raters (Shrout and Fleiss 1979)
+    Value icc2;                          ///< ICC(2,1): conditions as targets, blocks as raters (Shrout and Fleiss 1979)
     Value icc2k;
     Value icc3;
     Value icc3k;

@@ -1,18 +1,15 @@
 #include "stats/speed_accuracy.h"
 
-#include "stats/descriptive.h"
-#include "stats/moments.h"
-
 #include <algorithm>
 #include <cmath>
+
+#include "stats/descriptive.h"
+#include "stats/moments.h"
 
 namespace stats {
 namespace {
 
-double plogp(double p, double q)
-{
-    return p <= 0 ? 0 : p * std::log2(q);
-}
+double plogp(double p, double q) { return p <= 0 ? 0 : p * std::log2(q); }
 
 }  // namespace
 
@@ -40,13 +37,10 @@ ResponseTimes responseTimes(std::span<const double> seconds)
 
 Value bitsPerChoice(double proportionCorrect, int alternatives)
 {
-    if (alternatives < 2)
-        return Value::undefined("a choice needs at least 2 alternatives");
-    if (!(proportionCorrect >= 0 && proportionCorrect <= 1))
-        return Value::undefined("a proportion lies between 0 and 1");
+    if (alternatives < 2) return Value::undefined("a choice needs at least 2 alternatives");
+    if (!(proportionCorrect >= 0 && proportionCorrect <= 1)) return Value::undefined("a proportion lies between 0 and 1");
     const double m = alternatives;
-    if (proportionCorrect <= 1 / m)
-        return 0.0;
+    if (proportionCorrect <= 1 / m) return 0.0;
     const double wrong = 1 - proportionCorrect;
     return std::max(0.0, std::log2(m) + plogp(proportionCorrect, proportionCorrect) + plogp(wrong, wrong / (m - 1)));
 }
@@ -54,10 +48,8 @@ Value bitsPerChoice(double proportionCorrect, int alternatives)
 Value bitsPerSecond(double proportionCorrect, int alternatives, double meanSeconds)
 {
     const Value bits = bitsPerChoice(proportionCorrect, alternatives);
-    if (!bits.exists())
-        return bits;
-    if (!(meanSeconds > 0) || !std::isfinite(meanSeconds))
-        return Value::undefined("the mean response time is not positive");
+    if (!bits.exists()) return bits;
+    if (!(meanSeconds > 0) || !std::isfinite(meanSeconds)) return Value::undefined("the mean response time is not positive");
     return *bits / meanSeconds;
 }
 
@@ -68,12 +60,9 @@ std::vector<Value> balancedIntegrationScores(std::span<const double> proportionC
         fault = "proportions and times differ in number";
     else if (proportionCorrect.size() < 2)
         fault = "needs at least 2 cells";
-    if (fault.empty())
-        fault = nonFiniteFault(proportionCorrect, "the proportions");
-    if (fault.empty())
-        fault = nonFiniteFault(seconds, "the times");
-    if (!fault.empty())
-        return std::vector<Value>(proportionCorrect.size(), Value::undefined(fault));
+    if (fault.empty()) fault = nonFiniteFault(proportionCorrect, "the proportions");
+    if (fault.empty()) fault = nonFiniteFault(seconds, "the times");
+    if (!fault.empty()) return std::vector<Value>(proportionCorrect.size(), Value::undefined(fault));
     const Moments pc = momentsOf(proportionCorrect);
     const Moments rt = momentsOf(seconds);
     if (isConstant(pc) || isConstant(rt))

@@ -1,20 +1,20 @@
 // Speed and accuracy of choices taken together, without ever dividing by the number correct.
 #pragma once
 
-#include "stats/value.h"
-
 #include <cstddef>
 #include <span>
 #include <vector>
+
+#include "stats/value.h"
 
 namespace stats {
 
 struct ResponseTimes {
     std::size_t n = 0;
-    Value median;    ///< seconds
-    Value logMean;   ///< mean of the natural logarithms; undefined where a time is not positive
+    Value median;         ///< seconds
+    Value logMean;        ///< mean of the natural logarithms; undefined where a time is not positive
     Value geometricMean;  ///< seconds, exp(logMean)
-    Value mean;      ///< seconds
+    Value mean;           ///< seconds
 };
 
 ResponseTimes responseTimes(std::span<const double> seconds);

@@ -1,11 +1,11 @@
 #include "stats/t_tests.h"
 
-#include "stats/contrast.h"
-#include "stats/distributions.h"
-
 #include <cmath>
 #include <limits>
 #include <numbers>
+
+#include "stats/contrast.h"
+#include "stats/distributions.h"
 
 namespace stats {
 namespace {
@@ -19,16 +19,18 @@ void refuse(TTest& test, const std::string& why)
                          &test.dAvLakens, &test.dAvRms, &test.dS, &test.hedgesGs})
         *value = Value::undefined(why);
     for (Value* value : {&test.estimate, &test.sd, &test.se})
-        if (!value->exists())
-            *value = Value::undefined(why);
+        if (!value->exists()) *value = Value::undefined(why);
 }
 
 TailProbability tailOf(double t, double df, Tail tail)
 {
     switch (tail) {
-    case Tail::TwoSided: return studentTwoSided(t, df);
-    case Tail::Less: return studentUpper(-t, df);
-    case Tail::Greater: return studentUpper(t, df);
+        case Tail::TwoSided:
+            return studentTwoSided(t, df);
+        case Tail::Less:
+            return studentUpper(-t, df);
+        case Tail::Greater:
+            return studentUpper(t, df);
     }
     return {};
 }
@@ -39,17 +41,14 @@ Interval intervalOf(const Contrast& contrast, const ScaledSamples& scaled, const
     const double quantile = studentQuantile(options.tail == Tail::TwoSided ? outside / 2 : outside, contrast.df);
     const double margin = quantile * contrast.se;
     Interval interval{scaled.unscaled(contrast.estimateMinus(margin)), scaled.unscaled(contrast.estimateMinus(-margin))};
-    if (options.tail == Tail::Less)
-        interval.low = -infinity;
-    if (options.tail == Tail::Greater)
-        interval.high = infinity;
+    if (options.tail == Tail::Less) interval.low = -infinity;
+    if (options.tail == Tail::Greater) interval.high = infinity;
     return interval;
 }
 
 Value corrected(const Value& d, double df)
 {
-    if (df < 2)
-        return Value::undefined("Hedges' correction needs at least 2 degrees of freedom");
+    if (df < 2) return Value::undefined("Hedges' correction needs at least 2 degrees of freedom");
     return *d * hedgesCorrection(df);
 }
 
@@ -71,8 +70,7 @@ void setEffects(TTest& test, TKind kind, const Contrast& contrast, double scaled
         test.dZ = contrast.estimateMinus(scaledMu) / contrast.sd;
         test.hedgesGz = corrected(test.dZ, contrast.df);
     }
-    if (kind == TKind::Paired)
-        setPairedEffects(test, contrast);
+    if (kind == TKind::Paired) setPairedEffects(test, contrast);
     if (kind == TKind::Student) {
         test.dS = contrast.estimateMinus(0) / contrast.sd;
         test.hedgesGs = corrected(test.dS, contrast.df);
@@ -83,10 +81,7 @@ void setEffects(TTest& test, TKind kind, const Contrast& contrast, double scaled
 
 }  // namespace
 
-Value TTest::log10P() const
-{
-    return logP.exists() ? Value(*logP / std::numbers::ln10) : logP;
-}
+Value TTest::log10P() const { return logP.exists() ? Value(*logP / std::numbers::ln10) : logP; }
 
 TTest tTest(TKind kind, std::span<const double> x, std::span<const double> y, const TOptions& options)
 {
@@ -119,10 +114,7 @@ TTest tTest(TKind kind, std::span<const double> x, std::span<const double> y, co
     return test;
 }
 
-TTest oneSampleTTest(std::span<const double> x, const TOptions& options)
-{
-    return tTest(TKind::OneSample, x, {}, options);
-}
+TTest oneSampleTTest(std::span<const double> x, const TOptions& options) { return tTest(TKind::OneSample, x, {}, options); }
 
 TTest pairedTTest(std::span<const double> x, std::span<const double> y, const TOptions& options)
 {

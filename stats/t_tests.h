@@ -5,11 +5,11 @@
 // the inputs: 1.1-1.0, 2.1-2.0, 3.1-3.0 is a constant difference, although its binary digits differ.
 #pragma once
 
-#include "stats/value.h"
-
 #include <cstddef>
 #include <span>
 #include <string>
+
+#include "stats/value.h"
 
 namespace stats {
 
@@ -31,14 +31,14 @@ struct TTest {
     Value se;
     Value t;
     Value df;
-    Value p;                  ///< 0 only where it is below the smallest double: see logP
-    Value logP;               ///< natural logarithm
-    Interval ci;              ///< of the estimate; one open end with a one-sided tail
-    Value dZ;                 ///< (mean difference - mu) / sd of differences; one sample: (mean - mu) / sd
-    Value hedgesGz;           ///< dZ times Hedges' exact correction
-    Value dAvLakens;          ///< mean difference / mean of the two SDs (Lakens 2013)
-    Value dAvRms;             ///< mean difference / root mean square of the two SDs
-    Value dS;                 ///< difference / pooled SD (Student)
+    Value p;          ///< 0 only where it is below the smallest double: see logP
+    Value logP;       ///< natural logarithm
+    Interval ci;      ///< of the estimate; one open end with a one-sided tail
+    Value dZ;         ///< (mean difference - mu) / sd of differences; one sample: (mean - mu) / sd
+    Value hedgesGz;   ///< dZ times Hedges' exact correction
+    Value dAvLakens;  ///< mean difference / mean of the two SDs (Lakens 2013)
+    Value dAvRms;     ///< mean difference / root mean square of the two SDs
+    Value dS;         ///< difference / pooled SD (Student)
     Value hedgesGs;
 
     Value log10P() const;

@@ -1,10 +1,10 @@
 #include "stats/trace_error.h"
 
-#include "stats/exact_sum.h"
-#include "stats/moments.h"
-
 #include <algorithm>
 #include <cmath>
+
+#include "stats/exact_sum.h"
+#include "stats/moments.h"
 
 namespace stats {
 namespace {
@@ -13,10 +13,8 @@ std::string faultOf(std::span<const double> generated, std::span<const double> t
 {
     if (generated.size() != truth.size())
         return "the traces differ in length: " + std::to_string(generated.size()) + " and " + std::to_string(truth.size());
-    if (generated.empty())
-        return "the traces are empty";
-    if (std::string fault = nonFiniteFault(generated, "the generated trace"); !fault.empty())
-        return fault;
+    if (generated.empty()) return "the traces are empty";
+    if (std::string fault = nonFiniteFault(generated, "the generated trace"); !fault.empty()) return fault;
     return nonFiniteFault(truth, "the true trace");
 }
 
@@ -37,14 +35,12 @@ TraceError traceError(std::span<const double> generated, std::span<const double>
     const auto t = scaled.sample(1);
     const auto n = static_cast<double>(t.size());
     ExactSum sum;
-    for (std::size_t i = 0; i < t.size(); ++i)
-        sum.add(g[i] - t[i]);
+    for (std::size_t i = 0; i < t.size(); ++i) sum.add(g[i] - t[i]);
     const double mae = exactSum(t.size(), [&](std::size_t i) { return std::fabs(g[i] - t[i]); }) / n;
     const double squares = exactSum(t.size(), [&](std::size_t i) { return (g[i] - t[i]) * (g[i] - t[i]); });
     const double mean = exactSum(t.size(), [&](std::size_t i) { return t[i]; }) / n;
     double largest = 0;
-    for (std::size_t i = 0; i < t.size(); ++i)
-        largest = std::max(largest, std::fabs(g[i] - t[i]));
+    for (std::size_t i = 0; i < t.size(); ++i) largest = std::max(largest, std::fabs(g[i] - t[i]));
     error.mae = scaled.unscaled(mae);
     error.meanTruth = scaled.unscaled(mean);
     error.maeOverMean = mean > 0 ? Value(mae / mean) : Value::undefined("the mean of the truth is not positive");

@@ -1,21 +1,21 @@
 // How far a generated trace lies from the true one.
 #pragma once
 
-#include "stats/value.h"
-
 #include <cstddef>
 #include <span>
+
+#include "stats/value.h"
 
 namespace stats {
 
 struct TraceError {
-    std::string why;     ///< empty when the traces can be compared
+    std::string why;  ///< empty when the traces can be compared
     std::size_t n = 0;
-    Value mae;           ///< mean absolute error, unit of the traces
+    Value mae;  ///< mean absolute error, unit of the traces
     Value meanTruth;
-    Value maeOverMean;   ///< undefined where the mean of the truth is not positive
+    Value maeOverMean;  ///< undefined where the mean of the truth is not positive
     Value rmse;
-    Value bias;          ///< mean of generated - truth
+    Value bias;  ///< mean of generated - truth
     Value maxAbs;
 };
 

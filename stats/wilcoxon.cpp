@@ -1,14 +1,14 @@
 #include "stats/wilcoxon.h"
 
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
 #include "stats/contrast.h"
 #include "stats/decimal_grid.h"
 #include "stats/distributions.h"
+#include "stats/exact_sum.h"
 #include "stats/ranks.h"
-
-#include <algorithm>
-#include <cmath>
-#include <numeric>
-#include <vector>
 
 namespace stats {
 namespace {
@@ -35,8 +35,7 @@ Differences differencesOf(std::span<const double> x, std::span<const double> y, 
         else
             differences.values[i] = x[i] - (y.empty() ? 0 : y[i]);
     }
-    if (grid)
-        differences.unitsPerOne = grid->unitsPerOne();
+    if (grid) differences.unitsPerOne = grid->unitsPerOne();
     return differences;
 }
 
@@ -53,8 +52,7 @@ SignedRanks signedRanksOf(const std::vector<double>& differences, ZeroMethod zer
     std::vector<bool> isPositive;
     std::vector<bool> isZero;
     for (const double difference : differences) {
-        if (difference == 0 && zeros == ZeroMethod::Wilcox)
-            continue;
+        if (difference == 0 && zeros == ZeroMethod::Wilcox) continue;
         magnitudes.push_back(std::fabs(difference));
         isPositive.push_back(difference > 0);
         isZero.push_back(difference == 0);
@@ -62,18 +60,16 @@ SignedRanks signedRanksOf(const std::vector<double>& differences, ZeroMethod zer
     const MidRanks ranks = midRanks<double>(magnitudes);
     SignedRanks result;
     for (std::size_t i = 0; i < magnitudes.size(); ++i) {
-        if (isZero[i])
-            continue;
+        if (isZero[i]) continue;
         result.doubled.push_back(ranks.doubled[i]);
         result.total += ranks.doubled[i];
-        if (isPositive[i])
-            result.positive += ranks.doubled[i];
+        if (isPositive[i]) result.positive += ranks.doubled[i];
     }
     return result;
 }
 
-/// P(V <= observed) and P(V >= observed) when every rank's sign is a fair coin.
-std::pair<double, double> exactTails(const SignedRanks& ranks)
+/// Probabilities of doubled rank sums when every rank's sign is a fair coin.
+std::vector<double> permutationDistribution(const SignedRanks& ranks)
 {
     std::vector<double> probability(static_cast<std::size_t>(ranks.total) + 1, 0.0);
     probability[0] = 1;
@@ -83,12 +79,34 @@ std::pair<double, double> exactTails(const SignedRanks& ranks)
         reached += step;
         for (std::size_t sum = reached + 1; sum-- > step;)
             probability[sum] = 0.5 * probability[sum] + 0.5 * probability[sum - step];
-        for (std::size_t sum = 0; sum < std::min(step, reached + 1); ++sum)
-            probability[sum] *= 0.5;
+        for (std::size_t sum = 0; sum < std::min(step, reached + 1); ++sum) probability[sum] *= 0.5;
     }
-    const auto at = static_cast<std::ptrdiff_t>(ranks.positive);
-    return {std::accumulate(probability.begin(), probability.begin() + at + 1, 0.0),
-            std::accumulate(probability.begin() + at, probability.end(), 0.0)};
+    return probability;
+}
+
+/// Sum over first <= V < end; 0 where that is empty.
+double sumBetween(const std::vector<double>& probability, long long first, long long end)
+{
+    if (end <= first) return 0;
+    const auto begin = static_cast<std::size_t>(first);
+    return exactSum(static_cast<std::size_t>(end - first), [&](std::size_t i) { return probability[begin + i]; });
+}
+
+/// The p of the tail, from its smaller side: a p near 1 keeps the digits of its distance from 1.
+TailProbability exactP(const SignedRanks& ranks, Tail tail)
+{
+    const std::vector<double> probability = permutationDistribution(ranks);
+    const long long end = ranks.total + 1;
+    // V is symmetric about total/2, so the upper tail of v is the lower tail of its mirror.
+    const long long v = tail == Tail::Less ? ranks.total - ranks.positive : ranks.positive;
+    if (tail != Tail::TwoSided) {
+        const double p = sumBetween(probability, v, end);
+        return p <= 0.5 ? TailProbability{p, std::log(p)} : complementOf({sumBetween(probability, 0, v), 0});
+    }
+    const long long outer = std::max(v, ranks.total - v);
+    const double p = 2 * sumBetween(probability, outer, end);
+    return p <= 0.5 ? TailProbability{p, std::log(p)}
+                    : complementOf({sumBetween(probability, ranks.total - outer + 1, outer), 0});
 }
 
 void setExact(WilcoxonTest& test, const SignedRanks& ranks, Tail tail)
@@ -97,24 +115,20 @@ void setExact(WilcoxonTest& test, const SignedRanks& ranks, Tail tail)
         test.pExact = test.logPExact = Value::undefined("more than 300 differences: the normal approximation stands");
         return;
     }
-    const auto [lower, upper] = exactTails(ranks);
-    double p = 0;
-    switch (tail) {
-    case Tail::Less: p = lower; break;
-    case Tail::Greater: p = upper; break;
-    case Tail::TwoSided: p = 2 * std::min(lower, upper); break;
-    }
-    p = std::min(1.0, p);
-    test.pExact = p;
-    test.logPExact = std::log(p);
+    const TailProbability exact = exactP(ranks, tail);
+    test.pExact = exact.p;
+    test.logPExact = exact.logP;
 }
 
 double normalP(double z, Tail tail)
 {
     switch (tail) {
-    case Tail::Less: return normalUpper(-z).p;
-    case Tail::Greater: return normalUpper(z).p;
-    case Tail::TwoSided: return std::min(1.0, 2 * normalUpper(std::fabs(z)).p);
+        case Tail::Less:
+            return normalUpper(-z).p;
+        case Tail::Greater:
+            return normalUpper(z).p;
+        case Tail::TwoSided:
+            return std::min(1.0, 2 * normalUpper(std::fabs(z)).p);
     }
     return 1;
 }
@@ -122,15 +136,20 @@ double normalP(double z, Tail tail)
 void setNormal(WilcoxonTest& test, const SignedRanks& ranks, Tail tail)
 {
     double squares = 0;
-    for (const long long rank : ranks.doubled)
-        squares += static_cast<double>(rank) * static_cast<double>(rank);
+    for (const long long rank : ranks.doubled) squares += static_cast<double>(rank) * static_cast<double>(rank);
     const double sd = std::sqrt(squares / 4) / 2;
     const double excess = static_cast<double>(2 * ranks.positive - ranks.total) / 4;
     double correction = 0;
     switch (tail) {
-    case Tail::Less: correction = -0.5; break;
-    case Tail::Greater: correction = 0.5; break;
-    case Tail::TwoSided: correction = excess == 0 ? 0 : std::copysign(0.5, excess); break;
+        case Tail::Less:
+            correction = -0.5;
+            break;
+        case Tail::Greater:
+            correction = 0.5;
+            break;
+        case Tail::TwoSided:
+            correction = excess == 0 ? 0 : std::copysign(0.5, excess);
+            break;
     }
     test.z = excess / sd;
     test.pNormal = normalP(*test.z, tail);
@@ -141,26 +160,23 @@ void setNormal(WilcoxonTest& test, const SignedRanks& ranks, Tail tail)
 Value hodgesLehmannOf(const Differences& differences)
 {
     const std::vector<double>& d = differences.values;
-    if (d.size() > mostWalsh)
-        return Value::undefined("more than 5000 differences");
+    if (d.size() > mostWalsh) return Value::undefined("more than 5000 differences");
     std::vector<double> sums;
     sums.reserve(d.size() * (d.size() + 1) / 2);
     for (std::size_t i = 0; i < d.size(); ++i)
-        for (std::size_t j = i; j < d.size(); ++j)
-            sums.push_back(d[i] / 2 + d[j] / 2);
+        for (std::size_t j = i; j < d.size(); ++j) sums.push_back(d[i] / 2 + d[j] / 2);
     const auto middle = sums.begin() + static_cast<std::ptrdiff_t>(sums.size() / 2);
     std::nth_element(sums.begin(), middle, sums.end());
     double centre = *middle;
-    if (sums.size() % 2 == 0)
-        centre = centre / 2 + *std::max_element(sums.begin(), middle) / 2;
+    if (sums.size() % 2 == 0) centre = centre / 2 + *std::max_element(sums.begin(), middle) / 2;
     return centre / differences.unitsPerOne;
 }
 
 void refuse(WilcoxonTest& test, const std::string& why)
 {
     test.why = why;
-    for (Value* value : {&test.v, &test.pExact, &test.logPExact, &test.z, &test.pNormal, &test.zCorrected,
-                         &test.pNormalCorrected, &test.rankBiserial, &test.hodgesLehmann})
+    for (Value* value : {&test.v, &test.pExact, &test.logPExact, &test.z, &test.pNormal, &test.zCorrected, &test.pNormalCorrected,
+                         &test.rankBiserial, &test.hodgesLehmann})
         *value = Value::undefined(why);
 }
 

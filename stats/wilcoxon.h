@@ -25,15 +25,15 @@ struct WilcoxonTest {
     std::string why;  ///< empty when the test exists
     std::size_t nUsed = 0;
     std::size_t nZero = 0;
-    Value v;                ///< sum of the ranks of the positive differences
-    Value pExact;           ///< undefined above 300 differences: there read pNormal
+    Value v;       ///< sum of the ranks of the positive differences
+    Value pExact;  ///< undefined above 300 differences: there read pNormal
     Value logPExact;
-    Value z;                ///< without continuity correction
+    Value z;  ///< without continuity correction
     Value pNormal;
-    Value zCorrected;       ///< with the correction of 0.5 towards the mean
+    Value zCorrected;  ///< with the correction of 0.5 towards the mean
     Value pNormalCorrected;
-    Value rankBiserial;     ///< (positive - negative rank sum) / total
-    Value hodgesLehmann;    ///< median of the Walsh averages of all differences; undefined above 5000
+    Value rankBiserial;   ///< (positive - negative rank sum) / total
+    Value hodgesLehmann;  ///< median of the Walsh averages of all differences; undefined above 5000
 };
 
 /// Of the differences x - y; an empty y stands for zeros.

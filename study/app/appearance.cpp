@@ -1,6 +1,7 @@
 #include "study/app/appearance.h"
 
 #include <QApplication>
+#include <QStyle>
 #include <QStyleFactory>
 
 #include <algorithm>
@@ -13,6 +14,20 @@ namespace {
 constexpr int smallestPercent = 75;
 constexpr int largestPercent = 250;
 constexpr int percentStep = 25;
+
+struct TypeRow {
+    Type type;
+    const char* name;
+    double factor;
+};
+constexpr TypeRow typeRows[] = {{Type::Small, "small", 1.0}, {Type::Plain, "plain", 1.15}, {Type::Body, "body", 1.35},
+                                {Type::Lead, "lead", 1.6},   {Type::Words, "words", 2.0},  {Type::Title, "title", 2.3},
+                                {Type::Huge, "huge", 4.2}};
+
+const TypeRow& rowOf(Type type)
+{
+    return *std::find_if(std::begin(typeRows), std::end(typeRows), [type](const TypeRow& row) { return row.type == type; });
+}
 
 double luminanceOf(const QColor& colour)
 {
@@ -34,12 +49,12 @@ Colours coloursOf(Theme theme)
 {
     if (theme == Theme::DarkRoom)
         return {.background = QColor("#15181d"), .surface = QColor("#1f242c"), .text = QColor("#e8eaee"),
-                .quietText = QColor("#a9b1bd"), .line = QColor("#3d4653"),
+                .quietText = QColor("#a9b1bd"), .line = QColor("#3d4653"), .offText = QColor("#6b7482"),
                 .accent = QColor("#8fb8ee"), .onAccent = QColor("#10161f"),
                 .attention = QColor("#4a3a12"), .onAttention = QColor("#ffe4a3"),
                 .fault = QColor("#57211f"), .onFault = QColor("#ffd9d6")};
     return {.background = QColor("#f4f3ef"), .surface = QColor("#ffffff"), .text = QColor("#1d2430"),
-            .quietText = QColor("#566070"), .line = QColor("#c9cdd4"),
+            .quietText = QColor("#566070"), .line = QColor("#c9cdd4"), .offText = QColor("#8b94a1"),
             .accent = QColor("#1f5c99"), .onAccent = QColor("#ffffff"),
             .attention = QColor("#fff0c9"), .onAttention = QColor("#5a4200"),
             .fault = QColor("#fbdedb"), .onFault = QColor("#7a1b14")};
@@ -67,7 +82,17 @@ QPalette paletteOf(const Colours& c)
     return palette;
 }
 
-QString styleSheetOf(const Colours& c)
+const char* nameOf(Type type)
+{
+    return rowOf(type).name;
+}
+
+double factorOf(Type type)
+{
+    return rowOf(type).factor;
+}
+
+QString styleSheetOf(const Colours& c, double basePoints)
 {
     // Pieces are styled by their property "role" (pieces.h); %1.. are the colours in the order below.
     const QString sheet = QStringLiteral(R"(
@@ -82,7 +107,7 @@ QFrame[role="bar"] { background: %2; border: none; }
 QPushButton { background: %2; color: %3; border: 1px solid %4; border-radius: 8px; padding: 7px 16px; }
 QPushButton:hover { border-color: %6; }
 QPushButton:focus { border: 2px solid %6; padding: 6px 15px; }
-QPushButton:disabled { color: %4; border-color: %5; background: %1; }
+QPushButton:disabled { color: %12; border-color: %5; background: %1; }
 QPushButton:checked { background: %6; color: %7; border-color: %6; }
 QPushButton:checked:focus { border-color: %3; }
 QPushButton[role="main"] { background: %6; color: %7; border: 2px solid %6; padding: 10px 26px; }
@@ -92,28 +117,39 @@ QPushButton[role="answer"] { padding: 14px 22px; text-align: left; }
 QPushButton[role="plain"] { background: transparent; border: 2px solid transparent; padding: 5px 10px; color: %4; }
 QPushButton[role="plain"]:hover { color: %3; border-color: %5; }
 QPushButton[role="plain"]:focus { border-color: %6; color: %3; }
-QPushButton[role="plain"]:checked { background: transparent; color: %3; border-color: %5; }
-QLineEdit, QSpinBox, QComboBox { background: %2; color: %3; border: 1px solid %4; border-radius: 8px; padding: 7px 10px; }
-QLineEdit:focus, QSpinBox:focus, QComboBox:focus { border: 2px solid %6; padding: 6px 9px; }
+QPushButton[role="plain"]:disabled { background: transparent; border-color: transparent; color: %12; }
+QLineEdit, QComboBox { background: %2; color: %3; border: 1px solid %4; border-radius: 8px; padding: 7px 10px; }
+QLineEdit:focus, QComboBox:focus { border: 2px solid %6; padding: 6px 9px; }
+QComboBox::drop-down { border: none; width: 32px; }
 QComboBox QAbstractItemView { background: %2; color: %3; selection-background-color: %6; selection-color: %7; }
 QTreeView, QListView { background: %2; color: %3; border: 1px solid %5; border-radius: 8px; padding: 4px; }
 QTreeView:focus, QListView:focus { border: 2px solid %6; padding: 3px; }
-QTreeView::item, QListView::item { padding: 6px 8px; }
+QTreeView::item, QListView::item { border: 0px; padding: 6px 8px; }
 QTreeView::item:selected, QListView::item:selected { background: %6; color: %7; }
 QHeaderView::section { background: %2; color: %4; border: none; border-bottom: 1px solid %5; padding: 6px 8px; }
-QCheckBox { color: %3; spacing: 12px; padding: 5px 6px; border: 2px solid transparent; border-radius: 6px; }
+QCheckBox { padding: 4px; border: 2px solid transparent; border-radius: 6px; }
 QCheckBox:focus { border-color: %6; }
 QProgressBar { background: %5; border: none; border-radius: 4px; max-height: 8px; min-height: 8px; }
 QProgressBar::chunk { background: %6; border-radius: 4px; }
 QScrollArea { background: transparent; border: none; }
-QScrollArea > QWidget > QWidget { background: transparent; }
+QScrollBar:vertical { background: transparent; width: 14px; margin: 2px; }
+QScrollBar::handle:vertical { background: %12; border-radius: 5px; min-height: 40px; }
+QScrollBar:horizontal { background: transparent; height: 14px; margin: 2px; }
+QScrollBar::handle:horizontal { background: %12; border-radius: 5px; min-width: 40px; }
+QScrollBar::add-line, QScrollBar::sub-line { width: 0; height: 0; }
+QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
 )");
     QString filled = sheet;
     const QColor inOrder[] = {c.background, c.surface,   c.text,        c.quietText, c.line,   c.accent,
-                              c.onAccent,   c.attention, c.onAttention, c.fault,     c.onFault};
+                              c.onAccent,   c.attention, c.onAttention, c.fault,     c.onFault, c.offText};
     for (int place = static_cast<int>(std::size(inOrder)); place >= 1; --place)
         filled.replace(QStringLiteral("%%1").arg(place), inOrder[place - 1].name());
-    return filled;
+    for (const TypeRow& row : typeRows)
+        filled += QStringLiteral("*[type=\"%1\"] { font-size: %2pt; }\n").arg(row.name).arg(basePoints * row.factor, 0, 'f', 2);
+    // Boxes grow with the text; sizes of parts are taken in pixels only.
+    const int boxPx = static_cast<int>(basePoints * 2);
+    filled += QStringLiteral("QCheckBox::indicator { width: %1px; height: %1px; }\n").arg(boxPx);
+    return filled + QStringLiteral("*[weight=\"bold\"] { font-weight: bold; }\n");
 }
 
 Appearance larger(Appearance appearance)
@@ -130,11 +166,15 @@ void applyAppearance(const Appearance& appearance, const QFont& base)
 {
     QFont font = base;
     font.setPointSizeF(std::max(6.0, base.pointSizeF() * appearance.textPercent / 100.0));
-    QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
     const Colours colours = coloursOf(appearance.theme);
+    const QString sheet = styleSheetOf(colours, font.pointSizeF());
+    if (qApp->styleSheet() == sheet && QApplication::font() == font)
+        return;
+    if (QApplication::style()->name().compare(QLatin1String("fusion"), Qt::CaseInsensitive) != 0)
+        QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
     QApplication::setPalette(paletteOf(colours));
     QApplication::setFont(font);
-    qApp->setStyleSheet(styleSheetOf(colours));
+    qApp->setStyleSheet(sheet);
 }
 
 double contrastOf(const QColor& a, const QColor& b)

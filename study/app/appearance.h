@@ -17,9 +17,15 @@ struct Appearance {
     bool operator==(const Appearance&) const = default;
 };
 
+/// Sizes of text, as factors of the application's font.
+enum class Type { Small, Plain, Body, Lead, Words, Title, Huge };
+const char* nameOf(Type type);
+double factorOf(Type type);
+
 /// The colours of a theme by what they mean.
 struct Colours {
     QColor background, surface, text, quietText, line;
+    QColor offText;                  ///< of what cannot be pressed now
     QColor accent, onAccent;         ///< the main action and what is chosen
     QColor attention, onAttention;   ///< refusals and hints
     QColor fault, onFault;
@@ -27,7 +33,8 @@ struct Colours {
 Colours coloursOf(Theme theme);
 
 QPalette paletteOf(const Colours& colours);
-QString styleSheetOf(const Colours& colours);
+/// `basePoints`: the size of plain text.
+QString styleSheetOf(const Colours& colours, double basePoints);
 
 /// The next step of text size; stays within the bounds.
 Appearance larger(Appearance appearance);

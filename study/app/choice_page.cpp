@@ -14,20 +14,20 @@ ChoicePage::ChoicePage(QWidget* parent)
     : StagePage(parent),
       m_head(new QuestionHead(this)),
       m_answersColumn(new QVBoxLayout),
-      m_readBack(label("readBack", size::lead, this)),
+      m_readBack(label("readBack", Type::Lead, this)),
       m_touch(new TouchButton(this)),
       m_store(mainButton("storeButton", tr("Store the answer (Enter)"), this))
 {
     setFocusPolicy(Qt::StrongFocus);
     setAccessibleName(tr("Choice among the fabrics on the tray"));
-    m_answersColumn->setSpacing(10);
+    m_answersColumn->setSpacing(8);
     auto* actions = new QHBoxLayout;
     actions->setSpacing(14);
     actions->addWidget(m_store);
     actions->addWidget(m_touch);
     actions->addStretch(1);
     auto* column = new QVBoxLayout(this);
-    column->setSpacing(16);
+    column->setSpacing(12);
     column->addWidget(m_head);
     column->addLayout(m_answersColumn);
     column->addWidget(m_readBack);
@@ -55,20 +55,27 @@ void ChoicePage::present(const session::View& view)
 
 void ChoicePage::showAnswers(const session::View& view)
 {
-    qDeleteAll(m_answers);
+    for (QPushButton* old : m_answers) {
+        // The key that led here may still be on its way through the old button.
+        old->setObjectName({});
+        old->hide();
+        old->deleteLater();
+    }
     m_answers.clear();
-    m_names.clear();
+    m_fabricNames.clear();
     m_fabrics = view.trayIds;
     m_chosen.reset();
     for (std::size_t place = 0; place < view.tray.size(); ++place) {
         const QString letter = slotLetter(place);
-        m_names.push_back(QStringLiteral("%1    %2").arg(letter, QString::fromStdString(view.tray[place])));
-        auto* answer = button(qPrintable(QStringLiteral("answer%1").arg(letter)), m_names.back(), this);
+        m_fabricNames.push_back(QString::fromStdString(view.tray[place]));
+        auto* answer = button(qPrintable(QStringLiteral("answer%1").arg(letter)),
+                              QStringLiteral("%1    %2").arg(letter, m_fabricNames.back()), this);
         setRole(*answer, "answer");
-        setTypeSize(*answer, size::lead, Weight::Bold);
+        setType(*answer, Type::Lead, Weight::Bold);
         answer->setCheckable(true);
         connect(answer, &QPushButton::clicked, this, [this, place] { choose(place); });
         m_answersColumn->addWidget(answer);
+        answer->show();
         m_answers.push_back(answer);
     }
     m_readBack->setText(tr("Press the letter that the participant says."));
@@ -79,7 +86,7 @@ void ChoicePage::choose(std::size_t place)
     m_chosen = place;
     for (std::size_t i = 0; i < m_answers.size(); ++i)
         m_answers[i]->setChecked(i == place);
-    m_readBack->setText(tr("Read back: “%1.” Enter stores it; another letter changes it.").arg(m_names[place]));
+    m_readBack->setText(tr("Read back: “%1, %2.” Enter stores it; another letter changes it.").arg(slotLetter(place), m_fabricNames[place]));
     setFocus();
 }
 

@@ -37,7 +37,7 @@ private:
     std::optional<session::Presenting> m_shown;
     protocols::PresentationCode m_shownCode;
     std::vector<protocols::FabricId> m_fabrics;
-    std::vector<QString> m_names;
+    std::vector<QString> m_fabricNames;
     std::vector<QPushButton*> m_answers;
     std::optional<std::size_t> m_chosen;
 };

@@ -6,7 +6,7 @@
 
 namespace study::app {
 
-FlowLayout::FlowLayout(int gapPx, QWidget* parent) : QLayout(parent), m_gapPx(gapPx)
+FlowLayout::FlowLayout(int gapPx, int rowGapPx, QWidget* parent) : QLayout(parent), m_gapPx(gapPx), m_rowGapPx(rowGapPx)
 {
     setContentsMargins(0, 0, 0, 0);
 }
@@ -73,7 +73,7 @@ int FlowLayout::place(const QRect& rect, Placing placing) const
         if (right > rect.x() && right + wanted.width() > rect.right() + 1) {
             if (placing == Placing::Do)
                 placeRow(rect, first, i, top, height);
-            top += height + m_gapPx;
+            top += height + m_rowGapPx;
             right = rect.x();
             height = 0;
             first = i;

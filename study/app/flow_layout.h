@@ -12,7 +12,7 @@ namespace study::app {
 class FlowLayout : public QLayout {
     Q_OBJECT
 public:
-    explicit FlowLayout(int gapPx, QWidget* parent = nullptr);
+    FlowLayout(int gapPx, int rowGapPx, QWidget* parent = nullptr);
     ~FlowLayout() override;
 
     void addItem(QLayoutItem* item) override;
@@ -33,6 +33,7 @@ private:
     void placeRow(const QRect& rect, std::size_t first, std::size_t end, int top, int height) const;
 
     int m_gapPx;
+    int m_rowGapPx;
     std::vector<std::unique_ptr<QLayoutItem>> m_items;
 };
 

@@ -6,10 +6,10 @@
 #include "study/app/main_window.h"
 #include "study/session/driver.h"
 
-#include <optional>
+#include <QPoint>
+#include <QString>
 
-class QString;
-class QWidget;
+#include <optional>
 
 namespace study::app {
 
@@ -31,9 +31,10 @@ public:
     void type(const QString& text);
     /// By object name, on the page that is now to be seen.
     void click(const QString& objectName);
+    void clickAt(QWidget& target, const QPoint& point);
+    void focusOn(const QString& objectName);
 
 private:
-    void move(const session::EventBody& event);
     SessionController& controller() const;
     QWidget& focus() const;
     QWidget& visible(const QString& objectName) const;

@@ -5,6 +5,7 @@
 #include "study/app/stage_guides.h"
 
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
@@ -27,15 +28,15 @@ void emptyOut(QLayout& layout)
 
 GuidePage::GuidePage(QWidget* parent)
     : StagePage(parent),
-      m_title(label("guideTitle", size::title, this, Weight::Bold)),
-      m_lead(label("guideLead", size::lead, this)),
+      m_title(label("guideTitle", Type::Title, this, Weight::Bold)),
+      m_lead(label("guideLead", Type::Lead, this)),
       m_scalePart(new QWidget(this)),
       m_line(new ScaleLine(ScaleLine::Use::Show, m_scalePart)),
-      m_lowAnchor(label("lowAnchor", size::body, m_scalePart)),
-      m_highAnchor(label("highAnchor", size::body, m_scalePart)),
+      m_lowAnchor(label("lowAnchor", Type::Body, m_scalePart)),
+      m_highAnchor(label("highAnchor", Type::Body, m_scalePart)),
       m_steps(new QVBoxLayout),
       m_checks(new QVBoxLayout),
-      m_action(mainButton("confirmButton", QString(), this))
+      m_action(mainButton("confirmButton", tr("Go on (Enter)"), this))
 {
     m_line->setObjectName("memorisedLine");
     m_scalePart->setObjectName("scalePart");
@@ -51,10 +52,10 @@ GuidePage::GuidePage(QWidget* parent)
     scalePart->addWidget(m_line);
     scalePart->addLayout(anchors);
 
-    m_steps->setSpacing(12);
-    m_checks->setSpacing(6);
+    m_steps->setSpacing(8);
+    m_checks->setSpacing(4);
     auto* column = new QVBoxLayout(this);
-    column->setSpacing(18);
+    column->setSpacing(14);
     column->addWidget(m_title);
     column->addWidget(m_lead);
     column->addWidget(m_scalePart);
@@ -70,15 +71,30 @@ void GuidePage::setChecklist(const QStringList& items)
 {
     emptyOut(*m_checks);
     m_boxes.clear();
-    for (const QString& item : items) {
-        auto* box = new QCheckBox(QString(item).replace(QLatin1Char('&'), QLatin1String("&&")), this);
-        name(*box, qPrintable(QStringLiteral("check%1").arg(m_boxes.size() + 1)), item);
-        setTypeSize(*box, size::body);
-        // Ticking goes down the list by itself, so that a row of spaces ticks all.
-        connect(box, &QCheckBox::toggled, this, [this] { firstFocus().setFocus(); });
-        m_checks->addWidget(box);
-        m_boxes.push_back(box);
-    }
+    m_guide = {};
+    for (const QString& item : items)
+        m_checks->addWidget(checkRow(item));
+}
+
+QWidget* GuidePage::checkRow(const QString& item)
+{
+    auto* row = new QWidget(this);
+    auto* box = new QCheckBox(row);
+    name(*box, qPrintable(QStringLiteral("check%1").arg(m_boxes.size() + 1)), item);
+    auto* text = label("checkText", Type::Body, row);
+    text->setText(item);
+    text->setBuddy(box);
+    for (QWidget* part : {static_cast<QWidget*>(box), static_cast<QWidget*>(text)})
+        part->installEventFilter(this);
+    // Ticking goes down the list by itself, so that a row of spaces ticks all.
+    connect(box, &QCheckBox::toggled, this, [this] { firstFocus().setFocus(); });
+    auto* layout = new QHBoxLayout(row);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(8);
+    layout->addWidget(box, 0, Qt::AlignTop);
+    layout->addWidget(text, 1);
+    m_boxes.push_back(box);
+    return row;
 }
 
 void GuidePage::setScale(const protocols::Scale& scale)
@@ -89,34 +105,44 @@ void GuidePage::setScale(const protocols::Scale& scale)
 void GuidePage::present(const session::View& view)
 {
     if (const auto guide = guideFor(view))
-        show(*guide);
+        tell(*guide);
 }
 
-void GuidePage::show(const Guide& guide)
+void GuidePage::tell(const Guide& guide)
 {
+    const bool isAnother = m_guide.title != guide.title;
     m_guide = guide;
     m_title->setText(guide.title);
-    showText(*m_lead, guide.showsChecklist && m_boxes.empty() ? tr("The participant does not wear the mask yet.") : guide.lead);
+    showText(*m_lead, guide.lead);
     m_scalePart->setVisible(guide.showsScale);
     showSteps(guide.steps);
-    for (QCheckBox* box : m_boxes)
-        box->setVisible(guide.showsChecklist);
+    if (isAnother)
+        showChecklist();
     setButtonText(*m_action, guide.action);
+}
+
+void GuidePage::showChecklist()
+{
+    // A box ticked here stays in sight; one ticked on an earlier page is not asked again.
+    for (QCheckBox* box : m_boxes)
+        box->parentWidget()->setVisible(m_guide.checklist == Checklist::Offered ||
+                                        (m_guide.checklist == Checklist::Required && !box->isChecked()));
 }
 
 void GuidePage::showSteps(const QStringList& steps)
 {
     emptyOut(*m_steps);
     for (qsizetype i = 0; i < steps.size(); ++i) {
-        auto* step = label(qPrintable(QStringLiteral("step%1").arg(i + 1)), size::body, this);
+        auto* step = label(qPrintable(QStringLiteral("step%1").arg(i + 1)), Type::Body, this);
         step->setText(steps.size() == 1 ? steps[i] : QStringLiteral("%1.  %2").arg(i + 1).arg(steps[i]));
         m_steps->addWidget(step);
+        step->show();
     }
 }
 
 QCheckBox* GuidePage::firstUnticked() const
 {
-    if (!m_guide.showsChecklist)
+    if (m_guide.checklist == Checklist::None)
         return nullptr;
     const auto found = std::find_if(m_boxes.begin(), m_boxes.end(), [](const QCheckBox* box) { return !box->isChecked(); });
     return found == m_boxes.end() ? nullptr : *found;
@@ -124,7 +150,8 @@ QCheckBox* GuidePage::firstUnticked() const
 
 void GuidePage::confirm()
 {
-    if (QCheckBox* open = firstUnticked()) {
+    QCheckBox* open = m_guide.checklist == Checklist::Required ? firstUnticked() : nullptr;
+    if (open) {
         open->setFocus();
         Q_EMIT hinted(tr("Not ticked yet: %1. Space ticks it.").arg(open->accessibleName()));
     } else if (m_guide.event) {
@@ -132,6 +159,15 @@ void GuidePage::confirm()
     } else {
         Q_EMIT leaveAsked();
     }
+}
+
+bool GuidePage::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::KeyPress && pressKey(static_cast<QKeyEvent*>(event)->key()))
+        return true;
+    if (const auto* text = qobject_cast<QLabel*>(watched); text && event->type() == QEvent::MouseButtonRelease)
+        static_cast<QCheckBox*>(text->buddy())->toggle();
+    return StagePage::eventFilter(watched, event);
 }
 
 bool GuidePage::pressKey(int key)

@@ -16,6 +16,10 @@ namespace study::app {
 
 class ScaleLine;
 
+/// Whether the protocol's checklist stands on a page, and whether it must be complete to go on. The first page
+/// offers it; what is still open (the mask, say) comes again, required, before the first presentation.
+enum class Checklist { None, Offered, Required };
+
 /// The words of one guide page.
 struct Guide {
     QString title;
@@ -24,7 +28,7 @@ struct Guide {
     QString action;                             ///< on the button
     std::optional<session::EventBody> event;    ///< none: the session is over, the button leaves it
     bool showsScale = false;
-    bool showsChecklist = false;
+    Checklist checklist = Checklist::None;
 };
 
 class GuidePage : public StagePage {
@@ -32,7 +36,7 @@ class GuidePage : public StagePage {
 public:
     explicit GuidePage(QWidget* parent);
 
-    /// Boxes to be ticked before the guide that shows a checklist goes on.
+    /// The protocol's points, all open.
     void setChecklist(const QStringList& items);
     void setScale(const protocols::Scale& scale);
 
@@ -40,12 +44,18 @@ public:
     bool pressKey(int key) override;
     QWidget& firstFocus() override;
 
+    /// Enter goes on with the page, also from a box (some desktops would let it tick the box); a click on the
+    /// text beside a box ticks it.
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
 Q_SIGNALS:
     void leaveAsked();
 
 private:
-    void show(const Guide& guide);
+    void tell(const Guide& guide);
     void showSteps(const QStringList& steps);
+    QWidget* checkRow(const QString& item);
+    void showChecklist();
     void confirm();
     QCheckBox* firstUnticked() const;
 
@@ -58,7 +68,8 @@ private:
     QLabel* m_highAnchor;
     QVBoxLayout* m_steps;
     QVBoxLayout* m_checks;
-    std::vector<QCheckBox*> m_boxes;
+    std::vector<QCheckBox*> m_boxes;  ///< each in a row with its text
+
     QPushButton* m_action;
 };
 

@@ -9,56 +9,44 @@ namespace study::app {
 
 namespace {
 
-constexpr auto sizeProperty = "typeSize";
-
-void applyTypeSize(QWidget& widget)
+/// The style sheet is asked again where the widget has been styled already.
+void setStyledProperty(QWidget& widget, const char* property, const char* value)
 {
-    QFont font = widget.font();
-    font.setPointSizeF(QApplication::font().pointSizeF() * widget.property(sizeProperty).toDouble());
-    widget.setFont(font);
-}
-
-}  // namespace
-
-void setTypeSize(QWidget& widget, double factor, Weight weight)
-{
-    widget.setProperty(sizeProperty, factor);
-    QFont font = widget.font();
-    font.setBold(weight == Weight::Bold);
-    widget.setFont(font);
-    applyTypeSize(widget);
-}
-
-void refreshTypeSizes(QWidget& root)
-{
-    const auto widgets = root.findChildren<QWidget*>();
-    for (QWidget* widget : widgets)
-        if (widget->property(sizeProperty).isValid())
-            applyTypeSize(*widget);
-}
-
-void setRole(QWidget& widget, const char* role)
-{
-    if (widget.property("role").toString() == QLatin1String(role))
+    if (widget.property(property).toString() == QLatin1String(value))
         return;
-    widget.setProperty("role", QString::fromLatin1(role));
+    widget.setProperty(property, QString::fromLatin1(value));
+    if (!widget.testAttribute(Qt::WA_WState_Polished))
+        return;
     widget.style()->unpolish(&widget);
     widget.style()->polish(&widget);
 }
 
-QLabel* label(const char* objectName, double factor, QWidget* parent, Weight weight)
+}  // namespace
+
+void setType(QWidget& widget, Type type, Weight weight)
+{
+    setStyledProperty(widget, "type", nameOf(type));
+    setStyledProperty(widget, "weight", weight == Weight::Bold ? "bold" : "normal");
+}
+
+void setRole(QWidget& widget, const char* role)
+{
+    setStyledProperty(widget, "role", role);
+}
+
+QLabel* label(const char* objectName, Type type, QWidget* parent, Weight weight)
 {
     auto* made = new QLabel(parent);
     made->setObjectName(QString::fromLatin1(objectName));
     made->setTextFormat(Qt::PlainText);
     made->setWordWrap(true);
-    setTypeSize(*made, factor, weight);
+    setType(*made, type, weight);
     return made;
 }
 
-QLabel* quietLabel(const char* objectName, QWidget* parent, double factor)
+QLabel* quietLabel(const char* objectName, QWidget* parent, Type type)
 {
-    QLabel* made = label(objectName, factor, parent);
+    QLabel* made = label(objectName, type, parent);
     setRole(*made, "quiet");
     return made;
 }
@@ -74,7 +62,7 @@ QPushButton* button(const char* objectName, const QString& text, QWidget* parent
     auto* made = new QPushButton(parent);
     made->setObjectName(QString::fromLatin1(objectName));
     made->setAutoDefault(false);
-    setTypeSize(*made, size::body);
+    setType(*made, Type::Body);
     setButtonText(*made, text);
     return made;
 }
@@ -83,7 +71,7 @@ QPushButton* mainButton(const char* objectName, const QString& text, QWidget* pa
 {
     QPushButton* made = button(objectName, text, parent);
     setRole(*made, "main");
-    setTypeSize(*made, size::lead, Weight::Bold);
+    setType(*made, Type::Lead, Weight::Bold);
     return made;
 }
 
@@ -91,7 +79,7 @@ QPushButton* plainButton(const char* objectName, const QString& text, QWidget* p
 {
     QPushButton* made = button(objectName, text, parent);
     setRole(*made, "plain");
-    setTypeSize(*made, 1.0);
+    setType(*made, Type::Plain);
     return made;
 }
 
@@ -99,25 +87,44 @@ QLineEdit* field(const char* objectName, const QString& accessibleName, QWidget*
 {
     auto* made = new QLineEdit(parent);
     name(*made, objectName, accessibleName);
-    setTypeSize(*made, size::body);
+    setType(*made, Type::Body);
+    return made;
+}
+
+QLabel* lookHint(QWidget* parent)
+{
+    QLabel* made = quietLabel("lookHint", parent, Type::Small);
+    made->setText(QCoreApplication::translate("study::app::lookHint",
+                                              "Larger and smaller text: Ctrl + and Ctrl −   ·   dark room: Ctrl D"));
     return made;
 }
 
 QScrollArea* scrolling(const char* objectName, QWidget* page, QWidget* parent)
 {
-    constexpr int widestPx = 1000;
+    constexpr int widestPx = 1250;
+    constexpr int marginPx = 28;
     auto* area = new QScrollArea(parent);
     area->setObjectName(QString::fromLatin1(objectName));
     area->setWidgetResizable(true);
     area->setFocusPolicy(Qt::NoFocus);
     area->setFrameShape(QFrame::NoFrame);
-    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);
-    auto* middle = new QWidget(area);
-    auto* row = new QHBoxLayout(middle);
-    row->setContentsMargins(24, 16, 24, 16);
+    auto* whole = new QWidget(area);
+    auto* row = new QHBoxLayout(whole);
+    row->setContentsMargins(marginPx, 22, marginPx, 18);
+    row->setSpacing(0);
     page->setMaximumWidth(widestPx);
+    if (page->layout())
+        page->layout()->setContentsMargins(0, 0, 0, 0);
     row->addWidget(page, 1);
-    area->setWidget(middle);
+    row->addStretch(0);
+    area->setWidget(whole);
+    area->viewport()->setAutoFillBackground(false);
+    whole->setAutoFillBackground(false);
+    // A control that gets the focus below the edge comes into sight.
+    QObject::connect(qApp, &QApplication::focusChanged, area, [area](QWidget*, QWidget* now) {
+        if (now && area->isVisible() && area->isAncestorOf(now))
+            area->ensureWidgetVisible(now, 0, marginPx);
+    });
     return area;
 }
 
@@ -138,7 +145,7 @@ MessageBar::MessageBar(const char* objectName, QWidget* parent) : QLabel(parent)
     setObjectName(QString::fromLatin1(objectName));
     setTextFormat(Qt::PlainText);
     setWordWrap(true);
-    setTypeSize(*this, size::body);
+    setType(*this, Type::Body);
     hide();
 }
 

@@ -1,7 +1,9 @@
-// The few pieces that all pages are made of, so that they look and read alike. Text sizes are factors of the
-// application's font and follow it when it changes. Styling goes by the property "role" (appearance.h);
-// every piece has an object name, and every control a name for screen readers.
+// The few pieces that all pages are made of, so that they look and read alike. Their looks go by the properties
+// "role", "type" and "weight", which the style sheet reads (appearance.h); every piece has an object name, and every
+// control a name for screen readers.
 #pragma once
+
+#include "study/app/appearance.h"
 
 #include <QLabel>
 #include <QLineEdit>
@@ -12,28 +14,17 @@ class QBoxLayout;
 
 namespace study::app {
 
-/// Text sizes as factors of the application's font.
-namespace size {
-inline constexpr double small = 0.9;
-inline constexpr double body = 1.15;
-inline constexpr double lead = 1.45;
-inline constexpr double title = 2.0;
-inline constexpr double huge = 3.6;
-}  // namespace size
-
 enum class Weight { Normal, Bold };
 
-/// Gives the widget its factor of the application's font, now and whenever that changes.
-void setTypeSize(QWidget& widget, double factor, Weight weight = Weight::Normal);
-/// After the application's font changed: sizes of all pieces under `root`.
-void refreshTypeSizes(QWidget& root);
+/// Gives the widget its size of text; the style sheet follows it at every scale.
+void setType(QWidget& widget, Type type, Weight weight = Weight::Normal);
 
 /// Changes the role and lets the style sheet look again.
 void setRole(QWidget& widget, const char* role);
 
 /// A wrapped line of text.
-QLabel* label(const char* objectName, double factor, QWidget* parent, Weight weight = Weight::Normal);
-QLabel* quietLabel(const char* objectName, QWidget* parent, double factor = size::body);
+QLabel* label(const char* objectName, Type type, QWidget* parent, Weight weight = Weight::Normal);
+QLabel* quietLabel(const char* objectName, QWidget* parent, Type type = Type::Body);
 
 /// `text` is also the accessible name. Ampersands are shown, not taken as mnemonics.
 QPushButton* button(const char* objectName, const QString& text, QWidget* parent);
@@ -43,8 +34,11 @@ void setButtonText(QPushButton& button, const QString& text);
 
 QLineEdit* field(const char* objectName, const QString& accessibleName, QWidget* parent);
 
-/// The page inside an area that scrolls where the text is too large for the window, centred and no wider
-/// than is pleasant to read.
+/// How text size and theme are changed, for the pages that are not in a hurry.
+QLabel* lookHint(QWidget* parent);
+
+/// The page inside an area that scrolls where the text is too large for the window; no wider than is
+/// pleasant to read.
 QScrollArea* scrolling(const char* objectName, QWidget* page, QWidget* parent);
 
 /// Object name and accessible name in one go.

@@ -10,16 +10,16 @@ namespace study::app {
 QuestionHead::QuestionHead(QWidget* parent)
     : QWidget(parent),
       m_caption(quietLabel("questionCaption", this)),
-      m_words(label("questionWords", size::title, this, Weight::Bold)),
-      m_way(quietLabel("strokeWords", this))
+      m_words(label("questionWords", Type::Words, this, Weight::Bold)),
+      m_way(quietLabel("strokeWords", this, Type::Plain))
 {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(10);
+    column->setSpacing(8);
     column->addWidget(m_caption);
     column->addWidget(m_words);
     column->addWidget(m_way);
-    m_way->setText(tr("Glass and fabric are stroked alike: same finger, left to right, calmly and evenly."));
+    m_way->setText(tr("Same finger on glass and fabric, left to right, calmly and evenly."));
 }
 
 void QuestionHead::present(const session::View& view)

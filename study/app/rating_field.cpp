@@ -24,6 +24,13 @@ RatingField::RatingField(const char* objectName, const QString& accessibleName, 
     setInputMethodHints(Qt::ImhFormattedNumbersOnly);
 }
 
+QSize RatingField::sizeHint() const
+{
+    ensurePolished();
+    const int marginPx = 40;
+    return {fontMetrics().horizontalAdvance(QStringLiteral("00000000")) + marginPx, QLineEdit::sizeHint().height()};
+}
+
 bool RatingField::event(QEvent* event)
 {
     if (event->type() == QEvent::ShortcutOverride && isLetterKey(*static_cast<QKeyEvent*>(event))) {

@@ -10,6 +10,9 @@ class RatingField : public QLineEdit {
 public:
     RatingField(const char* objectName, const QString& accessibleName, QWidget* parent);
 
+    /// Room for a rating, not for a sentence.
+    QSize sizeHint() const override;
+
 protected:
     bool event(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;

@@ -19,14 +19,14 @@ RatingPage::RatingPage(QWidget* parent)
     : StagePage(parent),
       m_head(new QuestionHead(this)),
       m_rating(new RatingField("ratingField", tr("Rating that the participant says"), this)),
-      m_range(quietLabel("ratingRange", this, size::lead)),
+      m_range(quietLabel("ratingRange", this, Type::Lead)),
       m_line(new ScaleLine(ScaleLine::Use::Pick, this)),
-      m_readBack(label("readBack", size::lead, this)),
+      m_readBack(label("readBack", Type::Lead, this)),
       m_touch(new TouchButton(this)),
       m_store(mainButton("storeButton", tr("Store the answer (Enter)"), this))
 {
     m_line->setObjectName("scaleLine");
-    setTypeSize(*m_rating, size::title, Weight::Bold);
+    setType(*m_rating, Type::Title, Weight::Bold);
     m_rating->setAlignment(Qt::AlignCenter);
     m_rating->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     auto* number = new QHBoxLayout;
@@ -39,7 +39,7 @@ RatingPage::RatingPage(QWidget* parent)
     actions->addWidget(m_touch);
     actions->addStretch(1);
     auto* column = new QVBoxLayout(this);
-    column->setSpacing(16);
+    column->setSpacing(12);
     column->addWidget(m_head);
     column->addSpacing(4);
     column->addLayout(number);
@@ -78,9 +78,13 @@ void RatingPage::showTyped()
 {
     const auto typed = ratingFromText(m_rating->text(), m_scale);
     const auto* rating = std::get_if<Tenths>(&typed);
+    const QString text = m_rating->text().trimmed();
+    const bool isUnfinished = text.isEmpty() || !text.back().isDigit();
     m_line->setRating(rating ? std::optional(*rating) : std::nullopt);
     if (rating)
         m_readBack->setText(tr("Read back: “%1.” Enter stores it.").arg(textOf(*rating)));
+    else if (!isUnfinished)
+        m_readBack->setText(std::get<NoRating>(typed).why);
     else
         m_readBack->setText(tr("Type the number that the participant says, or click on the line."));
 }

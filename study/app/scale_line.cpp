@@ -15,7 +15,7 @@ using protocols::Tenths;
 
 ScaleLine::ScaleLine(Use use, QWidget* parent) : QWidget(parent), m_use(use)
 {
-    setTypeSize(*this, size::lead);
+    setType(*this, Type::Lead);
     setFocusPolicy(use == Use::Pick ? Qt::StrongFocus : Qt::NoFocus);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     if (use == Use::Pick)
@@ -60,6 +60,7 @@ QPoint ScaleLine::pointOf(Tenths rating) const
 
 QSize ScaleLine::sizeHint() const
 {
+    ensurePolished();  // the style sheet brings the font
     return {fontMetrics().height() * 18, static_cast<int>(fontMetrics().height() * 2.9)};
 }
 

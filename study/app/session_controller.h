@@ -31,7 +31,7 @@ struct Correctable {
 struct SessionFacts {
     QString participant;
     QStringList checklist;
-    QString study;
+    protocols::Scale scale;  ///< of the first rating question
 };
 
 /// What came of one event.

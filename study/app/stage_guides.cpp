@@ -16,11 +16,12 @@ QString tr(const char* text)
 Guide introduction()
 {
     return {.title = tr("Welcome the participant"),
-            .lead = tr("Tick each point as it is done. The participant does not wear the mask yet."),
+            .lead = tr("The participant does not wear the mask yet. Tick each point as it is done; what is still open comes "
+                       "again before the first presentation."),
             .steps = {},
             .action = tr("Begin (Enter)"),
             .event = Begun{},
-            .showsChecklist = true};
+            .checklist = Checklist::Offered};
 }
 
 Guide familiarisation()
@@ -47,7 +48,8 @@ Guide scaleTraining()
                       tr("When they know the line by heart, they put on the mask.")},
             .action = tr("The mask is on (Enter)"),
             .event = ScaleTrainingDone{},
-            .showsScale = true};
+            .showsScale = true,
+            .checklist = Checklist::Required};
 }
 
 Guide onBreak(const View& view)

@@ -12,8 +12,8 @@ namespace study::app {
 
 TrayPage::TrayPage(QWidget* parent)
     : StagePage(parent),
-      m_code(label("presentationCode", size::huge, this, Weight::Bold)),
-      m_task(label("trayTask", size::lead, this)),
+      m_code(label("presentationCode", Type::Huge, this, Weight::Bold)),
+      m_task(label("trayTask", Type::Lead, this)),
       m_cards(new QHBoxLayout),
       m_ready(mainButton("trayReadyButton", tr("The tray is ready (Enter)"), this))
 {
@@ -21,14 +21,14 @@ TrayPage::TrayPage(QWidget* parent)
     caption->setText(tr("Presentation"));
     m_cards->setSpacing(18);
     auto* column = new QVBoxLayout(this);
-    column->setSpacing(8);
+    column->setSpacing(6);
     column->addWidget(caption);
     column->addWidget(m_code);
-    column->addSpacing(14);
+    column->addSpacing(6);
     column->addWidget(m_task);
     column->addSpacing(6);
     column->addLayout(m_cards);
-    column->addSpacing(20);
+    column->addSpacing(10);
     column->addWidget(m_ready, 0, Qt::AlignLeft);
     column->addStretch(1);
     connect(m_ready, &QPushButton::clicked, this, [this] { Q_EMIT eventAsked(session::TrayReady{}); });
@@ -48,17 +48,17 @@ QWidget* TrayPage::cardFor(std::size_t place, const QString& fabric, Change chan
     setRole(*card, isNew ? "card-new" : "card");
     auto* column = new QVBoxLayout(card);
     column->setContentsMargins(20, 16, 20, 16);
-    auto* letter = label("slotLetter", size::title, card, Weight::Bold);
+    auto* letter = label("slotLetter", Type::Title, card, Weight::Bold);
     letter->setText(isOnlyOne ? QString() : slotLetter(place));
     letter->setVisible(!isOnlyOne);
-    auto* tag = label("slotTag", size::small, card, isNew ? Weight::Bold : Weight::Normal);
+    auto* tag = label("slotTag", Type::Small, card, isNew ? Weight::Bold : Weight::Normal);
     tag->setText(isNew ? tr("put here") : tr("stays"));
     tag->setWordWrap(false);
     setRole(*tag, isNew ? "tag-new" : "tag");
     auto* top = new QHBoxLayout;
     top->addWidget(letter, 1);
     top->addWidget(tag, 0, Qt::AlignTop | (isOnlyOne ? Qt::AlignLeft : Qt::AlignRight));
-    auto* fabricName = label("slotFabric", size::title, card, isNew ? Weight::Bold : Weight::Normal);
+    auto* fabricName = label("slotFabric", Type::Title, card, isNew ? Weight::Bold : Weight::Normal);
     fabricName->setText(fabric);
     column->addLayout(top);
     column->addWidget(fabricName);
@@ -78,7 +78,9 @@ void TrayPage::present(const session::View& view)
     for (std::size_t place = 0; place < view.tray.size(); ++place) {
         const Change change = changeOf(view, place);
         isAnyNew = isAnyNew || change == Change::New;
-        m_cards->addWidget(cardFor(place, QString::fromStdString(view.tray[place]), change, isOnlyOne), 1);
+        QWidget* card = cardFor(place, QString::fromStdString(view.tray[place]), change, isOnlyOne);
+        m_cards->addWidget(card, 1);
+        card->show();
     }
     if (!isAnyNew)
         m_task->setText(tr("Nothing to change."));

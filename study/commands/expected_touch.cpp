@@ -53,7 +53,8 @@ std::map<protocols::FabricId, Percept> expectedTouch(const database::StudyFacts&
         for (const auto& fabric : facts.fabrics)
             request.samples[fabric] = {0, sampleAt(dataset, fabric, Modality::Tactile, place),
                                        sampleAt(dataset, fabric, Modality::Friction, place)};
-        for (const auto& [fabric, image] : renderFabrics(dataset, request).conditions.front().images)
+        const auto rendering = renderFabrics(dataset, request);
+        for (const auto& [fabric, image] : rendering.conditions.front().images)
             felt[fabric].push_back(feel(image));
     }
     std::map<protocols::FabricId, Percept> expected;

@@ -2,6 +2,8 @@
 
 #include "rendering/stroke.h"
 
+#include <opencv2/core.hpp>
+
 #include <algorithm>
 #include <cmath>
 

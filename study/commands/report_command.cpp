@@ -26,15 +26,13 @@ reports::StudyData dataFor(const ReportCall& call)
 {
     if (call.from.empty())
         return studyData(openStudy(call.study));
-    auto data = reports::readAnswersCsv(call.from, call.alternatives);
+    reports::AnswersCsvOptions options;
+    options.alternatives = call.alternatives;
     if (!call.protocol.empty()) {
-        const auto protocol = protocols::readProtocol(call.protocol);
-        data.name = protocol.name;
-        data.protocolSha256 = protocols::sha256OfFile(call.protocol);
-        data.questions.clear();
-        describeProtocol(protocol, data);
+        options.protocol = protocols::readProtocol(call.protocol);
+        options.protocolSha256 = protocols::sha256OfFile(call.protocol);
     }
-    return data;
+    return reports::readAnswersCsv(call.from, options);
 }
 
 int report(const ReportCall& call)

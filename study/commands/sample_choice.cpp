@@ -20,7 +20,8 @@ struct Draw {
 
 bool wasTrainedOn(const rendering::models::ModelCard& card, const std::filesystem::path& file)
 {
-    return card.trainedOn(protocols::sha256OfFile(file));
+    const auto& hashes = card.trainingSampleHashes;
+    return std::binary_search(hashes.begin(), hashes.end(), protocols::sha256OfFile(file));
 }
 
 Draw drawSample(const rendering::fabrics::Dataset& dataset, const protocols::FabricId& fabric, Modality modality,

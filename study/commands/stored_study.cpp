@@ -8,6 +8,23 @@ namespace study::commands {
 
 namespace {
 
+void describeProtocol(const protocols::Protocol& protocol, reports::StudyData& data)
+{
+    data.equivalenceBounds = protocol.equivalenceBounds;
+    for (const auto& contrast : protocol.planned)
+        data.planned.emplace_back(contrast.a.value, contrast.b.value);
+    for (const auto& phase : protocol.phases) {
+        for (const auto& question : phase.questions)
+            data.questions.push_back({question.id.value, question.text, phase.isChoice()});
+        if (phase.alternatives)
+            data.alternatives = *phase.alternatives;
+        if (phase.scale) {
+            data.scaleMin = phase.scale->min.inScaleUnits();
+            data.scaleMax = phase.scale->max.inScaleUnits();
+        }
+    }
+}
+
 void describeParticipants(const database::StudyStore& store, reports::StudyData& data)
 {
     for (const auto& slot : store.slots()) {
@@ -68,23 +85,6 @@ Naming namingOf(const database::StudyStore& store, const protocols::Protocol& pr
     for (std::size_t k = 1; k <= protocol.conditions.size(); ++k)
         naming.conditions.push_back("K" + std::to_string(k));
     return naming;
-}
-
-void describeProtocol(const protocols::Protocol& protocol, reports::StudyData& data)
-{
-    data.equivalenceBounds = protocol.equivalenceBounds;
-    for (const auto& contrast : protocol.planned)
-        data.planned.emplace_back(contrast.a.value, contrast.b.value);
-    for (const auto& phase : protocol.phases) {
-        for (const auto& question : phase.questions)
-            data.questions.push_back({question.id.value, question.text, phase.isChoice()});
-        if (phase.alternatives)
-            data.alternatives = *phase.alternatives;
-        if (phase.scale) {
-            data.scaleMin = phase.scale->min.inScaleUnits();
-            data.scaleMax = phase.scale->max.inScaleUnits();
-        }
-    }
 }
 
 reports::StudyData studyData(const database::StudyStore& store)

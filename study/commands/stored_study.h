@@ -33,7 +33,4 @@ protocols::Protocol protocolOf(const database::StudyFacts& facts);
 
 reports::StudyData studyData(const database::StudyStore& store);
 
-/// The facts of a protocol that a report needs, without any response.
-void describeProtocol(const protocols::Protocol& protocol, reports::StudyData& data);
-
 }  // namespace study::commands

@@ -20,7 +20,7 @@ std::string isoLocal(std::int64_t msSinceEpoch)
     std::array<char, 24> date{};
     std::strftime(date.data(), date.size(), "%Y-%m-%dT%H:%M:%S", &local);
     const long offsetMinutes = local.tm_gmtoff / 60;
-    std::array<char, 48> text{};
+    std::array<char, 96> text{};
     std::snprintf(text.data(), text.size(), "%s.%03d%c%02ld:%02ld", date.data(), static_cast<int>(msSinceEpoch % 1000),
                   offsetMinutes < 0 ? '-' : '+', std::labs(offsetMinutes) / 60, std::labs(offsetMinutes) % 60);
     return text.data();
@@ -36,7 +36,7 @@ std::string isoUtc(std::int64_t msSinceEpoch)
     ::gmtime_r(&seconds, &utc);
     std::array<char, 24> date{};
     std::strftime(date.data(), date.size(), "%Y-%m-%dT%H:%M:%S", &utc);
-    std::array<char, 48> text{};
+    std::array<char, 96> text{};
     std::snprintf(text.data(), text.size(), "%s.%03dZ", date.data(), static_cast<int>(msSinceEpoch % 1000));
     return text.data();
 }

@@ -16,7 +16,8 @@ const protocols::BlindedTrial& trialOf(const Plan& plan, int index) { return pla
 Plan planOf(const StudyStore& store, int slot)
 {
     const database::StudyFacts facts = store.facts();
-    return {protocols::protocolFromJson(facts.protocolJson, store.folder().protocol().string()), store.trials(slot), facts.fabricNames};
+    return {protocols::protocolFromJson(facts.protocolJson, store.folder().protocol().string()), store.trials(slot),
+            facts.fabricNames};
 }
 
 AnswerRecord recordOf(const Plan& plan, const StoredAnswer& answer)
@@ -55,18 +56,15 @@ AnswerRecord correction(const Plan& plan, const State& next, const Corrected& ev
 int voidedTrial(const State& before, const State& next)
 {
     std::size_t place = 0;
-    while (place < before.order.size() && before.order[place] == next.order[place])
-        ++place;
+    while (place < before.order.size() && before.order[place] == next.order[place]) ++place;
     return next.order[place];
 }
 
 /// What a remark made now is about: the presentation that is on, or the one answered last.
 std::optional<int> trialNotedOn(const State& state)
 {
-    if (const auto* presenting = std::get_if<Presenting>(&state.stage))
-        return presenting->index;
-    if (state.answers.empty())
-        return std::nullopt;
+    if (const auto* presenting = std::get_if<Presenting>(&state.stage)) return presenting->index;
+    if (state.answers.empty()) return std::nullopt;
     return state.answers.back().index;
 }
 
@@ -74,16 +72,13 @@ void addWhatItStores(StudyStore::Append& entry, const Plan& plan, const State& b
 {
     if (std::holds_alternative<Answered>(body))
         entry.answers.push_back(givenAnswer(plan, std::get<Presenting>(before.stage), next.answers.back(), entry.event.atNs));
-    if (const auto* corrected = std::get_if<Corrected>(&body))
-        entry.answers.push_back(correction(plan, next, *corrected));
+    if (const auto* corrected = std::get_if<Corrected>(&body)) entry.answers.push_back(correction(plan, next, *corrected));
     if (const auto* voided = std::get_if<Voided>(&body)) {
         entry.voids = trialOf(plan, voidedTrial(before, next)).number;
-        if (!voided->why.empty())
-            entry.note = {*entry.voids, voided->why};
+        if (!voided->why.empty()) entry.note = {*entry.voids, voided->why};
     }
     if (const auto* noted = std::get_if<Noted>(&body))
-        if (const auto trial = trialNotedOn(before))
-            entry.note = {trialOf(plan, *trial).number, noted->text};
+        if (const auto trial = trialNotedOn(before)) entry.note = {trialOf(plan, *trial).number, noted->text};
     if (std::holds_alternative<Finished>(next.stage) && !std::holds_alternative<Finished>(before.stage))
         entry.slotState = database::SlotState::Finished;
     if (std::holds_alternative<Withdrawn>(next.stage) && !std::holds_alternative<Withdrawn>(before.stage))
@@ -99,7 +94,8 @@ Driver::Driver(StudyStore& store, const protocols::ParticipantId& participant, d
     m_plan = planOf(store, store.enrol(participant, kind).number);
     replayLog();
     if (const auto refusal = send(SittingStarted{}))
-        throw protocols::workFailed({"the session cannot be opened: " + refusal->reason, participant.value, "", "run vis2hap verify on the study"});
+        throw protocols::workFailed(
+            {"the session cannot be opened: " + refusal->reason, participant.value, "", "run vis2hap verify on the study"});
 }
 
 void Driver::replayLog()
@@ -107,9 +103,10 @@ void Driver::replayLog()
     for (const database::EventRecord& record : m_store.events(m_participant)) {
         auto outcome = apply(m_plan, m_state, {eventFromRecord(record.kind, record.payloadJson), record.atNs});
         if (const auto* refusal = std::get_if<Refusal>(&outcome))
-            throw protocols::workFailed({"the stored log does not hold together: " + refusal->reason,
-                                         m_store.folder().database().string() + ", event " + std::to_string(record.sequence) + " (" + record.kind + ")",
-                                         "", "run vis2hap verify on the study"});
+            throw protocols::workFailed(
+                {"the stored log does not hold together: " + refusal->reason,
+                 m_store.folder().database().string() + ", event " + std::to_string(record.sequence) + " (" + record.kind + ")",
+                 "", "run vis2hap verify on the study"});
         m_state = std::move(std::get<Step>(outcome).next);
     }
 }
@@ -118,8 +115,7 @@ std::optional<Refusal> Driver::send(const EventBody& body)
 {
     const std::int64_t atNs = m_clock.monotonicNs();
     auto outcome = apply(m_plan, m_state, {body, atNs});
-    if (auto* refusal = std::get_if<Refusal>(&outcome))
-        return std::move(*refusal);
+    if (auto* refusal = std::get_if<Refusal>(&outcome)) return std::move(*refusal);
     const std::vector<Effect> effects = std::get<Step>(outcome).effects;
     commit(body, atNs, std::move(std::get<Step>(outcome)));
     letOut(effects);
@@ -141,8 +137,7 @@ void Driver::commit(const EventBody& body, std::int64_t atNs, Step step)
 void Driver::letOut(const std::vector<Effect>& effects)
 {
     try {
-        for (const Effect& effect : effects)
-            perform(effect);
+        for (const Effect& effect : effects) perform(effect);
     } catch (...) {
         pauseAfterFault();
         throw;
@@ -170,13 +165,11 @@ void Driver::prefetchIfPossible(const protocols::FileCode& code)
 
 void Driver::pauseAfterFault()
 {
-    if (m_state.paused)
-        return;
+    if (m_state.paused) return;
     const std::int64_t atNs = m_clock.monotonicNs();
     auto outcome = apply(m_plan, m_state, {Paused{}, atNs});
     auto* step = std::get_if<Step>(&outcome);
-    if (!step)
-        return;  // the session was over
+    if (!step) return;  // the session was over
     commit(Paused{}, atNs, std::move(*step));
     try {
         m_display.clear();

@@ -25,9 +25,9 @@
 // Kept in every state: `order` holds each trial once and once more for each void, phases together;
 // Presenting and PlacingTray are of trial order[position]; `answers` holds no two answers to the same
 // question of the same trial and none of a voided presentation.
-#include "study/session/session_moves.h"
-
 #include <numeric>
+
+#include "study/session/session_moves.h"
 
 namespace study::session {
 
@@ -55,16 +55,14 @@ struct Transition {
     Outcome operator()(const PlacingTray& tray, const TrayReady&) const
     {
         Step step = moved(Presenting{tray.index, answersTo(state, tray.index), atNs, std::nullopt});
-        step.effects.push_back(ShowStimulus{plan.trials[static_cast<std::size_t>(tray.index)].fileCode});
-        if (const auto next = fileCodeAt(plan, state, state.position + 1))
-            step.effects.push_back(Prefetch{*next});
+        step.effects.emplace_back(ShowStimulus{plan.trials[static_cast<std::size_t>(tray.index)].fileCode});
+        if (const auto next = fileCodeAt(plan, state, state.position + 1)) step.effects.emplace_back(Prefetch{*next});
         return step;
     }
 
     Outcome operator()(const Presenting& presenting, const Touched&) const
     {
-        if (presenting.touchedAtNs)
-            return Refusal{"The first touch is stamped already."};
+        if (presenting.touchedAtNs) return Refusal{"The first touch is stamped already."};
         Presenting touched = presenting;
         touched.touchedAtNs = atNs;
         return moved(touched);
@@ -72,8 +70,7 @@ struct Transition {
 
     Outcome operator()(const Presenting& presenting, const Answered& answered) const
     {
-        if (const auto fault = faultOf(plan, presenting.index, presenting.question, answered.response))
-            return Refusal{*fault};
+        if (const auto fault = faultOf(plan, presenting.index, presenting.question, answered.response)) return Refusal{*fault};
         Step step{state, {}};
         step.next.answers.push_back({presenting.index, presenting.question, answered.response});
         ++step.next.answersStored;
@@ -93,8 +90,7 @@ struct Transition {
     }
     Outcome operator()(const PlacingTray& tray, const Voided&) const
     {
-        if (answersTo(state, tray.index) == 0)
-            return voidedBefore();
+        if (answersTo(state, tray.index) == 0) return voidedBefore();
         Step step{state, {}};
         presentAgain(plan, step.next, tray.index);
         endPresentation(plan, step);
@@ -120,11 +116,9 @@ private:
     /// The presentation before this one turns out to have been invalid.
     Outcome voidedBefore() const
     {
-        if (state.position == 0)
-            return Refusal{"No presentation has been given yet."};
+        if (state.position == 0) return Refusal{"No presentation has been given yet."};
         const int before = state.order[static_cast<std::size_t>(state.position - 1)];
-        if (answersTo(state, before) == 0)
-            return Refusal{"The presentation before this one is void already."};
+        if (answersTo(state, before) == 0) return Refusal{"The presentation before this one is void already."};
         Step step{state, {}};
         presentAgain(plan, step.next, before);
         const int next = step.next.order[static_cast<std::size_t>(step.next.position)];
@@ -148,12 +142,10 @@ Outcome pause(const State& state)
 
 Outcome resume(const Plan& plan, const State& state)
 {
-    if (!state.paused)
-        return Refusal{"The session is not paused."};
+    if (!state.paused) return Refusal{"The session is not paused."};
     Step step{state, {}};
     step.next.paused = false;
-    if (std::holds_alternative<PlacingTray>(state.stage))
-        placeTray(plan, step);
+    if (std::holds_alternative<PlacingTray>(state.stage)) placeTray(plan, step);
     return step;
 }
 
@@ -167,8 +159,7 @@ Outcome startSitting(const State& state)
 
 Outcome withdraw(const State& state, const WithdrawnEvent& event)
 {
-    if (std::holds_alternative<Withdrawn>(state.stage))
-        return Refusal{"The participant has withdrawn already."};
+    if (std::holds_alternative<Withdrawn>(state.stage)) return Refusal{"The participant has withdrawn already."};
     Step step{state, {ClearDisplay{}}};
     step.next.stage = Withdrawn{event.why};
     step.next.paused = false;
@@ -180,12 +171,10 @@ Outcome correct(const Plan& plan, const State& state, const Corrected& event)
     if (std::holds_alternative<Withdrawn>(state.stage))
         return Refusal{"The participant has withdrawn; answers stay as they are."};
     const auto place = latestAnswerTo(plan, state, event.question);
-    if (!place)
-        return Refusal{"There is no answer to " + event.question.value + " yet."};
+    if (!place) return Refusal{"There is no answer to " + event.question.value + " yet."};
     Step step{state, {}};
     StoredAnswer& answer = step.next.answers[*place];
-    if (const auto fault = faultOf(plan, answer.index, answer.question, event.response))
-        return Refusal{*fault};
+    if (const auto fault = faultOf(plan, answer.index, answer.question, event.response)) return Refusal{*fault};
     answer.response = event.response;
     return step;
 }
@@ -203,20 +192,14 @@ State withOrder(const Plan& plan, State state)
 Outcome applyTo(const Plan& plan, const State& state, const Event& event)
 {
     // The events that every stage takes, paused or not.
-    if (std::holds_alternative<SittingStarted>(event.body))
-        return startSitting(state);
-    if (std::holds_alternative<Resumed>(event.body))
-        return resume(plan, state);
-    if (const auto* withdrawn = std::get_if<WithdrawnEvent>(&event.body))
-        return withdraw(state, *withdrawn);
-    if (const auto* corrected = std::get_if<Corrected>(&event.body))
-        return correct(plan, state, *corrected);
+    if (std::holds_alternative<SittingStarted>(event.body)) return startSitting(state);
+    if (std::holds_alternative<Resumed>(event.body)) return resume(plan, state);
+    if (const auto* withdrawn = std::get_if<WithdrawnEvent>(&event.body)) return withdraw(state, *withdrawn);
+    if (const auto* corrected = std::get_if<Corrected>(&event.body)) return correct(plan, state, *corrected);
     if (const auto* noted = std::get_if<Noted>(&event.body))
         return noted->text.empty() ? Outcome(Refusal{"The note is empty."}) : Outcome(Step{state, {}});
-    if (state.paused)
-        return Refusal{"The session is paused; resume it first."};
-    if (std::holds_alternative<Paused>(event.body))
-        return pause(state);
+    if (state.paused) return Refusal{"The session is paused; resume it first."};
+    if (std::holds_alternative<Paused>(event.body)) return pause(state);
     return std::visit(Transition{plan, state, event.atNs}, state.stage, event.body);
 }
 
@@ -224,8 +207,7 @@ Outcome applyTo(const Plan& plan, const State& state, const Event& event)
 
 std::variant<Step, Refusal> apply(const Plan& plan, const State& state, const Event& event)
 {
-    if (plan.trials.empty())
-        return Refusal{"The participant's list is empty."};
+    if (plan.trials.empty()) return Refusal{"The participant's list is empty."};
     return applyTo(plan, withOrder(plan, state), event);
 }
 

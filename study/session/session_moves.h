@@ -2,11 +2,11 @@
 // moves between presentations.
 #pragma once
 
-#include "study/session/session.h"
-
 #include <cstddef>
 #include <optional>
 #include <string>
+
+#include "study/session/session.h"
 
 namespace study::session {
 

@@ -1,8 +1,8 @@
 // Events as text for the log, and back.
+#include <nlohmann/json.hpp>
+
 #include "protocols/errors.h"
 #include "study/session/session.h"
-
-#include <nlohmann/json.hpp>
 
 namespace study::session {
 
@@ -19,21 +19,25 @@ Overloaded(Cases...) -> Overloaded<Cases...>;
 
 Json jsonOf(const Response& response)
 {
-    return std::visit(Overloaded{[](const protocols::FabricId& fabric) { return Json{{"fabric", fabric.value}}; },
-                                 [](const protocols::Tenths& rating) { return Json{{"tenths", rating.value}}; }},
+    return std::visit(Overloaded{[](const protocols::FabricId& fabric) {
+                                     return Json{{"fabric", fabric.value}};
+                                 },
+                                 [](const protocols::Tenths& rating) {
+                                     return Json{{"tenths", rating.value}};
+                                 }},
                       response);
 }
 
 Response responseOf(const Json& payload)
 {
-    if (payload.contains("fabric"))
-        return protocols::FabricId(payload.at("fabric").get<std::string>());
+    if (payload.contains("fabric")) return protocols::FabricId(payload.at("fabric").get<std::string>());
     return protocols::Tenths{payload.at("tenths").get<int>()};
 }
 
 Corrected correctedOf(const Json& payload)
 {
-    return {protocols::QuestionId(payload.at("question").get<std::string>()), responseOf(payload), payload.at("why").get<std::string>()};
+    return {protocols::QuestionId(payload.at("question").get<std::string>()), responseOf(payload),
+            payload.at("why").get<std::string>()};
 }
 
 struct Kind {
@@ -69,9 +73,15 @@ Json payloadOf(const EventBody& body)
                                      payload["why"] = event.why;
                                      return payload;
                                  },
-                                 [](const Voided& event) { return Json{{"why", event.why}}; },
-                                 [](const WithdrawnEvent& event) { return Json{{"why", event.why}}; },
-                                 [](const Noted& event) { return Json{{"text", event.text}}; },
+                                 [](const Voided& event) {
+                                     return Json{{"why", event.why}};
+                                 },
+                                 [](const WithdrawnEvent& event) {
+                                     return Json{{"why", event.why}};
+                                 },
+                                 [](const Noted& event) {
+                                     return Json{{"text", event.text}};
+                                 },
                                  [](const auto&) { return Json::object(); }},
                       body);
 }
@@ -86,13 +96,13 @@ EventBody eventFromRecord(const std::string& kind, const std::string& payloadJso
 {
     try {
         for (const Kind& known : kinds)
-            if (kind == known.name)
-                return known.read(Json::parse(payloadJson));
+            if (kind == known.name) return known.read(Json::parse(payloadJson));
     } catch (const Json::exception& fault) {
-        throw protocols::workFailed({"a stored event cannot be read: " + std::string(fault.what()), "event \"" + kind + "\" " + payloadJson,
-                                     "", "run vis2hap verify on the study"});
+        throw protocols::workFailed({"a stored event cannot be read: " + std::string(fault.what()),
+                                     "event \"" + kind + "\" " + payloadJson, "", "run vis2hap verify on the study"});
     }
-    throw protocols::workFailed({"a stored event is of a kind unknown to this version", "event \"" + kind + "\"", "", "update this program"});
+    throw protocols::workFailed(
+        {"a stored event is of a kind unknown to this version", "event \"" + kind + "\"", "", "update this program"});
 }
 
 std::string nameOf(const State& state)

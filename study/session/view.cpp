@@ -1,8 +1,8 @@
-#include "study/session/driver.h"
-#include "study/session/session_moves.h"
-
 #include <algorithm>
 #include <cstdlib>
+
+#include "study/session/driver.h"
+#include "study/session/session_moves.h"
 
 namespace study::session {
 
@@ -17,7 +17,8 @@ std::string nameOfPhase(const protocols::Phase& phase)
 std::string spoken(const Plan& plan, const Response& response)
 {
     if (const auto* rating = std::get_if<protocols::Tenths>(&response))
-        return (rating->value < 0 ? "-" : "") + std::to_string(std::abs(rating->value) / 10) + "." + std::to_string(std::abs(rating->value) % 10);
+        return (rating->value < 0 ? "-" : "") + std::to_string(std::abs(rating->value) / 10) + "." +
+               std::to_string(std::abs(rating->value) % 10);
     const auto& fabric = std::get<protocols::FabricId>(response);
     const auto name = plan.fabricNames.find(fabric);
     return name == plan.fabricNames.end() ? fabric.value : name->second;
@@ -28,16 +29,14 @@ void addTrial(View& view, const Plan& plan, int index, int question)
     const protocols::BlindedTrial& trial = plan.trials[static_cast<std::size_t>(index)];
     view.code = trial.presentationCode;
     view.trayIds = trial.alternatives;
-    for (const protocols::FabricId& fabric : trial.alternatives)
-        view.tray.push_back(spoken(plan, fabric));
+    for (const protocols::FabricId& fabric : trial.alternatives) view.tray.push_back(spoken(plan, fabric));
     view.question = questionOf(plan, index, question);
     view.scale = phaseOf(plan, index).scale;
 }
 
 void addLastAnswer(View& view, const Plan& plan, const State& state)
 {
-    if (state.answers.empty())
-        return;
+    if (state.answers.empty()) return;
     const StoredAnswer& last = state.answers.back();
     view.lastQuestion = questionOf(plan, last.index, last.question).id;
     view.lastAnswer = view.lastQuestion->value + ": " + spoken(plan, last.response);
@@ -46,8 +45,7 @@ void addLastAnswer(View& view, const Plan& plan, const State& state)
 int answersInAll(const Plan& plan, const State& state)
 {
     int answers = 0;
-    for (const int index : state.order)
-        answers += questionsOf(plan, index);
+    for (const int index : state.order) answers += questionsOf(plan, index);
     return answers;
 }
 
@@ -56,8 +54,7 @@ int presentationsToBreak(const Plan& plan, const State& state)
 {
     const int end = static_cast<int>(state.order.size());
     int next = state.position;
-    while (next < end && (next == state.position || !breakIsDueBefore(plan, state, next)))
-        ++next;
+    while (next < end && (next == state.position || !breakIsDueBefore(plan, state, next))) ++next;
     return next - state.position;
 }
 

@@ -1,0 +1,140 @@
+#include "rendering/models/exchange.h"
+
+#include "protocols/errors.h"
+#include "rendering/image_io.h"
+#include "rendering/whole_file.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace rendering::models {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+constexpr const char* requestSchema = "vis2hap.generate/1";
+constexpr const char* answerSchema = "vis2hap.generated/1";
+constexpr std::pair<Quality, const char*> qualities[] = {
+    {Quality::Fast, "fast"}, {Quality::Balanced, "balanced"}, {Quality::Accurate, "accurate"}};
+
+Json written(const fs::path& folder, const std::string& name, const cv::Mat& array)
+{
+    if (array.empty())
+        return nullptr;
+    writeNpy(folder / name, array);
+    return name;
+}
+
+cv::Mat readBack(const fs::path& folder, const Json& name)
+{
+    return name.is_null() ? cv::Mat() : readNpy(folder / name.get<std::string>());
+}
+
+}  // namespace
+
+std::string nameOf(Quality quality)
+{
+    for (const auto& [value, name] : qualities)
+        if (value == quality)
+            return name;
+    return {};
+}
+
+Quality qualityNamed(std::string_view name)
+{
+    for (const auto& [value, known] : qualities)
+        if (name == known)
+            return value;
+    throw protocols::badInput({"unknown quality '" + std::string(name) + "'", "--quality", "fast, balanced or accurate", ""});
+}
+
+void writeRequest(const fs::path& folder, std::span<const PhotographToTouch> photographs, const GenerationOptions& options)
+{
+    Json list = Json::array();
+    for (const PhotographToTouch& photograph : photographs) {
+        const std::string name = "photo" + std::to_string(list.size()) + ".npy";
+        const cv::Mat whole = photograph.photograph.isContinuous() ? photograph.photograph : photograph.photograph.clone();
+        writeNpy(folder / name, whole.reshape(1));
+        list.push_back({{"file", name}, {"mm_per_pixel", photograph.mmPerPixel ? Json(*photograph.mmPerPixel) : Json(nullptr)}});
+    }
+    const Json json{{"schema", requestSchema},      {"model", options.model.string()}, {"quality", nameOf(options.quality)},
+                    {"height", options.height},     {"friction", options.friction},    {"photographs", list}};
+    writeWholeFile(folder / "request.json", json.dump() + "\n");
+}
+
+Request readRequest(const fs::path& folder)
+{
+    const fs::path file = folder / "request.json";
+    const std::string text = readWholeFile(file);
+    Request request;
+    try {
+        const Json json = Json::parse(text);
+        if (json.at("schema").get<std::string>() != requestSchema)
+            throw protocols::badInput({"another schema", file.string(), requestSchema, ""});
+        const std::string model = json.at("model").get<std::string>();
+        request.options.model = model.empty() ? shippedModel() : fs::path(model);
+        request.options.quality = qualityNamed(json.at("quality").get<std::string>());
+        request.options.height = json.at("height").get<bool>();
+        request.options.friction = json.at("friction").get<bool>();
+        for (const Json& item : json.at("photographs")) {
+            const cv::Mat flat = readNpy(folder / item.at("file").get<std::string>());
+            if (flat.type() != CV_8UC1 || flat.cols < 3 || flat.cols % 3 != 0)
+                throw protocols::badInput({"no photograph", (folder / item.at("file").get<std::string>()).string(),
+                                           "uint8 [height x 3 width]", ""});
+            PhotographToTouch photograph;
+            photograph.photograph = flat.reshape(3);
+            if (!item.at("mm_per_pixel").is_null())
+                photograph.mmPerPixel = item.at("mm_per_pixel").get<double>();
+            request.photographs.push_back(photograph);
+        }
+    } catch (const Json::exception& fault) {
+        throw protocols::badInput({fault.what(), file.string(), requestSchema, ""});
+    }
+    return request;
+}
+
+void writeAnswers(const fs::path& folder, std::span<const GeneratedSignals> answers)
+{
+    Json list = Json::array();
+    for (const GeneratedSignals& answer : answers) {
+        const std::string number = std::to_string(list.size());
+        const cv::Mat trace = answer.trace.empty() ? cv::Mat() : cv::Mat(answer.trace, true).reshape(1, 1);
+        list.push_back({{"height", written(folder, "height" + number + ".npy", answer.heightMm)},
+                        {"height_mm_per_pixel", answer.heightMmPerPixel},
+                        {"spectrogram", written(folder, "spectrogram" + number + ".npy", answer.spectrogram)},
+                        {"trace", written(folder, "trace" + number + ".npy", trace)},
+                        {"trace_mm_per_sample", answer.traceMmPerSample},
+                        {"mean_friction", answer.meanFriction}});
+    }
+    writeWholeFile(folder / "answer.json", Json{{"schema", answerSchema}, {"signals", list}}.dump() + "\n");
+}
+
+std::vector<GeneratedSignals> readAnswers(const fs::path& folder)
+{
+    const fs::path file = folder / "answer.json";
+    std::vector<GeneratedSignals> answers;
+    try {
+        const Json json = Json::parse(readWholeFile(file));
+        for (const Json& item : json.at("signals")) {
+            GeneratedSignals answer;
+            answer.heightMm = readBack(folder, item.at("height"));
+            answer.heightMmPerPixel = item.at("height_mm_per_pixel").get<double>();
+            answer.spectrogram = readBack(folder, item.at("spectrogram"));
+            const cv::Mat trace = readBack(folder, item.at("trace"));
+            if (!trace.empty())
+                answer.trace.assign(trace.ptr<double>(), trace.ptr<double>() + trace.total());
+            answer.traceMmPerSample = item.at("trace_mm_per_sample").get<double>();
+            answer.meanFriction = item.at("mean_friction").get<double>();
+            answers.push_back(answer);
+        }
+    } catch (const std::exception& fault) {
+        throw protocols::workFailed({std::string("vis2hap-nn's answer cannot be read: ") + fault.what(), file.string(), answerSchema,
+                                     "build the program anew, so that both executables are of one version"});
+    }
+    return answers;
+}
+
+}  // namespace rendering::models

@@ -1,0 +1,45 @@
+#include "rendering/models/generation.h"
+
+#include "protocols/errors.h"
+#include "rendering/models/child_process.h"
+#include "rendering/models/exchange.h"
+#include "rendering/models/model_card.h"
+#include "rendering/models/temporary_folder.h"
+
+namespace rendering::models {
+
+namespace {
+
+void checkPhotographs(std::span<const PhotographToTouch> photographs)
+{
+    for (const PhotographToTouch& photograph : photographs) {
+        if (photograph.photograph.empty() || photograph.photograph.type() != CV_8UC3)
+            throw protocols::badInput({"an empty photograph, or one that is not 8-bit RGB", "generators", "CV_8UC3", ""});
+        if (photograph.mmPerPixel && !(*photograph.mmPerPixel > 1e-5 && *photograph.mmPerPixel < 100))
+            throw protocols::badInput({"a photograph's pitch is out of range", "generators", "millimetres a pixel", ""});
+    }
+}
+
+}  // namespace
+
+std::vector<GeneratedSignals> generate(std::span<const PhotographToTouch> photographs, const GenerationOptions& options)
+{
+    if (photographs.empty())
+        return {};
+    checkPhotographs(photographs);
+    GenerationOptions wish = options;
+    if (wish.model.empty())
+        wish.model = shippedModel();
+    wish.model = std::filesystem::absolute(wish.model);
+    checkWeightsFile(wish.model, readModelCardFields(wish.model));
+    const TemporaryFolder folder;
+    writeRequest(folder.path(), photographs, wish);
+    runGeneratorProgram({"generate", folder.path().string()}, folder.path() / "messages");
+    std::vector<GeneratedSignals> answers = readAnswers(folder.path());
+    if (answers.size() != photographs.size())
+        throw protocols::workFailed({"vis2hap-nn answered " + std::to_string(answers.size()) + " of " +
+                                         std::to_string(photographs.size()) + " photographs", "generators", "", ""});
+    return answers;
+}
+
+}  // namespace rendering::models

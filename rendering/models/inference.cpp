@@ -1,0 +1,194 @@
+#include "rendering/models/inference.h"
+
+#include "protocols/errors.h"
+#include "rendering/models/friction_target.h"
+#include "rendering/models/weights.h"
+#include "rendering/signals/spectrogram.h"
+
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <thread>
+
+namespace rendering::models {
+
+namespace {
+
+constexpr int tileSide = 256;   ///< px of a height map that one pass of G_h makes
+constexpr int tileMargin = 32;  ///< px around it that G_h sees beyond; a multiple of 16 with the tile
+
+int roundedUpTo16(int length) { return (length + 15) / 16 * 16; }
+
+cv::Mat atPitch(const PhotographToTouch& photograph, double mmPerPixel)
+{
+    const double factor = photograph.mmPerPixel.value_or(mmPerPixel) / mmPerPixel;
+    const auto side = [&](int length) { return std::clamp(static_cast<int>(std::lround(length * factor)), 1, 1 << 15); };
+    const cv::Size size(side(photograph.photograph.cols), side(photograph.photograph.rows));
+    cv::Mat result = photograph.photograph;
+    if (size != result.size())
+        cv::resize(photograph.photograph, result, size, 0, 0, factor < 1 ? cv::INTER_AREA : cv::INTER_LINEAR);
+    const cv::Size shown(std::min(size.width, LoadedModel::largestSidePx), std::min(size.height, LoadedModel::largestSidePx));
+    return result({(size.width - shown.width) / 2, (size.height - shown.height) / 2, shown.width, shown.height}).clone();
+}
+
+/// [1, 3, H, W] in 0..1.
+torch::Tensor tensorOf(const cv::Mat& rgb)
+{
+    const cv::Mat whole = rgb.isContinuous() ? rgb : rgb.clone();
+    const torch::Tensor bytes = torch::from_blob(whole.data, {whole.rows, whole.cols, 3}, torch::kByte);
+    return (bytes.permute({2, 0, 1}).to(torch::kFloat) / 255).unsqueeze(0).contiguous();
+}
+
+/// The turns and mirrorings of the square: bit 0 mirrors columns, bit 1 rows, bit 2 swaps both axes.
+torch::Tensor turned(torch::Tensor image, int turn)
+{
+    if ((turn & 4) != 0)
+        image = image.transpose(2, 3);
+    if ((turn & 1) != 0)
+        image = image.flip({3});
+    if ((turn & 2) != 0)
+        image = image.flip({2});
+    return image.contiguous();
+}
+
+torch::Tensor turnedBack(torch::Tensor image, int turn)
+{
+    if ((turn & 1) != 0)
+        image = image.flip({3});
+    if ((turn & 2) != 0)
+        image = image.flip({2});
+    if ((turn & 4) != 0)
+        image = image.transpose(2, 3);
+    return image.contiguous();
+}
+
+std::vector<int> turnsOf(Quality quality)
+{
+    switch (quality) {
+    case Quality::Fast: return {0};
+    case Quality::Balanced: return {0, 3};
+    case Quality::Accurate: return {0, 1, 2, 3, 4, 5, 6, 7};
+    }
+    return {};
+}
+
+/// Corners of the crops that G_s sees, spread evenly over the photograph.
+std::vector<cv::Point> cropCorners(const cv::Size& size, int side, Quality quality)
+{
+    const int across = quality == Quality::Fast ? 1 : quality == Quality::Balanced ? 2 : 3;
+    const auto along = [&](int length, int i) {
+        const int room = std::max(0, length - side);
+        return across == 1 ? room / 2 : room * i / (across - 1);
+    };
+    std::vector<cv::Point> corners;
+    for (int row = 0; row < across; ++row)
+        for (int column = 0; column < across; ++column)
+            corners.emplace_back(along(size.width, column), along(size.height, row));
+    return corners;
+}
+
+int iterationsOf(Quality quality)
+{
+    switch (quality) {
+    case Quality::Fast: return signals::GriffinLimOptions::of(signals::InversionQuality::Fast).iterations;
+    case Quality::Balanced: return signals::GriffinLimOptions{}.iterations;
+    case Quality::Accurate: return signals::GriffinLimOptions::of(signals::InversionQuality::Accurate).iterations;
+    }
+    return 0;
+}
+
+void requireFinite(const cv::Mat& values)
+{
+    if (!cv::checkRange(values))
+        throw protocols::badInput({"the model gives numbers that are not finite", "weights", "a model that was trained to its end",
+                                   "train again or take the shipped weights"});
+}
+
+}  // namespace
+
+struct LoadedModel::Parts {
+    Architecture architecture;
+    mutable Generators generators;
+
+    cv::Mat height(const cv::Mat& rgb, Quality quality) const
+    {
+        cv::Mat padded;
+        const int right = roundedUpTo16(rgb.cols) - rgb.cols, below = roundedUpTo16(rgb.rows) - rgb.rows;
+        cv::copyMakeBorder(rgb, padded, tileMargin, tileMargin + below, tileMargin, tileMargin + right, cv::BORDER_REFLECT_101);
+        cv::Mat result(rgb.rows + below, rgb.cols + right, CV_32F);
+        for (int y = 0; y < result.rows; y += tileSide)
+            for (int x = 0; x < result.cols; x += tileSide) {
+                const cv::Rect tile(x, y, std::min(tileSide, result.cols - x), std::min(tileSide, result.rows - y));
+                heightOfTile(padded({x, y, tile.width + 2 * tileMargin, tile.height + 2 * tileMargin}), quality)
+                    .copyTo(result(tile));
+            }
+        return result({0, 0, rgb.cols, rgb.rows}) * architecture.heightScaleMm;
+    }
+
+    /// `seen`: the tile with its margin; the margin is cut off again.
+    cv::Mat heightOfTile(const cv::Mat& seen, Quality quality) const
+    {
+        const torch::Tensor photograph = tensorOf(seen);
+        torch::Tensor sum = torch::zeros({1, 1, seen.rows, seen.cols});
+        const std::vector<int> turns = turnsOf(quality);
+        for (const int turn : turns)
+            sum += turnedBack(generators.height->forward(turned(photograph, turn)), turn);
+        sum /= static_cast<double>(turns.size());
+        const cv::Mat whole(seen.rows, seen.cols, CV_32F, sum.data_ptr<float>());
+        return whole({tileMargin, tileMargin, seen.cols - 2 * tileMargin, seen.rows - 2 * tileMargin}).clone();
+    }
+
+    FrictionTarget friction(const cv::Mat& rgb, Quality quality) const
+    {
+        const int side = architecture.crop;
+        cv::Mat wide;
+        cv::copyMakeBorder(rgb, wide, 0, std::max(0, side - rgb.rows), 0, std::max(0, side - rgb.cols), cv::BORDER_REFLECT_101);
+        const int turns = quality == Quality::Accurate ? 4 : 1;
+        std::vector<torch::Tensor> crops;
+        for (const cv::Point& corner : cropCorners(wide.size(), side, quality))
+            for (int turn = 0; turn < turns; ++turn)
+                crops.push_back(turned(tensorOf(wide({corner.x, corner.y, side, side})), turn));
+        const FrictionGuess guess = generators.friction->forward(torch::cat(crops, 0));
+        const torch::Tensor logRatio = guess.logRatio.mean(0).contiguous();
+        FrictionTarget target;
+        target.logRatio = cv::Mat(architecture.rows, architecture.frames, CV_32F, logRatio.data_ptr<float>()).clone();
+        target.mean = guess.mean.mean().item<float>();
+        return target;
+    }
+};
+
+LoadedModel::LoadedModel(const std::filesystem::path& model, int threads) : m_parts(std::make_unique<Parts>())
+{
+    torch::set_num_threads(threads > 0 ? threads : static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
+    const ModelCardFields card = readModelCardFields(model);
+    m_parts->architecture = card.architecture;
+    m_parts->generators = readModel(model, card);
+}
+
+LoadedModel::~LoadedModel() = default;
+
+GeneratedSignals LoadedModel::generate(const PhotographToTouch& photograph, const GenerationOptions& options) const
+{
+    const torch::NoGradGuard still;
+    const Architecture& architecture = m_parts->architecture;
+    const cv::Mat rgb = atPitch(photograph, architecture.mmPerPixel);
+    GeneratedSignals signals;
+    if (options.height) {
+        signals.heightMm = m_parts->height(rgb, options.quality);
+        signals.heightMmPerPixel = architecture.mmPerPixel;
+        requireFinite(signals.heightMm);
+    }
+    if (options.friction) {
+        const FrictionTarget target = m_parts->friction(rgb, options.quality);
+        requireFinite(target.logRatio);
+        signals.trace = traceOf(target, architecture, iterationsOf(options.quality));
+        signals.spectrogram = spectrogramOf(signals.trace, architecture);
+        signals.traceMmPerSample = architecture.traceMmPerSample;
+        signals.meanFriction = target.mean;
+    }
+    return signals;
+}
+
+}  // namespace rendering::models

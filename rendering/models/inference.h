@@ -1,0 +1,30 @@
+// Photographs through the trained generators: the work of vis2hap-nn. No torch in this header.
+#pragma once
+
+#include "rendering/models/generation.h"
+
+#include <filesystem>
+#include <memory>
+
+namespace rendering::models {
+
+class LoadedModel {
+public:
+    /// Throws badInput for weights that are no model of this program. `threads` 0: all of the machine's.
+    explicit LoadedModel(const std::filesystem::path& model, int threads = 0);
+    ~LoadedModel();
+
+    /// The height map covers the photograph at the model's pitch, of photographs larger than
+    /// largestSidePx there the middle. Quality: fast takes one pass and one crop of G_s, balanced two
+    /// passes (as it is and turned by 180 degrees) and four crops, accurate eight passes (all turns
+    /// and mirrorings of the square) and nine crops in four mirrorings; passes and crops are averaged.
+    GeneratedSignals generate(const PhotographToTouch& photograph, const GenerationOptions& options) const;
+
+    static constexpr int largestSidePx = 2048;
+
+private:
+    struct Parts;
+    std::unique_ptr<Parts> m_parts;
+};
+
+}  // namespace rendering::models

@@ -1,0 +1,194 @@
+#include "rendering/models/model_card.h"
+
+#include "protocols/errors.h"
+#include "protocols/sha256.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+
+namespace rendering::models {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* schema = "vis2hap.model/1";
+
+Json architectureJson(const Architecture& a)
+{
+    return {{"kind", "unet+encoder"},
+            {"base_channels", a.baseChannels},
+            {"crop", a.crop},
+            {"mm_per_pixel", a.mmPerPixel},
+            {"height_scale_mm", a.heightScaleMm},
+            {"mean_friction_scale", a.meanFrictionScale},
+            {"spectrogram",
+             {{"window", a.window},
+              {"hop", a.hop},
+              {"samples", a.traceSamples},
+              {"rows", a.rows},
+              {"frames", a.frames},
+              {"mm_per_sample", a.traceMmPerSample}}}};
+}
+
+Architecture architectureFrom(const Json& json)
+{
+    Architecture a;
+    a.baseChannels = json.at("base_channels").get<int>();
+    a.crop = json.at("crop").get<int>();
+    a.mmPerPixel = json.at("mm_per_pixel").get<double>();
+    a.heightScaleMm = json.at("height_scale_mm").get<double>();
+    a.meanFrictionScale = json.at("mean_friction_scale").get<double>();
+    const Json& spectrogram = json.at("spectrogram");
+    a.window = spectrogram.at("window").get<int>();
+    a.hop = spectrogram.at("hop").get<int>();
+    a.traceSamples = spectrogram.at("samples").get<int>();
+    a.rows = spectrogram.at("rows").get<int>();
+    a.frames = spectrogram.at("frames").get<int>();
+    a.traceMmPerSample = spectrogram.at("mm_per_sample").get<double>();
+    return a;
+}
+
+/// A card is read before anything is allocated by it, so absurd sizes end here.
+bool sensible(const Architecture& a)
+{
+    const auto within = [](double value, double low, double high) { return value >= low && value <= high; };
+    return within(a.baseChannels, 1, 256) && within(a.crop, 16, 1024) && a.crop % 16 == 0 && within(a.mmPerPixel, 1e-5, 100) &&
+           within(a.heightScaleMm, 1e-9, 1e3) && within(a.meanFrictionScale, 1e-9, 1e3) && within(a.window, 4, 4096) &&
+           within(a.hop, 1, a.window) && within(a.traceSamples, 4, 1 << 20) && within(a.rows, 2, 2049) &&
+           within(a.frames, 1, 1 << 16) && within(a.traceMmPerSample, 1e-9, 1e3);
+}
+
+protocols::Error unreadable(const std::filesystem::path& card, const std::string& why)
+{
+    return protocols::badInput({"the model card cannot be used: " + why, card.string(), std::string("a card of schema ") + schema,
+                                "take the weights together with the .json that `vis2hap train` wrote beside them"});
+}
+
+[[noreturn]] void cannotWrite(const std::filesystem::path& file)
+{
+    const std::string reason = std::strerror(errno);
+    throw protocols::environmentFault({"cannot be written: " + reason, file.string(), "a writable folder with free space", ""});
+}
+
+}  // namespace
+
+std::filesystem::path cardOf(const std::filesystem::path& model)
+{
+    std::filesystem::path card = model;
+    card += ".json";
+    return card;
+}
+
+std::string cardText(const ModelCardFields& card)
+{
+    Json json{{"schema", schema},
+              {"name", card.told.name},
+              {"sha256", card.told.sha256},
+              {"training_command", card.told.trainingCommand},
+              {"procedural", card.told.trainedOnProceduralSet},
+              {"dataset", {{"name", card.datasetName}, {"sha256", card.datasetHash}}},
+              {"losses", card.reference ? "reference" : "default"},
+              {"seed", card.seed},
+              {"split_seed", card.splitSeed},
+              {"steps", card.steps},
+              {"training_minutes", card.trainingMinutes},
+              {"held_out", card.heldOut},
+              {"architecture", architectureJson(card.architecture)},
+              {"validation", card.validation},
+              {"training_sample_hashes", card.told.trainingSampleHashes}};
+    return json.dump(1) + "\n";
+}
+
+ModelCardFields readModelCardFields(const std::filesystem::path& model)
+{
+    const std::filesystem::path file = cardOf(model);
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream)
+        throw protocols::badInput({"the model card is missing", file.string(), "the .json that `vis2hap train` writes beside the weights",
+                                   "copy it beside the weights"});
+    ModelCardFields card;
+    try {
+        const Json json = Json::parse(stream);
+        if (json.at("schema").get<std::string>() != schema)
+            throw unreadable(file, "its schema is " + json.at("schema").get<std::string>());
+        card.told.name = json.at("name").get<std::string>();
+        card.told.sha256 = json.at("sha256").get<std::string>();
+        card.told.trainingCommand = json.at("training_command").get<std::string>();
+        card.told.trainedOnProceduralSet = json.at("procedural").get<bool>();
+        card.told.trainingSampleHashes = json.at("training_sample_hashes").get<std::vector<std::string>>();
+        card.datasetName = json.at("dataset").at("name").get<std::string>();
+        card.datasetHash = json.at("dataset").at("sha256").get<std::string>();
+        card.reference = json.at("losses").get<std::string>() == "reference";
+        card.seed = json.at("seed").get<std::uint64_t>();
+        card.splitSeed = json.at("split_seed").get<std::uint64_t>();
+        card.steps = json.at("steps").get<int>();
+        card.trainingMinutes = json.at("training_minutes").get<double>();
+        card.heldOut = json.at("held_out").get<std::vector<std::string>>();
+        card.architecture = architectureFrom(json.at("architecture"));
+        card.validation = json.at("validation");
+    } catch (const Json::exception& fault) {
+        throw unreadable(file, fault.what());
+    }
+    if (!sensible(card.architecture))
+        throw unreadable(file, "its architecture has sizes out of range");
+    return card;
+}
+
+ModelCard readModelCard(const std::filesystem::path& model) { return readModelCardFields(model).told; }
+
+void checkWeightsFile(const std::filesystem::path& model, const ModelCardFields& card)
+{
+    if (!std::filesystem::is_regular_file(model))
+        throw protocols::badInput({"the weights are missing", model.string(), "a weights file written by `vis2hap train`", ""});
+    if (protocols::sha256OfFile(model) != card.told.sha256)
+        throw protocols::badInput({"the weights are truncated or altered", model.string(), "the SHA-256 that the model card states",
+                                   "copy the weights again together with their .json"});
+}
+
+std::filesystem::path shippedModel()
+{
+    std::error_code none;
+    const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", none);
+    if (!none) {
+        const std::filesystem::path beside = self.parent_path() / "weights" / "vis2hap.pt";
+        if (std::filesystem::exists(beside, none))
+            return beside;
+    }
+    return std::filesystem::path(VIS2HAP_SOURCE_DIR) / "rendering" / "models" / "weights" / "vis2hap.pt";
+}
+
+void writeSynced(const std::filesystem::path& file, const std::string& bytes)
+{
+    std::filesystem::path temporary = file;
+    temporary += ".part";
+    const int handle = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+    if (handle < 0)
+        cannotWrite(file);
+    std::size_t written = 0;
+    bool sound = true;
+    while (sound && written < bytes.size()) {
+        const ssize_t count = ::write(handle, bytes.data() + written, bytes.size() - written);
+        if (count > 0)
+            written += static_cast<std::size_t>(count);
+        else if (errno != EINTR)
+            sound = false;
+    }
+    sound = sound && ::fsync(handle) == 0;
+    const int fault = errno;
+    ::close(handle);
+    if (!sound || ::rename(temporary.c_str(), file.c_str()) != 0) {
+        errno = sound ? errno : fault;
+        const int reason = errno;
+        ::unlink(temporary.c_str());
+        errno = reason;
+        cannotWrite(file);
+    }
+}
+
+}  // namespace rendering::models

@@ -1,0 +1,41 @@
+// The model card: what a weights file says of itself, in JSON beside it (`<weights>.json`), read
+// without libtorch. Schema vis2hap.model/1.
+#pragma once
+
+#include "rendering/models/architecture.h"
+#include "rendering/models/generation.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace rendering::models {
+
+struct ModelCardFields {
+    ModelCard told;                      ///< what the rest of the program asks for
+    Architecture architecture;
+    std::uint64_t seed = 0, splitSeed = 0;
+    int steps = 0;
+    double trainingMinutes = 0;
+    bool reference = false;              ///< trained with the paper's losses to the letter
+    std::vector<std::string> heldOut;
+    std::string datasetName, datasetHash;
+    nlohmann::ordered_json validation;   ///< figures before and after training
+};
+
+std::filesystem::path cardOf(const std::filesystem::path& model);
+std::string cardText(const ModelCardFields& card);
+
+/// Throws badInput naming file and field.
+ModelCardFields readModelCardFields(const std::filesystem::path& model);
+
+/// Throws badInput where the weights are missing or not the ones that the card was written for.
+void checkWeightsFile(const std::filesystem::path& model, const ModelCardFields& card);
+
+/// Writes beside, syncs and renames. Throws environmentFault.
+void writeSynced(const std::filesystem::path& file, const std::string& bytes);
+
+}  // namespace rendering::models

@@ -1,0 +1,36 @@
+// The speed-accuracy table of the generators on this machine: milliseconds a photograph and the error
+// of every quality. No torch in this header.
+#pragma once
+
+#include "rendering/models/generation.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace rendering::models {
+
+struct BenchRow {
+    Quality quality = Quality::Fast;
+    double millisecondsPerPhotograph = 0;       ///< median, height and friction
+    double heightDeviationFromAccurateMm = 0;   ///< mean absolute
+    double frictionDeviationFromAccurate = 0;   ///< of the mean, relative
+    double meanFrictionRelativeError = 0;       ///< against the fabric's measured mean
+    double heightSpreadRelativeError = 0;       ///< standard deviation against the fabric's measured one
+};
+
+struct BenchTable {
+    std::string model, dataset;
+    int photographs = 0;
+    std::vector<BenchRow> rows;
+};
+
+/// `model` empty: the shipped weights. `dataset` empty: a procedural set of 15 fabrics, one sample
+/// each, made for it. Throws badInput.
+BenchTable benchGenerators(const std::filesystem::path& model, const std::filesystem::path& dataset);
+
+std::string asText(const BenchTable& table);
+std::string asJson(const BenchTable& table);  ///< {"schema":"vis2hap.bench-generation/1",...}
+void writeBench(const std::filesystem::path& file, const BenchTable& table);
+
+}  // namespace rendering::models

@@ -1,0 +1,40 @@
+// What a training run tells on the way: a bar on a terminal, plain lines else.
+#pragma once
+
+#include "rendering/models/model_card.h"
+
+#include <chrono>
+#include <ostream>
+#include <string>
+
+namespace rendering::models {
+
+struct StepLosses {
+    double discriminator = 0;  ///< eq. 1
+    double generators = 0;     ///< eq. 2
+    double l1 = 0;             ///< the weighted distances
+    bool finite() const;
+};
+
+class ProgressLines {
+public:
+    ProgressLines(std::ostream& out, bool terminal) : m_out(out), m_terminal(terminal) {}
+
+    void say(const std::string& line);
+    void reading(int done, int total);
+    /// Smooths the losses; a plain line appears about every ten seconds and at the end.
+    void step(int number, double fraction, const StepLosses& losses, double remainingS);
+    void finished(const ModelCardFields& card);
+
+private:
+    void bar(double fraction, const std::string& text);
+
+    std::ostream& m_out;
+    bool m_terminal;
+    bool m_barShown = false;
+    StepLosses m_smooth;
+    bool m_started = false;
+    std::chrono::steady_clock::time_point m_lastLine{};
+};
+
+}  // namespace rendering::models

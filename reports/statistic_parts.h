@@ -1,0 +1,15 @@
+// The parts of statistics.json that belong to one question.
+#pragma once
+
+#include "reports/cells.h"
+#include "reports/numbers.h"
+
+namespace reports {
+
+/// Adds q1_per_condition, q1_cochran, q1_participant_level and q1_matches_by_rendering of a choice question.
+void putChoiceStatistics(Json& statistics, const StudyData& data, const Cells& cells, const std::string& question);
+
+/// Cell means, participants' means, variance and rank tests, pairs and equivalence of a rating question.
+Json ratingStatistics(const StudyData& data, const Cells& cells, const std::string& question);
+
+}  // namespace reports

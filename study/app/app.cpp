@@ -1,0 +1,30 @@
+#include "study/app/app.h"
+
+#include "study/app/main_window.h"
+#include "study/app/start_page.h"
+
+#include <QApplication>
+
+namespace study::app {
+
+std::shared_ptr<QSettings> userSettings()
+{
+    return std::make_shared<QSettings>(QSettings::IniFormat, QSettings::UserScope, QStringLiteral("vis2hap"),
+                                       QStringLiteral("vis2hap"));
+}
+
+int runApp(const AppOptions& options)
+{
+    MainWindow window(options);
+    window.show();
+    if (options.study) {
+        try {
+            window.openStudy(*options.study);
+        } catch (const std::exception& fault) {
+            window.startPage().tellFault(QString::fromUtf8(fault.what()));
+        }
+    }
+    return QApplication::exec();
+}
+
+}  // namespace study::app

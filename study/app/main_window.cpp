@@ -1,0 +1,220 @@
+#include "study/app/main_window.h"
+
+#include "protocols/errors.h"
+#include "study/app/new_study_page.h"
+#include "study/app/pieces.h"
+#include "study/app/recent_studies.h"
+#include "study/app/session_page.h"
+#include "study/app/start_page.h"
+#include "study/app/study_page.h"
+
+#include <QApplication>
+#include <QCloseEvent>
+#include <QKeyEvent>
+#include <QShortcut>
+#include <QStackedWidget>
+#include <QVBoxLayout>
+
+namespace study::app {
+
+namespace {
+
+/// Does it, and tells what went wrong on the page where it was asked for.
+template <class Page, class Work>
+void tellingFaults(Page& page, Work work)
+{
+    try {
+        work();
+    } catch (const std::exception& fault) {
+        page.tellFault(QString::fromUtf8(fault.what()));
+    }
+}
+
+}  // namespace
+
+MainWindow::MainWindow(const AppOptions& options, QWidget* parent)
+    : QWidget(parent),
+      m_options(options),
+      m_baseFont(QApplication::font()),
+      m_appearance(rememberedAppearance(options.settings.get())),
+      m_pages(new QStackedWidget(this)),
+      m_startPage(new StartPage(this)),
+      m_newStudyPage(new NewStudyPage(options.makeStudy, this)),
+      m_studyPage(new StudyPage(this)),
+      m_sessionPage(new SessionPage(this))
+{
+    setObjectName("mainWindow");
+    if (!m_options.clock)
+        m_options.clock = std::make_shared<session::SystemClock>();
+    m_pages->setObjectName("pages");
+    for (QWidget* page : {static_cast<QWidget*>(m_startPage), static_cast<QWidget*>(m_newStudyPage),
+                          static_cast<QWidget*>(m_studyPage), static_cast<QWidget*>(m_sessionPage)})
+        m_pages->addWidget(page);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addWidget(m_pages);
+    resize(1100, 750);
+    joinPages();
+    bindKeys();
+    applyAppearance(m_appearance, m_baseFont);
+    showStart();
+}
+
+MainWindow::~MainWindow() = default;
+
+void MainWindow::joinPages()
+{
+    connect(m_startPage, &StartPage::openAsked, this, [this](const QString& folder) {
+        tellingFaults(*m_startPage, [&] { openStudy(folder.toStdString()); });
+    });
+    connect(m_startPage, &StartPage::newStudyAsked, this, [this] {
+        m_pages->setCurrentWidget(m_newStudyPage);
+        m_newStudyPage->focusFirst();
+    });
+    connect(m_newStudyPage, &NewStudyPage::backAsked, this, &MainWindow::showStart);
+    connect(m_newStudyPage, &NewStudyPage::made, this, [this](const QString& folder) {
+        showStart();
+        tellingFaults(*m_startPage, [&] { openStudy(folder.toStdString()); });
+    });
+    connect(m_studyPage, &StudyPage::closeAsked, this, &MainWindow::closeStudy);
+    connect(m_studyPage, &StudyPage::sessionAsked, this, [this](const QString& participant) {
+        tellingFaults(*m_studyPage, [&] { startSession(protocols::ParticipantId(participant.toStdString())); });
+    });
+    connect(m_sessionPage, &SessionPage::eventAsked, this, [this](const session::EventBody& event) {
+        if (m_session)
+            m_session->send(event);
+    });
+    // Queued: the page that asks must not be rebuilt under its own feet.
+    connect(m_sessionPage, &SessionPage::leaveAsked, this, &MainWindow::leaveSession, Qt::QueuedConnection);
+}
+
+void MainWindow::bindKeys()
+{
+    const auto bind = [this](const QKeySequence& keys, auto work) {
+        connect(new QShortcut(keys, this), &QShortcut::activated, this, work);
+    };
+    bind(QKeySequence(Qt::CTRL | Qt::Key_Q), [this] { close(); });
+    bind(QKeySequence(Qt::CTRL | Qt::Key_Plus), [this] { setAppearance(larger(m_appearance)); });
+    bind(QKeySequence(Qt::CTRL | Qt::Key_Equal), [this] { setAppearance(larger(m_appearance)); });
+    bind(QKeySequence(Qt::CTRL | Qt::Key_Minus), [this] { setAppearance(smaller(m_appearance)); });
+    bind(QKeySequence(Qt::CTRL | Qt::Key_0), [this] { setAppearance({m_appearance.theme, 100}); });
+    bind(QKeySequence(Qt::CTRL | Qt::Key_D), [this] {
+        const bool isLight = m_appearance.theme == Theme::Light;
+        setAppearance({isLight ? Theme::DarkRoom : Theme::Light, m_appearance.textPercent});
+    });
+}
+
+void MainWindow::setAppearance(const Appearance& appearance)
+{
+    m_appearance = appearance;
+    applyAppearance(appearance, m_baseFont);
+    rememberAppearance(m_options.settings.get(), appearance);
+}
+
+QWidget* MainWindow::currentPage() const
+{
+    return m_pages->currentWidget();
+}
+
+void MainWindow::showStart()
+{
+    setWindowTitle(tr("Vis2Hap"));
+    m_startPage->present(recentStudies(m_options.settings.get()), static_cast<bool>(m_options.makeStudy));
+    m_pages->setCurrentWidget(m_startPage);
+    m_startPage->focusFirst();
+}
+
+void MainWindow::openStudy(const std::filesystem::path& folder)
+{
+    auto opened = std::make_unique<OpenStudy>(folder);
+    m_session.reset();
+    m_study = std::move(opened);
+    rememberStudy(m_options.settings.get(), QString::fromStdString(std::filesystem::absolute(folder).lexically_normal().string()));
+    showStudy();
+}
+
+void MainWindow::showStudy()
+{
+    setWindowTitle(tr("%1 – Vis2Hap").arg(m_study->name()));
+    m_studyPage->present(m_study->overview(), m_options.kind);
+    m_pages->setCurrentWidget(m_studyPage);
+    m_studyPage->focusFirst();
+}
+
+void MainWindow::closeStudy()
+{
+    m_session.reset();
+    m_study.reset();
+    showStart();
+}
+
+void MainWindow::startSession(const protocols::ParticipantId& participant)
+{
+    m_session.reset();
+    m_session = std::make_unique<SessionController>(m_study->store(), participant, m_study->bank(),
+                                                    m_options.openDisplay(m_options.display), m_options.clock, m_options.kind,
+                                                    nullptr);
+    m_leavingToldOnce = false;
+    joinSession();
+    m_sessionPage->begin(m_session->facts());
+    m_pages->setCurrentWidget(m_sessionPage);
+    setWindowTitle(tr("%1 – %2 – Vis2Hap").arg(QString::fromStdString(participant.value), m_study->name()));
+    m_sessionPage->present(m_session->view(), m_session->correctables());
+}
+
+void MainWindow::joinSession()
+{
+    connect(m_session.get(), &SessionController::viewChanged, this, &MainWindow::refreshSession);
+    connect(m_session.get(), &SessionController::told, m_sessionPage, &SessionPage::tell);
+}
+
+void MainWindow::refreshSession()
+{
+    // Where a display fails, what was asked for is stored all the same.
+    const auto& outcome = m_session->lastOutcome();
+    const bool isAccepted = !outcome->refusal && !outcome->fault;
+    if (isAccepted || m_sessionPage->shows().state != m_session->view().state)
+        m_sessionPage->settle();
+    m_sessionPage->present(m_session->view(), m_session->correctables());
+}
+
+bool MainWindow::pauseForLeaving()
+{
+    const session::State& state = m_session->view().state;
+    const bool isOver = std::holds_alternative<session::Finished>(state.stage) ||
+                        std::holds_alternative<session::Withdrawn>(state.stage);
+    if (state.paused || isOver)
+        return true;
+    m_session->send(session::Paused{});
+    if (!m_session->lastOutcome()->fault || m_leavingToldOnce)
+        return true;
+    m_leavingToldOnce = true;
+    return false;
+}
+
+void MainWindow::leaveSession()
+{
+    if (!m_session || !pauseForLeaving())
+        return;
+    m_session.reset();
+    showStudy();
+}
+
+void MainWindow::closeEvent(QCloseEvent* event)
+{
+    if (m_session && !pauseForLeaving())
+        event->ignore();
+    else
+        QWidget::closeEvent(event);
+}
+
+void MainWindow::keyPressEvent(QKeyEvent* event)
+{
+    // Reached when no control of the page has the focus.
+    if (m_pages->currentWidget() == m_sessionPage && event->modifiers() == Qt::NoModifier && !event->isAutoRepeat() &&
+        m_sessionPage->pressKey(event->key()))
+        return;
+    QWidget::keyPressEvent(event);
+}
+
+}  // namespace study::app

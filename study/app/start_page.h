@@ -1,0 +1,46 @@
+// Where the program begins: open a study folder (one of the last ones, or any), or go on to making a new one.
+#pragma once
+
+#include <QStringList>
+#include <QWidget>
+
+class QLabel;
+class QLineEdit;
+class QListWidget;
+class QPushButton;
+
+namespace study::app {
+
+class MessageBar;
+
+class StartPage : public QWidget {
+    Q_OBJECT
+public:
+    explicit StartPage(QWidget* parent);
+
+    /// Folders, the last used first.
+    void present(const QStringList& recentFolders, bool canMakeStudies);
+    void tellFault(const QString& text);
+    void focusFirst();
+
+Q_SIGNALS:
+    void openAsked(const QString& folder);
+    void newStudyAsked();
+
+protected:
+    void keyPressEvent(QKeyEvent* event) override;
+
+private:
+    void open(const QString& folder);
+    void browse();
+
+    QLabel* m_recentCaption;
+    QListWidget* m_recent;
+    QLineEdit* m_folder;
+    QPushButton* m_browse;
+    QPushButton* m_open;
+    QPushButton* m_new;
+    MessageBar* m_message;
+};
+
+}  // namespace study::app

@@ -1,0 +1,352 @@
+// The study database: what can be opened, by how many, what the view shows, and what verify finds.
+#include "database/study_store.h"
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QtTest>
+#include <fstream>
+
+#include "protocols/errors.h"
+#include "tests/support/played_session.h"
+#include "tests/support/raw_sqlite.h"
+#include "tests/support/study_builder.h"
+
+using namespace database;
+using namespace tests::support;
+using Access = StudyStore::Access;
+
+namespace {
+
+constexpr std::int64_t oneSecondNs = 1000000000;
+const protocols::ParticipantId s01("S01");
+
+template <class Call>
+QString errorOf(Call call)
+{
+    try {
+        call();
+    } catch (const protocols::Error& fault) {
+        return QString("%1: %2").arg(static_cast<int>(fault.exitCode())).arg(fault.what());
+    }
+    return {};
+}
+
+QString childProgram() { return QCoreApplication::applicationDirPath() + "/session_child"; }
+
+/// One answer to the first trial, at 10 s after a touch at 8 s.
+StudyStore::Append answerOf(const StudyStore& store, const char* question, std::optional<int> tenths)
+{
+    const protocols::BlindedTrial trial = store.trials(1).front();
+    StudyStore::Append entry;
+    entry.event = {0, s01, 1, "answered", "{}", 10 * oneSecondNs, "2026-01-01T10:00:00.000Z"};
+    AnswerRecord answer;
+    answer.trial = trial.number;
+    answer.question = protocols::QuestionId(question);
+    answer.fileCode = trial.fileCode;
+    answer.alternatives = trial.alternatives;
+    if (tenths)
+        answer.rating = protocols::Tenths{*tenths};
+    else
+        answer.answer = trial.alternatives.front();
+    answer.readyAtNs = 5 * oneSecondNs;
+    answer.touchedAtNs = 8 * oneSecondNs;
+    answer.answeredAtNs = 10 * oneSecondNs;
+    entry.answers.push_back(answer);
+    entry.storedAtNs = 10 * oneSecondNs + 100;
+    return entry;
+}
+
+}  // namespace
+
+class StudyStoreTest : public QObject {
+    Q_OBJECT
+    QTemporaryDir m_place;
+    int m_studies = 0;
+
+    std::filesystem::path newPath() { return m_place.filePath(QString("study%1").arg(++m_studies)).toStdString(); }
+    StudyFolder newStudy() { return buildStudy(newPath()); }
+
+private Q_SLOTS:
+    void whatWasFixedReadsBack()
+    {
+        const StudyFolder folder = newStudy();
+        const StudyStore store(folder, Access::Read);
+        const StudyFacts facts = store.facts();
+        QCOMPARE(facts.name, std::string("Small study"));
+        QCOMPARE(facts.protocolJson, protocolText({}));
+        QCOMPARE(facts.designSeed, 1u);
+        QCOMPARE(facts.fabricNames.at(protocols::FabricId("F02")), std::string("fabric 02"));
+        QVERIFY(facts.datasetProcedural);
+        QCOMPARE(store.stimulusHashes().size(), 6u);
+        QCOMPARE(store.slots().size(), 2u);
+        QCOMPARE(store.trials(2).size(), 12u);
+        QCOMPARE(store.trials(2).front().alternatives.size(), 3u);
+        QVERIFY(store.faults().empty());
+        for (const char* left : {"study.db-wal", "study.db.partial"})
+            QVERIFY2(!std::filesystem::exists(folder.folder / "study.db.partial"), left);
+    }
+
+    void aStudyIsNotMadeTwice()
+    {
+        const StudyFolder folder = newStudy();
+        const StudyFacts facts = StudyStore(folder, Access::Read).facts();
+        QVERIFY(errorOf([&] { StudyStore::create(folder, facts, {}, {}); }).startsWith("2:"));
+        QCOMPARE(StudyStore(folder, Access::Read).slots().size(), 2u);
+    }
+
+    void whatIsNoStudyIsRefused_data()
+    {
+        QTest::addColumn<QString>("content");
+        QTest::addColumn<QString>("sql");
+        QTest::addColumn<QString>("said");
+        QTest::newRow("no study.db") << QString() << QString() << "no study folder";
+        QTest::newRow("a text") << "not a database, but long enough to be looked at" << QString() << "no SQLite database";
+        QTest::newRow("an empty file") << "" << QString() << "not a study's";
+        QTest::newRow("another program's") << "study"
+                                           << "PRAGMA application_id = 7"
+                                           << "not a study's";
+        QTest::newRow("a newer study") << "study"
+                                       << "PRAGMA user_version = 99"
+                                       << "newer version of this program (schema 99)";
+    }
+
+    void whatIsNoStudyIsRefused()
+    {
+        QFETCH(QString, content);
+        QFETCH(QString, sql);
+        QFETCH(QString, said);
+        const StudyFolder folder = content == "study" ? newStudy() : StudyFolder{newPath()};
+        std::filesystem::create_directory(folder.folder);
+        if (!sql.isEmpty())
+            RawSqlite(folder.database()).run(sql.toStdString());
+        else if (!content.isNull())
+            std::ofstream(folder.database()) << content.toStdString();
+        for (const Access access : {Access::Read, Access::Write}) {
+            const QString error = errorOf([&] { StudyStore(folder, access); });
+            QVERIFY2(error.startsWith("2:") && error.contains(said), qPrintable(error));
+        }
+    }
+
+    void aSecondWriterIsRefusedAndALockDiesWithItsProcess()
+    {
+        const StudyFolder folder = newStudy();
+        QProcess holder;
+        holder.start(childProgram(), {"hold", QString::fromStdString(folder.folder.string())});
+        QVERIFY(holder.waitForReadyRead(20000));
+        QCOMPARE(holder.readLine().trimmed(), QByteArray("held"));
+        const QString error = errorOf([&] { StudyStore(folder, Access::Write); });
+        QVERIFY2(error.startsWith("3:") && error.contains(QString("(process %1)").arg(holder.processId())), qPrintable(error));
+        QCOMPARE(StudyStore(folder, Access::Read).slots().size(), 2u);
+        holder.kill();
+        QVERIFY(holder.waitForFinished(20000));
+        StudyStore writer(folder, Access::Write);
+        QVERIFY(errorOf([&] { StudyStore(folder, Access::Write); }).startsWith("3:"));
+    }
+
+    void aReaderSeesWhatAWriterHasStored()
+    {
+        const StudyFolder folder = newStudy();
+        StudyStore writer(folder, Access::Write);
+        writer.enrol(s01, ParticipantKind::Scripted);
+        const StudyStore reader(folder, Access::Read);
+        QVERIFY(reader.answers().empty());
+        writer.append(answerOf(writer, "Q1", std::nullopt));
+        QCOMPARE(reader.answers().size(), 1u);
+        QCOMPARE(reader.slots().front().participant, s01);
+    }
+
+    void aFolderThatCannotBeWrittenCanBeRead_data()
+    {
+        QTest::addColumn<bool>("closed");
+        QTest::newRow("study closed") << true;
+        QTest::newRow("log left by a crash") << false;
+    }
+
+    void aFolderThatCannotBeWrittenCanBeRead()
+    {
+        QFETCH(bool, closed);
+        const StudyFolder folder = newStudy();
+        auto writer = std::make_unique<StudyStore>(folder, Access::Write);
+        writer->enrol(s01, ParticipantKind::Scripted);
+        writer->append(answerOf(*writer, "Q1", std::nullopt));
+        const StudyFolder kept{newPath()};
+        if (closed) writer.reset();
+        std::filesystem::copy(folder.folder, kept.folder, std::filesystem::copy_options::recursive);
+        for (const char* file : {"study.db", "study.db-wal", "study.db-shm", ".lock"})
+            ::chmod((kept.folder / file).c_str(), 0444);
+        ::chmod(m_place.path().toLocal8Bit().constData(), 0755);
+        ::chmod(kept.folder.c_str(), 0555);
+        QProcess looker;
+        looker.start(childProgram(), {"look", QString::fromStdString(kept.folder.string())});
+        QVERIFY(looker.waitForFinished(20000));
+        ::chmod(kept.folder.c_str(), 0755);
+        const QString said = looker.readAllStandardOutput();
+        if (said.startsWith("still root")) QSKIP("this root may not become another user, and may write everywhere");
+        QVERIFY2(said.startsWith("read 1 synchronous 2\n"), qPrintable(said));
+        QVERIFY2(said.contains("write exit 3 "), qPrintable(said));
+    }
+
+    void placesAreTakenInOrderAndOnce()
+    {
+        StudyStore store(newStudy(), Access::Write);
+        QCOMPARE(store.nextParticipantId().value, std::string("P01"));
+        QCOMPARE(store.enrol(protocols::ParticipantId("P01"), ParticipantKind::Human).number, 1);
+        QCOMPARE(store.nextParticipantId().value, std::string("P02"));
+        QCOMPARE(store.enrol(s01, ParticipantKind::Scripted).number, 2);
+        QCOMPARE(store.enrol(s01, ParticipantKind::Scripted).number, 2);
+        QVERIFY(errorOf([&] { store.enrol(s01, ParticipantKind::Human); }).startsWith("2:"));
+        QVERIFY(errorOf([&] { store.enrol(protocols::ParticipantId(), ParticipantKind::Human); }).startsWith("2:"));
+        QVERIFY(errorOf([&] { store.enrol(protocols::ParticipantId("S02"), ParticipantKind::Scripted); }).contains("every slot"));
+        store.setSlotState(s01, SlotState::Finished);
+        QCOMPARE(store.slots()[1].state, SlotState::Finished);
+        QVERIFY(errorOf([&] { store.setSlotState(protocols::ParticipantId("nobody"), SlotState::Finished); }).startsWith("2:"));
+        QVERIFY(store.faults().empty());
+    }
+
+    void theViewIsAsDocumented()
+    {
+        const StudyFolder folder = newStudy();
+        StudyStore store(folder, Access::Write);
+        store.enrol(s01, ParticipantKind::Scripted);
+        store.append(answerOf(store, "Q1", std::nullopt));
+        RawSqlite raw(folder.database());
+        std::string columns;
+        for (const std::string& name : raw.rows("SELECT name FROM pragma_table_info('answers')"))
+            columns += (columns.empty() ? "" : ", ") + name;
+        QCOMPARE(columns,
+                 std::string("participant, trial, question, file_code, alternatives, answer, rating, ready_at, touched_at, "
+                             "answered_at, stored_at, seconds, corrections, voided, wall_time, note"));
+        const auto trial = store.trials(1).front();
+        const std::string expected = "S01|1|Q1|" + trial.fileCode.value + "|[\"" + trial.alternatives[0].value + "\",\"" +
+                                     trial.alternatives[1].value + "\",\"" + trial.alternatives[2].value + "\"]|" +
+                                     trial.alternatives[0].value +
+                                     "||5000000000|8000000000|10000000000|10000000100|2.0|0|0|2026-01-01T10:00:00.000Z|";
+        QCOMPARE(raw.rows("SELECT * FROM answers"), std::vector<std::string>{expected});
+    }
+
+    void everyRatingInTenthsReadsBackAsItself()
+    {
+        const StudyFolder folder = newStudy();
+        StudyStore store(folder, Access::Write);
+        store.enrol(s01, ParticipantKind::Scripted);
+        for (int tenths = 0; tenths <= 100; ++tenths)
+            store.append(answerOf(store, ("R" + std::to_string(tenths)).c_str(), tenths));
+        RawSqlite raw(folder.database());
+        QCOMPARE(raw.rows("SELECT rating, rating = 5.4 FROM answers WHERE question = 'R54'"), std::vector<std::string>{"5.4|1"});
+        const auto answers = store.answers();
+        QCOMPARE(answers.size(), 101u);
+        for (int tenths = 0; tenths <= 100; ++tenths) {
+            QCOMPARE(answers[static_cast<std::size_t>(tenths)].record.rating->value, tenths);
+            const QByteArray literal = QByteArray::number(tenths / 10) + "." + QByteArray::number(tenths % 10);
+            QCOMPARE(raw.rows("SELECT rating = " + literal.toStdString() + " FROM answers WHERE question = 'R" +
+                              std::to_string(tenths) + "'"),
+                     std::vector<std::string>{"1"});
+        }
+    }
+
+    void anAnswerIsStoredOnceAndACorrectionKeepsTheOldOne()
+    {
+        const StudyFolder folder = newStudy();
+        StudyStore store(folder, Access::Write);
+        store.enrol(s01, ParticipantKind::Scripted);
+        auto corrected = answerOf(store, "Q2", 40);
+        corrected.answers.front().isCorrection = true;
+        corrected.answers.front().note = "misheard";
+        corrected.answers.front().answeredAtNs = 77;
+        QVERIFY(errorOf([&] { store.append(corrected); }).contains("no answer to correct"));
+        store.append(answerOf(store, "Q2", 54));
+        QVERIFY(errorOf([&] { store.append(answerOf(store, "Q2", 55)); }).contains("stored already"));
+        store.append(corrected);
+        QCOMPARE(store.answers().size(), 1u);
+        const CurrentAnswer now = store.answers().front();
+        QCOMPARE(now.record.rating->value, 40);
+        QCOMPARE(now.corrections, 1);
+        QCOMPARE(now.record.note, std::string("misheard"));
+        QCOMPARE(now.seconds, 2.0);
+        QCOMPARE(RawSqlite(folder.database()).rows("SELECT rating_tenths FROM responses ORDER BY id"),
+                 (std::vector<std::string>{"54", "40"}));
+        QCOMPARE(store.events(s01).size(), 2u);
+    }
+
+    void whatIsLoggedCannotBeChanged_data()
+    {
+        QTest::addColumn<QString>("sql");
+        for (const char* table : {"study", "fabrics", "stimuli", "slots", "trials", "events", "responses"})
+            QTest::newRow(table) << QString("DELETE FROM %1").arg(table);
+        QTest::newRow("a rating") << "UPDATE responses SET rating_tenths = 100";
+        QTest::newRow("a hash") << "UPDATE events SET hash = 'x' || sequence";
+    }
+
+    void whatIsLoggedCannotBeChanged()
+    {
+        QFETCH(QString, sql);
+        const StudyFolder folder = newStudy();
+        {
+            StudyStore store(folder, Access::Write);
+            store.enrol(s01, ParticipantKind::Scripted);
+            store.append(answerOf(store, "Q2", 54));
+        }
+        const std::string refusal = RawSqlite(folder.database()).run(sql.toStdString());
+        QVERIFY2(QString::fromStdString(refusal).contains("append-only"), refusal.c_str());
+    }
+
+    void meddlingIsFound_data()
+    {
+        QTest::addColumn<QString>("sql");
+        QTest::addColumn<QString>("said");
+        QTest::newRow("a rating") << "UPDATE responses SET rating_tenths = 99 WHERE trial = 8 AND question = 'Q3'"
+                                  << "(answered of S01): it or what it stored was altered";
+        QTest::newRow("a time") << "UPDATE responses SET answered_at = answered_at + 1 WHERE id = 3"
+                                << "was altered";
+        QTest::newRow("an answer taken out") << "DELETE FROM responses WHERE id = 5"
+                                             << "was altered";
+        QTest::newRow("an answer put in")
+            << "INSERT INTO responses SELECT 999, event, participant, 77, attempt, question, file_code, alternatives, choice, "
+               "rating_tenths, ready_at, touched_at, answered_at, stored_at, 0 FROM responses WHERE id = 4"
+            << "was altered";
+        QTest::newRow("an event's payload") << "UPDATE events SET payload = '{\"fabric\":\"F99\"}' WHERE sequence = 9"
+                                            << "log entry 9 (";
+        QTest::newRow("an event taken out") << "PRAGMA foreign_keys = 0; DELETE FROM events WHERE sequence = 4"
+                                            << "log entries from 4 to 4 are missing";
+        QTest::newRow("the end cut off")
+            << "DELETE FROM events WHERE sequence = (SELECT MAX(sequence) FROM events WHERE kind <> 'answered')"
+               "; DELETE FROM responses WHERE event > (SELECT MAX(event) - 1 FROM responses)"
+               "; DELETE FROM events WHERE sequence > (SELECT MAX(event) FROM responses)"
+            << "the log ends at entry";
+        QTest::newRow("a trial list") << "UPDATE trials SET file_code = (SELECT MIN(file_code) FROM stimuli) WHERE slot = 2"
+                                      << "were altered after the study was made";
+        QTest::newRow("a stimulus hash")
+            << "UPDATE stimuli SET sha256 = 'aa' WHERE file_code = (SELECT MIN(file_code) FROM stimuli)"
+            << "were altered after the study was made";
+        QTest::newRow("a participant's place") << "UPDATE participants SET kind = 'human'"
+                                               << "S01 in slot 1 (human) is not in the log";
+        QTest::newRow("a void put in") << "INSERT INTO voids VALUES (12, 'S01', 1, 1)"
+                                       << "was altered";
+    }
+
+    void meddlingIsFound()
+    {
+        QFETCH(QString, sql);
+        QFETCH(QString, said);
+        const StudyFolder folder = newStudy();
+        {
+            OpenSession session(folder, "S01");
+            session.playToEnd();
+            QVERIFY(session.store.faults().empty());
+        }
+        {
+            RawSqlite raw(folder.database());
+            raw.dropTriggers();
+            QCOMPARE(raw.run(sql.toStdString()), std::string());
+        }
+        QStringList faults;
+        for (const std::string& fault : StudyStore(folder, Access::Read).faults()) faults << QString::fromStdString(fault);
+        QVERIFY2(faults.join('\n').contains(said), qPrintable(faults.join('\n')));
+    }
+};
+
+QTEST_GUILESS_MAIN(StudyStoreTest)
+#include "study_store_test.moc"

@@ -1,0 +1,118 @@
+// Answers collected elsewhere: what is read, and what each fault says.
+#include "reports/answers_csv.h"
+
+#include <QtTest>
+#include <fstream>
+
+#include "protocols/errors.h"
+#include "reports/csv_table.h"
+
+namespace {
+
+std::filesystem::path written(const QTemporaryDir& folder, const std::string& text)
+{
+    const std::filesystem::path file = std::filesystem::path(folder.path().toStdString()) / "answers.csv";
+    std::ofstream(file, std::ios::binary) << text;
+    return file;
+}
+
+const std::string header = "participant,fabric,condition,Q1_correct,Q2\n";
+
+}  // namespace
+
+class AnswersCsvTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void rowsBecomeResponsesInTheOrderOfTheirAppearance()
+    {
+        QTemporaryDir folder;
+        const auto file = written(folder,
+                                  "\xEF\xBB\xBFparticipant,fabric,condition,Q1_correct,Q2,Q1_seconds,Q1_answer\r\n"
+                                  "P2,F9,h_g+f_g,1,5.4,3.25,F9\r\n"
+                                  "\"P1, the first\",F1,zeta,0,NA,,\r\n"
+                                  "P2,F1,zeta,,NaN,,\r\n");
+        const auto data = reports::readAnswersCsv(file);
+        QCOMPARE(data.conditions, (std::vector<std::string>{"h_g&f_g", "zeta"}));
+        QCOMPARE(data.participants, (std::vector<std::string>{"P2", "P1, the first"}));
+        QCOMPARE(data.responses.size(), std::size_t{3});
+        QCOMPARE(*data.responses[0].correct, true);
+        QCOMPARE(*data.responses[0].seconds, 3.25);
+        QCOMPARE(*data.responses[0].answer, std::string("F9"));
+        QCOMPARE(*data.responses[1].rating, 5.4);
+        QCOMPARE(*data.responses[2].correct, false);
+        QCOMPARE(data.expectedResponses, std::size_t{16});
+        QVERIFY(!data.blinded);
+        QCOMPARE(data.questions[0].id, std::string("Q1"));
+        QVERIFY(data.questions[0].isChoice && !data.questions[1].isChoice);
+    }
+
+    void faultsNameTheirRow_data()
+    {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<QStringList>("parts");
+        const QString head = QString::fromStdString(header);
+        QTest::newRow("no number") << head + "P1,F1,a,1,5\nP2,F1,a,1,five\n" << QStringList{"row 3", "Q2", "five"};
+        QTest::newRow("comma as decimal point") << head + "P1,F1,a,1,\"5,4\"\n" << QStringList{"row 2", "5,4"};
+        QTest::newRow("number with a tail") << head + "P1,F1,a,1,5.4x\n" << QStringList{"row 2", "5.4x"};
+        QTest::newRow("infinite") << head + "P1,F1,a,1,inf\n" << QStringList{"row 2", "inf"};
+        QTest::newRow("neither right nor wrong") << head + "P1,F1,a,2,5\n" << QStringList{"row 2", "Q1_correct", "0 or 1"};
+        QTest::newRow("doubled") << head + "P1,F1,a,1,5\nP1,F1,a,0,6\n" << QStringList{"row 3", "twice"};
+        QTest::newRow("short row") << head + "P1,F1,a,1\n" << QStringList{"row 2", "4 fields"};
+        QTest::newRow("no name") << head + ",F1,a,1,5\n" << QStringList{"row 2", "participant"};
+        QTest::newRow("open quote") << head + "\"P1,F1,a,1,5\n" << QStringList{"row 2", "quote"};
+        QTest::newRow("unknown column") << QString("participant,fabric,condition,Q2,age\n") << QStringList{"age"};
+        QTest::newRow("doubled column") << QString("participant,fabric,condition,Q2,Q2\n") << QStringList{"Q2", "twice"};
+        QTest::newRow("missing column") << QString("participant,fabric,Q2\nP1,F1,5\n") << QStringList{"condition"};
+        QTest::newRow("no question") << QString("participant,fabric,condition\nP1,F1,a\n") << QStringList{"no question"};
+        QTest::newRow("nothing") << QString() << QStringList{"empty"};
+        QTest::newRow("no rows") << head << QStringList{"no answers"};
+    }
+
+    void faultsNameTheirRow()
+    {
+        QFETCH(QString, text);
+        QFETCH(QStringList, parts);
+        QTemporaryDir folder;
+        try {
+            reports::readAnswersCsv(written(folder, text.toStdString()));
+            QFAIL("was accepted");
+        } catch (const protocols::Error& error) {
+            QCOMPARE(error.exitCode(), protocols::ExitCode::BadInput);
+            for (const QString& part : parts) QVERIFY2(QString(error.what()).contains(part), error.what());
+            QVERIFY2(QString(error.what()).contains("answers.csv"), error.what());
+        }
+    }
+
+    void protocolBringsBoundsScaleAndContrasts()
+    {
+        protocols::Protocol protocol;
+        protocol.name = "Ours";
+        protocol.equivalenceBounds = {-0.3, 0.4};
+        protocol.planned = {{protocols::ConditionId("a"), protocols::ConditionId("b")}};
+        protocol.phases = {{{{protocols::QuestionId("Q1"), "Which?"}}, 4, {}},
+                           {{{protocols::QuestionId("Q2"), "How?"}}, {}, protocols::Scale{}}};
+        QTemporaryDir folder;
+        const auto data = reports::readAnswersCsv(written(folder, header + "P1,F1,a,1,5\nP1,F1,b,0,6\n"), {protocol, "ab", 3});
+        QCOMPARE(data.alternatives, 4);
+        QCOMPARE(data.equivalenceBounds.first, -0.3);
+        QCOMPARE(data.planned.size(), std::size_t{1});
+        QCOMPARE(data.questions[1].text, std::string("How?"));
+        QVERIFY_EXCEPTION_THROWN(reports::readAnswersCsv(written(folder, header + "P1,F1,a,1,10.5\n"), {protocol, "", 3}),
+                                 protocols::Error);
+    }
+
+    void missingFileIsBadInput() { QVERIFY_EXCEPTION_THROWN(reports::readAnswersCsv("/nowhere/answers.csv"), protocols::Error); }
+
+    void quotedFieldsMayHoldAnything()
+    {
+        const auto table = reports::parseCsv("a,b\n\"x, \"\"y\"\"\nz\",2\n\nlast,3", "text");
+        QCOMPARE(table.rows.size(), std::size_t{2});
+        QCOMPARE(table.rows[0].cells[0], std::string("x, \"y\"\nz"));
+        QCOMPARE(table.rows[1].line, std::size_t{5});
+        QCOMPARE(reports::csvField("a \"b\",c"), std::string("\"a \"\"b\"\",c\""));
+    }
+};
+
+QTEST_GUILESS_MAIN(AnswersCsvTest)
+#include "answers_csv_test.moc"

@@ -1,0 +1,103 @@
+// The default report of the shared reference studies, computed with R, against ours to eight digits.
+#include <QtTest>
+#include <cmath>
+#include <fstream>
+
+#include "reports/answers_csv.h"
+#include "reports/report.h"
+#include "tests/reports/study_builder.h"
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+/// Mixed models belong to no part of this report.
+bool isComputedElsewhere(const std::string& key) { return key == "q1_glmm" || key == "lmm"; }
+
+class Comparison {
+public:
+    void compare(const Json& expected, const Json& answer, const std::string& path)
+    {
+        if (expected.is_object()) {
+            for (const auto& [key, value] : expected.items()) {
+                if (isComputedElsewhere(key)) continue;
+                if (!answer.is_object() || !answer.contains(key))
+                    fault(path + "." + key + " is missing");
+                else
+                    compare(value, answer[key], path + "." + key);
+            }
+        } else if (expected.is_array()) {
+            if (!answer.is_array() || answer.size() != expected.size()) return fault(path + " differs in length");
+            for (std::size_t i = 0; i < expected.size(); ++i)
+                compare(expected[i], answer[i], path + "[" + std::to_string(i) + "]");
+        } else if (expected.is_number()) {
+            ++numbers;
+            const double a = answer.is_number() ? answer.get<double>() : NAN;
+            const double e = expected.get<double>();
+            if (!(std::fabs(a - e) <= 1e-8 * std::max(std::fabs(e), 1e-3)))
+                fault(path + ": " + answer.dump() + " for " + expected.dump());
+        } else if (expected == "NA" && answer.is_null()) {
+            ++numbers;
+        } else if (expected != answer) {
+            fault(path + ": " + answer.dump() + " for " + expected.dump());
+        }
+    }
+
+    int numbers = 0;
+    int faults = 0;
+
+private:
+    void fault(const std::string& text)
+    {
+        ++faults;
+        qWarning("%s", text.c_str());
+    }
+};
+
+}  // namespace
+
+class ReferenceReportTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void agreesWithTheReferenceReport_data()
+    {
+        QTest::addColumn<QString>("name");
+        QTest::newRow("complete") << "study_a";
+        QTest::newRow("with missing answers") << "study_missing_a";
+    }
+
+    void agreesWithTheReferenceReport()
+    {
+        QFETCH(QString, name);
+        const auto folder = builders::sharedFolder() / "oracle" / "study" / "public";
+        const auto csv = folder / (name.toStdString() + ".csv");
+        if (!std::filesystem::exists(csv)) QSKIP("the shared reference studies are not here: nothing was compared");
+        std::ifstream stream(folder / (name.toStdString() + "_expected.json"));
+        const Json expected = Json::parse(stream);
+        const reports::StudyData data = reports::readAnswersCsv(csv);
+        Comparison comparison;
+        comparison.compare(expected, reports::statistics(data), "");
+        QVERIFY(comparison.numbers > 600);
+        QCOMPARE(comparison.faults, 0);
+        qInfo("%d numbers agree", comparison.numbers);
+    }
+
+    void resultsAndStatisticsTellTheSame()
+    {
+        const auto csv = builders::sharedFolder() / "oracle" / "study" / "public" / "study_missing_a.csv";
+        if (!std::filesystem::exists(csv)) QSKIP("the shared reference studies are not here: nothing was compared");
+        const reports::StudyData data = reports::readAnswersCsv(csv);
+        const Json results = reports::results(data);
+        const Json statistics = reports::statistics(data);
+        for (const Json& row : results["comparisons"])
+            for (const Json& other : statistics.value(row["question"].get<std::string>(), Json::object())
+                                         .value("pairwise_t_participant_means", Json::array()))
+                if (other["a"] == row["a"] && other["b"] == row["b"]) QCOMPARE(other["p_holm"], row["p_holm"]);
+        QCOMPARE(results["Q2"]["h_f"]["mean"], statistics["Q2"]["cell_mean"]["h_f"]);
+        QCOMPARE(results["Q1"]["h_f"]["ci95"], statistics["q1_per_condition"][8]["wilson95"]);
+    }
+};
+
+QTEST_GUILESS_MAIN(ReferenceReportTest)
+#include "reference_report_test.moc"

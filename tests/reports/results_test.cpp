@@ -1,0 +1,281 @@
+// results.json: what it holds, in which order, and what stands where a value does not exist.
+#include <QtTest>
+#include <algorithm>
+#include <set>
+
+#include "protocols/errors.h"
+#include "reports/report.h"
+#include "tests/reports/study_builder.h"
+
+using Json = nlohmann::ordered_json;
+using builders::nineConditions;
+using reports::StudyData;
+
+namespace {
+
+std::vector<std::string> keysOf(const Json& object)
+{
+    std::vector<std::string> keys;
+    for (const auto& [key, value] : object.items()) keys.push_back(key);
+    return keys;
+}
+
+using Keys = std::vector<std::string>;
+
+/// Every null must have its reason in the same object; NaN and infinity must not occur.
+QString unexplained(const Json& value, const QString& path)
+{
+    QString faults;
+    if (value.is_number_float() && !std::isfinite(value.get<double>())) faults += path + " is not finite; ";
+    if (value.is_array())
+        for (std::size_t i = 0; i < value.size(); ++i) faults += unexplained(value[i], path + "[" + QString::number(i) + "]");
+    if (value.is_object())
+        for (const auto& [key, item] : value.items()) {
+            const QString place = path + "." + QString::fromStdString(key);
+            if (item.is_null() && !(value.contains("why") && value["why"].is_object() && value["why"].contains(key)) &&
+                !(key == "participant" && value.contains("flag")))
+                faults += place + " is null without a reason; ";
+            faults += unexplained(item, place);
+        }
+    return faults;
+}
+
+const Json& comparison(const Json& results, const std::string& question, const std::string& a, const std::string& b)
+{
+    for (const Json& row : results["comparisons"])
+        if (row["question"] == question && row["a"] == a && row["b"] == b) return row;
+    static const Json none;
+    return none;
+}
+
+}  // namespace
+
+class ResultsTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void keysStandInTheDocumentedOrder()
+    {
+        StudyData data = builders::paperSized();
+        data.planned = {{"h_g&f_g", "h&f"}};
+        const Json results = reports::results(data);
+        QCOMPARE(keysOf(results), (Keys{"schema", "study", "conditions", "Q1", "Q2", "Q3", "Q4", "comparisons", "equivalence",
+                                        "speed_accuracy", "signals", "quality", "why"}));
+        QCOMPARE(results["schema"], "vis2hap.results/1");
+        QCOMPARE(keysOf(results["study"]), (Keys{"name", "protocol_sha256", "participants", "fabrics", "blinded", "simulated"}));
+        QCOMPARE(results["conditions"].get<Keys>(), nineConditions);
+        for (const char* part : {"Q1", "Q2", "Q3", "Q4", "speed_accuracy"}) QCOMPARE(keysOf(results[part]), nineConditions);
+        QCOMPARE(keysOf(results["Q1"]["f"]),
+                 (Keys{"trials", "correct", "matches_per_rendering", "proportion", "ci95", "p_chance", "p_chance_participants"}));
+        QCOMPARE(keysOf(results["Q3"]["f"]), (Keys{"n", "mean", "sd", "participants", "ci95"}));
+        QCOMPARE(keysOf(comparison(results, "Q2", "h_g&f_g", "h&f")),
+                 (Keys{"question", "a", "b", "test", "n", "statistic", "df", "p", "p_holm", "mean_difference", "ci95", "d_z",
+                       "planned"}));
+        QCOMPARE(unexplained(results, "results"), QString());
+        QCOMPARE(unexplained(reports::statistics(data), "statistics"), QString());
+    }
+
+    void everyPairIsComparedOnceInTheOrderOfConditions()
+    {
+        const Json results = reports::results(builders::paperSized());
+        QCOMPARE(results["comparisons"].size(), std::size_t{4 * 36});
+        QCOMPARE(results["equivalence"].size(), std::size_t{3 * 36});
+        const auto place = [](const Json& name) {
+            return std::find(nineConditions.begin(), nineConditions.end(), name.get<std::string>()) - nineConditions.begin();
+        };
+        std::set<std::string> seen;
+        for (const Json& row : results["comparisons"]) {
+            QVERIFY(place(row["a"]) < place(row["b"]));
+            QVERIFY(
+                seen.insert(row["question"].get<std::string>() + row["a"].get<std::string>() + "|" + row["b"].get<std::string>())
+                    .second);
+            QCOMPARE(row["n"], 10);
+            QVERIFY(row["p_holm"].get<double>() >= row["p"].get<double>());
+        }
+    }
+
+    // The paper's own totals: 27, 39 and 50 of 70 are its 3.9, 5.6 and 7.1 matches of ten.
+    void publishedTotalsComeOutAsPublished_data()
+    {
+        QTest::addColumn<int>("correct");
+        QTest::addColumn<double>("matches");
+        QTest::newRow("v_grey") << 27 << 3.857142857142857;
+        QTest::newRow("f_g") << 39 << 5.571428571428571;
+        QTest::newRow("h&f") << 50 << 7.142857142857143;
+    }
+
+    void publishedTotalsComeOutAsPublished()
+    {
+        QFETCH(int, correct);
+        QFETCH(double, matches);
+        // Ratings average 5.1 exactly: 5.0 and 5.2 in turn.
+        const StudyData data = builders::study(10, 7, {"v_grey", "f"},
+                                               {[correct](int p, int f, int) { return p * 7 + f < correct; },
+                                                [](int p, int f, int, int) { return (p * 7 + f) % 2 == 0 ? 5.0 : 5.2; }});
+        const Json results = reports::results(data);
+        QCOMPARE(results["Q1"]["v_grey"]["trials"], 70);
+        QCOMPARE(results["Q1"]["v_grey"]["correct"], correct);
+        QCOMPARE(results["Q1"]["v_grey"]["matches_per_rendering"].get<double>(), matches);
+        QCOMPARE(results["Q2"]["v_grey"]["mean"].get<double>(), 5.1);
+        QCOMPARE(results["Q2"]["v_grey"]["n"], 70);
+    }
+
+    // scipy 1.10.1: from scipy.stats import binomtest; binomtest(27,70,1/3,'greater').pvalue -> 0.20962555830527693
+    void matchesAreTestedAgainstChance()
+    {
+        const Json part = reports::results(builders::paperSized())["Q1"]["v_grey"];
+        QCOMPARE(part["correct"], 27);
+        QVERIFY(std::abs(part["p_chance"].get<double>() - 0.20962555830527693) < 1e-13);
+        QVERIFY(part["p_chance_participants"].is_number());
+        QVERIFY(part["ci95"][0].get<double>() < 27.0 / 70 && part["ci95"][1].get<double>() > 27.0 / 70);
+    }
+
+    void orderOfRowsAndParticipantsChangesNothing()
+    {
+        StudyData data = builders::paperSized();
+        const Json before = reports::results(data);
+        const Json statisticsBefore = reports::statistics(data);
+        std::reverse(data.responses.begin(), data.responses.end());
+        QCOMPARE(reports::results(data), before);
+        QCOMPARE(reports::statistics(data), statisticsBefore);
+        std::reverse(data.participants.begin(), data.participants.end());
+        std::reverse(data.fabrics.begin(), data.fabrics.end());
+        QCOMPARE(reports::results(data)["comparisons"], before["comparisons"]);
+        QCOMPARE(reports::results(data)["Q2"], before["Q2"]);
+    }
+
+    void blindedReportLeavesOutWhatWouldTell()
+    {
+        StudyData data = builders::paperSized();
+        data.planned = {{"h_g&f_g", "h&f"}};
+        data.signalsJson = R"({"friction_mae":0.1})";
+        data.blinded = true;
+        const Json results = reports::results(data);
+        QVERIFY(results["signals"].is_null());
+        QVERIFY(results["study"]["blinded"].get<bool>());
+        for (const char* part : {"comparisons", "equivalence"})
+            for (const Json& row : results[part]) QVERIFY(!row.contains("planned"));
+        data.blinded = false;
+        const Json open = reports::results(data);
+        QCOMPARE(open["signals"]["friction_mae"].get<double>(), 0.1);
+        QVERIFY(comparison(open, "Q4", "h_g&f_g", "h&f")["planned"].get<bool>());
+        QVERIFY(!comparison(open, "Q4", "f", "h").contains("planned"));
+    }
+
+    void missingAnswersAreCountedAndLeftOut()
+    {
+        StudyData data = builders::paperSized();
+        // P03 gave no rating at all under h, and one match is missing under f.
+        std::erase_if(data.responses, [](const reports::Response& r) {
+            return (r.participant == "P03" && r.condition == "h" && r.question == "Q2") ||
+                   (r.participant == "P05" && r.condition == "f" && r.question == "Q1" && r.fabric == "F02");
+        });
+        const Json results = reports::results(data);
+        QCOMPARE(results["Q2"]["h"]["n"], 63);
+        QCOMPARE(results["Q2"]["h"]["participants"], 9);
+        QCOMPARE(results["Q1"]["f"]["trials"], 69);
+        QCOMPARE(comparison(results, "Q2", "v_grey", "h")["n"], 9);
+        QCOMPARE(comparison(results, "Q2", "v_grey", "f")["n"], 10);
+        const Json statistics = reports::statistics(data);
+        QCOMPARE(statistics["data"]["missing_responses"], 8);
+        QCOMPARE(statistics["data"]["missing_by_condition"]["Q2"]["h"], 7);
+        QCOMPARE(statistics["Q2"]["rm_anova"]["n"], 9);
+        QCOMPARE(statistics["q1_cochran"]["blocks"], 69);
+        QCOMPARE(results["quality"].size(), std::size_t{2});
+        QCOMPARE(results["quality"][0]["flag"], "missing_answers");
+        QCOMPARE(results["quality"][0]["participant"], "P03");
+        QCOMPARE(results["quality"][0]["why"], "answers missing: Q2: 7 of 63");
+    }
+
+    void tooLittleDataGivesNullWithItsReason_data()
+    {
+        QTest::addColumn<int>("participants");
+        QTest::newRow("nobody yet") << 0;
+        QTest::newRow("one participant") << 1;
+    }
+
+    void tooLittleDataGivesNullWithItsReason()
+    {
+        QFETCH(int, participants);
+        const StudyData data = builders::study(
+            participants, 2, {"f", "h"}, {[](int, int f, int) { return f == 0; }, [](int, int, int c, int) { return 4.0 + c; }});
+        const Json results = reports::results(data);
+        QCOMPARE(unexplained(results, "results"), QString());
+        QCOMPARE(unexplained(reports::statistics(data), "statistics"), QString());
+        QVERIFY(results["comparisons"][0]["p"].is_null());
+        QVERIFY(results["equivalence"][0]["equivalent"].is_null());
+        QVERIFY(results["Q2"]["f"]["ci95"].is_null());
+        QCOMPARE(results["Q1"]["f"]["proportion"].is_null(), participants == 0);
+    }
+
+    void constantDataAreUndefinedNotSignificant()
+    {
+        const StudyData data = builders::study(
+            10, 7, {"f", "h"}, {[](int, int, int) { return true; }, [](int, int, int c, int) { return 5.0 + 0.1 * c; }});
+        const Json results = reports::results(data);
+        QCOMPARE(unexplained(results, "results"), QString());
+        const Json& row = comparison(results, "Q2", "f", "h");
+        QVERIFY(row["p"].is_null() && row["p_holm"].is_null() && row["statistic"].is_null());
+        QVERIFY(QString::fromStdString(row["why"]["p"]).contains("no variation"));
+        QVERIFY(results["Q1"]["f"]["p_chance_participants"].is_null());
+        QVERIFY(results["Q1"]["f"]["p_chance"].is_number());
+    }
+
+    void suspiciousParticipantsAreFlaggedAndKept()
+    {
+        StudyData data = builders::paperSized();
+        for (reports::Response& r : data.responses) {
+            r.seconds = r.participant == "P02" ? 0.2 : 4.0 + (r.fabric == "F01" ? 1 : 0);
+            if (r.question == "Q1") r.answerSlot = r.participant == "P04" ? 1 : static_cast<int>(r.fabric.back() % 3);
+            if (r.participant == "P06" && r.rating) r.rating = 5.0;
+        }
+        data.voided = 2;
+        const Json results = reports::results(data);
+        std::set<std::string> flags;
+        for (const Json& row : results["quality"])
+            flags.insert((row["participant"].is_null() ? "all" : row["participant"].get<std::string>()) + " " +
+                         row["flag"].get<std::string>());
+        const std::set<std::string> expected{"P02 too_fast", "P04 slot_bias", "P06 straight_lining", "P06 same_across_questions",
+                                             "all voided_presentations"};
+        QCOMPARE(flags, expected);
+        QCOMPARE(results["Q2"]["f"]["n"], 70);
+    }
+
+    void speedNeedsTimes()
+    {
+        StudyData data = builders::paperSized();
+        QVERIFY(reports::results(data)["speed_accuracy"]["f"]["bis"].is_null());
+        int i = 0;
+        for (reports::Response& r : data.responses) r.seconds = 4 + (i++ % 5);
+        const Json part = reports::results(data)["speed_accuracy"];
+        double sum = 0;
+        for (const auto& [condition, row] : part.items()) {
+            QVERIFY(row["median_seconds"].get<double>() >= 4 && row["median_seconds"].get<double>() <= 8);
+            QVERIFY(row["bits_per_second"].get<double>() >= 0);
+            sum += row["bis"].get<double>();
+        }
+        QVERIFY(std::abs(sum) < 1e-10);  // standardised scores of equally many cells average 0
+    }
+
+    void strayAnswersAreAFault()
+    {
+        StudyData data = builders::paperSized();
+        data.responses.push_back(data.responses.front());
+        QVERIFY_EXCEPTION_THROWN(reports::results(data), protocols::Error);
+        data.responses.back().condition = "x";
+        QVERIFY_EXCEPTION_THROWN(reports::results(data), protocols::Error);
+    }
+
+    void terminalTableIsAligned()
+    {
+        const std::string table = reports::resultTable(reports::results(builders::paperSized()));
+        const QStringList lines = QString::fromStdString(table).split('\n', Qt::SkipEmptyParts);
+        QCOMPARE(lines.size(), 11);
+        QVERIFY(lines[0].contains("Q1 matches of 10"));
+        QVERIFY(lines[2].startsWith("v_grey") && lines[2].contains("3.9") && lines[2].contains("27/70"));
+        for (const QString& line : lines) QCOMPARE(line.size(), lines[1].size());
+    }
+};
+
+QTEST_GUILESS_MAIN(ResultsTest)
+#include "results_test.moc"

@@ -1,0 +1,303 @@
+// What must hold for all data, the extremes, and the functions that no reference family covers.
+#include <QtTest>
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "stats/binomial.h"
+#include "stats/decimal_grid.h"
+#include "stats/descriptive.h"
+#include "stats/distributions.h"
+#include "stats/equivalence.h"
+#include "stats/multiplicity.h"
+#include "stats/rank_tests.h"
+#include "stats/repeated_measures.h"
+#include "stats/speed_accuracy.h"
+#include "stats/t_tests.h"
+#include "stats/wilcoxon.h"
+
+namespace {
+
+/// Small deterministic stream of numbers between 0 and 1 (a Weyl sequence, mixed).
+class Stream {
+public:
+    explicit Stream(std::uint64_t seed) : m_state(seed) {}
+    double next()
+    {
+        m_state += 0x9E3779B97F4A7C15U;
+        std::uint64_t z = m_state;
+        z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9U;
+        z = (z ^ (z >> 27U)) * 0x94D049BB133111EBU;
+        return static_cast<double>((z ^ (z >> 31U)) >> 11U) / 9007199254740992.0;
+    }
+    std::vector<double> ratings(std::size_t n, double centre)
+    {
+        std::vector<double> result(n);
+        for (double& x : result) x = std::round((centre + 4 * (next() - 0.5)) * 10) / 10;
+        return result;
+    }
+
+private:
+    std::uint64_t m_state;
+};
+
+bool near(double a, double b, double relative) { return std::fabs(a - b) <= relative * std::max(std::fabs(a), std::fabs(b)); }
+
+}  // namespace
+
+class StatisticsTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void powersOfTwoChangeNoBitOfT_data()
+    {
+        QTest::addColumn<int>("exponent");
+        for (const int exponent : {-900, -300, -7, 3, 300, 900}) QTest::addRow("2^%d", exponent) << exponent;
+    }
+
+    void powersOfTwoChangeNoBitOfT()
+    {
+        QFETCH(int, exponent);
+        Stream stream(3);
+        auto x = stream.ratings(25, 6);
+        auto y = stream.ratings(25, 5.5);
+        const auto plain = stats::pairedTTest(x, y);
+        const auto welch = stats::welchTTest(x, y);
+        for (auto* sample : {&x, &y})
+            for (double& value : *sample) value = std::ldexp(value, exponent);
+        const auto scaled = stats::pairedTTest(x, y);
+        // QCOMPARE would forgive the last bits.
+        QVERIFY(*scaled.t == *plain.t);
+        QVERIFY(*scaled.p == *plain.p);
+        QVERIFY(*stats::welchTTest(x, y).t == *welch.t);
+        QVERIFY(*scaled.estimate == std::ldexp(*plain.estimate, exponent));
+    }
+
+    void equivalenceMirrorsWhenTheSamplesAreSwapped()
+    {
+        Stream stream(5);
+        const auto x = stream.ratings(12, 6);
+        const auto y = stream.ratings(12, 6.1);
+        const auto one = stats::equivalenceTest(stats::TKind::Paired, x, y, {-0.3, 0.8, 0.05});
+        const auto other = stats::equivalenceTest(stats::TKind::Paired, y, x, {-0.8, 0.3, 0.05});
+        QCOMPARE(*one.pLower, *other.pUpper);
+        QCOMPARE(*one.pUpper, *other.pLower);
+        QCOMPARE(*one.p, *other.p);
+        QCOMPARE(one.verdict(), other.verdict());
+    }
+
+    void intervalLiesInsideTheBoundsExactlyWhenEquivalent()
+    {
+        int equivalent = 0;
+        for (std::uint64_t seed = 0; seed < 400; ++seed) {
+            Stream stream(seed);
+            const auto x = stream.ratings(10, 6);
+            auto y = x;
+            for (double& value : y) value += stream.next() * 2.2 - 1.1;
+            const auto test = stats::equivalenceTest(stats::TKind::Paired, x, y);
+            const bool inside = *test.ci.low > -0.5 && *test.ci.high < 0.5;
+            QCOMPARE(inside, test.equivalent);
+            equivalent += test.equivalent ? 1 : 0;
+        }
+        QVERIFY(equivalent > 50 && equivalent < 350);  // both outcomes were seen
+    }
+
+    void correctedIsNeverBelowRawAndKeepsTheOrder()
+    {
+        for (std::uint64_t seed = 0; seed < 50; ++seed) {
+            Stream stream(seed);
+            std::vector<stats::Value> p;
+            for (int i = 0; i < 36; ++i) p.emplace_back(std::pow(stream.next(), 3));
+            for (const auto method : {stats::Adjustment::Holm, stats::Adjustment::BenjaminiHochberg}) {
+                const auto corrected = stats::adjusted(p, method);
+                for (std::size_t i = 0; i < p.size(); ++i)
+                    for (std::size_t j = 0; j < p.size(); ++j) {
+                        QVERIFY(*corrected[i] >= *p[i] && *corrected[i] <= 1);
+                        if (*p[i] <= *p[j]) QVERIFY(*corrected[i] <= *corrected[j]);
+                    }
+            }
+        }
+    }
+
+    void twoConditionsMakeFEqualToTSquared()
+    {
+        Stream stream(11);
+        const auto x = stream.ratings(9, 6);
+        const auto y = stream.ratings(9, 5);
+        std::vector<std::vector<double>> rows;
+        for (std::size_t i = 0; i < x.size(); ++i) rows.push_back({x[i], y[i]});
+        const auto anova = stats::repeatedMeasuresAnova(stats::blockTableOf(rows).table);
+        const auto t = stats::pairedTTest(x, y);
+        QVERIFY(near(*anova.f, *t.t * *t.t, 1e-13));
+        QVERIFY(near(*anova.p, *t.p, 1e-12));
+        QCOMPARE(*anova.epsilonGg, 1.0);
+    }
+
+    void orderOfTheBlocksDoesNotMatterToRanks()
+    {
+        Stream stream(13);
+        std::vector<std::vector<double>> rows;
+        for (int i = 0; i < 10; ++i) rows.push_back(stream.ratings(5, 5));
+        const auto before = stats::friedmanTest(stats::blockTableOf(rows).table);
+        std::reverse(rows.begin(), rows.end());
+        const auto after = stats::friedmanTest(stats::blockTableOf(rows).table);
+        QCOMPARE(*after.q, *before.q);
+    }
+
+    void undefinedTestsSayWhy_data()
+    {
+        QTest::addColumn<std::vector<double>>("x");
+        QTest::addColumn<std::vector<double>>("y");
+        QTest::addColumn<QString>("why");
+        using V = std::vector<double>;
+        const double nan = std::numeric_limits<double>::quiet_NaN();
+        const double inf = std::numeric_limits<double>::infinity();
+        QTest::newRow("nothing") << V{} << V{} << "no values";
+        QTest::newRow("one pair") << V{1} << V{2} << "at least 2";
+        QTest::newRow("identical") << V{1, 2, 3} << V{1, 2, 3} << "all differences are equal";
+        // 1.1-1.0 and 4.1-4.0 differ in their binary digits; scipy 1.10 answers p = 3e-45 here.
+        QTest::newRow("constant but for rounding") << V{1.1, 2.1, 3.1, 4.1} << V{1, 2, 3, 4} << "all differences are equal";
+        QTest::newRow("not pairs") << V{1, 2, 3} << V{1, 2} << "not pairs";
+        QTest::newRow("NaN") << V{1, nan, 3} << V{1, 2, 2} << "value 2 of x is not a number";
+        QTest::newRow("infinite") << V{1, 2, 3} << V{1, 2, inf} << "value 3 of y is infinite";
+    }
+
+    void undefinedTestsSayWhy()
+    {
+        QFETCH(std::vector<double>, x);
+        QFETCH(std::vector<double>, y);
+        QFETCH(QString, why);
+        const auto t = stats::pairedTTest(x, y);
+        QVERIFY2(QString::fromStdString(t.why).contains(why), t.why.c_str());
+        QVERIFY(!t.t.exists() && !t.p.exists() && !t.ci.low.exists());
+        const auto tost = stats::equivalenceTest(stats::TKind::Paired, x, y);
+        QVERIFY(!tost.p.exists() && !tost.equivalent);
+        QVERIFY(QString::fromStdString(tost.verdict()).startsWith("undefined: "));
+    }
+
+    void descriptionOfNothingOneAndConstant()
+    {
+        const auto none = stats::describe(std::vector<double>{});
+        QCOMPARE(none.n, std::size_t{0});
+        QVERIFY(!none.mean.exists() && !none.median.exists() && !none.mean.why().empty());
+        const auto one = stats::describe(std::vector<double>{3.5, std::numeric_limits<double>::quiet_NaN()});
+        QCOMPARE(one.n, std::size_t{1});
+        QCOMPARE(one.missing, std::size_t{1});
+        QCOMPARE(*one.mean, 3.5);
+        QVERIFY(!one.sd.exists() && !one.ci95.low.exists());
+        const auto constant = stats::describe(std::vector<double>(10, 0.04));
+        QCOMPARE(*constant.sd, 0.0);
+        QVERIFY(!constant.autocorrelationLag1.exists());
+        const auto infinite = stats::describe(std::vector<double>{1, std::numeric_limits<double>::infinity()});
+        QVERIFY(!infinite.mean.exists());
+    }
+
+    void extremeScalesKeepTheirDigits()
+    {
+        // Mean and SD of {1, 2} are 1.5 and sqrt(1/2), whatever the power of two they carry.
+        for (const int exponent : {-1070, -600, 600, 1021}) {
+            const std::vector<double> x{std::ldexp(1, exponent), std::ldexp(2, exponent)};
+            const auto description = stats::describe(x);
+            QCOMPARE(*description.mean, std::ldexp(1.5, exponent));
+            QCOMPARE(*description.sd, std::ldexp(std::sqrt(0.5), exponent));
+        }
+        // The sum of these is beyond 1e308.
+        QVERIFY(near(*stats::describe(std::vector<double>{1e308, 1.2e308, 1.5e308}).mean, 1.2333333333333333e308, 1e-15));
+        // 1e16 + {2, 4, 6, 10}: their mean, 1e16 + 5.5, is no double; the variance is 35/3.
+        QVERIFY(near(*stats::describe(std::vector<double>{1e16 + 2, 1e16 + 4, 1e16 + 6, 1e16 + 10}).variance, 35.0 / 3, 1e-15));
+        // The variance of these is 2.5 exactly; 1e15 + 1 ... 1e15 + 5.
+        QCOMPARE(*stats::describe(std::vector<double>{1e15 + 1, 1e15 + 2, 1e15 + 3, 1e15 + 4, 1e15 + 5}).variance, 2.5);
+    }
+
+    // /usr/bin/python3 -c "import numpy as np; x=[2,4,4,5,7,9]; print(np.quantile(x,[.25,.5,.75]))"
+    //   [4.   4.5  6.5]
+    void quartilesAreOfTypeSeven()
+    {
+        const auto description = stats::describe(std::vector<double>{9, 4, 2, 5, 4, 7});
+        QCOMPARE(*description.q1, 4.0);
+        QCOMPARE(*description.median, 4.5);
+        QCOMPARE(*description.q3, 6.5);
+    }
+
+    void logarithmOfPGoesOnBelowTheSmallestDouble()
+    {
+        // With 2 degrees of freedom p = 1 - t/sqrt(2 + t^2), which is 1/t^2 for large t.
+        const auto two = stats::studentTwoSided(1e200, 2);
+        QCOMPARE(two.p, 0.0);
+        QVERIFY(near(two.logP, -400 * std::log(10.0), 1e-13));
+        // The series of the incomplete beta function I_x(99/2, 1/2), x = 99/(99 + t^2), in 60 digits with Python's
+        // decimal; R: log(2) + pt(-100136.1547, 99, log.p = TRUE)
+        const auto tail = stats::studentTwoSided(100136.1547, 99);
+        QCOMPARE(tail.p, 0.0);
+        QVERIFY2(near(tail.logP, -914.981766894172459, 1e-13), qPrintable(QString::number(tail.logP, 'g', 17)));
+        // Continuous where the direct and the logarithmic computation meet.
+        const double above = stats::studentTwoSided(80, 300).logP;
+        const double below = stats::studentTwoSided(81, 300).logP;
+        QVERIFY(below < above && above - below < 4);
+    }
+
+    void decimalsOfEqualSumHaveEqualMeans()
+    {
+        // In binary 0.1+0.2+0.3 and 0.3+0.2+0.1 differ; as tenths both are 6.
+        QCOMPARE(*stats::meanOf(std::vector<double>{0.1, 0.2, 0.3}), *stats::meanOf(std::vector<double>{0.3, 0.2, 0.1}));
+        QCOMPARE(*stats::meanOf(std::vector<double>{0.1, 0.2, 0.3}), 0.2);
+        QCOMPARE(*stats::meanOf(std::vector<double>(70, 5.1)), 5.1);
+        QCOMPARE(stats::decimalGridOf(std::vector<double>{5.4, 3.0, 0.25})->places, 2);
+        QVERIFY(!stats::decimalGridOf(std::vector<double>{1.0 / 3}));
+        QVERIFY(!stats::meanOf(std::vector<double>{}).exists());
+    }
+
+    void tiesOfDecimalsAreTies()
+    {
+        // All four differences are 0.1 in size; binary arithmetic makes them three sizes and p = 1.
+        const std::vector<double> x{0.3, 0.5, 0.9, 0.7};
+        const std::vector<double> y{0.2, 0.4, 0.8, 0.8};
+        QCOMPARE(*stats::wilcoxonSignedRank(x, y).pExact, 0.625);
+        const auto binary = stats::wilcoxonSignedRank(x, y, {.arithmetic = stats::Arithmetic::Double});
+        QCOMPARE(*binary.pExact, 1.0);
+    }
+
+    // Liesefeld and Janczyk 2019; reference numbers: z-scores with the population SD, by
+    // /usr/bin/python3 -c "import numpy as np; rt=np.array([356.8,325.1,370.6,362.8,348.5,640.3,634.2,650.7,584.5,610.0]);
+    //   pc=np.array([.71,.73,.67,.73,.72,.97,.99,.99,.97,.97]); z=lambda x:(x-x.mean())/x.std(); print(z(pc)-z(rt))"
+    //   [-0.04697794  0.33341051 -0.44591721  0.05838473  0.08813818 -0.17640905 0.01722449 -0.10314488 0.23065828 0.04463289]
+    void balancedIntegrationScores()
+    {
+        const std::vector<double> rt{356.8, 325.1, 370.6, 362.8, 348.5, 640.3, 634.2, 650.7, 584.5, 610.0};
+        const std::vector<double> pc{.71, .73, .67, .73, .72, .97, .99, .99, .97, .97};
+        const std::vector<double> expected{-0.04697794, 0.33341051, -0.44591721, 0.05838473, 0.08813818,
+                                           -0.17640905, 0.01722449, -0.10314488, 0.23065828, 0.04463289};
+        const auto scores = stats::balancedIntegrationScores(pc, rt);
+        for (std::size_t i = 0; i < expected.size(); ++i) QVERIFY(std::fabs(*scores[i] - expected[i]) < 1e-8);
+        QVERIFY(!stats::balancedIntegrationScores(std::vector<double>(10, 0.7), rt)[0].exists());
+    }
+
+    void informationIsNothingAtChanceAndWholeWhenPerfect()
+    {
+        QCOMPARE(*stats::bitsPerChoice(1.0 / 3, 3), 0.0);
+        QCOMPARE(*stats::bitsPerChoice(0.0, 3), 0.0);
+        QCOMPARE(*stats::bitsPerChoice(1, 4), 2.0);
+        QCOMPARE(*stats::bitsPerSecond(1, 4, 8), 0.25);
+        QVERIFY(!stats::bitsPerSecond(1, 4, 0).exists());
+        // log2 3 + .7 log2 .7 + .3 log2 .15
+        QVERIFY(near(*stats::bitsPerChoice(0.7, 3), std::log2(3) + 0.7 * std::log2(0.7) + 0.3 * std::log2(0.15), 1e-14));
+        const auto times = stats::responseTimes(std::vector<double>{2, 8, 4});
+        QCOMPARE(*times.median, 4.0);
+        QVERIFY(near(*times.geometricMean, 4, 1e-15));
+        QVERIFY(!stats::responseTimes(std::vector<double>{2, 0}).logMean.exists());
+    }
+
+    void countsOutsideTheirDomainAreRefused()
+    {
+        QVERIFY(!stats::binomialTest(0, 0, 1.0 / 3).pGreater.exists());
+        QVERIFY(!stats::binomialTest(5, 3, 1.0 / 3).why.empty());
+        QVERIFY(!stats::wilsonInterval(-1, 3).low.exists());
+        QCOMPARE(*stats::wilsonInterval(0, 7).low, 0.0);
+        QCOMPARE(*stats::clopperPearsonInterval(7, 7).high, 1.0);
+    }
+};
+
+QTEST_GUILESS_MAIN(StatisticsTest)
+#include "statistics_test.moc"

@@ -1,0 +1,256 @@
+// How every page looks: names for screen readers, themes, text sizes. With VIS2HAP_SCREENSHOTS=FOLDER every page is
+// saved there as PNG: light, dark, and with text at 200 percent.
+#include "protocols/protocol_json.h"
+#include "study/app/appearance.h"
+#include "study/app/guide_page.h"
+#include "study/app/scale_line.h"
+#include "tests/support/open_window.h"
+
+#include <QAbstractButton>
+#include <QAbstractItemView>
+#include <QComboBox>
+#include <QDir>
+#include <QLabel>
+#include <QLineEdit>
+#include <QTest>
+
+using namespace study::app;
+using namespace study::session;
+using tests::support::buildStudy;
+using tests::support::OpenWindow;
+
+namespace {
+
+bool isControl(const QWidget& widget)
+{
+    return qobject_cast<const QAbstractButton*>(&widget) || qobject_cast<const QLineEdit*>(&widget) ||
+           qobject_cast<const QComboBox*>(&widget) ||
+           qobject_cast<const ScaleLine*>(&widget) ||
+           (qobject_cast<const QAbstractItemView*>(&widget) && widget.focusPolicy() != Qt::NoFocus && !widget.window()->windowType());
+}
+
+QStringList namelessControlsIn(const QWidget& root)
+{
+    QStringList nameless;
+    for (const QWidget* widget : root.findChildren<QWidget*>())
+        if (isControl(*widget) && (widget->accessibleName().trimmed().isEmpty() || widget->objectName().isEmpty()))
+            nameless << QString::fromLatin1(widget->metaObject()->className()) + " " + widget->objectName();
+    return nameless;
+}
+
+/// Buttons and labels that have less room than their text takes.
+QStringList cutTextsIn(const QWidget& page)
+{
+    QStringList cut;
+    for (const QWidget* widget : page.findChildren<QWidget*>()) {
+        if (!widget->isVisible())
+            continue;
+        const auto* label = qobject_cast<const QLabel*>(widget);
+        const bool isButton = qobject_cast<const QAbstractButton*>(widget);
+        const bool isTooLow = label && label->wordWrap() && label->height() < label->heightForWidth(label->width());
+        const bool isTooSmall = (isButton || (label && !label->wordWrap())) && widget->width() < widget->minimumSizeHint().width();
+        const bool isOutside = (isButton || label) && !widget->parentWidget()->rect().contains(widget->geometry());
+        if (isTooLow || isTooSmall || isOutside)
+            cut << QStringLiteral("%1 (%2x%3, wants %4x%5)").arg(widget->objectName()).arg(widget->width()).arg(widget->height())
+                       .arg(widget->minimumSizeHint().width()).arg(widget->heightForWidth(widget->width()));
+    }
+    return cut;
+}
+
+}  // namespace
+
+class AppLooksTest : public QObject {
+    Q_OBJECT
+
+private:
+    database::StudyFolder newStudy(const tests::support::StudyRecipe& recipe = {})
+    {
+        return buildStudy(m_folder.path().toStdString() + "/study" + std::to_string(++m_made), recipe);
+    }
+    /// Goes through every page of the window; `look` is told each page's name.
+    void visitPages(const std::function<void(OpenWindow&, const char*)>& look);
+    QTemporaryDir m_folder;
+    int m_made = 0;
+    QFont m_font = QApplication::font();
+
+private Q_SLOTS:
+    void cleanup() { applyAppearance({}, m_font); }
+    void themesCanBeRead_data();
+    void themesCanBeRead();
+    void everyControlHasANameForScreenReaders();
+    void noTextIsCut_data();
+    void noTextIsCut();
+    void keysChangeTheLooks();
+    void pagesAreSavedAsPictures();
+};
+
+void AppLooksTest::visitPages(const std::function<void(OpenWindow&, const char*)>& look)
+{
+    AppOptions options;
+    options.makeStudy = [](const NewStudyRequest&, const MakingProgress&) {};
+    options.settings = std::make_shared<QSettings>(m_folder.filePath("pages.ini"), QSettings::IniFormat);
+    OpenWindow open(newStudy({.participants = 3}), options);
+    open.window().startSession(protocols::ParticipantId("P01"));
+    open.playToEnd();
+    look(open, "finished");
+    open.hands().pressKey(Qt::Key_Return);
+    QTest::qWait(1);
+    open.window().startSession(protocols::ParticipantId("P02"));
+    auto& guide = *open.window().findChild<GuidePage*>();
+    QStringList checklist;
+    for (const auto& item : protocols::protocolFromJson(protocols::paperProtocolJson(), "paper").checklist)
+        checklist << QString::fromStdString(item);
+    guide.setChecklist(checklist);
+    guide.present(open.view());
+    open.hands().focusOn("check1");
+    open.hands().pressKey(Qt::Key_Space);
+    open.hands().pressKey(Qt::Key_Space);  // the focus has gone on to the next
+    look(open, "introduction");
+    open.playTo("Familiarising");
+    look(open, "familiarisation");
+    open.playTo("ScaleTraining");
+    look(open, "scale-training");
+    open.playTo("PlacingTray");
+    look(open, "tray-first");
+    open.playTo("Presenting");
+    look(open, "choice");
+    open.hands().pressKey(Qt::Key_B);
+    look(open, "choice-read-back");
+    open.playTo("PlacingTray");
+    look(open, "tray");
+    open.hands().pressKey(Qt::Key_L);
+    look(open, "correction-of-choice");
+    open.hands().pressKey(Qt::Key_Escape);
+    open.playTo("OnBreak");
+    look(open, "break");
+    open.playTo("Presenting", "Q2");
+    look(open, "rating");
+    open.hands().type("5,4");
+    look(open, "rating-read-back");
+    open.hands().type("9");
+    open.hands().pressKey(Qt::Key_Return);
+    look(open, "rating-refused");
+    open.widget<QLineEdit>("ratingField").clear();
+    open.playTo("Presenting", "Q3");
+    open.hands().pressKey(Qt::Key_L);
+    look(open, "correction-of-rating");
+    open.hands().pressKey(Qt::Key_Escape);
+    open.hands().pressKey(Qt::Key_V);
+    look(open, "void");
+    open.hands().pressKey(Qt::Key_Escape);
+    open.hands().pressKey(Qt::Key_N);
+    look(open, "note");
+    open.hands().pressKey(Qt::Key_Escape);
+    open.perform(Paused{});
+    look(open, "paused");
+    open.display().fault = "the display does not answer";
+    open.perform(Resumed{});
+    open.hands().pressKey(Qt::Key_Return);
+    look(open, "display-fault");
+    open.display().fault.clear();
+    open.hands().pressKey(Qt::Key_W);
+    look(open, "withdrawal");
+    open.hands().pressKey(Qt::Key_Escape);
+    open.hands().pressKey(Qt::Key_Q);
+    QTest::qWait(1);
+    look(open, "study");
+    open.hands().pressKey(Qt::Key_Escape);
+    look(open, "start");
+    open.widget<QLineEdit>("studyFolderField").setText(m_folder.filePath("nothing-here"));
+    open.hands().click("openButton");
+    look(open, "start-fault");
+    open.hands().click("newStudyButton");
+    look(open, "new-study");
+}
+
+void AppLooksTest::themesCanBeRead_data()
+{
+    QTest::addColumn<Theme>("theme");
+    QTest::newRow("light") << Theme::Light;
+    QTest::newRow("dark room") << Theme::DarkRoom;
+}
+
+void AppLooksTest::themesCanBeRead()
+{
+    QFETCH(Theme, theme);
+    const Colours c = coloursOf(theme);
+    QVERIFY(contrastOf(Qt::black, Qt::white) > 20.9);
+    for (const auto& [front, back] : {std::pair(c.text, c.background), std::pair(c.text, c.surface),
+                                      std::pair(c.quietText, c.background), std::pair(c.quietText, c.surface),
+                                      std::pair(c.onAccent, c.accent), std::pair(c.onAttention, c.attention),
+                                      std::pair(c.onFault, c.fault), std::pair(c.text, c.line)})
+        QVERIFY2(contrastOf(front, back) >= 4.5, qPrintable(front.name() + " on " + back.name()));
+}
+
+void AppLooksTest::everyControlHasANameForScreenReaders()
+{
+    int pages = 0;
+    visitPages([&](OpenWindow& open, const char* page) {
+        const QStringList nameless = namelessControlsIn(*open.window().currentPage());
+        QVERIFY2(nameless.isEmpty(), qPrintable(QString::fromLatin1(page) + ": " + nameless.join(", ")));
+        ++pages;
+    });
+    QVERIFY(pages > 20);
+}
+
+void AppLooksTest::noTextIsCut_data()
+{
+    QTest::addColumn<int>("percent");
+    QTest::newRow("usual size") << 100;
+    QTest::newRow("twice as large") << 200;
+}
+
+void AppLooksTest::noTextIsCut()
+{
+    QFETCH(int, percent);
+    visitPages([&](OpenWindow& open, const char* page) {
+        open.window().setAppearance({Theme::Light, percent});
+        open.window().resize(1100, 750);
+        QTRY_VERIFY2_WITH_TIMEOUT(cutTextsIn(*open.window().currentPage()).isEmpty(),
+                                  qPrintable(QString::fromLatin1(page) + ": " +
+                                             cutTextsIn(*open.window().currentPage()).join(", ")), 500);
+        QVERIFY2(open.window().width() <= 1100 && open.window().height() <= 750, page);
+    });
+}
+
+void AppLooksTest::keysChangeTheLooks()
+{
+    AppOptions options;
+    options.settings = std::make_shared<QSettings>(m_folder.filePath("looks.ini"), QSettings::IniFormat);
+    OpenWindow open(newStudy(), options);
+    const double before = QApplication::font().pointSizeF();
+    QVERIFY(QTest::qWaitForWindowActive(&open.window()));
+    QTest::keyClick(&open.window(), Qt::Key_Plus, Qt::ControlModifier);
+    QVERIFY(QApplication::font().pointSizeF() > before);
+    QVERIFY(open.widget<QLabel>("studyTitle").font().pointSizeF() > before * 2.2);
+    QTest::keyClick(&open.window(), Qt::Key_D, Qt::ControlModifier);
+    QVERIFY(QApplication::palette().color(QPalette::Window).lightness() < 60);
+    QTest::keyClick(&open.window(), Qt::Key_0, Qt::ControlModifier);
+    QCOMPARE(QApplication::font().pointSizeF(), before);
+    QCOMPARE(options.settings->value("darkRoom").toBool(), true);
+}
+
+void AppLooksTest::pagesAreSavedAsPictures()
+{
+    const QString folder = qEnvironmentVariable("VIS2HAP_SCREENSHOTS");
+    if (folder.isEmpty())
+        QSKIP("VIS2HAP_SCREENSHOTS names no folder, so no page is saved");
+    QVERIFY(QDir().mkpath(folder));
+    struct Look {
+        const char* name;
+        Appearance appearance;
+    };
+    const Look looks[] = {{"light", {Theme::Light, 100}}, {"dark", {Theme::DarkRoom, 100}}, {"large", {Theme::Light, 200}}};
+    visitPages([&](OpenWindow& open, const char* page) {
+        for (const Look& look : looks) {
+            open.window().setAppearance(look.appearance);
+            open.window().resize(1100, 750);
+            QTest::qWait(20);
+            const QString file = QStringLiteral("%1/%2-%3.png").arg(folder, QString::fromLatin1(page), look.name);
+            QVERIFY2(open.window().grab().save(file), qPrintable(file));
+        }
+    });
+}
+
+QTEST_MAIN(AppLooksTest)
+#include "app_looks_test.moc"

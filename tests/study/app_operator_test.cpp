@@ -1,0 +1,224 @@
+// What an experimenter meets on the way through a session: corrections, notes, voids, withdrawal, a dead
+// display, a key held down. Through the real widgets.
+#include "tests/support/typed_answers.h"
+
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTest>
+
+using namespace study::session;
+using namespace tests::support;
+using protocols::Tenths;
+
+class AppOperatorTest : public QObject {
+    Q_OBJECT
+
+private:
+    database::StudyFolder newStudy() { return buildStudy(m_folder.path().toStdString() + "/study" + std::to_string(++m_made)); }
+    QTemporaryDir m_folder;
+    int m_made = 0;
+
+private Q_SLOTS:
+    void lastAnswerIsCorrectedWithItsReason();
+    void choiceOfTheLastPartCanStillBeCorrected();
+    void stopForNowLeadsBackToTheStudy();
+    void voidedPresentationComesAgain();
+    void noteIsKeptWithTheAnswer();
+    void withdrawalNeedsNoReason();
+    void trayMarksOnlyWhatHasToBeChanged();
+    void heldKeyStoresNothingTwice();
+    void deadDisplayIsToldAndNothingIsLost();
+    void answerIsNotStoredBeforeOneIsChosen();
+};
+
+void AppOperatorTest::lastAnswerIsCorrectedWithItsReason()
+{
+    const auto folder = newStudy();
+    OpenWindow open(folder);
+    open.enrolAndBegin();
+    open.playTo("Presenting", "Q2");
+    const std::string asked = nowAsked(open);
+    answerByKeys(open, Tenths{54}, u'.');
+    QVERIFY(open.widget<QLabel>("lastAnswer").text().contains("5.4"));
+
+    pressKey(open, Qt::Key_L);
+    QCOMPARE(open.widget<QLabel>("oldValue").text(), QString("5.4"));
+    typeText(open, "4");
+    pressKey(open, Qt::Key_Return);  // no reason yet
+    QVERIFY(open.message().contains("why"));
+    QCOMPARE(answersIn(folder).at(asked), std::string("5.4"));
+    typeText(open, "misheard, said four");  // letters that are keys elsewhere
+    pressKey(open, Qt::Key_Return);
+
+    QCOMPARE(answersIn(folder).at(asked), std::string("4"));
+    QVERIFY(open.widget<QLabel>("lastAnswer").text().contains("4.0"));
+    QCOMPARE(open.window().focusWidget()->objectName(), QString("ratingField"));  // the question goes on
+    for (const auto& stored : storedIn(folder))
+        if (stored.record.question.value == "Q2") {
+            QCOMPARE(stored.corrections, 1);
+            QVERIFY(stored.record.note.find("misheard, said four") != std::string::npos);
+        }
+}
+
+void AppOperatorTest::choiceOfTheLastPartCanStillBeCorrected()
+{
+    const auto folder = newStudy();
+    OpenWindow open(folder);
+    open.enrolAndBegin();
+    open.playTo("Presenting", "Q3");  // Q2 is the last answer, Q1 the one before it
+    const auto correctable = open.window().session()->correctables();
+    QCOMPARE(correctable.size(), std::size_t(2));
+    const auto& other = correctable[1].choices.front().name == correctable[1].current ? correctable[1].choices.back()
+                                                                                       : correctable[1].choices.front();
+    const auto before = answersIn(folder);
+    open.perform(Corrected{protocols::QuestionId("Q1"), other.fabric, "pointed at the other"});
+    int changed = 0;
+    for (const auto& [asked, answer] : answersIn(folder))
+        if (before.at(asked) != answer) {
+            ++changed;
+            QCOMPARE(answer, other.fabric.value);
+        }
+    QCOMPARE(changed, 1);
+}
+
+void AppOperatorTest::stopForNowLeadsBackToTheStudy()
+{
+    OpenWindow open(newStudy());
+    open.enrolAndBegin();
+    open.playTo("Presenting", "Q1");
+    pressKey(open, Qt::Key_Q);
+    QTRY_COMPARE(open.window().currentPage()->objectName(), QString("studyPage"));
+    QVERIFY(!open.window().session());
+    open.window().startSession(protocols::ParticipantId("P01"));
+    QVERIFY(open.view().state.paused);
+}
+
+void AppOperatorTest::voidedPresentationComesAgain()
+{
+    const auto folder = newStudy();
+    OpenWindow open(folder);
+    open.enrolAndBegin();
+    open.playTo("Presenting", "Q3");
+    const int presentations = open.view().presentations;
+    const std::string code = open.view().code.value;
+    pressKey(open, Qt::Key_V);
+    QVERIFY(open.widget<QLabel>("panelTitle").text().contains(QString::fromStdString(code)));
+    typeText(open, "wrong fabric");
+    pressKey(open, Qt::Key_Return);
+    QCOMPARE(open.view().presentations, presentations + 1);
+    QVERIFY(open.view().code.value != code);
+    int voided = 0;
+    for (const auto& stored : storedIn(folder))
+        voided += stored.voided ? 1 : 0;
+    QCOMPARE(voided, 1);
+}
+
+void AppOperatorTest::noteIsKeptWithTheAnswer()
+{
+    const auto folder = newStudy();
+    OpenWindow open(folder);
+    open.enrolAndBegin();
+    open.playTo("Presenting", "Q2");
+    pressKey(open, Qt::Key_N);
+    pressKey(open, Qt::Key_Return);
+    pressKey(open, Qt::Key_Return);  // an empty note is none, however often it is confirmed
+    QVERIFY(!open.message().isEmpty());
+    pressKey(open, Qt::Key_Escape);
+    QVERIFY(!open.view().state.paused);  // Esc only closed the panel
+    open.perform(Noted{"a lorry went by"});
+    const auto events = open.window().study()->store().events(protocols::ParticipantId("P01"));
+    QVERIFY(events.back().payloadJson.find("a lorry went by") != std::string::npos);
+}
+
+void AppOperatorTest::withdrawalNeedsNoReason()
+{
+    const auto folder = newStudy();
+    OpenWindow open(folder);
+    open.enrolAndBegin();
+    open.playTo("Presenting", "Q1");
+    open.perform(WithdrawnEvent{""});
+    QVERIFY(std::holds_alternative<Withdrawn>(open.view().state.stage));
+    QVERIFY(open.widget<QLabel>("guideTitle").text().contains("withdrawn"));
+    pressKey(open, Qt::Key_Return);
+    QTRY_COMPARE(open.window().currentPage()->objectName(), QString("studyPage"));
+}
+
+void AppOperatorTest::trayMarksOnlyWhatHasToBeChanged()
+{
+    OpenWindow open(newStudy());
+    open.enrolAndBegin();
+    const auto marked = [&] {
+        QString letters;
+        for (const auto* tag : open.window().currentPage()->findChildren<QLabel*>("slotTag"))
+            letters += tag->isVisible() && tag->property("role").toString() == QLatin1String("tag-new") ? '1' : '0';
+        return letters;
+    };
+    QCOMPARE(marked(), QString("111"));  // nobody knows what lies there
+    for (int presentation = 0; presentation < 3; ++presentation) {
+        const auto before = open.view().trayIds;
+        open.playTo("Presenting");
+        open.playTo("PlacingTray");
+        const auto& now = open.view().trayIds;
+        QString expected;
+        for (std::size_t place = 0; place < now.size(); ++place)
+            expected += now[place] == before[place] ? '0' : '1';
+        QCOMPARE(marked(), expected);
+    }
+}
+
+void AppOperatorTest::heldKeyStoresNothingTwice()
+{
+    const auto folder = newStudy();
+    OpenWindow open(folder);
+    open.enrolAndBegin();
+    open.playTo("Presenting", "Q1");
+    pressKey(open, Qt::Key_A);
+    for (int repeat = 0; repeat < 5; ++repeat) {
+        QKeyEvent held(QEvent::KeyPress, Qt::Key_Return, Qt::NoModifier, "\r", repeat > 0);
+        QApplication::sendEvent(open.window().focusWidget(), &held);
+    }
+    QCOMPARE(answersIn(folder).size(), std::size_t(1));
+    QCOMPARE(nameOf(open.view().state), std::string("PlacingTray"));  // and the next tray is not confirmed unseen
+}
+
+void AppOperatorTest::deadDisplayIsToldAndNothingIsLost()
+{
+    const auto folder = newStudy();
+    OpenWindow open(folder);
+    open.enrolAndBegin();
+    open.playTo("Presenting", "Q1");
+    open.playTo("PlacingTray");
+    const auto before = answersIn(folder);
+    open.display().fault = "the display is gone";
+    pressKey(open, Qt::Key_Return);
+    QVERIFY2(open.message().contains("the display is gone"), qPrintable(open.message()));
+    QVERIFY2(open.message().contains("plug it in"), qPrintable(open.message()));
+    QVERIFY(open.view().state.paused);
+    QCOMPARE(answersIn(folder), before);
+    open.display().fault.clear();
+    pressKey(open, Qt::Key_Return);  // goes on
+    QVERIFY(open.message().isEmpty());
+    open.playToEnd();
+    QCOMPARE(answersIn(folder).size(), std::size_t(24));
+}
+
+void AppOperatorTest::answerIsNotStoredBeforeOneIsChosen()
+{
+    const auto folder = newStudy();
+    OpenWindow open(folder);
+    open.enrolAndBegin();
+    open.playTo("Presenting", "Q1");
+    pressKey(open, Qt::Key_Return);
+    QVERIFY(open.message().contains("Choose first"));
+    QVERIFY(answersIn(folder).empty());
+    pressKey(open, Qt::Key_B);
+    QVERIFY(open.widget<QLabel>("readBack").text().contains("B"));
+    pressKey(open, Qt::Key_C);  // changed before it is stored
+    const auto third = open.view().trayIds.at(2).value;
+    pressKey(open, Qt::Key_Return);
+    QCOMPARE(answersIn(folder).begin()->second, third);
+}
+
+QTEST_MAIN(AppOperatorTest)
+#include "app_operator_test.moc"

@@ -1,0 +1,337 @@
+// The pages around a session: opening and making studies, who is where, the checklist; and numbers as typed.
+#include "protocols/errors.h"
+#include "study/app/guide_page.h"
+#include "study/app/rating_text.h"
+#include "study/app/scale_line.h"
+#include "tests/support/open_window.h"
+
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPushButton>
+#include <QTest>
+#include <QThread>
+#include <QTreeWidget>
+
+using namespace study::app;
+using namespace study::session;
+using protocols::Tenths;
+using tests::support::buildStudy;
+using tests::support::OpenWindow;
+
+class AppPagesTest : public QObject {
+    Q_OBJECT
+
+private:
+    database::StudyFolder newStudy(const tests::support::StudyRecipe& recipe = {})
+    {
+        return buildStudy(m_folder.path().toStdString() + "/study" + std::to_string(++m_made), recipe);
+    }
+    QTemporaryDir m_folder;
+    int m_made = 0;
+
+private Q_SLOTS:
+    void typedNumbersBecomeRatings_data();
+    void typedNumbersBecomeRatings();
+    void placesOnTheLineAreSteps();
+    void startPageOpensAStudy();
+    void folderThatIsNoStudyIsToldOnTheStartPage();
+    void studyOpenElsewhereIsTold();
+    void studiesLastUsedAreRemembered();
+    void studyPageShowsWhoIsWhere();
+    void takenOrStrangeParticipantsAreNotEnrolled_data();
+    void takenOrStrangeParticipantsAreNotEnrolled();
+    void newStudyIsMadeOffTheWindowsThread();
+    void makingThatFailsIsToldOnThePage();
+    void makingCanBeStopped();
+    void incompleteFormIsToldAndMakesNothing();
+    void checklistMustBeCompleteBeforeTheFirstPresentation();
+};
+
+void AppPagesTest::typedNumbersBecomeRatings_data()
+{
+    QTest::addColumn<QString>("typed");
+    QTest::addColumn<int>("tenths");
+    QTest::newRow("whole") << "5" << 50;
+    QTest::newRow("point") << "5.4" << 54;
+    QTest::newRow("comma") << "5,4" << 54;
+    QTest::newRow("zero") << "0" << 0;
+    QTest::newRow("top") << "10" << 100;
+    QTest::newRow("top with decimal") << "10.0" << 100;
+    QTest::newRow("spaces") << " 7.1 " << 71;
+    QTest::newRow("leading zero") << "05" << 50;
+    QTest::newRow("letters") << "5a" << -1;
+    QTest::newRow("exponent") << "1e1" << -1;
+    QTest::newRow("sign") << "+5" << -1;
+    QTest::newRow("two signs") << "--5" << -1;
+    QTest::newRow("only a point") << "." << -1;
+    QTest::newRow("no whole part") << ".5" << -1;
+    QTest::newRow("huge") << "99999999" << -1;
+}
+
+void AppPagesTest::typedNumbersBecomeRatings()
+{
+    QFETCH(QString, typed);
+    QFETCH(int, tenths);
+    const auto read = ratingFromText(typed, protocols::Scale{});
+    const auto* rating = std::get_if<Tenths>(&read);
+    QCOMPARE(rating ? rating->value : -1, tenths);
+    if (!rating)
+        QVERIFY(!std::get<NoRating>(read).why.isEmpty());
+}
+
+void AppPagesTest::placesOnTheLineAreSteps()
+{
+    const protocols::Scale halves{Tenths{0}, Tenths{100}, Tenths{5}, 9};
+    QCOMPARE(ratingAt(0.0, halves).value, 0);
+    QCOMPARE(ratingAt(0.52, halves).value, 50);
+    QCOMPARE(ratingAt(0.53, halves).value, 55);
+    QCOMPARE(ratingAt(1.7, halves).value, 100);
+    QVERIFY(std::holds_alternative<NoRating>(ratingFromText("5.4", halves)));
+    QCOMPARE(study::app::textOf(Tenths{-4}), QString("-0.4"));
+}
+
+void AppPagesTest::startPageOpensAStudy()
+{
+    const auto folder = newStudy();
+    MainWindow window{AppOptions{}};
+    window.show();
+    auto* line = window.findChild<QLineEdit*>("studyFolderField");
+    QVERIFY(line->hasFocus() || window.focusWidget() == line);
+    QTest::keyClicks(line, QString::fromStdString(folder.folder.string()));
+    QTest::keyClick(line, Qt::Key_Return);
+    QCOMPARE(window.currentPage()->objectName(), QString("studyPage"));
+    QVERIFY(window.windowTitle().contains("Small study"));
+}
+
+void AppPagesTest::folderThatIsNoStudyIsToldOnTheStartPage()
+{
+    MainWindow window{AppOptions{}};
+    window.show();
+    GuiHands hands(window);
+    const auto message = [&] { return window.findChild<QLabel*>("startMessage"); };
+    hands.click("openButton");
+    QVERIFY(message()->isVisible());
+    window.findChild<QLineEdit*>("studyFolderField")->setText(m_folder.filePath("not-there"));
+    hands.click("openButton");
+    QCOMPARE(window.currentPage()->objectName(), QString("startPage"));
+    QVERIFY(message()->isVisible());
+    QVERIFY2(message()->text().contains("not-there"), qPrintable(message()->text()));
+}
+
+void AppPagesTest::studyOpenElsewhereIsTold()
+{
+    const auto folder = newStudy();
+    const database::StudyStore writer(folder, database::StudyStore::Access::Write);
+    MainWindow window{AppOptions{}};
+    window.show();
+    GuiHands hands(window);
+    window.findChild<QLineEdit*>("studyFolderField")->setText(QString::fromStdString(folder.folder.string()));
+    hands.click("openButton");
+    QCOMPARE(window.currentPage()->objectName(), QString("startPage"));
+    QVERIFY(window.findChild<QLabel*>("startMessage")->isVisible());
+}
+
+void AppPagesTest::studiesLastUsedAreRemembered()
+{
+    const auto first = newStudy(), second = newStudy();
+    AppOptions options;
+    options.settings = std::make_shared<QSettings>(m_folder.filePath("recent.ini"), QSettings::IniFormat);
+    {
+        MainWindow window(options);
+        window.openStudy(first.folder);
+        window.openStudy(second.folder);
+        window.openStudy(first.folder);
+    }
+    MainWindow window(options);
+    const auto* list = window.findChild<QListWidget*>("recentList");
+    QCOMPARE(list->count(), 2);
+    QCOMPARE(list->item(0)->text().toStdString(), first.folder.string());
+    QCOMPARE(list->item(1)->text().toStdString(), second.folder.string());
+}
+
+void AppPagesTest::studyPageShowsWhoIsWhere()
+{
+    OpenWindow open(newStudy({.participants = 3}));
+    open.enrolAndBegin();
+    open.playToEnd();
+    open.window().startSession(protocols::ParticipantId("P02"));
+    open.playTo("Presenting", "Q2");
+    open.hands().pressKey(Qt::Key_Q);
+    QTRY_COMPARE(open.window().currentPage()->objectName(), QString("studyPage"));
+    const auto& places = open.widget<QTreeWidget>("placesList");
+    const auto row = [&](int number) {
+        QStringList texts;
+        for (int column = 0; column < 4; ++column)
+            texts << places.topLevelItem(number)->text(column);
+        return texts.join('|');
+    };
+    QCOMPARE(row(0), QString("1|P01|finished|24 of 24"));
+    QCOMPARE(row(1), QString("2|P02|under way|6 of 24"));
+    QCOMPARE(row(2), QString("3|–|free|"));
+    QCOMPARE(open.widget<QLineEdit>("participantField").text(), QString("P03"));
+}
+
+void AppPagesTest::takenOrStrangeParticipantsAreNotEnrolled_data()
+{
+    QTest::addColumn<QString>("participant");
+    QTest::newRow("taken") << "P01";
+    QTest::newRow("empty") << "";
+    QTest::newRow("with spaces") << "Ann Smith";
+    QTest::newRow("a path") << "../P02";
+}
+
+void AppPagesTest::takenOrStrangeParticipantsAreNotEnrolled()
+{
+    QFETCH(QString, participant);
+    OpenWindow open(newStudy());
+    open.enrolAndBegin();
+    open.hands().pressKey(Qt::Key_Q);
+    QTRY_COMPARE(open.window().currentPage()->objectName(), QString("studyPage"));
+    open.widget<QLineEdit>("participantField").setText(participant);
+    open.hands().click("enrolButton");
+    QVERIFY(!open.window().session());
+    QVERIFY(!open.message("studyMessage").isEmpty());
+}
+
+void AppPagesTest::newStudyIsMadeOffTheWindowsThread()
+{
+    const auto made = newStudy();
+    AppOptions options;
+    NewStudyRequest asked;
+    QThread* thread = nullptr;
+    options.makeStudy = [&](const NewStudyRequest& request, const MakingProgress& progress) {
+        asked = request;
+        thread = QThread::currentThread();
+        progress(0.5, "drawing the running orders");
+    };
+    MainWindow window(options);
+    window.show();
+    GuiHands hands(window);
+    hands.click("newStudyButton");
+    hands.type(QString::fromStdString(made.folder.string()));
+    hands.focusOn("datasetField");
+    hands.type("/data/fabrics");
+    hands.focusOn("seedField");
+    window.findChild<QLineEdit*>("seedField")->clear();
+    hands.type("42");
+    hands.focusOn("participantsField");
+    hands.type("4");
+    hands.focusOn("protocolField");
+    hands.pressKey(Qt::Key_Return);
+    QTRY_COMPARE(window.currentPage()->objectName(), QString("studyPage"));
+    QCOMPARE(asked, (NewStudyRequest{made.folder, "/data/fabrics", std::nullopt, 4, 42}));
+    QVERIFY(thread != QThread::currentThread());
+}
+
+void AppPagesTest::makingThatFailsIsToldOnThePage()
+{
+    AppOptions options;
+    options.makeStudy = [](const NewStudyRequest& request, const MakingProgress&) {
+        throw protocols::badInput({.what = "no photographs", .where = request.dataset.string(), .expected = {}, .nextStep = {}});
+    };
+    MainWindow window(options);
+    window.show();
+    GuiHands hands(window);
+    hands.click("newStudyButton");
+    hands.type("/tmp/new-study");
+    hands.focusOn("datasetField");
+    hands.type("/data/poor");
+    hands.click("makeButton");
+    const auto* message = window.findChild<QLabel*>("newStudyMessage");
+    QTRY_VERIFY(message->isVisible());
+    QVERIFY(message->text().contains("no photographs"));
+    QVERIFY(message->text().contains("/data/poor"));
+    QCOMPARE(window.currentPage()->objectName(), QString("newStudyPage"));
+    QCOMPARE(window.findChild<QLineEdit*>("datasetField")->text(), QString("/data/poor"));  // nothing typed is lost
+    QVERIFY(window.findChild<QPushButton*>("makeButton")->isEnabled());
+}
+
+void AppPagesTest::makingCanBeStopped()
+{
+    AppOptions options;
+    std::atomic<bool> isUnwound = false;
+    options.makeStudy = [&](const NewStudyRequest&, const MakingProgress& progress) {
+        struct Unwinding {
+            std::atomic<bool>& flag;
+            ~Unwinding() { flag = true; }
+        } unwinding{isUnwound};
+        for (;;) {
+            progress(0.1, "working");
+            QThread::msleep(1);
+        }
+    };
+    MainWindow window(options);
+    window.show();
+    GuiHands hands(window);
+    hands.click("newStudyButton");
+    hands.type("/tmp/new-study");
+    hands.focusOn("datasetField");
+    hands.type("/data/fabrics");
+    hands.pressKey(Qt::Key_Return);
+    QTRY_COMPARE(window.findChild<QLabel*>("makingText")->text(), QString("working"));
+    hands.pressKey(Qt::Key_Escape);
+    QTRY_VERIFY(isUnwound);
+    QTRY_VERIFY(window.findChild<QLabel*>("newStudyMessage")->isVisible());
+    QVERIFY(window.findChild<QLabel*>("newStudyMessage")->text().contains("stopped"));
+}
+
+void AppPagesTest::incompleteFormIsToldAndMakesNothing()
+{
+    AppOptions options;
+    bool isMade = false;
+    options.makeStudy = [&](const NewStudyRequest&, const MakingProgress&) { isMade = true; };
+    MainWindow window(options);
+    window.show();
+    GuiHands hands(window);
+    hands.click("newStudyButton");
+    const auto* message = window.findChild<QLabel*>("newStudyMessage");
+    const auto toldAfterEnter = [&] {
+        hands.pressKey(Qt::Key_Return);
+        return message->isVisible() ? message->text() : QString();
+    };
+    QVERIFY(toldAfterEnter().contains("folder for the study"));
+    hands.type("/tmp/s");
+    QVERIFY(toldAfterEnter().contains("data set"));
+    hands.type("/tmp/d");
+    window.findChild<QLineEdit*>("seedField")->setText("-3");
+    QVERIFY(toldAfterEnter().contains("seed"));
+    window.findChild<QLineEdit*>("seedField")->setText("3");
+    window.findChild<QLineEdit*>("participantsField")->setText("0");
+    QVERIFY(toldAfterEnter().contains("number of participants"));
+    QTest::qWait(20);
+    QVERIFY(!isMade);
+}
+
+void AppPagesTest::checklistMustBeCompleteBeforeTheFirstPresentation()
+{
+    QWidget window;
+    GuidePage& page = *new GuidePage(&window);
+    window.show();
+    page.setChecklist({"hands are washed", "the mask is on"});
+    std::vector<std::string> asked;
+    QString hint;
+    connect(&page, &StagePage::eventAsked, this, [&](const EventBody& event) { asked.push_back(kindOf(event)); });
+    connect(&page, &StagePage::hinted, this, [&](const QString& text) { hint = text; });
+    View view;
+    page.present(view);
+    const auto boxes = page.findChildren<QCheckBox*>();
+    QCOMPARE(boxes.size(), qsizetype(2));
+    boxes[0]->click();
+    page.pressKey(Qt::Key_Return);
+    QCOMPARE(asked, std::vector<std::string>{"begun"});  // the mask comes later
+
+    view.state.stage = ScaleTraining{};
+    page.present(view);
+    QVERIFY(!boxes[0]->isVisibleTo(&page));
+    QVERIFY(boxes[1]->isVisibleTo(&page));
+    page.pressKey(Qt::Key_Return);
+    QVERIFY(hint.contains("the mask is on"));
+    QCOMPARE(asked.size(), std::size_t(1));
+    boxes[1]->click();
+    page.pressKey(Qt::Key_Return);
+    QCOMPARE(asked.back(), std::string("scale_training_done"));
+}
+
+QTEST_MAIN(AppPagesTest)
+#include "app_pages_test.moc"

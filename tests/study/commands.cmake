@@ -1,0 +1,8 @@
+vis2hap_test(study script_test LINK study_commands)
+vis2hap_test(study signal_quality_test LINK study_commands)
+vis2hap_test(study simulated_participant_test LINK study_commands)
+add_library(tests_program STATIC support/program.cpp support/paper_totals.cpp)
+target_compile_definitions(tests_program PRIVATE VIS2HAP_PROGRAM="${PROJECT_BINARY_DIR}/vis2hap")
+target_link_libraries(tests_program PUBLIC vis2hap_rules Qt6::Core nlohmann_json::nlohmann_json)
+vis2hap_test(study main_job_test LINK tests_program Qt6::Gui)
+add_dependencies(main_job_test vis2hap vis2hap-nn)

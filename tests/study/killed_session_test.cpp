@@ -1,0 +1,136 @@
+// kill -9 at drawn instants of a session in a process of its own: what was acknowledged is there, once,
+// and the session goes on at the right trial.
+#include <QElapsedTimer>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QThread>
+#include <QtTest>
+#include <map>
+
+#include "protocols/random.h"
+#include "tests/support/played_session.h"
+#include "tests/support/study_builder.h"
+
+using namespace tests::support;
+
+namespace {
+
+constexpr int answersInAll = 6 + 18;
+
+std::string lineOf(const database::CurrentAnswer& answer)
+{
+    const auto& record = answer.record;
+    return std::to_string(record.trial.value) + " " + record.question.value + " " + record.fileCode.value + " " +
+           (record.answer ? record.answer->value : std::to_string(record.rating->value));
+}
+
+std::vector<std::string> linesOf(const database::StudyStore& store)
+{
+    std::vector<std::string> lines;
+    for (const auto& answer : store.answers()) lines.push_back(lineOf(answer));
+    return lines;
+}
+
+/// The trial (from 0) whose answer comes next after so many.
+int trialAfter(int answers) { return answers < 6 ? answers : 6 + (answers - 6) / 3; }
+
+/// Acknowledged answers, by the lines that the child could still write.
+int acknowledged(QProcess& child, int before)
+{
+    int answers = before;
+    for (const QByteArray& line : child.readAllStandardOutput().split('\n'))
+        if (line.startsWith("answer ")) answers = line.mid(7).toInt();
+    return answers;
+}
+
+/// Kills the child `wait` after it acknowledged `answers`, or lets it end; returns what it acknowledged.
+int playAndKill(const database::StudyFolder& folder, int answers, int waitUs)
+{
+    QProcess child;
+    child.start(QCoreApplication::applicationDirPath() + "/session_child",
+                {"play", QString::fromStdString(folder.folder.string()), "S01"});
+    QElapsedTimer patience;
+    patience.start();
+    int known = 0;
+    bool open = false;
+    while (patience.elapsed() < 60000 && child.state() != QProcess::NotRunning && (!open || known < answers)) {
+        child.waitForReadyRead(100);
+        while (child.canReadLine()) {
+            const QByteArray line = child.readLine();
+            open = open || line.startsWith("open ");
+            if (line.startsWith("answer ")) known = line.mid(7).toInt();
+        }
+    }
+    QThread::usleep(static_cast<unsigned long>(waitUs));
+    child.kill();
+    child.waitForFinished();
+    return acknowledged(child, known);
+}
+
+}  // namespace
+
+class KilledSessionTest : public QObject {
+    Q_OBJECT
+    QTemporaryDir m_place;
+    std::vector<std::string> m_expected;
+
+private Q_SLOTS:
+    void initTestCase()
+    {
+        const auto folder = buildStudy(m_place.filePath("uninterrupted").toStdString());
+        OpenSession session(folder, "S01");
+        session.playToEnd();
+        m_expected = linesOf(session.store);
+        QCOMPARE(static_cast<int>(m_expected.size()), answersInAll);
+    }
+
+    void everyAcknowledgedAnswerIsThereOnceAndTheNextTrialIsRight_data()
+    {
+        QTest::addColumn<int>("answers");
+        QTest::addColumn<int>("waitUs");
+        protocols::Random random(20260101);
+        for (int kill = 1; kill <= 20; ++kill) {
+            const int answers = static_cast<int>(random.below(answersInAll));
+            const int waitUs = static_cast<int>(random.below(3000));
+            QTest::addRow("kill %d: %d us after answer %d", kill, waitUs, answers) << answers << waitUs;
+        }
+    }
+
+    void everyAcknowledgedAnswerIsThereOnceAndTheNextTrialIsRight()
+    {
+        QFETCH(int, answers);
+        QFETCH(int, waitUs);
+        const auto folder = buildStudy(m_place.filePath(QTest::currentDataTag()).toStdString());
+        const int told = playAndKill(folder, answers, waitUs);
+        QVERIFY(told >= answers);
+        OpenSession session(folder, "S01");
+        const int stored = session.driver->state().answersStored;
+        QVERIFY2(stored == told || stored == told + 1, qPrintable(QString("%1 told, %2 stored").arg(told).arg(stored)));
+        std::vector<std::string> expected = m_expected;
+        expected.resize(static_cast<std::size_t>(stored));
+        QCOMPARE(linesOf(session.store), expected);
+        if (stored < answersInAll) {
+            session.stepUntil("Presenting");
+            QCOMPARE(std::get<study::session::Presenting>(session.driver->state().stage).index, trialAfter(stored));
+        }
+        session.playToEnd();
+        QCOMPARE(linesOf(session.store), m_expected);
+        QVERIFY(session.store.faults().empty());
+    }
+
+    void oneSessionSurvivesManyKills()
+    {
+        const auto folder = buildStudy(m_place.filePath("many").toStdString());
+        int told = 0;
+        for (int kill = 0; kill < 8; ++kill)
+            told = std::max(told, playAndKill(folder, std::min(told + 2, answersInAll), 200 * kill));
+        QVERIFY(told >= 16);
+        OpenSession session(folder, "S01");
+        session.playToEnd();
+        QCOMPARE(linesOf(session.store), m_expected);
+        QVERIFY(session.store.faults().empty());
+    }
+};
+
+QTEST_GUILESS_MAIN(KilledSessionTest)
+#include "killed_session_test.moc"

@@ -1,0 +1,337 @@
+// The main job through the program, as users run it: fabrics -> study -> scripted participants ->
+// report; killed and resumed; through the window; and what happens on bad input.
+#include "tests/support/paper_totals.h"
+#include "tests/support/program.h"
+
+#include <QDir>
+#include <QElapsedTimer>
+#include <QProcess>
+#include <QRandomGenerator>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include <csignal>
+#include <fstream>
+
+using support::Ended;
+using support::mustRun;
+using support::runProgram;
+
+namespace {
+
+nlohmann::ordered_json readJson(const QString& file)
+{
+    std::ifstream in(file.toStdString());
+    return nlohmann::ordered_json::parse(in);
+}
+
+void writeText(const QString& file, const std::string& text) { std::ofstream(file.toStdString()) << text; }
+
+/// Rows of an exported answers.csv without their time stamps.
+QStringList rowsWithoutTimes(const QString& csv)
+{
+    QFile file(csv);
+    if (!file.open(QIODevice::ReadOnly))
+        return {};
+    QStringList rows;
+    const auto lines = QString::fromUtf8(file.readAll()).split('\n', Qt::SkipEmptyParts);
+    const QStringList columns = lines.front().split(',');
+    // The alternatives' cell is quoted and holds commas; times are the columns from ready_at to stored_at and wall_time.
+    const QRegularExpression times(R"(,(\d+),(\d*),(\d+),(\d+),(\d+),([01]),[^,]*,([^,]*)$)");
+    for (const auto& line : lines)
+        rows << QString(line).replace(times, R"(,\5,\6,\7)");
+    return rows;
+}
+
+}  // namespace
+
+class MainJobTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase();
+    void renderPutsEveryImageAtTheDisplaysSize();
+    void theKeyIsPrivateAndStimuliLookAlike();
+    void thePapersTotalsComeOutOfTheReport();
+    void aFinishedParticipantIsReplayedAgainWithoutHarm();
+    void theWindowStoresTheSameRows();
+    void aKilledReplayGoesOnWhereItWas();
+    void aScriptsOwnCrashIsSurvivedToo();
+    void reportsStayBlindedUntilTheStudyIsUnblinded();
+    void sessionsLoadNeitherTorchNorCodecs();
+    void aStudyWithGeneratedSignalsNeedsTheSecondProgram();
+    void badInputIsOneLineAndTheRightExitCode_data();
+    void badInputIsOneLineAndTheRightExitCode();
+    void anExportedSessionReplaysToTheSameRows();
+
+private:
+    QString path(const QString& name) const { return m_folder.filePath(name); }
+    QString newStudy(const QString& name);
+    QStringList writeScripts(const QString& name, int participants);
+    QStringList exportedRows(const QString& study);
+
+    QTemporaryDir m_folder;
+    QString m_fabrics, m_study;
+    std::vector<std::string> m_studyFabrics;
+};
+
+/// All studies of this test have the same seeds, so they differ in nothing but what is answered.
+QString MainJobTest::newStudy(const QString& name)
+{
+    mustRun({"study", "new", path(name), "--dataset", m_fabrics, "--seed", "3", "--key-seed", "4", "--images", path("images")});
+    return path(name);
+}
+
+QStringList MainJobTest::writeScripts(const QString& name, int participants)
+{
+    const auto scripts = support::paperScripts(m_studyFabrics);
+    QStringList files;
+    for (int p = 0; p < participants; ++p) {
+        files << path(name + QString::number(p) + ".json");
+        writeText(files.back(), scripts[p].dump());
+    }
+    return files;
+}
+
+QStringList MainJobTest::exportedRows(const QString& study)
+{
+    mustRun({"export", study, "--out", study + "-export"});
+    return rowsWithoutTimes(study + "-export/answers.csv");
+}
+
+void MainJobTest::initTestCase()
+{
+    m_fabrics = path("fabrics");
+    mustRun({"fabrics", "make", m_fabrics, "--fabrics", "8", "--samples", "2", "--seed", "5"});
+    mustRun({"fabrics", "check", m_fabrics});
+    m_study = newStudy("study");
+    const auto manifest = readJson(path("images/render.json"));
+    for (const auto& entry : QDir(path("images")).entryList(QDir::Dirs | QDir::NoDotAndDotDot))
+        m_studyFabrics.push_back(entry.toStdString());
+    QCOMPARE(m_studyFabrics.size(), std::size_t(7));
+}
+
+void MainJobTest::renderPutsEveryImageAtTheDisplaysSize()
+{
+    const auto ended = mustRun({"render", m_fabrics, "--fabric", "F01", "--condition", "v_grey,h+f", "--out", path("rendered"), "--explain"});
+    QVERIFY(ended.out.contains("photometric"));
+    QVERIFY(!QFile::exists(path("rendered/F01/h_g.png")));
+    for (const char* name : {"v_grey", "h+f"}) {
+        const QImage image(path(QString("rendered/F01/%1.png").arg(name)));
+        QCOMPARE(image.size(), QSize(1280, 800));
+        QCOMPARE(image.format(), QImage::Format_Grayscale8);
+    }
+}
+
+void MainJobTest::theKeyIsPrivateAndStimuliLookAlike()
+{
+    const QFileInfo key(m_study + "/allocation-key.json");
+    QCOMPARE(key.permissions() & (QFile::ReadGroup | QFile::ReadOther), QFile::Permissions());
+    std::set<qint64> sizes, times;
+    const auto stimuli = QDir(m_study + "/stimuli").entryInfoList(QDir::Files);
+    QCOMPARE(stimuli.size(), 63);
+    for (const auto& file : stimuli) {
+        sizes.insert(file.size());
+        times.insert(file.lastModified().toMSecsSinceEpoch());
+    }
+    QCOMPARE(sizes.size(), std::size_t(1));
+    QCOMPARE(times.size(), std::size_t(1));
+    mustRun({"verify", m_study});
+}
+
+void MainJobTest::thePapersTotalsComeOutOfTheReport()
+{
+    mustRun(QStringList{"replay", m_study} + writeScripts("paper", 10));
+    mustRun({"unblind", m_study, "--who", "test", "--why", "scripted participants"});
+    mustRun({"report", m_study, "--out", path("report")});
+    const auto results = readJson(path("report/results.json"));
+    QCOMPARE(results["study"]["participants"].get<int>(), 10);
+    for (const auto& total : support::paperTotals()) {
+        const auto& match = results["Q1"][total.condition];
+        QCOMPARE(match["trials"].get<int>(), 70);
+        QCOMPARE(match["correct"].get<int>(), total.correct);
+        QCOMPARE(match["matches_per_rendering"].get<double>(), 10.0 * total.correct / 70);
+        for (int q = 0; q < 3; ++q) {
+            const auto& rating = results[q == 0 ? "Q2" : q == 1 ? "Q3" : "Q4"][total.condition];
+            QCOMPARE(rating["n"].get<int>(), 70);
+            QCOMPARE(rating["mean"].get<double>(), total.ratings[q]);
+        }
+    }
+    // As the paper prints them.
+    QCOMPARE(QString::number(results["Q1"]["v_grey"]["matches_per_rendering"].get<double>(), 'f', 1), QString("3.9"));
+    QCOMPARE(QString::number(results["Q1"]["f_g"]["matches_per_rendering"].get<double>(), 'f', 1), QString("5.6"));
+    QCOMPARE(QString::number(results["Q1"]["h&f"]["matches_per_rendering"].get<double>(), 'f', 1), QString("7.1"));
+    QVERIFY(QFile::exists(path("report/index.html")));
+    QVERIFY(QDir(path("report/figures")).entryList({"*.svg"}).size() >= 2);
+}
+
+void MainJobTest::aFinishedParticipantIsReplayedAgainWithoutHarm()
+{
+    const auto before = exportedRows(m_study);
+    QCOMPARE(runProgram({"replay", m_study, path("paper0.json")}).exitCode, 0);
+    QCOMPARE(exportedRows(m_study), before);
+}
+
+void MainJobTest::theWindowStoresTheSameRows()
+{
+    const auto direct = newStudy("direct"), window = newStudy("window");
+    const auto scripts = writeScripts("both", 1);
+    auto script = readJson(scripts[0]);
+    script["events"] = {{{"before_answer", 10}, {"do", "pause"}},
+                        {{"before_answer", 10}, {"do", "resume"}},
+                        {{"after_answer", 20}, {"do", "void"}, {"why", "wrong swatch"}},
+                        {{"after_answer", 80}, {"do", "correct"}, {"question", "Q2"}, {"answer", 4.0}, {"why", "misheard"}}};
+    writeText(scripts[0], script.dump());
+    mustRun({"replay", direct, scripts[0]});
+    mustRun({"replay", window, scripts[0], "--gui"});
+    const auto rows = exportedRows(direct);
+    QCOMPARE(rows.size(), 1 + 252 + 1);  // header, answers, the voided one
+    QCOMPARE(exportedRows(window), rows);
+}
+
+void MainJobTest::aKilledReplayGoesOnWhereItWas()
+{
+    const auto whole = newStudy("whole"), killed = newStudy("killed");
+    const auto scripts = writeScripts("kill", 2);
+    mustRun(QStringList{"replay", whole} + scripts);
+    int kills = 0;
+    for (int attempt = 0; attempt < 6; ++attempt) {
+        QProcess process;
+        support::startProgram(process, QStringList{"replay", killed} + scripts);
+        if (!process.waitForFinished(QRandomGenerator::global()->bounded(30, 250))) {
+            ::kill(static_cast<pid_t>(process.processId()), SIGKILL);
+            process.waitForFinished();
+            ++kills;
+        }
+    }
+    QVERIFY(kills > 0);
+    mustRun(QStringList{"replay", killed} + scripts);
+    QCOMPARE(exportedRows(killed), exportedRows(whole));
+    mustRun({"verify", killed});
+}
+
+void MainJobTest::aScriptsOwnCrashIsSurvivedToo()
+{
+    const auto study = newStudy("crash");
+    const auto scripts = writeScripts("crash", 1);
+    auto script = readJson(scripts[0]);
+    script["events"] = {{{"after_answer", 15}, {"do", "crash"}}, {{"after_answer", 100}, {"do", "crash"}}};
+    writeText(scripts[0], script.dump());
+    QVERIFY(runProgram({"replay", study, scripts[0]}).exitCode != 0);
+    QCOMPARE(exportedRows(study).size(), 1 + 15);
+    QVERIFY(runProgram({"replay", study, scripts[0]}).exitCode != 0);
+    QCOMPARE(exportedRows(study).size(), 1 + 100);
+    mustRun({"replay", study, scripts[0]});
+    QCOMPARE(exportedRows(study).size(), 1 + 252);
+}
+
+void MainJobTest::reportsStayBlindedUntilTheStudyIsUnblinded()
+{
+    const auto study = newStudy("blinded");
+    mustRun(QStringList{"replay", study} + writeScripts("blinded", 2));
+    mustRun({"report", study, "--out", path("blinded-report")});
+    const auto results = readJson(path("blinded-report/results.json"));
+    QCOMPARE(results["study"]["blinded"].get<bool>(), true);
+    QCOMPARE(results["conditions"][0].get<std::string>(), std::string("K1"));
+    QFile page(path("blinded-report/index.html"));
+    QVERIFY(page.open(QIODevice::ReadOnly));
+    const auto text = QString::fromUtf8(page.readAll());
+    for (const char* id : {"v_grey", "v_shape", "t_grey", "h_g&amp;f_g", "h&amp;f"})
+        QVERIFY2(!text.contains(id), id);
+}
+
+void MainJobTest::sessionsLoadNeitherTorchNorCodecs()
+{
+    const auto study = newStudy("lean");
+    const auto scripts = writeScripts("lean", 1);
+    const QList<QStringList> calls{{"replay", study, scripts[0]}, {"study", "status", study}, {"report", study, "--out", path("lean-report")}};
+    for (const auto& call : calls) {
+        const auto ended = mustRun(call, {"LD_DEBUG=files", "LD_DEBUG_OUTPUT=" + path("loaded")});
+        const auto logs = QDir(m_folder.path()).entryInfoList({"loaded.*"});
+        QVERIFY(!logs.isEmpty());
+        for (const auto& log : logs) {
+            QFile file(log.filePath());
+            QVERIFY(file.open(QIODevice::ReadOnly));
+            const auto text = file.readAll();
+            QVERIFY(text.contains("libQt6Core"));
+            for (const char* library : {"libtorch", "libc10", "opencv_imgcodecs", "opencv_highgui", "libgdal"})
+                QVERIFY2(!text.contains(library), qPrintable(call.join(' ') + " loads " + library));
+            QFile::remove(log.filePath());
+        }
+    }
+}
+
+void MainJobTest::aStudyWithGeneratedSignalsNeedsTheSecondProgram()
+{
+    const auto ended = runProgram({"study", "new", path("without"), "--dataset", m_fabrics}, {"VIS2HAP_NN=/nowhere/vis2hap-nn"});
+    QCOMPARE(ended.exitCode, 3);
+    QCOMPARE(ended.complaints().size(), 1);
+    QVERIFY(!QFile::exists(path("without")));
+    mustRun({"render", m_fabrics, "--condition", "v_grey,h", "--out", path("measured")}, {"VIS2HAP_NN=/nowhere/vis2hap-nn"});
+}
+
+void MainJobTest::badInputIsOneLineAndTheRightExitCode_data()
+{
+    QTest::addColumn<QStringList>("arguments");
+    QTest::addColumn<int>("exitCode");
+    QTest::addColumn<QString>("named");
+
+    auto protocol = nlohmann::ordered_json::parse(R"({"schema":"vis2hap.protocol/1","name":"x","participants":2,"fabrics":2,
+        "conditions":["v_grey","w_grey"],"phases":[{"questions":["Q1"],"alternatives":2}]})");
+    writeText(path("unknown.json"), protocol.dump());
+    QTest::newRow("unknown condition in the protocol")
+        << QStringList{"study", "new", path("bad1"), "--dataset", m_fabrics, "--protocol", path("unknown.json")} << 2 << "w_grey";
+    QTest::newRow("a study folder that exists") << QStringList{"study", "new", m_study, "--dataset", m_fabrics} << 2 << "exists";
+    QTest::newRow("unknown condition to render")
+        << QStringList{"render", m_fabrics, "--condition", "h_x", "--out", path("bad2")} << 2 << "h_x";
+    QTest::newRow("unknown fabric") << QStringList{"render", m_fabrics, "--fabric", "F99", "--condition", "h", "--out", path("bad3")} << 2
+                                    << "F99";
+    auto script = support::paperScripts(m_studyFabrics)[0];
+    script["answers"].push_back(script["answers"][0]);
+    writeText(path("doubled.json"), script.dump());
+    QTest::newRow("doubled answer") << QStringList{"replay", m_study, path("doubled.json")} << 2 << "doubled";
+    QTest::newRow("no such study") << QStringList{"study", "status", path("nowhere")} << 2 << "nowhere";
+    QTest::newRow("unknown command") << QStringList{"reprot", "x"} << 2 << "";
+    QTest::newRow("unknown option") << QStringList{"study", "status", m_study, "--jsn"} << 2 << "--jsn";
+
+    // A data set without photographs.
+    const QString bare = path("no-photos");
+    QProcess::execute("cp", {"-r", m_fabrics, bare});
+    for (const auto& fabric : QDir(bare).entryList({"F*"}, QDir::Dirs))
+        QDir(bare + "/" + fabric + "/visual").removeRecursively();
+    QTest::newRow("no photographs for v_grey")
+        << QStringList{"render", bare, "--condition", "v_grey", "--out", path("bad4")} << 2 << "F01";
+
+    // A missing stimulus.
+    const QString robbed = newStudy("robbed");
+    const auto stimuli = QDir(robbed + "/stimuli").entryList(QDir::Files);
+    QFile::remove(robbed + "/stimuli/" + stimuli.front());
+    QTest::newRow("a missing stimulus") << QStringList{"replay", robbed, writeScripts("robbed", 1)[0]} << 1
+                                        << QFileInfo(stimuli.front()).baseName();
+    QTest::newRow("verify names it") << QStringList{"verify", robbed} << 1 << "";
+}
+
+void MainJobTest::badInputIsOneLineAndTheRightExitCode()
+{
+    QFETCH(QStringList, arguments);
+    QFETCH(int, exitCode);
+    QFETCH(QString, named);
+    const auto ended = runProgram(arguments);
+    QVERIFY2(ended.exitCode == exitCode, qPrintable(QString::number(ended.exitCode) + ": " + ended.err));
+    if (arguments.front() != "verify")
+        QVERIFY2(ended.complaints().size() == 1, qPrintable(ended.err));
+    QVERIFY2((ended.err + ended.out).contains(named), qPrintable(ended.err));
+    for (const char* out : {"bad1", "bad2", "bad3", "bad4"})
+        QVERIFY2(!QFile::exists(path(out)), out);
+}
+
+void MainJobTest::anExportedSessionReplaysToTheSameRows()
+{
+    const auto first = newStudy("first"), second = newStudy("second");
+    mustRun(QStringList{"replay", first} + writeScripts("export", 1));
+    mustRun({"export", first, "--out", path("scripts"), "--format", "script"});
+    mustRun({"replay", second, path("scripts/S01.json")});
+    QCOMPARE(exportedRows(second), exportedRows(first));
+}
+
+QTEST_MAIN(MainJobTest)
+#include "main_job_test.moc"

@@ -1,0 +1,385 @@
+// The state machine alone: values in, values out.
+#include "study/session/session.h"
+
+#include <QtTest>
+#include <iomanip>
+#include <iostream>
+#include <sstream>
+
+using namespace study::session;
+using protocols::FabricId;
+using protocols::FileCode;
+using protocols::QuestionId;
+using protocols::Tenths;
+
+namespace {
+
+constexpr std::int64_t oneSecondNs = 1000000000;
+
+/// Four choices among three fabrics, then three presentations with two ratings each; a break after three.
+Plan smallPlan()
+{
+    Plan plan;
+    plan.protocol.fabrics = {FabricId("F01"), FabricId("F02"), FabricId("F03")};
+    plan.protocol.breakAfterPresentations = 3;
+    protocols::Phase choice, rating;
+    choice.questions = {{QuestionId("Q1"), "Which?"}};
+    choice.alternatives = 3;
+    rating.questions = {{QuestionId("Q2"), "How slippery?"}, {QuestionId("Q3"), "How textured?"}};
+    rating.scale = protocols::Scale{};
+    plan.protocol.phases = {choice, rating};
+    for (int number = 1; number <= 7; ++number) {
+        const bool isChoice = number <= 4;
+        const std::string digit = std::to_string(number);
+        std::vector<FabricId> tray = plan.protocol.fabrics;
+        if (!isChoice) tray.resize(1);
+        plan.trials.push_back(
+            {{number}, isChoice ? 0 : 1, FileCode("file" + digit), protocols::PresentationCode("code" + digit), tray});
+    }
+    return plan;
+}
+
+/// Applies events that must be accepted.
+class Session {
+public:
+    Session& operator<<(const EventBody& body)
+    {
+        m_nowNs += oneSecondNs;
+        auto outcome = apply(m_plan, m_state, {body, m_nowNs});
+        if (const auto* refusal = std::get_if<Refusal>(&outcome))
+            qFatal("%s in %s: %s", kindOf(body).c_str(), nameOf(m_state).c_str(), refusal->reason.c_str());
+        m_state = std::get<Step>(outcome).next;
+        m_effects = std::get<Step>(outcome).effects;
+        return *this;
+    }
+    QString refusalOf(const EventBody& body) const
+    {
+        const auto outcome = apply(m_plan, m_state, {body, m_nowNs});
+        return std::holds_alternative<Refusal>(outcome) ? QString::fromStdString(std::get<Refusal>(outcome).reason) : QString();
+    }
+    Session& choose(const char* fabric = "F01") { return *this << TrayReady{} << Answered{FabricId(fabric)}; }
+    Session& rate(int tenths) { return *this << Answered{Tenths{tenths}}; }
+
+    const State& state() const { return m_state; }
+    const std::vector<Effect>& effects() const { return m_effects; }
+    std::string name() const { return nameOf(m_state); }
+    int index() const
+    {
+        if (const auto* tray = std::get_if<PlacingTray>(&m_state.stage)) return tray->index;
+        if (const auto* rest = std::get_if<OnBreak>(&m_state.stage)) return rest->nextIndex;
+        return std::get<Presenting>(m_state.stage).index;
+    }
+
+private:
+    Plan m_plan = smallPlan();
+    State m_state;
+    std::vector<Effect> m_effects;
+    std::int64_t m_nowNs = 0;
+};
+
+Session atFirstTray() { return Session() << SittingStarted{} << Begun{} << FamiliarisationDone{} << ScaleTrainingDone{}; }
+Session atFirstRating()
+{
+    Session session = atFirstTray();
+    session.choose().choose().choose();
+    session << BreakEnded{};
+    session.choose();
+    return session << BreakEnded{} << TrayReady{};
+}
+Session finished()
+{
+    Session session = atFirstRating();
+    session.rate(10).rate(20);
+    for (int i = 0; i < 2; ++i) (session << TrayReady{}).rate(30).rate(40);
+    return session;
+}
+
+std::vector<std::pair<std::string, Session>> gridStates()
+{
+    std::vector<std::pair<std::string, Session>> states;
+    states.emplace_back("Enrolled", Session() << SittingStarted{});
+    states.emplace_back("Familiarising", Session() << SittingStarted{} << Begun{});
+    states.emplace_back("ScaleTraining", Session() << SittingStarted{} << Begun{} << FamiliarisationDone{});
+    states.emplace_back("PlacingTray, the first", atFirstTray());
+    states.emplace_back("PlacingTray, the second", atFirstTray().choose());
+    states.emplace_back("Presenting Q1", atFirstTray().choose() << TrayReady{});
+    states.emplace_back("Presenting Q2, touched", atFirstRating() << Touched{});
+    states.emplace_back("Presenting Q3", atFirstRating().rate(50));
+    states.emplace_back("OnBreak", atFirstTray().choose().choose().choose());
+    states.emplace_back("Finished", finished());
+    states.emplace_back("Withdrawn", atFirstTray().choose() << WithdrawnEvent{"tired"});
+    states.emplace_back("Enrolled, paused", Session() << SittingStarted{} << Paused{});
+    states.emplace_back("PlacingTray, paused", atFirstTray().choose() << Paused{});
+    states.emplace_back("OnBreak, paused", atFirstTray().choose().choose().choose() << Paused{});
+    return states;
+}
+
+/// Two letters of the stage reached, p where paused; . where refused.
+std::string cell(const Session& session, const Plan& plan, EventBody body)
+{
+    const auto* presenting = std::get_if<Presenting>(&session.state().stage);
+    if (std::holds_alternative<Answered>(body) && presenting && presenting->index >= 4) body = Answered{Tenths{54}};
+    const auto outcome = apply(plan, session.state(), {body, 1});
+    if (std::holds_alternative<Refusal>(outcome)) return ".";
+    const State& next = std::get<Step>(outcome).next;
+    return nameOf(next).substr(0, 2) + (next.paused ? "p" : "");
+}
+
+std::string printedGrid()
+{
+    const std::vector<EventBody> events = {SittingStarted{},
+                                           Begun{},
+                                           FamiliarisationDone{},
+                                           ScaleTrainingDone{},
+                                           TrayReady{},
+                                           Touched{},
+                                           Answered{FabricId("F02")},
+                                           Corrected{QuestionId("Q1"), FabricId("F03"), "misheard"},
+                                           Voided{"wrong swatch"},
+                                           BreakEnded{},
+                                           Paused{},
+                                           Resumed{},
+                                           WithdrawnEvent{"tired"},
+                                           Noted{"a remark"}};
+    std::ostringstream grid;
+    for (const auto& [name, session] : gridStates()) {
+        std::string line;
+        std::ostringstream row;
+        row << std::left << std::setw(24) << name;
+        for (const EventBody& body : events) row << std::setw(5) << cell(session, smallPlan(), body);
+        line = row.str();
+        grid << line.substr(0, line.find_last_not_of(' ') + 1) << "\n";
+    }
+    return grid.str();
+}
+
+//                      sitt begu fami scal tray touc answ corr void brea paus resu with note
+const char* const drawnGrid =
+    "Enrolled                En   Fa   .    .    .    .    .    .    .    .    Enp  .    Wi   En\n"
+    "Familiarising           Fa   .    Sc   .    .    .    .    .    .    .    Fap  .    Wi   Fa\n"
+    "ScaleTraining           Sc   .    .    Pl   .    .    .    .    .    .    Scp  .    Wi   Sc\n"
+    "PlacingTray, the first  Pl   .    .    .    Pr   .    .    .    .    .    Plp  .    Wi   Pl\n"
+    "PlacingTray, the second Pl   .    .    .    Pr   .    .    Pl   Pl   .    Plp  .    Wi   Pl\n"
+    "Presenting Q1           Pl   .    .    .    .    Pr   Pl   Pr   Pl   .    Plp  .    Wi   Pr\n"
+    "Presenting Q2, touched  Pl   .    .    .    .    .    Pr   Pr   Pl   .    Plp  .    Wi   Pr\n"
+    "Presenting Q3           Pl   .    .    .    .    Pr   Pl   Pr   Pl   .    Plp  .    Wi   Pr\n"
+    "OnBreak                 On   .    .    .    .    .    .    On   On   Pl   Onp  .    Wi   On\n"
+    "Finished                Fi   .    .    .    .    .    .    Fi   .    .    .    .    Wi   Fi\n"
+    "Withdrawn               Wi   .    .    .    .    .    .    .    .    .    .    .    .    Wi\n"
+    "Enrolled, paused        Enp  .    .    .    .    .    .    .    .    .    .    En   Wi   Enp\n"
+    "PlacingTray, paused     Plp  .    .    .    .    .    .    Plp  .    .    .    Pl   Wi   Plp\n"
+    "OnBreak, paused         Onp  .    .    .    .    .    .    Onp  .    .    .    On   Wi   Onp\n";
+
+}  // namespace
+
+class SessionTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void theGridOfStatesAndEventsIsTheDrawnOne()
+    {
+        const std::string grid = printedGrid();
+        if (grid != drawnGrid) std::cout << grid;
+        QCOMPARE(QString::fromStdString(grid).split('\n'), QString(drawnGrid).split('\n'));
+    }
+
+    void aWholeSessionRunsThroughItsBreaksToTheEnd()
+    {
+        Session session = finished();
+        QCOMPARE(session.name(), std::string("Finished"));
+        QCOMPARE(session.state().answersStored, 4 + 6);
+        QCOMPARE(session.state().position, 7);
+        QCOMPARE(session.effects(), std::vector<Effect>{ClearDisplay{}});
+    }
+
+    void aConfirmedTrayShowsItsStimulusAndReadsTheNextAhead()
+    {
+        Session session = atFirstTray();
+        QCOMPARE(session.effects(), std::vector<Effect>{Prefetch{FileCode("file1")}});
+        session << TrayReady{};
+        QCOMPARE(session.effects(), (std::vector<Effect>{ShowStimulus{FileCode("file1")}, Prefetch{FileCode("file2")}}));
+        session << Answered{FabricId("F02")};
+        QCOMPARE(session.effects(), (std::vector<Effect>{ClearDisplay{}, Prefetch{FileCode("file2")}}));
+    }
+
+    void laterQuestionsAreReadyWhenTheOneBeforeIsAnswered()
+    {
+        Session session = atFirstRating() << Touched{};
+        QVERIFY(std::get<Presenting>(session.state().stage).touchedAtNs.has_value());
+        session.rate(54);
+        const Presenting second = std::get<Presenting>(session.state().stage);
+        QCOMPARE(second.question, 1);
+        QVERIFY(!second.touchedAtNs.has_value());
+        const std::int64_t answeredAt = second.readyAtNs;
+        session << Touched{};
+        QCOMPARE(*std::get<Presenting>(session.state().stage).touchedAtNs, answeredAt + oneSecondNs);
+        QVERIFY(session.refusalOf(Touched{}).contains("already"));
+    }
+
+    void anImpossibleAnswerIsRefusedWithItsReason_data()
+    {
+        QTest::addColumn<bool>("rating");
+        QTest::addColumn<QString>("given");
+        QTest::addColumn<QString>("reason");
+        QTest::newRow("not on the tray") << false << "F09"
+                                         << "F09 is not on the tray (F01, F02, F03).";
+        QTest::newRow("a number for a choice") << false << "54"
+                                               << "Q1 asks for one of the fabrics on the tray, not for a number.";
+        QTest::newRow("a fabric for a number") << true << "F01"
+                                               << "Q2 asks for a number on the scale, not for a fabric.";
+        QTest::newRow("above the scale") << true << "101"
+                                         << "10.1 is not on the scale: from 0 to 10 in steps of 0.1.";
+        QTest::newRow("below the scale") << true << "-3"
+                                         << "-0.3 is not on the scale: from 0 to 10 in steps of 0.1.";
+    }
+
+    void anImpossibleAnswerIsRefusedWithItsReason()
+    {
+        QFETCH(bool, rating);
+        QFETCH(QString, given);
+        QFETCH(QString, reason);
+        Session session = rating ? atFirstRating() : atFirstTray() << TrayReady{};
+        bool isNumber = false;
+        const int tenths = given.toInt(&isNumber);
+        const Response response = isNumber ? Response(Tenths{tenths}) : Response(FabricId(given.toStdString()));
+        QCOMPARE(session.refusalOf(Answered{response}), reason);
+    }
+
+    void pausedSessionRepeatsTheInterruptedTrial()
+    {
+        Session session = atFirstTray().choose() << TrayReady{} << Touched{} << Paused{};
+        QCOMPARE(session.effects(), std::vector<Effect>{ClearDisplay{}});
+        QVERIFY(session.refusalOf(Answered{FabricId("F01")}).contains("paused"));
+        session << Resumed{};
+        QCOMPARE(session.name(), std::string("PlacingTray"));
+        QCOMPARE(session.index(), 1);
+        session << TrayReady{};
+        QVERIFY(!std::get<Presenting>(session.state().stage).touchedAtNs.has_value());
+    }
+
+    void anInterruptedPresentationGoesOnAtItsNextUnansweredQuestion_data()
+    {
+        QTest::addColumn<bool>("crashed");
+        QTest::newRow("paused and resumed") << false;
+        QTest::newRow("a new sitting") << true;
+    }
+
+    void anInterruptedPresentationGoesOnAtItsNextUnansweredQuestion()
+    {
+        QFETCH(bool, crashed);
+        Session session = atFirstRating().rate(54);
+        if (crashed)
+            session << SittingStarted{};
+        else
+            session << Paused{} << Resumed{};
+        QCOMPARE(session.state().sitting, crashed ? 2 : 1);
+        QCOMPARE(session.index(), 4);
+        session << TrayReady{};
+        QCOMPARE(std::get<Presenting>(session.state().stage).question, 1);
+        QCOMPARE(session.state().answers.back().response, Response(Tenths{54}));
+        session.rate(60);
+        QCOMPARE(session.index(), 5);
+    }
+
+    void aPauseOutlivesTheSitting()
+    {
+        Session session = atFirstTray() << Paused{} << SittingStarted{};
+        QCOMPARE(session.name(), std::string("PlacingTray (paused)"));
+    }
+
+    void aCorrectionChangesTheLatestAnswerToThatQuestion()
+    {
+        Session session = atFirstRating().rate(54).rate(60);
+        session << Corrected{QuestionId("Q2"), Tenths{40}, "misheard"};
+        const auto& answers = session.state().answers;
+        QCOMPARE(answers[answers.size() - 2].response, Response(Tenths{40}));
+        QCOMPARE(answers.back().response, Response(Tenths{60}));
+        QCOMPARE(session.state().answersStored, 6);
+        QVERIFY(session.refusalOf(Corrected{QuestionId("Q3"), Tenths{101}, ""}).contains("not on the scale"));
+        QVERIFY(session.refusalOf(Corrected{QuestionId("Q9"), Tenths{10}, ""}).contains("no answer to Q9"));
+        session << Corrected{QuestionId("Q1"), FabricId("F03"), "far back"};
+        QCOMPARE(session.state().answers[3].response, Response(FabricId("F03")));
+    }
+
+    void aVoidPresentationComesAgainAtTheEndOfItsPhase()
+    {
+        Session session = atFirstTray() << TrayReady{} << Voided{"wrong swatch"};
+        QCOMPARE(session.state().order, (std::vector<int>{0, 1, 2, 3, 0, 4, 5, 6}));
+        QCOMPARE(session.index(), 1);
+        QCOMPARE(session.effects(), (std::vector<Effect>{ClearDisplay{}, Prefetch{FileCode("file2")}}));
+        session.choose();
+        session << Voided{"seen by the participant"};
+        QCOMPARE(session.state().order, (std::vector<int>{0, 1, 2, 3, 0, 1, 4, 5, 6}));
+        QCOMPARE(session.index(), 2);
+        QVERIFY(session.state().answers.empty());
+        QCOMPARE(session.state().answersStored, 1);
+        QVERIFY(session.refusalOf(Voided{"again"}).contains("void already"));
+    }
+
+    void voidingTheLastOfAPhaseOnTheBreakBringsItBackAfterTheBreak()
+    {
+        Session session = atFirstTray();
+        session.choose().choose().choose();
+        session << BreakEnded{};
+        session.choose();
+        QCOMPARE(session.name(), std::string("OnBreak"));
+        QCOMPARE(session.index(), 4);
+        session << Voided{"wrong swatch"};
+        QCOMPARE(session.index(), 3);
+        (session << BreakEnded{}).choose();
+        QCOMPARE(session.index(), 4);
+        QCOMPARE(session.name(), std::string("OnBreak"));
+    }
+
+    void aPresentationVoidedBetweenItsQuestionsLosesTheAnswersItHad()
+    {
+        Session session = atFirstRating().rate(54);
+        session << Voided{"noise"};
+        QCOMPARE(session.state().answers.size(), 4u);
+        QCOMPARE(session.index(), 5);
+        (session << TrayReady{}).rate(1).rate(2);
+        (session << TrayReady{}).rate(3).rate(4);
+        QCOMPARE(session.index(), 4);
+        session << BreakEnded{} << TrayReady{};
+        QCOMPARE(std::get<Presenting>(session.state().stage).question, 0);
+        session.rate(5).rate(6);
+        QCOMPARE(session.name(), std::string("Finished"));
+        QCOMPARE(session.state().answers.size(), 4u + 6u);
+    }
+
+    void eventsSurviveTheLog_data()
+    {
+        QTest::addColumn<QString>("payload");
+        QTest::newRow("sitting_started") << "{}";
+        QTest::newRow("begun") << "{}";
+        QTest::newRow("familiarisation_done") << "{}";
+        QTest::newRow("scale_training_done") << "{}";
+        QTest::newRow("tray_ready") << "{}";
+        QTest::newRow("touched") << "{}";
+        QTest::newRow("answered") << R"({"fabric":"F01"})";
+        QTest::newRow("corrected") << R"({"question":"Q2","tenths":54,"why":"misheard: 5, not 9"})";
+        QTest::newRow("voided") << R"({"why":"wrong swatch"})";
+        QTest::newRow("break_ended") << "{}";
+        QTest::newRow("paused") << "{}";
+        QTest::newRow("resumed") << "{}";
+        QTest::newRow("withdrawn") << R"({"why":""})";
+        QTest::newRow("noted") << R"({"text":"zwölf µm"})";
+    }
+
+    void eventsSurviveTheLog()
+    {
+        QFETCH(QString, payload);
+        const EventBody body = eventFromRecord(QTest::currentDataTag(), payload.toStdString());
+        QCOMPARE(kindOf(body), std::string(QTest::currentDataTag()));
+        QCOMPARE(QString::fromStdString(payloadJson(body)), payload);
+    }
+
+    void whatCannotBeReadFromTheLogIsAnError()
+    {
+        QVERIFY_EXCEPTION_THROWN(eventFromRecord("teleported", "{}"), std::exception);
+        QVERIFY_EXCEPTION_THROWN(eventFromRecord("answered", "{}"), std::exception);
+        QVERIFY_EXCEPTION_THROWN(eventFromRecord("noted", "{"), std::exception);
+    }
+};
+
+QTEST_GUILESS_MAIN(SessionTest)
+#include "session_test.moc"

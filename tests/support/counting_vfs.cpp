@@ -1,0 +1,107 @@
+#include "tests/support/counting_vfs.h"
+
+#include <cstring>
+#include <new>
+
+namespace tests::support {
+
+namespace {
+
+// SQLite calls back without a place for an object of ours, so the state is the process's.
+struct SharedState {
+    sqlite3_vfs* real = nullptr;
+    LogTraffic traffic;
+    int writeFault = SQLITE_OK;
+    int syncFault = SQLITE_OK;
+} shared;
+
+/// The real file lies behind it in the memory that SQLite hands out.
+struct File {
+    sqlite3_file base;
+    bool isLog;
+};
+
+sqlite3_file* realOf(sqlite3_file* file) { return reinterpret_cast<sqlite3_file*>(reinterpret_cast<File*>(file) + 1); }
+bool isLog(sqlite3_file* file) { return reinterpret_cast<File*>(file)->isLog; }
+const sqlite3_io_methods& methodsOf(sqlite3_file* file) { return *realOf(file)->pMethods; }
+
+int writeFile(sqlite3_file* file, const void* bytes, int count, sqlite3_int64 offset)
+{
+    if (shared.writeFault != SQLITE_OK) return shared.writeFault;
+    if (isLog(file)) {
+        ++shared.traffic.writes;
+        ++shared.traffic.writesSinceSync;
+    }
+    return methodsOf(file).xWrite(realOf(file), bytes, count, offset);
+}
+
+int syncFile(sqlite3_file* file, int flags)
+{
+    if (shared.syncFault != SQLITE_OK) return shared.syncFault;
+    const int result = methodsOf(file).xSync(realOf(file), flags);
+    if (result == SQLITE_OK && isLog(file)) {
+        ++shared.traffic.completedSyncs;
+        shared.traffic.writesSinceSync = 0;
+    }
+    return result;
+}
+
+const sqlite3_io_methods countingMethods = {
+    2,
+    [](sqlite3_file* f) { return methodsOf(f).xClose(realOf(f)); },
+    [](sqlite3_file* f, void* bytes, int count, sqlite3_int64 offset) {
+        return methodsOf(f).xRead(realOf(f), bytes, count, offset);
+    },
+    writeFile,
+    [](sqlite3_file* f, sqlite3_int64 size) { return methodsOf(f).xTruncate(realOf(f), size); },
+    syncFile,
+    [](sqlite3_file* f, sqlite3_int64* size) { return methodsOf(f).xFileSize(realOf(f), size); },
+    [](sqlite3_file* f, int level) { return methodsOf(f).xLock(realOf(f), level); },
+    [](sqlite3_file* f, int level) { return methodsOf(f).xUnlock(realOf(f), level); },
+    [](sqlite3_file* f, int* held) { return methodsOf(f).xCheckReservedLock(realOf(f), held); },
+    [](sqlite3_file* f, int operation, void* argument) { return methodsOf(f).xFileControl(realOf(f), operation, argument); },
+    [](sqlite3_file* f) { return methodsOf(f).xSectorSize(realOf(f)); },
+    [](sqlite3_file* f) { return methodsOf(f).xDeviceCharacteristics(realOf(f)); },
+    [](sqlite3_file* f, int page, int size, int extend, void volatile** memory) {
+        return methodsOf(f).xShmMap(realOf(f), page, size, extend, memory);
+    },
+    [](sqlite3_file* f, int offset, int count, int flags) { return methodsOf(f).xShmLock(realOf(f), offset, count, flags); },
+    [](sqlite3_file* f) { methodsOf(f).xShmBarrier(realOf(f)); },
+    [](sqlite3_file* f, int deleteFlag) { return methodsOf(f).xShmUnmap(realOf(f), deleteFlag); },
+    nullptr,
+    nullptr,
+};
+
+int openFile(sqlite3_vfs*, const char* name, sqlite3_file* file, int flags, int* outFlags)
+{
+    auto* counting = new (file) File{{nullptr}, (flags & SQLITE_OPEN_WAL) != 0};
+    const int result = shared.real->xOpen(shared.real, name, realOf(file), flags, outFlags);
+    if (realOf(file)->pMethods) counting->base.pMethods = &countingMethods;
+    return result;
+}
+
+}  // namespace
+
+CountingVfs::CountingVfs()
+{
+    shared = {};
+    shared.real = sqlite3_vfs_find(nullptr);
+    m_vfs = *shared.real;
+    m_vfs.pNext = nullptr;
+    m_vfs.zName = "counting";
+    m_vfs.szOsFile = static_cast<int>(sizeof(File)) + shared.real->szOsFile;
+    m_vfs.xOpen = openFile;
+    sqlite3_vfs_register(&m_vfs, 1);
+}
+
+CountingVfs::~CountingVfs()
+{
+    sqlite3_vfs_unregister(&m_vfs);
+    sqlite3_vfs_register(shared.real, 1);
+}
+
+LogTraffic CountingVfs::traffic() const { return shared.traffic; }
+void CountingVfs::letWritesFailWith(int code) { shared.writeFault = code; }
+void CountingVfs::letSyncsFailWith(int code) { shared.syncFault = code; }
+
+}  // namespace tests::support

@@ -1,0 +1,177 @@
+#include "tests/support/open_window.h"
+
+#include "protocols/errors.h"
+
+#include <QAbstractButton>
+#include <QAbstractItemView>
+#include <QComboBox>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QProgressBar>
+#include <QRegularExpression>
+#include <QTest>
+
+#include <functional>
+
+namespace tests::support {
+
+using namespace study::session;
+
+namespace {
+
+class RecordingDisplay final : public rendering::HapticDisplay {
+public:
+    explicit RecordingDisplay(std::shared_ptr<DisplayRecord> record) : m_record(std::move(record)) {}
+    void show(const cv::Mat&) override
+    {
+        if (!m_record->fault.empty())
+            throw protocols::workFailed({.what = m_record->fault, .where = "display", .expected = {}, .nextStep = "plug it in"});
+        m_record->told.push_back("show");
+    }
+    void clear() override { m_record->told.push_back("clear"); }
+    std::string name() const override { return "recording"; }
+
+private:
+    std::shared_ptr<DisplayRecord> m_record;
+};
+
+struct NextEvent {
+    const View& view;
+    EventBody operator()(const Enrolled&) const { return Begun{}; }
+    EventBody operator()(const Familiarising&) const { return FamiliarisationDone{}; }
+    EventBody operator()(const ScaleTraining&) const { return ScaleTrainingDone{}; }
+    EventBody operator()(const PlacingTray&) const { return TrayReady{}; }
+    EventBody operator()(const Presenting& presenting) const
+    {
+        if (!presenting.touchedAtNs)
+            return Touched{};
+        return Answered{spokenTo(view)};
+    }
+    EventBody operator()(const OnBreak&) const { return BreakEnded{}; }
+    EventBody operator()(const Finished&) const { throw std::logic_error("the session is over"); }
+    EventBody operator()(const Withdrawn&) const { throw std::logic_error("the participant has withdrawn"); }
+};
+
+void addItemTexts(std::vector<QString>& texts, const QAbstractItemView& view)
+{
+    const QAbstractItemModel* model = view.model();
+    for (int row = 0; model && row < model->rowCount(); ++row)
+        for (int column = 0; column < model->columnCount(); ++column)
+            for (const int role : {Qt::DisplayRole, Qt::ToolTipRole, Qt::AccessibleTextRole})
+                texts.push_back(model->index(row, column).data(role).toString());
+}
+
+void addTexts(std::vector<QString>& texts, const QWidget& widget)
+{
+    for (const QString& text : {widget.windowTitle(), widget.toolTip(), widget.statusTip(), widget.whatsThis(),
+                                widget.accessibleName(), widget.accessibleDescription(), widget.objectName()})
+        texts.push_back(text);
+    if (const auto* label = qobject_cast<const QLabel*>(&widget))
+        texts.push_back(label->text());
+    if (const auto* button = qobject_cast<const QAbstractButton*>(&widget))
+        texts.push_back(QString(button->text()).replace(QLatin1String("&&"), QLatin1String("&")));
+    if (const auto* line = qobject_cast<const QLineEdit*>(&widget)) {
+        texts.push_back(line->text());
+        texts.push_back(line->placeholderText());
+    }
+    if (const auto* box = qobject_cast<const QComboBox*>(&widget))
+        for (int item = 0; item < box->count(); ++item)
+            texts.push_back(box->itemText(item));
+    if (const auto* bar = qobject_cast<const QProgressBar*>(&widget))
+        texts.push_back(bar->format());
+    if (const auto* view = qobject_cast<const QAbstractItemView*>(&widget))
+        addItemTexts(texts, *view);
+}
+
+study::app::AppOptions withFakes(study::app::AppOptions options, const std::shared_ptr<DisplayRecord>& display,
+                                 const std::shared_ptr<VirtualClock>& clock)
+{
+    options.clock = clock;
+    options.openDisplay = [display](const std::string&) { return std::make_unique<RecordingDisplay>(display); };
+    return options;
+}
+
+}  // namespace
+
+OpenWindow::OpenWindow(const database::StudyFolder& study, const study::app::AppOptions& options)
+    : m_display(std::make_shared<DisplayRecord>()),
+      m_clock(std::make_shared<VirtualClock>()),
+      m_window(std::make_unique<study::app::MainWindow>(withFakes(options, m_display, m_clock))),
+      m_hands(*m_window)
+{
+    m_window->show();
+    m_window->openStudy(study.folder);
+}
+
+void OpenWindow::perform(const EventBody& event)
+{
+    m_clock->advanceSeconds(1.5);
+    if (const auto refusal = m_hands.perform(event))
+        throw std::logic_error("refused: " + refusal->reason);
+}
+
+void OpenWindow::enrolAndBegin(const std::string& participant)
+{
+    m_window->startSession(protocols::ParticipantId(participant));
+    playTo("PlacingTray");
+}
+
+EventBody OpenWindow::nextEvent()
+{
+    return std::visit(NextEvent{view()}, view().state.stage);
+}
+
+void OpenWindow::playTo(const std::string& stage, const std::string& question)
+{
+    const auto isThere = [&] {
+        return nameOf(view().state) == stage && (question.empty() || (view().question && view().question->id.value == question));
+    };
+    while (!isThere())
+        perform(nextEvent());
+}
+
+void OpenWindow::playToEnd()
+{
+    while (!std::holds_alternative<Finished>(view().state.stage))
+        perform(nextEvent());
+}
+
+QString OpenWindow::message(const char* objectName)
+{
+    const auto* bar = m_window->currentPage()->findChild<QLabel*>(QString::fromLatin1(objectName));
+    return bar && bar->isVisible() ? bar->text() : QString();
+}
+
+Response spokenTo(const View& view)
+{
+    const std::size_t number = std::hash<std::string>{}(view.code.value + view.question->id.value);
+    if (view.scale)
+        return protocols::Tenths{static_cast<int>(number % 101)};
+    return view.trayIds[number % view.trayIds.size()];
+}
+
+std::vector<QString> textsIn(const QWidget& root)
+{
+    std::vector<QString> texts;
+    addTexts(texts, root);
+    const auto children = root.findChildren<QWidget*>();
+    for (const QWidget* widget : children)
+        addTexts(texts, *widget);
+    return texts;
+}
+
+std::vector<QString> textsNaming(const std::set<QString>& words, const std::vector<QString>& texts)
+{
+    static const QRegularExpression between(QStringLiteral("[^A-Za-z0-9_&+]+"));
+    std::vector<QString> named;
+    for (const QString& text : texts) {
+        const QStringList tokens = text.split(between, Qt::SkipEmptyParts);
+        for (const QString& token : tokens)
+            if (words.contains(token) || words.contains(QString(token).remove(QLatin1Char('&'))))
+                named.push_back(text);
+    }
+    return named;
+}
+
+}  // namespace tests::support

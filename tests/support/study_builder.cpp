@@ -1,0 +1,84 @@
+#include "tests/support/study_builder.h"
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "database/keys.h"
+#include "database/study_store.h"
+#include "protocols/allocation.h"
+#include "protocols/counterbalancing.h"
+#include "protocols/protocol_json.h"
+#include "protocols/sha256.h"
+#include "rendering/stimulus_bank.h"
+
+namespace tests::support {
+
+namespace {
+
+std::vector<protocols::FabricId> fabricsOf(const StudyRecipe& recipe)
+{
+    std::vector<protocols::FabricId> fabrics;
+    for (int number = 1; number <= recipe.fabrics; ++number)
+        fabrics.emplace_back((number < 10 ? "F0" : "F") + std::to_string(number));
+    return fabrics;
+}
+
+std::map<protocols::FileCode, std::string> writeStimuli(const database::StudyFolder& folder, const protocols::AllocationKey& key,
+                                                        const StudyRecipe& recipe)
+{
+    std::filesystem::create_directory(folder.stimuli());
+    std::map<protocols::FileCode, std::string> hashes;
+    int number = 0;
+    for (const auto& [code, entry] : key.entries) {
+        const cv::Mat image(recipe.imageHeightPx, recipe.imageWidthPx, CV_8UC1, cv::Scalar(10 * ++number % 256));
+        hashes[code] = rendering::writeStimulus(folder.stimuli(), code, image);
+    }
+    return hashes;
+}
+
+}  // namespace
+
+std::string protocolText(const StudyRecipe& recipe)
+{
+    nlohmann::ordered_json fabrics = nlohmann::ordered_json::array();
+    for (const protocols::FabricId& fabric : fabricsOf(recipe)) fabrics.push_back(fabric.value);
+    const nlohmann::ordered_json phases = {
+        {{"questions", {"Q1"}}, {"alternatives", recipe.alternatives}},
+        {{"questions", {"Q2", "Q3", "Q4"}}, {"scale", {{"min", 0}, {"max", 10}, {"step", 0.1}, {"sections", 9}}}}};
+    const nlohmann::ordered_json protocol = {{"schema", "vis2hap.protocol/1"},      {"name", "Small study"},
+                                             {"participants", recipe.participants}, {"fabrics", fabrics},
+                                             {"conditions", recipe.conditions},     {"phases", phases},
+                                             {"seconds_per_presentation", 30},      {"break_after", recipe.breakAfter}};
+    return protocol.dump(2);
+}
+
+database::StudyFolder buildStudy(const std::filesystem::path& path, const StudyRecipe& recipe)
+{
+    const database::StudyFolder folder{path};
+    std::filesystem::create_directory(path);
+    const std::string text = protocolText(recipe);
+    std::ofstream(folder.protocol(), std::ios::binary) << text;
+    const protocols::Protocol protocol = protocols::protocolFromJson(text, "small study");
+    const auto fabrics = fabricsOf(recipe);
+    const auto allocation =
+        protocols::allocate(protocol, protocols::drawDesign(protocol, recipe.designSeed), fabrics, recipe.keySeed);
+    const database::KeyHashes keys = database::writeKeys(folder, allocation.key);
+
+    database::StudyFacts facts;
+    facts.name = protocol.name;
+    facts.protocolJson = text;
+    facts.protocolSha256 = protocols::sha256(text);
+    facts.designSeed = recipe.designSeed;
+    facts.keySha256 = keys.allocation;
+    facts.maskedKeySha256 = keys.masked;
+    facts.datasetProcedural = true;
+    facts.fabrics = fabrics;
+    for (const protocols::FabricId& fabric : fabrics) facts.fabricNames[fabric] = "fabric " + fabric.value.substr(1);
+    facts.signalsJson = "{}";
+    facts.createdAt = "2000-01-01T00:00:00.000Z";
+    facts.programVersion = "test";
+    database::StudyStore::create(folder, facts, allocation.participants, writeStimuli(folder, allocation.key, recipe));
+    return folder;
+}
+
+}  // namespace tests::support

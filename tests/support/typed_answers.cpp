@@ -1,0 +1,69 @@
+#include "tests/support/typed_answers.h"
+
+#include "study/app/rating_text.h"
+
+#include <QTest>
+
+#include <algorithm>
+
+namespace tests::support {
+
+using protocols::FabricId;
+using study::session::Presenting;
+using study::session::Response;
+
+std::string textOf(const Response& response)
+{
+    if (const auto* fabric = std::get_if<FabricId>(&response))
+        return fabric->value;
+    return study::app::textOf(std::get<protocols::Tenths>(response)).toStdString();
+}
+
+std::vector<database::CurrentAnswer> storedIn(const database::StudyFolder& folder)
+{
+    return database::StudyStore(folder, database::StudyStore::Access::Read).answers();
+}
+
+Answers answersIn(const database::StudyFolder& folder)
+{
+    Answers answers;
+    for (const auto& stored : storedIn(folder)) {
+        const auto& record = stored.record;
+        answers[stored.participant.value + " " + std::to_string(record.trial.value) + " " + record.question.value] =
+            record.answer ? record.answer->value : textOf(Response(*record.rating));
+    }
+    return answers;
+}
+
+std::string nowAsked(OpenWindow& open)
+{
+    const int index = std::get<Presenting>(open.view().state.stage).index;
+    const auto number = open.hands().plan().trials.at(static_cast<std::size_t>(index)).number;
+    return open.view().participant + " " + std::to_string(number.value) + " " + open.view().question->id.value;
+}
+
+void pressKey(OpenWindow& open, Qt::Key key)
+{
+    QTest::keyClick(open.window().focusWidget(), key);
+}
+
+void typeText(OpenWindow& open, const QString& text)
+{
+    QTest::keyClicks(open.window().focusWidget(), text);
+}
+
+void answerByKeys(OpenWindow& open, const Response& response, QChar point)
+{
+    pressKey(open, Qt::Key_T);
+    open.clock().advanceSeconds(2.0);
+    if (const auto* fabric = std::get_if<FabricId>(&response)) {
+        const auto& tray = open.view().trayIds;
+        const auto place = std::find(tray.begin(), tray.end(), *fabric) - tray.begin();
+        pressKey(open, static_cast<Qt::Key>(Qt::Key_A + place));
+    } else {
+        typeText(open, QString::fromStdString(textOf(response)).replace(QLatin1Char('.'), point));
+    }
+    pressKey(open, Qt::Key_Return);
+}
+
+}  // namespace tests::support

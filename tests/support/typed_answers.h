@@ -1,0 +1,31 @@
+// What was typed into the window and what the study stored of it, in one form to compare.
+#pragma once
+
+#include "database/study_store.h"
+#include "tests/support/open_window.h"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace tests::support {
+
+/// "P01 7 Q3" -> "F02" or "5.4".
+using Answers = std::map<std::string, std::string>;
+
+std::string textOf(const study::session::Response& response);
+std::vector<database::CurrentAnswer> storedIn(const database::StudyFolder& folder);
+Answers answersIn(const database::StudyFolder& folder);
+
+/// The name of the answer that is now asked for, as in Answers.
+std::string nowAsked(OpenWindow& open);
+
+/// Keys to whatever has the focus.
+void pressKey(OpenWindow& open, Qt::Key key);
+void typeText(OpenWindow& open, const QString& text);
+
+/// One answer by keys alone: the first touch, two seconds, the letter or the number (with this decimal
+/// point), Enter.
+void answerByKeys(OpenWindow& open, const study::session::Response& response, QChar point = u'.');
+
+}  // namespace tests::support

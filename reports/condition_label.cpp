@@ -1,5 +1,7 @@
 #include "reports/condition_label.h"
 
+#include <algorithm>
+
 #include "reports/numbers.h"
 
 namespace reports {
@@ -17,6 +19,25 @@ LabelPart partOf(const std::string& text, const std::string& after)
     const std::size_t underscore = text.find('_');
     if (underscore == std::string::npos) return {text, "", after};
     return {text.substr(0, underscore), text.substr(underscore + 1), after};
+}
+
+constexpr std::size_t longestFigureName = 24;
+
+bool isContinuation(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; }
+
+std::size_t characters(const std::string& text)
+{
+    return text.size() - static_cast<std::size_t>(std::count_if(text.begin(), text.end(), isContinuation));
+}
+
+/// At most so many characters of UTF-8, the last one an ellipsis where some were cut.
+std::string shortened(const std::string& text, std::size_t most)
+{
+    if (characters(text) <= most) return text;
+    std::size_t end = 0;
+    for (std::size_t count = 0; end < text.size(); ++end)
+        if (!isContinuation(text[end]) && ++count == most) break;
+    return text.substr(0, end) + "\u2026";
 }
 
 }  // namespace
@@ -54,7 +75,7 @@ std::string texLabel(const std::string& condition)
 
 std::string svgLabel(const std::string& condition)
 {
-    if (known(condition) == nullptr) return escapedHtml(condition);
+    if (known(condition) == nullptr) return escapedHtml(shortened(condition, longestFigureName));
     // Each shift is undone by the next piece: renderers disagree about baseline-shift.
     std::string svg;
     for (const LabelPart& part : labelParts(condition)) {
@@ -68,6 +89,7 @@ std::string svgLabel(const std::string& condition)
 
 double labelLength(const std::string& condition)
 {
+    if (known(condition) == nullptr) return static_cast<double>(characters(shortened(condition, longestFigureName)));
     double length = 0;
     for (const LabelPart& part : labelParts(condition))
         length += static_cast<double>(part.letter.size()) + 0.75 * static_cast<double>(part.subscript.size()) +

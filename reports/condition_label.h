@@ -20,9 +20,9 @@ std::vector<LabelPart> labelParts(const std::string& condition);
 
 std::string htmlLabel(const std::string& condition);
 std::string texLabel(const std::string& condition);
-/// Content of a <text> element.
+/// Content of a <text> element; names of more than 24 characters are cut.
 std::string svgLabel(const std::string& condition);
-/// Characters it takes, roughly.
+/// Characters that the label of a figure takes, roughly.
 double labelLength(const std::string& condition);
 
 /// Vision, generated or measured; none for other names (K-labels, conditions of another study).

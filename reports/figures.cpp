@@ -32,10 +32,17 @@ std::string colourOf(protocols::ConditionGroup group)
     return grey;
 }
 
-std::string conditionColour(const std::string& condition, bool blinded)
+/// Groups are shown when every condition belongs to one, and nothing is masked.
+bool hasGroups(const Analysis& analysis)
 {
-    const auto group = groupOf(condition);
-    return group && !blinded ? colourOf(*group) : "#56718a";
+    const auto& conditions = analysis.data.conditions;
+    return !analysis.data.blinded &&
+           std::all_of(conditions.begin(), conditions.end(), [](const std::string& one) { return groupOf(one).has_value(); });
+}
+
+std::string conditionColour(const std::string& condition, bool isGrouped)
+{
+    return isGrouped ? colourOf(*groupOf(condition)) : "#56718a";
 }
 
 double niceStep(double range)
@@ -53,20 +60,23 @@ public:
     Plot(const Analysis& analysis, double low, double high, const std::string& title, const std::string& description)
         : m_conditions(conditionsOf(analysis.results)),
           m_blinded(analysis.data.blinded),
+          m_hasGroups(hasGroups(analysis)),
           m_low(low),
           m_high(high),
           m_slot(std::max(64.0, 800.0 / std::max<double>(1, static_cast<double>(m_conditions.size())))),
           m_isCrowded(longestLabel() > m_slot - 8),
-          m_drawing(left + plotWidth() + right, top + height + bottom(), title, description)
+          m_drawing(left() + plotWidth() + right, top + height + bottom(), title, description)
     {
     }
 
     const std::vector<std::string>& conditions() const { return m_conditions; }
     SvgDrawing& drawing() { return m_drawing; }
+    /// Room for the axis, and for the first of the slanting labels.
+    double left() const { return m_isCrowded ? std::max(76.0, longestLabel() * 0.82 - m_slot / 2 + 12) : 76; }
     double slot() const { return m_slot; }
-    double centre(std::size_t i) const { return left + (static_cast<double>(i) + 0.5) * m_slot; }
+    double centre(std::size_t i) const { return left() + (static_cast<double>(i) + 0.5) * m_slot; }
     double y(double value) const { return top + height * (1 - (value - m_low) / (m_high - m_low)); }
-    double rightEdge() const { return left + plotWidth(); }
+    double rightEdge() const { return left() + plotWidth(); }
     double plotWidth() const { return m_slot * static_cast<double>(m_conditions.size()); }
 
     void drawFrame(const std::string& axisTitle)
@@ -74,14 +84,14 @@ public:
         drawBands();
         const double step = niceStep(m_high - m_low);
         for (double value = std::ceil(m_low / step) * step; value <= m_high + step * 1e-9; value += step) {
-            m_drawing.line({left, y(value)}, {rightEdge(), y(value)}, value == m_low ? black : faint, value == m_low ? 1.5 : 1);
-            m_drawing.text({left - 10, y(value) + 5}, shortest(std::round(value * 1e6) / 1e6),
+            m_drawing.line({left(), y(value)}, {rightEdge(), y(value)}, value == m_low ? black : faint, value == m_low ? 1.5 : 1);
+            m_drawing.text({left() - 10, y(value) + 5}, shortest(std::round(value * 1e6) / 1e6),
                            {14, Anchor::End, black, false, 0});
         }
-        m_drawing.line({left, top}, {left, top + height}, black, 1.5);
-        m_drawing.text({20, top + height / 2}, axisTitle, {15, Anchor::Middle, black, false, -90});
+        m_drawing.line({left(), top}, {left(), top + height}, black, 1.5);
+        m_drawing.text({left() - 56, top + height / 2}, axisTitle, {15, Anchor::Middle, black, false, -90});
         for (std::size_t i = 0; i < m_conditions.size(); ++i) drawLabel(i);
-        m_drawing.text({left + plotWidth() / 2, top + height + bottom() - 8}, m_blinded ? "masked condition" : "condition",
+        m_drawing.text({left() + plotWidth() / 2, top + height + bottom() - 8}, m_blinded ? "masked condition" : "condition",
                        {15, Anchor::Middle, black, false, 0});
     }
 
@@ -106,7 +116,6 @@ public:
         m_drawing.line({x - 5, high}, {x + 5, high}, colour, 1.8);
     }
 
-    static constexpr double left = 76;
     static constexpr double right = 84;
     static constexpr double top = 62;
     static constexpr double height = 300;
@@ -133,12 +142,12 @@ private:
     /// Neighbouring conditions of one group share a tinted band with its name.
     void drawBands()
     {
-        for (std::size_t begin = 0; begin < m_conditions.size() && !m_blinded;) {
+        for (std::size_t begin = 0; begin < m_conditions.size() && m_hasGroups;) {
             const auto group = groupOf(m_conditions[begin]);
             std::size_t end = begin + 1;
             while (end < m_conditions.size() && groupOf(m_conditions[end]) == group) ++end;
             if (group) {
-                const double x = left + static_cast<double>(begin) * m_slot;
+                const double x = left() + static_cast<double>(begin) * m_slot;
                 const double width = static_cast<double>(end - begin) * m_slot;
                 m_drawing.rectangle({x + 2, top - 24}, width - 4, 20, colourOf(*group), 0.22);
                 if (width > 9.0 * static_cast<double>(nameOf(*group).size()))
@@ -151,6 +160,7 @@ private:
 
     std::vector<std::string> m_conditions;
     bool m_blinded;
+    bool m_hasGroups;
     double m_low;
     double m_high;
     double m_slot;
@@ -158,7 +168,7 @@ private:
     SvgDrawing m_drawing;
 };
 
-void drawBar(Plot& plot, std::size_t i, const std::string& condition, const Json& part, double participants, bool blinded)
+void drawBar(Plot& plot, std::size_t i, const std::string& condition, const Json& part, double participants, bool isGrouped)
 {
     const stats::Value matches = valueOf(part, "matches_per_rendering");
     if (!matches.exists()) {
@@ -166,7 +176,7 @@ void drawBar(Plot& plot, std::size_t i, const std::string& condition, const Json
         return;
     }
     const double width = std::min(54.0, plot.slot() * 0.62);
-    const std::string colour = conditionColour(condition, blinded);
+    const std::string colour = conditionColour(condition, isGrouped);
     plot.drawing().rectangle({plot.centre(i) - width / 2, plot.y(*matches)}, width, plot.y(0) - plot.y(*matches), colour, 0.45,
                              colour, condition + ": " + fixed(*matches, 2));
     stats::Interval ci = intervalOf(part, "ci95");
@@ -208,7 +218,7 @@ std::string markerColour(std::size_t k)
 
 void drawLegend(Plot& plot, const std::vector<std::string>& questions)
 {
-    double x = Plot::left;
+    double x = plot.left();
     for (std::size_t k = 0; k < questions.size(); ++k) {
         drawMarker(plot.drawing(), k, {x + 8, 17});
         plot.drawing().text({x + 22, 22}, escapedHtml(questions[k]), {15, Anchor::Start, black, false, 0});
@@ -241,10 +251,10 @@ Figure matchesFigure(const Analysis& analysis, const std::string& question)
     plot.drawRightAxis(participants, "share correct");
     for (std::size_t i = 0; i < plot.conditions().size(); ++i)
         drawBar(plot, i, plot.conditions()[i], analysis.results[question][plot.conditions()[i]], participants,
-                analysis.data.blinded);
-    plot.drawing().line({Plot::left, plot.y(chance)}, {plot.rightEdge(), plot.y(chance)}, vermilion, 2, "7 5");
-    plot.drawing().line({Plot::left, 17}, {Plot::left + 34, 17}, vermilion, 2, "7 5");
-    plot.drawing().text({Plot::left + 42, 22}, "chance: " + fixed(chance, 1) + " of " + people,
+                hasGroups(analysis));
+    plot.drawing().line({plot.left(), plot.y(chance)}, {plot.rightEdge(), plot.y(chance)}, vermilion, 2, "7 5");
+    plot.drawing().line({plot.left(), 17}, {plot.left() + 34, 17}, vermilion, 2, "7 5");
+    plot.drawing().text({plot.left() + 42, 22}, "chance: " + fixed(chance, 1) + " of " + people,
                         {15, Anchor::Start, black, false, 0});
     plot.drawing().text({plot.rightEdge(), 22}, "whiskers: 95 % interval (Wilson)", {13, Anchor::End, grey, false, 0});
     figure.svg = plot.drawing().finished();

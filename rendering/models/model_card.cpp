@@ -18,10 +18,12 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* schema = "vis2hap.model/1";
+/// Changes whenever networks.cpp or the meaning of what the networks speak does.
+constexpr const char* architectureKind = "unet+encoder/1";
 
 Json architectureJson(const Architecture& a)
 {
-    return {{"kind", "unet+encoder"},
+    return {{"kind", architectureKind},
             {"base_channels", a.baseChannels},
             {"crop", a.crop},
             {"mm_per_pixel", a.mmPerPixel},
@@ -130,6 +132,8 @@ ModelCardFields readModelCardFields(const std::filesystem::path& model)
         card.steps = json.at("steps").get<int>();
         card.trainingMinutes = json.at("training_minutes").get<double>();
         card.heldOut = json.at("held_out").get<std::vector<std::string>>();
+        if (json.at("architecture").at("kind").get<std::string>() != architectureKind)
+            throw unreadable(file, "its networks are of another kind than this program's");
         card.architecture = architectureFrom(json.at("architecture"));
         card.validation = json.at("validation");
     } catch (const Json::exception& fault) {

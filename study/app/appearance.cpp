@@ -118,17 +118,13 @@ QPushButton[role="plain"] { background: transparent; border: 2px solid transpare
 QPushButton[role="plain"]:hover { color: %3; border-color: %5; }
 QPushButton[role="plain"]:focus { border-color: %6; color: %3; }
 QPushButton[role="plain"]:disabled { background: transparent; border-color: transparent; color: %12; }
-QLineEdit, QComboBox { background: %2; color: %3; border: 1px solid %4; border-radius: 8px; padding: 7px 10px; }
-QLineEdit:focus, QComboBox:focus { border: 2px solid %6; padding: 6px 9px; }
-QComboBox::drop-down { border: none; width: 32px; }
-QComboBox QAbstractItemView { background: %2; color: %3; selection-background-color: %6; selection-color: %7; }
+QLineEdit { background: %2; color: %3; border: 1px solid %4; border-radius: 8px; padding: 7px 10px; }
+QLineEdit:focus { border: 2px solid %6; padding: 6px 9px; }
 QTreeView, QListView { background: %2; color: %3; border: 1px solid %5; border-radius: 8px; padding: 4px; }
 QTreeView:focus, QListView:focus { border: 2px solid %6; padding: 3px; }
 QTreeView::item, QListView::item { border: 0px; padding: 6px 8px; }
 QTreeView::item:selected, QListView::item:selected { background: %6; color: %7; }
 QHeaderView::section { background: %2; color: %4; border: none; border-bottom: 1px solid %5; padding: 6px 8px; }
-QCheckBox { padding: 4px; border: 2px solid transparent; border-radius: 6px; }
-QCheckBox:focus { border-color: %6; }
 QProgressBar { background: %5; border: none; border-radius: 4px; max-height: 8px; min-height: 8px; }
 QProgressBar::chunk { background: %6; border-radius: 4px; }
 QScrollArea { background: transparent; border: none; }
@@ -146,9 +142,6 @@ QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
         filled.replace(QStringLiteral("%%1").arg(place), inOrder[place - 1].name());
     for (const TypeRow& row : typeRows)
         filled += QStringLiteral("*[type=\"%1\"] { font-size: %2pt; }\n").arg(row.name).arg(basePoints * row.factor, 0, 'f', 2);
-    // Boxes grow with the text; sizes of parts are taken in pixels only.
-    const int boxPx = static_cast<int>(basePoints * 2);
-    filled += QStringLiteral("QCheckBox::indicator { width: %1px; height: %1px; }\n").arg(boxPx);
     return filled + QStringLiteral("*[weight=\"bold\"] { font-weight: bold; }\n");
 }
 

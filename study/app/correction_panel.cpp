@@ -4,8 +4,7 @@
 #include "study/app/rating_field.h"
 #include "study/app/rating_text.h"
 
-#include <QComboBox>
-#include <QFormLayout>
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 
@@ -15,7 +14,7 @@ using protocols::Tenths;
 
 CorrectionPanel::CorrectionPanel(QWidget* parent)
     : StagePage(parent),
-      m_which(new QComboBox(this)),
+      m_questionsRow(new QHBoxLayout),
       m_old(label("oldValue", Type::Lead, this)),
       m_rating(new RatingField("newRatingField", tr("New rating"), this)),
       m_choicesColumn(new QVBoxLayout),
@@ -27,9 +26,7 @@ CorrectionPanel::CorrectionPanel(QWidget* parent)
     title->setText(tr("Correct an answer"));
     auto* explanation = quietLabel("panelExplanation", this);
     explanation->setText(tr("The old answer stays in the record beside the new one."));
-    name(*m_which, "whichAnswerBox", tr("Answer to correct"));
     m_old->setContentsMargins(0, 4, 0, 0);
-    setType(*m_which, Type::Body);
     setType(*m_rating, Type::Lead, Weight::Bold);
     m_choicesColumn->setSpacing(8);
 
@@ -52,7 +49,8 @@ CorrectionPanel::CorrectionPanel(QWidget* parent)
         else
             form->addWidget(control, row, 1);
     };
-    addRow(tr("Answer to"), m_which);
+    m_questionsRow->setSpacing(8);
+    addRow(tr("Answer to"), m_questionsRow);
     addRow(tr("Stored is"), m_old);
     addRow(tr("It shall be"), newValue);
     addRow(tr("Because"), m_why);
@@ -69,38 +67,53 @@ CorrectionPanel::CorrectionPanel(QWidget* parent)
     column->addLayout(form);
     column->addLayout(actions);
     column->addStretch(1);
-    connect(m_which, &QComboBox::currentIndexChanged, this, &CorrectionPanel::showAnswer);
     connect(m_action, &QPushButton::clicked, this, &CorrectionPanel::confirm);
     connect(m_back, &QPushButton::clicked, this, &CorrectionPanel::closeAsked);
 }
 
 void CorrectionPanel::ask(const std::vector<Correctable>& answers)
 {
-    const QSignalBlocker quiet(m_which);
     m_correctables = answers;
-    m_which->clear();
-    for (const Correctable& answer : answers)
-        m_which->addItem(QString::fromStdString(answer.question.value));
-    m_which->setCurrentIndex(0);
+    showQuestions();
     m_why->clear();
     m_isReasonAskedAgain = false;
     showAnswer(0);
 }
 
-const Correctable& CorrectionPanel::chosenAnswer() const
+void CorrectionPanel::showQuestions()
 {
-    return m_correctables.at(static_cast<std::size_t>(m_which->currentIndex()));
+    qDeleteAll(m_questions);
+    m_questions.clear();
+    delete m_questionsRow->takeAt(0);  // the stretch behind the last ones
+    for (std::size_t place = 0; place < m_correctables.size(); ++place) {
+        const QString question = QString::fromStdString(m_correctables[place].question.value);
+        auto* choice = button(qPrintable(QStringLiteral("answerTo") + question), question, this);
+        choice->setAccessibleName(tr("Correct the answer to %1").arg(question));
+        choice->setCheckable(true);
+        connect(choice, &QPushButton::clicked, this, [this, place] { showAnswer(place); });
+        m_questionsRow->addWidget(choice);
+        choice->show();
+        m_questions.push_back(choice);
+    }
+    m_questionsRow->addStretch(1);
 }
 
-void CorrectionPanel::showAnswer(int place)
+const Correctable& CorrectionPanel::chosenAnswer() const
 {
-    if (place < 0)
-        return;
+    return m_correctables.at(m_which);
+}
+
+void CorrectionPanel::showAnswer(std::size_t place)
+{
+    m_which = place;
+    for (std::size_t i = 0; i < m_questions.size(); ++i)
+        m_questions[i]->setChecked(i == place);
     const Correctable& answer = chosenAnswer();
     m_old->setText(answer.current);
     m_rating->clear();
     m_rating->setVisible(answer.scale.has_value());
     showChoices(answer);
+    firstFocus().setFocus();
 }
 
 void CorrectionPanel::showChoices(const Correctable& answer)

@@ -4,7 +4,7 @@
 
 #include "study/app/stage_page.h"
 
-class QComboBox;
+class QHBoxLayout;
 class QLabel;
 class QLineEdit;
 class QPushButton;
@@ -30,7 +30,8 @@ Q_SIGNALS:
     void closeAsked();
 
 private:
-    void showAnswer(int place);
+    void showQuestions();
+    void showAnswer(std::size_t place);
     void showChoices(const Correctable& answer);
     void choose(std::size_t place);
     void confirm();
@@ -39,7 +40,9 @@ private:
     const Correctable& chosenAnswer() const;
 
     std::vector<Correctable> m_correctables;
-    QComboBox* m_which;
+    std::size_t m_which = 0;  ///< of the correctables
+    QHBoxLayout* m_questionsRow;
+    std::vector<QPushButton*> m_questions;
     QLabel* m_old;
     RatingField* m_rating;
     QVBoxLayout* m_choicesColumn;

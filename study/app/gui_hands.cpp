@@ -6,7 +6,6 @@
 
 #include <QApplication>
 #include <QCheckBox>
-#include <QComboBox>
 #include <QKeyEvent>
 #include <QMouseEvent>
 
@@ -120,13 +119,7 @@ private:
     }
     void chooseQuestion(const protocols::QuestionId& question) const
     {
-        hands.focusOn(QStringLiteral("whichAnswerBox"));
-        auto* box = window.currentPage()->findChild<QComboBox*>(QStringLiteral("whichAnswerBox"));
-        const int wanted = box->findText(QString::fromStdString(question.value));
-        if (wanted < 0)
-            throw noWay("there is no answer to " + question.value + " to correct");
-        while (box->currentIndex() < wanted)
-            hands.pressKey(Qt::Key_Down);
+        hands.click(QStringLiteral("answerTo") + QString::fromStdString(question.value));
     }
     void giveNewAnswer(const Corrected& event) const
     {

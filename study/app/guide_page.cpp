@@ -3,6 +3,7 @@
 #include "study/app/pieces.h"
 #include "study/app/scale_line.h"
 #include "study/app/stage_guides.h"
+#include "study/app/tick_box.h"
 
 #include <QHBoxLayout>
 #include <QKeyEvent>
@@ -79,7 +80,7 @@ void GuidePage::setChecklist(const QStringList& items)
 QWidget* GuidePage::checkRow(const QString& item)
 {
     auto* row = new QWidget(this);
-    auto* box = new QCheckBox(row);
+    auto* box = new TickBox(row);
     name(*box, qPrintable(QStringLiteral("check%1").arg(m_boxes.size() + 1)), item);
     auto* text = label("checkText", Type::Body, row);
     text->setText(item);

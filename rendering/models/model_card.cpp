@@ -72,6 +72,13 @@ protocols::Error unreadable(const std::filesystem::path& card, const std::string
                                 "take the weights together with the .json that `vis2hap train` wrote beside them"});
 }
 
+std::filesystem::path beside(const std::filesystem::path& file)
+{
+    std::filesystem::path temporary = file;
+    temporary += ".part";
+    return temporary;
+}
+
 [[noreturn]] void cannotWrite(const std::filesystem::path& file)
 {
     const std::string reason = std::strerror(errno);
@@ -167,10 +174,21 @@ std::filesystem::path shippedModel()
     return std::filesystem::path(VIS2HAP_SOURCE_DIR) / "rendering" / "models" / "weights" / "vis2hap.pt";
 }
 
+void requireWritable(const std::filesystem::path& file)
+{
+    if (std::filesystem::is_directory(file))
+        throw protocols::badInput({"a folder stands where the weights would go", file.string(), "a file name", ""});
+    const std::filesystem::path temporary = beside(file);
+    const int handle = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0644);
+    if (handle < 0)
+        cannotWrite(file);
+    ::close(handle);
+    ::unlink(temporary.c_str());
+}
+
 void writeSynced(const std::filesystem::path& file, const std::string& bytes)
 {
-    std::filesystem::path temporary = file;
-    temporary += ".part";
+    const std::filesystem::path temporary = beside(file);
     const int handle = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
     if (handle < 0)
         cannotWrite(file);

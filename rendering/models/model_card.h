@@ -38,4 +38,7 @@ void checkWeightsFile(const std::filesystem::path& model, const ModelCardFields&
 /// Writes beside, syncs and renames. Throws environmentFault.
 void writeSynced(const std::filesystem::path& file, const std::string& bytes);
 
+/// Long work asks before it begins. Throws badInput for a folder, environmentFault where nothing can be written.
+void requireWritable(const std::filesystem::path& file);
+
 }  // namespace rendering::models

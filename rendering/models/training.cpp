@@ -301,6 +301,7 @@ private:
 void train(const fabrics::Dataset& dataset, const TrainingOptions& options, std::ostream& log, bool terminal)
 {
     checkOptions(options);
+    requireWritable(options.out);
     torch::set_num_threads(options.threads > 0 ? options.threads : static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
     Run(dataset, options, log, terminal).go();
 }

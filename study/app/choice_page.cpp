@@ -86,7 +86,8 @@ void ChoicePage::choose(std::size_t place)
     m_chosen = place;
     for (std::size_t i = 0; i < m_answers.size(); ++i)
         m_answers[i]->setChecked(i == place);
-    m_readBack->setText(tr("Read back: “%1, %2.” Enter stores it; another letter changes it.").arg(slotLetter(place), m_fabricNames[place]));
+    m_readBack->setText(tr("Read back: “%1, %2.” Enter stores it; another letter changes it.")
+                            .arg(slotLetter(place), m_fabricNames[place]));
     setFocus();
 }
 

@@ -129,7 +129,8 @@ void MainWindow::openStudy(const std::filesystem::path& folder)
     auto opened = std::make_unique<OpenStudy>(folder);
     m_session.reset();
     m_study = std::move(opened);
-    rememberStudy(m_options.settings.get(), QString::fromStdString(std::filesystem::absolute(folder).lexically_normal().string()));
+    const auto whole = std::filesystem::absolute(folder).lexically_normal();
+    rememberStudy(m_options.settings.get(), QString::fromStdString(whole.string()));
     showStudy();
 }
 

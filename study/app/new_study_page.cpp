@@ -62,7 +62,8 @@ NewStudyPage::NewStudyPage(MakeStudy make, QWidget* parent)
     form->setHorizontalSpacing(16);
     form->setVerticalSpacing(12);
     form->setColumnStretch(1, 1);
-    m_study = addPath(*form, "newStudyFolderField", tr("Study folder"), tr("a folder that does not exist yet"), Browse::NewFolder);
+    m_study = addPath(*form, "newStudyFolderField", tr("Study folder"), tr("a folder that does not exist yet"),
+                      Browse::NewFolder);
     m_dataset = addPath(*form, "datasetField", tr("Fabric data set"), tr("the folder that holds dataset.json"), Browse::Folder);
     m_protocol = addPath(*form, "protocolField", tr("Protocol file"), tr("empty: the study of the paper"), Browse::File);
     addRow(*form, tr("Participants"), m_participants);
@@ -131,8 +132,8 @@ void NewStudyPage::browseFor(QLineEdit& target, Browse browse)
     if (browse == Browse::File)
         chosen = QFileDialog::getOpenFileName(this, tr("Protocol file"), target.text(), tr("Protocols (*.json)"));
     else
-        chosen = QFileDialog::getExistingDirectory(this, browse == Browse::Folder ? tr("Fabric data set") : tr("Where to make it"),
-                                                   target.text());
+        chosen = QFileDialog::getExistingDirectory(
+            this, browse == Browse::Folder ? tr("Fabric data set") : tr("Where to make it"), target.text());
     if (!chosen.isEmpty())
         target.setText(browse == Browse::NewFolder ? chosen + QStringLiteral("/study") : chosen);
 }

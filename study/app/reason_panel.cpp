@@ -20,7 +20,8 @@ QString tr(const char* text)
 Reason noteReason()
 {
     return {tr("Note"), tr("What should be known about this moment? The note is kept with its time."), tr("Note"),
-            tr("Store the note (Enter)"), false, [](const std::string& text) { return session::EventBody(session::Noted{text}); }};
+            tr("Store the note (Enter)"), false,
+            [](const std::string& text) { return session::EventBody(session::Noted{text}); }};
 }
 
 Reason voidReason(const QString& presentation)

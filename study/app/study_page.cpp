@@ -89,7 +89,8 @@ StudyPage::StudyPage(QWidget* parent)
     connect(m_close, &QPushButton::clicked, this, &StudyPage::closeAsked);
 }
 
-QFrame* StudyPage::card(const char* objectName, const QString& caption, const QString& hint, const std::vector<QWidget*>& controls)
+QFrame* StudyPage::card(const char* objectName, const QString& caption, const QString& hint,
+                        const std::vector<QWidget*>& controls)
 {
     auto* made = new QFrame(this);
     made->setObjectName(QString::fromLatin1(objectName));
@@ -131,9 +132,20 @@ void StudyPage::resizeEvent(QResizeEvent* event)
 void StudyPage::changeEvent(QEvent* event)
 {
     QWidget::changeEvent(event);
-    // Queued: the pieces of the page get their new font after the page itself.
     if (event->type() == QEvent::StyleChange || event->type() == QEvent::FontChange)
-        QMetaObject::invokeMethod(this, &StudyPage::arrange, Qt::QueuedConnection);
+        arrangeSoon();
+}
+
+void StudyPage::showEvent(QShowEvent* event)
+{
+    QWidget::showEvent(event);
+    arrangeSoon();
+}
+
+void StudyPage::arrangeSoon()
+{
+    // Queued: the pieces of the page get their font after the page itself.
+    QMetaObject::invokeMethod(this, &StudyPage::arrange, Qt::QueuedConnection);
 }
 
 void StudyPage::present(const StudyOverview& overview, database::ParticipantKind kind)

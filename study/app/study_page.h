@@ -36,10 +36,12 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void changeEvent(QEvent* event) override;
+    void showEvent(QShowEvent* event) override;
 
 private:
     QFrame* card(const char* objectName, const QString& caption, const QString& hint, const std::vector<QWidget*>& controls);
     void arrange();
+    void arrangeSoon();
     void showPlaces();
     void enrol();
     void resumeChosen();

@@ -37,7 +37,8 @@ void TickBox::paintEvent(QPaintEvent*)
     if (!isChecked())
         return;
     const auto at = [&](double x, double y) { return QPointF(box.x() + x * box.width(), box.y() + y * box.height()); };
-    painter.setPen(QPen(palette().color(QPalette::HighlightedText), std::max(2.0, side / 11), Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    const QColor mark = palette().color(QPalette::HighlightedText);
+    painter.setPen(QPen(mark, std::max(2.0, side / 11), Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     painter.drawPolyline(QPolygonF{at(0.22, 0.52), at(0.43, 0.73), at(0.79, 0.27)});
 }
 

@@ -26,7 +26,7 @@ bool isControl(const QWidget& widget)
     return qobject_cast<const QAbstractButton*>(&widget) || qobject_cast<const QLineEdit*>(&widget) ||
            qobject_cast<const QComboBox*>(&widget) ||
            qobject_cast<const ScaleLine*>(&widget) ||
-           (qobject_cast<const QAbstractItemView*>(&widget) && widget.focusPolicy() != Qt::NoFocus && !widget.window()->windowType());
+           (qobject_cast<const QAbstractItemView*>(&widget) && widget.focusPolicy() != Qt::NoFocus);
 }
 
 QStringList namelessControlsIn(const QWidget& root)
@@ -48,7 +48,8 @@ QStringList cutTextsIn(const QWidget& page)
         const auto* label = qobject_cast<const QLabel*>(widget);
         const bool isButton = qobject_cast<const QAbstractButton*>(widget);
         const bool isTooLow = label && label->wordWrap() && label->height() < label->heightForWidth(label->width());
-        const bool isTooSmall = (isButton || (label && !label->wordWrap())) && widget->width() < widget->minimumSizeHint().width();
+        const bool isOneLine = isButton || (label && !label->wordWrap());
+        const bool isTooSmall = isOneLine && widget->width() < widget->minimumSizeHint().width();
         const bool isOutside = (isButton || label) && !widget->parentWidget()->rect().contains(widget->geometry());
         if (isTooLow || isTooSmall || isOutside)
             cut << QStringLiteral("%1 (%2x%3, wants %4x%5)").arg(widget->objectName()).arg(widget->width()).arg(widget->height())
@@ -245,7 +246,7 @@ void AppLooksTest::pagesAreSavedAsPictures()
         for (const Look& look : looks) {
             open.window().setAppearance(look.appearance);
             open.window().resize(1100, 750);
-            QTest::qWait(20);
+            QTest::qWait(150);
             const QString file = QStringLiteral("%1/%2-%3.png").arg(folder, QString::fromLatin1(page), look.name);
             QVERIFY2(open.window().grab().save(file), qPrintable(file));
         }

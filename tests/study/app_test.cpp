@@ -3,6 +3,7 @@
 #include "study/app/scale_line.h"
 #include "tests/support/typed_answers.h"
 
+#include <QElapsedTimer>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -64,6 +65,7 @@ private Q_SLOTS:
     void wholeSessionByKeyboardAlone();
     void wholeSessionByMouseAlone();
     void windowStoresTheSameRowsAsTheEngine();
+    void paperSizedSessionTakesSeconds();
     void ratingThatIsNoneIsRefusedOnThePage_data();
     void ratingThatIsNoneIsRefusedOnThePage();
     void commaAndPointAreTheSameNumber();
@@ -158,6 +160,21 @@ void AppTest::windowStoresTheSameRowsAsTheEngine()
     }
     QVERIFY(!answersIn(byWindow).empty());
     QCOMPARE(answersIn(byWindow), answersIn(byEngine));
+}
+
+void AppTest::paperSizedSessionTakesSeconds()
+{
+    const auto folder = newStudy({.fabrics = 7,
+                                  .conditions = {"v_grey", "v_shape", "f_g", "h_g", "h_g&f_g", "t_grey", "f", "h", "h&f"},
+                                  .breakAfter = 21});
+    OpenWindow open(folder);
+    open.enrolAndBegin();
+    QElapsedTimer timer;
+    timer.start();
+    open.playToEnd();
+    QCOMPARE(answersIn(folder).size(), std::size_t(63 + 3 * 63));
+    QVERIFY2(timer.elapsed() < 20000, qPrintable(QString::number(timer.elapsed()) + " ms"));
+    qInfo("252 answers through the window in %lld ms", static_cast<long long>(timer.elapsed()));
 }
 
 void AppTest::ratingThatIsNoneIsRefusedOnThePage_data()

@@ -4,7 +4,7 @@
 #include "tests/support/program.h"
 
 #include <QDir>
-#include <QElapsedTimer>
+#include <QImage>
 #include <QProcess>
 #include <QRandomGenerator>
 #include <QTemporaryDir>
@@ -12,6 +12,7 @@
 
 #include <csignal>
 #include <fstream>
+#include <set>
 
 using support::Ended;
 using support::mustRun;

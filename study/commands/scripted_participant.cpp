@@ -13,7 +13,7 @@ namespace {
 using namespace session;
 using What = ScriptedEvent::What;
 
-/// The kind under which an event of the script is found in the log; a crash shows as the sitting begun after it.
+/// The kind under which an event of the script is found in the log.
 std::string loggedKind(What what)
 {
     switch (what) {
@@ -21,7 +21,7 @@ std::string loggedKind(What what)
     case What::Resume: return kindOf(Resumed{});
     case What::Correct: return kindOf(Corrected{});
     case What::Void: return kindOf(Voided{});
-    case What::Crash: return kindOf(SittingStarted{});
+    case What::Crash: return {};  // leaves no record; see skipPassed()
     case What::Note: return kindOf(Noted{});
     }
     return {};
@@ -60,13 +60,15 @@ void Player::skipPassed(const std::vector<database::EventRecord>& logged)
     for (const auto& record : logged) {
         if (record.kind == kindOf(Answered{}))
             ++stored;
-        else if (record.kind != kindOf(SittingStarted{}) || record.sitting > 1)
+        else
             ++happened[{record.kind, stored}];
     }
     for (std::size_t i = 0; i < m_script.events.size(); ++i) {
         const auto& event = m_script.events[i];
         int& left = happened[{loggedKind(event.what), event.answersStoredBefore}];
-        m_passed[i] = event.answersStoredBefore < stored || left > 0;
+        // A session that ended at a crash's place has had its crash, whatever ended it.
+        const bool crashed = event.what == What::Crash && !logged.empty() && event.answersStoredBefore == stored;
+        m_passed[i] = event.answersStoredBefore < stored || left > 0 || crashed;
         left -= left > 0;
     }
 }

@@ -54,7 +54,11 @@ ScriptedPlace placeFrom(const json& entry, const std::string& where)
         place.trial = protocols::TrialNumber{entry["trial"].get<int>()};
         return place;
     }
-    place.condition = protocols::conditionNamed(textField(entry, "condition", where)).conditionId();
+    try {
+        place.condition = protocols::conditionNamed(textField(entry, "condition", where)).conditionId();
+    } catch (const protocols::Error& unknown) {
+        throw fault(unknown.what(), where, "");
+    }
     place.fabric = protocols::FabricId(textField(entry, "fabric", where));
     return place;
 }

@@ -70,6 +70,13 @@ std::string boundsText(const Analysis& analysis)
     return (low < 0 ? "\u2212" + shortest(-low) : shortest(low)) + " and " + shortest(high);
 }
 
+bool isMainContrast(const StudyData& data, const Json& pair)
+{
+    if (data.planned.empty()) return false;
+    const auto& [a, b] = data.planned.front();
+    return (pair["a"] == a && pair["b"] == b) || (pair["a"] == b && pair["b"] == a);
+}
+
 }  // namespace
 
 std::vector<std::string> findings(const Analysis& analysis)
@@ -82,8 +89,9 @@ std::vector<std::string> findings(const Analysis& analysis)
     }
     for (const std::string& question : ratingQuestions(results))
         sentences.push_back(bestSentence(analysis, question, "mean", "mean ratings", 1));
+    // The first contrast of the protocol is the study's main question; the others have their tables below.
     for (const Json& equivalence : results["equivalence"]) {
-        if (!equivalence.value("planned", false)) continue;
+        if (!isMainContrast(analysis.data, equivalence)) continue;
         for (const Json& comparison : results["comparisons"])
             if (comparison["question"] == equivalence["question"] && comparison["a"] == equivalence["a"] &&
                 comparison["b"] == equivalence["b"])

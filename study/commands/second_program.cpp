@@ -52,14 +52,14 @@ int exitCodeOf(pid_t child)
     return WIFEXITED(status) ? WEXITSTATUS(status) : 1;
 }
 
-/// The loader complains in its own many words; asked for its version first, the child tells us in silence.
+/// The loader complains in its own many words; asked for its usage first, the child tells us in silence.
 void requireLoadable()
 {
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
     posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
-    const pid_t child = start({"--version"}, &actions);
+    const pid_t child = start({"--help"}, &actions);
     posix_spawn_file_actions_destroy(&actions);
     if (exitCodeOf(child) != 0)
         throw cannotStart();

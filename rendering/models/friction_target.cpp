@@ -39,17 +39,6 @@ std::vector<double> fitted(std::span<const double> trace, int length)
     return result;
 }
 
-/// Magnitudes of what varies about the mean; its slowest part, the row of frequency 0, is left out.
-cv::Mat variation(const FrictionTarget& target, const Architecture& architecture)
-{
-    cv::Mat ratio, values;
-    cv::exp(cv::min(target.logRatio, 3), ratio);
-    ratio = cv::max(ratio - ratioFloor, 0);
-    ratio.row(0) = 0;
-    ratio.convertTo(values, CV_32F, target.mean * windowSum(architecture));
-    return values;
-}
-
 }  // namespace
 
 void setSpectrogramShape(Architecture& architecture)
@@ -62,12 +51,10 @@ void setSpectrogramShape(Architecture& architecture)
 
 FrictionTarget frictionTarget(std::span<const double> trace, const Architecture& architecture)
 {
-    std::vector<double> values = fitted(trace, architecture.traceSamples);
+    const std::vector<double> values = fitted(trace, architecture.traceSamples);
     const double mean = std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
     if (!(mean > 0))
         throw protocols::badInput({"a friction record whose mean is not positive", "friction", "coefficients above 0", ""});
-    for (double& value : values)
-        value -= mean;
     const cv::Mat absolute = signals::magnitude(signals::stft(values, parametersOf(architecture))).values;
     FrictionTarget target;
     target.mean = static_cast<float>(mean);
@@ -77,26 +64,30 @@ FrictionTarget frictionTarget(std::span<const double> trace, const Architecture&
     return target;
 }
 
+cv::Mat magnitudes(const FrictionTarget& target, const Architecture& architecture)
+{
+    cv::Mat ratio, values;
+    cv::exp(cv::min(target.logRatio, 10), ratio);
+    ratio = cv::max(ratio - ratioFloor, 0);
+    const double average = cv::mean(ratio.row(0))[0];
+    if (average > 1e-6)
+        ratio.row(0) /= average;
+    else
+        ratio.row(0) = 1;
+    ratio.convertTo(values, CV_32F, target.mean * windowSum(architecture));
+    return values;
+}
+
 std::vector<double> traceOf(const FrictionTarget& target, const Architecture& architecture, int iterations)
 {
     signals::MagnitudeSpectrogram spectrogram;
     spectrogram.parameters = parametersOf(architecture);
     spectrogram.traceLength = architecture.traceSamples;
-    spectrogram.mean = 0;
-    spectrogram.values = variation(target, architecture);
+    spectrogram.mean = target.mean;
+    spectrogram.values = magnitudes(target, architecture);
     signals::GriffinLimOptions options;
     options.iterations = iterations;
-    std::vector<double> trace = signals::griffinLim(spectrogram, options).trace;
-    for (double& value : trace)
-        value += target.mean;
-    return trace;
-}
-
-cv::Mat spectrogramOf(std::span<const double> trace, const Architecture& architecture)
-{
-    cv::Mat values;
-    signals::magnitude(signals::stft(trace, parametersOf(architecture))).values.convertTo(values, CV_32F);
-    return values;
+    return signals::griffinLim(spectrogram, options).trace;
 }
 
 }  // namespace rendering::models

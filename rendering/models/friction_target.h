@@ -1,7 +1,6 @@
-// Between a friction trace and what G_s speaks: the mean friction as a number of its own, and the
-// spectrogram of what varies about it, as the logarithm of its magnitudes relative to the mean. So
-// slipperiness and texture are learnt apart: texture is some hundredths of the mean, whose lobe in a
-// spectrogram of the whole trace would drown it, and no inverse transform can lose the mean.
+// Between a friction trace and what G_s speaks: the spectrogram's magnitudes as the logarithm of
+// their ratio to what the mean alone would give, and the mean friction as its own number. So
+// slipperiness and texture are learnt apart, and the mean cannot get lost in an inverse transform.
 #pragma once
 
 #include "rendering/models/architecture.h"
@@ -14,7 +13,7 @@
 namespace rendering::models {
 
 struct FrictionTarget {
-    cv::Mat logRatio;  ///< CV_32FC1 [rows x frames]: log(|STFT(f - mean)| / (mean x sum of the window) + ratioFloor)
+    cv::Mat logRatio;  ///< CV_32FC1 [rows x frames]: log(|STFT(f)| / (mean x sum of the window) + ratioFloor)
     float mean = 0;    ///< coefficient of friction
 };
 
@@ -26,11 +25,10 @@ void setSpectrogramShape(Architecture& architecture);
 /// `trace` is cut or mirrored to Architecture::traceSamples. Needs a positive mean (badInput else).
 FrictionTarget frictionTarget(std::span<const double> trace, const Architecture& architecture);
 
-/// The mean, and about it the trace with the target's magnitudes (phase by Griffin-Lim). Waves longer
-/// than the window, which have no phase to find, are left out.
-std::vector<double> traceOf(const FrictionTarget& target, const Architecture& architecture, int iterations);
+/// CV_32FC1 [rows x frames] magnitudes, the DC row scaled so that its average is that of `mean`.
+cv::Mat magnitudes(const FrictionTarget& target, const Architecture& architecture);
 
-/// CV_32FC1 [rows x frames] magnitudes of a trace; its row of frequency 0 holds the mean.
-cv::Mat spectrogramOf(std::span<const double> trace, const Architecture& architecture);
+/// Griffin-Lim of magnitudes(target); its mean is exactly the target's.
+std::vector<double> traceOf(const FrictionTarget& target, const Architecture& architecture, int iterations);
 
 }  // namespace rendering::models

@@ -183,8 +183,8 @@ GeneratedSignals LoadedModel::generate(const PhotographToTouch& photograph, cons
     if (options.friction) {
         const FrictionTarget target = m_parts->friction(rgb, options.quality);
         requireFinite(target.logRatio);
+        signals.spectrogram = magnitudes(target, architecture);
         signals.trace = traceOf(target, architecture, iterationsOf(options.quality));
-        signals.spectrogram = spectrogramOf(signals.trace, architecture);
         signals.traceMmPerSample = architecture.traceMmPerSample;
         signals.meanFriction = target.mean;
     }

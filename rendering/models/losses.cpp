@@ -41,7 +41,7 @@ LossWeights defaultWeights()
     LossWeights weights;
     weights.adversarial = 1;
     weights.sorted = 20;
-    weights.spectrum = 30;
+    weights.spectrum = 10;
     weights.lowPass = 5;
     weights.logRatio = 10;
     weights.mean = 20;

@@ -52,11 +52,7 @@ nn::Sequential spectrogramDecoder(int c)
     append(chain, c, c, 3);
     chain->push_back(doubling());
     append(chain, c, c, 3);
-    // Texture is some thousandths of the mean: without this start, training first walks there.
-    nn::Conv2d last = convolution(c, 1, 3, 1);
-    const torch::NoGradGuard still;
-    last->bias.fill_(-6);
-    chain->push_back(last);
+    chain->push_back(convolution(c, 1, 3, 1));
     return chain;
 }
 

@@ -6,6 +6,7 @@
 
 #include "database/event_chain.h"
 #include "database/store_connection.h"
+#include "protocols/sha256.h"
 #include "database/study_store.h"
 
 namespace database {
@@ -27,7 +28,7 @@ void readResponses(const SqliteConnection& sqlite, Log& log)
 {
     QSqlQuery row = sqlite.run(
         QStringLiteral("SELECT event, participant, trial, attempt, question, file_code, alternatives, choice, rating_tenths, "
-                       "ready_at, touched_at, answered_at, stored_at, is_correction FROM responses ORDER BY id"));
+                       "ready_at, touched_at, answered_at, stored_at, is_correction, touched_by FROM responses ORDER BY id"));
     while (row.next()) {
         ResponseRow response{fromQt(row.value(1)),       row.value(2).toInt(),
                              row.value(3).toInt(),       fromQt(row.value(4)),
@@ -35,7 +36,7 @@ void readResponses(const SqliteConnection& sqlite, Log& log)
                              textOrNone(row.value(7)),   {},
                              row.value(9).toLongLong(),  {},
                              row.value(11).toLongLong(), row.value(12).toLongLong(),
-                             row.value(13).toInt() != 0};
+                             row.value(13).toInt() != 0, textOrNone(row.value(14))};
         if (!row.value(8).isNull()) response.ratingTenths = row.value(8).toInt();
         if (!row.value(10).isNull()) response.touchedAt = row.value(10).toLongLong();
         log[row.value(0).toLongLong()].responses.push_back(std::move(response));
@@ -47,10 +48,11 @@ void readRest(const SqliteConnection& sqlite, Log& log)
     QSqlQuery row = sqlite.run(QStringLiteral("SELECT event, participant, trial, attempt FROM voids ORDER BY rowid"));
     while (row.next())
         log[row.value(0).toLongLong()].voids.push_back({fromQt(row.value(1)), row.value(2).toInt(), row.value(3).toInt()});
-    row = sqlite.run(QStringLiteral("SELECT event, participant, trial, attempt, question, text FROM notes ORDER BY id"));
+    row = sqlite.run(QStringLiteral("SELECT event, participant, trial, attempt, question, text, is_flag FROM notes ORDER BY id"));
     while (row.next())
         log[row.value(0).toLongLong()].notes.push_back(
-            {fromQt(row.value(1)), row.value(2).toInt(), row.value(3).toInt(), textOrNone(row.value(4)), fromQt(row.value(5))});
+            {fromQt(row.value(1)), row.value(2).toInt(), row.value(3).toInt(), textOrNone(row.value(4)), fromQt(row.value(5)),
+             row.value(6).toInt() != 0});
     row = sqlite.run(QStringLiteral("SELECT event, who, why, wall_time FROM unblindings"));
     while (row.next())
         log[row.value(0).toLongLong()].unblinding = {fromQt(row.value(1)), fromQt(row.value(2)), fromQt(row.value(3))};
@@ -82,9 +84,35 @@ std::string nameOfEntry(const EventRecord& event)
     return "log entry " + std::to_string(event.sequence) + " (" + event.kind + whose + ")";
 }
 
+nlohmann::json payloadOf(const LogEntry& entry)
+{
+    return nlohmann::json::parse(entry.event.payloadJson, nullptr, false);
+}
+
+/// The entries that a recorded act has emptied: those of a participant before it.
+bool isErased(const LogEntry& entry, const std::map<std::string, std::int64_t>& erasedBefore)
+{
+    const auto act = erasedBefore.find(entry.event.participant.value);
+    return act != erasedBefore.end() && entry.event.sequence < act->second && entry.event.payloadJson == "{}" &&
+           entry.responses.empty() && entry.voids.empty() && entry.notes.empty();
+}
+
+std::map<std::string, std::int64_t> erasuresIn(const Log& log)
+{
+    std::map<std::string, std::int64_t> acts;
+    for (const auto& [sequence, entry] : log) {
+        if (entry.event.kind != "erased" || !entry.event.participant.empty()) continue;
+        const nlohmann::json payload = payloadOf(entry);
+        if (payload.is_object() && payload.value("answers_too", false))
+            acts[payload.value("participant", std::string())] = sequence;
+    }
+    return acts;
+}
+
 std::vector<std::string> faultsOfChain(const Log& log, const std::map<std::int64_t, StoredHashes>& hashes)
 {
     std::vector<std::string> faults;
+    const auto erasedBefore = erasuresIn(log);
     std::string previous;
     std::int64_t expected = 1;
     for (const auto& [sequence, entry] : log) {
@@ -98,7 +126,7 @@ std::vector<std::string> faultsOfChain(const Log& log, const std::map<std::int64
                              " are missing");
         if (stored->second.previous != previous)
             faults.push_back(nameOfEntry(entry.event) + ": does not follow the entry before it");
-        if (chainHash(stored->second.previous, entry) != stored->second.own)
+        if (!isErased(entry, erasedBefore) && chainHash(stored->second.previous, entry) != stored->second.own)
             faults.push_back(nameOfEntry(entry.event) + ": it or what it stored was altered");
         previous = stored->second.own;
         expected = sequence + 1;
@@ -122,9 +150,41 @@ void checkFixedTables(const SqliteConnection& sqlite, const Log& log, std::vecto
         faults.push_back("the log does not begin with the making of the study");
         return;
     }
-    const nlohmann::json payload = nlohmann::json::parse(first->second.event.payloadJson, nullptr, false);
-    if (!payload.is_object() || payload.value("fixed_sha256", std::string()) != hashOfFixedTables(sqlite))
-        faults.push_back("study facts, fabrics, stimulus hashes or trial lists were altered after the study was made");
+    const nlohmann::json payload = payloadOf(first->second);
+    if (!payload.is_object() ||
+        payload.value("fixed_sha256", std::string()) != hashOfFixedTables(sqlite, payload.value("schema", 1)))
+        faults.push_back("study facts, fabrics, stimulus hashes, trial lists or swatch codes were altered after the study was made");
+}
+
+/// The texts that were taken over later are the ones that the log committed to.
+void checkProtocols(const SqliteConnection& sqlite, const Log& log, std::vector<std::string>& faults)
+{
+    QSqlQuery row = sqlite.run(QStringLiteral("SELECT version, event, json FROM protocol_versions"));
+    while (row.next()) {
+        const auto act = log.find(row.value(1).toLongLong());
+        const nlohmann::json payload = act == log.end() ? nlohmann::json() : payloadOf(act->second);
+        if (!payload.is_object() || payload.value("sha256", std::string()) != protocols::sha256(fromQt(row.value(2))))
+            faults.push_back("version " + fromQt(row.value(0)) + " of the protocol was altered after it was taken over");
+    }
+}
+
+/// Withdrawn by the table is withdrawn by the log, and the other way round.
+void checkStates(const SqliteConnection& sqlite, const Log& log, std::vector<std::string>& faults)
+{
+    std::set<std::string> withdrawn;
+    for (const auto& [sequence, entry] : log)
+        if (entry.event.kind == "withdrawn") withdrawn.insert(entry.event.participant.value);
+    for (const auto& [participant, act] : erasuresIn(log)) withdrawn.insert(participant);
+    for (const auto& [sequence, entry] : log)
+        if (entry.event.kind == "slot_state_set" && payloadOf(entry).value("state", std::string()) == "withdrawn")
+            withdrawn.insert(payloadOf(entry).value("participant", std::string()));
+    QSqlQuery row = sqlite.run(QStringLiteral("SELECT id, state FROM participants"));
+    while (row.next()) {
+        const std::string id = fromQt(row.value(0));
+        if ((fromQt(row.value(1)) == "withdrawn") != withdrawn.contains(id))
+            faults.push_back("participant " + id + " is " + fromQt(row.value(1)) + " by the table and " +
+                             (withdrawn.contains(id) ? "withdrawn" : "not withdrawn") + " by the log");
+    }
 }
 
 /// "P01 in slot 1 (human)" of every participant, by the log and by the table.
@@ -161,6 +221,8 @@ std::vector<std::string> faultsOfLog(const SqliteConnection& connection)
     checkEnd(connection, log, faults);
     checkFixedTables(connection, log, faults);
     checkPlaces(connection, log, faults);
+    checkProtocols(connection, log, faults);
+    checkStates(connection, log, faults);
     return faults;
 }
 

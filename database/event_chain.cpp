@@ -40,6 +40,11 @@ constexpr const char* fixedRows[] = {
     "SELECT slot, number, phase, file_code, presentation_code, alternatives FROM trials ORDER BY slot, number",
 };
 
+constexpr const char* laterFixedRows[] = {
+    "SELECT slot, fabric, code FROM swatches ORDER BY slot, fabric",
+    "SELECT position, name, file_code FROM familiarisation ORDER BY position",
+};
+
 std::optional<std::int64_t> wide(const std::optional<int>& number)
 {
     return number ? std::optional<std::int64_t>(*number) : std::nullopt;
@@ -50,6 +55,16 @@ void add(Canonical& bytes, const ResponseRow& row)
     bytes << std::string("response") << row.participant << std::int64_t(row.trial) << std::int64_t(row.attempt) << row.question
           << row.fileCode << row.alternatives << row.choice << wide(row.ratingTenths) << row.readyAt << row.touchedAt
           << row.answeredAt << row.storedAt << std::int64_t(row.isCorrection);
+    if (row.touchedBy) bytes << std::string("touched by") << *row.touchedBy;
+}
+
+void addRows(Canonical& bytes, const SqliteConnection& connection, const char* rows)
+{
+    bytes << std::string(rows);
+    QSqlQuery query = connection.run(QString::fromLatin1(rows));
+    const int columns = query.record().count();
+    while (query.next())
+        for (int column = 0; column < columns; ++column) bytes << fromQt(query.value(column));
 }
 
 QVariant orNull(const std::optional<std::string>& text) { return text ? QVariant(toQt(*text)) : QVariant(); }
@@ -60,11 +75,11 @@ void insertResponse(const SqliteConnection& connection, std::int64_t event, cons
 {
     connection.run(
         QStringLiteral("INSERT INTO responses(event, participant, trial, attempt, question, file_code, alternatives, choice, "
-                       "rating_tenths, ready_at, touched_at, answered_at, stored_at, is_correction) "
-                       "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"),
+                       "rating_tenths, ready_at, touched_at, answered_at, stored_at, is_correction, touched_by) "
+                       "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"),
         {qlonglong(event), toQt(row.participant), row.trial, row.attempt, toQt(row.question), toQt(row.fileCode),
          toQt(row.alternatives), orNull(row.choice), orNull(row.ratingTenths), qlonglong(row.readyAt), orNull(row.touchedAt),
-         qlonglong(row.answeredAt), qlonglong(row.storedAt), int(row.isCorrection)});
+         qlonglong(row.answeredAt), qlonglong(row.storedAt), int(row.isCorrection), orNull(row.touchedBy)});
 }
 
 void insertEvent(const SqliteConnection& connection, const EventRecord& event, const std::string& previous,
@@ -86,8 +101,8 @@ void insertRows(const SqliteConnection& connection, const LogEntry& entry)
                        {event, toQt(row.participant), row.trial, row.attempt});
     for (const NoteRow& row : entry.notes)
         connection.run(
-            QStringLiteral("INSERT INTO notes(event, participant, trial, attempt, question, text) VALUES (?, ?, ?, ?, ?, ?)"),
-            {event, toQt(row.participant), row.trial, row.attempt, orNull(row.question), toQt(row.text)});
+            QStringLiteral("INSERT INTO notes(event, participant, trial, attempt, question, text, is_flag) VALUES (?, ?, ?, ?, ?, ?, ?)"),
+            {event, toQt(row.participant), row.trial, row.attempt, orNull(row.question), toQt(row.text), int(row.isFlag)});
     if (entry.unblinding)
         connection.run(QStringLiteral("INSERT INTO unblindings(event, who, why, wall_time) VALUES (?, ?, ?, ?)"),
                        {event, toQt(entry.unblinding->who), toQt(entry.unblinding->why), toQt(entry.unblinding->wallTime)});
@@ -104,15 +119,26 @@ std::string chainHash(const std::string& previous, const LogEntry& entry)
     for (const ResponseRow& row : entry.responses) add(bytes, row);
     for (const VoidRow& row : entry.voids)
         bytes << std::string("void") << row.participant << std::int64_t(row.trial) << std::int64_t(row.attempt);
-    for (const NoteRow& row : entry.notes)
+    for (const NoteRow& row : entry.notes) {
         bytes << std::string("note") << row.participant << std::int64_t(row.trial) << std::int64_t(row.attempt) << row.question
               << row.text;
+        if (row.isFlag) bytes << std::string("flag");
+    }
     if (entry.unblinding)
         bytes << std::string("unblinding") << entry.unblinding->who << entry.unblinding->why << entry.unblinding->wallTime;
     return bytes.hash();
 }
 
-void store(const SqliteConnection& connection, LogEntry entry)
+LogEntry actOnStudy(const std::string& kind, const nlohmann::ordered_json& payload, const std::string& wallTime)
+{
+    LogEntry entry;
+    entry.event.kind = kind;
+    entry.event.payloadJson = payload.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+    entry.event.wallTime = wallTime;
+    return entry;
+}
+
+std::int64_t store(const SqliteConnection& connection, LogEntry entry)
 {
     std::string previous;
     entry.event.sequence = 1;
@@ -124,18 +150,15 @@ void store(const SqliteConnection& connection, LogEntry entry)
     last.finish();
     insertEvent(connection, entry.event, previous, chainHash(previous, entry));
     insertRows(connection, entry);
+    return entry.event.sequence;
 }
 
-std::string hashOfFixedTables(const SqliteConnection& connection)
+std::string hashOfFixedTables(const SqliteConnection& connection, int version)
 {
     Canonical bytes;
-    for (const char* rows : fixedRows) {
-        bytes << std::string(rows);
-        QSqlQuery query = connection.run(QString::fromLatin1(rows));
-        const int columns = query.record().count();
-        while (query.next())
-            for (int column = 0; column < columns; ++column) bytes << fromQt(query.value(column));
-    }
+    for (const char* rows : fixedRows) addRows(bytes, connection, rows);
+    if (version >= 2)
+        for (const char* rows : laterFixedRows) addRows(bytes, connection, rows);
     return bytes.hash();
 }
 

@@ -2,6 +2,7 @@
 // stored with it. Changing, removing or inserting a row breaks the chain from there on.
 #pragma once
 
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,6 +23,7 @@ struct ResponseRow {
     std::optional<std::int64_t> touchedAt;
     std::int64_t answeredAt = 0, storedAt = 0;
     bool isCorrection = false;
+    std::optional<std::string> touchedBy;
 };
 
 struct VoidRow {
@@ -36,6 +38,7 @@ struct NoteRow {
     int attempt = 1;
     std::optional<std::string> question;
     std::string text;
+    bool isFlag = false;
 };
 
 /// An event and all that its transaction stores.
@@ -50,11 +53,16 @@ struct LogEntry {
 /// Lower-case hexadecimal; `previous` is empty for the first entry.
 std::string chainHash(const std::string& previous, const LogEntry& entry);
 
-/// Gives the entry the next sequence number and writes all its rows, in the caller's transaction.
-void store(const SqliteConnection& connection, LogEntry entry);
+/// An act on the study itself, by nobody's session.
+LogEntry actOnStudy(const std::string& kind, const nlohmann::ordered_json& payload, const std::string& wallTime);
 
-/// SHA-256 over the rows that are fixed when a study is made: facts, fabrics, stimuli, trials.
-std::string hashOfFixedTables(const SqliteConnection& connection);
+/// Gives the entry the next sequence number, which it returns, and writes all its rows, in the caller's
+/// transaction.
+std::int64_t store(const SqliteConnection& connection, LogEntry entry);
+
+/// SHA-256 over the rows that are fixed when a study is made: facts, fabrics, stimuli, trials and, from
+/// version 2 of the schema, swatch codes and familiarisation. `version`: the schema's when it was made.
+std::string hashOfFixedTables(const SqliteConnection& connection, int version);
 
 /// A line for each place at which the log is not the one that was written.
 std::vector<std::string> faultsOfLog(const SqliteConnection& connection);

@@ -1,6 +1,7 @@
 #include "database/schema.h"
 
 #include <span>
+#include <span>
 #include <string>
 
 #include "protocols/errors.h"
@@ -62,14 +63,17 @@ constexpr const char* firstTables[] = {
     R"(CREATE TABLE unblindings(
         event INTEGER PRIMARY KEY REFERENCES events(sequence), who TEXT NOT NULL, why TEXT NOT NULL,
         wall_time TEXT NOT NULL) STRICT)",
+};
+
+constexpr const char* views[] = {
     // The latest response to each question of each attempt; the stamps are those of the first, because
     // a correction changes what was answered, not when.
     R"(CREATE VIEW current_responses AS SELECT
-        p.slot AS slot, first.id AS first_id, first.attempt AS attempt, first.participant AS participant,
+        p.slot AS slot, first.id AS first_id, first.event AS event, first.attempt AS attempt, first.participant AS participant,
         first.trial AS trial, first.question AS question, first.file_code AS file_code,
         first.alternatives AS alternatives, latest.choice AS choice, latest.rating_tenths AS rating_tenths,
         first.ready_at AS ready_at, first.touched_at AS touched_at, first.answered_at AS answered_at,
-        latest.stored_at AS stored_at,
+        latest.stored_at AS stored_at, first.touched_by AS touched_by,
         (SELECT COUNT(*) FROM responses r WHERE r.participant = first.participant AND r.trial = first.trial
             AND r.attempt = first.attempt AND r.question = first.question) - 1 AS corrections,
         EXISTS (SELECT 1 FROM voids v WHERE v.participant = first.participant AND v.trial = first.trial
@@ -91,10 +95,72 @@ constexpr const char* firstTables[] = {
       FROM current_responses ORDER BY slot, trial, first_id)",
 };
 
+// Version 2. A slot is taken anew when its participant withdraws; facts about people lie apart from the
+// log, so that they can be erased; fabric pieces carry codes; a protocol's words may change in mid-study.
+constexpr const char* secondTables[] = {
+    "DROP VIEW IF EXISTS answers",
+    "DROP VIEW IF EXISTS current_responses",
+    R"(CREATE TABLE participants_now(
+        id TEXT PRIMARY KEY, slot INTEGER NOT NULL REFERENCES slots(number),
+        kind TEXT NOT NULL CHECK (kind IN ('human', 'scripted', 'simulated')),
+        state TEXT NOT NULL CHECK (state IN ('started', 'finished', 'withdrawn')),
+        protocol_version INTEGER NOT NULL DEFAULT 1) STRICT)",
+    "INSERT INTO participants_now(id, slot, kind, state) SELECT id, slot, kind, state FROM participants",
+    "DROP TABLE participants",
+    "ALTER TABLE participants_now RENAME TO participants",
+    "CREATE UNIQUE INDEX one_in_a_slot ON participants(slot) WHERE state <> 'withdrawn'",
+    "ALTER TABLE responses ADD COLUMN touched_by TEXT",
+    "ALTER TABLE notes ADD COLUMN is_flag INTEGER NOT NULL DEFAULT 0",
+    R"(CREATE TABLE participant_facts(
+        participant TEXT NOT NULL REFERENCES participants(id), fact TEXT NOT NULL, value TEXT NOT NULL,
+        PRIMARY KEY (participant, fact)) STRICT, WITHOUT ROWID)",
+    R"(CREATE TABLE swatches(
+        slot INTEGER NOT NULL REFERENCES slots(number), fabric TEXT NOT NULL REFERENCES fabrics(id), code TEXT NOT NULL,
+        PRIMARY KEY (slot, fabric)) STRICT, WITHOUT ROWID)",
+    R"(CREATE TABLE familiarisation(
+        position INTEGER PRIMARY KEY, name TEXT NOT NULL, file_code TEXT NOT NULL REFERENCES stimuli(file_code)) STRICT)",
+    // Later texts of the protocol; version 1 is the one in table study.
+    R"(CREATE TABLE protocol_versions(
+        version INTEGER PRIMARY KEY CHECK (version >= 2), event INTEGER NOT NULL REFERENCES events(sequence),
+        json TEXT NOT NULL, sha256 TEXT NOT NULL, who TEXT NOT NULL, why TEXT NOT NULL, wall_time TEXT NOT NULL) STRICT)",
+    R"(CREATE TABLE erasures(
+        event INTEGER PRIMARY KEY REFERENCES events(sequence), participant TEXT NOT NULL, answers_too INTEGER NOT NULL,
+        who TEXT NOT NULL, why TEXT NOT NULL, wall_time TEXT NOT NULL) STRICT)",
+};
+
 constexpr const char* appendOnlyTables[] = {"study",  "fabrics",   "stimuli", "slots", "trials",
                                             "events", "responses", "voids",   "notes", "unblindings"};
+constexpr const char* laterAppendOnlyTables[] = {"swatches", "familiarisation", "protocol_versions", "erasures"};
 
-void refuseChanges(const SqliteConnection& connection, const char* table)
+void run(const SqliteConnection& connection, std::span<const char* const> statements)
+{
+    for (const char* statement : statements) connection.run(QString::fromUtf8(statement));
+}
+
+void makeFirstVersion(const SqliteConnection& connection)
+{
+    run(connection, firstTables);
+    for (const char* table : appendOnlyTables) guardAgainstChanges(connection, table);
+    connection.run(QStringLiteral("PRAGMA application_id = %1").arg(applicationId));
+}
+
+void makeSecondVersion(const SqliteConnection& connection)
+{
+    run(connection, secondTables);
+    run(connection, views);
+    for (const char* table : laterAppendOnlyTables) guardAgainstChanges(connection, table);
+}
+
+/// Step i leads from version i to version i + 1.
+using MigrationStep = void (*)(const SqliteConnection&);
+constexpr MigrationStep steps[] = {makeFirstVersion, makeSecondVersion};
+static_assert(std::size(steps) == schemaVersion);
+
+int versionOf(const SqliteConnection& connection) { return connection.value(QStringLiteral("PRAGMA user_version")).toInt(); }
+
+}  // namespace
+
+void guardAgainstChanges(const SqliteConnection& connection, const char* table)
 {
     for (const char* change : {"UPDATE", "DELETE"})
         connection.run(QStringLiteral("CREATE TRIGGER %1_no_%2 BEFORE %2 ON %1 BEGIN "
@@ -102,21 +168,11 @@ void refuseChanges(const SqliteConnection& connection, const char* table)
                            .arg(QLatin1String(table), QLatin1String(change)));
 }
 
-void makeFirstVersion(const SqliteConnection& connection)
+void unguard(const SqliteConnection& connection, const char* table)
 {
-    for (const char* statement : firstTables) connection.run(QString::fromUtf8(statement));
-    for (const char* table : appendOnlyTables) refuseChanges(connection, table);
-    connection.run(QStringLiteral("PRAGMA application_id = %1").arg(applicationId));
+    for (const char* change : {"UPDATE", "DELETE"})
+        connection.run(QStringLiteral("DROP TRIGGER %1_no_%2").arg(QLatin1String(table), QLatin1String(change)));
 }
-
-/// Step i leads from version i to version i + 1.
-using MigrationStep = void (*)(const SqliteConnection&);
-constexpr MigrationStep steps[] = {makeFirstVersion};
-static_assert(std::size(steps) == schemaVersion);
-
-int versionOf(const SqliteConnection& connection) { return connection.value(QStringLiteral("PRAGMA user_version")).toInt(); }
-
-}  // namespace
 
 void migrate(const SqliteConnection& connection)
 {

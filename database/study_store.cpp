@@ -37,6 +37,22 @@ void insertFacts(const SqliteConnection& sqlite, const StudyFacts& facts)
     }
 }
 
+void insertFamiliarisation(const SqliteConnection& sqlite, const StudyFacts& facts)
+{
+    int position = 0;
+    for (const FamiliarisationItem& item : facts.familiarisation)
+        sqlite.run(QStringLiteral("INSERT INTO familiarisation(position, name, file_code) VALUES (?, ?, ?)"),
+                   {++position, toQt(item.name), toQt(item.fileCode.value)});
+}
+
+void insertSwatches(const SqliteConnection& sqlite, const StudyFacts& facts)
+{
+    for (std::size_t slot = 0; slot < facts.swatches.size(); ++slot)
+        for (const auto& [fabric, code] : facts.swatches[slot])
+            sqlite.run(QStringLiteral("INSERT INTO swatches(slot, fabric, code) VALUES (?, ?, ?)"),
+                       {static_cast<int>(slot) + 1, toQt(fabric.value), toQt(code)});
+}
+
 void insertSlot(const SqliteConnection& sqlite, int slot, const std::vector<protocols::BlindedTrial>& trials)
 {
     sqlite.run(QStringLiteral("INSERT INTO slots(number) VALUES (?)"), {slot});
@@ -51,7 +67,7 @@ void recordCreation(const SqliteConnection& sqlite, const StudyFacts& facts)
 {
     LogEntry entry;
     entry.event.kind = "created";
-    entry.event.payloadJson = nlohmann::json{{"fixed_sha256", hashOfFixedTables(sqlite)}}.dump();
+    entry.event.payloadJson = nlohmann::json{{"fixed_sha256", hashOfFixedTables(sqlite, schemaVersion)}, {"schema", schemaVersion}}.dump();
     entry.event.wallTime = facts.createdAt;
     store(sqlite, entry);
 }
@@ -110,6 +126,16 @@ Enum namedValue(const std::string& name, std::initializer_list<Enum> values)
         if (nameOf(value) == name) return value;
     throw protocols::workFailed(
         {"unknown name \"" + name + "\" in the database", "study.db", "", "run vis2hap verify on the study"});
+}
+
+ParticipantKind kindNamed(const std::string& name)
+{
+    return namedValue(name, {ParticipantKind::Human, ParticipantKind::Scripted, ParticipantKind::Simulated});
+}
+
+SlotState stateNamed(const std::string& name)
+{
+    return namedValue(name, {SlotState::Free, SlotState::Started, SlotState::Finished, SlotState::Withdrawn});
 }
 
 }  // namespace
@@ -191,6 +217,8 @@ void StudyStore::create(const StudyFolder& folder, const StudyFacts& facts,
         for (const auto& [code, hash] : stimulusHashes)
             sqlite.run(QStringLiteral("INSERT INTO stimuli(file_code, sha256) VALUES (?, ?)"), {toQt(code.value), toQt(hash)});
         for (std::size_t slot = 0; slot < slots.size(); ++slot) insertSlot(sqlite, static_cast<int>(slot) + 1, slots[slot]);
+        insertSwatches(sqlite, facts);
+        insertFamiliarisation(sqlite, facts);
         recordCreation(sqlite, facts);
         transaction.commit();
         sqlite.run(QStringLiteral("PRAGMA wal_checkpoint(TRUNCATE)"));
@@ -213,9 +241,13 @@ StudyStore::StudyStore(const StudyFolder& folder, Access access)
     if (!writes)
         throw protocols::badInput({"the study was made by an older version of this program", folder.folder.string(), "",
                                    "open it once in the app, which brings it up to date"});
-    Transaction transaction(sqlite);
-    migrate(sqlite);
-    transaction.commit();
+    sqlite.run(QStringLiteral("PRAGMA foreign_keys = OFF"));
+    {
+        Transaction transaction(sqlite);
+        migrate(sqlite);
+        transaction.commit();
+    }
+    sqlite.run(QStringLiteral("PRAGMA foreign_keys = ON"));
 }
 
 StudyStore::~StudyStore() = default;
@@ -246,6 +278,13 @@ StudyFacts StudyStore::facts() const
         facts.fabrics.emplace_back(fromQt(fabric.value(0)));
         facts.fabricNames[facts.fabrics.back()] = fromQt(fabric.value(1));
     }
+    QSqlQuery swatch = m_connection->sqlite.run(QStringLiteral("SELECT slot, fabric, code FROM swatches ORDER BY slot"));
+    while (swatch.next()) {
+        facts.swatches.resize(static_cast<std::size_t>(swatch.value(0).toInt()));
+        facts.swatches.back()[protocols::FabricId(fromQt(swatch.value(1)))] = fromQt(swatch.value(2));
+    }
+    QSqlQuery item = m_connection->sqlite.run(QStringLiteral("SELECT name, file_code FROM familiarisation ORDER BY position"));
+    while (item.next()) facts.familiarisation.push_back({fromQt(item.value(0)), protocols::FileCode(fromQt(item.value(1)))});
     return facts;
 }
 
@@ -261,20 +300,42 @@ std::vector<Slot> StudyStore::slots() const
 {
     std::vector<Slot> slots;
     QSqlQuery row = m_connection->sqlite.run(QStringLiteral(
-        "SELECT s.number, p.state, p.id, p.kind FROM slots s LEFT JOIN participants p ON p.slot = s.number ORDER BY s.number"));
+        "SELECT s.number, p.state, p.id, p.kind FROM slots s LEFT JOIN participants p ON p.slot = s.number AND p.state <> 'withdrawn' "
+        "ORDER BY s.number"));
     while (row.next()) {
         Slot slot;
         slot.number = row.value(0).toInt();
-        slot.state =
-            namedValue(stateName(row.value(1)), {SlotState::Free, SlotState::Started, SlotState::Finished, SlotState::Withdrawn});
+        slot.state = stateNamed(stateName(row.value(1)));
         if (slot.state != SlotState::Free) {
             slot.participant = protocols::ParticipantId(fromQt(row.value(2)));
-            slot.kind =
-                namedValue(fromQt(row.value(3)), {ParticipantKind::Human, ParticipantKind::Scripted, ParticipantKind::Simulated});
+            slot.kind = kindNamed(fromQt(row.value(3)));
         }
         slots.push_back(slot);
     }
     return slots;
+}
+
+std::vector<Enrolment> StudyStore::enrolments() const
+{
+    std::vector<Enrolment> enrolments;
+    QSqlQuery row = m_connection->sqlite.run(
+        QStringLiteral("SELECT id, slot, kind, state, protocol_version FROM participants ORDER BY slot, rowid"));
+    while (row.next())
+        enrolments.push_back({protocols::ParticipantId(fromQt(row.value(0))), row.value(1).toInt(), kindNamed(fromQt(row.value(2))),
+                              stateNamed(fromQt(row.value(3))), row.value(4).toInt()});
+    return enrolments;
+}
+
+std::vector<ProtocolVersion> StudyStore::protocolVersions() const
+{
+    const StudyFacts known = facts();
+    std::vector<ProtocolVersion> versions{{1, known.protocolJson, known.protocolSha256, {}, {}, {}}};
+    QSqlQuery row = m_connection->sqlite.run(
+        QStringLiteral("SELECT version, json, sha256, who, why, wall_time FROM protocol_versions ORDER BY version"));
+    while (row.next())
+        versions.push_back({row.value(0).toInt(), fromQt(row.value(1)), fromQt(row.value(2)), fromQt(row.value(3)),
+                            fromQt(row.value(4)), fromQt(row.value(5))});
+    return versions;
 }
 
 std::vector<protocols::BlindedTrial> StudyStore::trials(int slot) const

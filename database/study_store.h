@@ -19,6 +19,13 @@
 
 namespace database {
 
+/// A fabric outside the study's own with one friction image, for getting to know the display.
+struct FamiliarisationItem {
+    std::string name;
+    protocols::FileCode fileCode;
+    bool operator==(const FamiliarisationItem&) const = default;
+};
+
 /// Everything fixed when a study is made.
 struct StudyFacts {
     std::string name;
@@ -34,6 +41,8 @@ struct StudyFacts {
     std::vector<std::string> stamps;   ///< sentences the report must carry, e.g. training samples allowed
     std::vector<protocols::FabricId> fabrics;
     std::map<protocols::FabricId, std::string> fabricNames;
+    std::vector<protocols::SwatchLabels> swatches;  ///< [slot]; empty: fabric pieces go by their names
+    std::vector<FamiliarisationItem> familiarisation;
     std::string signalsJson;           ///< generated against measured signals; "{}" where there is none
     std::string createdAt;             ///< wall clock, ISO 8601 with zone
     std::string programVersion;
@@ -45,12 +54,28 @@ std::string nameOf(ParticipantKind kind);  ///< "human", "scripted", "simulated"
 enum class SlotState { Free, Started, Finished, Withdrawn };
 std::string nameOf(SlotState state);
 
-/// One of the study's participant places with its fixed running order.
+/// One of the study's participant places with its fixed running order. A participant who withdraws frees it.
 struct Slot {
     int number = 0;  ///< from 1
-    SlotState state = SlotState::Free;
+    SlotState state = SlotState::Free;     ///< never Withdrawn
     protocols::ParticipantId participant;  ///< empty while free
     ParticipantKind kind = ParticipantKind::Human;
+};
+
+/// Somebody who took part, those who withdrew among them.
+struct Enrolment {
+    protocols::ParticipantId participant;
+    int slot = 0;
+    ParticipantKind kind = ParticipantKind::Human;
+    SlotState state = SlotState::Started;  ///< never Free
+    int protocolVersion = 1;               ///< the one their session follows
+};
+
+/// The study's protocol, and each later text of it that was taken over.
+struct ProtocolVersion {
+    int version = 1;
+    std::string json, sha256;
+    std::string who, why, wallTime;  ///< empty for the first
 };
 
 /// What happened, as the session engine stores it.
@@ -71,10 +96,11 @@ struct AnswerRecord {
     protocols::QuestionId question;
     protocols::FileCode fileCode;
     std::vector<protocols::FabricId> alternatives;
-    std::optional<protocols::FabricId> answer;   ///< choice questions
+    std::optional<std::string> answer;           ///< a fabric id, "same" or "different", or words; by question
     std::optional<protocols::Tenths> rating;     ///< rating questions
     std::int64_t readyAtNs = 0;
     std::optional<std::int64_t> touchedAtNs;
+    std::string touchedBy;                       ///< "display" or "operator"; empty without a touch
     std::int64_t answeredAtNs = 0;
     std::string note;
     bool isCorrection = false;
@@ -84,6 +110,7 @@ struct AnswerRecord {
 struct CurrentAnswer {
     protocols::ParticipantId participant;
     AnswerRecord record;
+    std::int64_t event = 0;     ///< of the log: when it was first answered
     int attempt = 1;            ///< presentations of this trial to this participant; a void starts the next
     std::int64_t storedAtNs = 0;
     double seconds = 0;         ///< answered - touched, or - ready where no touch was stamped
@@ -94,6 +121,13 @@ struct CurrentAnswer {
 
 /// The recorded opening of the key.
 struct UnblindingRecord {
+    std::string who, why, wallTime;
+};
+
+/// The recorded removal of what is known about a participant.
+struct Erasure {
+    protocols::ParticipantId participant;
+    bool answersToo = false;  ///< else facts and debriefing alone
     std::string who, why, wallTime;
 };
 
@@ -118,8 +152,14 @@ public:
     std::vector<Slot> slots() const;
     std::vector<protocols::BlindedTrial> trials(int slot) const;
 
+    std::vector<Enrolment> enrolments() const;  ///< by slot, in each by time
+
+    std::vector<ProtocolVersion> protocolVersions() const;
+    /// Participants enrolled from now on follow it. Throws badInput where who or why is empty.
+    void takeProtocol(const std::string& json, const std::string& who, const std::string& why);
+
     /// Takes the next free slot (or finds the participant's own). Throws workFailed when none is free,
-    /// badInput where the id is empty or belongs to a participant of another kind.
+    /// badInput where the id is empty, belongs to a participant of another kind, or was erased.
     Slot enrol(const protocols::ParticipantId& participant, ParticipantKind kind);
     /// "P01", "P02" ...: the next unused one.
     protocols::ParticipantId nextParticipantId() const;
@@ -129,6 +169,7 @@ public:
     struct Note {
         protocols::TrialNumber trial;
         std::string text;
+        bool isFlag = false;  ///< marks the presentation for a look at it
     };
     /// One transaction: the event, its answers, the trial it voids, a note and, where given, the slot's
     /// new state. Returns when it is synced. Throws environmentFault (disk full, read-only) and stores
@@ -139,12 +180,33 @@ public:
         std::optional<protocols::TrialNumber> voids;
         std::optional<Note> note;
         std::optional<SlotState> slotState;
+        std::vector<std::pair<std::string, std::string>> facts;  ///< about the participant; kept outside the log
         std::int64_t storedAtNs = 0;  ///< the session's clock just before the transaction
     };
     void append(const Append& entry);
 
+    /// Presentations that the operator marked for a look at them.
+    struct Flag {
+        protocols::ParticipantId participant;
+        protocols::TrialNumber trial;
+        std::string text;
+    };
+    std::vector<Flag> flags() const;
+
     std::vector<EventRecord> events(const protocols::ParticipantId& participant) const;
     std::vector<CurrentAnswer> answers() const;  ///< of all participants, by slot, trial and question
+
+    /// Facts about participants, as they were given and not erased.
+    std::map<protocols::ParticipantId, std::map<std::string, std::string>> personalFacts() const;
+
+    /// Removes facts and, where asked for, every answer and note, whose participant then counts as withdrawn;
+    /// the act is recorded, and the log stays checkable. Throws badInput for an unknown participant or an
+    /// empty who or why.
+    void erase(const Erasure& erasure);
+    std::vector<Erasure> erasures() const;
+
+    /// A whole and consistent copy of study.db as one file that must not exist, also while a session runs.
+    void copyTo(const std::filesystem::path& file) const;
 
     /// Every act is recorded; `unblinding` is the first. Throws badInput where who or why is empty.
     void recordUnblinding(const UnblindingRecord& record);

@@ -6,19 +6,11 @@
 #include "database/store_connection.h"
 #include "database/study_store.h"
 #include "protocols/errors.h"
+#include "protocols/sha256.h"
 
 namespace database {
 
 namespace {
-
-LogEntry actOnStudy(const std::string& kind, const nlohmann::ordered_json& payload, const std::string& wallTime)
-{
-    LogEntry entry;
-    entry.event.kind = kind;
-    entry.event.payloadJson = payload.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-    entry.event.wallTime = wallTime;
-    return entry;
-}
 
 void checkId(const protocols::ParticipantId& participant)
 {
@@ -75,10 +67,11 @@ ResponseRow rowOf(const SqliteConnection& sqlite, const StudyStore::Append& entr
     row.question = answer.question.value;
     row.fileCode = answer.fileCode.value;
     row.alternatives = jsonOf(answer.alternatives);
-    row.choice = answer.answer ? std::optional<std::string>(answer.answer->value) : std::nullopt;
+    row.choice = answer.answer;
     row.ratingTenths = answer.rating ? std::optional<int>(answer.rating->value) : std::nullopt;
     row.readyAt = answer.readyAtNs;
     row.touchedAt = answer.touchedAtNs;
+    if (!answer.touchedBy.empty()) row.touchedBy = answer.touchedBy;
     row.answeredAt = answer.answeredAtNs;
     row.storedAt = entry.storedAtNs;
     row.isCorrection = answer.isCorrection;
@@ -99,11 +92,11 @@ LogEntry logEntryOf(const SqliteConnection& sqlite, const StudyStore::Append& en
         log.responses.push_back(rowOf(sqlite, entry, answer));
         if (!answer.note.empty())
             log.notes.push_back(
-                {participant, answer.trial.value, log.responses.back().attempt, answer.question.value, answer.note});
+                {participant, answer.trial.value, log.responses.back().attempt, answer.question.value, answer.note, false});
     }
     if (entry.note)
         log.notes.push_back({participant, entry.note->trial.value, attemptOf(sqlite, participant, entry.note->trial.value),
-                             std::nullopt, entry.note->text});
+                             std::nullopt, entry.note->text, entry.note->isFlag});
     if (entry.voids) log.voids.push_back({participant, entry.voids->value, attemptOf(sqlite, participant, entry.voids->value)});
     return log;
 }
@@ -125,32 +118,39 @@ Slot StudyStore::enrol(const protocols::ParticipantId& participant, ParticipantK
     checkId(participant);
     const SqliteConnection& sqlite = m_connection->sqlite;
     Transaction transaction(sqlite);
-    std::optional<Slot> free;
-    for (const Slot& slot : slots()) {
-        if (slot.participant == participant && slot.kind != kind)
-            throw protocols::badInput({"participant " + participant.value + " is " + nameOf(slot.kind) + ", not " + nameOf(kind),
+    for (const Erasure& erasure : erasures())
+        if (erasure.participant == participant && erasure.answersToo)
+            throw protocols::badInput({"participant " + participant.value + " was erased", folder().folder.string(), "another id", ""});
+    for (const Enrolment& known : enrolments()) {
+        if (known.participant != participant) continue;
+        if (known.kind != kind)
+            throw protocols::badInput({"participant " + participant.value + " is " + nameOf(known.kind) + ", not " + nameOf(kind),
                                        folder().folder.string(), "another id", ""});
-        if (slot.participant == participant) return slot;
-        if (!free && slot.state == SlotState::Free) free = slot;
+        return {known.slot, known.state, participant, kind};
     }
+    std::optional<Slot> free;
+    for (const Slot& slot : slots())
+        if (!free && slot.state == SlotState::Free) free = slot;
     if (!free)
         throw protocols::workFailed({"every slot of the study is taken", folder().folder.string(),
                                      "a free slot for " + participant.value, "make a study with more participants"});
     *free = {free->number, SlotState::Started, participant, kind};
-    sqlite.run(QStringLiteral("INSERT INTO participants(id, slot, kind, state) VALUES (?, ?, ?, ?)"),
-               {toQt(participant.value), free->number, toQt(nameOf(kind)), toQt(nameOf(free->state))});
-    store(sqlite, actOnStudy("enrolled", {{"slot", free->number}, {"participant", participant.value}, {"kind", nameOf(kind)}},
-                             wallTimeNow()));
+    const int version = protocolVersions().back().version;
+    sqlite.run(QStringLiteral("INSERT INTO participants(id, slot, kind, state, protocol_version) VALUES (?, ?, ?, ?, ?)"),
+               {toQt(participant.value), free->number, toQt(nameOf(kind)), toQt(nameOf(free->state)), version});
+    nlohmann::ordered_json payload{{"slot", free->number}, {"participant", participant.value}, {"kind", nameOf(kind)}};
+    if (version > 1) payload["protocol_version"] = version;
+    store(sqlite, actOnStudy("enrolled", payload, wallTimeNow()));
     transaction.commit();
     return *free;
 }
 
 protocols::ParticipantId StudyStore::nextParticipantId() const
 {
-    const std::vector<Slot> taken = slots();
+    const std::vector<Enrolment> taken = enrolments();
     for (int number = 1;; ++number) {
         const protocols::ParticipantId id((number < 10 ? "P0" : "P") + std::to_string(number));
-        if (std::none_of(taken.begin(), taken.end(), [&](const Slot& slot) { return slot.participant == id; })) return id;
+        if (std::none_of(taken.begin(), taken.end(), [&](const Enrolment& known) { return known.participant == id; })) return id;
     }
 }
 
@@ -169,6 +169,26 @@ void StudyStore::append(const Append& entry)
     Transaction transaction(sqlite);
     store(sqlite, logEntryOf(sqlite, entry));
     if (entry.slotState) moveState(sqlite, entry.event.participant, *entry.slotState);
+    for (const auto& [fact, value] : entry.facts)
+        sqlite.run(QStringLiteral("INSERT OR REPLACE INTO participant_facts(participant, fact, value) VALUES (?, ?, ?)"),
+                   {toQt(entry.event.participant.value), toQt(fact), toQt(value)});
+    transaction.commit();
+}
+
+void StudyStore::takeProtocol(const std::string& json, const std::string& who, const std::string& why)
+{
+    if (who.empty() || why.empty())
+        throw protocols::badInput(
+            {"a change of the protocol needs a name and a reason", folder().folder.string(), "--who NAME --why TEXT", ""});
+    const SqliteConnection& sqlite = m_connection->sqlite;
+    Transaction transaction(sqlite);
+    const int version = protocolVersions().back().version + 1;
+    const std::string hash = protocols::sha256(json), wallTime = wallTimeNow();
+    const std::int64_t event = store(
+        sqlite, actOnStudy("protocol_taken", {{"version", version}, {"sha256", hash}, {"who", who}, {"why", why}}, wallTime));
+    sqlite.run(QStringLiteral("INSERT INTO protocol_versions(version, event, json, sha256, who, why, wall_time) "
+                              "VALUES (?, ?, ?, ?, ?, ?, ?)"),
+               {version, qlonglong(event), toQt(json), toQt(hash), toQt(who), toQt(why), toQt(wallTime)});
     transaction.commit();
 }
 

@@ -1,5 +1,8 @@
 #include "protocols/allocation.h"
 
+#include "protocols/condition.h"
+
+#include <algorithm>
 #include <cassert>
 #include <numeric>
 #include <set>
@@ -54,14 +57,52 @@ std::vector<std::vector<FileCode>> drawFileCodes(std::size_t labels, std::size_t
 AllocationKey keyOf(const Protocol& protocol, const std::vector<FabricId>& fabrics,
                     const std::vector<std::vector<FileCode>>& codes, std::uint64_t secretSeed)
 {
-    const auto conditions = permutation(codes.size(), Random::stream(secretSeed, "allocation/conditions"));
-    const auto masks = permutation(codes.size(), Random::stream(secretSeed, "allocation/masked labels"));
+    const std::size_t labels = protocol.conditions.size();
+    const auto conditions = permutation(labels, Random::stream(secretSeed, "allocation/conditions"));
+    const auto masks = permutation(labels, Random::stream(secretSeed, "allocation/masked labels"));
     AllocationKey key;
-    for (std::size_t label = 0; label < codes.size(); ++label)
+    for (std::size_t label = 0; label < labels; ++label)
         for (std::size_t fabric = 0; fabric < fabrics.size(); ++fabric)
             key.entries[codes[label][fabric]] = {fabrics[fabric], protocol.conditions[conditions[label]],
                                                  ConditionLabel("K" + std::to_string(masks[label] + 1))};
+    if (codes.size() > labels)
+        for (std::size_t fabric = 0; fabric < fabrics.size(); ++fabric)
+            key.entries[codes.back()[fabric]] = {fabrics[fabric], catchTrialId(), ConditionLabel(catchTrialId().value)};
     return key;
+}
+
+std::vector<FileCode> drawMoreFileCodes(const AllocationKey& key, int count, std::uint64_t secretSeed)
+{
+    Random random = Random::stream(secretSeed, "allocation/familiarisation codes");
+    std::set<std::string> used;
+    for (const auto& [code, entry] : key.entries) used.insert(code.value);
+    std::vector<FileCode> codes;
+    for (int i = 0; i < count; ++i) codes.emplace_back(drawUnusedCode(fileCodeLetters, fileCodeLength, used, random));
+    return codes;
+}
+
+/// Three digits each, all different within the study while there are enough.
+std::vector<SwatchLabels> drawSwatches(const Protocol& protocol, const std::vector<FabricId>& fabrics, std::size_t slots,
+                                       std::uint64_t secretSeed)
+{
+    Random random = Random::stream(secretSeed, "allocation/swatch codes");
+    std::vector<SwatchLabels> drawn;
+    std::vector<int> numbers;
+    const std::size_t sets = protocol.swatchCodes == SwatchCodes::PerParticipant ? slots : 1;
+    for (std::size_t set = 0; set < sets; ++set) {
+        auto& labels = drawn.emplace_back();
+        if (numbers.size() < fabrics.size()) {
+            numbers.resize(900);
+            std::iota(numbers.begin(), numbers.end(), 100);
+            random.shuffle(numbers);
+        }
+        for (const FabricId& fabric : fabrics) {
+            labels[fabric] = std::to_string(numbers.back());
+            numbers.pop_back();
+        }
+    }
+    drawn.resize(slots, drawn.front());
+    return drawn;
 }
 
 /// Unique in the study as long as codes are plenty, in any case within the participant.
@@ -100,13 +141,16 @@ private:
 }  // namespace
 
 Allocation allocate(const Protocol& protocol, const Design& design, const std::vector<FabricId>& fabrics,
-                    std::uint64_t secretSeed)
+                    std::uint64_t secretSeed, int familiarisation)
 {
     assert(static_cast<int>(fabrics.size()) == protocol.fabricCount && "one fabric id for each number of the design");
-    const auto codes = drawFileCodes(protocol.conditions.size(), fabrics.size(), secretSeed);
+    const bool hasCatchTrials = std::ranges::any_of(protocol.phases, [](const Phase& phase) { return phase.catchTrials > 0; });
+    const auto codes = drawFileCodes(protocol.conditions.size() + std::size_t(hasCatchTrials), fabrics.size(), secretSeed);
     PresentationCodes presentationCodesOf(design, secretSeed);
     Allocation allocation;
     allocation.key = keyOf(protocol, fabrics, codes, secretSeed);
+    allocation.familiarisation = drawMoreFileCodes(allocation.key, familiarisation, secretSeed);
+    allocation.swatches = drawSwatches(protocol, fabrics, design.participants.size(), secretSeed);
     for (const auto& trials : design.participants) {
         auto& list = allocation.participants.emplace_back();
         presentationCodesOf.beginParticipant();
@@ -114,7 +158,8 @@ Allocation allocate(const Protocol& protocol, const Design& design, const std::v
             BlindedTrial blinded;
             blinded.number = TrialNumber{static_cast<int>(list.size()) + 1};
             blinded.phase = trial.phase;
-            blinded.fileCode = codes.at(static_cast<std::size_t>(trial.label)).at(static_cast<std::size_t>(trial.fabric));
+            const auto& row = trial.label == catchTrialLabel ? codes.back() : codes.at(static_cast<std::size_t>(trial.label));
+            blinded.fileCode = row.at(static_cast<std::size_t>(trial.fabric));
             blinded.presentationCode = presentationCodesOf.next();
             for (const int fabric : trial.alternatives)
                 blinded.alternatives.push_back(fabrics.at(static_cast<std::size_t>(fabric)));
@@ -122,6 +167,16 @@ Allocation allocate(const Protocol& protocol, const Design& design, const std::v
         }
     }
     return allocation;
+}
+
+PresentationCode codeOfAttempt(const std::vector<BlindedTrial>& list, std::size_t index, int attempt)
+{
+    const std::string& own = list.at(index).presentationCode.value;
+    if (attempt <= 1) return list[index].presentationCode;
+    std::set<std::string> used;
+    for (const BlindedTrial& trial : list) used.insert(trial.presentationCode.value);
+    Random random = Random::stream(static_cast<std::uint64_t>(attempt), "presentation again/" + own);
+    return PresentationCode(drawUnusedCode(presentationLetters, static_cast<int>(own.size()), used, random));
 }
 
 MaskedKey masked(const AllocationKey& key)

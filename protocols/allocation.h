@@ -49,16 +49,25 @@ struct MaskedKey {
     bool operator==(const MaskedKey&) const = default;
 };
 
+/// The neutral codes on the fabric pieces: three digits, all different on one tray.
+using SwatchLabels = std::map<FabricId, std::string>;
+
 struct Allocation {
     std::vector<std::vector<BlindedTrial>> participants;  ///< [slot][presentation]
-    AllocationKey key;
+    AllocationKey key;                                    ///< catch trials among them, labelled "catch"
+    std::vector<SwatchLabels> swatches;                   ///< [slot]
+    std::vector<FileCode> familiarisation;                ///< of images that no trial shows
 };
 
 /// `fabrics`: the study's, in the order of the design's numbers. `secretSeed` draws which condition
 /// each label is, the file codes, the K-labels and the presentation codes; it comes from
-/// drawSecretSeed() except in tests.
+/// drawSecretSeed() except in tests. `familiarisation`: how many images for getting to know the display.
 Allocation allocate(const Protocol& protocol, const Design& design, const std::vector<FabricId>& fabrics,
-                    std::uint64_t secretSeed);
+                    std::uint64_t secretSeed, int familiarisation = 0);
+
+/// The code of a presentation that is given again after a void: of the same form, other than every code
+/// of the list, and the same whenever it is asked for. `attempt` counts from 1, whose code is the trial's.
+PresentationCode codeOfAttempt(const std::vector<BlindedTrial>& list, std::size_t index, int attempt);
 
 MaskedKey masked(const AllocationKey& key);
 

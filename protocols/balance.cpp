@@ -25,7 +25,9 @@ PhaseTrials trialsOf(const Design& design, int phase)
     PhaseTrials trials;
     for (const auto& participant : design.participants) {
         auto& own = trials.emplace_back();
-        std::ranges::copy_if(participant, std::back_inserter(own), [&](const DesignTrial& t) { return t.phase == phase; });
+        std::ranges::copy_if(participant, std::back_inserter(own), [&](const DesignTrial& t) {
+            return t.phase == phase && t.label != catchTrialLabel;
+        });
     }
     return trials;
 }
@@ -136,7 +138,7 @@ Counts foilSetUses(const PhaseTrials& trials, int fabrics, int foils)
 void addChoiceRanges(const PhaseTrials& trials, const Protocol& protocol, int alternatives, const std::string& phase,
                      std::vector<Range>& ranges)
 {
-    const int people = protocol.participants;
+    const int people = static_cast<int>(trials.size());
     const int fabrics = protocol.fabricCount;
     Counts slots = emptyTable({people, fabrics, alternatives});
     Counts labelSlots = emptyTable({static_cast<int>(protocol.conditions.size()), alternatives});
@@ -177,7 +179,7 @@ BalanceCertificate balanceOf(const Design& design, const Protocol& protocol)
     for (std::size_t i = 0; i < protocol.phases.size(); ++i) {
         const PhaseTrials trials = trialsOf(design, static_cast<int>(i));
         const std::string phase = nameOf(protocol.phases[i]);
-        Counts renderings = emptyTable({protocol.participants, labels, fabrics});
+        Counts renderings = emptyTable({static_cast<int>(design.participants.size()), labels, fabrics});
         forEach(trials, [&](int participant, const DesignTrial& t) { ++renderings[{participant, t.label, t.fabric}]; });
         ranges.push_back(rangeOf("presentations of a rendering per participant" + phase, renderings));
         ranges.push_back(rangeOf("ordered pairs of conditions" + phase, orderedPairs(trials, labels, &DesignTrial::label)));

@@ -40,6 +40,8 @@ std::string withAmpersand(std::string_view id)
 
 }  // namespace
 
+ConditionId catchTrialId() { return ConditionId("catch"); }
+
 std::span<const Condition> allConditions() { return conditions; }
 
 const Condition& conditionNamed(std::string_view id)

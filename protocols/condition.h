@@ -25,6 +25,9 @@ struct Condition {
     ConditionId conditionId() const { return ConditionId(std::string(id)); }
 };
 
+/// What keys call the blank glass of a catch trial; no condition, so in no list of conditions.
+ConditionId catchTrialId();
+
 /// In the order of the paper, which is the order of every table and file.
 std::span<const Condition> allConditions();
 

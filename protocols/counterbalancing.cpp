@@ -1,6 +1,7 @@
 #include "protocols/counterbalancing.h"
 
 #include "protocols/errors.h"
+#include "protocols/extra_trials.h"
 #include "protocols/running_orders.h"
 #include "protocols/trays.h"
 
@@ -30,6 +31,7 @@ std::vector<std::vector<Tray>> traysFor(const Phase& phase, const std::vector<st
                                         const StudySize& size, Random& random)
 {
     if (phase.isChoice()) return drawTrays(orders, size, *phase.alternatives, random);
+    if (phase.sameDifferent) return drawSameDifferentTrays(orders, size, random);
     std::vector<std::vector<Tray>> trays;
     for (const auto& order : orders) {
         auto& list = trays.emplace_back();
@@ -52,11 +54,17 @@ Design drawDesign(const Protocol& protocol, std::uint64_t seed)
         Random trayDraws = Random::stream(seed, purpose + "/trays");
         const auto orders = drawRunningOrders(size, orderDraws);
         auto trays = traysFor(protocol.phases[phase], orders, size, trayDraws);
-        for (std::size_t participant = 0; participant < orders.size(); ++participant)
+        Random catchDraws = Random::stream(seed, purpose + "/catch trials");
+        for (std::size_t participant = 0; participant < orders.size(); ++participant) {
+            std::vector<DesignTrial> trials;
             for (std::size_t at = 0; at < orders[participant].size(); ++at)
-                design.participants[participant].push_back({static_cast<int>(phase), orders[participant][at].label,
-                                                            orders[participant][at].fabric,
-                                                            std::move(trays[participant][at])});
+                trials.push_back({static_cast<int>(phase), orders[participant][at].label, orders[participant][at].fabric,
+                                  std::move(trays[participant][at])});
+            const Phase& asked = protocol.phases[phase];
+            if (asked.catchTrials > 0) trials = withCatchTrials(trials, asked, size.fabrics, asked.catchTrials, catchDraws);
+            auto& list = design.participants[participant];
+            list.insert(list.end(), trials.begin(), trials.end());
+        }
     }
     return design;
 }

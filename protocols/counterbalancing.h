@@ -13,10 +13,13 @@
 
 namespace protocols {
 
+/// The label of a catch trial, whose glass stays blank; balance is not asked of it.
+constexpr int catchTrialLabel = -1;
+
 /// One presentation of the design. All numbers count from 0.
 struct DesignTrial {
     int phase = 0;
-    int label = 0;                  ///< stands for a condition
+    int label = 0;                  ///< stands for a condition, or is catchTrialLabel
     int fabric = 0;                 ///< the true fabric
     std::vector<int> alternatives;  ///< fabrics in tray-slot order A, B, C ...; one entry in rating phases
     bool operator==(const DesignTrial&) const = default;
@@ -35,7 +38,8 @@ struct Design {
 /// gives the same design on every machine. Takes the counts from the protocol.
 Design drawDesign(const Protocol& protocol, std::uint64_t seed);
 
-/// What balance was reached, measured on the design itself.
+/// What balance was reached, measured on the design itself (or on what was presented); catch trials are
+/// left out. The number of participants is the design's.
 struct BalanceCertificate {
     struct Range {
         std::string what;  ///< "ordered pairs of conditions, Q1"

@@ -44,6 +44,7 @@ std::string textIn(const json& entry, const char* name, const std::string& where
 ConditionId conditionIn(const json& entry, const std::string& where)
 {
     const std::string id = textIn(entry, "condition", where);
+    if (id == catchTrialId().value) return catchTrialId();
     for (const Condition& known : allConditions())
         if (known.id == id) return known.conditionId();
     throw malformed("unknown condition '" + id + "'", where, "the id of a condition");

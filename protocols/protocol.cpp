@@ -64,14 +64,32 @@ void checkScale(const Scale& scale, const std::string& place, Faults& faults)
     else if ((scale.max.value - scale.min.value) % scale.step.value != 0)
         faults.push_back(place + ".step: does not lead from min to max, expected a whole number of steps");
     if (scale.sections < 1) faults.push_back(place + ".sections: expected at least 1");
+    const int steps = scale.step.value < 1 ? 0 : (scale.max.value - scale.min.value) / scale.step.value;
+    if (!scale.labels.empty() && static_cast<int>(scale.labels.size()) != steps + 1)
+        faults.push_back(place + ".labels: " + std::to_string(scale.labels.size()) + " words, expected " +
+                         std::to_string(steps + 1) + ", one a step");
+}
+
+int countOfMainQuestions(const Phase& phase)
+{
+    return static_cast<int>(std::ranges::count_if(phase.questions, [](const Question& q) { return !q.inWords; }));
 }
 
 void checkAnswers(const Protocol& p, const Phase& phase, const std::string& place, Faults& faults)
 {
-    if (phase.alternatives.has_value() == phase.scale.has_value())
-        faults.push_back(place + ": has " + (phase.scale ? "both alternatives and a scale" : "neither alternatives nor a scale") +
-                         ", expected one of the two");
+    const int ways = int(phase.alternatives.has_value()) + int(phase.scale.has_value()) + int(phase.sameDifferent);
+    if (ways != 1)
+        faults.push_back(place + ": has " + (ways ? "more than one" : "none") +
+                         " of alternatives, scale and same_different, expected one of them");
     if (phase.scale) checkScale(*phase.scale, place + ".scale", faults);
+    if (phase.catchTrials < 0 || phase.catchTrials > p.presentationsPerPhase())
+        faults.push_back(place + ".catch_trials: " + std::to_string(phase.catchTrials) +
+                         ", expected at most as many as there are presentations");
+    if (phase.sameDifferent && p.fabricCount < 2)
+        faults.push_back(place + ".same_different: one fabric, expected at least 2, so that some can differ");
+    if (!phase.scale && countOfMainQuestions(phase) != 1)
+        faults.push_back(place + ".questions: " + std::to_string(countOfMainQuestions(phase)) +
+                         " questions over one choice, expected one (and any number answered in words)");
     if (!phase.alternatives) return;
     if (*phase.alternatives < 2)
         faults.push_back(place + ".alternatives: " + std::to_string(*phase.alternatives) + ", expected at least 2");
@@ -80,9 +98,6 @@ void checkAnswers(const Protocol& p, const Phase& phase, const std::string& plac
     if (*phase.alternatives > p.fabricCount)
         faults.push_back(place + ".alternatives: " + std::to_string(*phase.alternatives) + " of " +
                          std::to_string(p.fabricCount) + " fabrics, expected no more alternatives than fabrics");
-    if (phase.questions.size() > 1)
-        faults.push_back(place + ".questions: " + std::to_string(phase.questions.size()) +
-                         " questions over one choice, expected one");
 }
 
 void checkPhases(const Protocol& p, Faults& faults)
@@ -127,9 +142,70 @@ void checkNumbers(const Protocol& p, Faults& faults)
         faults.push_back("seconds_per_presentation: expected more than 0");
     if (p.breakAfterPresentations < 1) faults.push_back("break_after: expected at least 1 presentation");
     if (p.sittingMinutes < 1) faults.push_back("sitting_minutes: expected at least 1 minute");
+    if (p.breakAfterMinutes.value_or(1) < 1) faults.push_back("break_after_minutes: expected at least 1 minute");
+    if (p.familiarisationFabrics < 0) faults.push_back("familiarisation_fabrics: expected 0 or more");
+}
+
+/// What of the phases running orders and stored answers hang on.
+struct FixedPhase {
+    std::vector<std::pair<QuestionId, bool>> questions;
+    std::optional<int> alternatives;
+    std::optional<Scale> scale;
+    bool sameDifferent = false;
+    int catchTrials = 0;
+    bool operator==(const FixedPhase&) const = default;
+};
+
+std::vector<FixedPhase> fixedPhasesOf(const Protocol& p)
+{
+    std::vector<FixedPhase> fixed;
+    for (const Phase& phase : p.phases) {
+        fixed.push_back({{}, phase.alternatives, phase.scale, phase.sameDifferent, phase.catchTrials});
+        for (const Question& question : phase.questions) fixed.back().questions.emplace_back(question.id, question.inWords);
+    }
+    return fixed;
 }
 
 }  // namespace
+
+AnswerKind answerKindOf(const Phase& phase, const Question& question)
+{
+    if (question.inWords) return AnswerKind::Words;
+    if (phase.isChoice()) return AnswerKind::Choice;
+    return phase.sameDifferent ? AnswerKind::SameDifferent : AnswerKind::Rating;
+}
+
+int Protocol::presentations() const
+{
+    int count = 0;
+    for (const Phase& phase : phases) count += presentationsPerPhase() + phase.catchTrials;
+    return count;
+}
+
+int Protocol::answersPerParticipant() const
+{
+    int count = 0;
+    for (const Phase& phase : phases)
+        count += (presentationsPerPhase() + phase.catchTrials) * static_cast<int>(phase.questions.size());
+    return count;
+}
+
+int Protocol::sittingsPerParticipant() const
+{
+    return std::max(1, static_cast<int>(std::ceil(minutesPerParticipant() / sittingMinutes)));
+}
+
+std::vector<std::string> fixedPartsChanged(const Protocol& kept, const Protocol& changed)
+{
+    std::vector<std::string> parts;
+    if (kept.participants != changed.participants) parts.emplace_back("participants");
+    if (kept.fabricCount != changed.fabricCount || kept.fabrics != changed.fabrics) parts.emplace_back("fabrics");
+    if (kept.conditions != changed.conditions) parts.emplace_back("conditions");
+    if (fixedPhasesOf(kept) != fixedPhasesOf(changed)) parts.emplace_back("phases");
+    if (kept.swatchCodes != changed.swatchCodes) parts.emplace_back("swatches");
+    if (kept.familiarisationFabrics != changed.familiarisationFabrics) parts.emplace_back("familiarisation_fabrics");
+    return parts;
+}
 
 std::vector<std::string> faultsOf(const Protocol& protocol)
 {

@@ -17,7 +17,8 @@ struct Scale {
     Tenths min{0};
     Tenths max{100};
     Tenths step{1};
-    int sections = 9;  ///< equal sections of the line the participant memorises
+    int sections = 9;  ///< equal sections of the line the participant memorises; 1: a plain line
+    std::vector<std::string> labels;  ///< a Likert scale's words, one a step from min to max; empty: numbers only
 
     bool holds(Tenths rating) const
     {
@@ -30,24 +31,39 @@ struct Scale {
 struct Question {
     QuestionId id;
     std::string text;
+    bool inWords = false;  ///< answered freely in words, whatever the phase's other questions ask for
     bool operator==(const Question&) const = default;
 };
 
-/// A run of presentations, each condition x fabric once. Either a choice among `alternatives`
-/// fabrics (Q1) or ratings on `scale` of one fabric (Q2-Q4, asked one after another).
+enum class AnswerKind { Choice, Rating, SameDifferent, Words };
+
+/// A run of presentations, each condition x fabric once: a choice among `alternatives` fabrics (Q1),
+/// ratings on `scale` of one fabric (Q2-Q4, asked one after another), or whether the one fabric on the
+/// tray is the same as the rendering. `catchTrials` more presentations leave the glass blank.
 struct Phase {
     std::vector<Question> questions;
     std::optional<int> alternatives;
     std::optional<Scale> scale;
+    bool sameDifferent = false;
+    int catchTrials = 0;
 
     bool isChoice() const { return alternatives.has_value(); }
     bool operator==(const Phase&) const = default;
 };
 
+/// What an answer to a question of this phase is.
+AnswerKind answerKindOf(const Phase& phase, const Question& question);
+
 struct PlannedContrast {
     ConditionId a;
     ConditionId b;
     bool operator==(const PlannedContrast&) const = default;
+};
+
+/// The neutral codes that the fabric pieces carry, so that no name suggests an answer.
+enum class SwatchCodes {
+    Once,            ///< labelled once for the whole study
+    PerParticipant,  ///< labelled anew for each participant, by the preparation sheet
 };
 
 struct Protocol {
@@ -60,14 +76,33 @@ struct Protocol {
     std::pair<double, double> equivalenceBounds{-0.5, 0.5};  ///< scale points
     std::vector<PlannedContrast> planned;
     double secondsPerPresentation = 25;
-    int breakAfterPresentations = 21;
+    int breakAfterPresentations = 21;        ///< a block: the presentations between two breaks
+    std::optional<int> breakAfterMinutes;    ///< a break also after so long without one
     int sittingMinutes = 60;
     std::vector<std::string> checklist;  ///< read out and ticked before a sitting
+    std::vector<std::string> readings;   ///< measured with the checklist: "temperature in °C", ...
     std::vector<std::string> facts;      ///< asked about a participant, each optional: age, gender, ...
+    std::string consent;                 ///< what the experimenter confirms when the participant has agreed
+    std::string strokeWords;             ///< how to stroke, said the same for glass and cloth
+    SwatchCodes swatchCodes = SwatchCodes::Once;
+    int familiarisationFabrics = 0;      ///< at most so many, outside the study's own; fewer where the data set has fewer
+    bool secondEntry = false;            ///< every answer is entered twice and must agree
 
+    /// Condition x fabric; catch trials not counted.
     int presentationsPerPhase() const { return fabricCount * static_cast<int>(conditions.size()); }
+    /// Of one participant, catch trials counted.
+    int presentations() const;
+    int answersPerParticipant() const;
+    /// By secondsPerPresentation, breaks not counted.
+    double minutesPerParticipant() const { return presentations() * secondsPerPresentation / 60; }
+    /// At least one.
+    int sittingsPerParticipant() const;
     bool operator==(const Protocol&) const = default;
 };
+
+/// What `changed` may not change once participants have trials by `kept`: "phases", "conditions" ...;
+/// empty where only words, times, bounds, contrasts, checklist and facts differ.
+std::vector<std::string> fixedPartsChanged(const Protocol& kept, const Protocol& changed);
 
 /// Every fault at once, each "place: what is wrong, what was expected"; empty when the protocol can run.
 std::vector<std::string> faultsOf(const Protocol& protocol);

@@ -29,6 +29,14 @@ const std::map<std::string, std::string>& wordsOfThePaper()
     return words;
 }
 
+constexpr const char* wordsOfConsent =
+    "The participant has read the information sheet, was told that they may stop at any time without giving a reason, "
+    "and has agreed to take part";
+
+constexpr const char* wordsOfStroke =
+    "Stroke from left to right with one finger, lightly, at about the width of the hand in two seconds; lift the finger on the "
+    "way back. Stroke the glass and the cloth the same way, as often as you like.";
+
 [[noreturn]] void refuse(const Faults& faults, const std::string& where)
 {
     std::string list;
@@ -56,6 +64,7 @@ Scale scaleFrom(const json& object, const std::string& place, Faults& faults)
     scale.max = tenthsFrom(object.at("max"), place + ".max", faults);
     if (object.contains("step")) scale.step = tenthsFrom(object.at("step"), place + ".step", faults);
     scale.sections = object.value("sections", scale.sections);
+    scale.labels = object.value("labels", scale.labels);
     return scale;
 }
 
@@ -77,6 +86,15 @@ Phase phaseFrom(const json& object, const json& texts, const std::string& place,
         const std::string usual = known == wordsOfThePaper().end() ? "" : known->second;
         phase.questions.push_back({QuestionId(id), texts.value(id, usual)});
     }
+    for (const json& id : object.value("free_text", json::array())) {
+        const auto asked = std::ranges::find(phase.questions, QuestionId(id.get<std::string>()), &Question::id);
+        if (asked == phase.questions.end())
+            faults.push_back(place + ".free_text: '" + id.get<std::string>() + "' is not among the phase's questions");
+        else
+            asked->inWords = true;
+    }
+    phase.sameDifferent = object.value("same_different", false);
+    phase.catchTrials = object.value("catch_trials", 0);
     if (object.contains("alternatives")) phase.alternatives = object.at("alternatives").get<int>();
     if (object.contains("scale")) phase.scale = scaleFrom(object.at("scale"), place + ".scale", faults);
     return phase;
@@ -114,7 +132,14 @@ Protocol protocolFrom(const json& document, Faults& faults)
     protocol.secondsPerPresentation = document.value("seconds_per_presentation", protocol.secondsPerPresentation);
     protocol.breakAfterPresentations = document.value("break_after", protocol.breakAfterPresentations);
     protocol.sittingMinutes = document.value("sitting_minutes", protocol.sittingMinutes);
+    if (document.contains("break_after_minutes")) protocol.breakAfterMinutes = document.at("break_after_minutes").get<int>();
+    protocol.consent = document.value("consent", wordsOfConsent);
+    protocol.strokeWords = document.value("stroke_words", wordsOfStroke);
+    protocol.swatchCodes = document.value("swatches", "once") == "fresh" ? SwatchCodes::PerParticipant : SwatchCodes::Once;
+    protocol.familiarisationFabrics = document.value("familiarisation_fabrics", protocol.familiarisationFabrics);
+    protocol.secondEntry = document.value("second_entry", protocol.secondEntry);
     protocol.checklist = document.value("checklist", protocol.checklist);
+    protocol.readings = document.value("readings", protocol.readings);
     protocol.facts = document.value("facts", protocol.facts);
     return protocol;
 }

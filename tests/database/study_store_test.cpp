@@ -50,7 +50,7 @@ StudyStore::Append answerOf(const StudyStore& store, const char* question, std::
     if (tenths)
         answer.rating = protocols::Tenths{*tenths};
     else
-        answer.answer = trial.alternatives.front();
+        answer.answer = trial.alternatives.front().value;
     answer.readyAtNs = 5 * oneSecondNs;
     answer.touchedAtNs = 8 * oneSecondNs;
     answer.answeredAtNs = 10 * oneSecondNs;
@@ -206,6 +206,136 @@ private Q_SLOTS:
         QVERIFY(store.faults().empty());
     }
 
+    void whoWithdrawsFreesTheSlotForTheNext()
+    {
+        StudyStore store(newStudy(), Access::Write);
+        store.enrol(s01, ParticipantKind::Scripted);
+        store.setSlotState(s01, SlotState::Withdrawn);
+        QCOMPARE(store.slots()[0].state, SlotState::Free);
+        const protocols::ParticipantId s02("S02");
+        QCOMPARE(store.enrol(s02, ParticipantKind::Scripted).number, 1);
+        const auto enrolments = store.enrolments();
+        QCOMPARE(enrolments.size(), 2u);
+        QCOMPARE(enrolments[0].state, SlotState::Withdrawn);
+        QCOMPARE(enrolments[1].participant, s02);
+        QCOMPARE(store.enrol(s01, ParticipantKind::Scripted).state, SlotState::Withdrawn);
+        QVERIFY(store.faults().empty());
+    }
+
+    void aStateThatTheLogDoesNotTellIsFound()
+    {
+        const StudyFolder folder = newStudy();
+        {
+            StudyStore store(folder, Access::Write);
+            store.enrol(s01, ParticipantKind::Scripted);
+        }
+        QCOMPARE(RawSqlite(folder.database()).run("UPDATE participants SET state = 'withdrawn'"), std::string());
+        const auto faults = StudyStore(folder, Access::Read).faults();
+        QCOMPARE(faults.size(), 1u);
+        QCOMPARE(faults[0], std::string("participant S01 is withdrawn by the table and not withdrawn by the log"));
+    }
+
+    void aChangedProtocolHoldsForParticipantsToCome()
+    {
+        StudyStore store(newStudy(), Access::Write);
+        store.enrol(s01, ParticipantKind::Scripted);
+        QVERIFY(errorOf([&] { store.takeProtocol("{}", "", "why"); }).startsWith("2:"));
+        store.takeProtocol("{\"changed\":true}", "Ada", "a better wording");
+        store.enrol(protocols::ParticipantId("S02"), ParticipantKind::Scripted);
+        QCOMPARE(store.enrolments()[0].protocolVersion, 1);
+        QCOMPARE(store.enrolments()[1].protocolVersion, 2);
+        const auto versions = store.protocolVersions();
+        QCOMPARE(versions.size(), 2u);
+        QCOMPARE(versions[1].who, std::string("Ada"));
+        QCOMPARE(store.facts().protocolJson, protocolText({}));
+        QVERIFY(store.faults().empty());
+    }
+
+    void erasingFactsLeavesAnswersAndTheLog()
+    {
+        const StudyFolder folder = newStudy();
+        {
+            StudyStore store(folder, Access::Write);
+            store.enrol(s01, ParticipantKind::Scripted);
+            StudyStore::Append entry = answerOf(store, "Q1", std::nullopt);
+            entry.facts = {{"age", "24 unmistakably"}};
+            store.append(entry);
+            QCOMPARE(store.personalFacts().at(s01).at("age"), std::string("24 unmistakably"));
+            store.erase({s01, false, "Ada", "asked for it", {}});
+            QVERIFY(store.personalFacts().empty());
+            QCOMPARE(store.answers().size(), 1u);
+            QCOMPARE(store.erasures().size(), 1u);
+            QVERIFY(store.faults().empty());
+        }
+        for (const char* file : {"study.db", "study.db-wal"}) {
+            QFile stored(QString::fromStdString((folder.folder / file).string()));
+            if (stored.open(QIODevice::ReadOnly)) QVERIFY2(!stored.readAll().contains("unmistakably"), file);
+        }
+    }
+
+    void erasingAnswersEmptiesTheEntriesAndKeepsTheChain()
+    {
+        const StudyFolder folder = newStudy();
+        {
+            StudyStore store(folder, Access::Write);
+            store.enrol(s01, ParticipantKind::Scripted);
+            StudyStore::Append entry = answerOf(store, "Q1", std::nullopt);
+            entry.note = {entry.answers[0].trial, "an unmistakable remark", false};
+            store.append(entry);
+            store.erase({s01, true, "Ada", "asked for it", {}});
+            QVERIFY(store.answers().empty());
+            QCOMPARE(store.slots()[0].state, SlotState::Free);
+            QVERIFY(errorOf([&] { store.enrol(s01, ParticipantKind::Scripted); }).contains("was erased"));
+            const auto faults = store.faults();
+            QVERIFY2(faults.empty(), faults.empty() ? "" : faults[0].c_str());
+        }
+        QFile stored(QString::fromStdString(folder.database().string()));
+        QVERIFY(stored.open(QIODevice::ReadOnly));
+        QVERIFY(!stored.readAll().contains("unmistakable"));
+        // Emptying an entry without the recorded act is found.
+        RawSqlite raw(folder.database());
+        raw.dropTriggers();
+        QCOMPARE(raw.run("DELETE FROM erasures"), std::string());
+        QCOMPARE(raw.run("UPDATE events SET payload = '{}' WHERE kind = 'erased'"), std::string());
+        QVERIFY(StudyStore(folder, Access::Read).faults().size() >= 2);
+    }
+
+    void aCopyIsWholeWhileTheStudyIsOpen()
+    {
+        const StudyFolder folder = newStudy();
+        StudyStore writer(folder, Access::Write);
+        writer.enrol(s01, ParticipantKind::Scripted);
+        writer.append(answerOf(writer, "Q1", std::nullopt));
+        const StudyFolder copy{newPath()};
+        std::filesystem::create_directory(copy.folder);
+        StudyStore(folder, Access::Read).copyTo(copy.database());
+        const StudyStore copied(copy, Access::Read);
+        QCOMPARE(copied.answers().size(), 1u);
+        QVERIFY(copied.faults().empty());
+        QVERIFY(errorOf([&] { writer.copyTo(copy.database()); }).startsWith("2:"));
+    }
+
+    void aStudyOfTheFirstVersionIsBroughtUpToDate()
+    {
+        const StudyFolder folder{newPath()};
+        std::filesystem::create_directory(folder.folder);
+        {
+            QFile made(folder.database());
+            QVERIFY(made.open(QIODevice::WriteOnly));
+        }
+        QFile dump(QFINDTESTDATA("database/study_version_1.sql"));
+        QVERIFY(dump.open(QIODevice::ReadOnly));
+        QCOMPARE(RawSqlite(folder.database()).run(dump.readAll().toStdString()), std::string());
+        QVERIFY(errorOf([&] { StudyStore(folder, Access::Read); }).contains("open it once in the app"));
+        StudyStore store(folder, Access::Write);
+        QCOMPARE(store.answers().size(), 24u);
+        QCOMPARE(store.enrolments().size(), 1u);
+        QCOMPARE(store.enrolments()[0].state, SlotState::Finished);
+        const auto faults = store.faults();
+        QVERIFY2(faults.empty(), faults.empty() ? "" : faults[0].c_str());
+        QCOMPARE(store.enrol(protocols::ParticipantId("S02"), ParticipantKind::Scripted).number, 2);
+    }
+
     void theViewIsAsDocumented()
     {
         const StudyFolder folder = newStudy();
@@ -305,7 +435,7 @@ private Q_SLOTS:
                                              << "was altered";
         QTest::newRow("an answer put in")
             << "INSERT INTO responses SELECT 999, event, participant, 77, attempt, question, file_code, alternatives, choice, "
-               "rating_tenths, ready_at, touched_at, answered_at, stored_at, 0 FROM responses WHERE id = 4"
+               "rating_tenths, ready_at, touched_at, answered_at, stored_at, 0, touched_by FROM responses WHERE id = 4"
             << "was altered";
         QTest::newRow("an event's payload") << "UPDATE events SET payload = '{\"fabric\":\"F99\"}' WHERE sequence = 9"
                                             << "log entry 9 (";

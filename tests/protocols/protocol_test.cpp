@@ -42,16 +42,48 @@ private Q_SLOTS:
     void paperAsks126TrialsAnd252AnswersOfEachParticipant()
     {
         const Protocol protocol = paper();
-        int trials = 0;
-        int answers = 0;
-        for (const Phase& phase : protocol.phases) {
-            trials += protocol.presentationsPerPhase();
-            answers += protocol.presentationsPerPhase() * static_cast<int>(phase.questions.size());
-        }
         QCOMPARE(protocol.participants, 10);
         QCOMPARE(protocol.presentationsPerPhase(), 63);
-        QCOMPARE(trials, 126);
-        QCOMPARE(answers, 252);
+        QCOMPARE(protocol.presentations(), 126);
+        QCOMPARE(protocol.answersPerParticipant(), 252);
+        QCOMPARE(protocol.minutesPerParticipant(), 52.5);
+        QCOMPARE(protocol.sittingsPerParticipant(), 1);
+    }
+
+    void otherKindsOfQuestionsAreRead()
+    {
+        const Protocol protocol = protocolFromJson(
+            smallProtocol(R"("phases": [{"questions": ["Q1"], "alternatives": 3}, {"questions": ["Q2"], "scale": {"min": 0, "max": 10}}])",
+                          R"("question_texts": {"S1": "Same?", "L1": "Do you agree?", "N1": "Why?"},
+ "phases": [{"questions": ["S1", "N1"], "same_different": true, "free_text": ["N1"], "catch_trials": 2},
+            {"questions": ["L1"], "scale": {"min": 1, "max": 3, "step": 1, "sections": 2, "labels": ["no", "so so", "yes"]}}],
+ "swatches": "fresh", "second_entry": true, "familiarisation_fabrics": 2, "break_after_minutes": 15,
+ "readings": ["temperature in °C"])").toStdString(), "study.json");
+        const Phase& first = protocol.phases[0];
+        QVERIFY(first.sameDifferent);
+        QCOMPARE(first.catchTrials, 2);
+        QCOMPARE(answerKindOf(first, first.questions[0]), AnswerKind::SameDifferent);
+        QCOMPARE(answerKindOf(first, first.questions[1]), AnswerKind::Words);
+        QCOMPARE(protocol.phases[1].scale->labels.size(), 3u);
+        QCOMPARE(protocol.presentations(), 6 + 2 + 6);
+        QCOMPARE(protocol.answersPerParticipant(), 2 * 8 + 6);
+        QCOMPARE(protocol.swatchCodes, SwatchCodes::PerParticipant);
+        QCOMPARE(protocol.breakAfterMinutes, std::optional<int>(15));
+        QVERIFY(protocol.secondEntry);
+    }
+
+    void onlyWordsTimesAndAnalysisMayChangeInMidStudy()
+    {
+        const Protocol kept = paper();
+        Protocol changed = kept;
+        changed.breakAfterPresentations = 10;
+        changed.phases[0].questions[0].text = "Which one?";
+        changed.equivalenceBounds = {-1, 1};
+        changed.checklist.clear();
+        QVERIFY(fixedPartsChanged(kept, changed).empty());
+        changed.phases[1].scale->max = Tenths{70};
+        changed.conditions.pop_back();
+        QCOMPARE(fixedPartsChanged(kept, changed), (std::vector<std::string>{"conditions", "phases"}));
     }
 
     void paperAsksItsQuestions()
@@ -115,9 +147,9 @@ private Q_SLOTS:
             "conditions[0]: unknown condition 'v_gray', expected one of v_grey, v_shape");
         row("doubled condition", "v_grey", "h_g&f_g", "conditions[1]: 'h_g&f_g' is named twice");
         row("too many alternatives", "\"alternatives\": 3", "\"alternatives\": 4", "phases[0].alternatives: 4 of 3 fabrics");
-        row("no answers", ", \"alternatives\": 3", "", "phases[0]: has neither alternatives nor a scale");
+        row("no answers", ", \"alternatives\": 3", "", "phases[0]: has none of alternatives, scale and same_different");
         row("two kinds of answers", "\"alternatives\": 3", "\"alternatives\": 3, \"scale\": {\"min\": 0, \"max\": 1}",
-            "phases[0]: has both");
+            "phases[0]: has more than one of");
         row("question asked twice", "\"Q2\"", "\"Q1\"", "phases[1].questions: 'Q1' is asked twice");
         row("question without words", "\"Q2\"", "\"Q9\"", "'Q9' has no words");
         row("words without question", "\"name\"", "\"question_texts\": {\"Q7\": \"Is it warm?\"}, \"name\"",

@@ -1,0 +1,176 @@
+// Same/different trays and catch trials: balance, and that neither disturbs the rest of a design.
+#include "protocols/extra_trials.h"
+
+#include <QtTest>
+
+#include <map>
+#include <set>
+
+#include "protocols/allocation.h"
+#include "protocols/condition.h"
+#include "protocols/protocol_json.h"
+
+using namespace protocols;
+
+namespace {
+
+Protocol sameDifferentProtocol(int participants, int fabrics)
+{
+    Protocol protocol = protocolFromJson(paperProtocolJson(), "paper");
+    protocol.participants = participants;
+    protocol.fabricCount = fabrics;
+    Phase phase;
+    phase.questions = {{QuestionId("S1"), "Is it the same fabric?"}};
+    phase.sameDifferent = true;
+    protocol.phases = {phase};
+    return protocol;
+}
+
+int spreadOf(const std::map<int, int>& counts)
+{
+    int least = counts.begin()->second, most = least;
+    for (const auto& [key, count] : counts) {
+        least = std::min(least, count);
+        most = std::max(most, count);
+    }
+    return most - least;
+}
+
+Protocol withCatchTrials(int count)
+{
+    Protocol protocol = protocolFromJson(paperProtocolJson(), "paper");
+    for (Phase& phase : protocol.phases) phase.catchTrials = count;
+    return protocol;
+}
+
+}  // namespace
+
+class ExtraTrialsTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void halfOfTheTraysHoldTheSameFabric_data()
+    {
+        QTest::addColumn<int>("participants");
+        QTest::addColumn<int>("fabrics");
+        QTest::newRow("the paper's size") << 10 << 7;
+        QTest::newRow("even fabrics") << 9 << 8;
+        QTest::newRow("two fabrics") << 5 << 2;
+    }
+
+    void halfOfTheTraysHoldTheSameFabric()
+    {
+        QFETCH(int, participants);
+        QFETCH(int, fabrics);
+        const Protocol protocol = sameDifferentProtocol(participants, fabrics);
+        const Design design = drawDesign(protocol, 3);
+        const int labels = static_cast<int>(protocol.conditions.size());
+        std::map<int, int> ofCell, ofPersonAndLabel, ofPersonAndFabric, others;
+        for (std::size_t person = 0; person < design.participants.size(); ++person)
+            for (const DesignTrial& trial : design.participants[person]) {
+                QCOMPARE(trial.alternatives.size(), 1u);
+                const int same = trial.alternatives[0] == trial.fabric;
+                ofCell[trial.label * fabrics + trial.fabric] += same;
+                ofPersonAndLabel[static_cast<int>(person) * labels + trial.label] += same;
+                ofPersonAndFabric[static_cast<int>(person) * fabrics + trial.fabric] += same;
+                if (!same) ++others[trial.fabric * fabrics + trial.alternatives[0]];
+            }
+        QVERIFY(spreadOf(ofCell) <= 1);
+        QVERIFY(spreadOf(ofPersonAndLabel) <= 1);
+        QVERIFY(spreadOf(ofPersonAndFabric) <= 1);
+        for (int fabric = 0; fabric < fabrics; ++fabric) {
+            std::map<int, int> ofFabric;
+            for (const auto& [pair, count] : others)
+                if (pair / fabrics == fabric) ofFabric[pair] = count;
+            QVERIFY(spreadOf(ofFabric) <= 1);
+        }
+    }
+
+    void catchTrialsLeaveTheOtherTrialsWhereTheyWere()
+    {
+        const Design plain = drawDesign(withCatchTrials(0), 5), with = drawDesign(withCatchTrials(4), 5);
+        for (std::size_t person = 0; person < plain.participants.size(); ++person) {
+            std::vector<DesignTrial> rest, caught;
+            for (const DesignTrial& trial : with.participants[person])
+                (trial.label == catchTrialLabel ? caught : rest).push_back(trial);
+            QCOMPARE(rest, plain.participants[person]);
+            QCOMPARE(caught.size(), 8u);
+        }
+        QCOMPARE(balanceOf(with, withCatchTrials(4)), balanceOf(plain, withCatchTrials(0)));
+    }
+
+    void aCatchTrialLooksLikeAnyOther()
+    {
+        const Protocol protocol = withCatchTrials(3);
+        const Design design = drawDesign(protocol, 7);
+        for (const auto& trials : design.participants) {
+            QVERIFY(trials.front().label != catchTrialLabel);
+            for (std::size_t at = 1; at < trials.size(); ++at) {
+                if (trials[at].label != catchTrialLabel) continue;
+                QCOMPARE(trials[at].alternatives.size(), trials[at].phase == 0 ? 3u : 1u);
+                QVERIFY(std::count(trials[at].alternatives.begin(), trials[at].alternatives.end(), trials[at].fabric) == 1);
+                QVERIFY(trials[at].fabric != trials[at - 1].fabric);
+                if (at + 1 < trials.size()) QVERIFY(trials[at].fabric != trials[at + 1].fabric);
+            }
+        }
+    }
+
+    void theKeyKnowsCatchTrialsAndReadsBack()
+    {
+        const Protocol protocol = withCatchTrials(2);
+        std::vector<FabricId> fabrics;
+        for (int i = 1; i <= 7; ++i) fabrics.emplace_back("F0" + std::to_string(i));
+        const Allocation allocation = allocate(protocol, drawDesign(protocol, 1), fabrics, 2, 3);
+        QCOMPARE(allocation.key.entries.size(), 63u + 7u);
+        QCOMPARE(allocation.familiarisation.size(), 3u);
+        QCOMPARE(allocationKeyFromJson(toJson(allocation.key), "key"), allocation.key);
+        int caught = 0;
+        for (const BlindedTrial& trial : allocation.participants[0])
+            caught += allocation.key.entries.at(trial.fileCode).condition == catchTrialId();
+        QCOMPARE(caught, 4);
+    }
+
+    void swatchCodesAreThreeDigitsAndAllDifferent_data()
+    {
+        QTest::addColumn<bool>("fresh");
+        QTest::newRow("labelled once") << false;
+        QTest::newRow("labelled anew") << true;
+    }
+
+    void swatchCodesAreThreeDigitsAndAllDifferent()
+    {
+        QFETCH(bool, fresh);
+        Protocol protocol = protocolFromJson(paperProtocolJson(), "paper");
+        protocol.swatchCodes = fresh ? SwatchCodes::PerParticipant : SwatchCodes::Once;
+        std::vector<FabricId> fabrics;
+        for (int i = 1; i <= 7; ++i) fabrics.emplace_back("F0" + std::to_string(i));
+        const Allocation allocation = allocate(protocol, drawDesign(protocol, 1), fabrics, 2);
+        QCOMPARE(allocation.swatches.size(), 10u);
+        std::set<std::string> all;
+        for (const SwatchLabels& labels : allocation.swatches)
+            for (const auto& [fabric, code] : labels) {
+                QCOMPARE(code.size(), 3u);
+                all.insert(code);
+            }
+        QCOMPARE(all.size(), fresh ? 70u : 7u);
+    }
+
+    void aPresentationGivenAgainHasACodeOfItsOwn()
+    {
+        const Protocol protocol = protocolFromJson(paperProtocolJson(), "paper");
+        std::vector<FabricId> fabrics;
+        for (int i = 1; i <= 7; ++i) fabrics.emplace_back("F0" + std::to_string(i));
+        const auto list = allocate(protocol, drawDesign(protocol, 1), fabrics, 2).participants[0];
+        std::set<std::string> codes;
+        for (const BlindedTrial& trial : list) codes.insert(trial.presentationCode.value);
+        QCOMPARE(codeOfAttempt(list, 5, 1), list[5].presentationCode);
+        for (int attempt = 2; attempt < 30; ++attempt) {
+            const PresentationCode code = codeOfAttempt(list, 5, attempt);
+            QCOMPARE(code.value.size(), list[5].presentationCode.value.size());
+            QVERIFY(codes.insert(code.value).second);
+            QCOMPARE(codeOfAttempt(list, 5, attempt), code);
+        }
+    }
+};
+
+QTEST_APPLESS_MAIN(ExtraTrialsTest)
+#include "extra_trials_test.moc"

@@ -5,6 +5,7 @@
 #include <opencv2/core/mat.hpp>
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -17,6 +18,10 @@ public:
     virtual void show(const cv::Mat& frictionImage) = 0;
     virtual void clear() = 0;
     virtual std::string name() const = 0;
+
+    virtual bool reportsTouches() const { return false; }
+    /// Called, on the thread that shows images, whenever the display begins to be touched; only where it reports touches.
+    virtual void onTouched(std::function<void()>) {}
 };
 
 /// "none", or "folder:DIR" (keeps DIR/current.pgm: the image shown, all 0 while cleared; replaced by

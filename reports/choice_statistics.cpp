@@ -30,7 +30,8 @@ Json choiceRows(const StudyData& data, const Cells& cells, const std::string& qu
         const auto correct = static_cast<std::size_t>(std::count(values.begin(), values.end(), 1.0));
         counts.emplace_back(correct, values.size());
         tests.push_back(
-            stats::binomialTest(static_cast<long long>(correct), static_cast<long long>(values.size()), 1.0 / data.alternatives));
+            stats::binomialTest(static_cast<long long>(correct), static_cast<long long>(values.size()),
+                                1.0 / data.alternativesOf(question)));
         p.push_back(tests.back().pGreater);
     }
     const auto holm = stats::adjusted(p, stats::Adjustment::Holm);
@@ -41,7 +42,7 @@ Json choiceRows(const StudyData& data, const Cells& cells, const std::string& qu
         const auto matches = static_cast<double>(data.participants.size() * counts[i].first);
         put(row, "mean_matches_per_rendering_of_" + people,
             counts[i].second > 0 ? stats::Value(matches / static_cast<double>(counts[i].second)) : tests[i].estimate);
-        putP(row, "p_exact_greater_one_" + fractionName(data.alternatives), tests[i].pGreater, tests[i].logPGreater);
+        putP(row, "p_exact_greater_one_" + fractionName(data.alternativesOf(question)), tests[i].pGreater, tests[i].logPGreater);
         put(row, "p_holm", holm[i]);
         put(row, "cp95", tests[i].clopperPearson);
         put(row, "wilson95", tests[i].wilson);
@@ -73,9 +74,9 @@ Json participantLevel(const StudyData& data, const Cells& cells, const std::stri
         put(shares, participant, share);
         if (share.exists()) values.push_back(*share);
     }
-    const stats::TTest test = stats::oneSampleTTest(values, {.mu = 1.0 / data.alternatives});
+    const stats::TTest test = stats::oneSampleTTest(values, {.mu = 1.0 / data.alternativesOf(question)});
     Json part{{"prop", shares}};
-    put(part, "t_vs_" + fractionName(data.alternatives), test.t);
+    put(part, "t_vs_" + fractionName(data.alternativesOf(question)), test.t);
     putWhole(part, "df", test.df);
     putP(part, "p", test.p, test.logP);
     return part;

@@ -238,13 +238,13 @@ std::string stamped(const Analysis& analysis, const std::string& caption)
 Figure matchesFigure(const Analysis& analysis, const std::string& question)
 {
     const auto participants = static_cast<double>(std::max<std::size_t>(1, analysis.data.participants.size()));
-    const double chance = participants / analysis.data.alternatives;
+    const double chance = participants / analysis.data.alternativesOf(question);
     const std::string people = std::to_string(analysis.data.participants.size());
     Figure figure{"matches_" + question,
                   stamped(analysis, question + ": correct matches per rendering, of " + people +
                                         " participants. Bars: share correct times the number of participants; whiskers: Wilson's "
                                         "95 % interval over trials; dashed: chance, 1/" +
-                                        std::to_string(analysis.data.alternatives) + "."),
+                                        std::to_string(analysis.data.alternativesOf(question)) + "."),
                   {}};
     Plot plot(analysis, 0, participants, question + ": matches per rendering by condition", figure.caption);
     plot.drawFrame("matches per rendering (of " + people + ")");

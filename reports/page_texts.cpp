@@ -26,7 +26,7 @@ std::string chanceSentence(const Analysis& analysis, const std::string& question
         tested += p.exists() ? 1 : 0;
         if (p.exists() && *p < 0.05) above.push_back(htmlLabel(row["condition"]));
     }
-    const std::string rule = " (exact binomial tests against 1/" + std::to_string(analysis.data.alternatives) +
+    const std::string rule = " (exact binomial tests against 1/" + std::to_string(analysis.data.alternativesOf(question)) +
                              " over trials, Holm-corrected, 5 % level)";
     if (tested == 0) return question + ": there are no trials to test against chance.";
     if (above.empty())
@@ -75,6 +75,20 @@ bool isMainContrast(const StudyData& data, const Json& pair)
     if (data.planned.empty()) return false;
     const auto& [a, b] = data.planned.front();
     return (pair["a"] == a && pair["b"] == b) || (pair["a"] == b && pair["b"] == a);
+}
+
+/// Who they were, who withdrew, and what is not analysed.
+std::string whoTookPart(const StudyData& data)
+{
+    std::string text = "<b>Participants.</b> ";
+    text += data.participantsSentence.empty() ? counted(data.participants.size(), "participant") + "."
+                                              : escapedHtml(data.participantsSentence);
+    if (!data.withdrawn.empty())
+        text += " Besides, " + counted(data.withdrawn.size(), "participant") +
+                " withdrew; their answers are kept and not analysed, and their places were free again.";
+    if (!data.catchResponses.empty())
+        text += " " + counted(data.catchResponses.size(), "answer") + " to catch trials with blank glass are in no analysis.";
+    return text;
 }
 
 }  // namespace
@@ -138,6 +152,7 @@ std::vector<std::string> methodParagraphs(const Analysis& analysis)
             "below chance) over the mean time. Balanced integration score: z of the share correct minus z of the mean time over "
             "all participant &times; condition cells (SD of the population), averaged by condition; higher is better, and 0 is "
             "the average.",
+        whoTookPart(analysis.data),
         "<b>Missing answers</b> are counted and left out; each test uses the participants who have what it needs, and its n is "
         "given. A value that does not exist (no variation, too few participants) is shown as &ndash; with its reason, never as p "
         "= 0 or 1.",

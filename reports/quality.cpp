@@ -4,6 +4,7 @@
 #include <map>
 
 #include "stats/binomial.h"
+#include "stats/decimal_grid.h"
 
 namespace reports {
 namespace {
@@ -119,17 +120,34 @@ void flagSlotBias(Flags& flags, const StudyData& data, const Cells& cells, const
                 ++counts[*response->answerSlot];
                 ++trials;
             }
-        if (trials < static_cast<long long>(rules.fewestAnswers) || data.alternatives < 2) continue;
+        if (trials < static_cast<long long>(rules.fewestAnswers) || data.alternativesOf(question.id) < 2) continue;
         const auto favourite =
             std::max_element(counts.begin(), counts.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
-        const auto test = stats::binomialTest(favourite->second, trials, 1.0 / data.alternatives);
-        const double p = std::min(1.0, *test.pGreater * data.alternatives);
+        const auto test = stats::binomialTest(favourite->second, trials, 1.0 / data.alternativesOf(question.id));
+        const double p = std::min(1.0, *test.pGreater * data.alternativesOf(question.id));
         if (p < rules.slotBiasP)
             flags.add(participant, "slot_bias",
                       question.id + ": tray slot " + std::string(1, static_cast<char>('A' + favourite->first)) +
                           " was chosen in " + std::to_string(favourite->second) + " of " + std::to_string(trials) +
                           " trials (p " + (p < 0.001 ? "" : "= ") + pText(p) + ")");
     }
+}
+
+/// Blank glass should feel less like cloth than renderings do.
+void flagBlankGlass(Flags& flags, const StudyData& data, const Cells& cells, const std::string& participant,
+                    const QualityRules& rules)
+{
+    std::vector<double> blank, renderings;
+    for (const Response& response : data.catchResponses)
+        if (response.participant == participant && response.rating) blank.push_back(*response.rating);
+    for (const QuestionInfo& question : data.questions)
+        if (!question.isChoice)
+            for (const double rating : valuesOf(allOf(data, cells, participant, question.id))) renderings.push_back(rating);
+    if (blank.size() < rules.fewestCatchRatings || renderings.size() < rules.fewestAnswers) return;
+    const stats::Value ofBlank = stats::meanOf(blank), ofRenderings = stats::meanOf(renderings);
+    if (*ofBlank >= *ofRenderings)
+        flags.add(participant, "blank_glass_rated_high", counted(blank.size(), "rating") +
+                      " of blank glass (catch trials) have at least the mean of the renderings' ratings");
 }
 
 }  // namespace
@@ -143,6 +161,7 @@ Json qualityFlags(const StudyData& data, const Cells& cells, const QualityRules&
         flagStraightLining(flags, data, cells, participant, rules);
         flagSameAcross(flags, data, cells, participant, rules);
         flagSlotBias(flags, data, cells, participant, rules);
+        flagBlankGlass(flags, data, cells, participant, rules);
     }
     if (data.voided > 0)
         flags.addForStudy("voided_presentations", counted(data.voided, "presentation") + (data.voided == 1 ? " was" : " were") +
@@ -170,6 +189,8 @@ std::vector<std::string> ruleSentences(const QualityRules& rules)
         "straight_lining: one value in at least " + percentOf(rules.sameRatingShare) + " of a question's ratings.",
         "same_across_questions: the same number to every rating question in at least " + percentOf(rules.sameAcrossShare) +
             " of the presentations.",
+        "Both kinds of straight lining have a known weakness: somebody to whom all renderings feel alike answers so in earnest.",
+        "blank_glass_rated_high: the mean rating of catch trials is not below the mean of the other ratings.",
         "slot_bias: the favourite tray slot is chosen more often than 1/m (exact binomial test, times the number of slots, p < " +
             shortest(rules.slotBiasP) + ").",
         "voided_presentations: presentations that were invalid; they are kept, not analysed, and were presented again.",

@@ -14,11 +14,12 @@ struct QualityRules {
     double sameRatingShare = 0.5;    ///< one rating value in at least this share of a question's answers
     double sameAcrossShare = 0.8;    ///< the same number to all rating questions of a presentation
     std::size_t fewestAnswers = 10;  ///< below this a share says nothing
+    std::size_t fewestCatchRatings = 3;  ///< below this the mean rating of blank glass says nothing
     double slotBiasP = 0.01;         ///< exact test of the favourite slot against 1/m, times m slots
 };
 
 /// [{"participant": id or null, "flag": name, "why": sentence}]; flags: missing_answers, too_fast,
-/// straight_lining, same_across_questions, slot_bias, voided_presentations.
+/// straight_lining, same_across_questions, slot_bias, blank_glass_rated_high, voided_presentations.
 Json qualityFlags(const StudyData& data, const Cells& cells, const QualityRules& rules = {});
 
 /// Answers that a complete study would hold, and how many are missing.

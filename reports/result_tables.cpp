@@ -44,7 +44,7 @@ Table matchesTable(const Analysis& analysis, const std::string& question)
     const Json& results = analysis.results;
     Table table{lowerCase(question) + "_matches",
                 question + ": correct matches, their share with Wilson's 95 % interval, and the tests against chance 1/" +
-                    std::to_string(analysis.data.alternatives),
+                    std::to_string(analysis.data.alternativesOf(question)),
                 {"condition",
                  "matches of " + participantsOf(results),
                  "correct",

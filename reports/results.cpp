@@ -38,7 +38,7 @@ Json choicePart(const StudyData& data, const Cells& cells, const std::string& qu
     const std::vector<double> values = valuesOf(cells.of(question, condition));
     const auto trials = static_cast<long long>(values.size());
     const auto correct = static_cast<long long>(std::count(values.begin(), values.end(), 1.0));
-    const double chance = 1.0 / data.alternatives;
+    const double chance = 1.0 / data.alternativesOf(question);
     const stats::BinomialTest exact = stats::binomialTest(correct, trials, chance);
     const stats::TTest byParticipant = stats::oneSampleTTest(cells.participantMeans(question, condition), {.mu = chance});
     Json part{{"trials", trials}, {"correct", correct}};
@@ -192,7 +192,7 @@ Json speedPart(const StudyData& data, const Cells& cells)
         const stats::ResponseTimes times = stats::responseTimes(secondsOf(responses));
         const stats::Value correct = stats::meanOf(valuesOf(responses));
         stats::Value bits = times.mean;
-        if (correct.exists() && times.mean.exists()) bits = stats::bitsPerSecond(*correct, data.alternatives, *times.mean);
+        if (correct.exists() && times.mean.exists()) bits = stats::bitsPerSecond(*correct, data.alternativesOf(choice->id), *times.mean);
         Json row = Json::object();
         put(row, "median_seconds", times.median);
         put(row, "bits_per_second", bits);

@@ -26,7 +26,8 @@ struct Response {
 struct QuestionInfo {
     std::string id;
     std::string text;
-    bool isChoice = false;
+    bool isChoice = false;  ///< right or wrong: a choice among m, or same/different
+    int alternatives = 0;   ///< m of this question's choice; 0: the study's
 };
 
 struct StudyData {
@@ -40,11 +41,15 @@ struct StudyData {
     std::vector<std::string> fabrics;
     std::vector<std::string> conditions;  ///< in the order of every table
     std::vector<QuestionInfo> questions;
-    int alternatives = 3;  ///< m of the forced choice
+    int alternatives = 3;  ///< m of the (first) forced choice
+    int alternativesOf(const std::string& question) const;
     double scaleMin = 0, scaleMax = 10;
     std::pair<double, double> equivalenceBounds{-0.5, 0.5};
     std::vector<std::pair<std::string, std::string>> planned;  ///< empty while blinded
     std::vector<Response> responses;
+    std::vector<Response> catchResponses;  ///< to blank glass; in no analysis, flags alone look at them
+    std::vector<std::string> withdrawn;    ///< participants who withdrew; their answers are not analysed
+    std::string participantsSentence;      ///< who took part, by the facts they gave; empty: none were asked
     std::size_t voided = 0;             ///< presentations kept but not analysed
     std::size_t expectedResponses = 0;  ///< of a complete study; 0: unknown
     std::string signalsJson;            ///< generated against measured (signal_quality.h); empty while blinded

@@ -1,6 +1,7 @@
 #include "study/app/app.h"
 
 #include "study/app/main_window.h"
+#include "study/app/monitor_window.h"
 #include "study/app/start_page.h"
 
 #include <QApplication>
@@ -24,6 +25,13 @@ int runApp(const AppOptions& options)
             window.startPage().tellFault(QString::fromUtf8(fault.what()));
         }
     }
+    return QApplication::exec();
+}
+
+int runMonitor(const AppOptions& options)
+{
+    MonitorWindow window(options.study.value(), options);
+    window.show();
     return QApplication::exec();
 }
 

@@ -12,4 +12,7 @@ std::shared_ptr<QSettings> userSettings();
 /// opened is told on the start page.
 int runApp(const AppOptions& options);
 
+/// Shows the live monitor of `options.study` until it is closed. Throws protocols::Error where that is no study.
+int runMonitor(const AppOptions& options);
+
 }  // namespace study::app

@@ -4,6 +4,8 @@
 
 #include "database/study_store.h"
 #include "rendering/display.h"
+#include "study/app/monitor.h"
+#include "study/app/screen_cover.h"
 #include "study/session/clock.h"
 
 #include <QSettings>
@@ -39,10 +41,11 @@ using OpenDisplay = std::function<std::unique_ptr<rendering::HapticDisplay>(cons
 struct AppOptions {
     std::optional<std::filesystem::path> study;  ///< opened at the start
     std::string display = "none";                ///< specification for `openDisplay`
-    OpenDisplay openDisplay = rendering::openDisplay;
+    OpenDisplay openDisplay = app::openDisplay;
     MakeStudy makeStudy;                         ///< empty: the window makes no studies
     std::shared_ptr<session::Clock> clock;       ///< empty: the system's
     std::shared_ptr<QSettings> settings;         ///< recent studies and looks; empty: nothing is remembered
+    ReadFlags readFlags;                         ///< for the monitor; empty: it shows no flags
     database::ParticipantKind kind = database::ParticipantKind::Human;
 };
 

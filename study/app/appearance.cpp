@@ -102,6 +102,7 @@ QFrame[role="card-new"] { background: %2; border: 3px solid %6; border-radius: 1
 QLabel[role="tag"] { color: %4; }
 QLabel[role="tag-new"] { background: %6; color: %7; border-radius: 6px; padding: 2px 10px; }
 QLabel[role="hint"] { background: %8; color: %9; border-radius: 8px; padding: 10px 14px; }
+QLabel[role="done"] { background: %2; color: %3; border-radius: 8px; padding: 10px 14px; }
 QLabel[role="fault"] { background: %10; color: %11; border-radius: 8px; padding: 10px 14px; }
 QFrame[role="bar"] { background: %2; border: none; }
 QPushButton { background: %2; color: %3; border: 1px solid %4; border-radius: 8px; padding: 7px 16px; }
@@ -118,8 +119,8 @@ QPushButton[role="plain"] { background: transparent; border: 2px solid transpare
 QPushButton[role="plain"]:hover { color: %3; border-color: %5; }
 QPushButton[role="plain"]:focus { border-color: %6; color: %3; }
 QPushButton[role="plain"]:disabled { background: transparent; border-color: transparent; color: %12; }
-QLineEdit { background: %2; color: %3; border: 1px solid %4; border-radius: 8px; padding: 7px 10px; }
-QLineEdit:focus { border: 2px solid %6; padding: 6px 9px; }
+QLineEdit, QPlainTextEdit { background: %2; color: %3; border: 1px solid %4; border-radius: 8px; padding: 7px 10px; }
+QLineEdit:focus, QPlainTextEdit:focus { border: 2px solid %6; padding: 6px 9px; }
 QTreeView, QListView { background: %2; color: %3; border: 1px solid %5; border-radius: 8px; padding: 4px; }
 QTreeView:focus, QListView:focus { border: 2px solid %6; padding: 3px; }
 QTreeView::item, QListView::item { border: 0px; padding: 6px 8px; }

@@ -1,20 +1,19 @@
-// Corrects a stored answer, in place of the stage page: which one (the last at first), what it is now, what it
-// shall be, and why. The old value stays in the record.
+// Corrects a stored answer: which one (the last at first), what it is now, what it shall be, and why. The old value
+// stays in the record.
 #pragma once
 
-#include "study/app/stage_page.h"
+#include "study/app/panel.h"
+#include "study/app/session_controller.h"
 
-class QHBoxLayout;
 class QLabel;
-class QLineEdit;
 class QPushButton;
-class QVBoxLayout;
 
 namespace study::app {
 
-class RatingField;
+class AnswerEntry;
+class FlowLayout;
 
-class CorrectionPanel : public StagePage {
+class CorrectionPanel : public Panel {
     Q_OBJECT
 public:
     explicit CorrectionPanel(QWidget* parent);
@@ -22,36 +21,24 @@ public:
     /// `answers`: the last one first; at least one.
     void ask(const std::vector<Correctable>& answers);
 
-    void present(const session::View&) override {}
     bool pressKey(int key) override;
     QWidget& firstFocus() override;
 
-Q_SIGNALS:
-    void closeAsked();
+protected:
+    bool isReady() override;
+    session::EventBody eventFor(const std::string& reason) override;
 
 private:
     void showQuestions();
     void showAnswer(std::size_t place);
-    void showChoices(const Correctable& answer);
-    void choose(std::size_t place);
-    void confirm();
-    /// Empty where none is given yet; the reason is told then.
-    std::optional<session::Response> newResponse();
-    const Correctable& chosenAnswer() const;
 
     std::vector<Correctable> m_correctables;
     std::size_t m_which = 0;  ///< of the correctables
-    QHBoxLayout* m_questionsRow;
+    std::optional<session::Response> m_response;
+    FlowLayout* m_questionsRow;
     std::vector<QPushButton*> m_questions;
     QLabel* m_old;
-    RatingField* m_rating;
-    QVBoxLayout* m_choicesColumn;
-    std::vector<QPushButton*> m_choices;
-    std::optional<std::size_t> m_chosen;
-    bool m_isReasonAskedAgain = false;
-    QLineEdit* m_why;
-    QPushButton* m_action;
-    QPushButton* m_back;
+    AnswerEntry* m_entry;
 };
 
 }  // namespace study::app

@@ -2,6 +2,7 @@
 
 #include "protocols/errors.h"
 #include "study/app/rating_text.h"
+#include "study/app/session_page.h"
 #include "study/app/stage_page.h"
 
 #include <QApplication>
@@ -9,7 +10,6 @@
 #include <QKeyEvent>
 #include <QMouseEvent>
 
-#include <algorithm>
 
 namespace study::app {
 
@@ -25,28 +25,15 @@ protocols::Error noWay(const std::string& what)
                                   .nextStep = "replay the script without --gui, and report this"});
 }
 
-int keyOfSlot(std::size_t place)
-{
-    return Qt::Key_A + static_cast<int>(place);
-}
-
-std::size_t placeOf(const protocols::FabricId& fabric, const std::vector<protocols::FabricId>& tray)
-{
-    const auto found = std::find(tray.begin(), tray.end(), fabric);
-    if (found == tray.end())
-        throw noWay(fabric.value + " is not on the tray");
-    return static_cast<std::size_t>(found - tray.begin());
-}
-
 QString textOfKey(int key)
 {
     const bool isCharacter = key >= Qt::Key_Space && key <= Qt::Key_AsciiTilde;
     return isCharacter ? QString(QChar(key)).toLower() : QString();
 }
 
-void sendKey(QWidget& target, int key, const QString& text)
+void sendKey(QWidget& target, int key, const QString& text, Qt::KeyboardModifiers modifiers = Qt::NoModifier)
 {
-    QKeyEvent press(QEvent::KeyPress, key, Qt::NoModifier, text);
+    QKeyEvent press(QEvent::KeyPress, key, modifiers, text);
     QApplication::sendEvent(&target, &press);
 }
 
@@ -56,86 +43,143 @@ struct Movement {
     MainWindow& window;
 
     void operator()(const SittingStarted&) const { throw noWay("a sitting starts when its session is opened"); }
-    void operator()(const Begun&) const { hands.pressKey(Qt::Key_Return); }
-    void operator()(const FamiliarisationDone&) const { hands.pressKey(Qt::Key_Return); }
-    void operator()(const ScaleTrainingDone&) const
+    void operator()(const Begun&) const { enter(); }
+    void operator()(const Consented&) const { enter(); }
+    void operator()(const FactsGiven& event) const
     {
-        tickAll();
-        hands.pressKey(Qt::Key_Return);
+        fill(event.facts, window.session()->facts().facts, QStringLiteral("fact"));
+        press("confirmButton");
     }
-    void operator()(const TrayReady&) const { hands.pressKey(Qt::Key_Return); }
-    void operator()(const Touched&) const { hands.pressKey(Qt::Key_T); }
+    void operator()(const FamiliarisationShown& event) const { hands.pressKey(Qt::Key_1 + event.item); }
+    void operator()(const FamiliarisationDone&) const { enter(); }
+    void operator()(const ScalePlaced& event) const
+    {
+        hands.type(study::app::textOf(event.spoken));
+        enter();
+    }
+    void operator()(const ScaleTrainingDone&) const { hands.pressKey(Qt::Key_G); }
+    void operator()(const ChecklistDone& event) const
+    {
+        tick(event.ticked);
+        fill(event.readings, window.session()->facts().readings, QStringLiteral("reading"));
+        press("confirmButton");
+    }
+    void operator()(const SittingPrepared&) const { enter(); }
+    void operator()(const TrayReady&) const { enter(); }
+    void operator()(const Touched& event) const
+    {
+        if (event.by == TouchSource::Display)
+            window.session()->displayTouched();
+        else
+            hands.click(QStringLiteral("touchButton"));
+    }
     void operator()(const Answered& event) const
     {
-        if (const auto* fabric = std::get_if<protocols::FabricId>(&event.response))
-            hands.pressKey(keyOfSlot(placeOf(*fabric, hands.view().trayIds)));
-        else
-            hands.type(textOf(std::get<protocols::Tenths>(event.response)));
-        hands.pressKey(Qt::Key_Return);
+        const int entries = hands.plan().protocol.secondEntry ? 2 : 1;
+        for (int entry = 0; entry < entries; ++entry) {
+            give(event.response, formOf(hands.view()));
+            enter();
+            if (isWithoutWords(event.response))
+                enter();  // the page asks once whether there are none
+        }
     }
     void operator()(const Corrected& event) const
     {
-        hands.pressKey(Qt::Key_L);
-        chooseQuestion(event.question);
-        giveNewAnswer(event);
-        typeInto("whyField", event.why);
+        click("correctButton");
+        hands.click(QStringLiteral("answerTo") + QString::fromStdString(event.question.value));
+        give(event.response, formOfAnswerTo(event.question));
+        if (isWithoutWords(event.response))
+            press("panelConfirmButton");
+        giveReason(event.why, true);
     }
     void operator()(const Voided& event) const
     {
-        hands.pressKey(Qt::Key_V);
-        typeInto("reasonField", event.why);
+        click("voidButton");
+        giveReason(event.why, true);
     }
-    void operator()(const BreakEnded&) const { hands.pressKey(Qt::Key_Return); }
-    void operator()(const Paused&) const { hands.pressKey(Qt::Key_Escape); }
-    void operator()(const Resumed&) const { hands.pressKey(Qt::Key_Return); }
+    void operator()(const BreakEnded&) const { enter(); }
+    void operator()(const Paused&) const { click("pauseButton"); }
+    void operator()(const Resumed&) const
+    {
+        if (hands.isOfferedPreparation())
+            click("secondButton");
+        else
+            enter();
+    }
     void operator()(const WithdrawnEvent& event) const
     {
-        hands.pressKey(Qt::Key_W);
-        typeInto("reasonField", event.why);
+        click("withdrawButton");
+        giveReason(event.why, true);
     }
     void operator()(const Noted& event) const
     {
-        hands.pressKey(Qt::Key_N);
-        typeInto("reasonField", event.text);
+        click(event.isFlag ? "flagButton" : "noteButton");
+        giveReason(event.text, !event.isFlag);
+    }
+    void operator()(const Debriefed& event) const
+    {
+        hands.type(QString::fromStdString(event.text));
+        enter();
     }
 
 private:
-    void tickAll() const
+    void enter() const { hands.pressKey(Qt::Key_Return); }
+    void click(const char* button) const { hands.click(QString::fromLatin1(button)); }
+    void press(const char* button) const
     {
-        const auto boxes = window.currentPage()->findChildren<QCheckBox*>();
-        for (QCheckBox* box : boxes)
-            if (box->isVisible() && !box->isChecked()) {
-                hands.focusOn(box->objectName());
-                hands.pressKey(Qt::Key_Space);
-            }
+        hands.focusOn(QString::fromLatin1(button));
+        enter();
     }
-    void typeInto(const char* fieldName, const std::string& text) const
+
+    void tick(const std::vector<std::string>& lines) const
     {
-        hands.focusOn(QString::fromLatin1(fieldName));
-        hands.type(QString::fromStdString(text));
-        hands.pressKey(Qt::Key_Return);
-        if (text.empty())
-            hands.pressKey(Qt::Key_Return);  // the page asks once whether it is to go without a reason
-    }
-    void chooseQuestion(const protocols::QuestionId& question) const
-    {
-        hands.click(QStringLiteral("answerTo") + QString::fromStdString(question.value));
-    }
-    void giveNewAnswer(const Corrected& event) const
-    {
-        if (const auto* rating = std::get_if<protocols::Tenths>(&event.response)) {
-            hands.focusOn(QStringLiteral("newRatingField"));
-            hands.type(textOf(*rating));
-            return;
+        const QStringList all = window.session()->facts().checklist;
+        for (const std::string& line : lines) {
+            const QString box = QStringLiteral("check%1").arg(all.indexOf(QString::fromStdString(line)) + 1);
+            if (static_cast<QCheckBox&>(hands.widget(box)).isChecked())
+                continue;
+            hands.focusOn(box);
+            hands.pressKey(Qt::Key_Space);
         }
-        const auto correctables = window.session()->correctables();
-        const auto answer = std::find_if(correctables.begin(), correctables.end(),
-                                         [&](const Correctable& one) { return one.question == event.question; });
-        std::vector<protocols::FabricId> tray;
-        for (const auto& choice : answer->choices)
-            tray.push_back(choice.fabric);
-        const std::size_t place = placeOf(std::get<protocols::FabricId>(event.response), tray);
-        hands.click(QStringLiteral("newAnswer%1").arg(slotLetter(place)));
+    }
+    void fill(const std::map<std::string, std::string>& values, const QStringList& captions, const QString& line) const
+    {
+        for (const auto& [caption, value] : values) {
+            hands.focusOn(line + QString::number(captions.indexOf(QString::fromStdString(caption)) + 1));
+            hands.type(QString::fromStdString(value));
+        }
+    }
+    void giveReason(const std::string& text, bool isAskedTwice) const
+    {
+        hands.focusOn(QStringLiteral("reasonField"));
+        hands.type(QString::fromStdString(text));
+        enter();
+        if (text.empty() && isAskedTwice)
+            enter();
+    }
+
+    static bool isWithoutWords(const Response& response)
+    {
+        const auto* words = std::get_if<Words>(&response);
+        return words && words->text.empty();
+    }
+    AnswerForm formOfAnswerTo(const protocols::QuestionId& question) const
+    {
+        for (const Correctable& one : window.session()->correctables())
+            if (one.question == question)
+                return one.form;
+        throw noWay("there is no answer to " + question.value);
+    }
+    void give(const Response& response, const AnswerForm& form) const
+    {
+        for (const AnswerForm::Option& option : form.options)
+            if (option.response == response)
+                return hands.pressKey(option.letter.front().unicode());
+        if (!form.options.empty())
+            throw noWay(textOf(response) + " is not among the answers to choose from");
+        const auto* rating = std::get_if<protocols::Tenths>(&response);
+        hands.clear();
+        hands.type(rating ? study::app::textOf(*rating) : QString::fromStdString(textOf(response)));
     }
 };
 
@@ -160,6 +204,8 @@ const Plan& GuiHands::plan() const
 
 std::optional<Refusal> GuiHands::perform(const EventBody& event)
 {
+    if (isOfferedPreparation() && !controller().view().state.paused && !std::holds_alternative<SittingPrepared>(event))
+        click(QStringLiteral("secondButton"));
     const int sentBefore = controller().eventsSent();
     std::visit(Movement{*this, m_window}, event);
     QApplication::processEvents(QEventLoop::ExcludeUserInputEvents);
@@ -179,7 +225,13 @@ QWidget& GuiHands::focus() const
     return focused && focused->isVisible() ? *focused : m_window;
 }
 
-QWidget& GuiHands::visible(const QString& objectName) const
+bool GuiHands::isOfferedPreparation() const
+{
+    const auto* page = qobject_cast<SessionPage*>(m_window.currentPage());
+    return page && page->offersPreparation();
+}
+
+QWidget& GuiHands::widget(const QString& objectName) const
 {
     const auto found = m_window.currentPage()->findChildren<QWidget*>(objectName);
     for (QWidget* widget : found)
@@ -198,18 +250,27 @@ void GuiHands::pressKey(int key)
 
 void GuiHands::type(const QString& text)
 {
-    for (const char32_t character : text.toStdU32String())
-        sendKey(focus(), static_cast<int>(QChar::toUpper(character)), QString::fromUcs4(&character, 1));
+    for (const char32_t character : text.toStdU32String()) {
+        const bool isNewLine = character == U'\n';
+        const int key = isNewLine ? static_cast<int>(Qt::Key_Return) : static_cast<int>(QChar::toUpper(character));
+        sendKey(focus(), key, QString::fromUcs4(&character, 1), isNewLine ? Qt::ShiftModifier : Qt::NoModifier);
+    }
+}
+
+void GuiHands::clear()
+{
+    sendKey(focus(), Qt::Key_A, {}, Qt::ControlModifier);
+    sendKey(focus(), Qt::Key_Delete, {});
 }
 
 void GuiHands::focusOn(const QString& objectName)
 {
-    visible(objectName).setFocus(Qt::TabFocusReason);
+    widget(objectName).setFocus(Qt::TabFocusReason);
 }
 
 void GuiHands::click(const QString& objectName)
 {
-    QWidget& target = visible(objectName);
+    QWidget& target = widget(objectName);
     clickAt(target, target.rect().center());
 }
 

@@ -29,15 +29,20 @@ public:
     void pressKey(int key);
     /// Types into whatever has the focus.
     void type(const QString& text);
+    /// Empties the field that has the focus.
+    void clear();
     /// By object name, on the page that is now to be seen.
     void click(const QString& objectName);
     void clickAt(QWidget& target, const QPoint& point);
     void focusOn(const QString& objectName);
+    /// Seen and on; throws workFailed where there is none.
+    QWidget& widget(const QString& objectName) const;
+    /// A later sitting's refresher and checklist are offered before it goes on.
+    bool isOfferedPreparation() const;
 
 private:
     SessionController& controller() const;
     QWidget& focus() const;
-    QWidget& visible(const QString& objectName) const;
 
     MainWindow& m_window;
 };

@@ -8,7 +8,6 @@
 #include "study/app/start_page.h"
 #include "study/app/study_page.h"
 
-#include <QApplication>
 #include <QCloseEvent>
 #include <QKeyEvent>
 #include <QShortcut>
@@ -35,8 +34,7 @@ void tellingFaults(Page& page, Work work)
 MainWindow::MainWindow(const AppOptions& options, QWidget* parent)
     : QWidget(parent),
       m_options(options),
-      m_baseFont(QApplication::font()),
-      m_appearance(rememberedAppearance(options.settings.get())),
+      m_looks(new Looks(options.settings, *this)),
       m_pages(new QStackedWidget(this)),
       m_startPage(new StartPage(this)),
       m_newStudyPage(new NewStudyPage(options.makeStudy, this)),
@@ -55,8 +53,7 @@ MainWindow::MainWindow(const AppOptions& options, QWidget* parent)
     column->addWidget(m_pages);
     resize(1100, 750);
     joinPages();
-    bindKeys();
-    applyAppearance(m_appearance, m_baseFont);
+    connect(new QShortcut(QKeySequence(Qt::CTRL | Qt::Key_Q), this), &QShortcut::activated, this, [this] { close(); });
     showStart();
 }
 
@@ -78,37 +75,17 @@ void MainWindow::joinPages()
     });
     connect(m_studyPage, &StudyPage::closeAsked, this, &MainWindow::closeStudy);
     connect(m_studyPage, &StudyPage::sessionAsked, this, [this](const QString& participant) {
+        if (const QString fault = m_study->protocolFault(); !fault.isEmpty())
+            return m_studyPage->tellFault(fault);
         tellingFaults(*m_studyPage, [&] { startSession(protocols::ParticipantId(participant.toStdString())); });
     });
+    connect(m_sessionPage, &SessionPage::correctionAsked, this, [this] { m_sessionPage->openCorrection(m_session->correctables()); });
     connect(m_sessionPage, &SessionPage::eventAsked, this, [this](const session::EventBody& event) {
         if (m_session)
             m_session->send(event);
     });
     // Queued: the page that asks must not be rebuilt under its own feet.
     connect(m_sessionPage, &SessionPage::leaveAsked, this, &MainWindow::leaveSession, Qt::QueuedConnection);
-}
-
-void MainWindow::bindKeys()
-{
-    const auto bind = [this](const QKeySequence& keys, auto work) {
-        connect(new QShortcut(keys, this), &QShortcut::activated, this, work);
-    };
-    bind(QKeySequence(Qt::CTRL | Qt::Key_Q), [this] { close(); });
-    bind(QKeySequence(Qt::CTRL | Qt::Key_Plus), [this] { setAppearance(larger(m_appearance)); });
-    bind(QKeySequence(Qt::CTRL | Qt::Key_Equal), [this] { setAppearance(larger(m_appearance)); });
-    bind(QKeySequence(Qt::CTRL | Qt::Key_Minus), [this] { setAppearance(smaller(m_appearance)); });
-    bind(QKeySequence(Qt::CTRL | Qt::Key_0), [this] { setAppearance({m_appearance.theme, 100}); });
-    bind(QKeySequence(Qt::CTRL | Qt::Key_D), [this] {
-        const bool isLight = m_appearance.theme == Theme::Light;
-        setAppearance({isLight ? Theme::DarkRoom : Theme::Light, m_appearance.textPercent});
-    });
-}
-
-void MainWindow::setAppearance(const Appearance& appearance)
-{
-    m_appearance = appearance;
-    applyAppearance(appearance, m_baseFont);
-    rememberAppearance(m_options.settings.get(), appearance);
 }
 
 QWidget* MainWindow::currentPage() const
@@ -138,6 +115,8 @@ void MainWindow::showStudy()
 {
     setWindowTitle(tr("%1 – Vis2Hap").arg(m_study->name()));
     m_studyPage->present(m_study->overview(), m_options.kind);
+    if (const QString fault = m_study->protocolFault(); !fault.isEmpty())
+        m_studyPage->tellFault(fault);
     m_pages->setCurrentWidget(m_studyPage);
     m_studyPage->focusFirst();
 }
@@ -160,7 +139,7 @@ void MainWindow::startSession(const protocols::ParticipantId& participant)
     m_sessionPage->begin(m_session->facts());
     m_pages->setCurrentWidget(m_sessionPage);
     setWindowTitle(tr("%1 – %2 – Vis2Hap").arg(QString::fromStdString(participant.value), m_study->name()));
-    m_sessionPage->present(m_session->view(), m_session->correctables());
+    m_sessionPage->present(m_session->view(), m_session->canCorrect());
 }
 
 void MainWindow::joinSession()
@@ -176,7 +155,7 @@ void MainWindow::refreshSession()
     const bool isAccepted = !outcome->refusal && !outcome->fault;
     if (isAccepted || m_sessionPage->shows().state != m_session->view().state)
         m_sessionPage->settle();
-    m_sessionPage->present(m_session->view(), m_session->correctables());
+    m_sessionPage->present(m_session->view(), m_session->canCorrect());
 }
 
 bool MainWindow::pauseForLeaving()

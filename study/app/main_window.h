@@ -3,7 +3,7 @@
 #pragma once
 
 #include "study/app/app_options.h"
-#include "study/app/appearance.h"
+#include "study/app/looks.h"
 #include "study/app/open_study.h"
 #include "study/app/session_controller.h"
 
@@ -37,7 +37,7 @@ public:
     QWidget* currentPage() const;
 
     StartPage& startPage() const { return *m_startPage; }
-    void setAppearance(const Appearance& appearance);
+    void setAppearance(const Appearance& appearance) { m_looks->set(appearance); }
 
 protected:
     void closeEvent(QCloseEvent* event) override;
@@ -46,7 +46,6 @@ protected:
 private:
     void joinPages();
     void joinSession();
-    void bindKeys();
     void showStart();
     void showStudy();
     void refreshSession();
@@ -56,8 +55,7 @@ private:
     void closeStudy();
 
     AppOptions m_options;
-    QFont m_baseFont;
-    Appearance m_appearance;
+    Looks* m_looks;
     std::unique_ptr<OpenStudy> m_study;
     std::unique_ptr<SessionController> m_session;
     bool m_leavingToldOnce = false;

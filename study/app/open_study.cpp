@@ -1,6 +1,10 @@
 #include "study/app/open_study.h"
 
+#include "protocols/errors.h"
 #include "protocols/protocol_json.h"
+#include "study/session/driver.h"
+
+#include <QCoreApplication>
 
 #include <algorithm>
 #include <map>
@@ -10,7 +14,7 @@ namespace study::app {
 OpenStudy::OpenStudy(const std::filesystem::path& folder)
     : m_store(database::StudyFolder{folder}, database::StudyStore::Access::Write),
       m_facts(m_store.facts()),
-      m_protocol(protocols::protocolFromJson(m_facts.protocolJson, database::StudyFolder{folder}.protocol().string())),
+      m_protocol(protocols::protocolFromJson(m_store.protocolVersions().back().json, database::StudyFolder{folder}.protocol().string())),
       m_bank(database::StudyFolder{folder}.stimuli(), m_store.stimulusHashes())
 {
 }
@@ -31,14 +35,30 @@ StudyOverview OpenStudy::overview() const
     for (const auto& answer : m_store.answers())
         if (!answer.voided)
             ++stored[answer.participant];
-    StudyOverview seen{name(), QString::fromStdString(m_store.folder().folder.string()), {}, 0,
+    StudyOverview seen{name(), QString::fromStdString(m_store.folder().folder.string()), {}, m_protocol.answersPerParticipant(),
                        QString::fromStdString(m_store.nextParticipantId().value)};
-    for (const auto& slot : m_store.slots())
-        seen.places.push_back({slot.number, slot.state, QString::fromStdString(slot.participant.value), slot.kind,
-                               stored[slot.participant]});
-    for (const auto& phase : m_protocol.phases)
-        seen.answersInAll += m_protocol.presentationsPerPhase() * static_cast<int>(phase.questions.size());
+    const auto enrolments = m_store.enrolments();
+    for (const auto& slot : m_store.slots()) {
+        for (const auto& one : enrolments)
+            if (one.slot == slot.number)
+                seen.places.push_back({one.slot, one.state, QString::fromStdString(one.participant.value), one.kind,
+                                       stored[one.participant]});
+        if (slot.state == database::SlotState::Free)
+            seen.places.push_back({slot.number, slot.state, {}, slot.kind, 0});
+    }
     return seen;
+}
+
+QString OpenStudy::protocolFault() const
+{
+    try {
+        session::requireKeptProtocol(m_store);
+        return {};
+    } catch (const protocols::Error& fault) {
+        // Both ways out write to the study, which this window holds.
+        return QCoreApplication::translate("study::app::OpenStudy", "%1. Close the study here first (Esc).")
+            .arg(QString::fromUtf8(fault.what()));
+    }
 }
 
 }  // namespace study::app

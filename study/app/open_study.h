@@ -15,6 +15,7 @@ namespace study::app {
 
 /// Who is where; carries no condition, no file code and no score.
 struct StudyOverview {
+    /// A place; one whose participant withdrew stands for itself, and the place that it freed follows.
     struct Place {
         int number = 0;
         database::SlotState state = database::SlotState::Free;
@@ -43,6 +44,8 @@ public:
     const protocols::Protocol& protocol() const { return m_protocol; }
     QString name() const;
     StudyOverview overview() const;
+    /// Why no session can be held: protocol.json was changed. Says what to do; empty where all is well.
+    QString protocolFault() const;
 
 private:
     database::StudyStore m_store;

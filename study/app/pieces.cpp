@@ -1,8 +1,11 @@
 #include "study/app/pieces.h"
 
+#include "study/app/flow_layout.h"
+
 #include <QApplication>
 #include <QHBoxLayout>
 #include <QStyle>
+#include <QVBoxLayout>
 #include <QVariant>
 
 namespace study::app {
@@ -83,6 +86,14 @@ QPushButton* plainButton(const char* objectName, const QString& text, QWidget* p
     return made;
 }
 
+FlowLayout* actionsRow(std::initializer_list<QWidget*> actions)
+{
+    auto* row = new FlowLayout(14, 8);
+    for (QWidget* action : actions)
+        row->addWidget(action);
+    return row;
+}
+
 QLineEdit* field(const char* objectName, const QString& accessibleName, QWidget* parent)
 {
     auto* made = new QLineEdit(parent);
@@ -140,6 +151,24 @@ void showText(QLabel& target, const QString& text)
     target.setVisible(!text.isEmpty());
 }
 
+PageHead::PageHead(QWidget* parent)
+    : QWidget(parent),
+      m_title(label("pageTitle", Type::Title, this, Weight::Bold)),
+      m_lead(label("pageLead", Type::Lead, this))
+{
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(12);
+    column->addWidget(m_title);
+    column->addWidget(m_lead);
+}
+
+void PageHead::tell(const QString& title, const QString& lead)
+{
+    m_title->setText(title);
+    showText(*m_lead, lead);
+}
+
 MessageBar::MessageBar(const char* objectName, QWidget* parent) : QLabel(parent)
 {
     setObjectName(QString::fromLatin1(objectName));
@@ -160,7 +189,7 @@ void MessageBar::tell(const char* role, const QString& text)
     setRole(*this, role);
     setText(text);
     setAccessibleName(text);
-    show();
+    setVisible(!text.isEmpty());
 }
 
 }  // namespace study::app

@@ -10,9 +10,11 @@
 #include <QPushButton>
 #include <QScrollArea>
 
-class QBoxLayout;
+#include <initializer_list>
 
 namespace study::app {
+
+class FlowLayout;
 
 enum class Weight { Normal, Bold };
 
@@ -32,6 +34,9 @@ QPushButton* mainButton(const char* objectName, const QString& text, QWidget* pa
 QPushButton* plainButton(const char* objectName, const QString& text, QWidget* parent);
 void setButtonText(QPushButton& button, const QString& text);
 
+/// Beside each other, or below each other where they do not fit.
+FlowLayout* actionsRow(std::initializer_list<QWidget*> actions);
+
 QLineEdit* field(const char* objectName, const QString& accessibleName, QWidget* parent);
 
 /// How text size and theme are changed, for the pages that are not in a hurry.
@@ -47,11 +52,24 @@ void name(QWidget& widget, const char* objectName, const QString& accessibleName
 /// Shows text that may be empty: hides the label then.
 void showText(QLabel& label, const QString& text);
 
-/// A message for the operator: hint, refusal or fault.
+/// Title of a page and a sentence below it.
+class PageHead : public QWidget {
+    Q_OBJECT
+public:
+    explicit PageHead(QWidget* parent);
+    void tell(const QString& title, const QString& lead);
+
+private:
+    QLabel* m_title;
+    QLabel* m_lead;
+};
+
+/// A message for the operator: that something was done, a hint or refusal, a fault. Empty text is none.
 class MessageBar : public QLabel {
     Q_OBJECT
 public:
     explicit MessageBar(const char* objectName, QWidget* parent);
+    void tellDone(const QString& text) { tell("done", text); }
     void tellHint(const QString& text) { tell("hint", text); }
     void tellFault(const QString& text) { tell("fault", text); }
     void clearMessage();

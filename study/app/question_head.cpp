@@ -10,16 +10,13 @@ namespace study::app {
 QuestionHead::QuestionHead(QWidget* parent)
     : QWidget(parent),
       m_caption(quietLabel("questionCaption", this)),
-      m_words(label("questionWords", Type::Words, this, Weight::Bold)),
-      m_way(quietLabel("strokeWords", this, Type::Plain))
+      m_words(label("questionWords", Type::Words, this, Weight::Bold))
 {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(8);
     column->addWidget(m_caption);
     column->addWidget(m_words);
-    column->addWidget(m_way);
-    m_way->setText(tr("Same finger on glass and fabric, left to right, calmly and evenly."));
 }
 
 void QuestionHead::present(const session::View& view)
@@ -30,7 +27,7 @@ void QuestionHead::present(const session::View& view)
     m_words->setText(view.question ? tr("“%1”").arg(QString::fromStdString(view.question->text)) : QString());
 }
 
-TouchButton::TouchButton(QWidget* parent) : QWidget(parent), m_button(button("touchButton", tr("First touch (T)"), this))
+TouchButton::TouchButton(QWidget* parent) : QWidget(parent), m_button(button("touchButton", tr("First touch (by key T)"), this))
 {
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
@@ -38,12 +35,21 @@ TouchButton::TouchButton(QWidget* parent) : QWidget(parent), m_button(button("to
     connect(m_button, &QPushButton::clicked, this, &TouchButton::touched);
 }
 
+QString TouchButton::textFor(const session::View& view) const
+{
+    const auto& presenting = std::get<session::Presenting>(view.state.stage);
+    const QString key = view.answerKind == protocols::AnswerKind::Words ? tr("Alt T") : tr("T");
+    if (!presenting.touchedAtNs)
+        return m_displayReports ? tr("The display tells the first touch (else key %1)").arg(key)
+                                : tr("First touch (by key %1)").arg(key);
+    return presenting.touchedBy == session::TouchSource::Display ? tr("First touch stamped by the display ✓")
+                                                                 : tr("First touch stamped by key ✓");
+}
+
 void TouchButton::present(const session::View& view)
 {
-    const auto* presenting = std::get_if<session::Presenting>(&view.state.stage);
-    const bool isTouched = presenting && presenting->touchedAtNs.has_value();
-    setButtonText(*m_button, isTouched ? tr("First touch is stamped ✓") : tr("First touch (T)"));
-    m_button->setEnabled(presenting && !isTouched);
+    setButtonText(*m_button, textFor(view));
+    m_button->setEnabled(!std::get<session::Presenting>(view.state.stage).touchedAtNs);
 }
 
 }  // namespace study::app

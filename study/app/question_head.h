@@ -1,7 +1,8 @@
-// The upper part of both question pages: which presentation, what to say to the participant, and the mark
-// of the first touch.
+// The upper part of a question page: which presentation, and what to say to the participant; and the mark of the first
+// touch.
 #pragma once
 
+#include "study/app/session_facts.h"
 #include "study/session/driver.h"
 
 #include <QWidget>
@@ -21,21 +22,24 @@ public:
 private:
     QLabel* m_caption;
     QLabel* m_words;
-    QLabel* m_way;
 };
 
-/// The button that stamps the first touch, and that it has been stamped.
+/// The button that stamps the first touch, and by whom it has been stamped.
 class TouchButton : public QWidget {
     Q_OBJECT
 public:
     explicit TouchButton(QWidget* parent);
 
+    void begin(const SessionFacts& facts) { m_displayReports = facts.displayReportsTouches; }
     void present(const session::View& view);
 
 Q_SIGNALS:
     void touched();
 
 private:
+    QString textFor(const session::View& view) const;
+
+    bool m_displayReports = false;
     QPushButton* m_button;
 };
 

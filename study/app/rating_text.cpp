@@ -73,6 +73,26 @@ QString textOf(Tenths rating)
     return rating.value < 0 ? QLatin1Char('-') + text : text;
 }
 
+QString wordedText(Tenths rating, const Scale& scale)
+{
+    const int step = (rating.value - scale.min.value) / scale.step.value;
+    const bool hasWords = scale.holds(rating) && step < static_cast<int>(scale.labels.size());
+    if (!hasWords)
+        return textOf(rating);
+    return QStringLiteral("%1, %2").arg(textOf(rating), QString::fromStdString(scale.labels[static_cast<std::size_t>(step)]));
+}
+
+QString rangeText(const Scale& scale)
+{
+    const QString from = textOf(scale.min), to = textOf(scale.max);
+    const int wholePoint = 10;
+    if (scale.step.value == 1)
+        return tr("from %1 to %2, one decimal").arg(from, to);
+    if (scale.step.value == wholePoint)
+        return tr("from %1 to %2, whole numbers").arg(from, to);
+    return tr("from %1 to %2 in steps of %3").arg(from, to, textOf(scale.step));
+}
+
 Tenths ratingAt(double fraction, const Scale& scale)
 {
     const double span = scale.max.value - scale.min.value;

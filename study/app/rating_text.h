@@ -21,6 +21,12 @@ std::variant<protocols::Tenths, NoRating> ratingFromText(const QString& typed, c
 /// "5.4", "10", always with a point; whole numbers without a decimal.
 QString textOf(protocols::Tenths rating);
 
+/// "5, agree" where the scale has words for its steps, else as textOf.
+QString wordedText(protocols::Tenths rating, const protocols::Scale& scale);
+
+/// "from 0 to 10, one decimal"
+QString rangeText(const protocols::Scale& scale);
+
 /// The rating of the scale's step that lies nearest to `fraction` (0..1) of the line.
 protocols::Tenths ratingAt(double fraction, const protocols::Scale& scale);
 

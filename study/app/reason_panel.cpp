@@ -1,109 +1,51 @@
 #include "study/app/reason_panel.h"
 
-#include "study/app/pieces.h"
-
-#include <QCoreApplication>
-#include <QHBoxLayout>
-#include <QVBoxLayout>
-
 namespace study::app {
 
-namespace {
+using session::EventBody;
 
-QString tr(const char* text)
+void ReasonPanel::askForNote()
 {
-    return QCoreApplication::translate("study::app::ReasonPanel", text);
+    m_event = [](const std::string& text) { return EventBody(session::Noted{text, false}); };
+    open({.title = tr("Note"),
+          .explanation = tr("What should be known about this moment? The note is kept with its time."),
+          .caption = tr("Note"),
+          .action = tr("Store the note (Enter)"),
+          .hintWhenEmpty = tr("Write a few words first; Esc goes back without storing anything."),
+          .empty = Empty::IsRefused});
 }
 
-}  // namespace
-
-Reason noteReason()
+void ReasonPanel::askForFlag(const QString& presentation)
 {
-    return {tr("Note"), tr("What should be known about this moment? The note is kept with its time."), tr("Note"),
-            tr("Store the note (Enter)"), false,
-            [](const std::string& text) { return session::EventBody(session::Noted{text}); }};
+    m_event = [](const std::string& text) { return EventBody(session::Noted{text, true}); };
+    open({.title = presentation.isEmpty() ? tr("Flag the last presentation") : tr("Flag presentation %1").arg(presentation),
+          .explanation = tr("It stays in the analysis and is marked to be looked at. A few words may say why; none are needed."),
+          .caption = tr("What happened"),
+          .action = tr("Flag it (Enter)"),
+          .hintWhenEmpty = {},
+          .empty = Empty::IsFine});
 }
 
-Reason voidReason(const QString& presentation)
+void ReasonPanel::askWhyVoid(const QString& presentation)
 {
-    return {presentation.isEmpty() ? tr("Void the last presentation") : tr("Void presentation %1").arg(presentation),
-            tr("Its answers are kept but not analysed, and it is presented once more at the end of this part. "
-               "Why was it invalid?"),
-            tr("Reason"), tr("Void it (Enter)"), true,
-            [](const std::string& text) { return session::EventBody(session::Voided{text}); }};
+    m_event = [](const std::string& text) { return EventBody(session::Voided{text}); };
+    open({.title = presentation.isEmpty() ? tr("Void the last presentation") : tr("Void presentation %1").arg(presentation),
+          .explanation = tr("Its answers are kept but not analysed, and it is presented once more at the end of this block, "
+                            "under another code. Why was it invalid?"),
+          .caption = tr("Reason"),
+          .action = tr("Void it (Enter)"),
+          .hintWhenEmpty = tr("Write a few words. Enter once more goes on without a reason; Esc goes back.")});
 }
 
-Reason withdrawReason()
+void ReasonPanel::askWhyWithdrawn()
 {
-    return {tr("The participant withdraws"),
-            tr("This ends the session for good. Answers until now are kept. What is the reason, as far as it was given?"),
-            tr("Reason"), tr("End the session (Enter)"), true,
-            [](const std::string& text) { return session::EventBody(session::WithdrawnEvent{text}); }};
-}
-
-ReasonPanel::ReasonPanel(QWidget* parent)
-    : StagePage(parent),
-      m_title(label("panelTitle", Type::Title, this, Weight::Bold)),
-      m_explanation(label("panelExplanation", Type::Lead, this)),
-      m_text(field("reasonField", tr("Reason"), this)),
-      m_action(mainButton("panelConfirmButton", tr("Store (Enter)"), this)),
-      m_back(button("panelBackButton", tr("Back (Esc)"), this))
-{
-    setType(*m_text, Type::Lead);
-    auto* actions = new QHBoxLayout;
-    actions->setSpacing(14);
-    actions->addWidget(m_action);
-    actions->addWidget(m_back);
-    actions->addStretch(1);
-    auto* column = new QVBoxLayout(this);
-    column->setSpacing(18);
-    column->addWidget(m_title);
-    column->addWidget(m_explanation);
-    column->addWidget(m_text);
-    column->addLayout(actions);
-    column->addStretch(1);
-    connect(m_action, &QPushButton::clicked, this, &ReasonPanel::confirm);
-    connect(m_back, &QPushButton::clicked, this, &ReasonPanel::closeAsked);
-}
-
-void ReasonPanel::ask(const Reason& reason)
-{
-    m_reason = reason;
-    m_isAskedAgain = false;
-    m_title->setText(reason.title);
-    m_explanation->setText(reason.explanation);
-    m_text->clear();
-    m_text->setAccessibleName(reason.fieldName);
-    setButtonText(*m_action, reason.action);
-}
-
-void ReasonPanel::confirm()
-{
-    const bool isEmpty = m_text->text().trimmed().isEmpty();
-    if (!isEmpty || (m_reason.mayBeEmpty && m_isAskedAgain)) {
-        Q_EMIT eventAsked(m_reason.event(isEmpty ? std::string() : m_text->text().toStdString()));
-        return;
-    }
-    m_isAskedAgain = true;
-    m_text->setFocus();
-    Q_EMIT hinted(m_reason.mayBeEmpty ? tr("Write a few words. Enter once more goes on without a reason; Esc goes back.")
-                                      : tr("Write a few words first; Esc goes back without storing anything."));
-}
-
-bool ReasonPanel::pressKey(int key)
-{
-    if (isEnter(key))
-        confirm();
-    else if (key == Qt::Key_Escape)
-        Q_EMIT closeAsked();
-    else
-        return false;
-    return true;
-}
-
-QWidget& ReasonPanel::firstFocus()
-{
-    return *m_text;
+    m_event = [](const std::string& text) { return EventBody(session::WithdrawnEvent{text}); };
+    open({.title = tr("The participant withdraws"),
+          .explanation = tr("This ends the session for good. Answers until now are kept, and the place becomes free for somebody "
+                            "else. What is the reason, as far as it was given?"),
+          .caption = tr("Reason"),
+          .action = tr("End the session (Enter)"),
+          .hintWhenEmpty = tr("Nobody has to give a reason. Enter once more ends the session; Esc goes back.")});
 }
 
 }  // namespace study::app

@@ -1,54 +1,27 @@
-// One line to write, in place of the stage page: a note, the reason to void a presentation, the reason of a
-// withdrawal. Enter does it, Esc goes back.
+// One line to write: a note, a flag, the reason to void a presentation, the reason of a withdrawal.
 #pragma once
 
-#include "study/app/stage_page.h"
-
-class QLabel;
-class QLineEdit;
-class QPushButton;
+#include "study/app/panel.h"
 
 namespace study::app {
 
-/// What a panel asks for and what becomes of it.
-struct Reason {
-    QString title;
-    QString explanation;
-    QString fieldName;
-    QString action;
-    bool mayBeEmpty = true;  ///< a second Enter goes without a reason; nobody is forced to give one
-    std::function<session::EventBody(const std::string& text)> event;
-};
-Reason noteReason();
-/// `presentation`: the code of the one that is meant; empty: the one before the present tray.
-Reason voidReason(const QString& presentation);
-Reason withdrawReason();
-
-class ReasonPanel : public StagePage {
+class ReasonPanel : public Panel {
     Q_OBJECT
 public:
-    explicit ReasonPanel(QWidget* parent);
+    explicit ReasonPanel(QWidget* parent) : Panel(parent) {}
 
-    /// Opens empty.
-    void ask(const Reason& reason);
+    void askForNote();
+    /// Marks a presentation to be looked at; words are welcome but not needed. `presentation` as below.
+    void askForFlag(const QString& presentation);
+    /// `presentation`: the code of the one that is meant; empty: the one before the present tray.
+    void askWhyVoid(const QString& presentation);
+    void askWhyWithdrawn();
 
-    void present(const session::View&) override {}
-    bool pressKey(int key) override;
-    QWidget& firstFocus() override;
-
-Q_SIGNALS:
-    void closeAsked();
+protected:
+    session::EventBody eventFor(const std::string& reason) override { return m_event(reason); }
 
 private:
-    void confirm();
-
-    Reason m_reason;
-    bool m_isAskedAgain = false;
-    QLabel* m_title;
-    QLabel* m_explanation;
-    QLineEdit* m_text;
-    QPushButton* m_action;
-    QPushButton* m_back;
+    std::function<session::EventBody(const std::string&)> m_event;
 };
 
 }  // namespace study::app

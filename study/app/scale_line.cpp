@@ -13,9 +13,19 @@ namespace study::app {
 
 using protocols::Tenths;
 
+namespace {
+
+/// Where steps have words of their own, they are what the line is divided by.
+int sectionsOf(const protocols::Scale& scale)
+{
+    return scale.labels.size() > 1 ? static_cast<int>(scale.labels.size()) - 1 : scale.sections;
+}
+
+}  // namespace
+
 ScaleLine::ScaleLine(Use use, QWidget* parent) : QWidget(parent), m_use(use)
 {
-    setType(*this, Type::Lead);
+    setType(*this, use == Use::Show ? Type::Words : Type::Lead);
     setFocusPolicy(use == Use::Pick ? Qt::StrongFocus : Qt::NoFocus);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     if (use == Use::Pick)
@@ -32,6 +42,8 @@ void ScaleLine::setScale(const protocols::Scale& scale)
 
 void ScaleLine::setRating(std::optional<Tenths> rating)
 {
+    if (rating == m_rating)
+        return;
     m_rating = rating;
     describe();
     update();
@@ -77,9 +89,10 @@ void ScaleLine::paintEvent(QPaintEvent*)
     const double thick = std::max(2.0, fontMetrics().height() / 12.0);
     painter.setPen(QPen(palette().color(QPalette::WindowText), thick, Qt::SolidLine, Qt::RoundCap));
     painter.drawLine(QPointF(where.left(), where.center().y()), QPointF(where.right(), where.center().y()));
-    for (int border = 0; border <= m_scale.sections; ++border) {
-        const double x = where.left() + where.width() * border / m_scale.sections;
-        const bool isEnd = border == 0 || border == m_scale.sections;
+    const int sections = sectionsOf(m_scale);
+    for (int border = 0; border <= sections; ++border) {
+        const double x = where.left() + where.width() * border / sections;
+        const bool isEnd = border == 0 || border == sections;
         const double half = where.height() * (isEnd ? 0.5 : 0.3);
         painter.drawLine(QPointF(x, where.center().y() - half), QPointF(x, where.center().y() + half));
     }

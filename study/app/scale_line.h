@@ -1,6 +1,6 @@
 // The line of the Haptic Analog Scale that the participant memorises: equal sections between its two ends, no
-// numbers but theirs. To look at while the scale is learned; to click, or move by the arrow keys, while
-// a rating is entered.
+// numbers but theirs. To look at while the scale is learned, perhaps with a mark to put a number to; to click,
+// or move by the arrow keys, while a rating is entered.
 #pragma once
 
 #include "protocols/protocol.h"
@@ -18,6 +18,7 @@ public:
     ScaleLine(Use use, QWidget* parent);
 
     void setScale(const protocols::Scale& scale);
+    /// Marks it, without a number.
     void setRating(std::optional<protocols::Tenths> rating);
     std::optional<protocols::Tenths> rating() const { return m_rating; }
     /// Where a rating lies on the widget; for tests that click.

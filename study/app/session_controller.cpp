@@ -1,15 +1,37 @@
 #include "study/app/session_controller.h"
 
 #include "protocols/errors.h"
-#include "study/app/rating_text.h"
-#include "study/app/stage_page.h"
 
 #include <algorithm>
 
 namespace study::app {
 
-using session::Response;
 using session::StoredAnswer;
+
+namespace {
+
+/// Of what leaves no other trace on the page.
+QString confirmationOf(const session::EventBody& event)
+{
+    const auto* noted = std::get_if<session::Noted>(&event);
+    if (noted)
+        return noted->isFlag ? SessionController::tr("Flagged.") : SessionController::tr("The note is stored.");
+    if (std::holds_alternative<session::Corrected>(event))
+        return SessionController::tr("Corrected. The old answer stays in the record.");
+    if (std::holds_alternative<session::Voided>(event))
+        return SessionController::tr("Void. It is presented once more, under another code.");
+    return {};
+}
+
+QString withNextStep(const QString& trouble, bool isPaused)
+{
+    return isPaused ? SessionController::tr("%1. The session is paused and no answer is lost; when this is mended, press Enter "
+                                            "to go on.")
+                          .arg(trouble)
+                    : SessionController::tr("%1. This was not stored; when it is mended, do it again.").arg(trouble);
+}
+
+}  // namespace
 
 SessionController::SessionController(database::StudyStore& store, const protocols::ParticipantId& participant,
                                      rendering::StimulusBank& bank, std::unique_ptr<rendering::HapticDisplay> display,
@@ -20,6 +42,7 @@ SessionController::SessionController(database::StudyStore& store, const protocol
       m_driver(store, participant, kind, bank, *m_display, *m_clock),
       m_view(m_driver.view())
 {
+    m_display->onTouched([this] { displayTouched(); });
 }
 
 void SessionController::send(const session::EventBody& event)
@@ -35,29 +58,45 @@ void SessionController::send(const session::EventBody& event)
     }
     m_view = m_driver.view();
     Q_EMIT viewChanged();
+    tellWhatCame(trouble);
+}
+
+void SessionController::tellWhatCame(const QString& trouble)
+{
+    const auto& event = m_lastOutcome->event;
     if (m_lastOutcome->refusal)
         Q_EMIT told(QString::fromStdString(m_lastOutcome->refusal->reason), Tone::Refusal);
     else if (m_lastOutcome->fault)
-        Q_EMIT told(trouble, Tone::Fault);
+        Q_EMIT told(withNextStep(trouble, m_view.state.paused), Tone::Fault);
+    else if (const QString done = confirmationOf(event); !done.isEmpty())
+        Q_EMIT told(done, Tone::Done);
+}
+
+void SessionController::displayTouched()
+{
+    const auto* presenting = std::get_if<session::Presenting>(&m_view.state.stage);
+    if (presenting && !presenting->touchedAtNs)
+        send(session::Touched{session::TouchSource::Display});
+}
+
+const protocols::Question& SessionController::questionOf(const StoredAnswer& answer) const
+{
+    const auto& trial = plan().trials.at(static_cast<std::size_t>(answer.index));
+    return plan().protocol.phases.at(static_cast<std::size_t>(trial.phase)).questions.at(static_cast<std::size_t>(answer.question));
 }
 
 Correctable SessionController::correctableOf(const StoredAnswer& answer) const
 {
     const auto& trial = plan().trials.at(static_cast<std::size_t>(answer.index));
     const auto& phase = plan().protocol.phases.at(static_cast<std::size_t>(trial.phase));
-    Correctable found{phase.questions.at(static_cast<std::size_t>(answer.question)).id, {}, {}, phase.scale};
-    if (const auto* rating = std::get_if<protocols::Tenths>(&answer.response)) {
-        found.current = textOf(*rating);
-        return found;
-    }
-    for (std::size_t place = 0; place < trial.alternatives.size(); ++place) {
-        const protocols::FabricId& fabric = trial.alternatives[place];
+    std::vector<std::string> pieces;
+    for (const protocols::FabricId& fabric : trial.alternatives) {
         const auto named = plan().fabricNames.find(fabric);
-        const std::string& fabricName = named == plan().fabricNames.end() ? fabric.value : named->second;
-        found.choices.push_back({fabric, QStringLiteral("%1    %2").arg(slotLetter(place), QString::fromStdString(fabricName))});
-        if (std::get<protocols::FabricId>(answer.response) == fabric)
-            found.current = found.choices.back().name;
+        pieces.push_back(named == plan().fabricNames.end() ? fabric.value : named->second);
     }
+    const auto& question = questionOf(answer);
+    Correctable found{question.id, {}, formOf(answerKindOf(phase, question), trial.alternatives, pieces, phase.scale)};
+    found.current = textOf(found.form, answer.response);
     return found;
 }
 
@@ -66,26 +105,48 @@ std::vector<Correctable> SessionController::correctables() const
     std::vector<Correctable> latest;
     const auto& answers = m_view.state.answers;
     for (auto answer = answers.rbegin(); answer != answers.rend(); ++answer) {
-        Correctable one = correctableOf(*answer);
+        const protocols::QuestionId& question = questionOf(*answer).id;
         const bool isKnown = std::any_of(latest.begin(), latest.end(),
-                                         [&](const Correctable& other) { return other.question == one.question; });
+                                         [&](const Correctable& other) { return other.question == question; });
         if (!isKnown)
-            latest.push_back(std::move(one));
+            latest.push_back(correctableOf(*answer));
     }
     return latest;
 }
 
+bool SessionController::canCorrect() const
+{
+    return !m_view.state.answers.empty() && !std::holds_alternative<session::Withdrawn>(m_view.state.stage);
+}
+
+QString strokeText(const SessionFacts& facts)
+{
+    if (facts.strokeWords.isEmpty())
+        return {};
+    return SessionController::tr("Say, where it is needed: “%1”").arg(facts.strokeWords);
+}
+
 SessionFacts SessionController::facts() const
 {
-    SessionFacts known{QString::fromStdString(m_view.participant), {}, {}};
-    for (const std::string& item : plan().protocol.checklist)
-        known.checklist.push_back(QString::fromStdString(item));
-    for (const auto& phase : plan().protocol.phases)
-        if (phase.scale) {
-            known.scale = *phase.scale;
-            break;
-        }
-    return known;
+    const auto listOf = [](const std::vector<std::string>& texts) {
+        QStringList list;
+        for (const std::string& text : texts)
+            list << QString::fromStdString(text);
+        return list;
+    };
+    const protocols::Protocol& protocol = plan().protocol;
+    const auto rated = std::find_if(protocol.phases.begin(), protocol.phases.end(),
+                                    [](const protocols::Phase& phase) { return phase.scale.has_value(); });
+    return {.participant = QString::fromStdString(m_view.participant),
+            .consent = QString::fromStdString(protocol.consent),
+            .facts = listOf(protocol.facts),
+            .checklist = listOf(protocol.checklist),
+            .readings = listOf(protocol.readings),
+            .strokeWords = QString::fromStdString(protocol.strokeWords),
+            .scale = rated == protocol.phases.end() ? std::nullopt : rated->scale,
+            .sittingMinutes = protocol.sittingMinutes,
+            .secondEntry = protocol.secondEntry,
+            .displayReportsTouches = m_display->reportsTouches()};
 }
 
 }  // namespace study::app

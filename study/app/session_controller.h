@@ -3,7 +3,9 @@
 // that carries file codes.
 #pragma once
 
+#include "study/app/answer_form.h"
 #include "study/app/app_options.h"
+#include "study/app/session_facts.h"
 #include "study/session/driver.h"
 
 #include <QObject>
@@ -17,21 +19,9 @@ namespace study::app {
 
 /// A stored answer that can still be corrected, as the correction panel shows it: the latest to its question.
 struct Correctable {
-    struct Choice {
-        protocols::FabricId fabric;
-        QString name;  ///< "A  Denim"
-    };
     protocols::QuestionId question;
-    QString current;                        ///< "B  Denim" or "5.5"
-    std::vector<Choice> choices;            ///< of that presentation's tray; empty for ratings
-    std::optional<protocols::Scale> scale;  ///< of ratings
-};
-
-/// What stays the same during a session and is shown at its start.
-struct SessionFacts {
-    QString participant;
-    QStringList checklist;
-    protocols::Scale scale;  ///< of the first rating question
+    QString current;  ///< "B    Piece 427", "5.5"
+    AnswerForm form;  ///< of that presentation
 };
 
 /// What came of one event.
@@ -41,7 +31,7 @@ struct Outcome {
     std::exception_ptr fault;  ///< a protocols::Error thrown by disk or display
 };
 
-enum class Tone { Hint, Refusal, Fault };
+enum class Tone { Done, Hint, Refusal, Fault };
 
 class SessionController : public QObject {
     Q_OBJECT
@@ -53,10 +43,14 @@ public:
 
     /// Never throws: refusals and faults are signalled, and kept in lastOutcome().
     void send(const session::EventBody& event);
+    /// The display was touched: stamps the first touch where one is awaited, else nothing.
+    void displayTouched();
 
     const session::View& view() const { return m_view; }
     const session::Plan& plan() const { return m_driver.plan(); }
+    /// The last answer first.
     std::vector<Correctable> correctables() const;
+    bool canCorrect() const;
     SessionFacts facts() const;
 
     /// Empty before the first event.
@@ -68,7 +62,9 @@ Q_SIGNALS:
     void told(const QString& text, study::app::Tone tone);
 
 private:
+    const protocols::Question& questionOf(const session::StoredAnswer& answer) const;
     Correctable correctableOf(const session::StoredAnswer& answer) const;
+    void tellWhatCame(const QString& trouble);
 
     std::unique_ptr<rendering::HapticDisplay> m_display;
     std::shared_ptr<session::Clock> m_clock;

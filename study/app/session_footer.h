@@ -5,6 +5,8 @@
 
 #include <QFrame>
 
+#include <vector>
+
 class QLabel;
 class QPushButton;
 
@@ -17,6 +19,9 @@ public:
 
     /// `canCorrect`: there is an answer that can be corrected.
     void present(const session::View& view, bool canCorrect);
+    bool canCorrect() const { return m_canCorrect; }
+    /// Where letters are text, the keys are pressed with Alt, and the buttons say so.
+    void setWriting(bool isWriting);
     /// While a panel is open nothing else is begun.
     void setPanelOpen(bool open);
 
@@ -26,26 +31,38 @@ public:
 Q_SIGNALS:
     void correctionAsked();
     void noteAsked();
+    void flagAsked();
     void voidAsked();
     void pauseAsked();
     void withdrawAsked();
     void leaveAsked();
 
 private:
+    struct Key {
+        int key = 0;
+        QString name;  ///< "L"
+        QPushButton* button = nullptr;
+        QString text;  ///< of the button, without the key
+    };
+    QPushButton* add(const char* objectName, const QString& text, int key, const QString& keyName);
     void enable();
 
+    std::vector<Key> m_keys;
     QLabel* m_lastAnswer;
     QPushButton* m_correct;
     QPushButton* m_note;
+    QPushButton* m_flag;
     QPushButton* m_void;
     QPushButton* m_pause;
-    QPushButton* m_withdraw;
     QPushButton* m_leave;
+    QPushButton* m_withdraw;
     bool m_canCorrect = false;
-    bool m_isTrialOn = false;
+    bool m_canFlag = false;
+    bool m_canVoid = false;
     bool m_isPaused = false;
     bool m_isOver = false;
     bool m_isPanelOpen = false;
+    bool m_isWriting = false;
 };
 
 }  // namespace study::app

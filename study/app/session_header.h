@@ -1,4 +1,4 @@
-// The line above every page of a session: who, which part, how far, how long still, when the next break is.
+// The line above every page of a session: who, which part, how far, how long still and already, when the next break is.
 #pragma once
 
 #include "study/app/session_controller.h"
@@ -15,14 +15,17 @@ class SessionHeader : public QFrame {
 public:
     explicit SessionHeader(QWidget* parent);
 
+    void begin(const SessionFacts& facts) { m_sittingMinutes = facts.sittingMinutes; }
     void present(const session::View& view);
 
 private:
+    int m_sittingMinutes = 60;
     QLabel* m_participant;
     QLabel* m_part;
     QLabel* m_presentations;
     QLabel* m_answers;
     QLabel* m_timeLeft;
+    QLabel* m_sitting;
     QLabel* m_nextBreak;
     QProgressBar* m_bar;
 };

@@ -1,24 +1,60 @@
 #include "study/app/session_page.h"
 
-#include "study/app/choice_page.h"
+#include "study/app/checklist_page.h"
 #include "study/app/correction_panel.h"
+#include "study/app/debriefing_page.h"
+#include "study/app/facts_page.h"
+#include "study/app/familiarisation_page.h"
 #include "study/app/guide_page.h"
 #include "study/app/pieces.h"
-#include "study/app/rating_page.h"
+#include "study/app/question_page.h"
 #include "study/app/reason_panel.h"
+#include "study/app/scale_training_page.h"
 #include "study/app/session_footer.h"
 #include "study/app/session_header.h"
-#include "study/app/stage_guides.h"
 #include "study/app/tray_page.h"
 
+#include <QApplication>
 #include <QKeyEvent>
 #include <QScrollBar>
+#include <QShortcut>
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
 #include <algorithm>
 
 namespace study::app {
+
+using namespace session;
+
+struct SessionPage::PageOfStage {
+    const SessionPage& session;
+
+    template <class GuidedStage>
+    StagePage& operator()(const GuidedStage&) const
+    {
+        return *session.m_guide;
+    }
+    StagePage& operator()(const AskingFacts&) const { return *session.m_aboutParticipant; }
+    StagePage& operator()(const Familiarising&) const { return *session.m_familiarisation; }
+    StagePage& operator()(const ScaleTraining&) const { return *session.m_scaleTraining; }
+    StagePage& operator()(const CheckingList&) const { return *session.m_checklist; }
+    StagePage& operator()(const PlacingTray&) const { return *session.m_tray; }
+    StagePage& operator()(const Presenting&) const { return *session.m_question; }
+    StagePage& operator()(const Debriefing&) const { return *session.m_debriefing; }
+};
+
+namespace {
+
+/// Where one types must be in sight, whatever the size of the text.
+void letEntryBeSeen(QScrollArea& area)
+{
+    QWidget* focus = QApplication::focusWidget();
+    if (focus && focus->testAttribute(Qt::WA_InputMethodEnabled) && area.isAncestorOf(focus))
+        area.ensureWidgetVisible(focus, 0, 28);
+}
+
+}  // namespace
 
 SessionPage::SessionPage(QWidget* parent)
     : QWidget(parent),
@@ -27,9 +63,13 @@ SessionPage::SessionPage(QWidget* parent)
       m_message(new MessageBar("sessionMessage", this)),
       m_footer(new SessionFooter(this)),
       m_guide(new GuidePage(this)),
+      m_aboutParticipant(new FactsPage(this)),
+      m_familiarisation(new FamiliarisationPage(this)),
+      m_scaleTraining(new ScaleTrainingPage(this)),
+      m_checklist(new ChecklistPage(this)),
       m_tray(new TrayPage(this)),
-      m_choice(new ChoicePage(this)),
-      m_rating(new RatingPage(this)),
+      m_question(new QuestionPage(this)),
+      m_debriefing(new DebriefingPage(this)),
       m_correction(new CorrectionPanel(this)),
       m_reason(new ReasonPanel(this))
 {
@@ -37,9 +77,13 @@ SessionPage::SessionPage(QWidget* parent)
     setFocusPolicy(Qt::ClickFocus);
     m_stages->setObjectName("stages");
     addPage(m_guide, "guideArea");
+    addPage(m_aboutParticipant, "factsArea");
+    addPage(m_familiarisation, "familiarisationArea");
+    addPage(m_scaleTraining, "scaleTrainingArea");
+    addPage(m_checklist, "checklistArea");
     addPage(m_tray, "trayArea");
-    addPage(m_choice, "choiceArea");
-    addPage(m_rating, "ratingArea");
+    addPage(m_question, "questionArea");
+    addPage(m_debriefing, "debriefingArea");
     addPage(m_correction, "correctionArea");
     addPage(m_reason, "reasonArea");
     auto* messageRow = new QVBoxLayout;
@@ -53,82 +97,111 @@ SessionPage::SessionPage(QWidget* parent)
     column->addLayout(messageRow);
     column->addWidget(m_footer);
     connect(m_guide, &GuidePage::leaveAsked, this, &SessionPage::leaveAsked);
+    connect(m_guide, &GuidePage::preparationDeclined, this, &SessionPage::goOnUnprepared);
     joinPanels();
+    bindKeysWhileWriting();
 }
 
 void SessionPage::addPage(StagePage* page, const char* areaName)
 {
-    m_stages->addWidget(scrolling(areaName, page, m_stages));
+    m_all.push_back(page);
+    QScrollArea* area = scrolling(areaName, page, m_stages);
+    m_stages->addWidget(area);
+    connect(area->verticalScrollBar(), &QScrollBar::rangeChanged, area, [area] { letEntryBeSeen(*area); });
     connect(page, &StagePage::eventAsked, this, &SessionPage::eventAsked);
     connect(page, &StagePage::hinted, this, [this](const QString& text) { tell(text, Tone::Hint); });
 }
 
 void SessionPage::joinPanels()
 {
-    connect(m_correction, &CorrectionPanel::closeAsked, this, &SessionPage::closePanel);
-    connect(m_reason, &ReasonPanel::closeAsked, this, &SessionPage::closePanel);
-    connect(m_footer, &SessionFooter::correctionAsked, this, [this] {
-        m_correction->ask(m_correctables);
-        openPanel(*m_correction);
-    });
-    const auto askFor = [this](const Reason& reason) {
-        m_reason->ask(reason);
-        openPanel(*m_reason);
+    connect(m_correction, &Panel::closeAsked, this, &SessionPage::closePanel);
+    connect(m_reason, &Panel::closeAsked, this, &SessionPage::closePanel);
+    const auto onAsking = [this](auto asked, auto ask) {
+        connect(m_footer, asked, this, [this, ask] {
+            ask();
+            openPanel(*m_reason);
+        });
     };
-    connect(m_footer, &SessionFooter::noteAsked, this, [askFor] { askFor(noteReason()); });
-    connect(m_footer, &SessionFooter::voidAsked, this,
-            [this, askFor] { askFor(voidReason(codeThatAVoidIsAbout())); });
-    connect(m_footer, &SessionFooter::withdrawAsked, this, [askFor] { askFor(withdrawReason()); });
-    connect(m_footer, &SessionFooter::pauseAsked, this, [this] { Q_EMIT eventAsked(session::Paused{}); });
+    onAsking(&SessionFooter::noteAsked, [this] { m_reason->askForNote(); });
+    onAsking(&SessionFooter::flagAsked, [this] { m_reason->askForFlag(codeMeant()); });
+    onAsking(&SessionFooter::voidAsked, [this] { m_reason->askWhyVoid(codeMeant()); });
+    onAsking(&SessionFooter::withdrawAsked, [this] { m_reason->askWhyWithdrawn(); });
+    connect(m_footer, &SessionFooter::correctionAsked, this, &SessionPage::correctionAsked);
+    connect(m_footer, &SessionFooter::pauseAsked, this, [this] { Q_EMIT eventAsked(Paused{}); });
     connect(m_footer, &SessionFooter::leaveAsked, this, &SessionPage::leaveAsked);
 }
 
-QString SessionPage::codeThatAVoidIsAbout() const
+void SessionPage::bindKeysWhileWriting()
 {
-    const auto* tray = std::get_if<session::PlacingTray>(&m_view.state.stage);
+    // In a field of text the letters are text; with Alt they are the keys that they are elsewhere.
+    for (const int key : {Qt::Key_T, Qt::Key_L, Qt::Key_N, Qt::Key_F, Qt::Key_V, Qt::Key_P, Qt::Key_W, Qt::Key_Q, Qt::Key_G}) {
+        auto* shortcut = new QShortcut(QKeySequence(Qt::ALT | key), this);
+        shortcut->setContext(Qt::WidgetWithChildrenShortcut);
+        shortcut->setAutoRepeat(false);
+        connect(shortcut, &QShortcut::activated, this, [this, key] {
+            if (!m_footer->pressKey(key))
+                pageInFront().pressKey(key);
+        });
+    }
+}
+
+QString SessionPage::codeMeant() const
+{
+    const auto* tray = std::get_if<PlacingTray>(&m_view.state.stage);
     const auto& answers = m_view.state.answers;
-    const bool isUnbegun = tray && std::none_of(answers.begin(), answers.end(),
-                                                [&](const auto& answer) { return answer.index == tray->index; });
+    const bool isUnbegun =
+        tray && std::none_of(answers.begin(), answers.end(), [&](const auto& answer) { return answer.index == tray->index; });
     return isUnbegun ? QString() : QString::fromStdString(m_view.code.value);
 }
 
 void SessionPage::begin(const SessionFacts& facts)
 {
     closePanel();
+    m_facts = facts;
     m_view = {};
-    m_tray->setPlaced({});
-    m_guide->setChecklist(facts.checklist);
-    m_guide->setScale(facts.scale);
+    m_isPreparationDeclined = false;
+    m_message->clearMessage();
+    m_header->begin(facts);
+    for (StagePage* page : m_all)
+        page->begin(facts);
 }
 
-void SessionPage::present(const session::View& view, const std::vector<Correctable>& correctables)
+bool SessionPage::offersPreparation() const
+{
+    const Stage& stage = m_view.state.stage;
+    const bool isBetweenPresentations = std::holds_alternative<PlacingTray>(stage) || std::holds_alternative<OnBreak>(stage);
+    const bool hasSomething = m_facts.scale || !m_facts.checklist.isEmpty() || !m_facts.readings.isEmpty();
+    return isBetweenPresentations && hasSomething && !m_view.sittingIsPrepared && !m_isPreparationDeclined;
+}
+
+void SessionPage::present(const View& view, bool canCorrect)
 {
     m_view = view;
-    m_correctables = correctables;
     m_header->present(view);
-    m_footer->present(view, !correctables.empty());
-    rememberTray(view);
+    m_footer->present(view, canCorrect);
+    m_guide->offerPreparation(offersPreparation());
+    if (std::holds_alternative<Presenting>(view.state.stage))
+        m_tray->setPlaced(view.trayIds);
     StagePage& page = pageOf(view);
     page.present(view);
     if (!m_panel)
         bringForward(page);
 }
 
-void SessionPage::rememberTray(const session::View& view)
+void SessionPage::goOnUnprepared()
 {
-    if (std::holds_alternative<session::Presenting>(view.state.stage))
-        m_tray->setPlaced(view.trayIds);
+    m_isPreparationDeclined = true;
+    if (m_view.state.paused)
+        Q_EMIT eventAsked(Resumed{});
+    else
+        present(View(m_view), m_footer->canCorrect());
 }
 
-StagePage& SessionPage::pageOf(const session::View& view) const
+StagePage& SessionPage::pageOf(const View& view) const
 {
-    if (guideFor(view))
+    if (view.state.paused || offersPreparation())
         return *m_guide;
-    if (std::holds_alternative<session::PlacingTray>(view.state.stage))
-        return *m_tray;
-    if (view.scale)
-        return *m_rating;
-    return *m_choice;
+    return std::visit(PageOfStage{*this}, view.state.stage);
 }
 
 StagePage& SessionPage::pageInFront() const
@@ -144,8 +217,16 @@ void SessionPage::bringForward(StagePage& page)
             continue;
         m_stages->setCurrentIndex(place);
         page.firstFocus().setFocus();
-        area->verticalScrollBar()->setValue(0);  // a page is read from its top, wherever the focus is
+        area->verticalScrollBar()->setValue(0);  // a page is read from its top
+        letEntryBeSeen(*area);
     }
+    m_footer->setWriting(!m_panel && page.isForWriting());
+}
+
+void SessionPage::openCorrection(const std::vector<Correctable>& answers)
+{
+    m_correction->ask(answers);
+    openPanel(*m_correction);
 }
 
 void SessionPage::openPanel(StagePage& panel)
@@ -175,10 +256,12 @@ void SessionPage::settle()
 
 void SessionPage::tell(const QString& text, Tone tone)
 {
-    if (tone == Tone::Fault)
-        m_message->tellFault(text);
-    else
-        m_message->tellHint(text);
+    switch (tone) {
+    case Tone::Done: m_message->tellDone(text); break;
+    case Tone::Hint:
+    case Tone::Refusal: m_message->tellHint(text); break;
+    case Tone::Fault: m_message->tellFault(text); break;
+    }
 }
 
 bool SessionPage::pressKey(int key)

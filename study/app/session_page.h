@@ -11,12 +11,16 @@ class QStackedWidget;
 
 namespace study::app {
 
-class ChoicePage;
+class ChecklistPage;
 class CorrectionPanel;
+class DebriefingPage;
+class FactsPage;
+class FamiliarisationPage;
 class GuidePage;
 class MessageBar;
-class RatingPage;
+class QuestionPage;
 class ReasonPanel;
+class ScaleTrainingPage;
 class SessionFooter;
 class SessionHeader;
 class StagePage;
@@ -29,17 +33,23 @@ public:
 
     /// A session starts or goes on in this window: nothing is known of the tray, no box is ticked.
     void begin(const SessionFacts& facts);
-    void present(const session::View& view, const std::vector<Correctable>& correctables);
+    void present(const session::View& view, bool canCorrect);
+    /// The panel to correct one of these, the last one first; at least one.
+    void openCorrection(const std::vector<Correctable>& answers);
     /// An event was accepted: messages and panels go.
     void settle();
     void tell(const QString& text, Tone tone);
     const session::View& shows() const { return m_view; }
+
+    /// A later sitting has begun, and its refresher and checklist are offered now.
+    bool offersPreparation() const;
 
     /// A key that no control took; true where something came of it.
     bool pressKey(int key);
 
 Q_SIGNALS:
     void eventAsked(const study::session::EventBody& event);
+    void correctionAsked();
     /// The session shall be left, after a pause where it still runs.
     void leaveAsked();
 
@@ -47,21 +57,24 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
+    struct PageOfStage;
     void addPage(StagePage* page, const char* areaName);
     void joinPanels();
+    void bindKeysWhileWriting();
     StagePage& pageOf(const session::View& view) const;
     StagePage& pageInFront() const;
     void bringForward(StagePage& page);
     void openPanel(StagePage& panel);
     void closePanel();
-    void rememberTray(const session::View& view);
-    /// Empty where it is about the presentation before the tray that is being laid.
-    QString codeThatAVoidIsAbout() const;
+    void goOnUnprepared();
+    /// Of the presentation that a void or flag is about; empty: the one before the tray that is being laid.
+    QString codeMeant() const;
     bool pressFocusedButton() const;
     bool scrollBy(int key);
 
+    SessionFacts m_facts;
     session::View m_view;
-    std::vector<Correctable> m_correctables;
+    bool m_isPreparationDeclined = false;
     StagePage* m_panel = nullptr;  ///< the open one
 
     SessionHeader* m_header;
@@ -69,11 +82,16 @@ private:
     MessageBar* m_message;
     SessionFooter* m_footer;
     GuidePage* m_guide;
+    FactsPage* m_aboutParticipant;
+    FamiliarisationPage* m_familiarisation;
+    ScaleTrainingPage* m_scaleTraining;
+    ChecklistPage* m_checklist;
     TrayPage* m_tray;
-    ChoicePage* m_choice;
-    RatingPage* m_rating;
+    QuestionPage* m_question;
+    DebriefingPage* m_debriefing;
     CorrectionPanel* m_correction;
     ReasonPanel* m_reason;
+    std::vector<StagePage*> m_all;
 };
 
 }  // namespace study::app

@@ -2,6 +2,8 @@
 
 #include <QCoreApplication>
 
+#include <cmath>
+
 namespace study::app {
 
 using namespace session;
@@ -16,51 +18,69 @@ QString tr(const char* text)
 Guide introduction()
 {
     return {.title = tr("Welcome the participant"),
-            .lead = tr("The participant does not wear the mask yet. Tick each point as it is done; what is still open comes "
-                       "again before the first presentation."),
-            .steps = {},
+            .lead = tr("The participant does not wear the mask yet."),
+            .steps = {tr("Give them the information sheet, and time to read it."),
+                      tr("Tell them what will happen: stroking the glass and fabrics, and saying what is felt, with breaks."),
+                      tr("Say: “You may stop at any time, without giving a reason.”")},
             .action = tr("Begin (Enter)"),
-            .event = Begun{},
-            .checklist = Checklist::Offered};
+            .event = Begun{}};
 }
 
-Guide familiarisation()
+Guide consent(const SessionFacts& facts)
 {
-    return {.title = tr("Getting to know the display"),
-            .lead = tr("Nothing is scored here. Take the time that the participant needs."),
-            .steps = {tr("Seat the participant so that the display and the tray are within reach of one hand."),
-                      tr("Let them stroke some fabrics on the table, and then the glass of the display, with the same "
-                         "finger, from left to right, calmly and evenly."),
-                      tr("Say: “Soon you will compare what you feel on the glass with the fabric on the tray. "
-                         "There is no right speed; take the time you need.”"),
-                      tr("Answer questions, then go on.")},
-            .action = tr("The participant is ready (Enter)"),
-            .event = FamiliarisationDone{}};
+    return {.title = tr("Consent"),
+            .lead = tr("You confirm: %1.").arg(facts.consent.endsWith(QLatin1Char('.')) ? facts.consent.chopped(1) : facts.consent),
+            .steps = {tr("If they do not agree, nothing is begun: press W.")},
+            .action = tr("The participant has agreed (Enter)"),
+            .event = Consented{}};
 }
 
-Guide scaleTraining()
+/// What every break is for, whatever brought it about.
+QStringList breakSteps()
 {
-    return {.title = tr("The scale, to be memorised"),
-            .lead = tr("Show this line to the participant. It has equal sections; only its two ends carry a number."),
-            .steps = {tr("Let them touch sandpaper, then silk. Say: “These two are unrelated. That is 0.”"),
-                      tr("Let them touch two pieces of the same fabric. Say: “These two are totally the same. That is 10.”"),
-                      tr("Let them point at a few places of the line and say the number, such as 2.5, 5 and 8.1."),
-                      tr("When they know the line by heart, they put on the mask.")},
-            .action = tr("The mask is on (Enter)"),
-            .event = ScaleTrainingDone{},
-            .showsScale = true,
-            .checklist = Checklist::Required};
+    return {tr("The participant may lift the mask, drink and move the hand."), tr("Clean the glass and the finger, and let both dry."),
+            tr("Before you go on, the mask is on again.")};
 }
 
-Guide onBreak(const View& view)
+QString breakTitle(const OnBreak& onBreak, const View& view)
 {
-    return {.title = tr("Break"),
-            .lead = tr("Done so far: %1 of %2 answers. The display is off.").arg(view.answersStored).arg(view.answersInAll),
-            .steps = {tr("The participant may lift the mask, drink and move the hand."),
-                      tr("Clean the glass and the finger, and let both dry."),
-                      tr("Before you go on, the mask is on again.")},
-            .action = tr("Go on (Enter)"),
-            .event = BreakEnded{}};
+    switch (onBreak.reason) {
+    case BreakReason::Block: return tr("Break");
+    case BreakReason::Phase: return tr("Break: now other questions");
+    case BreakReason::Time: return tr("Break: it has been a while");
+    case BreakReason::SittingOver:
+        return tr("This sitting has lasted %1 minutes").arg(std::lround(view.sittingMinutes));
+    }
+    return {};
+}
+
+QString breakLead(const OnBreak& onBreak, const View& view)
+{
+    const QString done = tr("Done so far: %1 of %2 answers. The display is off.").arg(view.answersStored).arg(view.answersInAll);
+    switch (onBreak.reason) {
+    case BreakReason::Block:
+    case BreakReason::Time: return done;
+    case BreakReason::Phase:
+        return tr("Next come the questions %1. Explain them before the mask is on. %2")
+            .arg(QString::fromStdString(view.phaseName), done);
+    case BreakReason::SittingOver:
+        return tr("A tired hand feels less. Stop here with Q and go on another day; everything is kept. %1").arg(done);
+    }
+    return done;
+}
+
+Guide breakGuide(const OnBreak& onBreak, const View& view)
+{
+    Guide guide{.title = breakTitle(onBreak, view),
+                .lead = breakLead(onBreak, view),
+                .steps = breakSteps(),
+                .action = tr("Go on (Enter)"),
+                .event = BreakEnded{}};
+    if (onBreak.reason == BreakReason::SittingOver) {
+        guide.action = tr("Go on all the same (Enter)");
+        guide.second = Guide::Second{tr("Stop here for today (Q)"), Qt::Key_Q, GuideAct::Leave};
+    }
+    return guide;
 }
 
 Guide paused()
@@ -73,41 +93,64 @@ Guide paused()
             .event = Resumed{}};
 }
 
+Guide laterSitting(const View& view)
+{
+    return {.title = tr("Welcome back"),
+            .lead = tr("A new sitting begins; %1 of %2 answers are stored. First the scale is shown once more and the checklist is "
+                       "gone through.")
+                        .arg(view.answersStored)
+                        .arg(view.answersInAll),
+            .steps = {tr("The participant does not wear the mask yet."),
+                      tr("After a short interruption, with everything still in place, you may go on without.")},
+            .action = tr("Prepare this sitting (Enter)"),
+            .event = SittingPrepared{},
+            .second = Guide::Second{tr("Go on without (G)"), Qt::Key_G, GuideAct::DeclinePreparation}};
+}
+
 Guide finished(const View& view)
 {
     return {.title = tr("The session is complete"),
             .lead = tr("All %1 answers are stored. Thank you, and thank the participant.").arg(view.answersStored),
-            .steps = {tr("The participant may take off the mask."), tr("Clean the glass and put the fabrics back in order.")},
+            .steps = {tr("Clean the glass and put the fabrics back in order.")},
             .action = tr("Back to the study (Enter)"),
-            .event = std::nullopt};
+            .event = {},
+            .act = GuideAct::Leave};
 }
 
 Guide withdrawn(const View& view)
 {
     return {.title = tr("The participant has withdrawn"),
-            .lead = tr("The session has ended. Answers stored until then: %1.").arg(view.answersStored),
+            .lead = tr("The session has ended. Answers stored until then: %1. The place is free for somebody else.")
+                        .arg(view.answersStored),
             .steps = {tr("Thank the participant for coming.")},
             .action = tr("Back to the study (Enter)"),
-            .event = std::nullopt};
+            .event = {},
+            .act = GuideAct::Leave};
 }
 
 struct GuideOfStage {
     const View& view;
+    const SessionFacts& facts;
+
+    template <class StageWithItsOwnPage>
+    std::optional<Guide> operator()(const StageWithItsOwnPage&) const
+    {
+        return std::nullopt;
+    }
     std::optional<Guide> operator()(const Enrolled&) const { return introduction(); }
-    std::optional<Guide> operator()(const Familiarising&) const { return familiarisation(); }
-    std::optional<Guide> operator()(const ScaleTraining&) const { return scaleTraining(); }
-    std::optional<Guide> operator()(const PlacingTray&) const { return std::nullopt; }
-    std::optional<Guide> operator()(const Presenting&) const { return std::nullopt; }
-    std::optional<Guide> operator()(const OnBreak&) const { return onBreak(view); }
+    std::optional<Guide> operator()(const Consenting&) const { return consent(facts); }
+    std::optional<Guide> operator()(const OnBreak& onBreak) const { return breakGuide(onBreak, view); }
     std::optional<Guide> operator()(const Finished&) const { return finished(view); }
     std::optional<Guide> operator()(const Withdrawn&) const { return withdrawn(view); }
 };
 
 }  // namespace
 
-std::optional<Guide> guideFor(const View& view)
+std::optional<Guide> guideFor(const View& view, const SessionFacts& facts, bool isPreparationDue)
 {
-    return view.state.paused ? std::optional(paused()) : std::visit(GuideOfStage{view}, view.state.stage);
+    if (isPreparationDue)
+        return laterSitting(view);
+    return view.state.paused ? std::optional(paused()) : std::visit(GuideOfStage{view, facts}, view.state.stage);
 }
 
 }  // namespace study::app

@@ -1,7 +1,8 @@
 // What the pages of a running session have in common: they are given a view, show it, and ask for events.
 #pragma once
 
-#include "study/app/session_controller.h"
+#include "study/app/session_facts.h"
+#include "study/session/driver.h"
 
 #include <QWidget>
 
@@ -12,7 +13,12 @@ class StagePage : public QWidget {
 public:
     using QWidget::QWidget;
 
+    /// A session starts or goes on in this window.
+    virtual void begin(const SessionFacts&) {}
+    /// Only of a stage that the page is for.
     virtual void present(const session::View& view) = 0;
+    /// Whether the hand writes text there, so that letters are no keys.
+    virtual bool isForWriting() const { return false; }
     /// A key without modifiers that no control took; true where the page acts on it.
     virtual bool pressKey(int key) = 0;
     /// The control where the hand starts.
@@ -20,7 +26,7 @@ public:
 
 Q_SIGNALS:
     void eventAsked(const study::session::EventBody& event);
-    /// Something to tell the operator without asking the engine.
+    /// Something to tell the operator without asking the engine; empty: what was told is settled.
     void hinted(const QString& text);
 };
 

@@ -156,8 +156,10 @@ void StudyPage::present(const StudyOverview& overview, database::ParticipantKind
     m_title->setText(overview.name);
     m_folder->setText(overview.folder);
     const int free = overview.placesIn(SlotState::Free);
-    m_summary->setText(tr("Finished %1  ·  under way %2  ·  free %3").arg(overview.placesIn(SlotState::Finished))
-                           .arg(overview.placesIn(SlotState::Started)).arg(free));
+    const int withdrawn = overview.placesIn(SlotState::Withdrawn);
+    const QString counts = tr("Finished %1  ·  under way %2  ·  free %3").arg(overview.placesIn(SlotState::Finished))
+                               .arg(overview.placesIn(SlotState::Started)).arg(free);
+    m_summary->setText(withdrawn > 0 ? tr("%1  ·  withdrawn %2").arg(counts).arg(withdrawn) : counts);
     m_participant->setText(free > 0 ? overview.nextParticipant : QString());
     m_participant->setEnabled(free > 0);
     m_enrol->setEnabled(free > 0);
@@ -191,7 +193,7 @@ QString StudyPage::stateText(const StudyOverview::Place& place) const
     case SlotState::Free: text = tr("free"); break;
     case SlotState::Started: text = tr("under way"); break;
     case SlotState::Finished: text = tr("finished"); break;
-    case SlotState::Withdrawn: text = tr("withdrawn"); break;
+    case SlotState::Withdrawn: text = tr("withdrawn, place freed"); break;
     }
     switch (place.kind) {
     case database::ParticipantKind::Human: return text;

@@ -1,25 +1,31 @@
 #include "study/app/tray_page.h"
 
+#include "study/app/answer_form.h"
 #include "study/app/pieces.h"
+#include "study/app/slot_card.h"
 
-#include <QFrame>
-#include <QHBoxLayout>
-#include <QLabel>
-#include <QPushButton>
+#include <QGridLayout>
 #include <QVBoxLayout>
 
 namespace study::app {
+
+namespace {
+
+constexpr int cardsInARow = 3;
+
+}  // namespace
 
 TrayPage::TrayPage(QWidget* parent)
     : StagePage(parent),
       m_code(label("presentationCode", Type::Huge, this, Weight::Bold)),
       m_task(label("trayTask", Type::Lead, this)),
-      m_cards(new QHBoxLayout),
+      m_grid(new QGridLayout),
+      m_stroke(quietLabel("strokeWords", this, Type::Plain)),
       m_ready(mainButton("trayReadyButton", tr("The tray is ready (Enter)"), this))
 {
     auto* caption = quietLabel("presentationCaption", this);
     caption->setText(tr("Presentation"));
-    m_cards->setSpacing(18);
+    m_grid->setSpacing(18);
     auto* column = new QVBoxLayout(this);
     column->setSpacing(6);
     column->addWidget(caption);
@@ -27,65 +33,53 @@ TrayPage::TrayPage(QWidget* parent)
     column->addSpacing(6);
     column->addWidget(m_task);
     column->addSpacing(6);
-    column->addLayout(m_cards);
+    column->addLayout(m_grid);
     column->addSpacing(10);
     column->addWidget(m_ready, 0, Qt::AlignLeft);
+    column->addSpacing(10);
+    column->addWidget(m_stroke);
     column->addStretch(1);
     connect(m_ready, &QPushButton::clicked, this, [this] { Q_EMIT eventAsked(session::TrayReady{}); });
 }
 
-TrayPage::Change TrayPage::changeOf(const session::View& view, std::size_t place) const
+void TrayPage::begin(const SessionFacts& facts)
 {
-    const bool isThere = m_placed.size() == view.trayIds.size() && m_placed[place] == view.trayIds[place];
-    return isThere ? Change::AsBefore : Change::New;
+    m_placed.clear();
+    showText(*m_stroke, strokeText(facts));
 }
 
-QWidget* TrayPage::cardFor(std::size_t place, const QString& fabric, Change change, bool isOnlyOne)
+bool TrayPage::isNew(const session::View& view, std::size_t place) const
 {
-    const bool isNew = change == Change::New;
-    auto* card = new QFrame(this);
-    card->setObjectName(QStringLiteral("slotCard%1").arg(slotLetter(place)));
-    setRole(*card, isNew ? "card-new" : "card");
-    auto* column = new QVBoxLayout(card);
-    column->setContentsMargins(20, 16, 20, 16);
-    auto* letter = label("slotLetter", Type::Title, card, Weight::Bold);
-    letter->setText(isOnlyOne ? QString() : slotLetter(place));
-    letter->setVisible(!isOnlyOne);
-    auto* tag = label("slotTag", Type::Small, card, isNew ? Weight::Bold : Weight::Normal);
-    tag->setText(isNew ? tr("put here") : tr("stays"));
-    tag->setWordWrap(false);
-    setRole(*tag, isNew ? "tag-new" : "tag");
-    auto* top = new QHBoxLayout;
-    top->addWidget(letter, 1);
-    top->addWidget(tag, 0, Qt::AlignTop | (isOnlyOne ? Qt::AlignLeft : Qt::AlignRight));
-    auto* fabricName = label("slotFabric", Type::Title, card, isNew ? Weight::Bold : Weight::Normal);
-    fabricName->setText(fabric);
-    column->addLayout(top);
-    column->addWidget(fabricName);
-    column->addStretch(1);
-    return card;
+    return m_placed.size() != view.trayIds.size() || m_placed[place] != view.trayIds[place];
 }
 
 void TrayPage::present(const session::View& view)
 {
-    while (QLayoutItem* item = m_cards->takeAt(0)) {
-        delete item->widget();
-        delete item;
-    }
     m_code->setText(QString::fromStdString(view.code.value));
-    const bool isOnlyOne = view.tray.size() == 1;
+    showCards(view);
     bool isAnyNew = false;
-    for (std::size_t place = 0; place < view.tray.size(); ++place) {
-        const Change change = changeOf(view, place);
-        isAnyNew = isAnyNew || change == Change::New;
-        QWidget* card = cardFor(place, QString::fromStdString(view.tray[place]), change, isOnlyOne);
-        m_cards->addWidget(card, 1);
-        card->show();
-    }
+    for (std::size_t place = 0; place < view.trayIds.size(); ++place)
+        isAnyNew = isAnyNew || isNew(view, place);
     if (!isAnyNew)
         m_task->setText(tr("Nothing to change."));
     else
-        m_task->setText(isOnlyOne ? tr("Put this fabric on the tray.") : tr("Put these fabrics on the tray."));
+        m_task->setText(view.tray.size() == 1 ? tr("Put this piece on the tray.") : tr("Put these pieces on the tray."));
+}
+
+void TrayPage::showCards(const session::View& view)
+{
+    while (m_cards.size() < view.tray.size()) {
+        m_cards.push_back(new SlotCard(slotLetter(m_cards.size()), this));
+        const int place = static_cast<int>(m_cards.size()) - 1;
+        m_grid->addWidget(m_cards.back(), place / cardsInARow, place % cardsInARow);
+    }
+    // Kept for the next tray: making a card takes longer than showing one.
+    for (std::size_t place = 0; place < m_cards.size(); ++place) {
+        const bool isNeeded = place < view.tray.size();
+        if (isNeeded)
+            m_cards[place]->tell(nameOfPiece(view.tray[place]), isNew(view, place), view.tray.size() > 1);
+        m_cards[place]->setVisible(isNeeded);
+    }
 }
 
 bool TrayPage::pressKey(int key)

@@ -1,8 +1,11 @@
-// vis2hap [STUDY]: the app.
+// vis2hap [STUDY]: the app; vis2hap --monitor STUDY: the live monitor.
 #include "protocols/errors.h"
+#include "reports/cells.h"
+#include "reports/quality.h"
 #include "study/app/app.h"
 #include "study/commands/command_line.h"
 #include "study/commands/new_study.h"
+#include "study/commands/stored_study.h"
 
 #include <CLI/CLI.hpp>
 
@@ -11,6 +14,12 @@
 namespace study::commands {
 
 namespace {
+
+struct Call {
+    std::string study;
+    std::string display = "none";
+    bool monitor = false;
+};
 
 void makeForApp(const app::NewStudyRequest& form, const app::MakingProgress& progress)
 {
@@ -23,33 +32,66 @@ void makeForApp(const app::NewStudyRequest& form, const app::MakingProgress& pro
     makeStudy(request, [&](int done, int total, const std::string& what) { progress(total > 0 ? 1.0 * done / total : 0.0, what); });
 }
 
-int runWindow(const std::string& study, const std::string& display)
+/// What a reader of the flag must know before believing it.
+const char* weaknessOf(const std::string& flag)
 {
-    if (!study.empty() && !std::filesystem::exists(study))
-        throw protocols::badInput({"neither a command nor a study folder", study, "a study, or one of the commands",
-                                   "see `vis2hap --help`"});
+    const bool isStraightLining = flag == "straight_lining" || flag == "same_across_questions";
+    return isStraightLining ? "; somebody to whom all renderings feel alike answers so in earnest" : "";
+}
+
+/// The report's own flags, and nothing else of it: no scores while the study runs. What is missing and void has
+/// columns of its own in the monitor.
+std::vector<app::MonitorFlag> flagsOf(const database::StudyStore& store)
+{
+    std::vector<app::MonitorFlag> flags;
+    const auto data = studyData(store);
+    for (const auto& entry : reports::qualityFlags(data, reports::Cells(data))) {
+        const auto flag = entry["flag"].get<std::string>();
+        if (flag != "missing_answers" && flag != "voided_presentations")
+            flags.push_back({entry["participant"].is_string() ? entry["participant"].get<std::string>() : std::string(), flag,
+                             entry["why"].get<std::string>() + weaknessOf(flag)});
+    }
+    return flags;
+}
+
+app::AppOptions optionsOf(const Call& call)
+{
     app::AppOptions options;
-    if (!study.empty())
-        options.study = study;
-    options.display = display;
+    if (!call.study.empty())
+        options.study = call.study;
+    options.display = call.display;
     options.makeStudy = makeForApp;
     options.settings = app::userSettings();
-    return app::runApp(options);
+    options.readFlags = flagsOf;
+    return options;
+}
+
+int runWindow(const Call& call)
+{
+    if (call.monitor && call.study.empty())
+        throw protocols::badInput({"no study to monitor", "", "vis2hap --monitor STUDY", "name the study's folder"});
+    if (!call.study.empty() && !std::filesystem::exists(call.study))
+        throw protocols::badInput({"neither a command nor a study folder", call.study, "a study, or one of the commands",
+                                   "see `vis2hap --help`"});
+    return call.monitor ? app::runMonitor(optionsOf(call)) : app::runApp(optionsOf(call));
 }
 
 }  // namespace
 
 void addApp(CLI::App& app, Action& action)
 {
-    auto study = std::make_shared<std::string>();
-    auto display = std::make_shared<std::string>("none");
-    app.add_option("STUDY", *study, "open this study in the app");
-    app.add_option("--display", *display, "haptic display: none, or folder:DIR (keeps DIR/current.pgm)")->capture_default_str();
-    app.callback([&app, study, display, &action] {
+    auto call = std::make_shared<Call>();
+    app.add_option("STUDY", call->study, "open this study in the app");
+    app.add_option("--display", call->display,
+                   "haptic display: none, folder:DIR (keeps DIR/current.pgm), cover:N (blackens touch screen N, which tells the "
+                   "first touch), or both: folder:DIR,cover:N")
+        ->capture_default_str();
+    app.add_flag("--monitor", call->monitor, "watch this study instead: who is where, what is missing, flags; reads only, blinded");
+    app.callback([&app, call, &action] {
         if (!app.get_subcommands().empty())
             return;
         action.surroundings = Surroundings::Window;
-        action.work = [study, display] { return runWindow(*study, *display); };
+        action.work = [call] { return runWindow(*call); };
     });
 }
 

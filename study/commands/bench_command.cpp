@@ -1,6 +1,8 @@
 // vis2hap bench: speed and error of every stage that has a fast and an accurate way.
 #include "protocols/errors.h"
 #include "rendering/bench.h"
+#include "study/commands/bench_session.h"
+#include "study/commands/bench_statistics.h"
 #include "study/commands/command_line.h"
 #include "study/commands/json_output.h"
 #include "study/commands/second_program.h"
@@ -17,7 +19,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-const std::vector<std::string> stages{"signals", "generators"};
+const std::vector<std::string> stages{"signals", "statistics", "session", "generators"};
 
 ordered_json signalRows()
 {
@@ -54,13 +56,22 @@ void print(const ordered_json& rows)
     }
 }
 
-int bench(std::vector<std::string> wanted, const JsonTarget& target)
+ordered_json rowsOf(const std::string& stage, bool peers)
+{
+    if (stage == "signals")
+        return signalRows();
+    if (stage == "session")
+        return sessionRows();
+    return stage == "statistics" ? statisticsRows(peers) : generatorRows();
+}
+
+int bench(std::vector<std::string> wanted, bool peers, const JsonTarget& target)
 {
     if (wanted.empty())
         wanted = stages;
     ordered_json rows = ordered_json::array();
     for (const auto& stage : wanted)
-        for (auto& row : stage == "signals" ? signalRows() : generatorRows())
+        for (auto& row : rowsOf(stage, peers))
             rows.push_back(row);
     if (target)
         writeJson(target, {{"schema", "vis2hap.bench/1"}, {"rows", rows}});
@@ -75,10 +86,15 @@ void addBench(CLI::App& app, Action& action)
 {
     auto* command = app.add_subcommand("bench", "the speed-accuracy table of this machine");
     auto wanted = std::make_shared<std::vector<std::string>>();
+    auto peers = std::make_shared<bool>(false);
     auto target = std::make_shared<JsonTarget>();
-    command->add_option("STAGE", *wanted, "signals, generators (default: all)")->check(CLI::IsMember(stages));
+    command->add_option("STAGE", *wanted, "signals, statistics, session, generators (default: all)")->check(CLI::IsMember(stages));
+    command->add_flag("--peers", *peers, "time R and Python's packages on the same work beside ours");
     addJsonOption(*command, *target);
-    command->callback([wanted, target, &action] { action.work = [wanted, target] { return bench(*wanted, *target); }; });
+    command->callback([wanted, peers, target, &action] {
+        action.surroundings = Surroundings::Offscreen;
+        action.work = [=] { return bench(*wanted, *peers, *target); };
+    });
 }
 
 }  // namespace study::commands

@@ -35,7 +35,11 @@ void addReport(CLI::App& app, Action& action);
 void addExport(CLI::App& app, Action& action);
 void addUnblind(CLI::App& app, Action& action);
 void addVerify(CLI::App& app, Action& action);
+void addErase(CLI::App& app, Action& action);
+void addBackup(CLI::App& app, Action& action);
 void addNumbers(CLI::App& app, Action& action);  ///< describe, compare, metrics
+void addAnalyse(CLI::App& app, Action& action);
+void addPower(CLI::App& app, Action& action);
 void addBench(CLI::App& app, Action& action);
 /// The app itself: `vis2hap [STUDY]`, when no command is named.
 void addApp(CLI::App& app, Action& action);

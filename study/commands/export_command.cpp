@@ -2,6 +2,7 @@
 #include "protocols/errors.h"
 #include "study/commands/command_line.h"
 #include "study/commands/json_output.h"
+#include "study/commands/session_script.h"
 #include "study/commands/stored_study.h"
 
 #include <CLI/CLI.hpp>
@@ -9,6 +10,7 @@
 #include <cstdio>
 #include <functional>
 #include <memory>
+#include <set>
 
 namespace study::commands {
 
@@ -24,6 +26,7 @@ struct Export {
     protocols::Protocol protocol;
     Naming naming;
     fs::path out;
+    std::set<std::string> wordQuestions;
 };
 
 /// One answer with everything that may be told of it; absent values are null.
@@ -36,12 +39,14 @@ ordered_json rowOf(const Export& job, const CurrentAnswer& answer)
         alternatives.push_back(fabric.value);
     ordered_json row{{"participant", answer.participant.value}, {"trial", record.trial.value}, {"question", record.question.value},
                      {"fabric", entry.fabric.value}, {"condition", entry.condition}, {"alternatives", alternatives}};
-    row["answer"] = record.answer ? ordered_json(record.answer->value) : ordered_json();
-    row["correct"] = record.answer ? ordered_json(*record.answer == entry.fabric ? 1 : 0) : ordered_json();
+    row["answer"] = record.answer ? ordered_json(*record.answer) : ordered_json();
+    const bool inWords = !record.rating && job.wordQuestions.contains(record.question.value);
+    row["correct"] = record.answer && !inWords ? ordered_json(isCorrect(record, entry.fabric) ? 1 : 0) : ordered_json();
     row["rating"] = record.rating ? ordered_json(record.rating->inScaleUnits()) : ordered_json();
     row["seconds"] = answer.seconds;
     row["ready_at"] = record.readyAtNs;
     row["touched_at"] = record.touchedAtNs ? ordered_json(*record.touchedAtNs) : ordered_json();
+    row["touched_by"] = record.touchedAtNs ? ordered_json(record.touchedBy) : ordered_json();
     row["answered_at"] = record.answeredAtNs;
     row["stored_at"] = answer.storedAtNs;
     row["corrections"] = answer.corrections;
@@ -63,10 +68,9 @@ std::string cell(const ordered_json& value)
 ordered_json participantRows(const Export& job)
 {
     ordered_json rows = ordered_json::array();
-    for (const auto& slot : job.store.slots())
-        if (slot.state != database::SlotState::Free)
-            rows.push_back({{"slot", slot.number}, {"participant", slot.participant.value}, {"kind", nameOf(slot.kind)},
-                            {"state", nameOf(slot.state)}});
+    for (const auto& enrolment : job.store.enrolments())
+        rows.push_back({{"slot", enrolment.slot}, {"participant", enrolment.participant.value}, {"kind", nameOf(enrolment.kind)},
+                        {"state", nameOf(enrolment.state)}, {"protocol_version", enrolment.protocolVersion}});
     return rows;
 }
 
@@ -92,8 +96,8 @@ void writeCsv(const Export& job)
         rows.push_back(rowOf(job, answer));
     writeFile(job.out / "answers.csv",
               csvOf(rows, {"participant", "trial", "question", "fabric", "condition", "alternatives", "answer", "correct", "rating",
-                           "seconds", "ready_at", "touched_at", "answered_at", "stored_at", "corrections", "voided", "wall_time", "note"}));
-    writeFile(job.out / "participants.csv", csvOf(participantRows(job), {"slot", "participant", "kind", "state"}));
+                           "seconds", "ready_at", "touched_at", "touched_by", "answered_at", "stored_at", "corrections", "voided", "wall_time", "note"}));
+    writeFile(job.out / "participants.csv", csvOf(participantRows(job), {"slot", "participant", "kind", "state", "protocol_version"}));
 }
 
 void writeJsonExport(const Export& job)
@@ -106,30 +110,14 @@ void writeJsonExport(const Export& job)
     writeFile(job.out / "export.json", json.dump(1) + "\n");
 }
 
-/// A session as a script: the current answers, by rendering once the study is unblinded, else by trial.
-void writeScripts(const Export& job)
+std::set<std::string> questionsInWords(const protocols::Protocol& protocol)
 {
-    std::map<std::string, ordered_json> scripts;
-    for (const auto& answer : job.store.answers()) {
-        if (answer.voided)
-            continue;
-        auto& script = scripts[answer.participant.value];
-        if (script.empty())
-            script = {{"schema", "vis2hap.script/1"}, {"participant", answer.participant.value}, {"answers", ordered_json::array()}};
-        const auto& record = answer.record;
-        ordered_json entry{{"question", record.question.value}};
-        if (job.naming.blinded)
-            entry["trial"] = record.trial.value;
-        else {
-            entry["condition"] = job.naming.entries.at(record.fileCode).condition;
-            entry["fabric"] = job.naming.entries.at(record.fileCode).fabric.value;
-        }
-        entry["answer"] = record.answer ? ordered_json(record.answer->value) : ordered_json(record.rating->inScaleUnits());
-        entry["seconds"] = answer.seconds > 0 ? answer.seconds : 0.001;
-        script["answers"].push_back(entry);
-    }
-    for (const auto& [participant, script] : scripts)
-        writeFile(job.out / (participant + ".json"), script.dump(1) + "\n");
+    std::set<std::string> ids;
+    for (const auto& phase : protocol.phases)
+        for (const auto& question : phase.questions)
+            if (question.inWords)
+                ids.insert(question.id.value);
+    return ids;
 }
 
 int exportStudy(const std::string& study, const std::string& out, const std::string& format)
@@ -137,7 +125,7 @@ int exportStudy(const std::string& study, const std::string& out, const std::str
     const auto store = openStudy(study);
     auto facts = store.facts();
     const auto protocol = protocolOf(facts);
-    const Export job{store, facts, protocol, namingOf(store, protocol, recordedUnblinding(store)), out};
+    const Export job{store, facts, protocol, namingOf(store, protocol, recordedUnblinding(store)), out, questionsInWords(protocol)};
     std::error_code failure;
     fs::create_directories(job.out, failure);
     if (failure)
@@ -148,7 +136,7 @@ int exportStudy(const std::string& study, const std::string& out, const std::str
     else if (format == "json")
         writeJsonExport(job);
     else
-        writeScripts(job);
+        writeScripts(job.store, job.naming, job.out);
     std::printf("%s: %zu answers as %s%s\n", out.c_str(), store.answers().size(), format.c_str(),
                 job.naming.blinded ? ", blinded (conditions as K-labels)" : "");
     return 0;

@@ -58,7 +58,11 @@ int run(int argc, char** argv)
     study::commands::addExport(app, action);
     study::commands::addUnblind(app, action);
     study::commands::addVerify(app, action);
+    study::commands::addErase(app, action);
+    study::commands::addBackup(app, action);
     study::commands::addNumbers(app, action);
+    study::commands::addAnalyse(app, action);
+    study::commands::addPower(app, action);
     study::commands::addBench(app, action);
     try {
         app.parse(argc, argv);

@@ -157,9 +157,56 @@ Images friction(const NewStudy& request, const Dataset& dataset, const rendering
 std::map<protocols::FileCode, std::string> writeStimuli(const fs::path& folder, const protocols::AllocationKey& key, const Images& images)
 {
     std::map<protocols::FileCode, std::string> hashes;
-    for (const auto& [code, entry] : key.entries)
-        hashes[code] = rendering::writeStimulus(folder, code, images.byCondition.at(entry.condition).at(entry.fabric));
+    const cv::Mat blank = cv::Mat::zeros(rendering::displayHeightPx, rendering::displayWidthPx, CV_8UC1);
+    for (const auto& [code, entry] : key.entries) {
+        const bool isCatchTrial = entry.condition == protocols::catchTrialId();
+        hashes[code] =
+            rendering::writeStimulus(folder, code, isCatchTrial ? blank : images.byCondition.at(entry.condition).at(entry.fabric));
+    }
     return hashes;
+}
+
+/// Fabrics outside the study's for getting to know the display, each with one friction image.
+struct Familiarisation {
+    std::vector<std::string> names;
+    std::vector<cv::Mat> images;
+};
+
+bool hasSamplesFor(const Dataset& dataset, const protocols::FabricId& fabric, const std::vector<rendering::Signal>& signals)
+{
+    const auto lacks = [&](rendering::Signal signal, rendering::fabrics::Modality modality) {
+        return std::find(signals.begin(), signals.end(), signal) != signals.end() && sampleIndices(dataset, fabric, modality).empty();
+    };
+    return !lacks(rendering::Signal::Photograph, rendering::fabrics::Modality::Visual) &&
+           !lacks(rendering::Signal::TactileFrame, rendering::fabrics::Modality::Tactile) &&
+           !lacks(rendering::Signal::FrictionRecord, rendering::fabrics::Modality::Friction);
+}
+
+/// The richest condition, by the protocol's order, is enough to get to know the display by; nothing else is rendered.
+Familiarisation familiarisationFor(const NewStudy& request, const Dataset& dataset, const protocols::Protocol& protocol,
+                                   const std::vector<protocols::FabricId>& studied)
+{
+    rendering::RenderRequest render;
+    render.conditions = {protocol.conditions.back()};
+    render.generation.model = request.model;
+    const auto signals = rendering::signalsFor(std::span<const protocols::ConditionId>(render.conditions));
+    for (const auto& fabric : dataset.fabrics)
+        if (std::find(studied.begin(), studied.end(), fabric.id) == studied.end() && hasSamplesFor(dataset, fabric.id, signals))
+            render.fabrics.push_back(fabric.id);
+    protocols::Random::stream(request.seed, "fabrics for familiarisation").shuffle(render.fabrics);
+    if (static_cast<int>(render.fabrics.size()) > protocol.familiarisationFabrics)
+        render.fabrics.resize(static_cast<std::size_t>(protocol.familiarisationFabrics));
+    Familiarisation familiarisation;
+    if (render.fabrics.empty())
+        return familiarisation;
+    render.rangeOver = render.fabrics;
+    render.samples = chooseSamples(dataset, render.fabrics, signals, nullptr, request.seed, true).samples;
+    const auto rendering = renderFabrics(dataset, render);
+    for (const auto& fabric : render.fabrics) {
+        familiarisation.names.push_back(dataset.fabric(fabric).name);
+        familiarisation.images.push_back(rendering.conditions.front().images.at(fabric));
+    }
+    return familiarisation;
 }
 
 struct Model {
@@ -225,11 +272,19 @@ MadeStudy makeStudy(const NewStudy& request, const StepProgress& progress)
     const auto design = protocols::drawDesign(text.protocol, request.seed);
     made.balance = balanceOf(design, text.protocol);
     const auto secret = request.keySeed ? *request.keySeed : protocols::drawSecretSeed();
-    const auto allocation = allocate(text.protocol, design, fabrics, secret);
+    const auto familiarisation = familiarisationFor(request, dataset, text.protocol, fabrics);
+    const auto allocation = allocate(text.protocol, design, fabrics, secret, static_cast<int>(familiarisation.names.size()));
+    facts.swatches = allocation.swatches;
+    for (std::size_t item = 0; item < familiarisation.names.size(); ++item)
+        facts.familiarisation.push_back({familiarisation.names[item], allocation.familiarisation[item]});
 
     Unfinished unfinished(request.study);
     const auto folder = unfinished.folder();
-    const auto hashes = writeStimuli(folder.stimuli(), allocation.key, images);
+    auto hashes = writeStimuli(folder.stimuli(), allocation.key, images);
+    for (std::size_t item = 0; item < familiarisation.images.size(); ++item) {
+        const auto& code = allocation.familiarisation[item];
+        hashes[code] = rendering::writeStimulus(folder.stimuli(), code, familiarisation.images[item]);
+    }
     const auto keys = database::writeKeys(folder, allocation.key);
     facts.keySha256 = keys.allocation;
     facts.maskedKeySha256 = keys.masked;

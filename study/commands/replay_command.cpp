@@ -52,9 +52,10 @@ std::vector<Script> readScripts(const std::vector<std::string>& files, const pro
 
 database::Slot slotOf(const StudyStore& store, const protocols::ParticipantId& participant)
 {
-    const auto slots = store.slots();
-    const auto found = std::find_if(slots.begin(), slots.end(), [&](const auto& slot) { return slot.participant == participant; });
-    return found == slots.end() ? database::Slot{} : *found;
+    for (const auto& enrolment : store.enrolments())
+        if (enrolment.participant == participant)
+            return {enrolment.slot, enrolment.state, participant, enrolment.kind};
+    return {};
 }
 
 /// A script drives its own sessions alone, never on in the session of a person.
@@ -67,9 +68,9 @@ void requireScripted(const database::Slot& slot, const Script& script)
 
 bool finishedAlready(const database::Slot& slot, const Script& script)
 {
-    if (slot.state != SlotState::Finished)
+    if (slot.state != SlotState::Finished && slot.state != SlotState::Withdrawn)
         return false;
-    std::printf("%s: finished already, nothing to do\n", script.participant.value.c_str());
+    std::printf("%s: %s already, nothing to do\n", script.participant.value.c_str(), nameOf(slot.state).c_str());
     return true;
 }
 
@@ -80,7 +81,7 @@ ScriptedTrials trialsFor(const StudyStore& store, int slot, const protocols::Pro
 
 struct Playing {
     const protocols::Protocol& protocol;
-    std::size_t answersInAll;
+    int answersInAll;
 };
 
 void play(const Script& script, StudyStore& store, Hands& hands, session::VirtualClock& clock,
@@ -89,7 +90,7 @@ void play(const Script& script, StudyStore& store, Hands& hands, session::Virtua
     const auto trials = trialsFor(store, slotOf(store, script.participant).number, playing.protocol);
     Progress progress(script.participant.value);
     playScript(script, trials, logged, hands, clock,
-               [&](int stored) { progress.show(stored, static_cast<int>(playing.answersInAll)); });
+               [&](int stored) { progress.show(stored, playing.answersInAll); });
     std::printf("%s: %d answers stored, %s\n", script.participant.value.c_str(), hands.state().answersStored,
                 std::holds_alternative<session::Finished>(hands.state().stage) ? "finished" : "withdrawn");
 }
@@ -137,10 +138,7 @@ int replay(const std::string& study, const std::vector<std::string>& files, bool
 {
     const auto protocol = protocolOf(openStudy(study).facts());
     const auto scripts = readScripts(files, protocol);
-    std::size_t answers = 0;
-    for (const auto& phase : protocol.phases)
-        answers += phase.questions.size() * static_cast<std::size_t>(protocol.presentationsPerPhase());
-    const Playing playing{protocol, answers};
+    const Playing playing{protocol, protocol.answersPerParticipant()};
     if (gui) {
         playThroughWindow(scripts, study, playing);
         return 0;

@@ -19,7 +19,9 @@ using nlohmann::json;
 using What = ScriptedEvent::What;
 
 const std::map<std::string, What> eventNames{{"pause", What::Pause}, {"resume", What::Resume}, {"correct", What::Correct},
-                                             {"void", What::Void},   {"crash", What::Crash},   {"note", What::Note}};
+                                             {"void", What::Void},   {"crash", What::Crash},   {"note", What::Note},
+                                             {"withdraw", What::Withdraw}, {"answer", What::Answer}, {"touch", What::Touch},
+                                             {"expect", What::Expect}};
 
 protocols::Error fault(const std::string& what, const std::string& where, const std::string& expected)
 {
@@ -48,10 +50,20 @@ ScriptedResponse responseFrom(const json& value, const std::string& where)
 ScriptedPlace placeFrom(const json& entry, const std::string& where)
 {
     ScriptedPlace place;
+    if (entry.contains("attempt")) {
+        if (!entry["attempt"].is_number_integer() || entry["attempt"].get<int>() < 1)
+            throw fault("attempt is no whole number from 1", where, "\"attempt\": N");
+        place.attempt = entry["attempt"].get<int>();
+    }
     if (entry.contains("trial")) {
         if (!entry["trial"].is_number_integer())
             throw fault("trial is no whole number", where, "\"trial\": N, from 1");
         place.trial = protocols::TrialNumber{entry["trial"].get<int>()};
+        return place;
+    }
+    place.fabric = protocols::FabricId(textField(entry, "fabric", where));
+    if (entry.value("condition", json()) == protocols::catchTrialId().value) {
+        place.condition = protocols::catchTrialId();
         return place;
     }
     try {
@@ -59,8 +71,16 @@ ScriptedPlace placeFrom(const json& entry, const std::string& where)
     } catch (const protocols::Error& unknown) {
         throw fault(unknown.what(), where, "");
     }
-    place.fabric = protocols::FabricId(textField(entry, "fabric", where));
     return place;
+}
+
+/// Seconds that a clock can go on by.
+double secondsIn(const json& entry, const char* field, double least, const std::string& where)
+{
+    const double seconds = entry[field].is_number() ? entry[field].get<double>() : -1;
+    if (!(seconds >= least && seconds < 86400))
+        throw fault(std::string(field) + " out of range", where, "a number above 0 and below a day");
+    return seconds;
 }
 
 ScriptedAnswer answerFrom(const json& entry, const std::string& where)
@@ -71,10 +91,27 @@ ScriptedAnswer answerFrom(const json& entry, const std::string& where)
     if (!entry.contains("answer"))
         throw fault("no answer", where, "\"answer\": ...");
     answer.response = responseFrom(entry["answer"], where);
-    answer.seconds = entry.contains("seconds") && entry["seconds"].is_number() ? entry["seconds"].get<double>() : 1.0;
-    if (!(answer.seconds > 0 && answer.seconds < 86400))
-        throw fault("seconds out of range", where, "a number above 0 and below a day");
+    answer.seconds = entry.contains("seconds") ? secondsIn(entry, "seconds", 1e-9, where) : 1.0;
+    if (entry.contains("touch_seconds"))
+        answer.touchSeconds = secondsIn(entry, "touch_seconds", 0, where);
+    answer.touchedByDisplay = entry.value("touched_by", json()) == "display";
     return answer;
+}
+
+/// The fields of an expectation, each optional and of its kind.
+ScriptedExpectation expectationFrom(const json& entry, const std::string& where)
+{
+    ScriptedExpectation expectation;
+    for (const auto& [field, target] : {std::pair{"stage", &expectation.stage}, {"question", &expectation.question}})
+        if (entry.contains(field))
+            *target = textField(entry, field, where);
+    for (const auto& [field, target] : {std::pair{"presentation", &expectation.presentation}, {"trial", &expectation.trial}})
+        if (entry.contains(field)) {
+            if (!entry[field].is_number_integer())
+                throw fault(std::string(field) + " is no whole number", where, std::string("\"") + field + "\": N");
+            *target = entry[field].get<int>();
+        }
+    return expectation;
 }
 
 ScriptedEvent eventFrom(const json& entry, const std::string& where)
@@ -82,19 +119,28 @@ ScriptedEvent eventFrom(const json& entry, const std::string& where)
     ScriptedEvent event;
     const auto name = eventNames.find(textField(entry, "do", where));
     if (name == eventNames.end())
-        throw fault("unknown event \"" + entry["do"].get<std::string>() + "\"", where, "pause, resume, correct, void, crash or note");
+        throw fault("unknown event \"" + entry["do"].get<std::string>() + "\"", where, "pause, resume, correct, void, crash, note, withdraw, answer, touch or expect");
     event.what = name->second;
     event.beforeAnswer = entry.contains("before_answer");
     const char* count = event.beforeAnswer ? "before_answer" : "after_answer";
     if (!entry.contains(count) || !entry[count].is_number_integer() || entry[count].get<int>() < (event.beforeAnswer ? 1 : 0))
         throw fault("an event without its place", where, "before_answer or after_answer: N, counted from 1");
     event.answersStoredBefore = entry[count].get<int>() - (event.beforeAnswer ? 1 : 0);
-    if (event.what == What::Correct) {
+    if (event.what == What::Correct)
         event.question = protocols::QuestionId(textField(entry, "question", where));
+    if (event.what == What::Correct || event.what == What::Answer) {
         if (!entry.contains("answer"))
-            throw fault("a correction without its answer", where, "\"answer\": ...");
+            throw fault("an event without its answer", where, "\"answer\": ...");
         event.response = responseFrom(entry["answer"], where);
     }
+    if (event.what == What::Expect)
+        event.expectation = expectationFrom(entry, where);
+    event.isFlag = entry.value("flag", json()) == true;
+    event.mustFail = entry.value("must_fail", json()) == true;
+    if (event.what == What::Answer && !event.mustFail)
+        throw fault("an answer among the events that need not fail", where, "\"must_fail\": true; answers stand under \"answers\"");
+    if (entry.contains("refusal"))
+        event.refusal = textField(entry, "refusal", where);
     event.text = entry.value(event.what == What::Note ? "text" : "why", std::string());
     return event;
 }
@@ -126,10 +172,17 @@ void checkDoubled(const Script& script)
 
 const ScriptedAnswer* Script::answerTo(const protocols::QuestionId& question, const ScriptedPlace& place) const
 {
-    const auto found = std::find_if(answers.begin(), answers.end(), [&](const ScriptedAnswer& answer) {
-        return answer.question == question && answer.place == place;
-    });
-    return found == answers.end() ? nullptr : &*found;
+    const auto find = [&](const ScriptedPlace& wanted) {
+        const auto found = std::find_if(answers.begin(), answers.end(), [&](const ScriptedAnswer& answer) {
+            return answer.question == question && answer.place == wanted;
+        });
+        return found == answers.end() ? nullptr : &*found;
+    };
+    if (const auto* ofAttempt = find(place))
+        return ofAttempt;
+    ScriptedPlace ofAny = place;
+    ofAny.attempt.reset();
+    return find(ofAny);
 }
 
 Script scriptFromJson(std::string_view text, const std::string& where, const protocols::Protocol& protocol)

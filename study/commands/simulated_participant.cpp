@@ -1,6 +1,7 @@
 #include "study/commands/simulated_participant.h"
 
 #include "protocols/errors.h"
+#include "study/session/preparation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -69,6 +70,28 @@ SimulatedParticipant::Judgement SimulatedParticipant::rate(const protocols::Blin
     return {protocols::Tenths{scale.min.value + scale.step.value * std::clamp(steps, 0, most)}, seconds};
 }
 
+SimulatedParticipant::Judgement SimulatedParticipant::compare(const protocols::BlindedTrial& trial)
+{
+    const double noisy = distance(trial.fileCode, trial.alternatives.front(), m_model.slipperinessWeight) +
+                         m_model.sensoryNoise * m_random.normal();
+    // "Same" where a rating of the likeness would lie in the upper half.
+    const bool same = std::exp(-std::max(0.0, noisy) / m_model.ratingFall) >= 0.5;
+    const bool lapses = m_random.uniform() < m_model.lapseRate;
+    return {Sameness{lapses ? m_random.below(2) == 1 : same}, 4.0 * std::exp(0.3 * m_random.normal())};
+}
+
+SimulatedParticipant::Judgement SimulatedParticipant::answer(const protocols::BlindedTrial& trial, const protocols::Phase& phase,
+                                                             const protocols::Question& question)
+{
+    switch (answerKindOf(phase, question)) {
+    case protocols::AnswerKind::Choice: return match(trial);
+    case protocols::AnswerKind::Rating: return rate(trial, question.id, *phase.scale);
+    case protocols::AnswerKind::SameDifferent: return compare(trial);
+    case protocols::AnswerKind::Words: return {Words{}, 1.0};  // says nothing
+    }
+    return {};
+}
+
 void playSimulated(SimulatedParticipant& participant, const Plan& plan, Hands& hands, VirtualClock& clock,
                    const std::function<void(int)>& progress)
 {
@@ -84,8 +107,7 @@ void playSimulated(SimulatedParticipant& participant, const Plan& plan, Hands& h
             clock.advanceSeconds(0.8);
             act(Touched{});
         }
-        const auto judgement = phase.isChoice() ? participant.match(trial)
-                                                : participant.rate(trial, phase.questions[presenting.question].id, *phase.scale);
+        const auto judgement = participant.answer(trial, phase, phase.questions[presenting.question]);
         clock.advanceSeconds(judgement.seconds);
         act(Answered{judgement.response});
     };
@@ -96,14 +118,8 @@ void playSimulated(SimulatedParticipant& participant, const Plan& plan, Hands& h
         clock.advanceSeconds(1);
         if (hands.state().paused)
             act(Resumed{});
-        else if (std::holds_alternative<Enrolled>(stage))
-            act(Begun{});
-        else if (std::holds_alternative<Familiarising>(stage))
-            act(FamiliarisationDone{});
-        else if (std::holds_alternative<ScaleTraining>(stage))
-            act(ScaleTrainingDone{});
-        else if (std::holds_alternative<OnBreak>(stage))
-            act(BreakEnded{});
+        else if (const auto preparation = nextOfPreparation(plan.protocol, stage))
+            act(*preparation);
         else if (std::holds_alternative<PlacingTray>(stage))
             act(TrayReady{});
         else

@@ -52,6 +52,11 @@ public:
     /// How like the fabric the stimulus is, on the protocol's scale.
     Judgement rate(const protocols::BlindedTrial& trial, const protocols::QuestionId& question, const protocols::Scale& scale);
 
+    /// Whether the fabric on the tray is the one that is felt.
+    Judgement compare(const protocols::BlindedTrial& trial);
+    /// What the question asks for; nothing where it asks for words.
+    Judgement answer(const protocols::BlindedTrial& trial, const protocols::Phase& phase, const protocols::Question& question);
+
 private:
     double distance(const protocols::FileCode& code, const protocols::FabricId& fabric, double slipperinessWeight) const;
 

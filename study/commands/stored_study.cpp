@@ -1,8 +1,13 @@
 #include "study/commands/stored_study.h"
 
+#include "protocols/condition.h"
 #include "protocols/protocol_json.h"
+#include "study/commands/participants_sentence.h"
 
 #include <algorithm>
+#include <set>
+#include <tuple>
+#include <utility>
 
 namespace study::commands {
 
@@ -13,11 +18,15 @@ void describeProtocol(const protocols::Protocol& protocol, reports::StudyData& d
     data.equivalenceBounds = protocol.equivalenceBounds;
     for (const auto& contrast : protocol.planned)
         data.planned.emplace_back(contrast.a.value, contrast.b.value);
+    const int sameOrDifferent = 2;
+    bool isFirstChoice = true;
     for (const auto& phase : protocol.phases) {
         for (const auto& question : phase.questions)
-            data.questions.push_back({question.id.value, question.text, phase.isChoice()});
-        if (phase.alternatives)
-            data.alternatives = *phase.alternatives;
+            if (!question.inWords)
+                data.questions.push_back({question.id.value, question.text, !phase.scale,
+                                          phase.scale ? 0 : phase.alternatives.value_or(sameOrDifferent)});
+        if (!phase.scale && std::exchange(isFirstChoice, false))
+            data.alternatives = phase.alternatives.value_or(sameOrDifferent);
         if (phase.scale) {
             data.scaleMin = phase.scale->min.inScaleUnits();
             data.scaleMax = phase.scale->max.inScaleUnits();
@@ -27,13 +36,13 @@ void describeProtocol(const protocols::Protocol& protocol, reports::StudyData& d
 
 void describeParticipants(const database::StudyStore& store, reports::StudyData& data)
 {
-    for (const auto& slot : store.slots()) {
-        if (slot.state == database::SlotState::Free)
-            continue;
-        data.participants.push_back(slot.participant.value);
-        data.simulated = data.simulated || slot.kind == database::ParticipantKind::Simulated;
-        data.scripted = data.scripted || slot.kind == database::ParticipantKind::Scripted;
+    for (const auto& enrolment : store.enrolments()) {
+        const bool hasWithdrawn = enrolment.state == database::SlotState::Withdrawn;
+        (hasWithdrawn ? data.withdrawn : data.participants).push_back(enrolment.participant.value);
+        data.simulated = data.simulated || enrolment.kind == database::ParticipantKind::Simulated;
+        data.scripted = data.scripted || enrolment.kind == database::ParticipantKind::Scripted;
     }
+    data.participantsSentence = participantsSentence(store);
 }
 
 reports::Response responseOf(const database::CurrentAnswer& answer, const Naming::Entry& entry)
@@ -46,10 +55,11 @@ reports::Response responseOf(const database::CurrentAnswer& answer, const Naming
     response.question = record.question.value;
     response.seconds = answer.seconds;
     if (record.answer) {
-        response.answer = record.answer->value;
-        response.correct = *record.answer == entry.fabric;
-        const auto slot = std::find(record.alternatives.begin(), record.alternatives.end(), *record.answer);
-        response.answerSlot = static_cast<int>(slot - record.alternatives.begin());
+        response.answer = *record.answer;
+        response.correct = isCorrect(record, entry.fabric);
+        const auto slot = std::find(record.alternatives.begin(), record.alternatives.end(), protocols::FabricId(*record.answer));
+        response.answerSlot = slot != record.alternatives.end() ? static_cast<int>(slot - record.alternatives.begin())
+                                                                : int(*record.answer == "different");
     }
     if (record.rating)
         response.rating = record.rating->inScaleUnits();
@@ -57,6 +67,14 @@ reports::Response responseOf(const database::CurrentAnswer& answer, const Naming
 }
 
 }  // namespace
+
+bool isCorrect(const database::AnswerRecord& record, const protocols::FabricId& truth)
+{
+    const bool same = record.alternatives.front() == truth;
+    if (*record.answer == "same" || *record.answer == "different")
+        return same == (*record.answer == "same");
+    return *record.answer == truth.value;
+}
 
 database::StudyStore openStudy(const std::filesystem::path& study)
 {
@@ -108,13 +126,22 @@ reports::StudyData studyData(const database::StudyStore& store)
         data.fabrics.push_back(fabric.value);
     describeParticipants(store, data);
     const std::size_t questions = data.questions.size();
+    std::set<std::string> analysed(data.participants.begin(), data.participants.end()), asked;
+    for (const auto& question : data.questions)
+        asked.insert(question.id);
     data.expectedResponses = store.slots().size() * static_cast<std::size_t>(protocol.presentationsPerPhase()) * questions;
+    std::set<std::tuple<protocols::ParticipantId, protocols::TrialNumber, int>> voided;
     for (const auto& answer : store.answers()) {
+        if (!analysed.contains(answer.participant.value))
+            continue;
+        const auto& entry = naming.entries.at(answer.record.fileCode);
         if (answer.voided)
-            ++data.voided;
-        else
-            data.responses.push_back(responseOf(answer, naming.entries.at(answer.record.fileCode)));
+            voided.emplace(answer.participant, answer.record.trial, answer.attempt);
+        else if (asked.contains(answer.record.question.value))
+            (entry.condition == protocols::catchTrialId().value ? data.catchResponses : data.responses)
+                .push_back(responseOf(answer, entry));
     }
+    data.voided = voided.size();
     return data;
 }
 

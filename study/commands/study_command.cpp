@@ -1,12 +1,16 @@
-// vis2hap study new|status|plan
+// vis2hap study new|status|plan|amend|sheets
 #include "database/study_store.h"
 #include "protocols/counterbalancing.h"
-#include "reports/report.h"
+#include "protocols/errors.h"
+#include "protocols/protocol_json.h"
+#include "protocols/sha256.h"
 #include "study/commands/command_line.h"
 #include "study/commands/json_output.h"
 #include "study/commands/new_study.h"
 #include "study/commands/progress.h"
 #include "study/commands/stored_study.h"
+#include "study/commands/study_sheets.h"
+#include "study/commands/study_status.h"
 
 #include <CLI/CLI.hpp>
 
@@ -17,7 +21,18 @@ namespace study::commands {
 
 namespace {
 
-using nlohmann::ordered_json;
+std::string sittingsText(int sittings)
+{
+    return sittings == 1 ? "one sitting" : std::to_string(sittings) + " sittings";
+}
+
+std::string listOf(const std::vector<database::FamiliarisationItem>& items)
+{
+    std::string text;
+    for (const auto& item : items)
+        text += (text.empty() ? "" : ", ") + item.name;
+    return text;
+}
 
 int makeNew(const NewStudy& request)
 {
@@ -31,105 +46,31 @@ int makeNew(const NewStudy& request)
     for (const auto& fabric : made.facts.fabrics)
         std::printf(" %s (%s)", fabric.value.c_str(), made.facts.fabricNames.at(fabric).c_str());
     std::printf(", %zu conditions%s\n", protocol.conditions.size(), made.imagesReused ? ", friction images reused" : "");
+    std::printf("  %d presentations and %d answers a participant: about %.0f minutes in %s, by %g s a presentation\n",
+                protocol.presentations(), protocol.answersPerParticipant(), protocol.minutesPerParticipant(),
+                sittingsText(protocol.sittingsPerParticipant()).c_str(), protocol.secondsPerPresentation);
+    if (!made.facts.familiarisation.empty())
+        std::printf("  for getting to know the display: %s\n", listOf(made.facts.familiarisation).c_str());
     std::printf("balance reached:\n%s", describe(made.balance).c_str());
+    std::printf("next: vis2hap study sheets %s --out DIR prints the swatch codes and the scale's card\n", request.study.c_str());
     return 0;
-}
-
-struct SlotProgress {
-    database::Slot slot;
-    std::size_t answered = 0, voided = 0, corrected = 0;
-};
-
-std::vector<SlotProgress> progressOf(const database::StudyStore& store)
-{
-    std::vector<SlotProgress> rows;
-    const auto answers = store.answers();
-    for (const auto& slot : store.slots()) {
-        SlotProgress row{slot, 0, 0, 0};
-        for (const auto& answer : answers) {
-            if (slot.participant.empty() || answer.participant != slot.participant)
-                continue;
-            ++(answer.voided ? row.voided : row.answered);
-            row.corrected += answer.corrections > 0;
-        }
-        rows.push_back(row);
-    }
-    return rows;
-}
-
-std::size_t answersPerParticipant(const protocols::Protocol& protocol)
-{
-    std::size_t questions = 0;
-    for (const auto& phase : protocol.phases)
-        questions += phase.questions.size();
-    return questions * static_cast<std::size_t>(protocol.presentationsPerPhase());
-}
-
-ordered_json statusJson(const database::StudyStore& store)
-{
-    const auto facts = store.facts();
-    const auto protocol = protocolOf(facts);
-    const auto balance = balanceOf(protocols::drawDesign(protocol, facts.designSeed), protocol);
-    ordered_json json{{"schema", "vis2hap.status/1"}, {"study", facts.name}, {"protocol_sha256", facts.protocolSha256}};
-    json["blinded"] = !store.unblinding().has_value();
-    json["answers_per_participant"] = answersPerParticipant(protocol);
-    std::map<std::string, int> kinds{{"human", 0}, {"scripted", 0}, {"simulated", 0}}, states;
-    for (const auto& row : progressOf(store)) {
-        ++states[nameOf(row.slot.state)];
-        ordered_json entry{{"slot", row.slot.number}, {"state", nameOf(row.slot.state)}};
-        if (row.slot.state != database::SlotState::Free) {
-            ++kinds[nameOf(row.slot.kind)];
-            entry["participant"] = row.slot.participant.value;
-            entry["kind"] = nameOf(row.slot.kind);
-            entry["answers"] = row.answered;
-            entry["voided"] = row.voided;
-            entry["corrected"] = row.corrected;
-        }
-        json["slots"].push_back(entry);
-    }
-    json["kinds"] = kinds;
-    json["states"] = states;
-    for (const auto& range : balance.ranges)
-        json["balance"].push_back({{"what", range.what}, {"min", range.min}, {"max", range.max}});
-    json["immediate_repeats"] = balance.immediateRepeats;
-    json["repeated_foil_pairs"] = balance.repeatedFoilPairs;
-    json["stamps"] = facts.stamps;
-    json["quality"] = reports::results(studyData(store))["quality"];
-    return json;
-}
-
-void printStatus(const ordered_json& status)
-{
-    std::printf("%s (%s)\n", status["study"].get<std::string>().c_str(), status["blinded"].get<bool>() ? "blinded" : "unblinded");
-    const auto expected = status["answers_per_participant"].get<std::size_t>();
-    for (const auto& slot : status["slots"]) {
-        if (slot["state"] == "free") {
-            std::printf("  slot %2d  free\n", slot["slot"].get<int>());
-            continue;
-        }
-        std::printf("  slot %2d  %-8s %-9s %-9s %zu of %zu answers, %zu voided, %zu corrected\n", slot["slot"].get<int>(),
-                    slot["participant"].get<std::string>().c_str(), slot["kind"].get<std::string>().c_str(),
-                    slot["state"].get<std::string>().c_str(), slot["answers"].get<std::size_t>(), expected,
-                    slot["voided"].get<std::size_t>(), slot["corrected"].get<std::size_t>());
-    }
-    std::printf("balance of the running orders:\n");
-    for (const auto& range : status["balance"])
-        std::printf("  %s: %d to %d\n", range["what"].get<std::string>().c_str(), range["min"].get<int>(), range["max"].get<int>());
-    for (const auto& stamp : status["stamps"])
-        std::printf("note: %s\n", stamp.get<std::string>().c_str());
-    for (const auto& flag : status["quality"])
-        std::printf("flag: %s %s: %s\n", flag["participant"].is_string() ? flag["participant"].get<std::string>().c_str() : "",
-                    flag["flag"].get<std::string>().c_str(), flag["why"].get<std::string>().c_str());
 }
 
 int status(const std::string& study, const JsonTarget& target)
 {
-    const auto json = statusJson(openStudy(study));
+    const auto json = statusOf(openStudy(study));
     if (target)
         writeJson(target, json);
     else
-        printStatus(json);
+        std::fputs(textOf(json).c_str(), stdout);
     return 0;
+}
+
+/// The codes on the fabric pieces, where there are any.
+std::string pieceName(const database::StudyFacts& facts, int slot, const protocols::FabricId& fabric)
+{
+    const auto index = static_cast<std::size_t>(slot) - 1;
+    return index < facts.swatches.size() ? facts.swatches[index].at(fabric) : fabric.value;
 }
 
 int plan(const std::string& study, const std::string& csv)
@@ -144,7 +85,7 @@ int plan(const std::string& study, const std::string& csv)
             for (const auto& question : protocol.phases[trial.phase].questions)
                 questions += (questions.empty() ? "" : " ") + question.id.value;
             for (const auto& fabric : trial.alternatives)
-                tray += (tray.empty() ? "" : " ") + fabric.value;
+                tray += (tray.empty() ? "" : " ") + pieceName(facts, slot.number, fabric);
             const double minutes = (trial.number.value - 1) * protocol.secondsPerPresentation / 60;
             const int sitting = 1 + static_cast<int>(minutes / protocol.sittingMinutes);
             text += std::to_string(slot.number) + "," + std::to_string(trial.number.value) + "," + csvCell(questions) + "," +
@@ -152,6 +93,46 @@ int plan(const std::string& study, const std::string& csv)
         }
     writeFile(csv, text);
     std::printf("%s: running orders of %d slots\n", csv.c_str(), protocol.participants);
+    return 0;
+}
+
+struct Amendment {
+    std::string study, who, why;
+    bool undo = false;
+};
+
+std::string listed(const std::vector<std::string>& items)
+{
+    std::string text;
+    for (const auto& item : items)
+        text += (text.empty() ? "" : ", ") + item;
+    return text;
+}
+
+/// protocol.json was edited: taken over for participants to come, or put back.
+int amend(const Amendment& call)
+{
+    database::StudyStore store({call.study}, database::StudyStore::Access::Write);
+    const auto file = store.folder().protocol();
+    const auto kept = store.protocolVersions().back();
+    if (call.undo) {
+        writeFile(file, kept.json);
+        std::printf("%s: put back as it was (version %d)\n", file.c_str(), kept.version);
+        return 0;
+    }
+    const std::string text = readFile(file);
+    if (protocols::sha256(text) == kept.sha256) {
+        std::printf("%s: unchanged (version %d), nothing to take over\n", file.c_str(), kept.version);
+        return 0;
+    }
+    const auto changed = fixedPartsChanged(protocols::protocolFromJson(kept.json, "the kept protocol"),
+                                           protocols::protocolFromJson(text, file.string()));
+    if (!changed.empty())
+        throw protocols::badInput({"it changes " + listed(changed) + ", on which running orders and stimuli hang", file.string(),
+                                   "changes of words, times, breaks, bounds, contrasts, checklist or facts",
+                                   "make a new study for it; `vis2hap study amend " + call.study + " --undo` puts the kept text back"});
+    store.takeProtocol(text, call.who, call.why);
+    std::printf("%s: taken over as version %d; participants enrolled before keep theirs\n", file.c_str(), kept.version + 1);
     return 0;
 }
 
@@ -191,6 +172,26 @@ void addStudy(CLI::App& app, Action& action)
     statusCommand->callback([folder, target, &action] {
         action.surroundings = Surroundings::Core;
         action.work = [folder, target] { return status(*folder, *target); };
+    });
+
+    auto* amendCommand = study->add_subcommand("amend", "take an edited protocol.json over for participants to come, or undo the edit");
+    auto amendment = std::make_shared<Amendment>();
+    amendCommand->add_option("STUDY", amendment->study, "the study")->required();
+    amendCommand->add_option("--who", amendment->who, "who changes it");
+    amendCommand->add_option("--why", amendment->why, "why");
+    amendCommand->add_flag("--undo", amendment->undo, "put the text back that the study keeps");
+    amendCommand->callback([amendment, &action] {
+        action.surroundings = Surroundings::Core;
+        action.work = [amendment] { return amend(*amendment); };
+    });
+
+    auto* sheetsCommand = study->add_subcommand("sheets", "to print: swatch labels, preparation sheets, the scale's card");
+    auto out = std::make_shared<std::string>();
+    sheetsCommand->add_option("STUDY", *folder, "the study")->required();
+    sheetsCommand->add_option("--out", *out, "folder to write")->required();
+    sheetsCommand->callback([folder, out, &action] {
+        action.surroundings = Surroundings::Core;
+        action.work = [folder, out] { return writeSheets(openStudy(*folder), *out); };
     });
 
     auto* planCommand = study->add_subcommand("plan", "the blinded running order, one row a trial");

@@ -26,8 +26,8 @@ std::vector<std::string> faultsOf(const database::StudyStore& store)
     const auto file = store.folder().protocol();
     if (!std::filesystem::exists(file))
         faults.push_back("protocol.json: missing");
-    else if (protocols::sha256OfFile(file) != store.facts().protocolSha256)
-        faults.push_back("protocol.json: changed since the study was made");
+    else if (protocols::sha256OfFile(file) != store.protocolVersions().back().sha256)
+        faults.push_back("protocol.json: changed since the study was made or last amended");
     return faults;
 }
 
@@ -42,7 +42,7 @@ int verify(const std::string& study, const JsonTarget& target)
         for (const auto& fault : faults)
             std::printf("%s\n", fault.c_str());
         std::printf("%s: %s (%zu answers, %zu stimuli, hash chain, keys, protocol)\n", study.c_str(),
-                    faults.empty() ? "sound" : (std::to_string(faults.size()) + " faults").c_str(), store.answers().size(),
+                    faults.empty() ? "sound" : (std::to_string(faults.size()) + (faults.size() == 1 ? " fault" : " faults")).c_str(), store.answers().size(),
                     store.stimulusHashes().size());
     }
     return static_cast<int>(faults.empty() ? protocols::ExitCode::Done : protocols::ExitCode::WorkFailed);

@@ -1,7 +1,11 @@
 #include "study/session/driver.h"
 
+#include <fstream>
+#include <iterator>
+
 #include "protocols/errors.h"
 #include "protocols/protocol_json.h"
+#include "protocols/sha256.h"
 #include "study/session/session_moves.h"
 
 namespace study::session {
@@ -13,11 +17,23 @@ using database::StudyStore;
 
 const protocols::BlindedTrial& trialOf(const Plan& plan, int index) { return plan.trials[static_cast<std::size_t>(index)]; }
 
-Plan planOf(const StudyStore& store, int slot)
+std::string protocolTextFor(const StudyStore& store, const database::Enrolment& enrolment)
+{
+    for (const database::ProtocolVersion& version : store.protocolVersions())
+        if (version.version == enrolment.protocolVersion) return version.json;
+    throw protocols::workFailed({"version " + std::to_string(enrolment.protocolVersion) + " of the protocol is missing",
+                                 store.folder().database().string(), "", "run vis2hap verify on the study"});
+}
+
+Plan planOf(const StudyStore& store, const database::Enrolment& enrolment)
 {
     const database::StudyFacts facts = store.facts();
-    return {protocols::protocolFromJson(facts.protocolJson, store.folder().protocol().string()), store.trials(slot),
-            facts.fabricNames};
+    Plan plan{protocols::protocolFromJson(protocolTextFor(store, enrolment), store.folder().protocol().string()),
+              store.trials(enrolment.slot), facts.fabricNames, {}};
+    const std::size_t slot = static_cast<std::size_t>(enrolment.slot) - 1;
+    if (slot < facts.swatches.size()) plan.fabricNames = facts.swatches[slot];
+    for (const database::FamiliarisationItem& item : facts.familiarisation) plan.familiarisation.push_back({item.name, item.fileCode});
+    return plan;
 }
 
 AnswerRecord recordOf(const Plan& plan, const StoredAnswer& answer)
@@ -28,10 +44,10 @@ AnswerRecord recordOf(const Plan& plan, const StoredAnswer& answer)
     record.question = questionOf(plan, answer.index, answer.question).id;
     record.fileCode = trial.fileCode;
     record.alternatives = trial.alternatives;
-    if (const auto* fabric = std::get_if<protocols::FabricId>(&answer.response))
-        record.answer = *fabric;
+    if (const auto* rating = std::get_if<protocols::Tenths>(&answer.response))
+        record.rating = *rating;
     else
-        record.rating = std::get<protocols::Tenths>(answer.response);
+        record.answer = textOf(answer.response);
     return record;
 }
 
@@ -40,6 +56,7 @@ AnswerRecord givenAnswer(const Plan& plan, const Presenting& asked, const Stored
     AnswerRecord record = recordOf(plan, answer);
     record.readyAtNs = asked.readyAtNs;
     record.touchedAtNs = asked.touchedAtNs;
+    if (asked.touchedAtNs) record.touchedBy = asked.touchedBy == TouchSource::Display ? "display" : "operator";
     record.answeredAtNs = atNs;
     return record;
 }
@@ -57,7 +74,7 @@ int voidedTrial(const State& before, const State& next)
 {
     std::size_t place = 0;
     while (place < before.order.size() && before.order[place] == next.order[place]) ++place;
-    return next.order[place];
+    return next.order[place].index;
 }
 
 /// What a remark made now is about: the presentation that is on, or the one answered last.
@@ -75,10 +92,13 @@ void addWhatItStores(StudyStore::Append& entry, const Plan& plan, const State& b
     if (const auto* corrected = std::get_if<Corrected>(&body)) entry.answers.push_back(correction(plan, next, *corrected));
     if (const auto* voided = std::get_if<Voided>(&body)) {
         entry.voids = trialOf(plan, voidedTrial(before, next)).number;
-        if (!voided->why.empty()) entry.note = {*entry.voids, voided->why};
+        if (!voided->why.empty()) entry.note = {*entry.voids, voided->why, false};
     }
     if (const auto* noted = std::get_if<Noted>(&body))
-        if (const auto trial = trialNotedOn(before)) entry.note = {trialOf(plan, *trial).number, noted->text};
+        if (const auto trial = trialNotedOn(before)) entry.note = {trialOf(plan, *trial).number, noted->text, noted->isFlag};
+    if (const auto* given = std::get_if<FactsGiven>(&body)) entry.facts.assign(given->facts.begin(), given->facts.end());
+    if (const auto* debriefed = std::get_if<Debriefed>(&body))
+        if (!debriefed->text.empty()) entry.facts.emplace_back(debriefingFact, debriefed->text);
     if (std::holds_alternative<Finished>(next.stage) && !std::holds_alternative<Finished>(before.stage))
         entry.slotState = database::SlotState::Finished;
     if (std::holds_alternative<Withdrawn>(next.stage) && !std::holds_alternative<Withdrawn>(before.stage))
@@ -91,11 +111,33 @@ Driver::Driver(StudyStore& store, const protocols::ParticipantId& participant, d
                rendering::StimulusBank& bank, rendering::HapticDisplay& display, Clock& clock)
     : m_store(store), m_participant(participant), m_bank(bank), m_display(display), m_clock(clock)
 {
-    m_plan = planOf(store, store.enrol(participant, kind).number);
+    requireKeptProtocol(store);
+    store.enrol(participant, kind);
+    m_plan = readPlan(store, participant);
     replayLog();
     if (const auto refusal = send(SittingStarted{}))
         throw protocols::workFailed(
             {"the session cannot be opened: " + refusal->reason, participant.value, "", "run vis2hap verify on the study"});
+}
+
+Plan readPlan(const StudyStore& store, const protocols::ParticipantId& participant)
+{
+    for (const database::Enrolment& enrolment : store.enrolments())
+        if (enrolment.participant == participant) return planOf(store, enrolment);
+    throw protocols::badInput({"no participant " + participant.value, store.folder().folder.string(), "one who is enrolled", ""});
+}
+
+void requireKeptProtocol(const StudyStore& store)
+{
+    const std::filesystem::path file = store.folder().protocol();
+    const std::string study = store.folder().folder.string();
+    std::ifstream stream(file, std::ios::binary);
+    const std::string text{std::istreambuf_iterator<char>(stream), {}};
+    if (stream && protocols::sha256(text) == store.protocolVersions().back().sha256) return;
+    throw protocols::badInput({stream ? "the protocol was changed after the study was made" : "the protocol cannot be read", file.string(),
+                               "the text that the study keeps",
+                               "take the change over with `vis2hap study amend " + study +
+                                   " --who NAME --why TEXT`, or put the kept text back with `vis2hap study amend " + study + " --undo`"});
 }
 
 void Driver::replayLog()

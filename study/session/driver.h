@@ -15,20 +15,34 @@
 
 namespace study::session {
 
+/// Under which fact the debriefing is kept.
+inline constexpr const char* debriefingFact = "debriefing";
+
+/// What an enrolled participant's session follows. Throws badInput for an unknown participant.
+Plan readPlan(const database::StudyStore& store, const protocols::ParticipantId& participant);
+
+/// Throws badInput where protocol.json is not the latest text that the study keeps.
+void requireKeptProtocol(const database::StudyStore& store);
+
 /// What a front end may show: a value, without any key.
 struct View {
     State state;
     std::string participant;
     std::string phaseName;                    ///< "Q1", "Q2-Q4"
     protocols::PresentationCode code;         ///< while a trial is on; else empty
-    std::vector<std::string> tray;            ///< names of the fabrics in slots A, B, C
+    std::vector<std::string> tray;            ///< the codes on the fabric pieces in slots A, B, C
     std::vector<protocols::FabricId> trayIds;
     std::optional<protocols::Question> question;  ///< the one now asked, or asked next in PlacingTray
     std::optional<protocols::Scale> scale;        ///< of that question
     int presentation = 0, presentations = 0;  ///< progress, from 1; voided ones add to the total
     int answersStored = 0, answersInAll = 0;
-    double minutesLeft = 0;                   ///< by the protocol's seconds per presentation
+    std::optional<protocols::AnswerKind> answerKind;  ///< of that question
+    double minutesLeft = 0;                   ///< by the protocol's seconds, from five presentations on by this participant's own
+    double sittingMinutes = 0;                ///< since this sitting began, at the last event
     int presentationsToBreak = 0;
+    bool sittingIsPrepared = true;            ///< else its refresher and checklist are due
+    std::vector<std::string> familiarisation; ///< names of the fabrics for getting to know the display
+    std::vector<protocols::Tenths> placesToName;  ///< in scale training
     std::optional<std::string> lastAnswer;    ///< read-back: "Q3: 5.5"
     std::optional<protocols::QuestionId> lastQuestion;
 };

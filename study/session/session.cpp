@@ -1,32 +1,41 @@
 // The transition table. Rows: stages; columns: events; an empty cell is refused with a reason.
 //
-//                 | Begun | Famil. | ScaleT.| Tray  | Touched | Answered  | Void | Break | Pause | Resume
-//                 |       | Done   | Done   | Ready |         |           |      | Ended |       |
-// ----------------+-------+--------+--------+-------+---------+-----------+------+-------+-------+-------
-// Enrolled        | Famil.|        |        |       |         |           |      |       | +p    |
-// Familiarising   |       | ScaleT.|        |       |         |           |      |       | +p    |
-// ScaleTraining   |       |        | Tray   |       |         |           |      |       | +p    |
-// PlacingTray i   |       |        |        | Pres. |         |           | (a)  |       | +p    |
-// Presenting i q  |       |        |        |       | Pres.   | Pres. q+1 | next |       | Tray i|
-//                 |       |        |        |       |         | or next   |      |       | +p    |
-// OnBreak         |       |        |        |       |         |           | (a)  | Tray  | +p    |
-// Finished        |       |        |        |       |         |           |      |       |       |
-// Withdrawn       |       |        |        |       |         |           |      |       |       |
-// any, paused     |       |        |        |       |         |           |      |       |       | -p
+//                 | Begun | Con-   | Facts | Famil. | Famil. | Scale  | Scale  | Check- | Sitting
+//                 |       | sented | Given | Shown  | Done   | Placed | T.Done | list   | Prepared
+// ----------------+-------+--------+-------+--------+--------+--------+--------+--------+---------
+// Enrolled        | prep. |        |       |        |        |        |        |        |
+// Consenting      |       | prep.  |       |        |        |        |        |        |
+// AskingFacts     |       |        | prep. |        |        |        |        |        |
+// Familiarising   |       |        |       | shows  | prep.  |        |        |        |
+// ScaleTraining   |       |        |       |        |        | +1     | prep.  |        |
+// CheckingList    |       |        |       |        |        |        |        | Tray   |
+// PlacingTray, OnBreak; in a sitting not prepared (paused or not) |       |        |        | Scale T.
 //
-// next = after the last question or a void: OnBreak when the phase ends or breakAfterPresentations are
-//        done in it, PlacingTray of the next presentation, Finished after the last.
-// (a)  = voids the presentation just completed (or the interrupted one, where it has answers already)
-//        and stays; the tray may then be another one.
+//                 | Tray  | Touched | Answered  | Void | Break | Debriefed | Pause | Resume
+//                 | Ready |         |           |      | Ended |           |       |
+// ----------------+-------+---------+-----------+------+-------+-----------+-------+-------
+// Enrolled ... CheckingList         |           |      |       |           | +p    |
+// PlacingTray i   | Pres. |         |           | (a)  |       |           | +p    |
+// Presenting i q  |       | Pres.   | Pres. q+1 | next |       |           | Tray i|
+//                 |       |         | or next   |      |       |           | +p    |
+// OnBreak         |       |         |           | (a)  | Tray  |           | +p    |
+// Debriefing      |       |         |           | (a)  |       | Finished  | +p    |
+// Finished        |       |         |           |      |       |           |       |
+// Withdrawn       |       |         |           |      |       |           |       |
+// any, paused     |       |         |           |      |       |           |       | -p
+//
+// prep. = the next stage of the preparation for which the protocol has something, at last PlacingTray.
+// next  = after the last question or a void: OnBreak when a block or phase ends or time is up, PlacingTray
+//         of the next presentation, Debriefing after the last.
+// (a)   = voids the presentation just completed (or the interrupted one, where it has answers already)
+//         and stays (from Debriefing: PlacingTray); the tray may then be another one.
 // In every cell of their columns, so not drawn: SittingStarted (Presenting i -> PlacingTray i; the pause
 // stays), Noted, WithdrawnEvent (not twice) -> Withdrawn, Corrected (not once withdrawn, and only where
 // there is an answer to correct).
 //
-// Kept in every state: `order` holds each trial once and once more for each void, phases together;
-// Presenting and PlacingTray are of trial order[position]; `answers` holds no two answers to the same
-// question of the same trial and none of a voided presentation.
-#include <numeric>
-
+// Kept in every state: `order` holds each trial once and once more for each void, phases together, blocks
+// ascending; Presenting and PlacingTray are of trial order[position]; `answers` holds no two answers to the
+// same question of the same trial and none of a voided presentation.
 #include "study/session/session_moves.h"
 
 namespace study::session {
@@ -47,24 +56,58 @@ struct Transition {
         return Refusal{refusalOf(state, body)};
     }
 
-    Outcome operator()(const Enrolled&, const Begun&) const { return moved(Familiarising{}); }
-    Outcome operator()(const Familiarising&, const FamiliarisationDone&) const { return moved(ScaleTraining{}); }
-    Outcome operator()(const ScaleTraining&, const ScaleTrainingDone&) const { return placing(); }
-    Outcome operator()(const OnBreak&, const BreakEnded&) const { return placing(); }
+    Outcome operator()(const Enrolled&, const Begun&) const { return preparedOn(); }
+    Outcome operator()(const Consenting&, const Consented&) const { return preparedOn(); }
+    Outcome operator()(const AskingFacts&, const FactsGiven&) const { return preparedOn(); }
+    Outcome operator()(const Familiarising&, const FamiliarisationShown& shown) const
+    {
+        if (shown.item < 0 || shown.item >= static_cast<int>(plan.familiarisation.size()))
+            return Refusal{"There is no such fabric to get to know."};
+        Step step = moved(Familiarising{shown.item});
+        step.effects.emplace_back(ShowStimulus{plan.familiarisation[static_cast<std::size_t>(shown.item)].fileCode});
+        return step;
+    }
+    Outcome operator()(const Familiarising&, const FamiliarisationDone&) const
+    {
+        Step step{state, {ClearDisplay{}}};
+        prepareOn(plan, step, atNs);
+        return step;
+    }
+    Outcome operator()(const ScaleTraining& training, const ScalePlaced& placed) const
+    {
+        const auto places = placesToName(plan, state);
+        if (training.placed >= static_cast<int>(places.size())) return Refusal{"Every place has been named already."};
+        if (placed.shown != places[static_cast<std::size_t>(training.placed)])
+            return Refusal{"This is not the place that is shown."};
+        return moved(ScaleTraining{training.isRefresher, training.placed + 1});
+    }
+    Outcome operator()(const ScaleTraining&, const ScaleTrainingDone&) const { return preparedOn(); }
+    Outcome operator()(const CheckingList&, const ChecklistDone&) const { return preparedOn(); }
+    Outcome operator()(const PlacingTray&, const SittingPrepared&) const { return refreshed(); }
+    Outcome operator()(const OnBreak&, const SittingPrepared&) const { return refreshed(); }
+
+    Outcome operator()(const OnBreak&, const BreakEnded&) const
+    {
+        Step step{state, {}};
+        step.next.restedAtNs = atNs;
+        placeTray(plan, step, atNs);
+        return step;
+    }
 
     Outcome operator()(const PlacingTray& tray, const TrayReady&) const
     {
-        Step step = moved(Presenting{tray.index, answersTo(state, tray.index), atNs, std::nullopt});
+        Step step = moved(Presenting{tray.index, answersTo(state, tray.index), atNs, std::nullopt, TouchSource::Operator});
         step.effects.emplace_back(ShowStimulus{plan.trials[static_cast<std::size_t>(tray.index)].fileCode});
         if (const auto next = fileCodeAt(plan, state, state.position + 1)) step.effects.emplace_back(Prefetch{*next});
         return step;
     }
 
-    Outcome operator()(const Presenting& presenting, const Touched&) const
+    Outcome operator()(const Presenting& presenting, const Touched& touch) const
     {
         if (presenting.touchedAtNs) return Refusal{"The first touch is stamped already."};
         Presenting touched = presenting;
         touched.touchedAtNs = atNs;
+        touched.touchedBy = touch.by;
         return moved(touched);
     }
 
@@ -75,28 +118,30 @@ struct Transition {
         step.next.answers.push_back({presenting.index, presenting.question, answered.response});
         ++step.next.answersStored;
         if (presenting.question + 1 < questionsOf(plan, presenting.index))
-            step.next.stage = Presenting{presenting.index, presenting.question + 1, atNs, std::nullopt};
+            step.next.stage = Presenting{presenting.index, presenting.question + 1, atNs, std::nullopt, TouchSource::Operator};
         else
-            endPresentation(plan, step);
+            endPresentation(plan, step, atNs);
         return step;
     }
 
     Outcome operator()(const Presenting& presenting, const Voided&) const
     {
         Step step{state, {}};
-        presentAgain(plan, step.next, presenting.index);
-        endPresentation(plan, step);
+        presentAgain(plan, step.next, presenting.index, state.position);
+        endPresentation(plan, step, atNs);
         return step;
     }
     Outcome operator()(const PlacingTray& tray, const Voided&) const
     {
         if (answersTo(state, tray.index) == 0) return voidedBefore();
         Step step{state, {}};
-        presentAgain(plan, step.next, tray.index);
-        endPresentation(plan, step);
+        presentAgain(plan, step.next, tray.index, state.position);
+        endPresentation(plan, step, atNs);
         return step;
     }
     Outcome operator()(const OnBreak&, const Voided&) const { return voidedBefore(); }
+    Outcome operator()(const Debriefing&, const Voided&) const { return voidedBefore(); }
+    Outcome operator()(const Debriefing&, const Debriefed&) const { return moved(Finished{}); }
 
 private:
     Step moved(const Stage& stage) const
@@ -106,10 +151,23 @@ private:
         return step;
     }
 
-    Step placing() const
+    Step preparedOn() const
     {
         Step step{state, {}};
-        placeTray(plan, step);
+        prepareOn(plan, step, atNs);
+        return step;
+    }
+
+    Outcome refreshed() const
+    {
+        if (state.preparedSitting == state.sitting) return Refusal{"This sitting is prepared already."};
+        Step step{state, {}};
+        step.next.paused = false;
+        step.next.restedAtNs = atNs;
+        // Where nothing is rated there is no scale to refresh.
+        step.next.stage = Familiarising{};
+        prepareOn(plan, step, atNs);
+        if (auto* training = std::get_if<ScaleTraining>(&step.next.stage)) training->isRefresher = true;
         return step;
     }
 
@@ -117,15 +175,15 @@ private:
     Outcome voidedBefore() const
     {
         if (state.position == 0) return Refusal{"No presentation has been given yet."};
-        const int before = state.order[static_cast<std::size_t>(state.position - 1)];
+        const int before = state.order[static_cast<std::size_t>(state.position - 1)].index;
         if (answersTo(state, before) == 0) return Refusal{"The presentation before this one is void already."};
         Step step{state, {}};
-        presentAgain(plan, step.next, before);
-        const int next = step.next.order[static_cast<std::size_t>(step.next.position)];
-        if (std::holds_alternative<OnBreak>(state.stage))
-            step.next.stage = OnBreak{next};
+        presentAgain(plan, step.next, before, state.position - 1);
+        const int next = step.next.order[static_cast<std::size_t>(step.next.position)].index;
+        if (const auto* onBreak = std::get_if<OnBreak>(&state.stage))
+            step.next.stage = OnBreak{next, onBreak->reason};
         else
-            placeTray(plan, step);
+            placeTray(plan, step, atNs);
         return step;
     }
 };
@@ -140,20 +198,24 @@ Outcome pause(const State& state)
     return step;
 }
 
-Outcome resume(const Plan& plan, const State& state)
+Outcome resume(const Plan& plan, const State& state, std::int64_t atNs)
 {
     if (!state.paused) return Refusal{"The session is not paused."};
     Step step{state, {}};
     step.next.paused = false;
-    if (std::holds_alternative<PlacingTray>(state.stage)) placeTray(plan, step);
+    step.next.restedAtNs = atNs;
+    if (std::holds_alternative<PlacingTray>(state.stage)) placeTray(plan, step, atNs);
     return step;
 }
 
-Outcome startSitting(const State& state)
+/// Its clock need not go on from the one before: what is measured from stamps begins anew.
+Outcome startSitting(const State& state, std::int64_t atNs)
 {
     Step step{state, {ClearDisplay{}}};
     interrupt(step.next);
     ++step.next.sitting;
+    step.next.sittingBeganAtNs = step.next.restedAtNs = step.next.trayAskedAtNs = atNs;
+    step.next.sittingOverTold = false;
     return step;
 }
 
@@ -179,26 +241,31 @@ Outcome correct(const Plan& plan, const State& state, const Corrected& event)
     return step;
 }
 
+Outcome note(const State& state, const Noted& event)
+{
+    if (event.text.empty() && !event.isFlag) return Refusal{"The note is empty."};
+    if (event.isFlag && state.answers.empty() && !std::holds_alternative<Presenting>(state.stage))
+        return Refusal{"There is no presentation to flag yet."};
+    return Step{state, {}};
+}
+
 /// The list's own order, until voids lengthen it.
 State withOrder(const Plan& plan, State state)
 {
-    if (state.order.empty()) {
-        state.order.resize(plan.trials.size());
-        std::iota(state.order.begin(), state.order.end(), 0);
-    }
+    if (state.order.empty()) state.order = orderOf(plan);
     return state;
 }
 
 Outcome applyTo(const Plan& plan, const State& state, const Event& event)
 {
     // The events that every stage takes, paused or not.
-    if (std::holds_alternative<SittingStarted>(event.body)) return startSitting(state);
-    if (std::holds_alternative<Resumed>(event.body)) return resume(plan, state);
+    if (std::holds_alternative<SittingStarted>(event.body)) return startSitting(state, event.atNs);
+    if (std::holds_alternative<Resumed>(event.body)) return resume(plan, state, event.atNs);
     if (const auto* withdrawn = std::get_if<WithdrawnEvent>(&event.body)) return withdraw(state, *withdrawn);
     if (const auto* corrected = std::get_if<Corrected>(&event.body)) return correct(plan, state, *corrected);
-    if (const auto* noted = std::get_if<Noted>(&event.body))
-        return noted->text.empty() ? Outcome(Refusal{"The note is empty."}) : Outcome(Step{state, {}});
-    if (state.paused) return Refusal{"The session is paused; resume it first."};
+    if (const auto* noted = std::get_if<Noted>(&event.body)) return note(state, *noted);
+    if (state.paused && !std::holds_alternative<SittingPrepared>(event.body))
+        return Refusal{"The session is paused; resume it first."};
     if (std::holds_alternative<Paused>(event.body)) return pause(state);
     return std::visit(Transition{plan, state, event.atNs}, state.stage, event.body);
 }

@@ -1,5 +1,7 @@
 #include "study/session/session_moves.h"
 
+#include "protocols/random.h"
+
 #include <algorithm>
 #include <cstdlib>
 
@@ -7,10 +9,11 @@ namespace study::session {
 
 namespace {
 
-int trialAt(const State& state, int position) { return state.order[static_cast<std::size_t>(position)]; }
+const Place& placeAt(const State& state, int position) { return state.order[static_cast<std::size_t>(position)]; }
+
 int phaseIndexAt(const Plan& plan, const State& state, int position)
 {
-    return plan.trials[static_cast<std::size_t>(trialAt(state, position))].phase;
+    return plan.trials[static_cast<std::size_t>(placeAt(state, position).index)].phase;
 }
 
 std::string inTenths(int tenths)
@@ -42,6 +45,38 @@ std::optional<std::string> faultOfRating(const protocols::Scale& scale, protocol
            inTenths(scale.max.value) + " in steps of " + inTenths(scale.step.value) + ".";
 }
 
+const char* whatIsAskedFor(protocols::AnswerKind kind)
+{
+    switch (kind) {
+        case protocols::AnswerKind::Choice: return "one of the fabrics on the tray";
+        case protocols::AnswerKind::Rating: return "a number on the scale";
+        case protocols::AnswerKind::SameDifferent: return "same or different";
+        case protocols::AnswerKind::Words: return "words";
+    }
+    return "";
+}
+
+const protocols::Scale* scaleOf(const Plan& plan)
+{
+    for (const protocols::Phase& phase : plan.protocol.phases)
+        if (phase.scale) return &*phase.scale;
+    return nullptr;
+}
+
+
+constexpr std::int64_t minuteNs = 60LL * 1000 * 1000 * 1000;
+
+std::optional<BreakReason> breakDueBefore(const Plan& plan, const State& state, int position, std::int64_t atNs)
+{
+    const bool sittingIsLong = atNs - state.sittingBeganAtNs >= plan.protocol.sittingMinutes * minuteNs;
+    if (sittingIsLong && !state.sittingOverTold) return BreakReason::SittingOver;
+    if (phaseIndexAt(plan, state, position - 1) != phaseIndexAt(plan, state, position)) return BreakReason::Phase;
+    if (blockEndsBefore(state, position)) return BreakReason::Block;
+    if (plan.protocol.breakAfterMinutes && atNs - state.restedAtNs >= *plan.protocol.breakAfterMinutes * minuteNs)
+        return BreakReason::Time;
+    return std::nullopt;
+}
+
 }  // namespace
 
 const protocols::Phase& phaseOf(const Plan& plan, int index)
@@ -54,6 +89,22 @@ int questionsOf(const Plan& plan, int index) { return static_cast<int>(phaseOf(p
 const protocols::Question& questionOf(const Plan& plan, int index, int question)
 {
     return phaseOf(plan, index).questions.at(static_cast<std::size_t>(question));
+}
+
+std::vector<Place> orderOf(const Plan& plan)
+{
+    std::vector<Place> order;
+    int block = 0, inBlock = 0;
+    for (std::size_t i = 0; i < plan.trials.size(); ++i) {
+        const bool isNewPhase = i > 0 && plan.trials[i].phase != plan.trials[i - 1].phase;
+        if (isNewPhase || inBlock == plan.protocol.breakAfterPresentations) {
+            ++block;
+            inBlock = 0;
+        }
+        ++inBlock;
+        order.push_back({static_cast<int>(i), block});
+    }
+    return order;
 }
 
 int answersTo(const State& state, int index)
@@ -74,33 +125,54 @@ std::optional<std::size_t> latestAnswerTo(const Plan& plan, const State& state, 
 std::optional<protocols::FileCode> fileCodeAt(const Plan& plan, const State& state, int position)
 {
     if (position >= static_cast<int>(state.order.size())) return std::nullopt;
-    return plan.trials[static_cast<std::size_t>(trialAt(state, position))].fileCode;
+    return plan.trials[static_cast<std::size_t>(placeAt(state, position).index)].fileCode;
 }
 
-int donePresentationsOfPhase(const Plan& plan, const State& state, int position)
+int attemptAt(const State& state, int position)
 {
-    int first = position;
-    while (first > 0 && phaseIndexAt(plan, state, first - 1) == phaseIndexAt(plan, state, position - 1)) --first;
-    return position - first;
+    const int index = placeAt(state, position).index;
+    return static_cast<int>(std::count_if(state.order.begin(), state.order.begin() + position + 1,
+                                          [&](const Place& place) { return place.index == index; }));
 }
 
-bool breakIsDueBefore(const Plan& plan, const State& state, int position)
+bool blockEndsBefore(const State& state, int position)
 {
     if (position <= 0 || position >= static_cast<int>(state.order.size())) return false;
-    if (phaseIndexAt(plan, state, position - 1) != phaseIndexAt(plan, state, position)) return true;
-    const int count = plan.protocol.breakAfterPresentations;
-    return count > 0 && donePresentationsOfPhase(plan, state, position) % count == 0;
+    return placeAt(state, position - 1).block != placeAt(state, position).block;
+}
+
+std::vector<protocols::Tenths> placesToName(const Plan& plan, const State& state)
+{
+    const auto* training = std::get_if<ScaleTraining>(&state.stage);
+    const protocols::Scale* scale = scaleOf(plan);
+    if (!training || !scale || plan.trials.empty()) return {};
+    protocols::Random random = protocols::Random::stream(static_cast<std::uint64_t>(state.sitting),
+                                                         "places on the scale/" + plan.trials.front().presentationCode.value);
+    const int steps = (scale->max.value - scale->min.value) / scale->step.value;
+    std::vector<protocols::Tenths> places;
+    for (int third = 0; third < 3; ++third) {
+        const int from = steps * third / 3 + 1, to = std::max(from + 1, steps * (third + 1) / 3);
+        const int step = from + static_cast<int>(random.below(static_cast<std::uint64_t>(to - from)));
+        places.push_back({scale->min.value + scale->step.value * std::min(step, steps)});
+    }
+    random.shuffle(places);
+    places.resize(training->isRefresher ? 1 : 3);
+    return places;
 }
 
 std::optional<std::string> faultOf(const Plan& plan, int index, int question, const Response& response)
 {
     const protocols::Phase& phase = phaseOf(plan, index);
-    const std::string& asked = questionOf(plan, index, question).id.value;
-    const auto* fabric = std::get_if<protocols::FabricId>(&response);
-    if (phase.isChoice() && !fabric) return asked + " asks for one of the fabrics on the tray, not for a number.";
-    if (!phase.isChoice() && fabric) return asked + " asks for a number on the scale, not for a fabric.";
-    return fabric ? faultOfChoice(plan, index, *fabric)
-                  : faultOfRating(phase.scale.value_or(protocols::Scale{}), std::get<protocols::Tenths>(response));
+    const protocols::Question& asked = questionOf(plan, index, question);
+    const protocols::AnswerKind kind = answerKindOf(phase, asked);
+    // Response's alternatives stand in the order of AnswerKind's values.
+    if (response.index() != static_cast<std::size_t>(kind))
+        return asked.id.value + " asks for " + whatIsAskedFor(kind) + ", not for " +
+               whatIsAskedFor(static_cast<protocols::AnswerKind>(response.index())) + ".";
+    if (const auto* fabric = std::get_if<protocols::FabricId>(&response)) return faultOfChoice(plan, index, *fabric);
+    if (const auto* rating = std::get_if<protocols::Tenths>(&response))
+        return faultOfRating(phase.scale.value_or(protocols::Scale{}), *rating);
+    return std::nullopt;
 }
 
 std::string refusalOf(const State& state, const EventBody& body)
@@ -115,34 +187,64 @@ std::string refusalOf(const State& state, const EventBody& body)
 void interrupt(State& state)
 {
     if (const auto* presenting = std::get_if<Presenting>(&state.stage)) state.stage = PlacingTray{presenting->index};
+    if (auto* familiarising = std::get_if<Familiarising>(&state.stage)) familiarising->shown.reset();
 }
 
-void placeTray(const Plan& plan, Step& step)
+void prepareOn(const Plan& plan, Step& step, std::int64_t atNs)
 {
-    step.next.stage = PlacingTray{trialAt(step.next, step.next.position)};
+    const std::size_t stage = step.next.stage.index();
+    const auto comesAfter = [&](const Stage& later) { return later.index() > stage; };
+    if (comesAfter(Consenting{}) && !plan.protocol.consent.empty())
+        step.next.stage = Consenting{};
+    else if (comesAfter(AskingFacts{}) && !plan.protocol.facts.empty())
+        step.next.stage = AskingFacts{};
+    else if (comesAfter(Familiarising{}))
+        step.next.stage = Familiarising{};
+    else if (comesAfter(ScaleTraining{}) && scaleOf(plan))
+        step.next.stage = ScaleTraining{};
+    else if (comesAfter(CheckingList{}) && !(plan.protocol.checklist.empty() && plan.protocol.readings.empty()))
+        step.next.stage = CheckingList{};
+    else {
+        step.next.preparedSitting = step.next.sitting;
+        placeTray(plan, step, atNs);
+    }
+}
+
+void placeTray(const Plan& plan, Step& step, std::int64_t atNs)
+{
+    step.next.stage = PlacingTray{placeAt(step.next, step.next.position).index};
+    step.next.trayAskedAtNs = atNs;
     // Read while the tray is filled, so that showing it takes no time then.
     step.effects.emplace_back(Prefetch{*fileCodeAt(plan, step.next, step.next.position)});
 }
 
-void endPresentation(const Plan& plan, Step& step)
+void endPresentation(const Plan& plan, Step& step, std::int64_t atNs)
 {
+    State& next = step.next;
     step.effects.emplace_back(ClearDisplay{});
-    const int position = ++step.next.position;
-    if (position == static_cast<int>(step.next.order.size()))
-        step.next.stage = Finished{};
-    else if (breakIsDueBefore(plan, step.next, position))
-        step.next.stage = OnBreak{trialAt(step.next, position)};
-    else
-        placeTray(plan, step);
+    next.paceNs.emplace_back(phaseIndexAt(plan, next, next.position), atNs - next.trayAskedAtNs);
+    const int position = ++next.position;
+    if (position == static_cast<int>(next.order.size())) {
+        next.stage = Debriefing{};
+    } else if (const auto reason = breakDueBefore(plan, next, position, atNs)) {
+        next.sittingOverTold = next.sittingOverTold || *reason == BreakReason::SittingOver;
+        next.stage = OnBreak{placeAt(next, position).index, *reason};
+    } else {
+        placeTray(plan, step, atNs);
+    }
 }
 
-void presentAgain(const Plan& plan, State& state, int index)
+void presentAgain(const Plan& plan, State& state, int index, int fromPosition)
 {
     std::erase_if(state.answers, [&](const StoredAnswer& answer) { return answer.index == index; });
-    const int phase = plan.trials[static_cast<std::size_t>(index)].phase;
-    int end = static_cast<int>(state.order.size());
-    while (phaseIndexAt(plan, state, end - 1) != phase) --end;
-    state.order.insert(state.order.begin() + end, index);
+    const int size = static_cast<int>(state.order.size()), phase = phaseIndexAt(plan, state, fromPosition);
+    const int next = fromPosition + 1;
+    // Voided afterwards, when its break has come: the block then beginning takes it, if it is of the same phase.
+    const bool blockIsOver = fromPosition < state.position && blockEndsBefore(state, next) && phaseIndexAt(plan, state, next) == phase;
+    const int block = placeAt(state, blockIsOver ? next : fromPosition).block;
+    int end = next;
+    while (end < size && placeAt(state, end).block == block && phaseIndexAt(plan, state, end) == phase) ++end;
+    state.order.insert(state.order.begin() + end, {index, block});
 }
 
 }  // namespace study::session

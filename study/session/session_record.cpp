@@ -24,6 +24,12 @@ Json jsonOf(const Response& response)
                                  },
                                  [](const protocols::Tenths& rating) {
                                      return Json{{"tenths", rating.value}};
+                                 },
+                                 [](const Sameness& said) {
+                                     return Json{{"same", said.same}};
+                                 },
+                                 [](const Words& said) {
+                                     return Json{{"words", said.text}};
                                  }},
                       response);
 }
@@ -31,6 +37,8 @@ Json jsonOf(const Response& response)
 Response responseOf(const Json& payload)
 {
     if (payload.contains("fabric")) return protocols::FabricId(payload.at("fabric").get<std::string>());
+    if (payload.contains("same")) return Sameness{payload.at("same").get<bool>()};
+    if (payload.contains("words")) return Words{payload.at("words").get<std::string>()};
     return protocols::Tenths{payload.at("tenths").get<int>()};
 }
 
@@ -38,6 +46,24 @@ Corrected correctedOf(const Json& payload)
 {
     return {protocols::QuestionId(payload.at("question").get<std::string>()), responseOf(payload),
             payload.at("why").get<std::string>()};
+}
+
+/// Which facts were given; what they are is kept where it can be erased.
+FactsGiven factsOf(const Json& payload)
+{
+    FactsGiven given;
+    for (const Json& fact : payload.at("given")) given.facts[fact.get<std::string>()];
+    return given;
+}
+
+ChecklistDone checklistOf(const Json& payload)
+{
+    return {payload.at("ticked").get<std::vector<std::string>>(), payload.at("readings").get<std::map<std::string, std::string>>()};
+}
+
+Touched touchOf(const Json& payload)
+{
+    return {payload.value("by", "operator") == "display" ? TouchSource::Display : TouchSource::Operator};
 }
 
 struct Kind {
@@ -49,10 +75,19 @@ struct Kind {
 constexpr Kind kinds[] = {
     {"sitting_started", [](const Json&) -> EventBody { return SittingStarted{}; }},
     {"begun", [](const Json&) -> EventBody { return Begun{}; }},
+    {"consented", [](const Json&) -> EventBody { return Consented{}; }},
+    {"facts_given", [](const Json& payload) -> EventBody { return factsOf(payload); }},
+    {"familiarisation_shown", [](const Json& payload) -> EventBody { return FamiliarisationShown{payload.at("item").get<int>()}; }},
     {"familiarisation_done", [](const Json&) -> EventBody { return FamiliarisationDone{}; }},
+    {"scale_placed",
+     [](const Json& payload) -> EventBody {
+         return ScalePlaced{{payload.at("shown").get<int>()}, {payload.at("spoken").get<int>()}};
+     }},
     {"scale_training_done", [](const Json&) -> EventBody { return ScaleTrainingDone{}; }},
+    {"checklist_done", [](const Json& payload) -> EventBody { return checklistOf(payload); }},
+    {"sitting_prepared", [](const Json&) -> EventBody { return SittingPrepared{}; }},
     {"tray_ready", [](const Json&) -> EventBody { return TrayReady{}; }},
-    {"touched", [](const Json&) -> EventBody { return Touched{}; }},
+    {"touched", [](const Json& payload) -> EventBody { return touchOf(payload); }},
     {"answered", [](const Json& payload) -> EventBody { return Answered{responseOf(payload)}; }},
     {"corrected", [](const Json& payload) -> EventBody { return correctedOf(payload); }},
     {"voided", [](const Json& payload) -> EventBody { return Voided{payload.at("why").get<std::string>()}; }},
@@ -60,7 +95,9 @@ constexpr Kind kinds[] = {
     {"paused", [](const Json&) -> EventBody { return Paused{}; }},
     {"resumed", [](const Json&) -> EventBody { return Resumed{}; }},
     {"withdrawn", [](const Json& payload) -> EventBody { return WithdrawnEvent{payload.at("why").get<std::string>()}; }},
-    {"noted", [](const Json& payload) -> EventBody { return Noted{payload.at("text").get<std::string>()}; }},
+    {"noted",
+     [](const Json& payload) -> EventBody { return Noted{payload.at("text").get<std::string>(), payload.value("flag", false)}; }},
+    {"debriefed", [](const Json&) -> EventBody { return Debriefed{}; }},
 };
 static_assert(std::size(kinds) == std::variant_size_v<EventBody>);
 
@@ -80,7 +117,24 @@ Json payloadOf(const EventBody& body)
                                      return Json{{"why", event.why}};
                                  },
                                  [](const Noted& event) {
-                                     return Json{{"text", event.text}};
+                                     return event.isFlag ? Json{{"text", event.text}, {"flag", true}} : Json{{"text", event.text}};
+                                 },
+                                 [](const FactsGiven& event) {
+                                     Json given = Json::array();
+                                     for (const auto& [fact, value] : event.facts) given.push_back(fact);
+                                     return Json{{"given", given}};
+                                 },
+                                 [](const FamiliarisationShown& event) {
+                                     return Json{{"item", event.item}};
+                                 },
+                                 [](const ScalePlaced& event) {
+                                     return Json{{"shown", event.shown.value}, {"spoken", event.spoken.value}};
+                                 },
+                                 [](const ChecklistDone& event) {
+                                     return Json{{"ticked", event.ticked}, {"readings", event.readings}};
+                                 },
+                                 [](const Touched& event) {
+                                     return Json{{"by", event.by == TouchSource::Display ? "display" : "operator"}};
                                  },
                                  [](const auto&) { return Json::object(); }},
                       body);
@@ -105,12 +159,26 @@ EventBody eventFromRecord(const std::string& kind, const std::string& payloadJso
         {"a stored event is of a kind unknown to this version", "event \"" + kind + "\"", "", "update this program"});
 }
 
+std::string textOf(const Response& response)
+{
+    return std::visit(Overloaded{[](const protocols::FabricId& fabric) { return fabric.value; },
+                                 [](const protocols::Tenths& rating) {
+                                     const int size = std::abs(rating.value);
+                                     return (rating.value < 0 ? "-" : "") + std::to_string(size / 10) + "." + std::to_string(size % 10);
+                                 },
+                                 [](const Sameness& said) { return std::string(said.same ? "same" : "different"); },
+                                 [](const Words& said) { return said.text; }},
+                      response);
+}
+
 std::string nameOf(const State& state)
 {
     const std::string stage = std::visit(
-        Overloaded{[](const Enrolled&) { return "Enrolled"; }, [](const Familiarising&) { return "Familiarising"; },
-                   [](const ScaleTraining&) { return "ScaleTraining"; }, [](const PlacingTray&) { return "PlacingTray"; },
-                   [](const Presenting&) { return "Presenting"; }, [](const OnBreak&) { return "OnBreak"; },
+        Overloaded{[](const Enrolled&) { return "Enrolled"; }, [](const Consenting&) { return "Consenting"; },
+                   [](const AskingFacts&) { return "AskingFacts"; }, [](const Familiarising&) { return "Familiarising"; },
+                   [](const ScaleTraining&) { return "ScaleTraining"; }, [](const CheckingList&) { return "CheckingList"; },
+                   [](const PlacingTray&) { return "PlacingTray"; }, [](const Presenting&) { return "Presenting"; },
+                   [](const OnBreak&) { return "OnBreak"; }, [](const Debriefing&) { return "Debriefing"; },
                    [](const Finished&) { return "Finished"; }, [](const Withdrawn&) { return "Withdrawn"; }},
         state.stage);
     return state.paused ? stage + " (paused)" : stage;

@@ -69,15 +69,16 @@ void AppOperatorTest::choiceOfTheLastPartCanStillBeCorrected()
     open.playTo("Presenting", "Q3");  // Q2 is the last answer, Q1 the one before it
     const auto correctable = open.window().session()->correctables();
     QCOMPARE(correctable.size(), std::size_t(2));
-    const auto& other = correctable[1].choices.front().name == correctable[1].current ? correctable[1].choices.back()
-                                                                                       : correctable[1].choices.front();
+    const auto& options = correctable[1].form.options;
+    const bool isFirst = textOf(correctable[1].form, options.front().response) == correctable[1].current;
+    const auto other = std::get<protocols::FabricId>((isFirst ? options.back() : options.front()).response);
     const auto before = answersIn(folder);
-    open.perform(Corrected{protocols::QuestionId("Q1"), other.fabric, "pointed at the other"});
+    open.perform(Corrected{protocols::QuestionId("Q1"), other, "pointed at the other"});
     int changed = 0;
     for (const auto& [asked, answer] : answersIn(folder))
         if (before.at(asked) != answer) {
             ++changed;
-            QCOMPARE(answer, other.fabric.value);
+            QCOMPARE(answer, other.value);
         }
     QCOMPARE(changed, 1);
 }
@@ -103,7 +104,7 @@ void AppOperatorTest::voidedPresentationComesAgain()
     const int presentations = open.view().presentations;
     const std::string code = open.view().code.value;
     pressKey(open, Qt::Key_V);
-    QVERIFY(open.widget<QLabel>("panelTitle").text().contains(QString::fromStdString(code)));
+    QVERIFY(open.widget<QLabel>("pageTitle").text().contains(QString::fromStdString(code)));
     typeText(open, "wrong fabric");
     pressKey(open, Qt::Key_Return);
     QCOMPARE(open.view().presentations, presentations + 1);
@@ -139,7 +140,7 @@ void AppOperatorTest::withdrawalNeedsNoReason()
     open.playTo("Presenting", "Q1");
     open.perform(WithdrawnEvent{""});
     QVERIFY(std::holds_alternative<Withdrawn>(open.view().state.stage));
-    QVERIFY(open.widget<QLabel>("guideTitle").text().contains("withdrawn"));
+    QVERIFY(open.widget<QLabel>("pageTitle").text().contains("withdrawn"));
     pressKey(open, Qt::Key_Return);
     QTRY_COMPARE(open.window().currentPage()->objectName(), QString("studyPage"));
 }

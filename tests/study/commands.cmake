@@ -1,4 +1,5 @@
 vis2hap_test(study script_test LINK study_commands)
+vis2hap_test(study session_script_test LINK study_commands tests_support)
 vis2hap_test(study signal_quality_test LINK study_commands)
 vis2hap_test(study simulated_participant_test LINK study_commands)
 add_library(tests_program STATIC support/program.cpp support/paper_totals.cpp)

@@ -1,7 +1,10 @@
 // The driver: what it stores, what it lets out when, and where a session goes on.
 #include <QTemporaryDir>
 #include <QtTest>
+#include <algorithm>
 #include <filesystem>
+#include <fstream>
+#include <set>
 
 #include "protocols/errors.h"
 #include "tests/support/played_session.h"
@@ -23,7 +26,7 @@ std::string withoutTimes(const CurrentAnswer& answer)
 {
     const auto& record = answer.record;
     return answer.participant.value + " " + std::to_string(record.trial.value) + " " + record.question.value + " " +
-           record.fileCode.value + " " + (record.answer ? record.answer->value : std::to_string(record.rating->value)) +
+           record.fileCode.value + " " + (record.answer ? *record.answer : std::to_string(record.rating->value)) +
            (answer.voided ? " void" : "");
 }
 
@@ -72,7 +75,7 @@ private Q_SLOTS:
     {
         OpenSession session(newStudy(), "S01");
         session.playToEnd();
-        std::vector<std::string> expected{"clear"};
+        std::vector<std::string> expected{"clear", "clear"};  // the sitting began; the display was got to know
         for (const auto& trial : session.driver->plan().trials) {
             const int value = session.bank.image(trial.fileCode).at<unsigned char>(0, 0);
             expected.push_back("show " + std::to_string(value));
@@ -130,6 +133,8 @@ private Q_SLOTS:
         }
         OpenSession session(folder, "S01");
         QCOMPARE(session.display.told, std::vector<std::string>{"clear"});
+        QCOMPARE(nameOf(session.driver->state()), std::string("Debriefing"));
+        QVERIFY(session.step());
         QVERIFY(!session.step());
         QCOMPARE(withoutTimes(session.store.answers()), withoutTimes(uninterrupted.store.answers()));
     }
@@ -247,11 +252,92 @@ private Q_SLOTS:
             OpenSession session(folder, "P01", database::ParticipantKind::Human);
             session.playUntilAnswers(3);
             session.send(WithdrawnEvent{"unwell"});
-            QCOMPARE(session.store.slots()[0].state, SlotState::Withdrawn);
+            QCOMPARE(session.store.slots()[0].state, SlotState::Free);
+            QCOMPARE(session.store.enrolments()[0].state, SlotState::Withdrawn);
         }
         OpenSession session(folder, "P01", database::ParticipantKind::Human);
         QVERIFY(!session.step());
         QCOMPARE(session.store.answers().size(), 3u);
+    }
+
+    void aPresentationGivenAgainHasAnotherCode()
+    {
+        OpenSession session(newStudy(), "S01");
+        session.stepUntil("Presenting");
+        const protocols::PresentationCode first = session.driver->view().code;
+        session.send(Voided{"noise"});
+        std::set<std::string> seen{first.value};
+        for (int presentation = 2; presentation <= 4; ++presentation) {
+            session.stepUntil("Presenting");
+            QVERIFY(seen.insert(session.driver->view().code.value).second);
+            session.step();
+            session.step();
+            if (presentation < 4) session.stepUntil("PlacingTray");
+        }
+        QCOMPARE(seen.size(), 4u);
+    }
+
+    void aChangedProtocolIsRefusedUntilItIsTakenOver()
+    {
+        const auto folder = newStudy();
+        OpenSession(folder, "S01").playUntilAnswers(2);
+        StudyRecipe recipe;
+        recipe.breakAfter = 3;
+        const std::string changed = protocolText(recipe);
+        std::ofstream(folder.protocol(), std::ios::binary) << changed;
+        try {
+            OpenSession session(folder, "S01");
+            QFAIL("a changed protocol cannot be followed unasked");
+        } catch (const protocols::Error& fault) {
+            QCOMPARE(fault.exitCode(), protocols::ExitCode::BadInput);
+            QVERIFY2(QString(fault.what()).contains("study amend"), fault.what());
+        }
+        database::StudyStore(folder, database::StudyStore::Access::Write).takeProtocol(changed, "Ada", "shorter blocks");
+        QCOMPARE(OpenSession(folder, "S01").driver->plan().protocol.breakAfterPresentations, 4);
+        QCOMPARE(OpenSession(folder, "S02").driver->plan().protocol.breakAfterPresentations, 3);
+    }
+
+    void factsAndDebriefingLieOutsideTheLog()
+    {
+        const auto folder = newStudy();
+        {
+            OpenSession session(folder, "S01");
+            session.stepUntil("Debriefing");
+            session.send(Debriefed{"cold hands"});
+            QCOMPARE(session.store.personalFacts().at(ParticipantId("S01")).at(debriefingFact), std::string("cold hands"));
+        }
+        QCOMPARE(RawSqlite(folder.database()).rows("SELECT COUNT(*) FROM events WHERE payload LIKE '%cold hands%'"),
+                 std::vector<std::string>{"0"});
+    }
+
+    void aFlagIsFoundWithItsPresentation()
+    {
+        OpenSession session(newStudy(), "S01");
+        QVERIFY(session.driver->send(Noted{"", true}).has_value());
+        session.playUntilAnswers(3);
+        session.send(Noted{"odd", true});
+        const auto flags = session.store.flags();
+        QCOMPARE(flags.size(), 1u);
+        QCOMPARE(flags[0].trial.value, 3);
+        QCOMPARE(flags[0].text, std::string("odd"));
+        QVERIFY(session.store.faults().empty());
+    }
+
+    void theTimeLeftFollowsTheParticipantsOwnPace()
+    {
+        OpenSession session(newStudy(), "S01");
+        session.playUntilAnswers(4);
+        QCOMPARE(session.driver->view().minutesLeft, 8 * 30.0 / 60);
+        session.playUntilAnswers(6);
+        session.stepUntil("PlacingTray");
+        QCOMPARE(session.driver->view().minutesLeft, 6 * 30.0 / 60);
+        session.playUntilAnswers(6 + 5 * 3);
+        const auto& pace = session.driver->state().paceNs;
+        QCOMPARE(pace.size(), 11u);
+        std::vector<std::int64_t> own;
+        for (std::size_t i = 6; i < pace.size(); ++i) own.push_back(pace[i].second);
+        std::sort(own.begin(), own.end());
+        QCOMPARE(session.driver->view().minutesLeft, static_cast<double>(own[2]) / 6e10);
     }
 
     void aLogThatDoesNotHoldTogetherIsRefused()

@@ -38,9 +38,9 @@ QStringList rowsWithoutTimes(const QString& csv)
     const auto lines = QString::fromUtf8(file.readAll()).split('\n', Qt::SkipEmptyParts);
     const QStringList columns = lines.front().split(',');
     // The alternatives' cell is quoted and holds commas; times are the columns from ready_at to stored_at and wall_time.
-    const QRegularExpression times(R"(,(\d+),(\d*),(\d+),(\d+),(\d+),([01]),[^,]*,([^,]*)$)");
+    const QRegularExpression times(R"(,(\d+),(\d*),(\w*),(\d+),(\d+),(\d+),([01]),[^,]*,([^,]*)$)");
     for (const auto& line : lines)
-        rows << QString(line).replace(times, R"(,\5,\6,\7)");
+        rows << QString(line).replace(times, R"(,\6,\7,\8)");
     return rows;
 }
 
@@ -129,7 +129,7 @@ void MainJobTest::theKeyIsPrivateAndStimuliLookAlike()
     QCOMPARE(key.permissions() & (QFile::ReadGroup | QFile::ReadOther), QFile::Permissions());
     std::set<qint64> sizes, times;
     const auto stimuli = QDir(m_study + "/stimuli").entryInfoList(QDir::Files);
-    QCOMPARE(stimuli.size(), 63);
+    QCOMPARE(stimuli.size(), 63 + 1);  // and one fabric of eight is left to get to know the display by
     for (const auto& file : stimuli) {
         sizes.insert(file.size());
         times.insert(file.lastModified().toMSecsSinceEpoch());

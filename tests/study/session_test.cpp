@@ -1,5 +1,5 @@
 // The state machine alone: values in, values out.
-#include "study/session/session.h"
+#include "study/session/session_moves.h"
 
 #include <QtTest>
 #include <iomanip>
@@ -39,9 +39,29 @@ Plan smallPlan()
     return plan;
 }
 
+/// The same with everything that a protocol may ask before the first trial.
+Plan fullPlan()
+{
+    Plan plan = smallPlan();
+    plan.protocol.consent = "The participant agrees";
+    plan.protocol.facts = {"age"};
+    plan.protocol.checklist = {"The mask is on"};
+    plan.familiarisation = {{"jersey", FileCode("fam1")}, {"velvet", FileCode("fam2")}};
+    return plan;
+}
+
 /// Applies events that must be accepted.
 class Session {
 public:
+    explicit Session(Plan plan = smallPlan()) : m_plan(std::move(plan)) {}
+    void waitMinutes(int minutes) { m_nowNs += minutes * 60 * oneSecondNs; }
+    const Plan& plan() const { return m_plan; }
+    std::vector<int> order() const
+    {
+        std::vector<int> indices;
+        for (const Place& place : m_state.order) indices.push_back(place.index);
+        return indices;
+    }
     Session& operator<<(const EventBody& body)
     {
         m_nowNs += oneSecondNs;
@@ -71,7 +91,7 @@ public:
     }
 
 private:
-    Plan m_plan = smallPlan();
+    Plan m_plan;
     State m_state;
     std::vector<Effect> m_effects;
     std::int64_t m_nowNs = 0;
@@ -86,37 +106,48 @@ Session atFirstRating()
     session.choose();
     return session << BreakEnded{} << TrayReady{};
 }
-Session finished()
+Session debriefing()
 {
     Session session = atFirstRating();
     session.rate(10).rate(20);
     for (int i = 0; i < 2; ++i) (session << TrayReady{}).rate(30).rate(40);
     return session;
 }
+Session finished() { return debriefing() << Debriefed{"liked the silk"}; }
+Session familiarising() { return Session(fullPlan()) << SittingStarted{} << Begun{} << Consented{} << FactsGiven{{{"age", "24"}}}; }
 
 std::vector<std::pair<std::string, Session>> gridStates()
 {
     std::vector<std::pair<std::string, Session>> states;
-    states.emplace_back("Enrolled", Session() << SittingStarted{});
-    states.emplace_back("Familiarising", Session() << SittingStarted{} << Begun{});
-    states.emplace_back("ScaleTraining", Session() << SittingStarted{} << Begun{} << FamiliarisationDone{});
+    states.emplace_back("Enrolled", Session(fullPlan()) << SittingStarted{});
+    states.emplace_back("Consenting", Session(fullPlan()) << SittingStarted{} << Begun{});
+    states.emplace_back("AskingFacts", Session(fullPlan()) << SittingStarted{} << Begun{} << Consented{});
+    states.emplace_back("Familiarising", familiarising());
+    states.emplace_back("ScaleTraining", familiarising() << FamiliarisationDone{});
+    states.emplace_back("CheckingList", familiarising() << FamiliarisationDone{} << ScaleTrainingDone{});
     states.emplace_back("PlacingTray, the first", atFirstTray());
     states.emplace_back("PlacingTray, the second", atFirstTray().choose());
     states.emplace_back("Presenting Q1", atFirstTray().choose() << TrayReady{});
     states.emplace_back("Presenting Q2, touched", atFirstRating() << Touched{});
     states.emplace_back("Presenting Q3", atFirstRating().rate(50));
     states.emplace_back("OnBreak", atFirstTray().choose().choose().choose());
+    states.emplace_back("Debriefing", debriefing());
     states.emplace_back("Finished", finished());
     states.emplace_back("Withdrawn", atFirstTray().choose() << WithdrawnEvent{"tired"});
     states.emplace_back("Enrolled, paused", Session() << SittingStarted{} << Paused{});
     states.emplace_back("PlacingTray, paused", atFirstTray().choose() << Paused{});
     states.emplace_back("OnBreak, paused", atFirstTray().choose().choose().choose() << Paused{});
+    states.emplace_back("PlacingTray, sitting 2", atFirstTray().choose() << SittingStarted{});
+    states.emplace_back("paused, sitting 2", atFirstTray().choose() << Paused{} << SittingStarted{});
     return states;
 }
 
 /// Two letters of the stage reached, p where paused; . where refused.
-std::string cell(const Session& session, const Plan& plan, EventBody body)
+std::string cell(const Session& session, EventBody body)
 {
+    const Plan& plan = session.plan();
+    if (auto* placed = std::get_if<ScalePlaced>(&body))
+        if (const auto places = placesToName(plan, session.state()); !places.empty()) placed->shown = places.front();
     const auto* presenting = std::get_if<Presenting>(&session.state().stage);
     if (std::holds_alternative<Answered>(body) && presenting && presenting->index >= 4) body = Answered{Tenths{54}};
     const auto outcome = apply(plan, session.state(), {body, 1});
@@ -129,8 +160,14 @@ std::string printedGrid()
 {
     const std::vector<EventBody> events = {SittingStarted{},
                                            Begun{},
+                                           Consented{},
+                                           FactsGiven{},
+                                           FamiliarisationShown{1},
                                            FamiliarisationDone{},
+                                           ScalePlaced{},
                                            ScaleTrainingDone{},
+                                           ChecklistDone{},
+                                           SittingPrepared{},
                                            TrayReady{},
                                            Touched{},
                                            Answered{FabricId("F02")},
@@ -140,35 +177,42 @@ std::string printedGrid()
                                            Paused{},
                                            Resumed{},
                                            WithdrawnEvent{"tired"},
-                                           Noted{"a remark"}};
+                                           Noted{"a remark", false},
+                                           Debriefed{"all well"}};
     std::ostringstream grid;
     for (const auto& [name, session] : gridStates()) {
         std::string line;
         std::ostringstream row;
         row << std::left << std::setw(24) << name;
-        for (const EventBody& body : events) row << std::setw(5) << cell(session, smallPlan(), body);
+        for (const EventBody& body : events) row << std::setw(5) << cell(session, body);
         line = row.str();
         grid << line.substr(0, line.find_last_not_of(' ') + 1) << "\n";
     }
     return grid.str();
 }
 
-//                      sitt begu fami scal tray touc answ corr void brea paus resu with note
+//                      sitt begu cons fact fsho fami spla scal chec prep tray touc answ corr void brea paus resu with note debr
 const char* const drawnGrid =
-    "Enrolled                En   Fa   .    .    .    .    .    .    .    .    Enp  .    Wi   En\n"
-    "Familiarising           Fa   .    Sc   .    .    .    .    .    .    .    Fap  .    Wi   Fa\n"
-    "ScaleTraining           Sc   .    .    Pl   .    .    .    .    .    .    Scp  .    Wi   Sc\n"
-    "PlacingTray, the first  Pl   .    .    .    Pr   .    .    .    .    .    Plp  .    Wi   Pl\n"
-    "PlacingTray, the second Pl   .    .    .    Pr   .    .    Pl   Pl   .    Plp  .    Wi   Pl\n"
-    "Presenting Q1           Pl   .    .    .    .    Pr   Pl   Pr   Pl   .    Plp  .    Wi   Pr\n"
-    "Presenting Q2, touched  Pl   .    .    .    .    .    Pr   Pr   Pl   .    Plp  .    Wi   Pr\n"
-    "Presenting Q3           Pl   .    .    .    .    Pr   Pl   Pr   Pl   .    Plp  .    Wi   Pr\n"
-    "OnBreak                 On   .    .    .    .    .    .    On   On   Pl   Onp  .    Wi   On\n"
-    "Finished                Fi   .    .    .    .    .    .    Fi   .    .    .    .    Wi   Fi\n"
-    "Withdrawn               Wi   .    .    .    .    .    .    .    .    .    .    .    .    Wi\n"
-    "Enrolled, paused        Enp  .    .    .    .    .    .    .    .    .    .    En   Wi   Enp\n"
-    "PlacingTray, paused     Plp  .    .    .    .    .    .    Plp  .    .    .    Pl   Wi   Plp\n"
-    "OnBreak, paused         Onp  .    .    .    .    .    .    Onp  .    .    .    On   Wi   Onp\n";
+    "Enrolled                En   Co   .    .    .    .    .    .    .    .    .    .    .    .    .    .    Enp  .    Wi   En   .\n"
+    "Consenting              Co   .    As   .    .    .    .    .    .    .    .    .    .    .    .    .    Cop  .    Wi   Co   .\n"
+    "AskingFacts             As   .    .    Fa   .    .    .    .    .    .    .    .    .    .    .    .    Asp  .    Wi   As   .\n"
+    "Familiarising           Fa   .    .    .    Fa   Sc   .    .    .    .    .    .    .    .    .    .    Fap  .    Wi   Fa   .\n"
+    "ScaleTraining           Sc   .    .    .    .    .    Sc   Ch   .    .    .    .    .    .    .    .    Scp  .    Wi   Sc   .\n"
+    "CheckingList            Ch   .    .    .    .    .    .    .    Pl   .    .    .    .    .    .    .    Chp  .    Wi   Ch   .\n"
+    "PlacingTray, the first  Pl   .    .    .    .    .    .    .    .    .    Pr   .    .    .    .    .    Plp  .    Wi   Pl   .\n"
+    "PlacingTray, the second Pl   .    .    .    .    .    .    .    .    .    Pr   .    .    Pl   Pl   .    Plp  .    Wi   Pl   .\n"
+    "Presenting Q1           Pl   .    .    .    .    .    .    .    .    .    .    Pr   Pl   Pr   Pl   .    Plp  .    Wi   Pr   .\n"
+    "Presenting Q2, touched  Pl   .    .    .    .    .    .    .    .    .    .    .    Pr   Pr   Pl   .    Plp  .    Wi   Pr   .\n"
+    "Presenting Q3           Pl   .    .    .    .    .    .    .    .    .    .    Pr   Pl   Pr   Pl   .    Plp  .    Wi   Pr   .\n"
+    "OnBreak                 On   .    .    .    .    .    .    .    .    .    .    .    .    On   On   Pl   Onp  .    Wi   On   .\n"
+    "Debriefing              De   .    .    .    .    .    .    .    .    .    .    .    .    De   Pl   .    Dep  .    Wi   De   Fi\n"
+    "Finished                Fi   .    .    .    .    .    .    .    .    .    .    .    .    Fi   .    .    .    .    Wi   Fi   .\n"
+    "Withdrawn               Wi   .    .    .    .    .    .    .    .    .    .    .    .    .    .    .    .    .    .    Wi   .\n"
+    "Enrolled, paused        Enp  .    .    .    .    .    .    .    .    .    .    .    .    .    .    .    .    En   Wi   Enp  .\n"
+    "PlacingTray, paused     Plp  .    .    .    .    .    .    .    .    .    .    .    .    Plp  .    .    .    Pl   Wi   Plp  .\n"
+    "OnBreak, paused         Onp  .    .    .    .    .    .    .    .    .    .    .    .    Onp  .    .    .    On   Wi   Onp  .\n"
+    "PlacingTray, sitting 2  Pl   .    .    .    .    .    .    .    .    Sc   Pr   .    .    Pl   Pl   .    Plp  .    Wi   Pl   .\n"
+    "paused, sitting 2       Plp  .    .    .    .    .    .    .    .    Sc   .    .    .    Plp  .    .    .    Pl   Wi   Plp  .\n";
 
 }  // namespace
 
@@ -188,7 +232,7 @@ private Q_SLOTS:
         QCOMPARE(session.name(), std::string("Finished"));
         QCOMPARE(session.state().answersStored, 4 + 6);
         QCOMPARE(session.state().position, 7);
-        QCOMPARE(session.effects(), std::vector<Effect>{ClearDisplay{}});
+        QCOMPARE(debriefing().effects(), std::vector<Effect>{ClearDisplay{}});
     }
 
     void aConfirmedTrayShowsItsStimulusAndReadsTheNextAhead()
@@ -223,9 +267,9 @@ private Q_SLOTS:
         QTest::newRow("not on the tray") << false << "F09"
                                          << "F09 is not on the tray (F01, F02, F03).";
         QTest::newRow("a number for a choice") << false << "54"
-                                               << "Q1 asks for one of the fabrics on the tray, not for a number.";
+                                               << "Q1 asks for one of the fabrics on the tray, not for a number on the scale.";
         QTest::newRow("a fabric for a number") << true << "F01"
-                                               << "Q2 asks for a number on the scale, not for a fabric.";
+                                               << "Q2 asks for a number on the scale, not for one of the fabrics on the tray.";
         QTest::newRow("above the scale") << true << "101"
                                          << "10.1 is not on the scale: from 0 to 10 in steps of 0.1.";
         QTest::newRow("below the scale") << true << "-3"
@@ -300,19 +344,127 @@ private Q_SLOTS:
         QCOMPARE(session.state().answers[3].response, Response(FabricId("F03")));
     }
 
-    void aVoidPresentationComesAgainAtTheEndOfItsPhase()
+    void aVoidPresentationComesAgainAtTheEndOfItsBlock()
     {
         Session session = atFirstTray() << TrayReady{} << Voided{"wrong swatch"};
-        QCOMPARE(session.state().order, (std::vector<int>{0, 1, 2, 3, 0, 4, 5, 6}));
+        QCOMPARE(session.order(), (std::vector<int>{0, 1, 2, 0, 3, 4, 5, 6}));
         QCOMPARE(session.index(), 1);
         QCOMPARE(session.effects(), (std::vector<Effect>{ClearDisplay{}, Prefetch{FileCode("file2")}}));
         session.choose();
         session << Voided{"seen by the participant"};
-        QCOMPARE(session.state().order, (std::vector<int>{0, 1, 2, 3, 0, 1, 4, 5, 6}));
+        QCOMPARE(session.order(), (std::vector<int>{0, 1, 2, 0, 1, 3, 4, 5, 6}));
         QCOMPARE(session.index(), 2);
         QVERIFY(session.state().answers.empty());
         QCOMPARE(session.state().answersStored, 1);
         QVERIFY(session.refusalOf(Voided{"again"}).contains("void already"));
+        session.choose().choose().choose();
+        QCOMPARE(session.name(), std::string("OnBreak"));
+        QCOMPARE(session.index(), 3);
+    }
+
+    void aPresentationVoidedWhenItsBlockIsOverComesAtTheEndOfTheNext()
+    {
+        Session session = atFirstTray().choose().choose().choose() << Voided{"wrong swatch"};
+        QCOMPARE(session.order(), (std::vector<int>{0, 1, 2, 3, 2, 4, 5, 6}));
+        (session << BreakEnded{}).choose();
+        QCOMPARE(session.name(), std::string("PlacingTray"));
+        QCOMPARE(session.index(), 2);
+        session.choose();
+        QCOMPARE(session.name(), std::string("OnBreak"));
+    }
+
+    void theLastPresentationCanBeVoidedAtTheDebriefing()
+    {
+        Session session = debriefing() << Voided{"wrong swatch"};
+        QCOMPARE(session.name(), std::string("PlacingTray"));
+        (session << TrayReady{}).rate(30).rate(40);
+        QCOMPARE(session.name(), std::string("Debriefing"));
+        QCOMPARE(session.state().answers.size(), 4u + 6u);
+    }
+
+    void aBreakIsDueByTimeToo()
+    {
+        Plan plan = smallPlan();
+        plan.protocol.breakAfterMinutes = 5;
+        plan.protocol.breakAfterPresentations = 100;
+        Session session(plan);
+        session << SittingStarted{} << Begun{} << FamiliarisationDone{} << ScaleTrainingDone{};
+        session.choose();
+        QCOMPARE(session.name(), std::string("PlacingTray"));
+        session.waitMinutes(5);
+        session.choose();
+        QCOMPARE(std::get<OnBreak>(session.state().stage).reason, BreakReason::Time);
+        (session << BreakEnded{}).choose();
+        QCOMPARE(session.name(), std::string("PlacingTray"));
+    }
+
+    void theEndOfASittingIsToldOnce()
+    {
+        Plan plan = smallPlan();
+        plan.protocol.sittingMinutes = 60;
+        Session session(plan);
+        session << SittingStarted{} << Begun{} << FamiliarisationDone{} << ScaleTrainingDone{};
+        session.waitMinutes(60);
+        session.choose();
+        QCOMPARE(std::get<OnBreak>(session.state().stage).reason, BreakReason::SittingOver);
+        (session << BreakEnded{}).choose();
+        QCOMPARE(session.name(), std::string("PlacingTray"));
+    }
+
+    void aLaterSittingBeginsWithTheRefresherAndTheChecklist()
+    {
+        Session session = familiarising() << FamiliarisationDone{} << ScaleTrainingDone{} << ChecklistDone{{"The mask is on"}, {}};
+        QVERIFY(session.refusalOf(SittingPrepared{}).contains("prepared already"));
+        session.choose();
+        session << Paused{} << SittingStarted{} << SittingPrepared{};
+        QVERIFY(std::get<ScaleTraining>(session.state().stage).isRefresher);
+        QCOMPARE(placesToName(session.plan(), session.state()).size(), 1u);
+        session << ScaleTrainingDone{};
+        QCOMPARE(session.name(), std::string("CheckingList"));
+        session << ChecklistDone{};
+        QCOMPARE(session.name(), std::string("PlacingTray"));
+        QCOMPARE(session.index(), 1);
+    }
+
+    void familiarisationShowsItsOwnImages()
+    {
+        Session session = familiarising() << FamiliarisationShown{1};
+        QCOMPARE(session.effects(), std::vector<Effect>{ShowStimulus{FileCode("fam2")}});
+        QVERIFY(!session.refusalOf(FamiliarisationShown{2}).isEmpty());
+        session << FamiliarisationDone{};
+        QCOMPARE(session.effects(), std::vector<Effect>{ClearDisplay{}});
+    }
+
+    void placesOnTheScaleAreNamedInTurn()
+    {
+        Session session = familiarising() << FamiliarisationDone{};
+        const auto places = placesToName(session.plan(), session.state());
+        QCOMPARE(places.size(), 3u);
+        for (const Tenths place : places) QVERIFY(smallPlan().protocol.phases[1].scale->holds(place));
+        QVERIFY(!session.refusalOf(ScalePlaced{places[1], {50}}).isEmpty());
+        for (const Tenths place : places) session << ScalePlaced{place, {50}};
+        QVERIFY(!session.refusalOf(ScalePlaced{places[2], {50}}).isEmpty());
+    }
+
+    void questionsMayBeAnsweredBySameOrDifferentAndInWords()
+    {
+        Plan plan = smallPlan();
+        protocols::Phase same;
+        same.sameDifferent = true;
+        same.questions = {{QuestionId("S1"), "The same?"}, {QuestionId("N1"), "What was it like?", true}};
+        plan.protocol.phases = {same};
+        plan.trials.resize(1);
+        plan.trials[0].alternatives.resize(1);
+        Session session(plan);
+        session << SittingStarted{} << Begun{} << FamiliarisationDone{} << TrayReady{};
+        QCOMPARE(session.refusalOf(Answered{FabricId("F01")}),
+                 QString("S1 asks for same or different, not for one of the fabrics on the tray."));
+        session << Answered{Sameness{true}};
+        QCOMPARE(session.refusalOf(Answered{Sameness{true}}), QString("N1 asks for words, not for same or different."));
+        session << Answered{Words{"like felt"}};
+        QCOMPARE(session.name(), std::string("Debriefing"));
+        QCOMPARE(textOf(session.state().answers[0].response), std::string("same"));
+        QCOMPARE(textOf(session.state().answers[1].response), std::string("like felt"));
     }
 
     void voidingTheLastOfAPhaseOnTheBreakBringsItBackAfterTheBreak()
@@ -339,10 +491,10 @@ private Q_SLOTS:
         (session << TrayReady{}).rate(1).rate(2);
         (session << TrayReady{}).rate(3).rate(4);
         QCOMPARE(session.index(), 4);
-        session << BreakEnded{} << TrayReady{};
+        session << TrayReady{};
         QCOMPARE(std::get<Presenting>(session.state().stage).question, 0);
         session.rate(5).rate(6);
-        QCOMPARE(session.name(), std::string("Finished"));
+        QCOMPARE(session.name(), std::string("Debriefing"));
         QCOMPARE(session.state().answers.size(), 4u + 6u);
     }
 
@@ -354,7 +506,14 @@ private Q_SLOTS:
         QTest::newRow("familiarisation_done") << "{}";
         QTest::newRow("scale_training_done") << "{}";
         QTest::newRow("tray_ready") << "{}";
-        QTest::newRow("touched") << "{}";
+        QTest::newRow("consented") << "{}";
+        QTest::newRow("facts_given") << R"({"given":["age","gender"]})";
+        QTest::newRow("familiarisation_shown") << R"({"item":1})";
+        QTest::newRow("scale_placed") << R"({"shown":25,"spoken":30})";
+        QTest::newRow("checklist_done") << R"({"ticked":["The mask is on"],"readings":{"humidity":"41 %"}})";
+        QTest::newRow("sitting_prepared") << "{}";
+        QTest::newRow("debriefed") << "{}";
+        QTest::newRow("touched") << R"({"by":"operator"})";
         QTest::newRow("answered") << R"({"fabric":"F01"})";
         QTest::newRow("corrected") << R"({"question":"Q2","tenths":54,"why":"misheard: 5, not 9"})";
         QTest::newRow("voided") << R"({"why":"wrong swatch"})";
@@ -371,6 +530,12 @@ private Q_SLOTS:
         const EventBody body = eventFromRecord(QTest::currentDataTag(), payload.toStdString());
         QCOMPARE(kindOf(body), std::string(QTest::currentDataTag()));
         QCOMPARE(QString::fromStdString(payloadJson(body)), payload);
+    }
+
+    void whatIsPersonalStaysOutOfTheLog()
+    {
+        QCOMPARE(payloadJson(FactsGiven{{{"age", "24"}}}), std::string(R"({"given":["age"]})"));
+        QCOMPARE(payloadJson(Debriefed{"I have arthritis"}), std::string("{}"));
     }
 
     void whatCannotBeReadFromTheLogIsAnError()

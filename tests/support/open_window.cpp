@@ -1,18 +1,19 @@
 #include "tests/support/open_window.h"
 
 #include "protocols/errors.h"
+#include "tests/support/played_session.h"
 
 #include <QAbstractButton>
 #include <QAbstractItemView>
+#include <QAction>
 #include <QComboBox>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPlainTextEdit>
 #include <QProgressBar>
 #include <QRegularExpression>
 #include <QTest>
-
-#include <functional>
 
 namespace tests::support {
 
@@ -31,26 +32,11 @@ public:
     }
     void clear() override { m_record->told.push_back("clear"); }
     std::string name() const override { return "recording"; }
+    bool reportsTouches() const override { return m_record->reportsTouches; }
+    void onTouched(std::function<void()> touched) override { m_record->touch = std::move(touched); }
 
 private:
     std::shared_ptr<DisplayRecord> m_record;
-};
-
-struct NextEvent {
-    const View& view;
-    EventBody operator()(const Enrolled&) const { return Begun{}; }
-    EventBody operator()(const Familiarising&) const { return FamiliarisationDone{}; }
-    EventBody operator()(const ScaleTraining&) const { return ScaleTrainingDone{}; }
-    EventBody operator()(const PlacingTray&) const { return TrayReady{}; }
-    EventBody operator()(const Presenting& presenting) const
-    {
-        if (!presenting.touchedAtNs)
-            return Touched{};
-        return Answered{spokenTo(view)};
-    }
-    EventBody operator()(const OnBreak&) const { return BreakEnded{}; }
-    EventBody operator()(const Finished&) const { throw std::logic_error("the session is over"); }
-    EventBody operator()(const Withdrawn&) const { throw std::logic_error("the participant has withdrawn"); }
 };
 
 void addItemTexts(std::vector<QString>& texts, const QAbstractItemView& view)
@@ -75,6 +61,13 @@ void addTexts(std::vector<QString>& texts, const QWidget& widget)
         texts.push_back(line->text());
         texts.push_back(line->placeholderText());
     }
+    if (const auto* words = qobject_cast<const QPlainTextEdit*>(&widget)) {
+        texts.push_back(words->toPlainText());
+        texts.push_back(words->placeholderText());
+    }
+    for (const QAction* action : widget.actions())
+        for (const QString& text : {action->text(), action->toolTip(), action->statusTip(), action->whatsThis()})
+            texts.push_back(text);
     if (const auto* box = qobject_cast<const QComboBox*>(&widget))
         for (int item = 0; item < box->count(); ++item)
             texts.push_back(box->itemText(item));
@@ -87,7 +80,8 @@ void addTexts(std::vector<QString>& texts, const QWidget& widget)
 study::app::AppOptions withFakes(study::app::AppOptions options, const std::shared_ptr<DisplayRecord>& display,
                                  const std::shared_ptr<VirtualClock>& clock)
 {
-    options.clock = clock;
+    if (!options.clock)
+        options.clock = clock;
     options.openDisplay = [display](const std::string&) { return std::make_unique<RecordingDisplay>(display); };
     return options;
 }
@@ -95,7 +89,12 @@ study::app::AppOptions withFakes(study::app::AppOptions options, const std::shar
 }  // namespace
 
 OpenWindow::OpenWindow(const database::StudyFolder& study, const study::app::AppOptions& options)
-    : m_display(std::make_shared<DisplayRecord>()),
+    : OpenWindow(study, options, DisplayRecord{})
+{
+}
+
+OpenWindow::OpenWindow(const database::StudyFolder& study, const study::app::AppOptions& options, const DisplayRecord& display)
+    : m_display(std::make_shared<DisplayRecord>(display)),
       m_clock(std::make_shared<VirtualClock>()),
       m_window(std::make_unique<study::app::MainWindow>(withFakes(options, m_display, m_clock))),
       m_hands(*m_window)
@@ -119,7 +118,13 @@ void OpenWindow::enrolAndBegin(const std::string& participant)
 
 EventBody OpenWindow::nextEvent()
 {
-    return std::visit(NextEvent{view()}, view().state.stage);
+    const auto* presenting = std::get_if<Presenting>(&view().state.stage);
+    if (presenting && !presenting->touchedAtNs)
+        return Touched{};
+    const auto event = tests::support::nextEvent(view(), m_hands.plan());
+    if (!event)
+        throw std::logic_error("the session is over");
+    return *event;
 }
 
 void OpenWindow::playTo(const std::string& stage, const std::string& question)
@@ -141,14 +146,6 @@ QString OpenWindow::message(const char* objectName)
 {
     const auto* bar = m_window->currentPage()->findChild<QLabel*>(QString::fromLatin1(objectName));
     return bar && bar->isVisible() ? bar->text() : QString();
-}
-
-Response spokenTo(const View& view)
-{
-    const std::size_t number = std::hash<std::string>{}(view.code.value + view.question->id.value);
-    if (view.scale)
-        return protocols::Tenths{static_cast<int>(number % 101)};
-    return view.trayIds[number % view.trayIds.size()];
 }
 
 std::vector<QString> textsIn(const QWidget& root)

@@ -18,12 +18,16 @@ namespace tests::support {
 struct DisplayRecord {
     std::vector<std::string> told;
     std::string fault;
+    bool reportsTouches = false;
+    std::function<void()> touch;  ///< as if a finger came down; empty without a session
 };
 
 class OpenWindow {
 public:
     /// Opens `study` and shows the window.
     explicit OpenWindow(const database::StudyFolder& study, const study::app::AppOptions& options = {});
+    /// With a display as the record says at the start.
+    OpenWindow(const database::StudyFolder& study, const study::app::AppOptions& options, const DisplayRecord& display);
 
     study::app::MainWindow& window() { return *m_window; }
     study::app::GuiHands& hands() { return m_hands; }
@@ -58,9 +62,6 @@ private:
     std::unique_ptr<study::app::MainWindow> m_window;
     study::app::GuiHands m_hands;
 };
-
-/// What a participant of tests says: it follows from the presentation's code and the question alone.
-study::session::Response spokenTo(const study::session::View& view);
 
 /// Every text that a widget under `root` (or its title) can show or tell a screen reader.
 std::vector<QString> textsIn(const QWidget& root);

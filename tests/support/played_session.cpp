@@ -1,8 +1,10 @@
 #include "tests/support/played_session.h"
 
+#include <map>
 #include <stdexcept>
 
 #include "protocols/errors.h"
+#include "study/session/preparation.h"
 
 namespace tests::support {
 
@@ -16,6 +18,39 @@ unsigned fingerprint(const std::string& text)
     for (const unsigned char c : text) sum = (sum ^ c) * 16777619u;
     return sum;
 }
+
+protocols::Tenths ratingFrom(unsigned draw, const protocols::Scale& scale)
+{
+    const int steps = (scale.max.value - scale.min.value) / scale.step.value;
+    return {scale.min.value + scale.step.value * static_cast<int>(draw % static_cast<unsigned>(steps + 1))};
+}
+
+std::map<std::string, std::string> toldFor(const std::vector<std::string>& captions)
+{
+    std::map<std::string, std::string> told;
+    for (const std::string& caption : captions) told[caption] = std::to_string(20 + told.size());
+    return told;
+}
+
+struct NextEvent {
+    const View& view;
+    const Plan& plan;
+    std::optional<EventBody> operator()(const Enrolled&) const { return Begun{}; }
+    std::optional<EventBody> operator()(const Consenting&) const { return Consented{}; }
+    std::optional<EventBody> operator()(const AskingFacts&) const { return FactsGiven{toldFor(plan.protocol.facts)}; }
+    std::optional<EventBody> operator()(const Familiarising&) const { return FamiliarisationDone{}; }
+    std::optional<EventBody> operator()(const ScaleTraining&) const { return ScaleTrainingDone{}; }
+    std::optional<EventBody> operator()(const CheckingList&) const
+    {
+        return ChecklistDone{plan.protocol.checklist, toldFor(plan.protocol.readings)};
+    }
+    std::optional<EventBody> operator()(const PlacingTray&) const { return TrayReady{}; }
+    std::optional<EventBody> operator()(const Presenting&) const { return Answered{responseTo(view)}; }
+    std::optional<EventBody> operator()(const OnBreak&) const { return BreakEnded{}; }
+    std::optional<EventBody> operator()(const Debriefing&) const { return Debriefed{"it was fun"}; }
+    std::optional<EventBody> operator()(const Finished&) const { return std::nullopt; }
+    std::optional<EventBody> operator()(const Withdrawn&) const { return std::nullopt; }
+};
 
 }  // namespace
 
@@ -43,28 +78,15 @@ void OpenSession::send(const EventBody& event)
 
 bool OpenSession::step()
 {
-    const Stage& stage = driver->state().stage;
-    if (driver->state().paused)
-        send(Resumed{});
-    else if (std::holds_alternative<Enrolled>(stage))
-        send(Begun{});
-    else if (std::holds_alternative<Familiarising>(stage))
-        send(FamiliarisationDone{});
-    else if (std::holds_alternative<ScaleTraining>(stage))
-        send(ScaleTrainingDone{});
-    else if (std::holds_alternative<PlacingTray>(stage))
-        send(TrayReady{});
-    else if (std::holds_alternative<OnBreak>(stage))
-        send(BreakEnded{});
-    else if (const auto* presenting = std::get_if<Presenting>(&stage)) {
+    const auto* presenting = std::get_if<Presenting>(&driver->state().stage);
+    if (presenting && !driver->state().paused) {
         clock.advanceSeconds(1.25);
         if (presenting->question == 0) send(Touched{});
         clock.advanceSeconds(2.5);
-        send(Answered{responseTo(driver->view())});
-    } else {
-        return false;
     }
-    return true;
+    const auto event = nextEvent(driver->view(), driver->plan());
+    if (event) send(*event);
+    return event.has_value();
 }
 
 void OpenSession::playUntilAnswers(int answers)
@@ -85,11 +107,22 @@ void OpenSession::stepUntil(const std::string& stateName)
         if (!step()) throw std::logic_error("the session ended before " + stateName);
 }
 
+std::optional<EventBody> nextEvent(const View& view, const Plan& plan)
+{
+    if (view.state.paused) return Resumed{};
+    return std::visit(NextEvent{view, plan}, view.state.stage);
+}
+
 Response responseTo(const View& view)
 {
     const unsigned draw = fingerprint(view.code.value + view.question->id.value);
-    if (view.scale) return protocols::Tenths{static_cast<int>(draw % 101)};
-    return view.trayIds[draw % view.trayIds.size()];
+    switch (*view.answerKind) {
+        case protocols::AnswerKind::Choice: return view.trayIds[draw % view.trayIds.size()];
+        case protocols::AnswerKind::Rating: return ratingFrom(draw, view.scale.value());
+        case protocols::AnswerKind::SameDifferent: return Sameness{draw % 2 == 0};
+        case protocols::AnswerKind::Words: return Words{"as number " + std::to_string(draw % 9)};
+    }
+    return Words{};
 }
 
 }  // namespace tests::support

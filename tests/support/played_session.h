@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,7 +38,7 @@ struct OpenSession {
 
     /// Throws std::logic_error where the event is refused, so that a test stops there.
     void send(const study::session::EventBody& event);
-    /// The one step that leads on from here: begin, tray, touch and answer, break's end ... False at the end.
+    /// The one step that leads on from here, with the touch before a presentation's first answer. False at the end.
     bool step();
     /// Steps until `answers` are stored (ever), or the end.
     void playUntilAnswers(int answers);
@@ -45,6 +46,10 @@ struct OpenSession {
     /// Until the question is asked next (PlacingTray -> Presenting ...).
     void stepUntil(const std::string& stateName);
 };
+
+/// The one event that leads on from here: begin, consent, tray, answer, break's end ... Every line of the checklist is
+/// ticked, every fact and reading is told. None at the end.
+std::optional<study::session::EventBody> nextEvent(const study::session::View& view, const study::session::Plan& plan);
 
 /// By the code of the presentation and the question.
 study::session::Response responseTo(const study::session::View& view);

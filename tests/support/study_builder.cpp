@@ -30,7 +30,8 @@ std::map<protocols::FileCode, std::string> writeStimuli(const database::StudyFol
     std::map<protocols::FileCode, std::string> hashes;
     int number = 0;
     for (const auto& [code, entry] : key.entries) {
-        const cv::Mat image(recipe.imageHeightPx, recipe.imageWidthPx, CV_8UC1, cv::Scalar(10 * ++number % 256));
+        const int grey = 10 * ++number + (recipe.keyNames.empty() ? 0 : 5);
+        const cv::Mat image(recipe.imageHeightPx, recipe.imageWidthPx, CV_8UC1, cv::Scalar(grey % 256));
         hashes[code] = rendering::writeStimulus(folder.stimuli(), code, image);
     }
     return hashes;
@@ -40,6 +41,7 @@ std::map<protocols::FileCode, std::string> writeStimuli(const database::StudyFol
 
 std::string protocolText(const StudyRecipe& recipe)
 {
+    if (!recipe.protocol.empty()) return recipe.protocol;
     nlohmann::ordered_json fabrics = nlohmann::ordered_json::array();
     for (const protocols::FabricId& fabric : fabricsOf(recipe)) fabrics.push_back(fabric.value);
     const nlohmann::ordered_json phases = {
@@ -60,8 +62,11 @@ database::StudyFolder buildStudy(const std::filesystem::path& path, const StudyR
     std::ofstream(folder.protocol(), std::ios::binary) << text;
     const protocols::Protocol protocol = protocols::protocolFromJson(text, "small study");
     const auto fabrics = fabricsOf(recipe);
-    const auto allocation =
-        protocols::allocate(protocol, protocols::drawDesign(protocol, recipe.designSeed), fabrics, recipe.keySeed);
+    auto allocation = protocols::allocate(protocol, protocols::drawDesign(protocol, recipe.designSeed), fabrics, recipe.keySeed,
+                                          recipe.familiarisationImages);
+    for (auto& [code, entry] : allocation.key.entries)
+        if (const auto other = recipe.keyNames.find(entry.condition.value); other != recipe.keyNames.end())
+            entry.condition = protocols::ConditionId(other->second);
     const database::KeyHashes keys = database::writeKeys(folder, allocation.key);
 
     database::StudyFacts facts;
@@ -74,10 +79,16 @@ database::StudyFolder buildStudy(const std::filesystem::path& path, const StudyR
     facts.datasetProcedural = true;
     facts.fabrics = fabrics;
     for (const protocols::FabricId& fabric : fabrics) facts.fabricNames[fabric] = "fabric " + fabric.value.substr(1);
+    if (recipe.hasSwatchCodes) facts.swatches = allocation.swatches;
+    for (const protocols::FileCode& code : allocation.familiarisation)
+        facts.familiarisation.push_back({"known fabric " + std::to_string(facts.familiarisation.size() + 1), code});
     facts.signalsJson = "{}";
     facts.createdAt = "2000-01-01T00:00:00.000Z";
     facts.programVersion = "test";
-    database::StudyStore::create(folder, facts, allocation.participants, writeStimuli(folder, allocation.key, recipe));
+    auto hashes = writeStimuli(folder, allocation.key, recipe);
+    for (const protocols::FileCode& code : allocation.familiarisation)
+        hashes[code] = rendering::writeStimulus(folder.stimuli(), code, cv::Mat::zeros(recipe.imageHeightPx, recipe.imageWidthPx, CV_8UC1));
+    database::StudyStore::create(folder, facts, allocation.participants, hashes);
     return folder;
 }
 

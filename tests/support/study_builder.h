@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,11 @@ struct StudyRecipe {
     std::uint64_t designSeed = 1;
     std::uint64_t keySeed = 2;
     int imageWidthPx = 16, imageHeightPx = 10;  ///< image n is constant, of value 10 n
+    std::string protocol = {};     ///< JSON text, instead of the one that follows from the above
+    bool hasSwatchCodes = false;   ///< else fabric pieces go by their names
+    int familiarisationImages = 0;
+    /// What each condition is called in the keys: itself where nothing stands here. The images are others then.
+    std::map<std::string, std::string> keyNames = {};
 };
 
 /// Q1 by choice, then Q2 to Q4 on the scale: fabrics x conditions presentations in each phase.

@@ -12,11 +12,10 @@ using protocols::FabricId;
 using study::session::Presenting;
 using study::session::Response;
 
-std::string textOf(const Response& response)
+std::string answerText(const Response& response)
 {
-    if (const auto* fabric = std::get_if<FabricId>(&response))
-        return fabric->value;
-    return study::app::textOf(std::get<protocols::Tenths>(response)).toStdString();
+    const auto* rating = std::get_if<protocols::Tenths>(&response);
+    return rating ? study::app::textOf(*rating).toStdString() : study::session::textOf(response);
 }
 
 std::vector<database::CurrentAnswer> storedIn(const database::StudyFolder& folder)
@@ -30,7 +29,7 @@ Answers answersIn(const database::StudyFolder& folder)
     for (const auto& stored : storedIn(folder)) {
         const auto& record = stored.record;
         answers[stored.participant.value + " " + std::to_string(record.trial.value) + " " + record.question.value] =
-            record.answer ? record.answer->value : textOf(Response(*record.rating));
+            record.answer ? *record.answer : answerText(Response(*record.rating));
     }
     return answers;
 }
@@ -54,16 +53,28 @@ void typeText(OpenWindow& open, const QString& text)
 
 void answerByKeys(OpenWindow& open, const Response& response, QChar point)
 {
-    pressKey(open, Qt::Key_T);
+    if (open.view().answerKind == protocols::AnswerKind::Words)
+        QTest::keyClick(open.window().focusWidget(), Qt::Key_T, Qt::AltModifier);  // letters are text there
+    else
+        pressKey(open, Qt::Key_T);
     open.clock().advanceSeconds(2.0);
+    enterByKeys(open, response, point);
+    pressKey(open, Qt::Key_Return);
+}
+
+void enterByKeys(OpenWindow& open, const Response& response, QChar point)
+{
     if (const auto* fabric = std::get_if<FabricId>(&response)) {
         const auto& tray = open.view().trayIds;
         const auto place = std::find(tray.begin(), tray.end(), *fabric) - tray.begin();
         pressKey(open, static_cast<Qt::Key>(Qt::Key_A + place));
+    } else if (const auto* said = std::get_if<study::session::Sameness>(&response)) {
+        pressKey(open, said->same ? Qt::Key_S : Qt::Key_D);
+    } else if (std::holds_alternative<protocols::Tenths>(response)) {
+        typeText(open, QString::fromStdString(answerText(response)).replace(QLatin1Char('.'), point));
     } else {
-        typeText(open, QString::fromStdString(textOf(response)).replace(QLatin1Char('.'), point));
+        typeText(open, QString::fromStdString(answerText(response)));
     }
-    pressKey(open, Qt::Key_Return);
 }
 
 }  // namespace tests::support

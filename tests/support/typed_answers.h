@@ -10,10 +10,10 @@
 
 namespace tests::support {
 
-/// "P01 7 Q3" -> "F02" or "5.4".
+/// "P01 7 Q3" -> "F02", "5.4", "same" or words.
 using Answers = std::map<std::string, std::string>;
 
-std::string textOf(const study::session::Response& response);
+std::string answerText(const study::session::Response& response);
 std::vector<database::CurrentAnswer> storedIn(const database::StudyFolder& folder);
 Answers answersIn(const database::StudyFolder& folder);
 
@@ -24,8 +24,10 @@ std::string nowAsked(OpenWindow& open);
 void pressKey(OpenWindow& open, Qt::Key key);
 void typeText(OpenWindow& open, const QString& text);
 
-/// One answer by keys alone: the first touch, two seconds, the letter or the number (with this decimal
-/// point), Enter.
+/// The letter, the number (with this decimal point) or the words.
+void enterByKeys(OpenWindow& open, const study::session::Response& response, QChar point = u'.');
+
+/// One answer by keys alone: the first touch, two seconds, the entry, Enter.
 void answerByKeys(OpenWindow& open, const study::session::Response& response, QChar point = u'.');
 
 }  // namespace tests::support

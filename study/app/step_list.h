@@ -1,0 +1,24 @@
+// Numbered steps of what to do, one below the other; a single step has no number.
+#pragma once
+
+#include <QStringList>
+#include <QWidget>
+
+#include <vector>
+
+class QLabel;
+
+namespace study::app {
+
+class StepList : public QWidget {
+    Q_OBJECT
+public:
+    explicit StepList(QWidget* parent);
+
+    void tell(const QStringList& steps);
+
+private:
+    std::vector<QLabel*> m_steps;  ///< those left over are hidden
+};
+
+}  // namespace study::app

@@ -1,0 +1,77 @@
+// vis2hap analyse: requests in one JSON file, answers in another.
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <set>
+
+#include "protocols/errors.h"
+#include "study/commands/analyse.h"
+#include "study/commands/command_line.h"
+#include "study/commands/json_output.h"
+
+namespace study::commands {
+
+namespace {
+
+using nlohmann::json;
+using nlohmann::ordered_json;
+
+protocols::Error malformed(const std::string& what, const std::string& where)
+{
+    return protocols::badInput({what, where, "{\"cases\":[{\"id\":...,\"analysis\":...,\"inputs\":{...},\"options\":{...}}]}",
+                                "correct the request file"});
+}
+
+json readRequests(const std::string& file)
+{
+    const std::string text = readFile(file);
+    json document;
+    try {
+        document = json::parse(text);
+    } catch (const json::exception& fault) {
+        throw malformed(std::string("not JSON: ") + fault.what(), file);
+    }
+    if (!document.is_object() || !document.contains("cases") || !document["cases"].is_array())
+        throw malformed("no array of cases", file);
+    return document;
+}
+
+/// The ids of all cases, each once; an answer needs a name.
+std::vector<std::string> idsOf(const json& cases, const std::string& file)
+{
+    std::vector<std::string> ids;
+    std::set<std::string> seen;
+    for (const json& one : cases) {
+        const std::string where = file + ", case " + std::to_string(ids.size() + 1);
+        if (!one.is_object() || !one.contains("id") || !one["id"].is_string()) throw malformed("a case without an id", where);
+        ids.push_back(one["id"].get<std::string>());
+        if (!seen.insert(ids.back()).second) throw malformed("the id " + ids.back() + " is used twice", where);
+    }
+    return ids;
+}
+
+int analyse(const std::string& requests, const std::string& answers)
+{
+    const json document = readRequests(requests);
+    const json& cases = document["cases"];
+    const auto ids = idsOf(cases, requests);
+    const auto folder = std::filesystem::absolute(requests).parent_path();
+    ordered_json all = ordered_json::object();
+    for (std::size_t i = 0; i < ids.size(); ++i) all[ids[i]] = answerOf(cases[i], folder);
+    writeFile(answers, all.dump(1, ' ', false, json::error_handler_t::replace) + "\n");
+    return 0;
+}
+
+}  // namespace
+
+void addAnalyse(CLI::App& app, Action& action)
+{
+    auto* command = app.add_subcommand("analyse", "any analysis of the stats module, in batch");
+    auto requests = std::make_shared<std::string>();
+    auto answers = std::make_shared<std::string>();
+    command->add_option("REQUESTS", *requests, "JSON file of requests")->required();
+    command->add_option("--out", *answers, "JSON file of answers")->required();
+    command->callback(
+        [requests, answers, &action] { action.work = [requests, answers] { return analyse(*requests, *answers); }; });
+}
+
+}  // namespace study::commands

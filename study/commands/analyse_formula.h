@@ -1,0 +1,41 @@
+// Arithmetic formulas over named numbers: + - * / mod ^, parentheses, sqrt, floor, abs, and fl (which only
+// says that double arithmetic rounds).
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace study::commands {
+
+__extension__ typedef __int128 WideInteger;
+
+/// Whole where only whole numbers were added, multiplied, reduced or raised to whole powers.
+struct FormulaNumber {
+    bool isWhole = false;
+    WideInteger whole = 0;
+    double real = 0;
+
+    static FormulaNumber ofWhole(WideInteger number) { return {true, number, static_cast<double>(number)}; }
+    static FormulaNumber ofReal(double number) { return {false, 0, number}; }
+};
+
+class Formula {
+public:
+    /// Reads as much of `text` as is a formula; `rest` is what follows it (a remark, or nothing).
+    /// `names`: the numbers it may use, in the order in which evaluate() gets them. Throws RequestFault.
+    Formula(std::string_view text, const std::vector<std::string>& names, std::string* rest = nullptr);
+    ~Formula();
+    Formula(Formula&&) noexcept;
+
+    FormulaNumber evaluate(const std::vector<FormulaNumber>& values) const;
+
+    struct Node;
+
+private:
+    std::unique_ptr<Node> m_root;
+};
+
+}  // namespace study::commands

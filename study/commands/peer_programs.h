@@ -1,0 +1,17 @@
+// Other people's statistics programs, timed on the same work: /usr/bin/python3 with scipy and
+// scikit-image, and R. One thread each.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+
+namespace study::commands {
+
+/// Milliseconds by stage and peer; no number where the peer or its package is not installed.
+using PeerTimes = std::map<std::string, std::map<std::string, std::optional<double>>>;
+
+/// Stages: "paired t", "bca", "ssim", "ssim float". Half a minute at most.
+PeerTimes peerTimes();
+
+}  // namespace study::commands

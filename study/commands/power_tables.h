@@ -1,0 +1,25 @@
+// What `vis2hap power` says, as text and as JSON.
+#pragma once
+
+#include "stats/calibration.h"
+#include "stats/power_plan.h"
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+#include <vector>
+
+namespace study::commands {
+
+/// Adds "design", "assumed" and "simulation".
+void putDesign(nlohmann::ordered_json& json, const stats::PowerOptions& options);
+/// Adds "tests".
+void putTests(nlohmann::ordered_json& json, const std::vector<stats::PlannedTest>& tests);
+/// Adds "calibration".
+void putCalibration(nlohmann::ordered_json& json, const std::vector<stats::CalibrationRow>& rows);
+
+void printDesign(const std::string& protocol, const stats::PowerOptions& options);
+void printTests(const std::vector<stats::PlannedTest>& tests);
+void printCalibration(const std::vector<stats::CalibrationRow>& rows);
+
+}  // namespace study::commands

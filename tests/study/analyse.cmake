@@ -1,0 +1,1 @@
+vis2hap_test(study analyse_test LINK study_commands)

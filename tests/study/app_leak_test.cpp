@@ -1,0 +1,253 @@
+// Nothing that a running session leaves anywhere names a condition: in windows, logs, file names, running orders and
+// exports. And two studies whose keys differ only by which condition is which cannot be told apart by any of them.
+#include "protocols/condition.h"
+#include "tests/support/played_session.h"
+#include "tests/support/program.h"
+#include "tests/support/typed_answers.h"
+#include "tests/support/whole_protocol.h"
+
+#include <QApplication>
+#include <QCryptographicHash>
+#include <QDir>
+#include <QDirIterator>
+#include <QFile>
+#include <QTemporaryFile>
+#include <QTest>
+
+#include <unistd.h>
+
+using namespace study::session;
+using namespace tests::support;
+using protocols::ParticipantId;
+
+namespace {
+
+std::set<QString> conditionIds()
+{
+    std::set<QString> words;
+    for (const auto& condition : protocols::allConditions()) {
+        words.insert(QString::fromStdString(std::string(condition.id)));
+        words.insert(QString::fromStdString(protocols::fileNameOf(condition.conditionId())));
+    }
+    return words;
+}
+
+WholeProtocol nineConditions()
+{
+    WholeProtocol wanted;
+    wanted.conditions.clear();
+    for (const auto& condition : protocols::allConditions())
+        wanted.conditions.emplace_back(condition.id);
+    wanted.breakAfter = 9;
+    return wanted;
+}
+
+/// Everything that is written to standard error while it lives, by Qt's log or past it.
+class StandardError {
+public:
+    StandardError() : m_kept(::dup(STDERR_FILENO))
+    {
+        m_file.open();
+        ::fflush(stderr);
+        ::dup2(m_file.handle(), STDERR_FILENO);
+    }
+    ~StandardError()
+    {
+        ::fflush(stderr);
+        ::dup2(m_kept, STDERR_FILENO);
+        ::close(m_kept);
+    }
+    QString text()
+    {
+        ::fflush(stderr);
+        QFile written(m_file.fileName());
+        return written.open(QIODevice::ReadOnly) ? QString::fromUtf8(written.readAll()) : QString();
+    }
+
+private:
+    QTemporaryFile m_file;
+    int m_kept;
+};
+
+std::vector<QString> textsOfAllWindows()
+{
+    std::vector<QString> texts;
+    for (const QWidget* window : QApplication::topLevelWidgets())
+        for (const QString& text : textsIn(*window))
+            texts.push_back(text);
+    return texts;
+}
+
+QStringList namesOfFilesIn(const QString& folder)
+{
+    QStringList names;
+    QDirIterator files(folder, QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot, QDirIterator::Subdirectories);
+    while (files.hasNext())
+        names << QDir(folder).relativeFilePath(files.next());
+    names.sort();
+    return names;
+}
+
+QMap<QString, QByteArray> contentsOf(const QString& folder)
+{
+    QMap<QString, QByteArray> contents;
+    for (const QString& name : namesOfFilesIn(folder)) {
+        QFile file(QDir(folder).filePath(name));
+        if (file.open(QIODevice::ReadOnly))
+            contents[name] = file.readAll();
+    }
+    return contents;
+}
+
+/// What somebody saw and could take away from a session: at each step the texts of all windows and a fingerprint of
+/// the picture; in the end the log and what the program wrote of the study.
+struct Seen {
+    std::vector<std::vector<QString>> texts;
+    std::vector<QByteArray> pictures;
+    QString log;
+    QMap<QString, QByteArray> files;
+};
+
+QByteArray fingerprintOf(QWidget& window)
+{
+    const QImage picture = window.grab().toImage().convertToFormat(QImage::Format_RGB32);
+    return QCryptographicHash::hash(QByteArrayView(picture.constBits(), picture.sizeInBytes()), QCryptographicHash::Sha256);
+}
+
+}  // namespace
+
+class AppLeakTest : public QObject {
+    Q_OBJECT
+
+private:
+    Seen playAndLook(const StudyRecipe& recipe);
+    void look(OpenWindow& open, Seen& seen);
+    void panelsAndPause(OpenWindow& open, Seen& seen);
+    QMap<QString, QByteArray> writtenOf(const QString& study);
+
+    QTemporaryDir m_folder;
+
+private Q_SLOTS:
+    void initTestCase() { QApplication::setCursorFlashTime(0); }  // a cursor that blinks makes other pictures
+    void nothingNamesACondition();
+    void studiesWithOtherConditionsLookTheSame();
+};
+
+void AppLeakTest::look(OpenWindow& open, Seen& seen)
+{
+    QApplication::processEvents();
+    seen.texts.push_back(textsOfAllWindows());
+    seen.pictures.push_back(fingerprintOf(open.window()));
+}
+
+void AppLeakTest::panelsAndPause(OpenWindow& open, Seen& seen)
+{
+    for (const char* footerButton : {"voidButton", "noteButton", "flagButton", "correctButton", "withdrawButton"}) {
+        if (!open.widget<QWidget>(footerButton).isEnabled())
+            continue;
+        open.hands().click(QString::fromLatin1(footerButton));
+        look(open, seen);
+        open.hands().pressKey(Qt::Key_Escape);
+    }
+    if (open.view().state.paused || std::holds_alternative<Finished>(open.view().state.stage))
+        return;
+    open.perform(Paused{});
+    look(open, seen);
+    open.perform(Resumed{});
+}
+
+Seen AppLeakTest::playAndLook(const StudyRecipe& recipe)
+{
+    const QString path = m_folder.filePath("study");  // the same for all, because the study page shows it
+    QDir(path).removeRecursively();
+    const auto folder = buildStudy(path.toStdString(), recipe);
+    Seen seen;
+    {
+        StandardError log;
+        OpenWindow open(folder);
+        look(open, seen);
+        open.window().startSession(ParticipantId("P01"));
+        for (int steps = 1; !std::holds_alternative<Finished>(open.view().state.stage); ++steps) {
+            look(open, seen);
+            if (steps % 17 == 0)
+                panelsAndPause(open, seen);
+            if (steps == 100)
+                open.perform(Voided{"a piece fell down"});
+            open.perform(open.nextEvent());
+        }
+        look(open, seen);
+        open.hands().pressKey(Qt::Key_Return);
+        QApplication::processEvents();
+        look(open, seen);
+        open.window().startSession(ParticipantId("P02"));  // one that still runs while the files are written
+        open.playTo("Presenting", "S1");
+        look(open, seen);
+        seen.files = writtenOf(path);
+        seen.log = log.text();
+    }
+    return seen;
+}
+
+QMap<QString, QByteArray> AppLeakTest::writtenOf(const QString& study)
+{
+    const QString out = m_folder.filePath("written");
+    QDir(out).removeRecursively();
+    QDir().mkpath(out);
+    QByteArray said;
+    const auto run = [&](const QStringList& arguments) {
+        const auto ended = support::mustRun(arguments);
+        said += (ended.out + ended.err).toUtf8();
+    };
+    run({"study", "status", study});
+    run({"study", "plan", study, "--csv", out + "/plan.csv"});
+    for (const char* format : {"csv", "json", "script"})
+        run({"export", study, "--out", out + "/" + format, "--format", format});
+    auto written = contentsOf(out);
+    written["(said)"] = said;
+    return written;
+}
+
+void AppLeakTest::nothingNamesACondition()
+{
+    const auto ids = conditionIds();
+    const Seen seen = playAndLook(wholeStudy(nineConditions()));
+    QVERIFY(seen.texts.size() > 250);
+    const auto require = [&](const std::vector<QString>& texts, const QString& where) {
+        const auto leaks = textsNaming(ids, texts);
+        QVERIFY2(leaks.empty(), leaks.empty() ? "" : qPrintable(where + ": " + leaks.front().left(300)));
+    };
+    for (const auto& texts : seen.texts)
+        require(texts, "a window");
+    require({seen.log}, "the log");
+    for (const QString& name : namesOfFilesIn(m_folder.filePath("study")))
+        require({name}, "a file's name");
+    QVERIFY(seen.files.size() > 4);
+    for (auto file = seen.files.begin(); file != seen.files.end(); ++file)
+        for (const QByteArray& line : file.value().split('\n'))
+            require({file.key(), QString::fromUtf8(line)}, file.key());
+}
+
+void AppLeakTest::studiesWithOtherConditionsLookTheSame()
+{
+    const WholeProtocol wanted = nineConditions();
+    StudyRecipe one = wholeStudy(wanted), other = one;
+    for (std::size_t i = 0; i < wanted.conditions.size(); ++i)
+        other.keyNames[wanted.conditions[i]] = wanted.conditions[(i + 4) % wanted.conditions.size()];
+    const Seen first = playAndLook(one);
+    const auto keyOf = [&] { return contentsOf(m_folder.filePath("study"))["allocation-key.json"]; };
+    const QByteArray firstKey = keyOf();
+    const Seen second = playAndLook(other);
+    QVERIFY(firstKey != keyOf());
+    QCOMPARE(first.texts.size(), second.texts.size());
+    for (std::size_t step = 0; step < first.texts.size(); ++step) {
+        QCOMPARE(first.texts[step], second.texts[step]);
+        QVERIFY2(first.pictures[step] == second.pictures[step], qPrintable(QStringLiteral("picture %1").arg(step)));
+    }
+    QCOMPARE(first.log, second.log);
+    QCOMPARE(first.files.keys(), second.files.keys());
+    for (const QString& file : first.files.keys())
+        QVERIFY2(first.files[file] == second.files[file], qPrintable(file));
+}
+
+QTEST_MAIN(AppLeakTest)
+#include "app_leak_test.moc"

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 
 #include "stats/distributions.h"
 
@@ -41,20 +43,65 @@ double logAtLeast(long long k, long long n, double chance)
     return logProbability(k, n, chance) + std::log(series);
 }
 
+/// The first i of first ... last for which a condition holds that stays true once it is; last + 1 if none.
+template <typename Condition>
+long long firstWhere(long long first, long long last, Condition holds)
+{
+    while (first <= last) {
+        const long long middle = first + (last - first) / 2;
+        if (holds(middle))
+            last = middle - 1;
+        else
+            first = middle + 1;
+    }
+    return first;
+}
+
+/// Both tails of the two-sided p.
+struct BothTails {
+    long long atMost = -1;  ///< counts up to this one, none below 0
+    long long atLeast = 0;
+};
+
 /// Counts whose probability is within rounding of the observed one's count as equally likely.
-double twoSided(long long k, long long n, double chance)
+BothTails bothTails(long long k, long long n, double chance)
 {
     const double mean = static_cast<double>(n) * chance;
     const double limit = logProbability(k, n, chance) + 1e-7;
     const auto asUnlikely = [&](long long i) { return logProbability(i, n, chance) <= limit; };
+    // Probabilities fall on both sides of the mean.
     if (static_cast<double>(k) < mean) {
-        long long other = static_cast<long long>(std::ceil(mean));
-        while (other <= n && !asUnlikely(other)) ++other;
-        return std::min(1.0, atMost(k, n, chance) + atLeast(std::max(other, k + 1), n, chance));
+        const long long other = firstWhere(static_cast<long long>(std::ceil(mean)), n, asUnlikely);
+        return {k, std::max(other, k + 1)};
     }
-    long long other = static_cast<long long>(std::floor(mean));
-    while (other >= 0 && !asUnlikely(other)) --other;
-    return std::min(1.0, atLeast(k, n, chance) + atMost(std::min(other, k - 1), n, chance));
+    const auto below = static_cast<long long>(std::floor(mean));
+    const long long other = below - firstWhere(0, below, [&](long long distance) { return asUnlikely(below - distance); });
+    return {std::min(other, k - 1), k};
+}
+
+/// log P(X >= k), from the side that keeps its digits.
+double logGreater(long long k, long long n, double chance)
+{
+    const double greater = atLeast(k, n, chance);
+    if (greater > 0.5) return std::log1p(-atMost(k - 1, n, chance));
+    if (k > n) return -std::numeric_limits<double>::infinity();
+    return greater > 1e-280 ? std::log(greater) : logAtLeast(k, n, chance);
+}
+
+double logLess(long long k, long long n, double chance) { return logGreater(n - k, n, 1 - chance); }
+
+/// log(e^a + e^b)
+double logSum(double a, double b)
+{
+    const double larger = std::max(a, b);
+    return std::isinf(larger) ? larger : larger + std::log(std::exp(a - larger) + std::exp(b - larger));
+}
+
+double logTwoSided(const BothTails& tails, long long n, double chance, double p)
+{
+    if (p > 1e-280) return std::log(p);
+    return logSum(tails.atMost < 0 ? -std::numeric_limits<double>::infinity() : logLess(tails.atMost, n, chance),
+                  logGreater(tails.atLeast, n, chance));
 }
 
 std::string countsFault(long long successes, long long trials)
@@ -68,8 +115,9 @@ std::string countsFault(long long successes, long long trials)
 void refuse(BinomialTest& test, const std::string& why)
 {
     test.why = why;
-    for (Value* value : {&test.estimate, &test.pGreater, &test.logPGreater, &test.pLess, &test.pTwoSided, &test.pMidGreater,
-                         &test.clopperPearson.low, &test.clopperPearson.high, &test.wilson.low, &test.wilson.high})
+    for (Value* value :
+         {&test.estimate, &test.pGreater, &test.logPGreater, &test.pLess, &test.pTwoSided, &test.pMidGreater, &test.logPTwoSided,
+          &test.logPMidGreater, &test.clopperPearson.low, &test.clopperPearson.high, &test.wilson.low, &test.wilson.high})
         *value = Value::undefined(why);
 }
 
@@ -111,10 +159,15 @@ BinomialTest binomialTest(long long successes, long long trials, double chance, 
     test.estimate = static_cast<double>(successes) / static_cast<double>(trials);
     const double greater = atLeast(successes, trials, chance);
     test.pGreater = greater;
-    test.logPGreater = greater > 1e-280 ? (successes == 0 ? 0.0 : std::log(greater)) : logAtLeast(successes, trials, chance);
+    test.logPGreater = logGreater(successes, trials, chance);
     test.pLess = atMost(successes, trials, chance);
-    test.pTwoSided = twoSided(successes, trials, chance);
+    const BothTails tails = bothTails(successes, trials, chance);
+    test.pTwoSided = std::min(1.0, atMost(tails.atMost, trials, chance) + atLeast(tails.atLeast, trials, chance));
+    test.logPTwoSided = logTwoSided(tails, trials, chance, *test.pTwoSided);
     test.pMidGreater = (greater + atLeast(successes + 1, trials, chance)) / 2;
+    test.logPMidGreater = *test.pMidGreater > 1e-280
+                              ? std::log(*test.pMidGreater)
+                              : logSum(*test.logPGreater, logGreater(successes + 1, trials, chance)) - std::numbers::ln2;
     test.clopperPearson = clopperPearsonInterval(successes, trials, confidence);
     test.wilson = wilsonInterval(successes, trials, confidence);
     return test;

@@ -10,8 +10,10 @@ struct BinomialTest {
     Value estimate;   ///< successes / trials
     Value pGreater;   ///< P(X >= successes) at the chance level
     Value logPGreater;
-    Value pLess;        ///< P(X <= successes)
-    Value pTwoSided;    ///< sum over all counts at most as likely as the observed one
+    Value pLess;  ///< P(X <= successes)
+    Value logPTwoSided;
+    Value pTwoSided;  ///< sum over all counts at most as likely as the observed one
+    Value logPMidGreater;
     Value pMidGreater;  ///< pGreater minus half the probability of the observed count
     Interval clopperPearson;
     Interval wilson;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 namespace stats {
 namespace {
@@ -17,37 +16,36 @@ bool isConstantDifference(const Moments& differences, const Moments& x, const Mo
     return isConstant(differences) || differences.largest - differences.smallest <= noise;
 }
 
-Contrast oneSample(std::span<const double> x)
+/// Of one sample, or of the differences of pairs.
+Contrast ofOne(const Moments& moments)
 {
     Contrast contrast;
-    contrast.first = momentsOf(x);
+    contrast.first = moments;
     contrast.hasEstimate = true;
-    if (x.size() < 2) {
+    if (moments.n < 2) {
         contrast.why = "needs at least 2 values";
         return contrast;
     }
+    const auto n = static_cast<double>(moments.n);
     contrast.hasSpread = true;
-    contrast.sd = std::sqrt(contrast.first.variance());
-    contrast.se = contrast.sd / std::sqrt(static_cast<double>(x.size()));
-    contrast.df = static_cast<double>(x.size() - 1);
-    if (isConstant(contrast.first)) contrast.why = "no variation: all values are equal";
+    contrast.sd = std::sqrt(moments.variance());
+    contrast.se = contrast.sd / std::sqrt(n);
+    contrast.df = n - 1;
+    if (isConstant(moments)) contrast.why = "no variation: all values are equal";
     return contrast;
 }
 
 Contrast paired(std::span<const double> x, std::span<const double> y)
 {
-    std::vector<double> differences(x.size());
-    std::transform(x.begin(), x.end(), y.begin(), differences.begin(), [](double a, double b) { return a - b; });
-    Contrast contrast = oneSample(differences);
+    const PairedMoments moments = pairedMomentsOf(x, y);
+    Contrast contrast = ofOne(moments.differences);
     if (!contrast.hasSpread) {
         contrast.why = "needs at least 2 pairs";
         return contrast;
     }
-    const Moments ofX = momentsOf(x);
-    const Moments ofY = momentsOf(y);
-    contrast.sdX = std::sqrt(ofX.variance());
-    contrast.sdY = std::sqrt(ofY.variance());
-    if (isConstantDifference(contrast.first, ofX, ofY)) contrast.why = "no variation: all differences are equal";
+    contrast.sdX = std::sqrt(moments.x.variance());
+    contrast.sdY = std::sqrt(moments.y.variance());
+    if (isConstantDifference(moments.differences, moments.x, moments.y)) contrast.why = "no variation: all differences are equal";
     return contrast;
 }
 
@@ -98,7 +96,7 @@ Contrast contrastOf(TKind kind, const ScaledSamples& scaled)
 {
     switch (kind) {
         case TKind::OneSample:
-            return oneSample(scaled.sample(0));
+            return ofOne(momentsOf(scaled.sample(0)));
         case TKind::Paired:
             return paired(scaled.sample(0), scaled.sample(1));
         case TKind::Student:

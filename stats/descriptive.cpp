@@ -76,9 +76,7 @@ Description describe(std::span<const double> values)
     description.autocorrelationLag1 = lagOne(scaled.sample(0), moments);
     description.ci95 = {scaled.unscaled(moments.shift + (moments.residual - margin)),
                         scaled.unscaled(moments.shift + (moments.residual + margin))};
-    const double variance = std::ldexp(moments.variance(), 2 * scaled.exponent());
-    description.variance =
-        std::isfinite(variance) ? Value(variance) : Value::undefined("beyond the largest number that can be written as a double");
+    description.variance = scaled.unscaledSquare(moments.variance());
     return description;
 }
 

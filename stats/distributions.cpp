@@ -1,9 +1,11 @@
 #include "stats/distributions.h"
 
+#include <array>
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
 #include <boost/math/special_functions/beta.hpp>
 #include <boost/math/special_functions/gamma.hpp>
+#include <charconv>
 #include <cmath>
 #include <numbers>
 
@@ -89,8 +91,13 @@ TailProbability studentUpper(double t, double df)
 
 TailProbability studentTwoSided(double t, double df)
 {
-    const TailProbability tail = twice(studentUpper(std::fabs(t), df));
-    return t == 0 ? TailProbability{1, 0} : tail;
+    const double magnitude = std::fabs(t);
+    if (magnitude < 0.5) {
+        // From what lies between -t and t: a p near 1 keeps the digits of its distance from 1.
+        const double squared = magnitude * magnitude;
+        return complementOf({bm::ibeta(0.5, df / 2, squared / (df + squared), Quiet()), 0});
+    }
+    return twice(studentUpper(magnitude, df));
 }
 
 double studentQuantile(double upperTail, double df)
@@ -131,6 +138,32 @@ double betaLower(double a, double b, double x) { return bm::ibeta(a, b, x, Quiet
 double betaUpper(double a, double b, double x) { return bm::ibetac(a, b, x, Quiet()); }
 
 double betaQuantile(double a, double b, double p) { return bm::ibeta_inv(a, b, p, Quiet()); }
+
+std::string decimalOfLogarithm(double logarithm)
+{
+    const long double tens = static_cast<long double>(logarithm) / std::numbers::ln10_v<long double>;
+    long double exponent = std::floor(tens);
+    // A logarithm of hundreds or more keeps about this many digits of its number.
+    std::array<char, 40> text{};
+    const auto write = [&] {
+        const auto mantissa = std::pow(10.0L, tens - exponent);
+        return std::string(text.data(),
+                           std::to_chars(text.data(), text.data() + text.size(), mantissa, std::chars_format::fixed, 10).ptr);
+    };
+    std::string digits = write();
+    if (digits.starts_with("10")) {  // rounded up
+        exponent += 1;
+        digits = write();
+    }
+    return digits + "e" + (exponent < 0 ? "" : "+") + std::to_string(static_cast<long long>(exponent));
+}
+
+Value exponential(double logarithm)
+{
+    const double number = std::exp(logarithm);
+    return std::isfinite(number) || !std::isfinite(logarithm) ? Value(number)
+                                                              : Value::beyondDouble(decimalOfLogarithm(logarithm));
+}
 
 double hedgesCorrection(double m) { return 1 / (bm::tgamma_delta_ratio((m - 1) / 2, 0.5, Quiet()) * std::sqrt(m / 2)); }
 

@@ -1,6 +1,10 @@
 // Tail probabilities with their logarithms, so that a p below the smallest double still has a size.
 #pragma once
 
+#include <string>
+
+#include "stats/value.h"
+
 namespace stats {
 
 struct TailProbability {
@@ -32,6 +36,12 @@ double betaQuantile(double a, double b, double p);
 /// Twice a tail (at most 1) and 1 minus a tail, with their logarithms.
 TailProbability twice(const TailProbability& tail);
 TailProbability complementOf(const TailProbability& tail);
+
+/// e^logarithm; beyond the range of double a decimal.
+Value exponential(double logarithm);
+
+/// e^logarithm as a decimal, "4.2000000000e-398", for numbers that no double holds.
+std::string decimalOfLogarithm(double logarithm);
 
 /// Hedges' correction of a standardised difference on m degrees of freedom, exact gamma form; m >= 2.
 double hedgesCorrection(double m);

@@ -12,7 +12,8 @@ void refuse(EquivalenceTest& test, const std::string& why)
 {
     test.why = why;
     for (Value* value : {&test.estimate, &test.se, &test.df, &test.tLower, &test.pLower, &test.tUpper, &test.pUpper, &test.p,
-                         &test.logP, &test.ci.low, &test.ci.high, &test.tDifference, &test.pDifference, &test.dZ})
+                         &test.logP, &test.ci.low, &test.ci.high, &test.tDifference, &test.pDifference, &test.dZ, &test.logPLower,
+                         &test.logPUpper, &test.logPDifference})
         if (!value->exists()) *value = Value::undefined(why);
 }
 
@@ -59,13 +60,17 @@ EquivalenceTest equivalenceTest(TKind kind, std::span<const double> x, std::span
     const TailProbability upper = studentUpper(-*test.tUpper, contrast.df);
     test.pLower = lower.p;
     test.pUpper = upper.p;
+    test.logPLower = lower.logP;
+    test.logPUpper = upper.logP;
     const TailProbability& larger = lower.logP > upper.logP ? lower : upper;
     test.p = larger.p;
     test.logP = larger.logP;
     const double margin = studentQuantile(options.alpha, contrast.df) * contrast.se;
     test.ci = {scaled.unscaled(contrast.estimateMinus(margin)), scaled.unscaled(contrast.estimateMinus(-margin))};
     test.tDifference = contrast.estimateMinus(0) / contrast.se;
-    test.pDifference = studentTwoSided(*test.tDifference, contrast.df).p;
+    const TailProbability difference = studentTwoSided(*test.tDifference, contrast.df);
+    test.pDifference = difference.p;
+    test.logPDifference = difference.logP;
     const bool hasDz = kind == TKind::OneSample || kind == TKind::Paired;
     test.dZ = hasDz ? Value(contrast.estimateMinus(0) / contrast.sd) : Value::undefined("not an effect size of this test");
     test.equivalent = *test.p < options.alpha;

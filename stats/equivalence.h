@@ -22,13 +22,16 @@ struct EquivalenceTest {
     Value df;
     Value tLower;  ///< tests mean > low
     Value pLower;
+    Value logPLower;
     Value tUpper;  ///< tests mean < high
     Value pUpper;
+    Value logPUpper;
     Value p;  ///< the larger of the two
     Value logP;
     Interval ci;        ///< of level 1 - 2 alpha: inside the bounds exactly when p < alpha
     Value tDifference;  ///< the two-sided test against 0
     Value pDifference;
+    Value logPDifference;
     Value dZ;
     bool equivalent = false;
     bool different = false;

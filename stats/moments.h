@@ -24,8 +24,10 @@ public:
 
     std::span<const double> sample(std::size_t index) const { return m_samples[index]; }
     double scaled(double reference) const;
-    /// Back to the unit of the data; undefined where it is beyond the range of double.
+    /// Back to the unit of the data; a decimal where it is beyond the range of double.
     Value unscaled(double number) const;
+    /// The same for the square of a unit.
+    Value unscaledSquare(double number) const;
     int exponent() const { return m_exponent; }
 
 private:
@@ -51,6 +53,15 @@ struct Moments {
 
 /// Of finite numbers of moderate size (ScaledSamples); n >= 1.
 Moments momentsOf(std::span<const double> x);
+
+struct PairedMoments {
+    Moments x;
+    Moments y;
+    Moments differences;  ///< of x - y
+};
+
+/// Of equally many numbers, one look at each pair; n >= 1.
+PairedMoments pairedMomentsOf(std::span<const double> x, std::span<const double> y);
 
 /// All numbers equal but for the last bit of the largest: the spread is rounding noise, not data.
 bool isConstant(const Moments& moments);

@@ -13,23 +13,24 @@ double harmonic(std::size_t m)
     return sum;
 }
 
-/// What the p of this rank (0 = smallest of m) is multiplied with before it is made monotone.
-double scaledUp(double p, std::size_t rank, std::size_t m, Adjustment method)
+/// What the p of this rank (0 = smallest of m) is multiplied with before it is made monotone. One factor,
+/// so that a denormal p is rounded once.
+double factorOf(std::size_t rank, std::size_t m, Adjustment method, double harmonicSum)
 {
     const auto members = static_cast<double>(m);
     const double place = static_cast<double>(rank) + 1;
     switch (method) {
         case Adjustment::Holm:
         case Adjustment::Hochberg:
-            return p * (members - static_cast<double>(rank));
+            return members - static_cast<double>(rank);
         case Adjustment::Bonferroni:
-            return p * members;
+            return members;
         case Adjustment::BenjaminiHochberg:
-            return p * members / place;
+            return members / place;
         case Adjustment::BenjaminiYekutieli:
-            return p * members * harmonic(m) / place;
+            return members * harmonicSum / place;
     }
-    return p;
+    return 1;
 }
 
 }  // namespace
@@ -41,9 +42,10 @@ std::vector<Value> adjusted(std::span<const Value> p, Adjustment method)
     for (std::size_t i = 0; i < p.size(); ++i)
         if (p[i].exists()) order.push_back(i);
     std::sort(order.begin(), order.end(), [p](std::size_t a, std::size_t b) { return *p[a] < *p[b]; });
+    const double harmonicSum = method == Adjustment::BenjaminiYekutieli ? harmonic(order.size()) : 1;
     std::vector<double> values(order.size());
     for (std::size_t rank = 0; rank < order.size(); ++rank)
-        values[rank] = std::min(1.0, scaledUp(*p[order[rank]], rank, order.size(), method));
+        values[rank] = std::min(1.0, *p[order[rank]] * factorOf(rank, order.size(), method, harmonicSum));
     if (method == Adjustment::Holm) {
         for (std::size_t rank = 1; rank < values.size(); ++rank) values[rank] = std::max(values[rank], values[rank - 1]);
     } else if (method != Adjustment::Bonferroni) {

@@ -19,8 +19,8 @@ std::string tableFault(const BlockTable& table)
 void refuse(FriedmanTest& test, const std::string& why)
 {
     test.why = why;
-    for (Value* value :
-         {&test.q, &test.df, &test.p, &test.logP, &test.kendallW, &test.imanDavenportF, &test.fDf1, &test.fDf2, &test.fP})
+    for (Value* value : {&test.q, &test.df, &test.p, &test.logP, &test.kendallW, &test.imanDavenportF, &test.fDf1, &test.fDf2,
+                         &test.fP, &test.fLogP})
         *value = Value::undefined(why);
 }
 
@@ -35,13 +35,15 @@ void setImanDavenport(FriedmanTest& test, double k, double n)
     const double room = n * (k - 1) - *test.q;
     if (room <= 1e-12 * n * (k - 1) || n < 2) {
         const std::string why = n < 2 ? "needs at least 2 blocks" : "all blocks rank the conditions alike: F has no finite value";
-        test.imanDavenportF = test.fDf1 = test.fDf2 = test.fP = Value::undefined(why);
+        test.imanDavenportF = test.fDf1 = test.fDf2 = test.fP = test.fLogP = Value::undefined(why);
         return;
     }
     test.imanDavenportF = (n - 1) * *test.q / room;
     test.fDf1 = k - 1;
     test.fDf2 = (k - 1) * (n - 1);
-    test.fP = fisherUpper(*test.imanDavenportF, *test.fDf1, *test.fDf2).p;
+    const TailProbability tail = fisherUpper(*test.imanDavenportF, *test.fDf1, *test.fDf2);
+    test.fP = tail.p;
+    test.fLogP = tail.logP;
 }
 
 }  // namespace

@@ -18,6 +18,7 @@ struct FriedmanTest {
     Value fDf1;
     Value fDf2;
     Value fP;
+    Value fLogP;
 };
 
 FriedmanTest friedmanTest(const BlockTable& table);

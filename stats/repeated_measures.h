@@ -3,6 +3,7 @@
 #pragma once
 
 #include "stats/block_table.h"
+#include "stats/sphericity.h"
 
 namespace stats {
 
@@ -20,8 +21,10 @@ struct RepeatedMeasuresAnova {
     Value epsilonGg;  ///< Greenhouse and Geisser 1959, from the double-centred covariance
     Value pGg;
     Value logPGg;
+    MauchlyTest mauchly;
     Value epsilonHf;  ///< Huynh and Feldt 1976; may exceed 1, the test then uses 1
     Value pHf;
+    Value logPHf;
     Value partialEtaSquared;
     Value generalizedEtaSquared;
     std::vector<Value> moreyHalfWidths;  ///< by condition

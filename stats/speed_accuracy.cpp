@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
+#include "stats/binomial.h"
 #include "stats/descriptive.h"
 #include "stats/moments.h"
 
@@ -10,6 +12,33 @@ namespace stats {
 namespace {
 
 double plogp(double p, double q) { return p <= 0 ? 0 : p * std::log2(q); }
+
+/// The last time of each bin.
+std::vector<double> binEnds(std::span<const double> seconds, std::size_t bins)
+{
+    std::vector<double> ascending(seconds.begin(), seconds.end());
+    std::sort(ascending.begin(), ascending.end());
+    std::vector<double> ends;
+    for (std::size_t i = 1; i < bins; ++i)
+        ends.push_back(*quantile(ascending, static_cast<double>(i) / static_cast<double>(bins)));
+    ends.push_back(ascending.back());
+    return ends;
+}
+
+AccuracyBin accuracyBin(const std::vector<double>& seconds, long long correct)
+{
+    AccuracyBin bin;
+    bin.n = seconds.size();
+    const auto n = static_cast<long long>(seconds.size());
+    bin.ci95 = wilsonInterval(correct, n);
+    if (seconds.empty()) {
+        bin.meanSeconds = bin.proportionCorrect = Value::undefined("no choice took this long");
+        return bin;
+    }
+    bin.meanSeconds = momentsOf(seconds).mean();
+    bin.proportionCorrect = static_cast<double>(correct) / static_cast<double>(n);
+    return bin;
+}
 
 }  // namespace
 
@@ -77,6 +106,30 @@ std::vector<Value> balancedIntegrationScores(std::span<const double> proportionC
         scores.push_back(zPc - zRt);
     }
     return scores;
+}
+
+ConditionalAccuracy conditionalAccuracy(std::span<const double> seconds, const std::vector<bool>& correct, std::size_t bins)
+{
+    ConditionalAccuracy result;
+    if (seconds.size() != correct.size())
+        result.why = "times and choices differ in number";
+    else if (seconds.empty())
+        result.why = "there are no choices";
+    else if (bins == 0)
+        result.why = "needs at least 1 bin";
+    else
+        result.why = nonFiniteFault(seconds, "the response times");
+    if (!result.why.empty()) return result;
+    const std::vector<double> ends = binEnds(seconds, bins);
+    std::vector<std::vector<double>> times(bins);
+    std::vector<long long> right(bins, 0);
+    for (std::size_t i = 0; i < seconds.size(); ++i) {
+        const auto bin = static_cast<std::size_t>(std::lower_bound(ends.begin(), ends.end(), seconds[i]) - ends.begin());
+        times[bin].push_back(seconds[i]);
+        right[bin] += correct[i] ? 1 : 0;
+    }
+    for (std::size_t i = 0; i < bins; ++i) result.bins.push_back(accuracyBin(times[i], right[i]));
+    return result;
 }
 
 }  // namespace stats

@@ -19,6 +19,14 @@ public:
         return value;
     }
 
+    /// A number beyond the range of double: undefined for arithmetic, but not without its digits.
+    static Value beyondDouble(std::string decimal)
+    {
+        Value value = undefined("beyond the largest number that can be written as a double");
+        value.m_decimal = std::move(decimal);
+        return value;
+    }
+
     bool exists() const { return m_exists; }
     explicit operator bool() const { return m_exists; }
 
@@ -30,6 +38,8 @@ public:
     }
     double orElse(double other) const { return m_exists ? m_number : other; }
     const std::string& why() const { return m_why; }
+    /// "1.8584942812709108e+308" where the number is known but no double holds it; else empty.
+    const std::string& decimal() const { return m_decimal; }
 
     bool operator==(const Value&) const = default;
 
@@ -37,6 +47,7 @@ private:
     double m_number = 0;
     bool m_exists = false;
     std::string m_why = "not computed";
+    std::string m_decimal;
 };
 
 /// Interval ends; -infinity or infinity marks the open end of a one-sided interval.

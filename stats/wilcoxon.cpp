@@ -7,13 +7,12 @@
 #include "stats/contrast.h"
 #include "stats/decimal_grid.h"
 #include "stats/distributions.h"
-#include "stats/exact_sum.h"
 #include "stats/ranks.h"
+#include "stats/signed_sums.h"
 
 namespace stats {
 namespace {
 
-constexpr std::size_t mostExact = 300;
 constexpr std::size_t mostWalsh = 5000;
 
 /// Differences in ascending comparable form, and the unit that turns them back into numbers.
@@ -68,54 +67,13 @@ SignedRanks signedRanksOf(const std::vector<double>& differences, ZeroMethod zer
     return result;
 }
 
-/// Probabilities of doubled rank sums when every rank's sign is a fair coin.
-std::vector<double> permutationDistribution(const SignedRanks& ranks)
-{
-    std::vector<double> probability(static_cast<std::size_t>(ranks.total) + 1, 0.0);
-    probability[0] = 1;
-    std::size_t reached = 0;
-    for (const long long rank : ranks.doubled) {
-        const auto step = static_cast<std::size_t>(rank);
-        reached += step;
-        for (std::size_t sum = reached + 1; sum-- > step;)
-            probability[sum] = 0.5 * probability[sum] + 0.5 * probability[sum - step];
-        for (std::size_t sum = 0; sum < std::min(step, reached + 1); ++sum) probability[sum] *= 0.5;
-    }
-    return probability;
-}
-
-/// Sum over first <= V < end; 0 where that is empty.
-double sumBetween(const std::vector<double>& probability, long long first, long long end)
-{
-    if (end <= first) return 0;
-    const auto begin = static_cast<std::size_t>(first);
-    return exactSum(static_cast<std::size_t>(end - first), [&](std::size_t i) { return probability[begin + i]; });
-}
-
-/// The p of the tail, from its smaller side: a p near 1 keeps the digits of its distance from 1.
-TailProbability exactP(const SignedRanks& ranks, Tail tail)
-{
-    const std::vector<double> probability = permutationDistribution(ranks);
-    const long long end = ranks.total + 1;
-    // V is symmetric about total/2, so the upper tail of v is the lower tail of its mirror.
-    const long long v = tail == Tail::Less ? ranks.total - ranks.positive : ranks.positive;
-    if (tail != Tail::TwoSided) {
-        const double p = sumBetween(probability, v, end);
-        return p <= 0.5 ? TailProbability{p, std::log(p)} : complementOf({sumBetween(probability, 0, v), 0});
-    }
-    const long long outer = std::max(v, ranks.total - v);
-    const double p = 2 * sumBetween(probability, outer, end);
-    return p <= 0.5 ? TailProbability{p, std::log(p)}
-                    : complementOf({sumBetween(probability, ranks.total - outer + 1, outer), 0});
-}
-
 void setExact(WilcoxonTest& test, const SignedRanks& ranks, Tail tail)
 {
-    if (ranks.doubled.size() > mostExact) {
-        test.pExact = test.logPExact = Value::undefined("more than 300 differences: the normal approximation stands");
+    if (!signedSumIsFeasible(ranks.doubled)) {
+        test.pExact = test.logPExact = Value::undefined("more than 1000 differences: the normal approximation stands");
         return;
     }
-    const TailProbability exact = exactP(ranks, tail);
+    const TailProbability exact = signedSumProbability(ranks.doubled, ranks.positive, tail);
     test.pExact = exact.p;
     test.logPExact = exact.logP;
 }

@@ -26,7 +26,7 @@ struct WilcoxonTest {
     std::size_t nUsed = 0;
     std::size_t nZero = 0;
     Value v;       ///< sum of the ranks of the positive differences
-    Value pExact;  ///< undefined above 300 differences: there read pNormal
+    Value pExact;  ///< undefined above 1000 differences: there read pNormal
     Value logPExact;
     Value z;  ///< without continuity correction
     Value pNormal;

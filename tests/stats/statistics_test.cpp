@@ -17,35 +17,7 @@
 #include "stats/speed_accuracy.h"
 #include "stats/t_tests.h"
 #include "stats/wilcoxon.h"
-
-namespace {
-
-/// Small deterministic stream of numbers between 0 and 1 (a Weyl sequence, mixed).
-class Stream {
-public:
-    explicit Stream(std::uint64_t seed) : m_state(seed) {}
-    double next()
-    {
-        m_state += 0x9E3779B97F4A7C15U;
-        std::uint64_t z = m_state;
-        z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9U;
-        z = (z ^ (z >> 27U)) * 0x94D049BB133111EBU;
-        return static_cast<double>((z ^ (z >> 31U)) >> 11U) / 9007199254740992.0;
-    }
-    std::vector<double> ratings(std::size_t n, double centre)
-    {
-        std::vector<double> result(n);
-        for (double& x : result) x = std::round((centre + 4 * (next() - 0.5)) * 10) / 10;
-        return result;
-    }
-
-private:
-    std::uint64_t m_state;
-};
-
-bool near(double a, double b, double relative) { return std::fabs(a - b) <= relative * std::max(std::fabs(a), std::fabs(b)); }
-
-}  // namespace
+#include "tests/stats/stream.h"
 
 class StatisticsTest : public QObject {
     Q_OBJECT

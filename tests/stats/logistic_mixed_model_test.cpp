@@ -1,0 +1,240 @@
+// The logistic mixed model against R, closed forms, and where the likelihood has no maximum.
+#include <QtTest>
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "stats/crossed_study.h"
+#include "stats/logistic_mixed_model.h"
+#include "stats/simulated_study.h"
+#include "tests/stats/shared_study.h"
+
+namespace {
+
+bool near(double a, double b, double relative) { return std::fabs(a - b) <= relative * std::max(std::fabs(a), std::fabs(b)); }
+
+void compare(const stats::Value& value, double expected, double relative, const std::string& what)
+{
+    QVERIFY2(value.exists(), (what + ": " + value.why()).c_str());
+    QVERIFY2(near(*value, expected, relative),
+             qPrintable(QString("%1: %2, expected %3").arg(what.c_str()).arg(*value, 0, 'g', 12).arg(expected, 0, 'g', 12)));
+}
+
+/// Levels 1 to `levels`, each `each` times in a row, over `rows` rows.
+stats::Factor cycled(const std::string& name, std::size_t levels, std::size_t each, std::size_t rows)
+{
+    std::vector<std::string> values;
+    for (std::size_t row = 0; row < rows; ++row) values.push_back(std::to_string(row / each % levels + 1));
+    return stats::factorOf(name, values);
+}
+
+/// Five people, four fabrics, three conditions: every cell once.
+stats::LogisticData smallStudy()
+{
+    return {{1, 0, 1, 1, 0, 1, 1, 1, 1, 0, 0, 1, 1, 1, 1, 1, 0, 0, 1, 1, 1, 1, 1, 1, 0, 0, 0, 1, 0, 0,
+             1, 0, 1, 0, 0, 0, 1, 1, 1, 1, 1, 0, 1, 1, 0, 0, 1, 1, 0, 1, 1, 0, 0, 0, 0, 1, 1, 0, 0, 1},
+            cycled("c", 3, 1, 60),
+            {cycled("p", 5, 12, 60), cycled("f", 4, 3, 60)}};
+}
+
+void answerAll(stats::LogisticData& data, std::size_t condition, double right)
+{
+    for (std::size_t row = 0; row < data.right.size(); ++row)
+        if (data.condition.of[row] == condition) data.right[row] = right;
+}
+
+}  // namespace
+
+class LogisticMixedModelTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void smallStudyAsBruteForceHasIt()
+    {
+        // R 4.2.2, dense matrices, the mode by Newton to 1e-14, optim(method = "BFGS", reltol = 1e-16) over
+        // both standard deviations and the three effects of
+        //   -2*sum(dbinom(y,1,pr,log=TRUE)) + sum(u^2) + determinant(diag(q) + t(ZL)%*%(ZL*(pr*(1-pr))))$modulus
+        const auto model = stats::fitLogisticMixedModel(smallStudy());
+        compare(model.random[0].sd, 0.8868409311, 1e-5, "people");
+        compare(model.random[1].sd, 0.6246168293, 1e-5, "fabrics");
+        const double estimates[] = {0.4978643545, -0.5037289205, 0.2634273745};
+        // optimHess of the same with the mode one Newton step from that of the fit (see the header)
+        const double errors[] = {0.71592829, 0.70949980, 0.72101902};
+        for (std::size_t i = 0; i < 3; ++i) {
+            compare(model.fixed[i].estimate, estimates[i], 2e-5, model.fixed[i].name);
+            compare(model.fixed[i].se, errors[i], 1e-4, "se of " + model.fixed[i].name);
+        }
+        compare(model.logLikelihood, -38.2438576288, 1e-9, "log likelihood");
+        compare(model.logLikelihoodNull, -38.8351382193, 1e-9, "of the model without condition");
+        compare(model.chiSquared, 2 * (38.8351382193 - 38.2438576288), 1e-6, "chi-squared");
+        QCOMPARE(*model.df, 2.0);
+        QVERIFY(!model.singular && model.separation == stats::Separation::None);
+    }
+
+    void peopleAlikeLeaveAPlainTable()
+    {
+        // Everyone answers alike, so nothing is left for the groups: log odds of 12/20, 8/20 and 15/20, and
+        // the likelihood ratio is the G test of the table (R: 2*sum(O*log(O/E)) = 5.3086...).
+        stats::LogisticData data{{}, cycled("c", 3, 1, 60), {cycled("p", 4, 15, 60)}};
+        // Of every five answers of a person under a condition 3, 2 and 3.75 are right: shared out by turns.
+        const int right[4][3] = {{3, 2, 4}, {3, 2, 4}, {3, 2, 4}, {3, 2, 3}};
+        for (int p = 0; p < 4; ++p)
+            for (int i = 0; i < 5; ++i)
+                for (int c = 0; c < 3; ++c) data.right.push_back(i < right[p][c] ? 1 : 0);
+        const auto model = stats::fitLogisticMixedModel(data);
+        QVERIFY(model.singular && model.random[0].zero);
+        compare(model.fixed[0].estimate, std::log(12.0 / 8), 1e-9, "intercept");
+        compare(model.fixed[0].se, std::sqrt(1.0 / 12 + 1.0 / 8), 1e-6, "its se");
+        compare(model.fixed[1].estimate, std::log(8.0 / 12) - std::log(12.0 / 8), 1e-9, "second");
+        compare(model.fixed[2].se, std::sqrt(1.0 / 15 + 1.0 / 5 + 1.0 / 12 + 1.0 / 8), 1e-6, "se of the third");
+        double g = 0;
+        for (const double count : {12.0, 8.0, 15.0})
+            g += 2 * (count * std::log(count / (35.0 / 3)) + (20 - count) * std::log((20 - count) / (25.0 / 3)));
+        compare(model.chiSquared, g, 1e-9, "G");
+    }
+
+    void aConditionAlwaysRightIsSaidAndTheRestIsFitted()
+    {
+        auto data = smallStudy();
+        answerAll(data, 2, 1);
+        const auto model = stats::fitLogisticMixedModel(data);
+        QVERIFY(model.separation == stats::Separation::Quasi);
+        QCOMPARE(model.separationWhy, std::string("quasi-complete separation: 3 (always right)"));
+        QVERIFY(model.why.empty() && model.fixed[1].p.exists());
+        QVERIFY(!model.fixed[2].estimate.exists() && !model.fixed[2].p.exists());
+        QVERIFY(model.fixed[2].p.why().find("3 (always right)") != std::string::npos);
+        // What is left is the study without that condition; the likelihood tends to its own.
+        stats::LogisticData two{{}, {"c", {"1", "2"}, {}}, {{"p", data.groups[0].levels, {}}, {"f", data.groups[1].levels, {}}}};
+        for (std::size_t row = 0; row < data.right.size(); ++row) {
+            if (data.condition.of[row] == 2) continue;
+            two.right.push_back(data.right[row]);
+            two.condition.of.push_back(data.condition.of[row]);
+            for (std::size_t g = 0; g < 2; ++g) two.groups[g].of.push_back(data.groups[g].of[row]);
+        }
+        const auto rest = stats::fitLogisticMixedModel(two);
+        compare(model.logLikelihood, *rest.logLikelihood, 1e-12, "log likelihood");
+        compare(model.fixed[1].estimate, *rest.fixed[1].estimate, 1e-12, "second condition");
+        QVERIFY(model.p.exists() && *model.df == 2);
+    }
+
+    void aSeparatedReferenceLeavesNoDifference()
+    {
+        auto data = smallStudy();
+        answerAll(data, 0, 0);
+        const auto model = stats::fitLogisticMixedModel(data);
+        QVERIFY(model.separation == stats::Separation::Quasi);
+        for (const auto& effect : model.fixed) QVERIFY(!effect.estimate.exists() && !effect.p.why().empty());
+        QVERIFY(model.logLikelihood.exists() && model.random[0].sd.exists());
+    }
+
+    void completeSeparationIsSaid()
+    {
+        auto data = smallStudy();
+        for (const std::size_t condition : {0U, 1U, 2U}) answerAll(data, condition, condition == 1 ? 1 : 0);
+        const auto model = stats::fitLogisticMixedModel(data);
+        QVERIFY(model.separation == stats::Separation::Complete);
+        QVERIFY(QString::fromStdString(model.separationWhy).startsWith("complete separation: 1 (always wrong), 2 (always right)"));
+        QCOMPARE(*model.logLikelihood, 0.0);
+        QVERIFY(!model.random[0].sd.exists());
+        for (const auto& effect : model.fixed) QVERIFY(!effect.p.exists());
+    }
+
+    void refusalsSayWhy_data()
+    {
+        QTest::addColumn<QString>("kind");
+        QTest::addColumn<QString>("why");
+        QTest::addRow("nothing") << "nothing" << "no choices";
+        QTest::addRow("all missing") << "missing" << "no choices";
+        QTest::addRow("all right") << "right" << "every choice was right";
+        QTest::addRow("all wrong") << "wrong" << "every choice was wrong";
+        QTest::addRow("half a choice") << "half" << "neither right";
+        QTest::addRow("one condition") << "one" << "one condition";
+        QTest::addRow("one person") << "person" << "belong to one p";
+    }
+
+    void refusalsSayWhy()
+    {
+        QFETCH(QString, kind);
+        QFETCH(QString, why);
+        auto data = smallStudy();
+        if (kind == "nothing") data = {{}, {"c", {}, {}}, {}};
+        if (kind == "missing") std::fill(data.right.begin(), data.right.end(), std::nan(""));
+        if (kind == "right") std::fill(data.right.begin(), data.right.end(), 1.0);
+        if (kind == "wrong") std::fill(data.right.begin(), data.right.end(), 0.0);
+        if (kind == "half") data.right[5] = 0.5;
+        if (kind == "one") data.condition = cycled("c", 1, 1, 60);
+        if (kind == "person") data.groups[0] = cycled("p", 1, 1, 60);
+        const auto model = stats::fitLogisticMixedModel(data);
+        QVERIFY2(QString::fromStdString(model.why).contains(why), model.why.c_str());
+        QVERIFY(!model.p.exists() && !model.p.why().empty() && !model.logLikelihood.exists());
+        for (const auto& effect : model.fixed) QVERIFY(!effect.p.exists());
+    }
+
+    void missingChoicesAndOrderChangeNothing()
+    {
+        auto data = smallStudy();
+        const auto plain = stats::fitLogisticMixedModel(data);
+        stats::LogisticData turned{{}, {"c", data.condition.levels, {}}, {{"p", data.groups[0].levels, {}}, {"f", data.groups[1].levels, {}}}};
+        for (std::size_t row = data.right.size(); row-- > 0;) {
+            turned.right.push_back(data.right[row]);
+            turned.condition.of.push_back(data.condition.of[row]);
+            for (std::size_t g = 0; g < 2; ++g) turned.groups[g].of.push_back(data.groups[g].of[row]);
+        }
+        turned.right.push_back(std::nan(""));
+        turned.condition.of.push_back(1);
+        for (auto& group : turned.groups) group.of.push_back(0);
+        const auto other = stats::fitLogisticMixedModel(turned);
+        QCOMPARE(other.missing, std::size_t(1));
+        compare(other.logLikelihood, *plain.logLikelihood, 1e-10, "log likelihood");
+        compare(other.fixed[2].estimate, *plain.fixed[2].estimate, 1e-5, "estimate");
+        compare(other.fixed[2].se, *plain.fixed[2].se, 1e-5, "se");
+    }
+
+    void manyDrawnStudiesAllHaveAFit()
+    {
+        const stats::StudyDesign design{6, 5, 4, 3};
+        int singular = 0;
+        for (std::uint64_t seed = 0; seed < 200; ++seed) {
+            stats::Draws draws(seed, 1);
+            auto study = stats::emptyStudy(design);
+            stats::drawChoices(study, {0.6, 0.3}, std::vector<double>{-0.5, 0, 0.5, 2.5}, draws);
+            const auto fit = stats::fitChoices(study).model;
+            QVERIFY2(fit.why.empty(), fit.why.c_str());
+            QVERIFY(*fit.chiSquared >= 0 && *fit.p >= 0 && *fit.p <= 1);
+            singular += fit.singular ? 1 : 0;
+        }
+        QVERIFY(singular > 10 && singular < 190);  // both kinds were met
+    }
+
+    void sharedStudiesAgreeWithR_data()
+    {
+        QTest::addColumn<QString>("name");
+        for (const char* name : {"study_a", "study_missing_a"}) QTest::addRow("%s", name) << name;
+    }
+
+    void sharedStudiesAgreeWithR()
+    {
+        QFETCH(QString, name);
+        const auto rows = shared::readCsv(shared::studyFolder() / (name + ".csv").toStdString());
+        if (rows.empty()) QSKIP("the shared studies are not here: nothing was compared with glmer");
+        const auto expected = shared::expected(name.toStdString())["q1_glmm"];
+        const auto model = stats::fitChoices(shared::study(rows, 3)).model;
+        for (const auto& effect : model.fixed) {
+            compare(effect.estimate, expected["fixef"][effect.name], 1e-3, effect.name);
+            compare(effect.se, expected["se"][effect.name], 1e-3, "se of " + effect.name);
+        }
+        compare(model.random[0].sd, expected["sd_participant"], 1e-3, "participants");
+        compare(model.random[1].sd, expected["sd_fabric"], 1e-3, "fabrics");
+        // glmer stops a step before the mode, and so below the likelihood that Laplace's approximation has.
+        compare(model.logLikelihood, expected["logLik"], 1e-7, "log likelihood");
+        QVERIFY(*model.logLikelihood >= expected["logLik"].get<double>() - 1e-9);
+        compare(model.chiSquared, expected["lrt_chi2"], 1e-3, "chi-squared");
+        compare(model.df, expected["lrt_df"], 0, "df");
+        compare(model.p, expected["lrt_p"], 1e-3, "p");
+        QVERIFY(model.separation == stats::Separation::None);
+    }
+};
+
+QTEST_GUILESS_MAIN(LogisticMixedModelTest)
+#include "logistic_mixed_model_test.moc"

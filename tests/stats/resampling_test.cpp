@@ -1,0 +1,104 @@
+// Sign flips, the BCa bootstrap and the JZS Bayes factor against independent numbers.
+#include <QtTest>
+#include <cmath>
+#include <numbers>
+
+#include "stats/bayes_factor.h"
+#include "stats/bootstrap.h"
+#include "stats/sign_flip.h"
+#include "tests/stats/stream.h"
+
+namespace {
+
+const std::vector<double> tenths{.3, -.1, .5, .5, .2, -.4, .6, .1, .9, -.2};
+
+}  // namespace
+
+class ResamplingTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    // python3: d=[3,-1,5,5,2,-4,6,1,9,-2]; s=[sum(a*b for a,b in zip(q,d)) for q in product((1,-1),repeat=10)]
+    //   sum(abs(v)>=sum(d) for v in s)/1024, sum(v>=sum(d) for v in s)/1024      0.107421875 0.0537109375
+    void signFlipsAreThoseOfAllSigns()
+    {
+        QCOMPARE(*stats::signFlipTest(tenths, {}).p, 0.107421875);
+        QCOMPARE(*stats::signFlipTest(tenths, {}, stats::Tail::Greater).p, 0.0537109375);
+        // P(S <= s) = 1 - P(S >= s) + P(S = s)
+        const double less = *stats::signFlipTest(tenths, {}, stats::Tail::Less).p;
+        QVERIFY(less > 1 - 0.0537109375 && less < 1);
+    }
+
+    // Thirds lie on no decimal grid; all signs are gone through one by one there, with the same result.
+    void offTheGridSignsAreEnumerated()
+    {
+        auto thirds = tenths;
+        for (double& x : thirds) x /= 3;
+        QCOMPARE(*stats::signFlipTest(thirds, {}).p, 0.107421875);
+        QVERIFY(QString::fromStdString(stats::signFlipTest(Stream(1).numbers(40), {}).why).contains("no decimal grid"));
+    }
+
+    // All 70 differences positive: only all signs together are as far out.
+    void tailOfAllSigns()
+    {
+        const std::vector<double> x(70, 0.1);
+        const auto test = stats::signFlipTest(x, {});
+        QVERIFY(near(*test.p, std::ldexp(1, -69), 1e-14));
+        QVERIFY(near(*test.logP, -69 * std::numbers::ln2, 1e-14));
+        QVERIFY(near(*stats::signFlipTest(x, {}, stats::Tail::Less).p, 1, 1e-15));
+    }
+
+    void pairsAndTheirDifferencesAreTheSameTest()
+    {
+        const std::vector<double> x{5.3, 4.2, 5.8, 7.1, 7.7, 8.2}, y{5.2, 4.6, 5.8, 6.0, 7.0, 8.5};
+        const auto paired = stats::signFlipTest(x, y);
+        QCOMPARE(paired.nZero, std::size_t{1});
+        QCOMPARE(*paired.p, *stats::signFlipTest(std::vector<double>{.1, -.4, 0, 1.1, .7, -.3}, {}).p);
+        QVERIFY(near(*paired.meanDifference, 0.2, 1e-14));
+    }
+
+    // python3 (scipy 1.10.1): ((x-x.mean())**3).sum()/(6*((x-x.mean())**2).sum()**1.5)    0.06076504249773441
+    // stats.bootstrap((x,), np.mean, n_resamples=2000000, method='BCa', random_state=1)   low 2.89 high 5.19
+    void bootstrapAgreesWithScipy()
+    {
+        const std::vector<double> x{2.1, 3.4, 1.9, 5.6, 4.4, 2.2, 7.9, 3.1, 2.8, 4.0};
+        const auto many = stats::bcaBootstrapOfMean(x, {.resamples = 1000000});
+        QVERIFY(near(*many.acceleration, 0.06076504249773441, 1e-12));
+        QVERIFY(std::fabs(*many.ci.low - 2.89) < 0.011 && std::fabs(*many.ci.high - 5.19) < 0.011);
+        // SD of the resampled mean: sqrt((n - 1)/n) of the standard error
+        QVERIFY(near(*many.standardError, 0.5578888778242491, 0.005));
+        const auto few = stats::bcaBootstrapOfMean(x);
+        QVERIFY(std::fabs(*few.ci.low - 2.89) < 0.06 && std::fabs(*few.ci.high - 5.19) < 0.12);
+    }
+
+    void symmetricSampleHasNoBias()
+    {
+        const auto result = stats::bcaBootstrapOfMean(std::vector<double>{1, 2, 3, 4, 5}, {.resamples = 200000});
+        QVERIFY(std::fabs(*result.acceleration) < 1e-15);
+        QVERIFY(std::fabs(*result.bias) < 0.01);  // ties count half: 5 values tie often
+        QVERIFY(!stats::bcaBootstrapOfMean(std::vector<double>{1, 2}, {.resamples = 0}).why.empty());
+        QVERIFY(!stats::bcaBootstrapOfMean(std::vector<double>{1, 2}, {.confidence = 1}).why.empty());
+    }
+
+    // python3 (mpmath 1.2.1): the integral of Rouder et al. (2009) over g
+    //   t 2.03, n 80, r sqrt(2)/2   0.861185125273801
+    //   t -1.5, n 24, r 1           0.44401656850563
+    //   t 8, n 30, r sqrt(2)        1960777.54564426
+    void bayesFactorsAgreeWithTheirIntegral()
+    {
+        QVERIFY(near(*stats::jzsBayesFactor(2.03, 80).bf10, 0.861185125273801, 1e-12));
+        QVERIFY(near(*stats::jzsBayesFactor(-1.5, 24, 1).bf10, 0.44401656850563, 1e-12));
+        QVERIFY(near(*stats::jzsBayesFactor(8, 30, std::numbers::sqrt2).bf10, 1960777.54564426, 1e-12));
+    }
+
+    void bayesFactorsBeyondTheDoubles()
+    {
+        const auto huge = stats::jzsBayesFactor(1000, 10000);
+        QVERIFY(!huge.bf10.exists() && !huge.bf10.decimal().empty() && *huge.logBf10 > 20000);
+        QVERIFY(std::isfinite(*stats::jzsBayesFactor(1e200, 3).logBf10));
+        QVERIFY(!stats::jzsBayesFactor(2, 1).why.empty() && !stats::jzsBayesFactor(2, 10, 0).why.empty());
+    }
+};
+
+QTEST_GUILESS_MAIN(ResamplingTest)
+#include "resampling_test.moc"

@@ -1,0 +1,130 @@
+// One-way ANOVA, sphericity, intraclass correlations, exact Friedman: published and independent numbers.
+#include <QtTest>
+
+#include "stats/friedman_exact.h"
+#include "stats/intraclass.h"
+#include "stats/one_way_anova.h"
+#include "stats/rank_tests.h"
+#include "stats/repeated_measures.h"
+#include "tests/stats/stream.h"
+
+namespace {
+
+using Rows = std::vector<std::vector<double>>;
+
+stats::BlockTable tableOf(const Rows& rows) { return stats::blockTableOf(rows).table; }
+
+}  // namespace
+
+class TablesTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    // R: summary(aov(v ~ g)) of c(5.1,4.9,6.2,5.8,5.5), c(6.1,6.4,5.9,7.0), c(4.1,4.4,5.2)
+    //   g 2 5.47333333333333 2.73666666666667 10.10807 0.0049979; residuals 9 2.43666666666666 0.27074074074074
+    void oneWayAgreesWithR()
+    {
+        const auto anova = stats::oneWayAnova({{5.1, 4.9, 6.2, 5.8, 5.5}, {6.1, 6.4, 5.9, 7.0}, {4.1, 4.4, 5.2}});
+        QVERIFY(near(*anova.ssBetween, 5.47333333333333, 1e-14));
+        QVERIFY(near(*anova.ssWithin, 2.43666666666666, 1e-14));
+        QVERIFY(near(*anova.f, 10.10807, 1e-6) && near(*anova.p, 0.0049979, 1e-5));
+        QVERIFY(near(*anova.rSquared, 5.47333333333333 / 7.91, 1e-14));
+        QCOMPARE(*anova.df2, 9.0);
+    }
+
+    // R: m <- matrix(c(3,4.6,3,4.8, ...), 6, byrow=TRUE); mauchly.test(lm(m~1), X=~1) and
+    //   anova(lm(m~1), X=~1, test="Spherical"): W = 0.136027236738817, p = 0.204529788521036 (its w2 has 3*p with p = 4
+    //   conditions where Box has p = 3 contrasts; mpmath with 3 gives 0.204193933160771), F = 0.0730881674103568, p =
+    //   0.9735016909089305, G-G 0.9130953910619699, H-F 0.9651654320407442
+    void sphericityAgreesWithR()
+    {
+        const Rows rows{{3, 4.6, 3, 4.8},     {5.7, 6.8, 6.4, 5.7}, {5.6, 6, 5.1, 5.5},
+                        {3.8, 3.9, 3.6, 5.5}, {4.4, 3.9, 5.1, 2.1}, {6.1, 4.2, 5.0, 5.9}};
+        const auto anova = stats::repeatedMeasuresAnova(tableOf(rows));
+        QVERIFY(near(*anova.mauchly.w, 0.136027236738817, 1e-13));
+        QVERIFY(near(*anova.mauchly.pSecondOrder, 0.204193933160771, 1e-12));
+        QVERIFY(near(*anova.f, 0.0730881674103568, 1e-12));
+        QVERIFY(near(*anova.p, 0.9735016909089305, 1e-12));
+        QVERIFY(near(*anova.pGg, 0.9130953910619699, 1e-12));
+        QVERIFY(near(*anova.pHf, 0.9651654320407442, 1e-12));
+    }
+
+    // R leaves an uncorrected p in the table where sphericity cannot be tested; here it says so.
+    void sphericityIsOnlyTestedWhereItIsDefined()
+    {
+        Stream stream(1);
+        Rows few;
+        for (int i = 0; i < 4; ++i) few.push_back(stream.ratings(6, 5));
+        const auto anova = stats::repeatedMeasuresAnova(tableOf(few));
+        QVERIFY(anova.pGg.exists() && !anova.mauchly.w.exists());
+        QVERIFY(QString::fromStdString(anova.mauchly.why).contains("fewer blocks than conditions"));
+        Rows determined;
+        for (int i = 0; i < 9; ++i) {
+            const auto x = stream.ratings(2, 5);
+            determined.push_back({x[0], x[1], (x[0] + x[1]) / 2});
+        }
+        QVERIFY(QString::fromStdString(stats::mauchlyTest(tableOf(determined)).why).contains("determine others"));
+        QVERIFY(!stats::mauchlyTest(tableOf({{1, 2, 3}, {1, 2, 3}, {1, 2, 3}, {1, 2, 3}})).w.exists());
+    }
+
+    // Shrout and Fleiss (1979), table 2: six targets, four judges; published .17 .29 .71 .44 .62 .91.
+    // From the mean squares of R's aov (11.24166.. targets, 32.48611.. judges, 1.01944.. residual).
+    void intraclassCorrelationsAreThoseOfShroutAndFleiss()
+    {
+        const auto icc = stats::intraclassCorrelations(
+            tableOf({{9, 2, 5, 8}, {6, 1, 3, 2}, {8, 4, 6, 8}, {7, 1, 2, 6}, {10, 5, 6, 9}, {6, 2, 4, 7}}));
+        const double targets = 56.2083333333333 / 5, judges = 97.4583333333334 / 3, error = 15.2916666666667 / 15;
+        const double within = (judges + 5 * error) / 6;
+        QVERIFY(near(*icc.icc1, (targets - within) / (targets + 3 * within), 1e-12));
+        QVERIFY(near(*icc.icc2, (targets - error) / (targets + 3 * error + 4 * (judges - error) / 6), 1e-12));
+        QVERIFY(near(*icc.icc3, (targets - error) / (targets + 3 * error), 1e-12));
+        QVERIFY(std::fabs(*icc.icc1 - 0.17) < 0.005 && std::fabs(*icc.icc2 - 0.29) < 0.005 &&
+                std::fabs(*icc.icc3 - 0.71) < 0.005);
+        QVERIFY(std::fabs(*icc.icc1k - 0.44) < 0.005 && std::fabs(*icc.icc2k - 0.62) < 0.005 &&
+                std::fabs(*icc.icc3k - 0.91) < 0.005);
+    }
+
+    void perfectAgreementIsOneAndNoVariationIsNothing()
+    {
+        const auto perfect = stats::intraclassCorrelations(tableOf({{1, 1}, {2, 2}, {5, 5}}));
+        QVERIFY(near(*perfect.icc2, 1, 1e-14) && near(*perfect.icc3k, 1, 1e-14));
+        // The second rater is always one higher: consistent, not in agreement.
+        const auto shifted = stats::intraclassCorrelations(tableOf({{1, 2}, {2, 3}, {3, 4}}));
+        QVERIFY(near(*shifted.icc3, 1, 1e-14) && *shifted.icc2 < 0.9);
+        QVERIFY(!stats::intraclassCorrelations(tableOf({{2, 2}, {2, 2}})).why.empty());
+    }
+
+    // Tables of Friedman's statistic for 3 conditions and 4 blocks (Hollander and Wolfe 1973): P(Q >= 8) = .005, which is
+    // the 6 of 6^4 ways in which all blocks agree, and P(Q >= 6.5) = .042.
+    void exactFriedmanAgreesWithPublishedTables()
+    {
+        const auto eight = tableOf({{1, 2, 3}, {1, 2, 3}, {1, 2, 3}, {1, 2, 3}});
+        QVERIFY(near(*stats::exactFriedman(eight).p, 6.0 / 1296, 1e-12));
+        const auto sixAndHalf = tableOf({{1, 2, 3}, {1, 2, 3}, {1, 2, 3}, {1, 3, 2}});
+        QVERIFY(near(*stats::friedmanTest(sixAndHalf).q, 6.5, 1e-13));
+        QVERIFY(std::fabs(*stats::exactFriedman(sixAndHalf).p - 0.042) < 0.0005);
+        const auto six = tableOf({{1, 2, 3}, {1, 2, 3}, {1, 2, 3}, {2, 3, 1}});
+        QVERIFY(*stats::exactFriedman(six).p > *stats::exactFriedman(sixAndHalf).p);
+    }
+
+    // Ties: each block's own mid-ranks are permuted. Two blocks {1, 1, 2} and {1, 2, 2}: of their 9 pairs
+    // of orders, the 3 in which largest and smallest meet make equal rank sums, the other 6 what was seen.
+    void exactFriedmanKnowsTies()
+    {
+        const auto far = tableOf({{1, 1, 2}, {1, 2, 2}});
+        QVERIFY(near(*stats::exactFriedman(far).p, 6.0 / 9, 1e-13));
+        QCOMPARE(*stats::exactFriedman(tableOf({{1, 1}, {2, 2}})).p, 1.0);
+    }
+
+    void largeDesignsKeepTheirApproximations()
+    {
+        Stream stream(2);
+        Rows rows;
+        for (int i = 0; i < 70; ++i) rows.push_back(stream.ratings(9, 5));
+        QVERIFY(!stats::exactFriedman(tableOf(rows)).p.exists());
+        QVERIFY(stats::friedmanTest(tableOf(rows)).p.exists());
+    }
+};
+
+QTEST_GUILESS_MAIN(TablesTest)
+#include "tables_test.moc"

@@ -74,7 +74,9 @@ int run(int argc, char** argv)
         std::fprintf(stderr, "vis2hap: %s; see `vis2hap %s--help`\n", problem.what(), command.c_str());
         return static_cast<int>(ExitCode::BadInput);
     }
-    const auto application = surroundingsFor(action.surroundings, argc, argv);
+    // Qt would take options of ours for its own: --display names a screen of the X server to it.
+    int programNameAlone = 1;
+    const auto application = surroundingsFor(action.surroundings, programNameAlone, argv);
     std::setlocale(LC_NUMERIC, "C");  // Qt has set the user's, under which C functions read 5.4 as 5
     return action.work();
 }

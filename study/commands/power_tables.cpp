@@ -123,6 +123,8 @@ void printDesign(const std::string& protocol, const stats::PowerOptions& options
 
 void printTests(const std::vector<stats::PlannedTest>& tests)
 {
+    if (tests.empty())
+        std::printf("nothing can be compared in this design\n");
     std::string effect;
     for (const auto& test : tests) {
         if (test.effect != effect)

@@ -131,6 +131,32 @@ private Q_SLOTS:
         QVERIFY(std::fabs(variance / stated - 1) < 4 * std::sqrt(2.0 / 79));
     }
 
+    void rejectionsAreCountedAtAlphaAndUndefinedTestsApart()
+    {
+        stats::SimulationOptions options{.studies = 400, .seed = 2};
+        std::size_t told = 0;
+        options.done = [&](std::size_t studies) { told += studies; };
+        const auto counts = stats::simulateTests(
+            3,
+            [](stats::Draws& draws, std::span<stats::Value> p) {
+                const double u = draws.uniform();
+                p[0] = u;
+                if (u < 0.5) p[1] = 0.05;  // at alpha: rejected
+            },
+            options);
+        std::size_t low = 0, half = 0;
+        for (std::uint64_t study = 0; study < 400; ++study) {
+            const double u = stats::Draws(2, study).uniform();
+            low += u <= 0.05 ? 1 : 0;
+            half += u < 0.5 ? 1 : 0;
+        }
+        QCOMPARE(counts[0].rejected, low);
+        QCOMPARE(counts[1].rejected, half);
+        QCOMPARE(counts[1].undefined, 400 - half);
+        QCOMPARE(counts[2].undefined, std::size_t(400));
+        QCOMPARE(told, std::size_t(400));
+    }
+
     void threadsChangeNoResult()
     {
         stats::PowerOptions options;

@@ -38,6 +38,13 @@ private Q_SLOTS:
         QVERIFY(QString::fromStdString(stats::signFlipTest(Stream(1).numbers(40), {}).why).contains("no decimal grid"));
     }
 
+    // A scale of half points has the test of a scale of points.
+    void stepOfTheScaleDoesNotMatter()
+    {
+        const std::vector<double> points{1, 2, -1, 3, 3, -2}, halves{.5, 1, -.5, 1.5, 1.5, -1};
+        QCOMPARE(*stats::signFlipTest(halves, {}).p, *stats::signFlipTest(points, {}).p);
+    }
+
     // All 70 differences positive: only all signs together are as far out.
     void tailOfAllSigns()
     {

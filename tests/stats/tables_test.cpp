@@ -32,10 +32,11 @@ private Q_SLOTS:
         QCOMPARE(*anova.df2, 9.0);
     }
 
-    // R: m <- matrix(c(3,4.6,3,4.8, ...), 6, byrow=TRUE); mauchly.test(lm(m~1), X=~1) and
-    //   anova(lm(m~1), X=~1, test="Spherical"): W = 0.136027236738817, p = 0.204529788521036 (its w2 has 3*p with p = 4
-    //   conditions where Box has p = 3 contrasts; mpmath with 3 gives 0.204193933160771), F = 0.0730881674103568, p =
-    //   0.9735016909089305, G-G 0.9130953910619699, H-F 0.9651654320407442
+    // R: m <- matrix(c(3,4.6,3,4.8, ...), 6, byrow=TRUE); mauchly.test(lm(m~1), X=~1); anova(lm(m~1), X=~1, test="Spherical")
+    //   W = 0.136027236738817, p = 0.204529788521036; F = 0.0730881674103568, p = 0.9735016909089305,
+    //   G-G 0.9130953910619699, H-F 0.9651654320407442
+    // R's second-order term has 3*p of p = 4 conditions where Box has p = 3 contrasts; with that, the same in 30 digits
+    // (mpmath) is 0.204193933160771.
     void sphericityAgreesWithR()
     {
         const Rows rows{{3, 4.6, 3, 4.8},     {5.7, 6.8, 6.4, 5.7}, {5.6, 6, 5.1, 5.5},

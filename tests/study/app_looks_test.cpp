@@ -1,6 +1,7 @@
 // How every page looks: names for screen readers, themes, text sizes. With VIS2HAP_SCREENSHOTS=FOLDER every page is
 // saved there as PNG: light, dark, and with text at 200 percent.
 #include "study/app/appearance.h"
+#include "study/app/monitor_window.h"
 #include "study/app/scale_line.h"
 #include "tests/support/open_window.h"
 #include "tests/support/whole_protocol.h"
@@ -82,13 +83,14 @@ private:
         return buildStudy(m_folder.path().toStdString() + "/study" + std::to_string(++m_made), recipe);
     }
     /// Told each page's name.
-    using Look = std::function<void(OpenWindow&, const char*)>;
+    using Look = std::function<void(QWidget& window, const char* page)>;
     /// Goes through every page of the window.
     void visitPages(const Look& look);
     void visitPreparation(OpenWindow& open, const Look& look);
     void visitQuestions(OpenWindow& open, const Look& look);
     void visitPanels(OpenWindow& open, const Look& look);
     void visitAround(OpenWindow& open, const Look& look);
+    void visitMonitor(OpenWindow& open, const Look& look);
     QTemporaryDir m_folder;
     int m_made = 0;
     QFont m_font = QApplication::font();
@@ -113,9 +115,9 @@ void AppLooksTest::visitPages(const Look& look)
     open.window().startSession(protocols::ParticipantId("P01"));
     open.playTo("Debriefing");
     open.hands().type("One felt sticky, the others dry.");
-    look(open, "debriefing");
+    look(open.window(), "debriefing");
     open.playToEnd();
-    look(open, "finished");
+    look(open.window(), "finished");
     open.hands().pressKey(Qt::Key_Return);
     QTest::qWait(1);
     open.window().startSession(protocols::ParticipantId("P02"));
@@ -127,62 +129,62 @@ void AppLooksTest::visitPages(const Look& look)
 
 void AppLooksTest::visitPreparation(OpenWindow& open, const Look& look)
 {
-    look(open, "introduction");
+    look(open.window(), "introduction");
     open.playTo("Consenting");
-    look(open, "consent");
+    look(open.window(), "consent");
     open.playTo("AskingFacts");
     open.hands().focusOn("fact1");
     open.hands().type("31");
-    look(open, "facts");
+    look(open.window(), "facts");
     open.playTo("Familiarising");
-    look(open, "familiarisation");
+    look(open.window(), "familiarisation");
     open.hands().pressKey(Qt::Key_2);
-    look(open, "familiarisation-shown");
+    look(open.window(), "familiarisation-shown");
     open.playTo("ScaleTraining");
-    look(open, "scale-training");
+    look(open.window(), "scale-training");
     open.perform(ScalePlaced{open.view().placesToName.front(), Tenths{50}});
-    look(open, "scale-training-named");
+    look(open.window(), "scale-training-named");
     open.playTo("CheckingList");
     open.hands().focusOn("check1");
     open.hands().pressKey(Qt::Key_Space);
     open.hands().pressKey(Qt::Key_Space);  // the focus has gone on to the next
-    look(open, "checklist");
+    look(open.window(), "checklist");
     open.hands().pressKey(Qt::Key_Return);
-    look(open, "checklist-refused");
+    look(open.window(), "checklist-refused");
 }
 
 void AppLooksTest::visitQuestions(OpenWindow& open, const Look& look)
 {
     open.playTo("PlacingTray");
-    look(open, "tray-first");
+    look(open.window(), "tray-first");
     open.playTo("Presenting");
-    look(open, "choice");
+    look(open.window(), "choice");
     open.hands().pressKey(Qt::Key_B);
-    look(open, "choice-read-back");
+    look(open.window(), "choice-read-back");
     open.playTo("Presenting", "W1");
     open.hands().type("Like paper,\nbut softer.");
-    look(open, "words");
+    look(open.window(), "words");
     open.playTo("PlacingTray");
-    look(open, "tray");
+    look(open.window(), "tray");
     open.playTo("OnBreak");
-    look(open, "break");
+    look(open.window(), "break");
     open.playTo("Presenting", "S1");
     open.hands().pressKey(Qt::Key_D);
-    look(open, "same-different");
+    look(open.window(), "same-different");
     open.playTo("Presenting", "Q2");
-    look(open, "rating");
+    look(open.window(), "rating");
     open.hands().type("5,4");
-    look(open, "rating-read-back");
+    look(open.window(), "rating-read-back");
     open.hands().type("9");
     open.hands().pressKey(Qt::Key_Return);
-    look(open, "rating-refused");
+    look(open.window(), "rating-refused");
     open.widget<QLineEdit>("ratingField").clear();
     open.playTo("Presenting", "L1");
     open.hands().type("4");
-    look(open, "likert");
+    look(open.window(), "likert");
     open.playTo("Presenting", "C1");
     open.hands().type("7.2");
-    look(open, "continuous");
+    look(open.window(), "continuous");
 }
 
 void AppLooksTest::visitPanels(OpenWindow& open, const Look& look)
@@ -190,13 +192,13 @@ void AppLooksTest::visitPanels(OpenWindow& open, const Look& look)
     open.playTo("PlacingTray");
     const auto visit = [&](Qt::Key key, const char* page) {
         open.hands().pressKey(key);
-        look(open, page);
+        look(open.window(), page);
         open.hands().pressKey(Qt::Key_Escape);
     };
     visit(Qt::Key_L, "correction-of-rating");
     open.hands().pressKey(Qt::Key_L);
     open.hands().click("answerToQ1");
-    look(open, "correction-of-choice");
+    look(open.window(), "correction-of-choice");
     open.hands().pressKey(Qt::Key_Escape);
     visit(Qt::Key_V, "void");
     visit(Qt::Key_N, "note");
@@ -204,13 +206,13 @@ void AppLooksTest::visitPanels(OpenWindow& open, const Look& look)
     visit(Qt::Key_W, "withdrawal");
     open.playTo("Presenting");
     open.perform(Noted{"", true});
-    look(open, "flagged");
+    look(open.window(), "flagged");
     open.perform(Paused{});
-    look(open, "paused");
+    look(open.window(), "paused");
     open.display().fault = "the display does not answer";
     open.perform(Resumed{});
     open.hands().pressKey(Qt::Key_Return);
-    look(open, "display-fault");
+    look(open.window(), "display-fault");
     open.display().fault.clear();
 }
 
@@ -222,27 +224,44 @@ void AppLooksTest::visitAround(OpenWindow& open, const Look& look)
     };
     leave();
     open.window().startSession(protocols::ParticipantId("P02"));
-    look(open, "welcome-back");
+    look(open.window(), "welcome-back");
     open.perform(SittingPrepared{});
-    look(open, "scale-refresher");
+    look(open.window(), "scale-refresher");
     open.playTo("PlacingTray");
     open.clock().advanceSeconds(61 * 60);
     open.playTo("OnBreak");
-    look(open, "sitting-over");
+    look(open.window(), "sitting-over");
+    visitMonitor(open, look);
     leave();
     open.window().startSession(protocols::ParticipantId("P03"));
     open.perform(WithdrawnEvent{"tired"});
-    look(open, "withdrawn");
+    look(open.window(), "withdrawn");
     open.hands().pressKey(Qt::Key_Return);
     QTest::qWait(1);
-    look(open, "study");
+    look(open.window(), "study");
     open.hands().pressKey(Qt::Key_Escape);
-    look(open, "start");
+    look(open.window(), "start");
     open.widget<QLineEdit>("studyFolderField").setText(m_folder.filePath("nothing-here"));
     open.hands().click("openButton");
-    look(open, "start-fault");
+    look(open.window(), "start-fault");
     open.hands().click("newStudyButton");
-    look(open, "new-study");
+    look(open.window(), "new-study");
+}
+
+void AppLooksTest::visitMonitor(OpenWindow& open, const Look& look)
+{
+    AppOptions options;
+    options.clock = std::shared_ptr<Clock>(std::shared_ptr<Clock>(), &open.clock());
+    options.settings = std::make_shared<QSettings>(m_folder.filePath("monitor.ini"), QSettings::IniFormat);
+    options.readFlags = [](const database::StudyStore&) {
+        return std::vector<MonitorFlag>{
+            {"P01", "too_fast", "9 of 42 answers (21 %) came within 0.5 s of the touch"},
+            {"P02", "straight_lining", "Q2: 12 of 18 ratings are 5; somebody to whom all renderings feel alike answers so in earnest"}};
+    };
+    MonitorWindow monitor(open.window().study()->store().folder().folder, options);
+    monitor.show();
+    QTRY_VERIFY(monitor.findChild<QLabel*>("flags")->text().contains("earnest"));
+    look(monitor, "monitor");
 }
 
 void AppLooksTest::themesCanBeRead_data()
@@ -267,8 +286,8 @@ void AppLooksTest::themesCanBeRead()
 void AppLooksTest::everyControlHasANameForScreenReaders()
 {
     int pages = 0;
-    visitPages([&](OpenWindow& open, const char* page) {
-        const QStringList nameless = namelessControlsIn(*open.window().currentPage());
+    visitPages([&](QWidget& window, const char* page) {
+        const QStringList nameless = namelessControlsIn(window);
         QVERIFY2(nameless.isEmpty(), qPrintable(QString::fromLatin1(page) + ": " + nameless.join(", ")));
         ++pages;
     });
@@ -285,12 +304,12 @@ void AppLooksTest::noTextIsCut_data()
 void AppLooksTest::noTextIsCut()
 {
     QFETCH(int, percent);
-    visitPages([&](OpenWindow& open, const char* page) {
-        open.window().setAppearance({Theme::Light, percent});
-        open.window().resize(1100, 750);
-        const auto faults = [&] { return cutTextsIn(*open.window().currentPage()) + wideAreasIn(*open.window().currentPage()); };
+    visitPages([&](QWidget& window, const char* page) {
+        applyAppearance({Theme::Light, percent}, m_font);
+        window.resize(1100, 750);
+        const auto faults = [&] { return cutTextsIn(window) + wideAreasIn(window); };
         QTRY_VERIFY2_WITH_TIMEOUT(faults().isEmpty(), qPrintable(QString::fromLatin1(page) + ": " + faults().join(", ")), 500);
-        QVERIFY2(open.window().width() <= 1100 && open.window().height() <= 750, page);
+        QVERIFY2(window.width() <= 1100 && window.height() <= 750, page);
     });
 }
 
@@ -322,13 +341,13 @@ void AppLooksTest::pagesAreSavedAsPictures()
         Appearance appearance;
     };
     const Variant looks[] = {{"light", {Theme::Light, 100}}, {"dark", {Theme::DarkRoom, 100}}, {"large", {Theme::Light, 200}}};
-    visitPages([&](OpenWindow& open, const char* page) {
+    visitPages([&](QWidget& window, const char* page) {
         for (const Variant& look : looks) {
-            open.window().setAppearance(look.appearance);
-            open.window().resize(1100, 750);
+            applyAppearance(look.appearance, m_font);
+            window.resize(1100, 750);
             QTest::qWait(150);
             const QString file = QStringLiteral("%1/%2-%3.png").arg(folder, QString::fromLatin1(page), look.name);
-            QVERIFY2(open.window().grab().save(file), qPrintable(file));
+            QVERIFY2(window.grab().save(file), qPrintable(file));
         }
     });
 }

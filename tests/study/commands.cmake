@@ -7,3 +7,5 @@ target_compile_definitions(tests_program PRIVATE VIS2HAP_PROGRAM="${PROJECT_BINA
 target_link_libraries(tests_program PUBLIC vis2hap_rules Qt6::Core nlohmann_json::nlohmann_json)
 vis2hap_test(study main_job_test LINK tests_program Qt6::Gui)
 add_dependencies(main_job_test vis2hap vis2hap-nn)
+vis2hap_test(study power_command_test LINK tests_program)
+add_dependencies(power_command_test vis2hap)

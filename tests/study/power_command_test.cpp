@@ -1,0 +1,93 @@
+// vis2hap power, asked by someone who plans a study.
+#include <QtTest>
+#include <QTemporaryDir>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/support/program.h"
+
+using nlohmann::json;
+
+namespace {
+
+json powerOf(QStringList arguments)
+{
+    const auto ended = support::mustRun(QStringList{"power", "--studies", "100", "--json"} + arguments);
+    return json::parse(ended.out.toStdString());
+}
+
+json testNamed(const json& answer, const std::string& name)
+{
+    for (const auto& test : answer["tests"])
+        if (test["test"] == name)
+            return test;
+    return {};
+}
+
+}  // namespace
+
+class PowerCommandTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void thePapersStudyDetectsThreeQuartersOfAPoint()
+    {
+        const auto answer = powerOf({});
+        QCOMPARE(answer["schema"].get<std::string>(), std::string("vis2hap.power/1"));
+        QCOMPARE(answer["design"]["participants"].get<int>(), 10);
+        QCOMPARE(answer["design"]["alternatives"].get<int>(), 3);
+        // R: power.t.test(n = 10, power = .8, sd = sqrt(2*(.15 + .85/7)), type = "paired", strict = TRUE)
+        const auto t = testNamed(answer, "paired t of participants' means");
+        QVERIFY(std::abs(t["detected_with_80_percent"].get<double>() - 0.733842) < 1e-5);
+        QCOMPARE(t["points"].size(), std::size_t(3));
+        QCOMPARE(t["points"][0]["participants_for_80_percent"].get<int>(), 20);
+        // No formula, so no number but a reason.
+        const auto q = testNamed(answer, "Cochran's Q");
+        QVERIFY(q["points"][0]["power"].is_null() && q["points"][0]["why"]["power"].is_string());
+        QVERIFY(q["points"][2]["power_simulated"].get<double>() > q["points"][0]["power_simulated"].get<double>());
+        QVERIFY(!answer.contains("calibration"));
+    }
+
+    void theSameSeedGivesTheSameAnswer()
+    {
+        QVERIFY(powerOf({"--seed", "3"}) == powerOf({"--seed", "3"}));
+        QVERIFY(powerOf({"--seed", "3"}) != powerOf({"--seed", "4"}));
+    }
+
+    void aProtocolOfItsOwnIsPlanned()
+    {
+        QTemporaryDir folder;
+        const QString file = folder.filePath("small.json");
+        QFile out(file);
+        QVERIFY(out.open(QIODevice::WriteOnly));
+        out.write("{\"schema\":\"vis2hap.protocol/1\",\"name\":\"Small\",\"participants\":12,\"fabrics\":4,"
+                  "\"conditions\":[\"v_grey\",\"f\",\"h\"],\"phases\":[{\"questions\":[\"Q2\"],"
+                  "\"scale\":{\"min\":0,\"max\":10,\"step\":0.5,\"sections\":9}}]}");
+        out.close();
+        const auto answer = powerOf({"--protocol", file, "--calibrate", "100"});
+        QCOMPARE(answer["design"]["conditions"].get<int>(), 3);
+        for (const auto& test : answer["tests"])
+            QVERIFY(test["question"] != "choices");
+        QVERIFY(answer["calibration"].size() > 10);
+        const auto more = powerOf({"--protocol", file, "--participants", "40"});
+        QVERIFY(testNamed(more, "Friedman")["detected_with_80_percent"] < testNamed(answer, "Friedman")["detected_with_80_percent"]);
+    }
+
+    void theTextSaysWhatIsAssumed()
+    {
+        const auto ended = support::mustRun({"power", "--studies", "100"});
+        QVERIFY(ended.out.contains("10 participants x 7 fabrics x 9 conditions"));
+        QVERIFY(ended.out.contains("results hold as far as these assumptions do"));
+        QVERIFY(ended.out.contains("paired t of participants' means; 80 % power at 0.73"));
+    }
+
+    void wrongCallsEndWithTwo()
+    {
+        QCOMPARE(support::runProgram({"power", "--protocol", "/there/is/none.json"}).exitCode, 2);
+        QCOMPARE(support::runProgram({"power", "--participants", "1"}).exitCode, 2);
+        QCOMPARE(support::runProgram({"power", "--studies", "many"}).exitCode, 2);
+    }
+};
+
+QTEST_GUILESS_MAIN(PowerCommandTest)
+#include "power_command_test.moc"

@@ -4,6 +4,7 @@
 #include "reports/analysis.h"
 #include "reports/statistic_parts.h"
 #include "stats/binomial.h"
+#include "stats/forced_choice.h"
 #include "stats/decimal_grid.h"
 #include "stats/multiplicity.h"
 #include "stats/rank_tests.h"
@@ -97,6 +98,44 @@ Json matchesByRendering(const StudyData& data, const Cells& cells, const std::st
     return part;
 }
 
+/// Sensitivity that does not hang on m: 3-alternative and 2-alternative studies can be compared.
+Json sensitivityPart(const StudyData& data, const Cells& cells, const std::string& question)
+{
+    Json part = Json::object();
+    for (const std::string& condition : data.conditions) {
+        const auto values = valuesOf(cells.of(question, condition));
+        const auto correct = static_cast<long long>(std::count(values.begin(), values.end(), 1.0));
+        const auto d = stats::forcedChoice(correct, static_cast<long long>(values.size()), data.alternativesOf(question));
+        Json row = Json::object();
+        put(row, "d_prime", d.dPrime);
+        put(row, "se", d.seDPrime);
+        part[condition] = std::move(row);
+    }
+    return part;
+}
+
+/// Which fabric was named for which, over all conditions; and how often each tray slot was chosen.
+Json confusionPart(const StudyData& data, const Cells& cells, const std::string& question)
+{
+    Json part{{"answered", Json::object()}, {"slots", Json::object()}};
+    for (const std::string& truth : data.fabrics)
+        for (const std::string& answer : data.fabrics) part["answered"][truth][answer] = 0;
+    bool isKnown = false;
+    for (const std::string& condition : data.conditions)
+        for (const Response* response : cells.of(question, condition)) {
+            if (response->answer && part["answered"].contains(*response->answer)) {
+                Json& count = part["answered"][response->fabric][*response->answer];
+                count = count.get<int>() + 1;
+                isKnown = true;
+            }
+            if (!response->answerSlot) continue;
+            Json& slot = part["slots"][std::string(1, static_cast<char>('A' + *response->answerSlot))];
+            slot = slot.is_null() ? 1 : slot.get<int>() + 1;
+        }
+    if (!isKnown) putNull(part, "answered", "the answers tell right and wrong alone, not which fabric was named");
+    return part;
+}
+
 }  // namespace
 
 void putChoiceStatistics(Json& statistics, const StudyData& data, const Cells& cells, const std::string& question)
@@ -105,6 +144,9 @@ void putChoiceStatistics(Json& statistics, const StudyData& data, const Cells& c
     statistics[name + "_per_condition"] = choiceRows(data, cells, question);
     statistics[name + "_cochran"] = cochranPart(stats::cochranTest(cells.completeSuccesses(question, data.conditions)));
     statistics[name + "_participant_level"] = participantLevel(data, cells, question);
+    statistics[name + "_glmm"] = choiceModelPart(data, cells, question);
+    statistics[name + "_sensitivity"] = sensitivityPart(data, cells, question);
+    statistics[name + "_confusion"] = confusionPart(data, cells, question);
     statistics[name + "_matches_by_rendering"] = matchesByRendering(data, cells, question);
 }
 

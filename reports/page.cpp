@@ -235,6 +235,7 @@ private:
     {
         begin("methods", "Methods");
         for (const std::string& text : methodParagraphs(m_analysis)) paragraph(text);
+        m_body += toHtml(measuredSizesTable());
         end();
     }
 

@@ -146,6 +146,7 @@ Json ratingStatistics(const StudyData& data, const Cells& cells, const std::stri
     part["morey95_halfwidth"] = std::move(widths);
     part["rm_anova"] = anovaPart(anova);
     part["friedman"] = friedmanPart(stats::friedmanTest(blocks.table));
+    part["lmm"] = ratingModelPart(data, cells, question);
     part["pairwise_t_participant_means"] = pairwisePart(data, cells, question);
     const auto names = shortNames(data.conditions);
     for (std::size_t a = 0; a < data.conditions.size(); ++a)

@@ -1,11 +1,20 @@
 #include "reports/result_tables.h"
 
 #include "reports/report.h"
+#include "stats/measured_size.h"
 
 namespace reports {
 namespace {
 
 std::string participantsOf(const Json& results) { return std::to_string(countOf(results["study"], "participants")); }
+
+/// What a reader of a mixed model must know beside its test.
+std::string noteOn(const Json& model)
+{
+    if (model.value("warn", false)) return "separation: " + model.value("separation", std::string());
+    if (model.value("singular", false)) return "singular: a random effect was estimated as zero";
+    return model.contains("left_out") ? "without random effects that cannot be estimated" : "new participants and fabrics";
+}
 
 }  // namespace
 
@@ -117,7 +126,7 @@ Table ratingsTable(const Analysis& analysis, const std::string& question)
 Table omnibusTable(const Analysis& analysis)
 {
     Table table{"all_conditions",
-                "All conditions at once, on the participants' means (complete blocks)",
+                "All conditions at once: on the participants' means (complete blocks), and by mixed models of every answer",
                 {"question", "test", "n", "statistic", "df", "p", "p (Greenhouse-Geisser)", "effect"},
                 {}};
     const auto dfText = [](const Json& part, const char* a, const char* b) {
@@ -132,6 +141,10 @@ Table omnibusTable(const Analysis& analysis)
         table.rows.push_back({textCell(question), textCell("Cochran's\u00A0Q"), countCell(countOf(part, "blocks")),
                               numberCell(valueOf(part, "Q"), 2), numberCell(valueOf(part, "df"), 0), pCell(valueOf(part, "p")),
                               blankCell(), textCell("descriptive: ignores clustering")});
+        const Json& model = analysis.statistics[lowerCase(question) + "_glmm"];
+        table.rows.push_back({textCell(question), textCell("logistic mixed model \u03c7\u00b2"), countCell(countOf(model, "rows")),
+                              numberCell(valueOf(model, "lrt_chi2"), 2), numberCell(valueOf(model, "lrt_df"), 0),
+                              pCell(valueOf(model, "lrt_p")), blankCell(), textCell(noteOn(model))});
     }
     for (const std::string& question : ratingQuestions(analysis.results)) {
         const Json& anova = analysis.statistics[question]["rm_anova"];
@@ -146,6 +159,26 @@ Table omnibusTable(const Analysis& analysis)
                               numberCell(valueOf(friedman, "Q"), 2), numberCell(valueOf(friedman, "df"), 0),
                               pCell(valueOf(friedman, "p")), blankCell(),
                               textCell(w.exists() ? "Kendall's W " + fixed(*w, 2) : w.why())});
+        const Json& model = analysis.statistics[question]["lmm"];
+        table.rows.push_back({textCell(question), textCell("mixed model\u00A0F"), countCell(countOf(model, "rows")),
+                              numberCell(valueOf(model, "F"), 2), dfText(model, "num_df", "den_df"), pCell(valueOf(model, "p")),
+                              blankCell(), textCell(noteOn(model))});
+    }
+    return table;
+}
+
+Table measuredSizesTable()
+{
+    Table table{"measured_sizes",
+                "How often each test rejected at 5 % in " + std::to_string(stats::measuredStudies) +
+                    " simulated studies of the paper's size without anything to find",
+                {"test", "what was simulated", "rejected %", "attainable %", "remark"},
+                {}};
+    for (const stats::MeasuredSize& size : stats::measuredSizes()) {
+        const bool isExact = size.attainableSize > 0;
+        table.rows.push_back({textCell(std::string(size.test)), textCell(std::string(size.truth)), numberCell(static_cast<double>(size.rejected) * 100 / static_cast<double>(stats::measuredStudies), 2),
+                              isExact ? numberCell(100 * size.attainableSize, 2) : blankCell(),
+                              size.antiConservative() ? textCell("anti-conservative") : blankCell()});
     }
     return table;
 }
@@ -236,6 +269,7 @@ std::vector<Table> allTables(const Analysis& analysis)
     for (const QuestionInfo& question : analysis.data.questions) tables.push_back(comparisonsTable(results, question.id));
     for (const std::string& question : ratingQuestions(results)) tables.push_back(equivalenceTable(results, question));
     tables.push_back(speedTable(analysis));
+    tables.push_back(measuredSizesTable());
     if (results["signals"].is_object()) tables.push_back(signalsTable(results["signals"]));
     tables.push_back(qualityTable(results));
     tables.push_back(missingTable(analysis));

@@ -12,4 +12,9 @@ void putChoiceStatistics(Json& statistics, const StudyData& data, const Cells& c
 /// Cell means, participants' means, variance and rank tests, pairs and equivalence of a rating question.
 Json ratingStatistics(const StudyData& data, const Cells& cells, const std::string& question);
 
+/// Linear mixed model of the ratings with its F test of condition, and logistic mixed model of the choices
+/// with its likelihood-ratio test; why there is none where there is none.
+Json ratingModelPart(const StudyData& data, const Cells& cells, const std::string& question);
+Json choiceModelPart(const StudyData& data, const Cells& cells, const std::string& question);
+
 }  // namespace reports

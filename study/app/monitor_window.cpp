@@ -37,8 +37,8 @@ QStringList cellsOf(const MonitorOverview::Row& row)
     return {QString::number(row.place),
             row.participant,
             row.stage,
-            isUnderWay ? MonitorWindow::tr("%1 of %2").arg(row.presentation).arg(row.presentations) : QString(),
-            MonitorWindow::tr("%1 of %2").arg(row.answers).arg(row.answersInAll),
+            isUnderWay ? MonitorWindow::tr("%1/%2").arg(row.presentation).arg(row.presentations) : QString(),
+            MonitorWindow::tr("%1/%2").arg(row.answers).arg(row.answersInAll),
             row.missing > 0 ? QString::number(row.missing) : QString(),
             row.voided > 0 ? QString::number(row.voided) : QString(),
             sinceText(row.minutesSinceEvent)};
@@ -73,14 +73,14 @@ MonitorWindow::MonitorWindow(const std::filesystem::path& study, const AppOption
     setType(*m_rows, Type::Plain);
     m_rows->setRootIsDecorated(false);
     m_rows->setAllColumnsShowFocus(true);
-    m_rows->setHeaderLabels({tr("Place"), tr("Participant"), tr("Where"), tr("Presentation"), tr("Answers"), tr("Missing"),
-                             tr("Voided"), tr("Last event")});
+    m_rows->setHeaderLabels({tr("Place"), tr("Participant"), tr("Where"), tr("At"), tr("Answers"), tr("Missing"),
+                             tr("Void"), tr("Last event")});
     m_rows->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_rows->header()->setFocusPolicy(Qt::NoFocus);
     m_flagsCaption->setText(tr("Flags"));
     auto* hint = quietLabel("monitorHint", this, Type::Small);
-    hint->setText(tr("Reads only; looks again every two seconds.   ·   Missing: answers to presentations that were voided and not "
-                     "given again yet.   ·   Close: Esc"));
+    hint->setText(tr("Reads only; looks again every two seconds.   ·   At: the presentation.   ·   Missing: answers to presentations "
+                     "that were voided and not given again yet.   ·   Close: Esc"));
 
     auto* page = new QWidget(this);
     auto* column = new QVBoxLayout(page);

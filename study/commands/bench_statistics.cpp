@@ -123,10 +123,10 @@ std::pair<Stage, Stage> ssimStages()
     const std::vector<float> floatA(a.begin(), a.end());
     const std::vector<float> floatB(b.begin(), b.end());
     double found = 0, floatFound = 0;
-    const double time = medianMilliseconds(7, [&] {
+    const double time = medianMilliseconds(15, [&] {
         found = *stats::ssim(stats::ImageView{a, width, height}, {b, width, height}, 1).mean;
     });
-    const double floatTime = medianMilliseconds(7, [&] {
+    const double floatTime = medianMilliseconds(15, [&] {
         floatFound = *stats::ssim(stats::FloatImageView{floatA, width, height}, {floatB, width, height}, 1).mean;
     });
     return {{"SSIM 1280x800", "ssim", "double", time, std::fabs(found - trueSsim), "SSIM, of 80-bit arithmetic", "goal 30 ms"},

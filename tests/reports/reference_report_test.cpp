@@ -11,8 +11,15 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-/// Mixed models belong to no part of this report.
-bool isComputedElsewhere(const std::string& key) { return key == "q1_glmm" || key == "lmm"; }
+/// Relative agreement that the reference asks for: mixed models are fitted, not computed. Variances hang on
+/// how far a fit went: where R's and ours differ by more than 1e-4 (Q2 of the complete study), R's REML
+/// criterion is 1835.8666862271 and ours, the lower, 1835.8666861769.
+double toleranceOf(const std::string& path)
+{
+    if (path.find(".q1_glmm") != std::string::npos) return 1e-3;
+    if (path.find(".lmm.var") != std::string::npos) return 2e-4;
+    return path.find(".lmm") != std::string::npos ? 1e-4 : 1e-8;
+}
 
 class Comparison {
 public:
@@ -20,7 +27,6 @@ public:
     {
         if (expected.is_object()) {
             for (const auto& [key, value] : expected.items()) {
-                if (isComputedElsewhere(key)) continue;
                 if (!answer.is_object() || !answer.contains(key))
                     fault(path + "." + key + " is missing");
                 else
@@ -34,7 +40,7 @@ public:
             ++numbers;
             const double a = answer.is_number() ? answer.get<double>() : NAN;
             const double e = expected.get<double>();
-            if (!(std::fabs(a - e) <= 1e-8 * std::max(std::fabs(e), 1e-3)))
+            if (!(std::fabs(a - e) <= toleranceOf(path) * std::max(std::fabs(e), 1e-3)))
                 fault(path + ": " + answer.dump() + " for " + expected.dump());
         } else if (expected == "NA" && answer.is_null()) {
             ++numbers;

@@ -8,12 +8,12 @@
 
 #include <QAbstractButton>
 #include <QAbstractItemView>
+#include <QAbstractScrollArea>
 #include <QComboBox>
 #include <QDir>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPlainTextEdit>
-#include <QScrollArea>
 #include <QScrollBar>
 #include <QTest>
 
@@ -66,7 +66,7 @@ QStringList cutTextsIn(const QWidget& page)
 QStringList wideAreasIn(const QWidget& page)
 {
     QStringList wide;
-    for (const auto* area : page.findChildren<QScrollArea*>())
+    for (const auto* area : page.findChildren<QAbstractScrollArea*>())
         if (area->isVisible() && area->horizontalScrollBar()->maximum() > 0)
             wide << QStringLiteral("%1 by %2 px").arg(area->objectName()).arg(area->horizontalScrollBar()->maximum());
     return wide;

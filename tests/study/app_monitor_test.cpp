@@ -56,22 +56,22 @@ void AppMonitorTest::followsASessionInAnotherWindow()
     QCOMPARE(rowOf(monitor, 0), QString("1|–|free|||||"));
     open.window().startSession(ParticipantId("P01"));
     monitor.look();
-    QCOMPARE(rowOf(monitor, 0), QString("1|P01|welcome|1 of 30|0 of 42|||just now"));
+    QCOMPARE(rowOf(monitor, 0), QString("1|P01|welcome|1/30|0/42|||just now"));
     open.playTo("CheckingList");
     open.clock().advanceSeconds(7 * 60);
     monitor.look();
-    QCOMPARE(rowOf(monitor, 0), QString("1|P01|checklist|1 of 30|0 of 42|||7 min ago"));
+    QCOMPARE(rowOf(monitor, 0), QString("1|P01|checklist|1/30|0/42|||7 min ago"));
     open.playTo("Presenting", "S1");
     monitor.look();
-    QCOMPARE(rowOf(monitor, 0), QString("1|P01|question S1|7 of 30|12 of 42|||just now"));
+    QCOMPARE(rowOf(monitor, 0), QString("1|P01|question S1|7/30|12/42|||just now"));
     QVERIFY(monitor.findChild<QLabel*>("monitorSummary")->text().startsWith("12 of 126 answers"));
     open.perform(Paused{});
     monitor.look();
-    QCOMPARE(rowOf(monitor, 0), QString("1|P01|paused (tray)|7 of 30|12 of 42|||just now"));
+    QCOMPARE(rowOf(monitor, 0), QString("1|P01|paused (tray)|7/30|12/42|||just now"));
     open.perform(Resumed{});
     open.playToEnd();
     monitor.look();
-    QCOMPARE(rowOf(monitor, 0), QString("1|P01|finished||42 of 42|||just now"));
+    QCOMPARE(rowOf(monitor, 0), QString("1|P01|finished||42/42|||just now"));
 }
 
 void AppMonitorTest::voidedCellsAreMissingUntilTheyAreGivenAgain()
@@ -83,10 +83,10 @@ void AppMonitorTest::voidedCellsAreMissingUntilTheyAreGivenAgain()
     open.playTo("Presenting", "W1");
     open.perform(Voided{"the wrong piece"});
     monitor.look();
-    QVERIFY2(rowOf(monitor, 0).startsWith("1|P01|tray|2 of 31|0 of 42|2|1|"), qPrintable(rowOf(monitor, 0)));
+    QVERIFY2(rowOf(monitor, 0).startsWith("1|P01|tray|2/31|0/42|2|1|"), qPrintable(rowOf(monitor, 0)));
     open.playToEnd();
     monitor.look();
-    QVERIFY2(rowOf(monitor, 0).startsWith("1|P01|finished||42 of 42||1|"), qPrintable(rowOf(monitor, 0)));
+    QVERIFY2(rowOf(monitor, 0).startsWith("1|P01|finished||42/42||1|"), qPrintable(rowOf(monitor, 0)));
 }
 
 void AppMonitorTest::placeOfOneWhoWithdrewIsSeenFreed()
@@ -97,7 +97,7 @@ void AppMonitorTest::placeOfOneWhoWithdrewIsSeenFreed()
     open.playTo("Presenting", "W1");
     open.perform(WithdrawnEvent{"tired"});
     MonitorWindow monitor(folder.folder, {});
-    QVERIFY2(rowOf(monitor, 0).startsWith("1|P01|withdrawn||1 of 42|"), qPrintable(rowOf(monitor, 0)));
+    QVERIFY2(rowOf(monitor, 0).startsWith("1|P01|withdrawn||1/42|"), qPrintable(rowOf(monitor, 0)));
     QCOMPARE(rowOf(monitor, 1), QString("1|–|free|||||"));
     QVERIFY(monitor.findChild<QLabel*>("monitorSummary")->text().startsWith("0 of 126 answers"));
 }

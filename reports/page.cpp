@@ -224,6 +224,8 @@ private:
             paragraph("Nothing is flagged.");
         else
             m_body += toHtml(qualityTable(m_results));
+        if (const Table screening = screeningTable(m_analysis); !screening.rows.empty())
+            details("Means without flagged participants", toHtml(screening));
         details("Missing answers by condition", toHtml(missingTable(m_analysis)));
         std::string rules = "<ul>";
         for (const std::string& sentence : ruleSentences()) rules += "<li>" + escapedHtml(sentence) + "</li>";

@@ -167,6 +167,24 @@ Table omnibusTable(const Analysis& analysis)
     return table;
 }
 
+Table screeningTable(const Analysis& analysis)
+{
+    const Json& screening = analysis.statistics["screening"];
+    Table table{"screening", "", {"question", "condition", "before", "after", "difference"}, {}};
+    std::string names;
+    for (const Json& one : screening["excluded"]) names += (names.empty() ? "" : ", ") + one["participant"].get<std::string>();
+    table.caption = "Means of the participants' means, all of them and without the flagged ones (" + names + "); every other table has all";
+    if (!screening["questions"].is_object()) return table;
+    for (const auto& [question, conditions] : screening["questions"].items())
+        for (const auto& [condition, row] : conditions.items()) {
+            const stats::Value before = valueOf(row, "before"), after = valueOf(row, "after");
+            const bool both = before.exists() && after.exists();
+            table.rows.push_back({textCell(question), conditionCell(condition), numberCell(before, 2), numberCell(after, 2),
+                                  both ? numberCell(*after - *before, 2) : blankCell()});
+        }
+    return table;
+}
+
 Table measuredSizesTable()
 {
     Table table{"measured_sizes",
@@ -270,6 +288,7 @@ std::vector<Table> allTables(const Analysis& analysis)
     for (const std::string& question : ratingQuestions(results)) tables.push_back(equivalenceTable(results, question));
     tables.push_back(speedTable(analysis));
     tables.push_back(measuredSizesTable());
+    if (const Table screening = screeningTable(analysis); !screening.rows.empty()) tables.push_back(screening);
     if (results["signals"].is_object()) tables.push_back(signalsTable(results["signals"]));
     tables.push_back(qualityTable(results));
     tables.push_back(missingTable(analysis));

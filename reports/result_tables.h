@@ -25,6 +25,8 @@ Table plannedEquivalenceTable(const Json& results);
 Table speedTable(const Analysis& analysis);
 Table signalsTable(const Json& signals);
 Table qualityTable(const Json& results);
+/// Means with and without flagged participants; no rows while nobody is flagged.
+Table screeningTable(const Analysis& analysis);
 /// How often the tests of this report reject when there is nothing to find, as measured by simulation.
 Table measuredSizesTable();
 /// Missing answers by question and condition.

@@ -3,6 +3,7 @@
 #include "reports/numbers.h"
 #include "reports/quality.h"
 #include "reports/report.h"
+#include "reports/screening.h"
 #include "reports/statistic_parts.h"
 #include "stats/speed_accuracy.h"
 
@@ -71,6 +72,7 @@ nlohmann::ordered_json statistics(const StudyData& data)
         }
         putChoiceStatistics(statistics, data, cells, question.id);
     }
+    statistics["screening"] = screeningPart(data, cells);
     statistics["response_times"] = responseTimesPart(data, cells);
     return statistics;
 }

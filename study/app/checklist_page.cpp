@@ -34,15 +34,13 @@ ChecklistPage::ChecklistPage(QWidget* parent)
 
 void ChecklistPage::begin(const SessionFacts& facts)
 {
-    while (QLayoutItem* item = m_rows->takeAt(0)) {
-        delete item->widget();
-        delete item;
-    }
+    emptyOut(*m_rows);
     m_boxes.clear();
     for (const QString& line : facts.checklist)
         m_rows->addWidget(rowFor(line));
     m_readings->setCaptions(facts.readings);
     m_readings->setVisible(!facts.readings.isEmpty());
+    letFollow(facts.readings.isEmpty() ? static_cast<QWidget&>(*this) : *m_readings, {m_action});
 }
 
 QWidget* ChecklistPage::rowFor(const QString& line)

@@ -31,7 +31,7 @@ FactsPage::FactsPage(QWidget* parent)
 void FactsPage::begin(const SessionFacts& facts)
 {
     m_form->setCaptions(facts.facts);
-    setTabOrder(m_form, m_action);
+    letFollow(*m_form, {m_action});
 }
 
 void FactsPage::confirm()

@@ -16,10 +16,7 @@ LineForm::LineForm(const char* objectName, QWidget* parent)
 
 void LineForm::setCaptions(const QStringList& captions)
 {
-    while (QLayoutItem* item = m_grid->takeAt(0)) {
-        delete item->widget();
-        delete item;
-    }
+    emptyOut(*m_grid);
     m_lines.clear();
     m_captions = captions;
     for (const QString& caption : captions) {

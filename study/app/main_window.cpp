@@ -150,10 +150,13 @@ void MainWindow::joinSession()
 
 void MainWindow::refreshSession()
 {
-    // Where a display fails, what was asked for is stored all the same.
+    // Where a display fails, what was asked for is stored all the same. A touch that the display reports comes in
+    // between, and closes nothing that the hand is at.
     const auto& outcome = m_session->lastOutcome();
+    const auto* touched = std::get_if<session::Touched>(&outcome->event);
+    const bool isByDisplay = touched && touched->by == session::TouchSource::Display;
     const bool isAccepted = !outcome->refusal && !outcome->fault;
-    if (isAccepted || m_sessionPage->shows().state != m_session->view().state)
+    if (!isByDisplay && (isAccepted || m_sessionPage->shows().state != m_session->view().state))
         m_sessionPage->settle();
     m_sessionPage->present(m_session->view(), m_session->canCorrect());
 }

@@ -57,15 +57,7 @@ void Panel::addRow(const QString& caption, QWidget* control)
 
 void Panel::letReasonFollow(const QWidget& controls)
 {
-    QWidget* before = nullptr;
-    for (QWidget* control : controls.findChildren<QWidget*>())
-        if (control->focusPolicy() & Qt::TabFocus)
-            before = control;
-    if (!before)
-        return;
-    setTabOrder(before, m_reason);
-    setTabOrder(m_reason, m_action);
-    setTabOrder(m_action, m_back);
+    letFollow(controls, {m_reason, m_action, m_back});
 }
 
 void Panel::open(const Texts& texts)

@@ -139,6 +139,27 @@ QScrollArea* scrolling(const char* objectName, QWidget* page, QWidget* parent)
     return area;
 }
 
+void emptyOut(QLayout& layout)
+{
+    while (QLayoutItem* item = layout.takeAt(0)) {
+        delete item->widget();
+        delete item;
+    }
+}
+
+void letFollow(const QWidget& controls, std::initializer_list<QWidget*> following)
+{
+    QWidget* before = nullptr;
+    for (QWidget* control : controls.findChildren<QWidget*>())
+        if (control->focusPolicy() & Qt::TabFocus)
+            before = control;
+    for (QWidget* next : following) {
+        if (before)
+            QWidget::setTabOrder(before, next);
+        before = next;
+    }
+}
+
 void name(QWidget& widget, const char* objectName, const QString& accessibleName)
 {
     widget.setObjectName(QString::fromLatin1(objectName));

@@ -46,6 +46,13 @@ QLabel* lookHint(QWidget* parent);
 /// pleasant to read.
 QScrollArea* scrolling(const char* objectName, QWidget* page, QWidget* parent);
 
+/// Deletes what lies in the layout.
+void emptyOut(QLayout& layout);
+
+/// Tab leads from the last of the controls inside `controls` to these, one after another: for controls that were made
+/// after what stands below them.
+void letFollow(const QWidget& controls, std::initializer_list<QWidget*> following);
+
 /// Object name and accessible name in one go.
 void name(QWidget& widget, const char* objectName, const QString& accessibleName);
 

@@ -54,6 +54,26 @@ class ResultsTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
+    void meansStandBesideThoseWithoutFlaggedParticipants()
+    {
+        // P01 rates everything 9; the others rate by fabric and question.
+        const auto data = builders::study(4, 5, {"v_grey", "h&f", "f"},
+                                          {[](int, int f, int) { return f % 2 == 0; },
+                                           [](int p, int f, int, int q) { return p == 0 ? 9.0 : 0.5 * q + f; }});
+        const Json screening = reports::statistics(data)["screening"];
+        QCOMPARE(screening["excluded"].size(), std::size_t(1));
+        QCOMPARE(screening["excluded"][0]["participant"], "P01");
+        QCOMPARE(screening["questions"]["Q2"]["v_grey"]["before"], 4.5);
+        QCOMPARE(screening["questions"]["Q2"]["v_grey"]["after"], 3.0);
+        QCOMPARE(reports::results(data)["Q2"]["v_grey"]["mean"], 4.5);
+        auto earnest = data;
+        std::erase_if(earnest.responses, [](const auto& response) { return response.participant == "P01"; });
+        earnest.participants.erase(earnest.participants.begin());
+        const Json none = reports::statistics(earnest)["screening"];
+        QVERIFY(none["questions"].is_null());
+        QCOMPARE(none["why"]["questions"], "nobody is flagged");
+    }
+
     void keysStandInTheDocumentedOrder()
     {
         StudyData data = builders::paperSized();

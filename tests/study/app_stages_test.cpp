@@ -111,6 +111,7 @@ private Q_SLOTS:
     void flagNeedsNoWords();
     void touchIsStampedByTheDisplay();
     void keyStampsTheTouchThatTheDisplayMissed();
+    void touchDuringANoteKeepsTheNote();
     void piecesGoByTheirCodesAlone();
     void whatIsTypedIsInSightAtTwiceTheSize();
 };
@@ -472,6 +473,20 @@ void AppStagesTest::keyStampsTheTouchThatTheDisplayMissed()
     open.display().touch();
     open.perform(Answered{responseTo(open.view())});
     QCOMPARE(storedIn(folder).front().record.touchedBy, std::string("operator"));
+}
+
+void AppStagesTest::touchDuringANoteKeepsTheNote()
+{
+    OpenWindow open(newStudy(), {}, {.told = {}, .fault = {}, .reportsTouches = true, .touch = {}});
+    open.enrolAndBegin();
+    open.perform(TrayReady{});
+    pressKey(open, Qt::Key_N);
+    typeText(open, "hands are co");
+    open.display().touch();
+    QVERIFY(std::get<Presenting>(open.view().state.stage).touchedAtNs.has_value());
+    typeText(open, "ld");
+    pressKey(open, Qt::Key_Return);
+    QCOMPARE(open.window().study()->store().events(ParticipantId("P01")).back().payloadJson, payloadJson(Noted{"hands are cold", false}));
 }
 
 void AppStagesTest::piecesGoByTheirCodesAlone()

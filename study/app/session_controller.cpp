@@ -82,7 +82,8 @@ void SessionController::displayTouched()
 const protocols::Question& SessionController::questionOf(const StoredAnswer& answer) const
 {
     const auto& trial = plan().trials.at(static_cast<std::size_t>(answer.index));
-    return plan().protocol.phases.at(static_cast<std::size_t>(trial.phase)).questions.at(static_cast<std::size_t>(answer.question));
+    return plan().protocol.phases.at(static_cast<std::size_t>(trial.phase))
+        .questions.at(static_cast<std::size_t>(answer.question));
 }
 
 Correctable SessionController::correctableOf(const StoredAnswer& answer) const

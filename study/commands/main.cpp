@@ -25,6 +25,13 @@ bool screenIsThere()
            std::getenv("QT_QPA_PLATFORM") != nullptr;
 }
 
+/// Nobody sees this window: what its platform cannot do is no news to whoever reads standard error.
+void tellFaultsAlone(QtMsgType type, const QMessageLogContext&, const QString& text)
+{
+    if (type == QtCriticalMsg || type == QtFatalMsg)
+        std::fprintf(stderr, "vis2hap: %s\n", qPrintable(text));
+}
+
 std::unique_ptr<QCoreApplication> surroundingsFor(Surroundings kind, int& argc, char** argv)
 {
     if (kind == Surroundings::None)
@@ -34,8 +41,10 @@ std::unique_ptr<QCoreApplication> surroundingsFor(Surroundings kind, int& argc, 
     if (kind == Surroundings::Window && !screenIsThere())
         throw protocols::environmentFault({"the app needs a screen", "", "DISPLAY or WAYLAND_DISPLAY to be set",
                                            "start it from a desktop, or use `vis2hap replay` and `vis2hap report`"});
-    if (!screenIsThere())
+    if (!screenIsThere()) {
         qputenv("QT_QPA_PLATFORM", "offscreen");
+        qInstallMessageHandler(tellFaultsAlone);
+    }
     return std::make_unique<QApplication>(argc, argv);
 }
 

@@ -1,5 +1,5 @@
 foreach(name nist_test image_metrics_test statistics_test invariants_test extremes_test counts_test tables_test resampling_test
-        signals_test)
+        signals_test published_data_test)
   vis2hap_test(stats ${name} LINK stats nlohmann_json::nlohmann_json)
 endforeach()
 vis2hap_test(stats oracle_test LINK study_commands)

@@ -1,4 +1,4 @@
-#include "protocols/tray_guessers.h"
+#include "tests/protocols/tray_guessers.h"
 
 #include <algorithm>
 #include <cmath>

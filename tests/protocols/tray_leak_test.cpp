@@ -1,0 +1,106 @@
+// Whoever joins all that is visible of a choice phase, over all participants and presentations, names the
+// true slot no more often than by chance.
+#include "protocols/protocol_json.h"
+#include "tests/protocols/tray_guessers.h"
+
+#include <QtTest>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+using namespace protocols;
+
+namespace {
+
+constexpr int presentations = 10 * 63;
+
+/// Share of true slots that a guesser names, over fresh designs of the paper's study.
+struct Share {
+    double hits = 0;
+    int trials = 0;
+    double rate() const { return hits / trials; }
+    double standardErrors() const { return (rate() - 1.0 / 3) / std::sqrt(2.0 / 9 / trials); }
+};
+
+bool isAtChance(const Share& share, double most)
+{
+    qInfo("%.2f %% of %d, chance 33.33 %%: %+.1f standard errors", 100 * share.rate(), share.trials, share.standardErrors());
+    return share.standardErrors() < most;
+}
+
+/// Of the fabrics that lie in two trays running: how often each was true in the earlier, and in the later one.
+struct Repeated {
+    Share earlierTrue, laterTrue;
+    Repeated& operator+=(const Repeated& more)
+    {
+        for (const auto& [own, other] : {std::pair{&earlierTrue, &more.earlierTrue}, std::pair{&laterTrue, &more.laterTrue}}) {
+            own->hits += other->hits;
+            own->trials += other->trials;
+        }
+        return *this;
+    }
+};
+
+Repeated repeatedIn(const Design& design)
+{
+    Repeated repeated;
+    for (const auto& trials : design.participants)
+        for (std::size_t at = 1; at < trials.size() && trials[at].phase == 0; ++at)
+            for (const int fabric : trials[at].alternatives) {
+                const auto& earlier = trials[at - 1].alternatives;
+                if (std::ranges::find(earlier, fabric) == earlier.end()) continue;
+                repeated.earlierTrue.hits += fabric == trials[at - 1].fabric;
+                repeated.laterTrue.hits += fabric == trials[at].fabric;
+                ++repeated.earlierTrue.trials;
+                ++repeated.laterTrue.trials;
+            }
+    return repeated;
+}
+
+Protocol paper() { return protocolFromJson(paperProtocolJson(), "paper"); }
+
+quint64 designs() { return qEnvironmentVariableIsSet("VIS2HAP_ALL_SEEDS") ? 40 : 6; }
+
+}  // namespace
+
+class TrayLeakTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void aGuesserWhoKnowsTheOrdersStaysAtChance()
+    {
+        Share share;
+        for (quint64 seed = 1; seed <= designs(); ++seed) {
+            const Design design = drawDesign(paper(), seed);
+            share.hits += tray_guessers::hitsOf(tray_guessers::beliefOfChain(tray_guessers::seenOf(design)), design);
+            share.trials += presentations;
+        }
+        QVERIFY(isAtChance(share, 3));
+    }
+
+    void aFabricThatLiesInTwoTraysRunningIsTrueAsOftenAsAnother()
+    {
+        Repeated all;
+        for (quint64 seed = 1; seed <= designs(); ++seed) all += repeatedIn(drawDesign(paper(), seed));
+        // Either way from chance: seldom true tells as much as often true.
+        QVERIFY(isAtChance(all.laterTrue, 3) && all.laterTrue.standardErrors() > -3);
+        QVERIFY(isAtChance(all.earlierTrue, 3) && all.earlierTrue.standardErrors() > -3);
+    }
+
+    /// Without care for what repeats, the true fabric of one tray would lie among the foils of the next: then
+    /// this very measure tells it.
+    void foilsDrawnCarelesslyAreSeenThrough()
+    {
+        Design design = drawDesign(paper(), 1);
+        for (auto& trials : design.participants)
+            for (std::size_t at = 0; at + 1 < trials.size() && trials[at + 1].phase == 0; ++at) {
+                auto& tray = trials[at + 1].alternatives;
+                if (std::ranges::find(tray, trials[at].fabric) == tray.end())
+                    *std::ranges::find_if(tray, [&](int fabric) { return fabric != trials[at + 1].fabric; }) = trials[at].fabric;
+            }
+        QVERIFY(!isAtChance(repeatedIn(design).earlierTrue, 3));
+    }
+};
+
+QTEST_APPLESS_MAIN(TrayLeakTest)
+#include "tray_leak_test.moc"

@@ -26,7 +26,7 @@ struct CalibrationRow {
 
     /// Above 6 %, and that not by chance: the interval of the rate lies above 5 %.
     bool antiConservative() const { return result.rate() > 0.06 && *result.interval().low > 0.05; }
-    bool kept() const;  ///< the promise, where one was made
+    bool kept() const;            ///< the promise, where one was made
     std::string verdict() const;  ///< "kept", "broken", "anti-conservative", "" and why
 };
 

@@ -11,6 +11,7 @@ namespace {
 
 constexpr double startSd = 0.5;
 constexpr double zeroSd = 1e-3;
+constexpr double largestSd = 50;  // of log odds: beyond, the likelihood rises without end
 
 /// Curvature near the start: about the information of each cell's own choices, and of few levels.
 Matrix guessedInverse(const LaplaceCriterion& criterion, const std::vector<double>& right, const Factor& cells)
@@ -94,6 +95,10 @@ LaplaceFit laplaceFit(const std::vector<double>& right, const Factor& cells, con
     while (true) {
         const Attempt attempt = attempted(right, cells, groups, kept, fit.evaluations);
         fit.why = attempt.minimum.why;
+        for (std::size_t i = 0; i < attempt.kept.size(); ++i)
+            if (std::fabs(attempt.sds()[i]) > largestSd)
+                fit.why = "the random effects all but reproduce the choices: the standard deviation of " +
+                          groups[attempt.kept[i]].name + " has no finite estimate";
         if (!fit.why.empty()) return fit;
         kept.clear();
         for (std::size_t i = 0; i < attempt.kept.size(); ++i)

@@ -75,7 +75,7 @@ struct MixedModel {
     Matrix covariance;                          ///< of the estimates
     std::vector<Matrix> covarianceDerivatives;  ///< by variance parameter
     Matrix parameterCovariance;                 ///< of the variance parameters
-    Matrix sequential;  ///< row k: the contrast that fixed effect k adds to those before it (type I)
+    Matrix sequential;                          ///< row k: the contrast that fixed effect k adds to those before it (type I)
 };
 
 /// Refused with a reason: too few values, values that are not finite, all equal, fixed effects that

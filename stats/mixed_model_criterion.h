@@ -14,10 +14,10 @@ double residualDegrees(const MixedModelEquations& equations, bool reml);
 /// Derivatives in the relative (co)variances gamma_k, V = sigma^2 (I + sum of gamma_k V_k): one direction
 /// an intercept term; variance of intercepts, covariance, variance of slopes for a term with slope.
 struct VarianceDerivatives {
-    std::vector<double> traces;  ///< tr(P V_k); tr(V^-1 V_k) without REML
-    std::vector<double> forms;   ///< y'P V_k P y
-    Matrix traceProducts;        ///< tr(P V_k P V_l); tr(V^-1 V_k V^-1 V_l) without REML
-    Matrix formProducts;         ///< y'P V_k P V_l P y
+    std::vector<double> traces;           ///< tr(P V_k); tr(V^-1 V_k) without REML
+    std::vector<double> forms;            ///< y'P V_k P y
+    Matrix traceProducts;                 ///< tr(P V_k P V_l); tr(V^-1 V_k V^-1 V_l) without REML
+    Matrix formProducts;                  ///< y'P V_k P V_l P y
     std::vector<Matrix> fixedCovariance;  ///< d C / d gamma_k
 };
 VarianceDerivatives varianceDerivatives(const MixedModelEquations& equations, const Solved& solved, bool reml);

@@ -37,24 +37,24 @@ struct TermPlace {
 
 /// The equations factorised for one theta; all that the criterion needs.
 struct Factorised {
-    bool exists = false;       ///< false: singular up to rounding
-    double logDetRandom = 0;   ///< log |Lambda'Z'Z Lambda + I|
-    double logDetFixed = 0;    ///< log |X'V^-1 X|, sigma = 1
-    double residual = 0;       ///< y'Py, sigma = 1: the penalised residual sum of squares
+    bool exists = false;      ///< false: singular up to rounding
+    double logDetRandom = 0;  ///< log |Lambda'Z'Z Lambda + I|
+    double logDetFixed = 0;   ///< log |X'V^-1 X|, sigma = 1
+    double residual = 0;      ///< y'Py, sigma = 1: the penalised residual sum of squares
     std::vector<double> theta;
-    std::vector<double> pivots;  ///< of the eliminated columns
+    std::vector<double> pivots;     ///< of the eliminated columns
     std::vector<double> bordering;  ///< their scaled rows, in the order of the sparse cross-products
-    Matrix upper;                ///< of the rest, the fixed effects and y
+    Matrix upper;                   ///< of the rest, the fixed effects and y
 };
 
 /// The equations solved, sigma = 1. P = V^-1 - V^-1 X (X'V^-1 X)^-1 X'V^-1.
 struct Solved {
-    std::vector<double> fixed;   ///< estimates
-    Matrix fixedCovariance;      ///< C = (X'V^-1 X)^-1
-    Matrix fixedOnRandom;        ///< C X'V^-1 Z  [fixed x random]
-    Matrix projected;            ///< Z'PZ
-    Matrix weighted;             ///< Z'V^-1 Z; only where asked for
-    std::vector<double> score;   ///< Z'Py
+    std::vector<double> fixed;  ///< estimates
+    Matrix fixedCovariance;     ///< C = (X'V^-1 X)^-1
+    Matrix fixedOnRandom;       ///< C X'V^-1 Z  [fixed x random]
+    Matrix projected;           ///< Z'PZ
+    Matrix weighted;            ///< Z'V^-1 Z; only where asked for
+    std::vector<double> score;  ///< Z'Py
 };
 
 class MixedModelEquations {

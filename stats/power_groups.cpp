@@ -101,9 +101,10 @@ PowerGroup equivalence(const PowerOptions& options)
     const double reach = high - middle;
     PowerGroup group{"ratings", "true difference of two conditions, scale points", {}, {}, {}};
     group.effects = {middle, middle + reach / 4, middle + reach / 2};
-    group.tests = {{"equivalence (TOST) of participants' means", [=](const StudyDesign& d, double e) {
-                        return equivalencePower({static_cast<double>(d.participants), truth.sdOfDifference(d), low, high, alpha}, e);
-                    }}};
+    group.tests = {
+        {"equivalence (TOST) of participants' means", [=](const StudyDesign& d, double e) {
+             return equivalencePower({static_cast<double>(d.participants), truth.sdOfDifference(d), low, high, alpha}, e);
+         }}};
     group.analysis = crossed(options.design, ratings(truth, firstPairApart), [=](const CrossedStudy& study, std::span<Value> p) {
         const BlockTable table = participantMeans(study);
         p[0] = equivalenceTest(TKind::Paired, table.column(0), table.column(1), {low, high, alpha}).p;
@@ -142,7 +143,8 @@ PowerGroup allConditions(const PowerOptions& options)
 PowerGroup allModelledConditions(const PowerOptions& options)
 {
     const RatingTruth truth = options.ratings;
-    PowerGroup group{"ratings", "range of evenly spaced condition means over all fabrics, scale points", sharesOfScale(options), {}, {}};
+    PowerGroup group{
+        "ratings", "range of evenly spaced condition means over all fabrics, scale points", sharesOfScale(options), {}, {}};
     group.tests = {{"mixed model, F of condition",
                     [=](const auto& d, double e) { return ratingModelPower(d, truth, spreadOf(d, e)); }, scaleOf(options)}};
     group.analysis = crossed(options.design, ratings(truth, evenlySpaced),
@@ -220,8 +222,8 @@ PowerGroup allChoices(const PowerOptions& options)
 PowerGroup signals(const PowerOptions& options)
 {
     PowerGroup group{"signals", "mean difference of generated and measured, SDs of the differences", {0.5, 1, 1.5}, {}, {}};
-    group.tests = {{"paired t over fabrics", [](const auto& d, double e) { return tTestPower(static_cast<double>(d.fabrics), e); },
-                    largestStandardised}};
+    group.tests = {{"paired t over fabrics",
+                    [](const auto& d, double e) { return tTestPower(static_cast<double>(d.fabrics), e); }, largestStandardised}};
     group.analysis = [fabrics = options.design.fabrics](double effect, Draws& draws, std::span<Value> p) {
         std::vector<double> x(fabrics);
         for (double& value : x) value = effect + draws.normal();

@@ -38,7 +38,8 @@ Value detectableBy(const GroupedTest& test, const StudyDesign& design)
 PlannedTest plannedTest(const PowerGroup& group, const GroupedTest& test, const PowerOptions& options)
 {
     if (test.most == 0)
-        return {group.question, test.name, group.effect, narrowestBounds(options), "bounds about no difference, scale points", {}};
+        return {
+            group.question, test.name, group.effect, narrowestBounds(options), "bounds about no difference, scale points", {}};
     return {group.question, test.name, group.effect, detectableBy(test, options.design), group.effect, {}};
 }
 

@@ -1,5 +1,6 @@
 #include "stats/quasi_newton.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -8,6 +9,7 @@ namespace {
 
 constexpr int mostSteps = 300;
 constexpr double closeEnough = 1e-9;  // expected further decrease
+constexpr double longestStep = 1;     // of a parameter: a poor guess of the curvature must not leave the valley
 constexpr double difference = 1e-4;   // of a parameter, for the Hessian
 
 /// Adds what one step taught about the curvature.
@@ -32,7 +34,9 @@ std::vector<double> moved(std::span<const double> place, std::span<const double>
 std::vector<double> downhill(const Matrix& inverse, std::span<const double> gradient)
 {
     auto step = product(inverse, gradient);
-    for (double& x : step) x = -x;
+    double longest = longestStep;
+    for (const double x : step) longest = std::max(longest, std::fabs(x));
+    for (double& x : step) x *= -longestStep / longest;
     return step;
 }
 

@@ -19,7 +19,8 @@ QString tr(const char* text)
     return QCoreApplication::translate("study::app::AnswerForm", text);
 }
 
-std::vector<AnswerForm::Option> optionsOfTray(const std::vector<protocols::FabricId>& tray, const std::vector<std::string>& pieces)
+std::vector<AnswerForm::Option> optionsOfTray(const std::vector<protocols::FabricId>& tray,
+                                              const std::vector<std::string>& pieces)
 {
     std::vector<AnswerForm::Option> options;
     for (std::size_t place = 0; place < tray.size(); ++place)
@@ -52,8 +53,8 @@ AnswerForm formOf(const session::View& view)
     return formOf(view.answerKind.value_or(AnswerKind::Choice), view.trayIds, view.tray, view.scale);
 }
 
-AnswerForm formOf(AnswerKind kind, const std::vector<protocols::FabricId>& tray, const std::vector<std::string>& pieces,
-                  const std::optional<protocols::Scale>& scale)
+AnswerForm formOf(AnswerKind kind, const std::vector<protocols::FabricId>& tray,
+                  const std::vector<std::string>& pieces, const std::optional<protocols::Scale>& scale)
 {
     switch (kind) {
     case AnswerKind::Choice: return {kind, optionsOfTray(tray, pieces), std::nullopt};

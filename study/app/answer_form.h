@@ -29,8 +29,8 @@ struct AnswerForm {
 AnswerForm formOf(const session::View& view);
 
 /// `pieces`: the codes on the fabric pieces of `tray`, both in slot order.
-AnswerForm formOf(protocols::AnswerKind kind, const std::vector<protocols::FabricId>& tray, const std::vector<std::string>& pieces,
-                  const std::optional<protocols::Scale>& scale);
+AnswerForm formOf(protocols::AnswerKind kind, const std::vector<protocols::FabricId>& tray,
+                  const std::vector<std::string>& pieces, const std::optional<protocols::Scale>& scale);
 
 /// "B    Piece 427", "5.5", "Same", the words themselves.
 QString textOf(const AnswerForm& form, const session::Response& response);

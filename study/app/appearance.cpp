@@ -109,6 +109,7 @@ QPushButton { background: %2; color: %3; border: 1px solid %4; border-radius: 8p
 QPushButton:hover { border-color: %6; }
 QPushButton:focus { border: 2px solid %6; padding: 6px 15px; }
 QPushButton:disabled { color: %12; border-color: %5; background: %1; }
+QPushButton[role="stamp"]:disabled { color: %4; }
 QPushButton:checked { background: %6; color: %7; border-color: %6; }
 QPushButton:checked:focus { border-color: %3; }
 QPushButton[role="main"] { background: %6; color: %7; border: 2px solid %6; padding: 10px 26px; }

@@ -82,7 +82,8 @@ void FamiliarisationPage::present(const session::View& view)
     if (m_fabrics.empty())
         showText(*m_shown, {});
     else if (shown)
-        showText(*m_shown, tr("On the display now: %1.").arg(QString::fromStdString(m_fabrics.at(static_cast<std::size_t>(*shown)))));
+        showText(*m_shown, tr("On the display now: %1.")
+                               .arg(QString::fromStdString(m_fabrics.at(static_cast<std::size_t>(*shown)))));
     else
         showText(*m_shown, tr("The display is clear. Press the number of a fabric to show its image."));
 }

@@ -79,7 +79,8 @@ void MainWindow::joinPages()
             return m_studyPage->tellFault(fault);
         tellingFaults(*m_studyPage, [&] { startSession(protocols::ParticipantId(participant.toStdString())); });
     });
-    connect(m_sessionPage, &SessionPage::correctionAsked, this, [this] { m_sessionPage->openCorrection(m_session->correctables()); });
+    connect(m_sessionPage, &SessionPage::correctionAsked, this,
+            [this] { m_sessionPage->openCorrection(m_session->correctables()); });
     connect(m_sessionPage, &SessionPage::eventAsked, this, [this](const session::EventBody& event) {
         if (m_session)
             m_session->send(event);

@@ -79,8 +79,8 @@ MonitorWindow::MonitorWindow(const std::filesystem::path& study, const AppOption
     m_rows->header()->setFocusPolicy(Qt::NoFocus);
     m_flagsCaption->setText(tr("Flags"));
     auto* hint = quietLabel("monitorHint", this, Type::Small);
-    hint->setText(tr("Reads only; looks again every two seconds.   ·   At: the presentation.   ·   Missing: answers to presentations "
-                     "that were voided and not given again yet.   ·   Close: Esc"));
+    hint->setText(tr("Reads only; looks again every two seconds.   ·   At: the presentation.   ·   Missing: answers to "
+                     "presentations that were voided and not given again yet.   ·   Close: Esc"));
 
     auto* page = new QWidget(this);
     auto* column = new QVBoxLayout(page);

@@ -29,6 +29,7 @@ void QuestionHead::present(const session::View& view)
 
 TouchButton::TouchButton(QWidget* parent) : QWidget(parent), m_button(button("touchButton", tr("First touch (by key T)"), this))
 {
+    setRole(*m_button, "stamp");  // what it tells once it is pressed can be read
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->addWidget(m_button);

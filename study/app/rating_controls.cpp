@@ -92,7 +92,8 @@ ReadBack RatingControls::readBack() const
         return {tr("Read back: “%1.”").arg(wordedText(*rating, *m_scale)), true};
     const QString text = m_rating->text().trimmed();
     const bool isUnfinished = text.isEmpty() || !text.back().isDigit();
-    return {isUnfinished ? tr("Type the number that the participant says, or click on the line.") : std::get<NoRating>(typed).why};
+    return {isUnfinished ? tr("Type the number that the participant says, or click on the line.")
+                         : std::get<NoRating>(typed).why};
 }
 
 QWidget& RatingControls::firstFocus()

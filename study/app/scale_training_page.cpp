@@ -105,7 +105,8 @@ void ScaleTrainingPage::tellAnchors()
         return;
     }
     m_lowAnchor->setText(tr("Let them touch sandpaper, then silk. “These two are unrelated. That is %1.”").arg(low));
-    m_highAnchor->setText(tr("Let them touch two pieces of the same fabric. “These two are totally the same. That is %1.”").arg(high));
+    m_highAnchor->setText(
+        tr("Let them touch two pieces of the same fabric. “These two are totally the same. That is %1.”").arg(high));
 }
 
 void ScaleTrainingPage::present(const session::View& view)

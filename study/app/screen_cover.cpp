@@ -5,7 +5,6 @@
 #include <QApplication>
 #include <QScreen>
 #include <QWidget>
-#include <QWindow>
 
 #include <charconv>
 

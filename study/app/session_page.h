@@ -6,25 +6,13 @@
 
 #include <QWidget>
 
-class QScrollArea;
-class QStackedWidget;
-
 namespace study::app {
 
-class ChecklistPage;
-class CorrectionPanel;
-class DebriefingPage;
-class FactsPage;
-class FamiliarisationPage;
-class GuidePage;
 class MessageBar;
-class QuestionPage;
-class ReasonPanel;
-class ScaleTrainingPage;
 class SessionFooter;
 class SessionHeader;
 class StagePage;
-class TrayPage;
+class StageStack;
 
 class SessionPage : public QWidget {
     Q_OBJECT
@@ -57,8 +45,6 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
-    struct PageOfStage;
-    void addPage(StagePage* page, const char* areaName);
     void joinPanels();
     void bindKeysWhileWriting();
     StagePage& pageOf(const session::View& view) const;
@@ -70,7 +56,6 @@ private:
     /// Of the presentation that a void or flag is about; empty: the one before the tray that is being laid.
     QString codeMeant() const;
     bool pressFocusedButton() const;
-    bool scrollBy(int key);
 
     SessionFacts m_facts;
     session::View m_view;
@@ -78,20 +63,9 @@ private:
     StagePage* m_panel = nullptr;  ///< the open one
 
     SessionHeader* m_header;
-    QStackedWidget* m_stages;
+    StageStack* m_stages;
     MessageBar* m_message;
     SessionFooter* m_footer;
-    GuidePage* m_guide;
-    FactsPage* m_aboutParticipant;
-    FamiliarisationPage* m_familiarisation;
-    ScaleTrainingPage* m_scaleTraining;
-    ChecklistPage* m_checklist;
-    TrayPage* m_tray;
-    QuestionPage* m_question;
-    DebriefingPage* m_debriefing;
-    CorrectionPanel* m_correction;
-    ReasonPanel* m_reason;
-    std::vector<StagePage*> m_all;
 };
 
 }  // namespace study::app

@@ -28,8 +28,9 @@ Guide introduction()
 
 Guide consent(const SessionFacts& facts)
 {
+    const bool hasFullStop = facts.consent.endsWith(QLatin1Char('.'));
     return {.title = tr("Consent"),
-            .lead = tr("You confirm: %1.").arg(facts.consent.endsWith(QLatin1Char('.')) ? facts.consent.chopped(1) : facts.consent),
+            .lead = tr("You confirm: %1.").arg(hasFullStop ? facts.consent.chopped(1) : facts.consent),
             .steps = {tr("If they do not agree, nothing is begun: press W.")},
             .action = tr("The participant has agreed (Enter)"),
             .event = Consented{}};
@@ -38,7 +39,8 @@ Guide consent(const SessionFacts& facts)
 /// What every break is for, whatever brought it about.
 QStringList breakSteps()
 {
-    return {tr("The participant may lift the mask, drink and move the hand."), tr("Clean the glass and the finger, and let both dry."),
+    return {tr("The participant may lift the mask, drink and move the hand."),
+            tr("Clean the glass and the finger, and let both dry."),
             tr("Before you go on, the mask is on again.")};
 }
 
@@ -96,8 +98,8 @@ Guide paused()
 Guide laterSitting(const View& view)
 {
     return {.title = tr("Welcome back"),
-            .lead = tr("A new sitting begins; %1 of %2 answers are stored. First the scale is shown once more and the checklist is "
-                       "gone through.")
+            .lead = tr("A new sitting begins; %1 of %2 answers are stored. First the scale is shown once more and the "
+                       "checklist is gone through.")
                         .arg(view.answersStored)
                         .arg(view.answersInAll),
             .steps = {tr("The participant does not wear the mask yet."),

@@ -29,7 +29,8 @@ void makeForApp(const app::NewStudyRequest& form, const app::MakingProgress& pro
     request.protocol = form.protocol.value_or(std::filesystem::path());
     request.participants = form.participants;
     request.seed = form.seed;
-    makeStudy(request, [&](int done, int total, const std::string& what) { progress(total > 0 ? 1.0 * done / total : 0.0, what); });
+    makeStudy(request,
+              [&](int done, int total, const std::string& what) { progress(total > 0 ? 1.0 * done / total : 0.0, what); });
 }
 
 /// What a reader of the flag must know before believing it.
@@ -86,7 +87,8 @@ void addApp(CLI::App& app, Action& action)
                    "haptic display: none, folder:DIR (keeps DIR/current.pgm), cover:N (blackens touch screen N, which tells the "
                    "first touch), or both: folder:DIR,cover:N")
         ->capture_default_str();
-    app.add_flag("--monitor", call->monitor, "watch this study instead: who is where, what is missing, flags; reads only, blinded");
+    app.add_flag("--monitor", call->monitor,
+                 "watch this study instead: who is where, what is missing, flags; reads only, blinded");
     app.callback([&app, call, &action] {
         if (!app.get_subcommands().empty())
             return;

@@ -37,7 +37,8 @@ void putScale(stats::RatingTruth& truth, const protocols::Scale& scale)
     truth.scaleStep = scale.step.inScaleUnits();
     const double stretch = (truth.scaleMax - truth.scaleMin) / hapticScale;
     truth.centre = truth.scaleMin + stretch * truth.centre;
-    for (double* variance : {&truth.participant, &truth.fabric, &truth.participantCondition, &truth.fabricCondition, &truth.residual})
+    for (double* variance : {&truth.participant, &truth.fabric, &truth.participantCondition, &truth.fabricCondition,
+                             &truth.residual})
         *variance *= stretch * stretch;
 }
 
@@ -129,7 +130,7 @@ void addPower(CLI::App& app, Action& action)
     command->add_option("--protocol", call->protocol, "the study's protocol (default: the paper's)");
     command->add_option("--participants", call->participants, "instead of the protocol's number")->check(CLI::Range(2, 1000));
     command->add_option("--studies", call->studies, "simulated studies for each effect")
-        ->check(CLI::Range(100, 100000))
+        ->check(CLI::Range(20, 100000))
         ->capture_default_str();
     command->add_option("--calibrate", call->calibrate, "also: how often each test rejects where nothing differs, in N studies")
         ->check(CLI::Range(100, 1000000))

@@ -37,7 +37,9 @@ const std::map<stats::Promise, const char*> promises{{stats::Promise::Exact, "4.
 
 ordered_json calibrationJson(const stats::CalibrationRow& row)
 {
-    ordered_json json{{"test", row.test}, {"truth", row.truth}, {"studies", row.result.studies}, {"rejected", row.result.rejected}};
+    ordered_json json{{"test", row.test}, {"truth", row.truth}};
+    json["studies"] = row.result.studies;
+    json["rejected"] = row.result.rejected;
     json["undefined"] = row.result.undefined;
     json["rate"] = row.result.rate();
     put(json, "ci95", row.result.interval());
@@ -129,7 +131,8 @@ void printTests(const std::vector<stats::PlannedTest>& tests)
     for (const auto& test : tests) {
         if (test.effect != effect)
             std::printf("\n%s: %s\n", test.question.c_str(), (effect = test.effect).c_str());
-        std::printf("  %s\n    %8s %8s %10s %20s\n", headingOf(test).c_str(), "effect", "formula", "simulated", "participants (80 %)");
+        std::printf("  %s\n    %8s %8s %10s %20s\n", headingOf(test).c_str(), "effect", "formula", "simulated",
+                    "participants (80 %)");
         for (const auto& point : test.points)
             std::printf("    %8.3g %8s %10.3f %20s\n", point.effect, shown(point.power, "%.3f").c_str(), point.simulated.rate(),
                         shown(point.participants, "%.0f").c_str());
@@ -143,11 +146,12 @@ void printCalibration(const std::vector<stats::CalibrationRow>& rows)
     for (const auto& row : rows) {
         if (row.truth != truth)
             std::printf("%s\n", (truth = row.truth).c_str());
-        const auto interval = row.result.interval();
-        std::printf("  %-58s %6zu of %6zu  %5.2f %% [%.2f, %.2f]%s %s%s\n", row.test.c_str(), row.result.rejected, row.result.studies,
-                    100 * row.result.rate(), 100 * *interval.low, 100 * *interval.high,
-                    row.attainableSize.exists() ? (", attainable " + shown(100 * *row.attainableSize, "%.2f") + " %").c_str() : "",
-                    row.verdict().c_str(), row.promise == stats::Promise::Shown ? " (not used by the report for this)" : "");
+        const auto& result = row.result;
+        const auto interval = result.interval();
+        const std::string size = row.attainableSize.exists() ? ", attainable " + shown(100 * *row.attainableSize, "%.2f") + " %" : "";
+        std::printf("  %-58s %6zu of %6zu  %5.2f %% [%.2f, %.2f]%s %s%s\n", row.test.c_str(), result.rejected, result.studies,
+                    100 * result.rate(), 100 * *interval.low, 100 * *interval.high, size.c_str(), row.verdict().c_str(),
+                    row.promise == stats::Promise::Shown ? " (not used by the report for this)" : "");
     }
 }
 

@@ -1,4 +1,6 @@
 // The logistic mixed model against R, closed forms, and where the likelihood has no maximum.
+#include "stats/logistic_mixed_model.h"
+
 #include <QtTest>
 #include <algorithm>
 #include <cmath>
@@ -6,7 +8,6 @@
 #include <vector>
 
 #include "stats/crossed_study.h"
-#include "stats/logistic_mixed_model.h"
 #include "stats/simulated_study.h"
 #include "tests/stats/shared_study.h"
 
@@ -134,7 +135,8 @@ private Q_SLOTS:
         for (const std::size_t condition : {0U, 1U, 2U}) answerAll(data, condition, condition == 1 ? 1 : 0);
         const auto model = stats::fitLogisticMixedModel(data);
         QVERIFY(model.separation == stats::Separation::Complete);
-        QVERIFY(QString::fromStdString(model.separationWhy).startsWith("complete separation: 1 (always wrong), 2 (always right)"));
+        QVERIFY(
+            QString::fromStdString(model.separationWhy).startsWith("complete separation: 1 (always wrong), 2 (always right)"));
         QCOMPARE(*model.logLikelihood, 0.0);
         QVERIFY(!model.random[0].sd.exists());
         for (const auto& effect : model.fixed) QVERIFY(!effect.p.exists());
@@ -144,13 +146,22 @@ private Q_SLOTS:
     {
         QTest::addColumn<QString>("kind");
         QTest::addColumn<QString>("why");
-        QTest::addRow("nothing") << "nothing" << "no choices";
-        QTest::addRow("all missing") << "missing" << "no choices";
-        QTest::addRow("all right") << "right" << "every choice was right";
-        QTest::addRow("all wrong") << "wrong" << "every choice was wrong";
-        QTest::addRow("half a choice") << "half" << "neither right";
-        QTest::addRow("one condition") << "one" << "one condition";
-        QTest::addRow("one person") << "person" << "belong to one p";
+        QTest::addRow("nothing") << "nothing"
+                                 << "no choices";
+        QTest::addRow("all missing") << "missing"
+                                     << "no choices";
+        QTest::addRow("all right") << "right"
+                                   << "every choice was right";
+        QTest::addRow("all wrong") << "wrong"
+                                   << "every choice was wrong";
+        QTest::addRow("half a choice") << "half"
+                                       << "neither right";
+        QTest::addRow("one condition") << "one"
+                                       << "one condition";
+        QTest::addRow("one person") << "person"
+                                    << "belong to one p";
+        QTest::addRow("by person") << "by person"
+                                   << "no finite estimate";
     }
 
     void refusalsSayWhy()
@@ -165,6 +176,12 @@ private Q_SLOTS:
         if (kind == "half") data.right[5] = 0.5;
         if (kind == "one") data.condition = cycled("c", 1, 1, 60);
         if (kind == "person") data.groups[0] = cycled("p", 1, 1, 60);
+        if (kind == "by person") {
+            // Who it is decides every choice, but for one slip.
+            for (std::size_t row = 0; row < data.right.size(); ++row) data.right[row] = data.groups[0].of[row] < 2 ? 1 : 0;
+            answerAll(data, 2, 0);
+            data.right[2] = data.right[14] = 1;
+        }
         const auto model = stats::fitLogisticMixedModel(data);
         QVERIFY2(QString::fromStdString(model.why).contains(why), model.why.c_str());
         QVERIFY(!model.p.exists() && !model.p.why().empty() && !model.logLikelihood.exists());
@@ -175,7 +192,8 @@ private Q_SLOTS:
     {
         auto data = smallStudy();
         const auto plain = stats::fitLogisticMixedModel(data);
-        stats::LogisticData turned{{}, {"c", data.condition.levels, {}}, {{"p", data.groups[0].levels, {}}, {"f", data.groups[1].levels, {}}}};
+        stats::LogisticData turned{
+            {}, {"c", data.condition.levels, {}}, {{"p", data.groups[0].levels, {}}, {"f", data.groups[1].levels, {}}}};
         for (std::size_t row = data.right.size(); row-- > 0;) {
             turned.right.push_back(data.right[row]);
             turned.condition.of.push_back(data.condition.of[row]);

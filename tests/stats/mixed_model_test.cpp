@@ -1,4 +1,6 @@
 // The linear mixed model against closed forms of balanced data, against R, and at its edges.
+#include "stats/mixed_model.h"
+
 #include <QtTest>
 #include <algorithm>
 #include <cmath>
@@ -7,7 +9,6 @@
 
 #include "stats/crossed_study.h"
 #include "stats/distributions.h"
-#include "stats/mixed_model.h"
 #include "stats/simulated_study.h"
 #include "tests/stats/shared_study.h"
 
@@ -153,16 +154,19 @@ private Q_SLOTS:
         const MeanSquares ms = meanSquares(study);
         const double p = participants, f = fabrics, k = conditions;
         QVERIFY2(!rating.model.singular, "the study was chosen to have all variances above 0");
-        compare(effectNamed(rating.model, "participant:condition").variance, (ms.participantCondition - ms.residual) / f, 1e-7, "p:c");
+        compare(effectNamed(rating.model, "participant:condition").variance, (ms.participantCondition - ms.residual) / f, 1e-7,
+                "p:c");
         compare(effectNamed(rating.model, "fabric:condition").variance, (ms.fabricCondition - ms.residual) / p, 1e-7, "f:c");
-        compare(effectNamed(rating.model, "participant").variance, (ms.participant - ms.participantCondition) / (f * k), 1e-7, "p");
+        compare(effectNamed(rating.model, "participant").variance, (ms.participant - ms.participantCondition) / (f * k), 1e-7,
+                "p");
         compare(effectNamed(rating.model, "fabric").variance, (ms.fabric - ms.fabricCondition) / (p * k), 1e-7, "f");
         compare(rating.model.residualVariance, ms.residual, 1e-8, "residual");
         // Satterthwaite 1946: the error of a condition is a sum of three mean squares.
         const double error = ms.participantCondition + ms.fabricCondition - ms.residual;
-        const double df = error * error /
-                          (std::pow(ms.participantCondition, 2) / ((p - 1) * (k - 1)) +
-                           std::pow(ms.fabricCondition, 2) / ((f - 1) * (k - 1)) + std::pow(ms.residual, 2) / (k * (p - 1) * (f - 1)));
+        const double df =
+            error * error /
+            (std::pow(ms.participantCondition, 2) / ((p - 1) * (k - 1)) + std::pow(ms.fabricCondition, 2) / ((f - 1) * (k - 1)) +
+             std::pow(ms.residual, 2) / (k * (p - 1) * (f - 1)));
         compare(rating.condition.f, ms.condition / error, 1e-7, "F");
         compare(rating.condition.df2, df, 1e-6, "df2");
         const auto difference = stats::levelDifference(rating.model, design.conditions - 1, 0);
@@ -230,8 +234,8 @@ private Q_SLOTS:
     void allVariancesZeroIsLeastSquares()
     {
         // Group means exactly equal: nothing is left for the groups, and the df are those of the residual.
-        stats::MixedModelData data{{1, 2, 3, 3, 2, 1, 2, 1, 3}, stats::interceptOnly(9),
-                                   {{factor("g", {1, 1, 1, 2, 2, 2, 3, 3, 3}), {}, ""}}};
+        stats::MixedModelData data{
+            {1, 2, 3, 3, 2, 1, 2, 1, 3}, stats::interceptOnly(9), {{factor("g", {1, 1, 1, 2, 2, 2, 3, 3, 3}), {}, ""}}};
         const auto model = stats::fitMixedModel(data);
         QVERIFY(model.why.empty() && model.singular);
         compare(model.residualVariance, 6.0 / 8, 1e-12, "variance");
@@ -330,15 +334,24 @@ private Q_SLOTS:
     {
         QTest::addColumn<QString>("kind");
         QTest::addColumn<QString>("why");
-        QTest::addRow("nothing") << "nothing" << "needs more values";
-        QTest::addRow("all missing") << "missing" << "needs more values";
-        QTest::addRow("infinite") << "infinite" << "not finite";
-        QTest::addRow("constant") << "constant" << "no variation";
-        QTest::addRow("one group") << "one group" << "belong to one p";
-        QTest::addRow("a group each") << "group each" << "cannot be told from the residual";
-        QTest::addRow("same groups") << "same groups" << "divide the values alike";
-        QTest::addRow("determined") << "determined" << "determined by those before it";
-        QTest::addRow("no residual") << "no residual" << "no residual variation";
+        QTest::addRow("nothing") << "nothing"
+                                 << "needs more values";
+        QTest::addRow("all missing") << "missing"
+                                     << "needs more values";
+        QTest::addRow("infinite") << "infinite"
+                                  << "not finite";
+        QTest::addRow("constant") << "constant"
+                                  << "no variation";
+        QTest::addRow("one group") << "one group"
+                                   << "belong to one p";
+        QTest::addRow("a group each") << "group each"
+                                      << "cannot be told from the residual";
+        QTest::addRow("same groups") << "same groups"
+                                     << "divide the values alike";
+        QTest::addRow("determined") << "determined"
+                                    << "determined by those before it";
+        QTest::addRow("no residual") << "no residual"
+                                     << "no residual variation";
     }
 
     void refusalsSayWhy()
@@ -356,11 +369,13 @@ private Q_SLOTS:
             for (int i = 0; i < 18; ++i) all.push_back(i);
             data.random[0].group = factor("p", all);
         }
-        if (kind == "same groups") data.random[1].group.of = data.random[0].group.of, data.random[1].group.levels = data.random[0].group.levels;
+        if (kind == "same groups")
+            data.random[1].group.of = data.random[0].group.of, data.random[1].group.levels = data.random[0].group.levels;
         if (kind == "determined") data.fixed.columns[2] = data.fixed.columns[1];
         if (kind == "no residual") {
             data.random.pop_back();
-            for (std::size_t i = 0; i < 18; ++i) data.y[i] = 2.0 * static_cast<double>(data.random[0].group.of[i] % 4) + data.fixed.columns[1][i];
+            for (std::size_t i = 0; i < 18; ++i)
+                data.y[i] = 2.0 * static_cast<double>(data.random[0].group.of[i] % 4) + data.fixed.columns[1][i];
         }
         const auto model = stats::fitMixedModel(data);
         QVERIFY2(QString::fromStdString(model.why).contains(why), model.why.c_str());
@@ -392,7 +407,8 @@ private Q_SLOTS:
             }
             // lme4's optimiser stops up to 5e-8 above the least criterion; there its variances are up to
             // 1.4e-4 away from those of the closed forms that balanced data have (study_a, Q2).
-            for (const auto& random : rating.model.random) compare(random.variance, expected["var"][random.name], 2e-4, random.name);
+            for (const auto& random : rating.model.random)
+                compare(random.variance, expected["var"][random.name], 2e-4, random.name);
             compare(rating.model.residualVariance, expected["var"]["Residual"], 1e-4, "residual");
             compare(rating.model.criterion, expected["REML_criterion"], 1e-10, "REML criterion");
             QVERIFY(*rating.model.criterion <= expected["REML_criterion"].get<double>() + 1e-9);
@@ -439,8 +455,8 @@ private Q_SLOTS:
         }
         fixed.names.insert(fixed.names.end(), {"tempwarm", "contactyes", "tempwarm:contactyes"});
         fixed.columns.insert(fixed.columns.end(), {warm, contact, both});
-        const auto model =
-            stats::fitMixedModel({shared::numbers(rows, 0), fixed, {{stats::factorOf("judge", shared::column(rows, 5)), {}, ""}}});
+        const auto model = stats::fitMixedModel(
+            {shared::numbers(rows, 0), fixed, {{stats::factorOf("judge", shared::column(rows, 5)), {}, ""}}});
         compare(model.criterion, 558.842811164, 1e-11, "REML criterion");
         compare(model.random[0].variance, 73.3323507591, 1e-6, "judges");
         compare(model.residualVariance, 152.084258998, 1e-6, "residual");

@@ -1,11 +1,12 @@
 // Power by formula against R, and the simulation that stands beside it.
+#include "stats/power.h"
+
 #include <QtTest>
 #include <cmath>
 #include <vector>
 
 #include "stats/moments.h"
 #include "stats/noncentral.h"
-#include "stats/power.h"
 #include "stats/power_plan.h"
 #include "stats/t_tests.h"
 
@@ -26,12 +27,12 @@ private Q_SLOTS:
     void noncentralTailsAsInR()
     {
         // R's noncentral F stops at errors of 1e-9, its noncentral t cancels in the far tail.
-        compare(stats::noncentralStudentUpper(2.262157, 9, 3), 0.761155307496, 1e-10);       // pt(2.262157, 9, 3, lower = FALSE)
+        compare(stats::noncentralStudentUpper(2.262157, 9, 3), 0.761155307496, 1e-10);  // pt(2.262157, 9, 3, lower = FALSE)
         compare(1 - stats::noncentralStudentUpper(-2.262157, 9, 3), 1.35942266144e-06, 1e-6);  // pt(-2.262157, 9, 3)
-        compare(stats::noncentralFisherUpper(2, 8, 72, 10), 0.563191728947, 1e-9);           // pf(2, 8, 72, ncp = 10, lower = FALSE)
-        compare(stats::noncentralChiSquaredUpper(15.507, 8, 10), 0.587751764672, 1e-10);     // pchisq(15.507, 8, ncp = 10, ...)
-        compare(stats::fisherQuantile(0.05, 8, 72), 2.069832, 1e-6);                         // qf(.95, 8, 72)
-        compare(stats::chiSquaredQuantile(0.05, 8), 15.50731, 1e-6);                         // qchisq(.95, 8)
+        compare(stats::noncentralFisherUpper(2, 8, 72, 10), 0.563191728947, 1e-9);        // pf(2, 8, 72, ncp = 10, lower = FALSE)
+        compare(stats::noncentralChiSquaredUpper(15.507, 8, 10), 0.587751764672, 1e-10);  // pchisq(15.507, 8, ncp = 10, ...)
+        compare(stats::fisherQuantile(0.05, 8, 72), 2.069832, 1e-6);                      // qf(.95, 8, 72)
+        compare(stats::chiSquaredQuantile(0.05, 8), 15.50731, 1e-6);                      // qchisq(.95, 8)
     }
 
     void noEffectIsTheSizeAndAHugeOneIsCertain()

@@ -15,6 +15,7 @@
 #include <QTemporaryFile>
 #include <QTest>
 
+#include <cstdio>
 #include <unistd.h>
 
 using namespace study::session;
@@ -43,10 +44,16 @@ WholeProtocol nineConditions()
     return wanted;
 }
 
+/// As without a test, which keeps Qt's log for itself.
+void logToStandardError(QtMsgType, const QMessageLogContext&, const QString& text)
+{
+    std::fprintf(stderr, "%s\n", qPrintable(text));
+}
+
 /// Everything that is written to standard error while it lives, by Qt's log or past it.
 class StandardError {
 public:
-    StandardError() : m_kept(::dup(STDERR_FILENO))
+    StandardError() : m_kept(::dup(STDERR_FILENO)), m_before(qInstallMessageHandler(logToStandardError))
     {
         m_file.open();
         ::fflush(stderr);
@@ -57,6 +64,7 @@ public:
         ::fflush(stderr);
         ::dup2(m_kept, STDERR_FILENO);
         ::close(m_kept);
+        qInstallMessageHandler(m_before);
     }
     QString text()
     {
@@ -68,6 +76,7 @@ public:
 private:
     QTemporaryFile m_file;
     int m_kept;
+    QtMessageHandler m_before;
 };
 
 std::vector<QString> textsOfAllWindows()
@@ -117,7 +126,7 @@ std::size_t fingerprintOf(QWidget& window)
 
 }  // namespace
 
-class AppBlindingTest : public QObject {
+class AppBlindingTest : public tests::support::WindowTest {
     Q_OBJECT
 
 private:
@@ -126,7 +135,6 @@ private:
     void panelsAndPause(OpenWindow& open, Seen& seen);
     QMap<QString, QByteArray> writtenOf(const QString& study);
 
-    QTemporaryDir m_folder;
 
 private Q_SLOTS:
     void initTestCase() { QApplication::setCursorFlashTime(0); }  // a cursor that blinks makes other pictures
@@ -184,7 +192,7 @@ void AppBlindingTest::panelsAndPause(OpenWindow& open, Seen& seen)
 
 Seen AppBlindingTest::playAndLook(const StudyRecipe& recipe)
 {
-    const QString path = m_folder.filePath("study");  // the same for all, because the study page shows it
+    const QString path = filePath("study");  // the same for all, because the study page shows it
     QDir(path).removeRecursively();
     const auto folder = buildStudy(path.toStdString(), recipe);
     Seen seen;
@@ -216,7 +224,7 @@ Seen AppBlindingTest::playAndLook(const StudyRecipe& recipe)
 
 QMap<QString, QByteArray> AppBlindingTest::writtenOf(const QString& study)
 {
-    const QString out = m_folder.filePath("written");
+    const QString out = filePath("written");
     QDir(out).removeRecursively();
     QDir().mkpath(out);
     QByteArray said;
@@ -248,14 +256,14 @@ void AppBlindingTest::nothingNamesACondition()
     QVERIFY(shown.size() > 400);
     // In windows neither what the stimuli's files are called nor the labels of the masked key.
     std::set<QString> hiddenInWindows = ids;
-    const database::StudyStore store({m_folder.filePath("study").toStdString()}, database::StudyStore::Access::Read);
+    const database::StudyStore store({filePath("study").toStdString()}, database::StudyStore::Access::Read);
     for (const auto& [code, hash] : store.stimulusHashes())
         hiddenInWindows.insert(QString::fromStdString(code.value));
     for (int label = 1; label <= 9; ++label)
         hiddenInWindows.insert(QStringLiteral("K%1").arg(label));
     require({shown.begin(), shown.end()}, "a window", hiddenInWindows);
     require({seen.log}, "the log", hiddenInWindows);
-    for (const QString& name : namesOfFilesIn(m_folder.filePath("study")))
+    for (const QString& name : namesOfFilesIn(filePath("study")))
         require({name}, "a file's name", ids);
     QVERIFY(seen.files.size() > 4);
     for (auto file = seen.files.begin(); file != seen.files.end(); ++file)
@@ -270,7 +278,7 @@ void AppBlindingTest::studiesWithOtherConditionsLookTheSame()
     for (std::size_t i = 0; i < wanted.conditions.size(); ++i)
         other.keyNames[wanted.conditions[i]] = wanted.conditions[(i + 1) % wanted.conditions.size()];
     const Seen first = playAndLook(one);
-    const auto keyOf = [&] { return contentsOf(m_folder.filePath("study"))["allocation-key.json"]; };
+    const auto keyOf = [&] { return contentsOf(filePath("study"))["allocation-key.json"]; };
     const QByteArray firstKey = keyOf();
     const Seen second = playAndLook(other);
     QVERIFY(firstKey != keyOf());

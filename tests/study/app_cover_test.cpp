@@ -15,8 +15,8 @@
 
 using namespace study::app;
 using namespace study::session;
-using tests::support::buildStudy;
 using tests::support::OpenWindow;
+using tests::support::ShownWindow;
 
 namespace {
 
@@ -44,11 +44,8 @@ QString faultOf(const std::string& specification)
 
 }  // namespace
 
-class AppCoverTest : public QObject {
+class AppCoverTest : public tests::support::WindowTest {
     Q_OBJECT
-
-private:
-    QTemporaryDir m_folder;
 
 private Q_SLOTS:
     void init()
@@ -96,7 +93,7 @@ void AppCoverTest::reportsFingersAndMouse()
 
 void AppCoverTest::passesImagesOnToTheDisplayUnderIt()
 {
-    const std::string folder = m_folder.path().toStdString() + "/watched, by a device";
+    const std::string folder = filePath("watched, by a device").toStdString();
     const auto display = openDisplay("folder:" + folder + ",cover:1");
     QVERIFY(QString::fromStdString(display->name()).contains("watched, by a device"));
     display->show(cv::Mat(8, 8, CV_8UC1, cv::Scalar(200)));
@@ -131,19 +128,17 @@ void AppCoverTest::touchOfTheCoverIsStampedInASession()
     AppOptions options;
     options.clock = clock;
     options.display = "cover:1";
-    MainWindow window(options);
-    window.show();
-    window.openStudy(buildStudy(m_folder.path().toStdString() + "/study").folder);
-    window.startSession(protocols::ParticipantId("P01"));
-    GuiHands hands(window);
-    while (!std::holds_alternative<Presenting>(hands.view().state.stage))
-        QVERIFY(!hands.perform(*tests::support::nextEvent(hands.view(), hands.plan())));
+    ShownWindow shown(options);
+    shown.window.openStudy(newStudy().folder);
+    shown.window.startSession(protocols::ParticipantId("P01"));
+    while (!std::holds_alternative<Presenting>(shown.hands.view().state.stage))
+        QVERIFY(!shown.hands.perform(*tests::support::nextEvent(shown.hands.view(), shown.hands.plan())));
     clock->advanceSeconds(2);
     QTest::mousePress(cover(), Qt::LeftButton);
-    const auto& presenting = std::get<Presenting>(hands.view().state.stage);
+    const auto& presenting = std::get<Presenting>(shown.hands.view().state.stage);
     QCOMPARE(presenting.touchedAtNs.value_or(0), clock->monotonicNs());
     QVERIFY(presenting.touchedBy == TouchSource::Display);
-    hands.pressKey(Qt::Key_Q);
+    shown.hands.pressKey(Qt::Key_Q);
     QTRY_VERIFY(!cover());  // the screen is free again
 }
 

@@ -9,7 +9,6 @@
 #include <QFile>
 #include <QLabel>
 #include <QLineEdit>
-#include <QPlainTextEdit>
 #include <QTest>
 
 #include <unistd.h>
@@ -40,13 +39,8 @@ private:
 
 }  // namespace
 
-class AppFaultsTest : public QObject {
+class AppFaultsTest : public tests::support::WindowTest {
     Q_OBJECT
-
-private:
-    database::StudyFolder newStudy() { return buildStudy(m_folder.path().toStdString() + "/study" + std::to_string(++m_made), wholeStudy()); }
-    QTemporaryDir m_folder;
-    int m_made = 0;
 
 private Q_SLOTS:
     void editedProtocolIsToldOnTheStudyPage();
@@ -62,7 +56,7 @@ private Q_SLOTS:
 
 void AppFaultsTest::editedProtocolIsToldOnTheStudyPage()
 {
-    const auto folder = newStudy();
+    const auto folder = newStudy(wholeStudy());
     QFile file(QString::fromStdString(folder.protocol().string()));
     QVERIFY(file.open(QIODevice::Append));
     file.write("\n");
@@ -80,7 +74,7 @@ void AppFaultsTest::editedProtocolIsToldOnTheStudyPage()
 
 void AppFaultsTest::protocolEditedWhileTheStudyIsOpenIsToldToo()
 {
-    const auto folder = newStudy();
+    const auto folder = newStudy(wholeStudy());
     OpenWindow open(folder);
     QVERIFY(open.message("studyMessage").isEmpty());
     QVERIFY(QFile::remove(QString::fromStdString(folder.protocol().string())));
@@ -91,20 +85,19 @@ void AppFaultsTest::protocolEditedWhileTheStudyIsOpenIsToldToo()
 
 void AppFaultsTest::studyHeldByAnotherProcessNamesIt()
 {
-    const auto folder = newStudy();
+    const auto folder = newStudy(wholeStudy());
     const database::StudyStore other(folder, database::StudyStore::Access::Write);
-    MainWindow window{AppOptions{}};
-    window.show();
-    window.findChild<QLineEdit*>("studyFolderField")->setText(QString::fromStdString(folder.folder.string()));
-    GuiHands(window).click("openButton");
-    const auto* message = window.findChild<QLabel*>("startMessage");
+    ShownWindow shown;
+    shown.widget<QLineEdit>("studyFolderField").setText(QString::fromStdString(folder.folder.string()));
+    shown.hands.click("openButton");
+    const auto* message = &shown.widget<QLabel>("startMessage");
     QVERIFY(message->isVisible());
     QVERIFY2(message->text().contains(QString::number(::getpid())), qPrintable(message->text()));
 }
 
 void AppFaultsTest::alteredStimulusPausesAndNamesTheFile()
 {
-    const auto folder = newStudy();
+    const auto folder = newStudy(wholeStudy());
     OpenWindow open(folder);
     open.enrolAndBegin();
     open.playTo("OnBreak");  // what comes next is not read ahead before the tray
@@ -138,7 +131,7 @@ void AppFaultsTest::fullDiskKeepsTheEntryUntilThereIsRoom_data()
 void AppFaultsTest::fullDiskKeepsTheEntryUntilThereIsRoom()
 {
     QFETCH(QString, question);
-    const auto folder = newStudy();
+    const auto folder = newStudy(wholeStudy());
     CountingVfs disk;
     OpenWindow open(folder);
     open.enrolAndBegin();
@@ -160,23 +153,22 @@ void AppFaultsTest::fullDiskKeepsTheEntryUntilThereIsRoom()
 
 void AppFaultsTest::displayThatCannotBeOpenedIsToldOnTheStudyPage()
 {
-    const auto folder = newStudy();
+    const auto folder = newStudy(wholeStudy());
     AppOptions options;
     options.display = "cover:9";
-    MainWindow window(options);
-    window.show();
-    window.openStudy(folder.folder);
-    GuiHands(window).click("enrolButton");
-    QCOMPARE(window.currentPage()->objectName(), QString("studyPage"));
-    const auto* message = window.findChild<QLabel*>("studyMessage");
+    ShownWindow shown(options);
+    shown.window.openStudy(folder.folder);
+    shown.hands.click("enrolButton");
+    QCOMPARE(shown.window.currentPage()->objectName(), QString("studyPage"));
+    const auto* message = &shown.widget<QLabel>("studyMessage");
     QVERIFY(message->isVisible());
     QVERIFY2(message->text().contains("no screen 9"), qPrintable(message->text()));
-    QVERIFY(window.study()->store().enrolments().empty());
+    QVERIFY(shown.window.study()->store().enrolments().empty());
 }
 
 void AppFaultsTest::messageOfOneSessionIsNotShownInTheNext()
 {
-    OpenWindow open(newStudy());
+    OpenWindow open(newStudy(wholeStudy()));
     open.enrolAndBegin();
     open.display().fault = "the display is gone";
     pressKey(open, Qt::Key_Return);
@@ -190,7 +182,7 @@ void AppFaultsTest::messageOfOneSessionIsNotShownInTheNext()
 
 void AppFaultsTest::steppedWallClockChangesNoResponseTime()
 {
-    const auto folder = newStudy();
+    const auto folder = newStudy(wholeStudy());
     const auto clock = std::make_shared<SteppedClock>();
     AppOptions options;
     options.clock = clock;

@@ -20,7 +20,6 @@
 using namespace study::app;
 using namespace study::session;
 using protocols::Tenths;
-using tests::support::buildStudy;
 using tests::support::OpenWindow;
 
 namespace {
@@ -74,14 +73,10 @@ QStringList wideAreasIn(const QWidget& page)
 
 }  // namespace
 
-class AppLooksTest : public QObject {
+class AppLooksTest : public tests::support::WindowTest {
     Q_OBJECT
 
 private:
-    database::StudyFolder newStudy(const tests::support::StudyRecipe& recipe = {})
-    {
-        return buildStudy(m_folder.path().toStdString() + "/study" + std::to_string(++m_made), recipe);
-    }
     /// Told each page's name.
     using Look = std::function<void(QWidget& window, const char* page)>;
     /// Goes through every page of the window.
@@ -91,8 +86,6 @@ private:
     void visitPanels(OpenWindow& open, const Look& look);
     void visitAround(OpenWindow& open, const Look& look);
     void visitMonitor(OpenWindow& open, const Look& look);
-    QTemporaryDir m_folder;
-    int m_made = 0;
     QFont m_font = QApplication::font();
 
 private Q_SLOTS:
@@ -110,7 +103,7 @@ void AppLooksTest::visitPages(const Look& look)
 {
     AppOptions options;
     options.makeStudy = [](const NewStudyRequest&, const MakingProgress&) {};
-    options.settings = std::make_shared<QSettings>(m_folder.filePath("pages.ini"), QSettings::IniFormat);
+    options.settings = std::make_shared<QSettings>(filePath("pages.ini"), QSettings::IniFormat);
     OpenWindow open(newStudy(tests::support::wholeStudy()), options);
     open.window().startSession(protocols::ParticipantId("P01"));
     open.playTo("Debriefing");
@@ -241,7 +234,7 @@ void AppLooksTest::visitAround(OpenWindow& open, const Look& look)
     look(open.window(), "study");
     open.hands().pressKey(Qt::Key_Escape);
     look(open.window(), "start");
-    open.widget<QLineEdit>("studyFolderField").setText(m_folder.filePath("nothing-here"));
+    open.widget<QLineEdit>("studyFolderField").setText(filePath("nothing-here"));
     open.hands().click("openButton");
     look(open.window(), "start-fault");
     open.hands().click("newStudyButton");
@@ -252,11 +245,12 @@ void AppLooksTest::visitMonitor(OpenWindow& open, const Look& look)
 {
     AppOptions options;
     options.clock = std::shared_ptr<Clock>(std::shared_ptr<Clock>(), &open.clock());
-    options.settings = std::make_shared<QSettings>(m_folder.filePath("monitor.ini"), QSettings::IniFormat);
+    options.settings = std::make_shared<QSettings>(filePath("monitor.ini"), QSettings::IniFormat);
     options.readFlags = [](const database::StudyStore&) {
         return std::vector<MonitorFlag>{
             {"P01", "too_fast", "9 of 42 answers (21 %) came within 0.5 s of the touch"},
-            {"P02", "straight_lining", "Q2: 12 of 18 ratings are 5; somebody to whom all renderings feel alike answers so in earnest"}};
+            {"P02", "straight_lining",
+             "Q2: 12 of 18 ratings are 5; somebody to whom all renderings feel alike answers so in earnest"}};
     };
     MonitorWindow monitor(open.window().study()->store().folder().folder, options);
     monitor.show();
@@ -316,7 +310,7 @@ void AppLooksTest::noTextIsCut()
 void AppLooksTest::keysChangeTheLooks()
 {
     AppOptions options;
-    options.settings = std::make_shared<QSettings>(m_folder.filePath("looks.ini"), QSettings::IniFormat);
+    options.settings = std::make_shared<QSettings>(filePath("looks.ini"), QSettings::IniFormat);
     OpenWindow open(newStudy(), options);
     const double before = QApplication::font().pointSizeF();
     QVERIFY(QTest::qWaitForWindowActive(&open.window()));

@@ -16,11 +16,10 @@ using namespace study::session;
 using namespace tests::support;
 using protocols::ParticipantId;
 
-class AppMonitorTest : public QObject {
+class AppMonitorTest : public tests::support::WindowTest {
     Q_OBJECT
 
 private:
-    database::StudyFolder newStudy() { return buildStudy(m_folder.path().toStdString() + "/study" + std::to_string(++m_made), wholeStudy()); }
     /// Cells of the row, joined.
     static QString rowOf(const MonitorWindow& monitor, int row)
     {
@@ -30,8 +29,6 @@ private:
             cells << tree.topLevelItem(row)->text(column);
         return cells.join('|');
     }
-    QTemporaryDir m_folder;
-    int m_made = 0;
 
 private Q_SLOTS:
     void followsASessionInAnotherWindow();
@@ -48,7 +45,7 @@ private Q_SLOTS:
 
 void AppMonitorTest::followsASessionInAnotherWindow()
 {
-    const auto folder = newStudy();
+    const auto folder = newStudy(wholeStudy());
     OpenWindow open(folder);
     AppOptions options;
     options.clock = std::shared_ptr<Clock>(std::shared_ptr<Clock>(), &open.clock());  // the session's own
@@ -76,7 +73,7 @@ void AppMonitorTest::followsASessionInAnotherWindow()
 
 void AppMonitorTest::voidedCellsAreMissingUntilTheyAreGivenAgain()
 {
-    const auto folder = newStudy();
+    const auto folder = newStudy(wholeStudy());
     OpenWindow open(folder);
     MonitorWindow monitor(folder.folder, {});
     open.enrolAndBegin();
@@ -91,7 +88,7 @@ void AppMonitorTest::voidedCellsAreMissingUntilTheyAreGivenAgain()
 
 void AppMonitorTest::placeOfOneWhoWithdrewIsSeenFreed()
 {
-    const auto folder = newStudy();
+    const auto folder = newStudy(wholeStudy());
     OpenWindow open(folder);
     open.enrolAndBegin();
     open.playTo("Presenting", "W1");
@@ -104,7 +101,7 @@ void AppMonitorTest::placeOfOneWhoWithdrewIsSeenFreed()
 
 void AppMonitorTest::severalMonitorsAndAWriterGoTogether()
 {
-    const auto folder = newStudy();
+    const auto folder = newStudy(wholeStudy());
     OpenWindow open(folder);
     MonitorWindow first(folder.folder, {}), second(folder.folder, {});
     open.enrolAndBegin();
@@ -119,7 +116,7 @@ void AppMonitorTest::severalMonitorsAndAWriterGoTogether()
 
 void AppMonitorTest::looksAgainByItself()
 {
-    const auto folder = newStudy();
+    const auto folder = newStudy(wholeStudy());
     MonitorWindow monitor(folder.folder, {});
     monitor.show();
     OpenSession session(folder, "P01", database::ParticipantKind::Human);
@@ -129,15 +126,16 @@ void AppMonitorTest::looksAgainByItself()
 
 void AppMonitorTest::flagsAreReadOffTheWindowsThread()
 {
-    const auto folder = newStudy();
+    const auto folder = newStudy(wholeStudy());
     QThread* thread = nullptr;
     int readings = 0;
     AppOptions options;
     options.readFlags = [&](const database::StudyStore& store) {
         thread = QThread::currentThread();
         ++readings;
-        return std::vector<MonitorFlag>{{"P01", "too_fast", std::to_string(store.answers().size()) + " answers came within half a second"},
-                                        {"", "slot_bias", "slot A was chosen more often than chance allows"}};
+        return std::vector<MonitorFlag>{
+            {"P01", "too_fast", std::to_string(store.answers().size()) + " answers came within half a second"},
+            {"", "slot_bias", "slot A was chosen more often than chance allows"}};
     };
     MonitorWindow monitor(folder.folder, options);
     const auto* flags = monitor.findChild<QLabel*>("flags");
@@ -161,18 +159,18 @@ void AppMonitorTest::flagsThatCannotBeReadAreTold()
     options.readFlags = [](const database::StudyStore&) -> std::vector<MonitorFlag> {
         throw protocols::workFailed({.what = "the masked key was altered", .where = {}, .expected = {}, .nextStep = {}});
     };
-    MonitorWindow monitor(newStudy().folder, options);
+    MonitorWindow monitor(newStudy(wholeStudy()).folder, options);
     QTRY_COMPARE(monitor.findChild<QLabel*>("flags")->text(), QString("the masked key was altered"));
 }
 
 void AppMonitorTest::folderThatIsNoStudyIsRefused()
 {
-    QVERIFY_EXCEPTION_THROWN(MonitorWindow(m_folder.path().toStdString() + "/nothing", {}), protocols::Error);
+    QVERIFY_EXCEPTION_THROWN(MonitorWindow(filePath("nothing").toStdString(), {}), protocols::Error);
 }
 
 void AppMonitorTest::tellsNothingThatIsHiddenNorAnyScore()
 {
-    const auto folder = newStudy();
+    const auto folder = newStudy(wholeStudy());
     OpenWindow open(folder);
     open.enrolAndBegin();
     open.playTo("Presenting", "L1");
@@ -193,7 +191,7 @@ void AppMonitorTest::tellsNothingThatIsHiddenNorAnyScore()
 
 void AppMonitorTest::erasedParticipantsHaveNoStage()
 {
-    const auto folder = newStudy();
+    const auto folder = newStudy(wholeStudy());
     {
         OpenSession session(folder, "P01", database::ParticipantKind::Human);
         session.playUntilAnswers(3);

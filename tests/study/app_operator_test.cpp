@@ -3,21 +3,14 @@
 #include "tests/support/typed_answers.h"
 
 #include <QLabel>
-#include <QLineEdit>
-#include <QPushButton>
 #include <QTest>
 
 using namespace study::session;
 using namespace tests::support;
 using protocols::Tenths;
 
-class AppOperatorTest : public QObject {
+class AppOperatorTest : public tests::support::WindowTest {
     Q_OBJECT
-
-private:
-    database::StudyFolder newStudy() { return buildStudy(m_folder.path().toStdString() + "/study" + std::to_string(++m_made)); }
-    QTemporaryDir m_folder;
-    int m_made = 0;
 
 private Q_SLOTS:
     void lastAnswerIsCorrectedWithItsReason();

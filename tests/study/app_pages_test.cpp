@@ -16,19 +16,11 @@
 using namespace study::app;
 using namespace study::session;
 using protocols::Tenths;
-using tests::support::buildStudy;
 using tests::support::OpenWindow;
+using tests::support::ShownWindow;
 
-class AppPagesTest : public QObject {
+class AppPagesTest : public tests::support::WindowTest {
     Q_OBJECT
-
-private:
-    database::StudyFolder newStudy(const tests::support::StudyRecipe& recipe = {})
-    {
-        return buildStudy(m_folder.path().toStdString() + "/study" + std::to_string(++m_made), recipe);
-    }
-    QTemporaryDir m_folder;
-    int m_made = 0;
 
 private Q_SLOTS:
     void typedNumbersBecomeRatings_data();
@@ -36,7 +28,6 @@ private Q_SLOTS:
     void placesOnTheLineAreSteps();
     void startPageOpensAStudy();
     void folderThatIsNoStudyIsToldOnTheStartPage();
-    void studyOpenElsewhereIsTold();
     void studiesLastUsedAreRemembered();
     void studyPageShowsWhoIsWhere();
     void takenOrStrangeParticipantsAreNotEnrolled_data();
@@ -94,49 +85,33 @@ void AppPagesTest::placesOnTheLineAreSteps()
 void AppPagesTest::startPageOpensAStudy()
 {
     const auto folder = newStudy();
-    MainWindow window{AppOptions{}};
-    window.show();
-    auto* line = window.findChild<QLineEdit*>("studyFolderField");
-    QVERIFY(line->hasFocus() || window.focusWidget() == line);
+    ShownWindow shown;
+    auto* line = &shown.widget<QLineEdit>("studyFolderField");
+    QVERIFY(line->hasFocus() || shown.window.focusWidget() == line);
     QTest::keyClicks(line, QString::fromStdString(folder.folder.string()));
     QTest::keyClick(line, Qt::Key_Return);
-    QCOMPARE(window.currentPage()->objectName(), QString("studyPage"));
-    QVERIFY(window.windowTitle().contains("Small study"));
+    QCOMPARE(shown.window.currentPage()->objectName(), QString("studyPage"));
+    QVERIFY(shown.window.windowTitle().contains("Small study"));
 }
 
 void AppPagesTest::folderThatIsNoStudyIsToldOnTheStartPage()
 {
-    MainWindow window{AppOptions{}};
-    window.show();
-    GuiHands hands(window);
-    const auto message = [&] { return window.findChild<QLabel*>("startMessage"); };
-    hands.click("openButton");
+    ShownWindow shown;
+    const auto message = [&] { return &shown.widget<QLabel>("startMessage"); };
+    shown.hands.click("openButton");
     QVERIFY(message()->isVisible());
-    window.findChild<QLineEdit*>("studyFolderField")->setText(m_folder.filePath("not-there"));
-    hands.click("openButton");
-    QCOMPARE(window.currentPage()->objectName(), QString("startPage"));
+    shown.widget<QLineEdit>("studyFolderField").setText(filePath("not-there"));
+    shown.hands.click("openButton");
+    QCOMPARE(shown.window.currentPage()->objectName(), QString("startPage"));
     QVERIFY(message()->isVisible());
     QVERIFY2(message()->text().contains("not-there"), qPrintable(message()->text()));
-}
-
-void AppPagesTest::studyOpenElsewhereIsTold()
-{
-    const auto folder = newStudy();
-    const database::StudyStore writer(folder, database::StudyStore::Access::Write);
-    MainWindow window{AppOptions{}};
-    window.show();
-    GuiHands hands(window);
-    window.findChild<QLineEdit*>("studyFolderField")->setText(QString::fromStdString(folder.folder.string()));
-    hands.click("openButton");
-    QCOMPARE(window.currentPage()->objectName(), QString("startPage"));
-    QVERIFY(window.findChild<QLabel*>("startMessage")->isVisible());
 }
 
 void AppPagesTest::studiesLastUsedAreRemembered()
 {
     const auto first = newStudy(), second = newStudy();
     AppOptions options;
-    options.settings = std::make_shared<QSettings>(m_folder.filePath("recent.ini"), QSettings::IniFormat);
+    options.settings = std::make_shared<QSettings>(filePath("recent.ini"), QSettings::IniFormat);
     {
         MainWindow window(options);
         window.openStudy(first.folder);
@@ -205,21 +180,19 @@ void AppPagesTest::newStudyIsMadeOffTheWindowsThread()
         thread = QThread::currentThread();
         progress(0.5, "drawing the running orders");
     };
-    MainWindow window(options);
-    window.show();
-    GuiHands hands(window);
-    hands.click("newStudyButton");
-    hands.type(QString::fromStdString(made.folder.string()));
-    hands.focusOn("datasetField");
-    hands.type("/data/fabrics");
-    hands.focusOn("seedField");
-    window.findChild<QLineEdit*>("seedField")->clear();
-    hands.type("42");
-    hands.focusOn("participantsField");
-    hands.type("4");
-    hands.focusOn("protocolField");
-    hands.pressKey(Qt::Key_Return);
-    QTRY_COMPARE(window.currentPage()->objectName(), QString("studyPage"));
+    ShownWindow shown(options);
+    shown.hands.click("newStudyButton");
+    shown.hands.type(QString::fromStdString(made.folder.string()));
+    shown.hands.focusOn("datasetField");
+    shown.hands.type("/data/fabrics");
+    shown.hands.focusOn("seedField");
+    shown.widget<QLineEdit>("seedField").clear();
+    shown.hands.type("42");
+    shown.hands.focusOn("participantsField");
+    shown.hands.type("4");
+    shown.hands.focusOn("protocolField");
+    shown.hands.pressKey(Qt::Key_Return);
+    QTRY_COMPARE(shown.window.currentPage()->objectName(), QString("studyPage"));
     QCOMPARE(asked, (NewStudyRequest{made.folder, "/data/fabrics", std::nullopt, 4, 42}));
     QVERIFY(thread != QThread::currentThread());
 }
@@ -230,21 +203,19 @@ void AppPagesTest::makingThatFailsIsToldOnThePage()
     options.makeStudy = [](const NewStudyRequest& request, const MakingProgress&) {
         throw protocols::badInput({.what = "no photographs", .where = request.dataset.string(), .expected = {}, .nextStep = {}});
     };
-    MainWindow window(options);
-    window.show();
-    GuiHands hands(window);
-    hands.click("newStudyButton");
-    hands.type("/tmp/new-study");
-    hands.focusOn("datasetField");
-    hands.type("/data/poor");
-    hands.click("makeButton");
-    const auto* message = window.findChild<QLabel*>("newStudyMessage");
+    ShownWindow shown(options);
+    shown.hands.click("newStudyButton");
+    shown.hands.type("/tmp/new-study");
+    shown.hands.focusOn("datasetField");
+    shown.hands.type("/data/poor");
+    shown.hands.click("makeButton");
+    const auto* message = &shown.widget<QLabel>("newStudyMessage");
     QTRY_VERIFY(message->isVisible());
     QVERIFY(message->text().contains("no photographs"));
     QVERIFY(message->text().contains("/data/poor"));
-    QCOMPARE(window.currentPage()->objectName(), QString("newStudyPage"));
-    QCOMPARE(window.findChild<QLineEdit*>("datasetField")->text(), QString("/data/poor"));  // nothing typed is lost
-    QVERIFY(window.findChild<QPushButton*>("makeButton")->isEnabled());
+    QCOMPARE(shown.window.currentPage()->objectName(), QString("newStudyPage"));
+    QCOMPARE(shown.widget<QLineEdit>("datasetField").text(), QString("/data/poor"));  // nothing typed is lost
+    QVERIFY(shown.widget<QPushButton>("makeButton").isEnabled());
 }
 
 void AppPagesTest::makingCanBeStopped()
@@ -261,19 +232,17 @@ void AppPagesTest::makingCanBeStopped()
             QThread::msleep(1);
         }
     };
-    MainWindow window(options);
-    window.show();
-    GuiHands hands(window);
-    hands.click("newStudyButton");
-    hands.type("/tmp/new-study");
-    hands.focusOn("datasetField");
-    hands.type("/data/fabrics");
-    hands.pressKey(Qt::Key_Return);
-    QTRY_COMPARE(window.findChild<QLabel*>("makingText")->text(), QString("working"));
-    hands.pressKey(Qt::Key_Escape);
+    ShownWindow shown(options);
+    shown.hands.click("newStudyButton");
+    shown.hands.type("/tmp/new-study");
+    shown.hands.focusOn("datasetField");
+    shown.hands.type("/data/fabrics");
+    shown.hands.pressKey(Qt::Key_Return);
+    QTRY_COMPARE(shown.widget<QLabel>("makingText").text(), QString("working"));
+    shown.hands.pressKey(Qt::Key_Escape);
     QTRY_VERIFY(isUnwound);
-    QTRY_VERIFY(window.findChild<QLabel*>("newStudyMessage")->isVisible());
-    QVERIFY(window.findChild<QLabel*>("newStudyMessage")->text().contains("stopped"));
+    QTRY_VERIFY(shown.widget<QLabel>("newStudyMessage").isVisible());
+    QVERIFY(shown.widget<QLabel>("newStudyMessage").text().contains("stopped"));
 }
 
 void AppPagesTest::incompleteFormIsToldAndMakesNothing()
@@ -281,23 +250,21 @@ void AppPagesTest::incompleteFormIsToldAndMakesNothing()
     AppOptions options;
     bool isMade = false;
     options.makeStudy = [&](const NewStudyRequest&, const MakingProgress&) { isMade = true; };
-    MainWindow window(options);
-    window.show();
-    GuiHands hands(window);
-    hands.click("newStudyButton");
-    const auto* message = window.findChild<QLabel*>("newStudyMessage");
+    ShownWindow shown(options);
+    shown.hands.click("newStudyButton");
+    const auto* message = &shown.widget<QLabel>("newStudyMessage");
     const auto toldAfterEnter = [&] {
-        hands.pressKey(Qt::Key_Return);
+        shown.hands.pressKey(Qt::Key_Return);
         return message->isVisible() ? message->text() : QString();
     };
     QVERIFY(toldAfterEnter().contains("folder for the study"));
-    hands.type("/tmp/s");
+    shown.hands.type("/tmp/s");
     QVERIFY(toldAfterEnter().contains("data set"));
-    hands.type("/tmp/d");
-    window.findChild<QLineEdit*>("seedField")->setText("-3");
+    shown.hands.type("/tmp/d");
+    shown.widget<QLineEdit>("seedField").setText("-3");
     QVERIFY(toldAfterEnter().contains("seed"));
-    window.findChild<QLineEdit*>("seedField")->setText("3");
-    window.findChild<QLineEdit*>("participantsField")->setText("0");
+    shown.widget<QLineEdit>("seedField").setText("3");
+    shown.widget<QLineEdit>("participantsField").setText("0");
     QVERIFY(toldAfterEnter().contains("number of participants"));
     QTest::qWait(20);
     QVERIFY(!isMade);

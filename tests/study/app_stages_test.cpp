@@ -1,13 +1,11 @@
-// The stages of a session around and between its presentations, and every kind of answer, through the real widgets.
+// The stages of a session around and between its presentations, through the real widgets.
 #include "study/app/rating_text.h"
 #include "tests/support/played_session.h"
 #include "tests/support/typed_answers.h"
 #include "tests/support/whole_protocol.h"
 
 #include <QLabel>
-#include <QPlainTextEdit>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QTest>
 
 using namespace study::session;
@@ -79,16 +77,8 @@ private:
 
 }  // namespace
 
-class AppStagesTest : public QObject {
+class AppStagesTest : public tests::support::WindowTest {
     Q_OBJECT
-
-private:
-    database::StudyFolder newStudy(const WholeProtocol& wanted = {})
-    {
-        return buildStudy(m_folder.path().toStdString() + "/study" + std::to_string(++m_made), wholeStudy(wanted));
-    }
-    QTemporaryDir m_folder;
-    int m_made = 0;
 
 private Q_SLOTS:
     void everyStageAndAnswerByKeyboardAlone();
@@ -103,22 +93,12 @@ private Q_SLOTS:
     void laterSittingMayGoOnWithout();
     void killedSessionOffersThePreparationToo();
     void nothingIsOfferedWhereTheProtocolHasNothing();
-    void secondEntryMustAgree_data();
-    void secondEntryMustAgree();
-    void wordsMayBeMissingAfterASecondEnter();
-    void lettersAreTextWhileWordsAreWritten();
-    void correctionsOfEveryKindOfAnswer();
-    void flagNeedsNoWords();
-    void touchIsStampedByTheDisplay();
-    void keyStampsTheTouchThatTheDisplayMissed();
-    void touchDuringANoteKeepsTheNote();
-    void piecesGoByTheirCodesAlone();
     void whatIsTypedIsInSightAtTwiceTheSize();
 };
 
 void AppStagesTest::everyStageAndAnswerByKeyboardAlone()
 {
-    const auto folder = newStudy();
+    const auto folder = newStudy(wholeStudy());
     Answers typed;
     OpenWindow open(folder);
     QVERIFY(QTest::qWaitForWindowActive(&open.window()));
@@ -138,7 +118,7 @@ void AppStagesTest::everyStageAndAnswerByKeyboardAlone()
 
 void AppStagesTest::factsAreKeptOutsideTheLog()
 {
-    OpenWindow open(newStudy());
+    OpenWindow open(newStudy(wholeStudy()));
     open.window().startSession(ParticipantId("P01"));
     open.playTo("AskingFacts");
     open.perform(FactsGiven{{{"age", "thirty-one"}}});
@@ -150,7 +130,7 @@ void AppStagesTest::factsAreKeptOutsideTheLog()
 
 void AppStagesTest::fabricThatIsShownIsMarked()
 {
-    OpenWindow open(newStudy());
+    OpenWindow open(newStudy(wholeStudy()));
     open.window().startSession(ParticipantId("P01"));
     open.playTo("Familiarising");
     open.perform(FamiliarisationShown{1});
@@ -176,16 +156,19 @@ void AppStagesTest::scaleTrainingReadsBackKindly()
 {
     QFETCH(int, tenthsOff);
     QFETCH(QString, told);
-    OpenWindow open(newStudy());
+    OpenWindow open(newStudy(wholeStudy()));
     open.window().startSession(ParticipantId("P01"));
     open.playTo("ScaleTraining");
     const auto places = open.view().placesToName;
     QCOMPARE(places.size(), std::size_t(3));
     // The mark that leaves room for the number, wherever the three lie.
-    int at = 0;
-    while (places[static_cast<std::size_t>(at)].value + tenthsOff < 0 || places[static_cast<std::size_t>(at)].value + tenthsOff > 100)
-        open.perform(ScalePlaced{places[static_cast<std::size_t>(at)], places[static_cast<std::size_t>(at)]}), ++at;
-    const Tenths shown = places[static_cast<std::size_t>(at)];
+    std::size_t at = 0;
+    const auto isOnTheLine = [&](Tenths mark) { return mark.value + tenthsOff >= 0 && mark.value + tenthsOff <= 100; };
+    while (!isOnTheLine(places.at(at))) {
+        open.perform(ScalePlaced{places[at], places[at]});
+        ++at;
+    }
+    const Tenths shown = places[at];
     open.perform(ScalePlaced{shown, {shown.value + tenthsOff}});
     const QString text = open.widget<QLabel>("deviation").text();
     QVERIFY2(text.contains(told), qPrintable(text));
@@ -194,7 +177,7 @@ void AppStagesTest::scaleTrainingReadsBackKindly()
 
 void AppStagesTest::scaleTrainingMayEndAtAnyTime()
 {
-    OpenWindow open(newStudy());
+    OpenWindow open(newStudy(wholeStudy()));
     open.window().startSession(ParticipantId("P01"));
     open.playTo("ScaleTraining");
     pressKey(open, Qt::Key_Return);
@@ -205,7 +188,7 @@ void AppStagesTest::scaleTrainingMayEndAtAnyTime()
 
 void AppStagesTest::checklistIsStampedWithItsReadings()
 {
-    OpenWindow open(newStudy());
+    OpenWindow open(newStudy(wholeStudy()));
     open.window().startSession(ParticipantId("P01"));
     open.playTo("CheckingList");
     pressKey(open, Qt::Key_Return);
@@ -221,7 +204,7 @@ void AppStagesTest::checklistIsStampedWithItsReadings()
 
 void AppStagesTest::eachBreakSaysWhyItIs()
 {
-    OpenWindow open(newStudy());
+    OpenWindow open(newStudy(wholeStudy()));
     open.enrolAndBegin();
     const auto lead = [&] { return open.widget<QLabel>("pageTitle").text() + ' ' + open.widget<QLabel>("pageLead").text(); };
     open.playTo("OnBreak");
@@ -242,7 +225,7 @@ void AppStagesTest::eachBreakSaysWhyItIs()
 
 void AppStagesTest::laterSittingOffersItsPreparation()
 {
-    const auto folder = newStudy();
+    const auto folder = newStudy(wholeStudy());
     {
         OpenWindow open(folder);
         open.enrolAndBegin();
@@ -267,7 +250,7 @@ void AppStagesTest::laterSittingOffersItsPreparation()
 
 void AppStagesTest::laterSittingMayGoOnWithout()
 {
-    const auto folder = newStudy();
+    const auto folder = newStudy(wholeStudy());
     {
         OpenWindow open(folder);
         open.enrolAndBegin();
@@ -285,7 +268,7 @@ void AppStagesTest::laterSittingMayGoOnWithout()
 
 void AppStagesTest::killedSessionOffersThePreparationToo()
 {
-    const auto folder = newStudy();
+    const auto folder = newStudy(wholeStudy());
     {
         OpenSession killed(folder, "P01", database::ParticipantKind::Human);
         killed.stepUntil("PlacingTray");
@@ -302,9 +285,10 @@ void AppStagesTest::killedSessionOffersThePreparationToo()
 
 void AppStagesTest::nothingIsOfferedWhereTheProtocolHasNothing()
 {
-    const std::string protocol = R"({"schema": "vis2hap.protocol/1", "name": "Bare study", "participants": 1, "fabrics": ["F01", "F02", "F03"],
-        "conditions": ["v_grey", "h&f"], "phases": [{"questions": ["Q1"], "alternatives": 3}]})";
-    const auto folder = buildStudy(m_folder.path().toStdString() + "/bare", {.protocol = protocol});
+    const std::string protocol = R"({"schema": "vis2hap.protocol/1", "name": "Bare study", "participants": 1,
+        "fabrics": ["F01", "F02", "F03"], "conditions": ["v_grey", "h&f"],
+        "phases": [{"questions": ["Q1"], "alternatives": 3}]})";
+    const auto folder = newStudy({.protocol = protocol});
     {
         OpenWindow open(folder);
         open.enrolAndBegin();
@@ -317,200 +301,9 @@ void AppStagesTest::nothingIsOfferedWhereTheProtocolHasNothing()
     QVERIFY(open.widget<QPushButton>("trayReadyButton").isVisible());
 }
 
-void AppStagesTest::secondEntryMustAgree_data()
-{
-    QTest::addColumn<QString>("question");
-    for (const char* question : {"Q1", "W1", "S1", "Q2", "L1"})
-        QTest::newRow(question) << question;
-}
-
-void AppStagesTest::secondEntryMustAgree()
-{
-    QFETCH(QString, question);
-    const auto folder = newStudy({.secondEntry = true});
-    OpenWindow open(folder);
-    open.enrolAndBegin();
-    open.playTo("Presenting", question.toStdString());
-    const Response right = responseTo(open.view());
-    const Response wrong = std::visit(
-        [&](const auto& said) -> Response {
-            using Said = std::decay_t<decltype(said)>;
-            if constexpr (std::is_same_v<Said, protocols::FabricId>)
-                return open.view().trayIds[open.view().trayIds.front() == said ? 1 : 0];
-            else if constexpr (std::is_same_v<Said, Tenths>)
-                return Tenths{said.value == 10 ? 20 : 10};
-            else if constexpr (std::is_same_v<Said, Sameness>)
-                return Sameness{!said.same};
-            else
-                return Words{"something else"};
-        },
-        right);
-    const auto enter = [&](const Response& response) {
-        enterByKeys(open, response);
-        pressKey(open, Qt::Key_Return);
-    };
-    const std::string asked = nowAsked(open);
-    const auto before = answersIn(folder);
-    enter(wrong);
-    QCOMPARE(answersIn(folder), before);
-    QVERIFY(open.widget<QLabel>("readBack").text().contains("Second entry"));
-    enter(right);
-    QCOMPARE(answersIn(folder), before);
-    QVERIFY2(open.message().contains("differ"), qPrintable(open.message()));
-    enter(right);
-    QVERIFY(open.message().isEmpty());
-    enter(right);
-    QCOMPARE(answersIn(folder).size(), before.size() + 1);
-    QCOMPARE(answersIn(folder).at(asked), answerText(right));
-}
-
-void AppStagesTest::wordsMayBeMissingAfterASecondEnter()
-{
-    const auto folder = newStudy();
-    OpenWindow open(folder);
-    open.enrolAndBegin();
-    open.playTo("Presenting", "W1");
-    const std::string asked = nowAsked(open);
-    pressKey(open, Qt::Key_Return);
-    QVERIFY2(open.message().contains("without words"), qPrintable(open.message()));
-    QVERIFY(!answersIn(folder).contains(asked));
-    pressKey(open, Qt::Key_Return);
-    QCOMPARE(answersIn(folder).at(asked), std::string());
-}
-
-void AppStagesTest::lettersAreTextWhileWordsAreWritten()
-{
-    const auto folder = newStudy();
-    OpenWindow open(folder);
-    QVERIFY(QTest::qWaitForWindowActive(&open.window()));
-    open.enrolAndBegin();
-    open.playTo("Presenting", "W1");
-    const std::string asked = nowAsked(open);
-    typeText(open, "quite flat, not warm,");
-    QTest::keyClick(open.window().focusWidget(), Qt::Key_Return, Qt::ShiftModifier);
-    typeText(open, "two pleats");
-    QVERIFY(open.widget<QPushButton>("noteButton").text().contains("Alt N"));
-    QTest::keyClick(open.window().focusWidget(), Qt::Key_T, Qt::AltModifier);
-    QVERIFY(std::get<Presenting>(open.view().state.stage).touchedAtNs.has_value());
-    QTest::keyClick(open.window().focusWidget(), Qt::Key_F, Qt::AltModifier);
-    QVERIFY(open.widget<QLabel>("pageTitle").text().contains("Flag"));
-    pressKey(open, Qt::Key_Escape);
-    pressKey(open, Qt::Key_Return);
-    QCOMPARE(answersIn(folder).at(asked), std::string("quite flat, not warm,\ntwo pleats"));
-    open.playTo("Presenting", "Q1");
-    QVERIFY(!open.widget<QPushButton>("noteButton").text().contains("Alt"));
-}
-
-void AppStagesTest::correctionsOfEveryKindOfAnswer()
-{
-    const auto folder = newStudy();
-    OpenWindow open(folder);
-    open.enrolAndBegin();
-    open.playTo("Presenting", "Q3");
-    const auto kept = answersIn(folder);
-    for (const auto& correctable : open.window().session()->correctables()) {
-        const std::string question = correctable.question.value;
-        Response now = Words{"other words"};
-        if (question == "Q1")
-            now = correctable.form.options[correctable.current.startsWith('A') ? 1 : 0].response;
-        if (question == "S1")
-            now = Sameness{correctable.current != "Same"};
-        if (question == "Q2")
-            now = Tenths{correctable.current == "3.3" ? 44 : 33};
-        open.perform(Corrected{correctable.question, now, "misheard"});
-        QVERIFY2(open.message().contains("Corrected"), qPrintable(open.message()));
-    }
-    int changed = 0;
-    for (const auto& [asked, answer] : answersIn(folder))
-        changed += kept.at(asked) != answer ? 1 : 0;
-    QCOMPARE(changed, 4);  // Q1, W1, S1, Q2: the last of each
-}
-
-void AppStagesTest::flagNeedsNoWords()
-{
-    const auto folder = newStudy();
-    OpenWindow open(folder);
-    open.enrolAndBegin();
-    QVERIFY(!open.widget<QPushButton>("flagButton").isEnabled());  // nothing was presented yet
-    open.playTo("Presenting", "Q1");
-    pressKey(open, Qt::Key_F);
-    pressKey(open, Qt::Key_Return);
-    QCOMPARE(open.message(), QString("Flagged."));
-    open.perform(Noted{"a door slammed", true});
-    const auto events = open.window().study()->store().events(ParticipantId("P01"));
-    QCOMPARE(events.back().payloadJson, payloadJson(Noted{"a door slammed", true}));
-    QCOMPARE(events[events.size() - 2].payloadJson, payloadJson(Noted{"", true}));
-}
-
-void AppStagesTest::touchIsStampedByTheDisplay()
-{
-    const auto folder = newStudy();
-    OpenWindow open(folder, {}, {.told = {}, .fault = {}, .reportsTouches = true, .touch = {}});
-    open.enrolAndBegin();
-    open.display().touch();  // at the tray a touch means nothing
-    QCOMPARE(nameOf(open.view().state), std::string("PlacingTray"));
-    open.perform(TrayReady{});
-    QVERIFY(open.widget<QPushButton>("touchButton").text().contains("display tells"));
-    open.clock().advanceSeconds(1);
-    open.display().touch();
-    open.clock().advanceSeconds(3);
-    open.display().touch();  // only the first counts
-    QVERIFY(open.widget<QPushButton>("touchButton").text().contains("by the display"));
-    open.perform(Answered{responseTo(open.view())});
-    const auto stored = storedIn(folder).front();
-    QCOMPARE(stored.record.touchedBy, std::string("display"));
-    QCOMPARE(stored.seconds, 4.5);  // 3 and the 1.5 that perform() takes
-}
-
-void AppStagesTest::keyStampsTheTouchThatTheDisplayMissed()
-{
-    const auto folder = newStudy();
-    OpenWindow open(folder, {}, {.told = {}, .fault = {}, .reportsTouches = true, .touch = {}});
-    open.enrolAndBegin();
-    open.perform(TrayReady{});
-    pressKey(open, Qt::Key_T);
-    QVERIFY(open.widget<QPushButton>("touchButton").text().contains("by key"));
-    open.display().touch();
-    open.perform(Answered{responseTo(open.view())});
-    QCOMPARE(storedIn(folder).front().record.touchedBy, std::string("operator"));
-}
-
-void AppStagesTest::touchDuringANoteKeepsTheNote()
-{
-    OpenWindow open(newStudy(), {}, {.told = {}, .fault = {}, .reportsTouches = true, .touch = {}});
-    open.enrolAndBegin();
-    open.perform(TrayReady{});
-    pressKey(open, Qt::Key_N);
-    typeText(open, "hands are co");
-    open.display().touch();
-    QVERIFY(std::get<Presenting>(open.view().state.stage).touchedAtNs.has_value());
-    typeText(open, "ld");
-    pressKey(open, Qt::Key_Return);
-    QCOMPARE(open.window().study()->store().events(ParticipantId("P01")).back().payloadJson, payloadJson(Noted{"hands are cold", false}));
-}
-
-void AppStagesTest::piecesGoByTheirCodesAlone()
-{
-    OpenWindow open(newStudy());
-    open.enrolAndBegin();
-    std::set<QString> names;
-    for (const auto& [fabric, name] : open.window().study()->store().facts().fabricNames)
-        names.insert(QString::fromStdString(name));
-    while (!isFinished(open)) {
-        for (const QString& text : textsIn(open.window()))
-            for (const QString& name : names)
-                QVERIFY2(!text.contains(name), qPrintable(text));
-        if (std::holds_alternative<PlacingTray>(open.view().state.stage)) {
-            const QString piece = open.widget<QLabel>("slotPiece").text();
-            QCOMPARE(piece, QString("Piece %1").arg(QString::fromStdString(open.view().tray.front())));
-        }
-        open.perform(open.nextEvent());
-    }
-}
-
 void AppStagesTest::whatIsTypedIsInSightAtTwiceTheSize()
 {
-    OpenWindow open(newStudy());
+    OpenWindow open(newStudy(wholeStudy()));
     QVERIFY(QTest::qWaitForWindowActive(&open.window()));
     open.window().setAppearance({study::app::Theme::Light, 200});
     open.window().resize(1100, 750);

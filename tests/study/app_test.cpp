@@ -51,16 +51,8 @@ void answerByMouse(OpenWindow& open, const Response& response)
 
 }  // namespace
 
-class AppTest : public QObject {
+class AppTest : public tests::support::WindowTest {
     Q_OBJECT
-
-private:
-    database::StudyFolder newStudy(const tests::support::StudyRecipe& recipe = {})
-    {
-        return buildStudy(m_folder.path().toStdString() + "/study" + std::to_string(++m_made), recipe);
-    }
-    QTemporaryDir m_folder;
-    int m_made = 0;
 
 private Q_SLOTS:
     void wholeSessionByKeyboardAlone();

@@ -88,6 +88,16 @@ study::app::AppOptions withFakes(study::app::AppOptions options, const std::shar
 
 }  // namespace
 
+database::StudyFolder WindowTest::newStudy(const StudyRecipe& recipe)
+{
+    return buildStudy(m_folder.path().toStdString() + "/study" + std::to_string(++m_made), recipe);
+}
+
+ShownWindow::ShownWindow(const study::app::AppOptions& options) : window(options), hands(window)
+{
+    window.show();
+}
+
 OpenWindow::OpenWindow(const database::StudyFolder& study, const study::app::AppOptions& options)
     : OpenWindow(study, options, DisplayRecord{})
 {

@@ -14,6 +14,31 @@
 
 namespace tests::support {
 
+/// What tests of the window start from: a folder that goes with them, and studies in it.
+class WindowTest : public QObject {
+protected:
+    database::StudyFolder newStudy(const StudyRecipe& recipe = {});
+    QString filePath(const QString& name) const { return m_folder.filePath(name); }
+
+private:
+    QTemporaryDir m_folder;
+    int m_made = 0;
+};
+
+/// A window on its start page.
+struct ShownWindow {
+    explicit ShownWindow(const study::app::AppOptions& options = {});
+
+    template <class Widget>
+    Widget& widget(const char* objectName)
+    {
+        return *window.findChild<Widget*>(QString::fromLatin1(objectName));
+    }
+
+    study::app::MainWindow window;
+    study::app::GuiHands hands;
+};
+
 /// What the display was told, shared with the test; it fails while `fault` is not empty.
 struct DisplayRecord {
     std::vector<std::string> told;

@@ -86,8 +86,9 @@ database::StudyFolder buildStudy(const std::filesystem::path& path, const StudyR
     facts.createdAt = "2000-01-01T00:00:00.000Z";
     facts.programVersion = "test";
     auto hashes = writeStimuli(folder, allocation.key, recipe);
+    const cv::Mat black = cv::Mat::zeros(recipe.imageHeightPx, recipe.imageWidthPx, CV_8UC1);
     for (const protocols::FileCode& code : allocation.familiarisation)
-        hashes[code] = rendering::writeStimulus(folder.stimuli(), code, cv::Mat::zeros(recipe.imageHeightPx, recipe.imageWidthPx, CV_8UC1));
+        hashes[code] = rendering::writeStimulus(folder.stimuli(), code, black);
     database::StudyStore::create(folder, facts, allocation.participants, hashes);
     return folder;
 }

@@ -1,0 +1,175 @@
+#include "study/app/gui_movements.h"
+
+#include "study/app/answer_form.h"
+#include "study/app/rating_text.h"
+#include "study/app/stage_page.h"
+
+#include <QCheckBox>
+
+namespace study::app {
+
+using namespace session;
+
+namespace {
+
+struct Movement {
+    GuiHands& hands;
+    MainWindow& window;
+
+    void operator()(const SittingStarted&) const { throw noWay("a sitting starts when its session is opened"); }
+    void operator()(const Begun&) const { enter(); }
+    void operator()(const Consented&) const { enter(); }
+    void operator()(const FactsGiven& event) const
+    {
+        fill(event.facts, window.session()->facts().facts, QStringLiteral("fact"));
+        press("confirmButton");
+    }
+    void operator()(const FamiliarisationShown& event) const { hands.pressKey(Qt::Key_1 + event.item); }
+    void operator()(const FamiliarisationDone&) const { enter(); }
+    void operator()(const ScalePlaced& event) const
+    {
+        hands.type(study::app::textOf(event.spoken));
+        enter();
+    }
+    void operator()(const ScaleTrainingDone&) const { hands.pressKey(Qt::Key_G); }
+    void operator()(const ChecklistDone& event) const
+    {
+        tick(event.ticked);
+        fill(event.readings, window.session()->facts().readings, QStringLiteral("reading"));
+        press("confirmButton");
+    }
+    void operator()(const SittingPrepared&) const { enter(); }
+    void operator()(const TrayReady&) const { enter(); }
+    void operator()(const Touched& event) const
+    {
+        if (event.by == TouchSource::Display)
+            window.session()->displayTouched();
+        else
+            hands.click(QStringLiteral("touchButton"));
+    }
+    void operator()(const Answered& event) const
+    {
+        const int entries = hands.plan().protocol.secondEntry ? 2 : 1;
+        for (int entry = 0; entry < entries; ++entry) {
+            give(event.response, formOf(hands.view()));
+            enter();
+            if (isWithoutWords(event.response))
+                enter();  // the page asks once whether there are none
+        }
+    }
+    void operator()(const Corrected& event) const
+    {
+        click("correctButton");
+        hands.click(QStringLiteral("answerTo") + QString::fromStdString(event.question.value));
+        give(event.response, formOfAnswerTo(event.question));
+        if (isWithoutWords(event.response))
+            press("panelConfirmButton");
+        giveReason(event.why, true);
+    }
+    void operator()(const Voided& event) const
+    {
+        click("voidButton");
+        giveReason(event.why, true);
+    }
+    void operator()(const BreakEnded&) const { enter(); }
+    void operator()(const Paused&) const { click("pauseButton"); }
+    void operator()(const Resumed&) const
+    {
+        if (hands.isOfferedPreparation())
+            click("secondButton");
+        else
+            enter();
+    }
+    void operator()(const WithdrawnEvent& event) const
+    {
+        click("withdrawButton");
+        giveReason(event.why, true);
+    }
+    void operator()(const Noted& event) const
+    {
+        click(event.isFlag ? "flagButton" : "noteButton");
+        giveReason(event.text, !event.isFlag);
+    }
+    void operator()(const Debriefed& event) const
+    {
+        hands.type(QString::fromStdString(event.text));
+        enter();
+    }
+
+private:
+    void enter() const { hands.pressKey(Qt::Key_Return); }
+    void click(const char* button) const { hands.click(QString::fromLatin1(button)); }
+    void press(const char* button) const
+    {
+        hands.focusOn(QString::fromLatin1(button));
+        enter();
+    }
+
+    void tick(const std::vector<std::string>& lines) const
+    {
+        const QStringList all = window.session()->facts().checklist;
+        for (const std::string& line : lines) {
+            const QString box = QStringLiteral("check%1").arg(all.indexOf(QString::fromStdString(line)) + 1);
+            if (static_cast<QCheckBox&>(hands.widget(box)).isChecked())
+                continue;
+            hands.focusOn(box);
+            hands.pressKey(Qt::Key_Space);
+        }
+    }
+    void fill(const std::map<std::string, std::string>& values, const QStringList& captions, const QString& line) const
+    {
+        for (const auto& [caption, value] : values) {
+            hands.focusOn(line + QString::number(captions.indexOf(QString::fromStdString(caption)) + 1));
+            hands.type(QString::fromStdString(value));
+        }
+    }
+    void giveReason(const std::string& text, bool isAskedTwice) const
+    {
+        hands.focusOn(QStringLiteral("reasonField"));
+        hands.type(QString::fromStdString(text));
+        enter();
+        if (text.empty() && isAskedTwice)
+            enter();
+    }
+
+    static bool isWithoutWords(const Response& response)
+    {
+        const auto* words = std::get_if<Words>(&response);
+        return words && words->text.empty();
+    }
+    AnswerForm formOfAnswerTo(const protocols::QuestionId& question) const
+    {
+        for (const Correctable& one : window.session()->correctables())
+            if (one.question == question)
+                return one.form;
+        throw noWay("there is no answer to " + question.value);
+    }
+    void give(const Response& response, const AnswerForm& form) const
+    {
+        for (const AnswerForm::Option& option : form.options)
+            if (option.response == response)
+                return hands.pressKey(option.letter.front().unicode());
+        if (!form.options.empty())
+            throw noWay(textOf(response) + " is not among the answers to choose from");
+        const auto* rating = std::get_if<protocols::Tenths>(&response);
+        hands.clear();
+        hands.type(rating ? study::app::textOf(*rating) : QString::fromStdString(textOf(response)));
+    }
+};
+
+}  // namespace
+
+protocols::Error noWay(const std::string& what)
+{
+    return protocols::workFailed({.what = "the window cannot be driven on: " + what,
+                                  .where = "replay --gui",
+                                  .expected = "the page of the script's next event",
+                                  .nextStep = "replay the script without --gui, and report this"});
+}
+
+void makeMovements(GuiHands& hands, MainWindow& window, const EventBody& event)
+{
+    std::visit(Movement{hands, window}, event);
+}
+
+}  // namespace study::app

@@ -1,0 +1,15 @@
+// The movements of the hands that lead to each kind of event in the window.
+#pragma once
+
+#include "protocols/errors.h"
+#include "study/app/gui_hands.h"
+
+namespace study::app {
+
+/// A movement that the page in front does not allow.
+protocols::Error noWay(const std::string& what);
+
+/// Throws noWay(...) where there is no way from the page in front to the event.
+void makeMovements(GuiHands& hands, MainWindow& window, const session::EventBody& event);
+
+}  // namespace study::app

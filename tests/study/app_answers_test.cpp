@@ -1,0 +1,234 @@
+// Every kind of answer through the real widgets: as it is typed, entered twice, corrected and flagged; who stamps the
+// first touch; what the pieces of fabric are called.
+#include "tests/support/played_session.h"
+#include "tests/support/typed_answers.h"
+#include "tests/support/whole_protocol.h"
+
+#include <QLabel>
+#include <QPushButton>
+#include <QTest>
+
+using namespace study::session;
+using namespace tests::support;
+using protocols::ParticipantId;
+using protocols::Tenths;
+
+namespace {
+
+bool isFinished(OpenWindow& open)
+{
+    return std::holds_alternative<Finished>(open.view().state.stage);
+}
+
+/// Another answer of the same kind.
+Response otherThan(const Response& right, const View& view)
+{
+    if (const auto* fabric = std::get_if<protocols::FabricId>(&right))
+        return view.trayIds[view.trayIds.front() == *fabric ? 1 : 0];
+    if (const auto* rating = std::get_if<Tenths>(&right))
+        return Tenths{rating->value == 10 ? 20 : 10};
+    if (const auto* said = std::get_if<Sameness>(&right))
+        return Sameness{!said->same};
+    return Words{"something else"};
+}
+
+}  // namespace
+
+class AppAnswersTest : public tests::support::WindowTest {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void secondEntryMustAgree_data();
+    void secondEntryMustAgree();
+    void wordsMayBeMissingAfterASecondEnter();
+    void lettersAreTextWhileWordsAreWritten();
+    void correctionsOfEveryKindOfAnswer();
+    void flagNeedsNoWords();
+    void touchIsStampedByTheDisplay();
+    void keyStampsTheTouchThatTheDisplayMissed();
+    void touchDuringANoteKeepsTheNote();
+    void piecesGoByTheirCodesAlone();
+};
+
+void AppAnswersTest::secondEntryMustAgree_data()
+{
+    QTest::addColumn<QString>("question");
+    for (const char* question : {"Q1", "W1", "S1", "Q2", "L1"})
+        QTest::newRow(question) << question;
+}
+
+void AppAnswersTest::secondEntryMustAgree()
+{
+    QFETCH(QString, question);
+    const auto folder = newStudy(wholeStudy({.secondEntry = true}));
+    OpenWindow open(folder);
+    open.enrolAndBegin();
+    open.playTo("Presenting", question.toStdString());
+    const Response right = responseTo(open.view());
+    const Response wrong = otherThan(right, open.view());
+    const auto enter = [&](const Response& response) {
+        enterByKeys(open, response);
+        pressKey(open, Qt::Key_Return);
+    };
+    const std::string asked = nowAsked(open);
+    const auto before = answersIn(folder);
+    enter(wrong);
+    QCOMPARE(answersIn(folder), before);
+    QVERIFY(open.widget<QLabel>("readBack").text().contains("Second entry"));
+    enter(right);
+    QCOMPARE(answersIn(folder), before);
+    QVERIFY2(open.message().contains("differ"), qPrintable(open.message()));
+    enter(right);
+    QVERIFY(open.message().isEmpty());
+    enter(right);
+    QCOMPARE(answersIn(folder).size(), before.size() + 1);
+    QCOMPARE(answersIn(folder).at(asked), answerText(right));
+}
+
+void AppAnswersTest::wordsMayBeMissingAfterASecondEnter()
+{
+    const auto folder = newStudy(wholeStudy());
+    OpenWindow open(folder);
+    open.enrolAndBegin();
+    open.playTo("Presenting", "W1");
+    const std::string asked = nowAsked(open);
+    pressKey(open, Qt::Key_Return);
+    QVERIFY2(open.message().contains("without words"), qPrintable(open.message()));
+    QVERIFY(!answersIn(folder).contains(asked));
+    pressKey(open, Qt::Key_Return);
+    QCOMPARE(answersIn(folder).at(asked), std::string());
+}
+
+void AppAnswersTest::lettersAreTextWhileWordsAreWritten()
+{
+    const auto folder = newStudy(wholeStudy());
+    OpenWindow open(folder);
+    QVERIFY(QTest::qWaitForWindowActive(&open.window()));
+    open.enrolAndBegin();
+    open.playTo("Presenting", "W1");
+    const std::string asked = nowAsked(open);
+    typeText(open, "quite flat, not warm,");
+    QTest::keyClick(open.window().focusWidget(), Qt::Key_Return, Qt::ShiftModifier);
+    typeText(open, "two pleats");
+    QVERIFY(open.widget<QPushButton>("noteButton").text().contains("Alt N"));
+    QTest::keyClick(open.window().focusWidget(), Qt::Key_T, Qt::AltModifier);
+    QVERIFY(std::get<Presenting>(open.view().state.stage).touchedAtNs.has_value());
+    QTest::keyClick(open.window().focusWidget(), Qt::Key_F, Qt::AltModifier);
+    QVERIFY(open.widget<QLabel>("pageTitle").text().contains("Flag"));
+    pressKey(open, Qt::Key_Escape);
+    pressKey(open, Qt::Key_Return);
+    QCOMPARE(answersIn(folder).at(asked), std::string("quite flat, not warm,\ntwo pleats"));
+    open.playTo("Presenting", "Q1");
+    QVERIFY(!open.widget<QPushButton>("noteButton").text().contains("Alt"));
+}
+
+void AppAnswersTest::correctionsOfEveryKindOfAnswer()
+{
+    const auto folder = newStudy(wholeStudy());
+    OpenWindow open(folder);
+    open.enrolAndBegin();
+    open.playTo("Presenting", "Q3");
+    const auto kept = answersIn(folder);
+    for (const auto& correctable : open.window().session()->correctables()) {
+        const std::string question = correctable.question.value;
+        Response now = Words{"other words"};
+        if (question == "Q1")
+            now = correctable.form.options[correctable.current.startsWith('A') ? 1 : 0].response;
+        if (question == "S1")
+            now = Sameness{correctable.current != "Same"};
+        if (question == "Q2")
+            now = Tenths{correctable.current == "3.3" ? 44 : 33};
+        open.perform(Corrected{correctable.question, now, "misheard"});
+        QVERIFY2(open.message().contains("Corrected"), qPrintable(open.message()));
+    }
+    int changed = 0;
+    for (const auto& [asked, answer] : answersIn(folder))
+        changed += kept.at(asked) != answer ? 1 : 0;
+    QCOMPARE(changed, 4);  // Q1, W1, S1, Q2: the last of each
+}
+
+void AppAnswersTest::flagNeedsNoWords()
+{
+    const auto folder = newStudy(wholeStudy());
+    OpenWindow open(folder);
+    open.enrolAndBegin();
+    QVERIFY(!open.widget<QPushButton>("flagButton").isEnabled());  // nothing was presented yet
+    open.playTo("Presenting", "Q1");
+    pressKey(open, Qt::Key_F);
+    pressKey(open, Qt::Key_Return);
+    QCOMPARE(open.message(), QString("Flagged."));
+    open.perform(Noted{"a door slammed", true});
+    const auto events = open.window().study()->store().events(ParticipantId("P01"));
+    QCOMPARE(events.back().payloadJson, payloadJson(Noted{"a door slammed", true}));
+    QCOMPARE(events[events.size() - 2].payloadJson, payloadJson(Noted{"", true}));
+}
+
+void AppAnswersTest::touchIsStampedByTheDisplay()
+{
+    const auto folder = newStudy(wholeStudy());
+    OpenWindow open(folder, {}, {.told = {}, .fault = {}, .reportsTouches = true, .touch = {}});
+    open.enrolAndBegin();
+    open.display().touch();  // at the tray a touch means nothing
+    QCOMPARE(nameOf(open.view().state), std::string("PlacingTray"));
+    open.perform(TrayReady{});
+    QVERIFY(open.widget<QPushButton>("touchButton").text().contains("display tells"));
+    open.clock().advanceSeconds(1);
+    open.display().touch();
+    open.clock().advanceSeconds(3);
+    open.display().touch();  // only the first counts
+    QVERIFY(open.widget<QPushButton>("touchButton").text().contains("by the display"));
+    open.perform(Answered{responseTo(open.view())});
+    const auto stored = storedIn(folder).front();
+    QCOMPARE(stored.record.touchedBy, std::string("display"));
+    QCOMPARE(stored.seconds, 4.5);  // 3 and the 1.5 that perform() takes
+}
+
+void AppAnswersTest::keyStampsTheTouchThatTheDisplayMissed()
+{
+    const auto folder = newStudy(wholeStudy());
+    OpenWindow open(folder, {}, {.told = {}, .fault = {}, .reportsTouches = true, .touch = {}});
+    open.enrolAndBegin();
+    open.perform(TrayReady{});
+    pressKey(open, Qt::Key_T);
+    QVERIFY(open.widget<QPushButton>("touchButton").text().contains("by key"));
+    open.display().touch();
+    open.perform(Answered{responseTo(open.view())});
+    QCOMPARE(storedIn(folder).front().record.touchedBy, std::string("operator"));
+}
+
+void AppAnswersTest::touchDuringANoteKeepsTheNote()
+{
+    OpenWindow open(newStudy(wholeStudy()), {}, {.told = {}, .fault = {}, .reportsTouches = true, .touch = {}});
+    open.enrolAndBegin();
+    open.perform(TrayReady{});
+    pressKey(open, Qt::Key_N);
+    typeText(open, "hands are co");
+    open.display().touch();
+    QVERIFY(std::get<Presenting>(open.view().state.stage).touchedAtNs.has_value());
+    typeText(open, "ld");
+    pressKey(open, Qt::Key_Return);
+    const auto last = open.window().study()->store().events(ParticipantId("P01")).back();
+    QCOMPARE(last.payloadJson, payloadJson(Noted{"hands are cold", false}));
+}
+
+void AppAnswersTest::piecesGoByTheirCodesAlone()
+{
+    OpenWindow open(newStudy(wholeStudy()));
+    open.enrolAndBegin();
+    std::set<QString> names;
+    for (const auto& [fabric, name] : open.window().study()->store().facts().fabricNames)
+        names.insert(QString::fromStdString(name));
+    while (!isFinished(open)) {
+        for (const QString& text : textsIn(open.window()))
+            for (const QString& name : names)
+                QVERIFY2(!text.contains(name), qPrintable(text));
+        if (std::holds_alternative<PlacingTray>(open.view().state.stage)) {
+            const QString piece = open.widget<QLabel>("slotPiece").text();
+            QCOMPARE(piece, QString("Piece %1").arg(QString::fromStdString(open.view().tray.front())));
+        }
+        open.perform(open.nextEvent());
+    }
+}
+
+QTEST_MAIN(AppAnswersTest)
+#include "app_answers_test.moc"

@@ -334,24 +334,15 @@ private Q_SLOTS:
     {
         QTest::addColumn<QString>("kind");
         QTest::addColumn<QString>("why");
-        QTest::addRow("nothing") << "nothing"
-                                 << "needs more values";
-        QTest::addRow("all missing") << "missing"
-                                     << "needs more values";
-        QTest::addRow("infinite") << "infinite"
-                                  << "not finite";
-        QTest::addRow("constant") << "constant"
-                                  << "no variation";
-        QTest::addRow("one group") << "one group"
-                                   << "belong to one p";
-        QTest::addRow("a group each") << "group each"
-                                      << "cannot be told from the residual";
-        QTest::addRow("same groups") << "same groups"
-                                     << "divide the values alike";
-        QTest::addRow("determined") << "determined"
-                                    << "determined by those before it";
-        QTest::addRow("no residual") << "no residual"
-                                     << "no residual variation";
+        QTest::addRow("nothing") << "nothing" << "needs more values";
+        QTest::addRow("all missing") << "missing" << "needs more values";
+        QTest::addRow("infinite") << "infinite" << "not finite";
+        QTest::addRow("constant") << "constant" << "no variation";
+        QTest::addRow("one group") << "one group" << "belong to one p";
+        QTest::addRow("a group each") << "group each" << "cannot be told from the residual";
+        QTest::addRow("same groups") << "same groups" << "divide the values alike";
+        QTest::addRow("determined") << "determined" << "determined by those before it";
+        QTest::addRow("no residual") << "no residual" << "no residual variation";
     }
 
     void refusalsSayWhy()

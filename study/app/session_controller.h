@@ -44,7 +44,7 @@ public:
     /// Never throws: refusals and faults are signalled, and kept in lastOutcome().
     void send(const session::EventBody& event);
     /// The display was touched: stamps the first touch where one is awaited, else nothing.
-    void displayTouched();
+    void displayTouched(const rendering::Touch& touch = {});
 
     const session::View& view() const { return m_view; }
     const session::Plan& plan() const { return m_driver.plan(); }
@@ -65,6 +65,8 @@ private:
     const protocols::Question& questionOf(const session::StoredAnswer& answer) const;
     Correctable correctableOf(const session::StoredAnswer& answer) const;
     void tellWhatCame(const QString& trouble);
+    void watchDisplay();
+    void attendDisplay();
 
     std::unique_ptr<rendering::HapticDisplay> m_display;
     std::shared_ptr<session::Clock> m_clock;

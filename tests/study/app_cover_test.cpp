@@ -77,7 +77,7 @@ void AppCoverTest::reportsFingersAndMouse()
 {
     const auto display = openDisplay("cover:1");
     int touches = 0;
-    display->onTouched([&] { ++touches; });
+    display->onTouched([&](const rendering::Touch&) { ++touches; });
     QTest::mousePress(cover(), Qt::LeftButton);
     QCOMPARE(touches, 1);
     QTest::mouseMove(cover(), QPoint(5, 5));

@@ -4,6 +4,7 @@
 #include "reports/quality.h"
 #include "study/app/app.h"
 #include "study/commands/command_line.h"
+#include "study/commands/look_at_data.h"
 #include "study/commands/new_study.h"
 #include "study/commands/stored_study.h"
 
@@ -63,6 +64,7 @@ app::AppOptions optionsOf(const Call& call)
     options.display = call.display;
     options.makeStudy = makeForApp;
     options.settings = app::userSettings();
+    options.lookAtData = lookAtData();
     options.readFlags = flagsOf;
     return options;
 }

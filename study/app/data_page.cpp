@@ -68,12 +68,19 @@ DataPage::DataPage(const LookAtData& look, QWidget* parent)
     connect(m_before, &QPushButton::clicked, this, [this] { stepSample(-1); });
     connect(m_after, &QPushButton::clicked, this, [this] { stepSample(+1); });
     connect(m_fabrics, &QTreeWidget::currentItemChanged, this, &DataPage::chooseFabric);
-    for (const auto [key, step] : {std::pair(Qt::Key_PageUp, -1), std::pair(Qt::Key_PageDown, +1)}) {
+    for (const auto& [key, step] : {std::pair(Qt::Key_PageUp, -1), std::pair(Qt::Key_PageDown, +1)}) {
         auto* shortcut = new QShortcut(QKeySequence(key), this);
         shortcut->setContext(Qt::WidgetWithChildrenShortcut);  // the list would take them for itself
         connect(shortcut, &QShortcut::activated, this, [this, step = step] { stepSample(step); });
     }
     enable();
+}
+
+DataPage::~DataPage()
+{
+    // Before the pieces go that the work tells of itself on.
+    for (InBackground* work : {m_checking, m_drawing, m_reading})
+        work->stop();
 }
 
 void DataPage::build()
@@ -84,6 +91,10 @@ void DataPage::build()
     m_fabrics->setAllColumnsShowFocus(true);
     m_fabrics->setHeaderLabels({tr("Fabric"), tr("Name"), tr("Photographs"), tr("Frames"), tr("Heights"), tr("Strokes")});
     m_fabrics->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_fabrics->header()->setStretchLastSection(false);
+    m_fabrics->header()->setSectionResizeMode(nameColumn, QHeaderView::Stretch);
+    for (int column = photographsColumn; column < columns; ++column)
+        m_fabrics->headerItem()->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
     m_fabrics->header()->setFocusPolicy(Qt::NoFocus);
     m_fabrics->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     name(*m_faults, "dataFaults", tr("Faults of the files"));

@@ -26,6 +26,7 @@ class DataPage : public QWidget {
     Q_OBJECT
 public:
     DataPage(const LookAtData& look, QWidget* parent);
+    ~DataPage() override;
 
     void focusFirst();
     /// Opens the folder; what came of it is told on the page.

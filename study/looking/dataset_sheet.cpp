@@ -17,14 +17,14 @@ using rendering::fabrics::Modality;
 
 std::string pitchText(const char* what, const std::optional<double>& mmPerPixel)
 {
-    return std::string(what) + (mmPerPixel ? " " + figure(*mmPerPixel) + " mm a pixel" : " without scale");
+    return std::string(what) + (mmPerPixel ? " " + roughFigure(*mmPerPixel) + " mm a pixel" : " without scale");
 }
 
 std::string aboutOf(const Dataset& dataset)
 {
     const std::string origin = dataset.procedural ? "procedural, " : "";
     const std::string pairing = dataset.pairing == rendering::fabrics::Pairing::Aligned ? "signals of the same places" : "signals of different places";
-    const std::string strokes = "strokes at " + figure(dataset.friction.speedMmPerS) + " mm/s and " + figure(dataset.friction.sampleRateHz) + " Hz";
+    const std::string strokes = "strokes at " + roughFigure(dataset.friction.speedMmPerS) + " mm/s and " + roughFigure(dataset.friction.sampleRateHz) + " Hz";
     const std::string licence = dataset.licence.empty() ? "" : "; " + dataset.licence;
     return origin + pairing + "; " + pitchText("photographs", dataset.cameraMmPerPixel) + "; " + pitchText("frames", dataset.tactileMmPerPixel) +
            "; " + strokes + licence;
@@ -58,7 +58,7 @@ SeenSignal computedHeight(const Dataset& dataset, const protocols::FabricId& fab
     rendering::SignalWorkshop workshop(dataset, rendering::models::Quality::Accurate);
     const auto signals = workshop.measured(fabric, {0, index, 0}, {rendering::Signal::TactileFrame, rendering::Signal::PhotometricHeight}, counts);
     return seenHeight(signals.images.at(rendering::Signal::PhotometricHeight), dataset.tactileMmPerPixel,
-                      fabric.value + " height of " + samplePath(dataset, fabric, Modality::Tactile, index).filename().string(),
+                      fabric.value + " height of tactile " + samplePath(dataset, fabric, Modality::Tactile, index).filename().string(),
                       "from the frame");
 }
 

@@ -132,7 +132,7 @@ QRectF drawAxes(QPainter& painter, const QRectF& place, const Axis& x, const Axi
     double widest = 0;
     for (const double tick : rows)
         widest = std::max(widest, metrics.horizontalAdvance(labelOf(y, tick, stepOf(rows))));
-    const double above = metrics.height() * 1.25, below = metrics.height() * 1.35;
+    const double above = metrics.height() * 1.75, below = metrics.height() * 1.35;
     const QRectF inside = place.adjusted(widest + 8, above, -2, -below);
     const auto columns = ticksOf(x, static_cast<int>(inside.width() / (metrics.averageCharWidth() * 9)));
 
@@ -191,8 +191,8 @@ void drawCurve(QPainter& painter, const QRectF& inside, const Axis& x, const Axi
         const QPointF bottom(top.x(), up(inside, y, *low));
         if (before)
             painter.drawLine(*before, QPointF(top.x(), std::abs(before->y() - top.y()) < std::abs(before->y() - bottom.y()) ? top.y() : bottom.y()));
-        else if (isOne)
-            painter.drawPoint(top);
+        else if (isOne && (i == values.size() || !std::isfinite(values[i])))
+            painter.drawEllipse(top, 1.5, 1.5);  // it stands alone
         if (!isOne)
             painter.drawLine(top, bottom);
         before = bottom;
@@ -202,7 +202,9 @@ void drawCurve(QPainter& painter, const QRectF& inside, const Axis& x, const Axi
 
 void drawScaleBar(QPainter& painter, const QRectF& place, double pixelsPerUnit, const QString& unit, const SheetStyle& style)
 {
-    const double length = roundStep(std::max(1e-12, place.width() * 0.42 / pixelsPerUnit));
+    // A bar of part of a pixel would say nothing.
+    const double shortest = unit == QStringLiteral("pixels") ? 1 : 1e-12;
+    const double length = roundStep(std::max(shortest, place.width() * 0.42 / pixelsPerUnit));
     const QString text = QStringLiteral("%1 %2").arg(length >= 1e5 || length < 1e-4 ? QString::number(length, 'g', 3) : tickText(length, length), unit);
     const double barWidth = length * pixelsPerUnit, middle = place.center().y();
     painter.fillRect(QRectF(place.left(), middle - 2, barWidth, 4), style.text);

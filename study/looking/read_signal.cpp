@@ -52,7 +52,7 @@ std::optional<double> pitchIn(const Place& place)
 
 std::string titleOf(const fs::path& file, const std::optional<Place>& place)
 {
-    return place ? place->fabric + " " + file.filename().string() : file.filename().string();
+    return place ? place->fabric + " " + place->signal + " " + file.filename().string() : file.filename().string();
 }
 
 std::string sizeOf(const cv::Mat& image)

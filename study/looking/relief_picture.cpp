@@ -13,7 +13,7 @@ namespace study::looking {
 namespace {
 
 constexpr double foreshortening = 0.62;   // of the ground, seen from some 40 degrees above
-constexpr double heightShare = 0.16;      // of the picture's height, taken by the relief itself
+constexpr double heightShare = 0.11;      // of the picture's height, taken by the relief itself
 constexpr double outlierShare = 0.005;    // at either end: one spike must not flatten the rest
 
 /// The values that all but a few lie between.
@@ -51,11 +51,13 @@ double brightnessAt(const cv::Mat& heights, int row, int column)
     const auto at = [&](int r, int c) {
         return heights.at<float>(std::clamp(r, 0, heights.rows - 1), std::clamp(c, 0, heights.cols - 1));
     };
-    const double dx = (at(row, column + 1) - at(row, column - 1)) / 2;
-    const double dy = (at(row + 1, column) - at(row - 1, column)) / 2 * foreshortening;
-    const std::array<double, 3> light{-0.48, -0.48, 0.73};  // the y axis points to the viewer
+    // Steep sides are shown less steep: where threads are fine all would be black and white.
+    const auto eased = [](double slope) { return slope / (1 + 0.6 * std::abs(slope)); };
+    const double dx = eased((at(row, column + 1) - at(row, column - 1)) / 2);
+    const double dy = eased((at(row + 1, column) - at(row - 1, column)) / 2 * foreshortening);
+    const std::array<double, 3> light{-0.62, -0.24, 0.75};  // the y axis points to the viewer
     const double lambert = (-dx * light[0] - dy * light[1] + light[2]) / std::sqrt(dx * dx + dy * dy + 1);
-    return 0.22 + 0.95 * std::max(0.0, lambert);
+    return 0.3 + 0.82 * std::max(0.0, lambert);
 }
 
 QRgb lit(const QColor& body, double brightness)

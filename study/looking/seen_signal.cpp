@@ -74,7 +74,10 @@ std::string percent(double share)
 {
     if (share == 0)
         return "0 %";
-    return share < 0.0005 ? "less than 0.1 %" : figure(std::round(share * 1000) / 10) + " %";
+    if (share < 0.0005)
+        return "less than 0.1 %";
+    const long tenths = std::lround(share * 1000);
+    return std::to_string(tenths / 10) + (tenths % 10 == 0 ? "" : "." + std::to_string(tenths % 10)) + " %";
 }
 
 }  // namespace
@@ -85,9 +88,18 @@ std::string figure(double value)
     const double size = std::abs(value);
     const bool isPlain = size == 0 || (size >= 1e-4 && size < 1e5);
     // As many decimals as three digits take; whole numbers stay whole.
-    const int decimals = size == 0 || value == std::round(value) ? 0 : std::clamp(2 - static_cast<int>(std::floor(std::log10(size))), 0, 6);
+    const int decimals = size == 0 || value == std::round(value) ? 0 : std::clamp(2 - static_cast<int>(std::floor(std::log10(size * 1.0005))), 0, 6);
     const auto end = isPlain ? std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed, decimals)
                              : std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::scientific, 2);
+    return {text.data(), end.ptr};
+}
+
+std::string roughFigure(double value)
+{
+    std::array<char, 32> text{};
+    const bool isWhole = std::abs(value) >= 10 && std::abs(value) < 1e5;
+    const auto end = isWhole ? std::to_chars(text.data(), text.data() + text.size(), std::lround(value))
+                             : std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 2);
     return {text.data(), end.ptr};
 }
 
@@ -106,11 +118,11 @@ std::vector<std::string> linesOf(const SeenSignal& signal, const SignalFacts& fa
     if (facts.min)
         lines.push_back("min " + figure(*facts.min) + "   max " + figure(*facts.max) + unit);
     if (facts.mean)
-        lines.push_back("mean " + figure(*facts.mean) + "   Sq " + figure(*facts.sq) + unit);
+        lines.push_back("mean " + figure(*facts.mean) + (map ? "   Sq " : "   SD ") + figure(*facts.sq) + unit);
     std::string shares = missing + percent(facts.missingShare);
     if (facts.clippedLowShare)
-        shares = "clipped: at 0 " + percent(*facts.clippedLowShare) + ", at " + figure(map->holds->highest) + " " +
-                 percent(*facts.clippedHighShare);
+        shares = "clipped: " + percent(*facts.clippedLowShare) + " at 0, " + percent(*facts.clippedHighShare) + " at " +
+                 figure(map->holds->highest);
     lines.push_back(shares);
     return lines;
 }

@@ -58,5 +58,7 @@ std::vector<std::string> warningsOf(const SeenSignal& signal, const SignalFacts&
 
 /// Three significant digits: "0.0551", "12.3", "1.28e+06".
 std::string figure(double value);
+/// At most two, without noughts at the end: "0.05", "12".
+std::string roughFigure(double value);
 
 }  // namespace study::looking

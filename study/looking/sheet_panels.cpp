@@ -88,8 +88,8 @@ void markPlaces(QPainter& painter, const QRectF& picture, const SeenMap& map, co
 /// How long something of the map is: in mm where the pitch is known.
 QString lengthText(double pixels, const std::optional<double>& mmPerPixel)
 {
-    return mmPerPixel ? QStringLiteral("%1 mm").arg(QString::fromStdString(figure(pixels * *mmPerPixel)))
-                      : QStringLiteral("%1 pixels").arg(static_cast<int>(std::lround(pixels)));
+    return mmPerPixel ? QStringLiteral("%1 mm").arg(QString::fromStdString(roughFigure(pixels * *mmPerPixel)))
+                      : QStringLiteral("%1 %2").arg(std::lround(pixels)).arg(pixels == 1 ? QStringLiteral("pixel") : QStringLiteral("pixels"));
 }
 
 QString heightWords(const SeenMap& map, const Relief& relief)
@@ -98,9 +98,9 @@ QString heightWords(const SeenMap& map, const Relief& relief)
         return QStringLiteral("even");
     const bool isHeight = map.unit == "mm" && map.mmPerPixel;
     if (!isHeight)
-        return map.holds ? QStringLiteral("bright stands out") : QStringLiteral("large values stand out");
+        return map.holds ? QStringLiteral("bright is high") : QStringLiteral("large is high");
     const double factor = relief.pixelsPerUnit / (relief.pixelsPerValue / *map.mmPerPixel);
-    return QStringLiteral("heights × %1").arg(QString::fromStdString(figure(factor)));
+    return QStringLiteral("heights × %1").arg(QString::fromStdString(roughFigure(factor)));
 }
 
 }  // namespace
@@ -118,9 +118,9 @@ void drawPicture(QPainter& painter, const QRectF& place, const SeenMap& map, con
     painter.drawImage(picture, imageOf(map, facts, dots, style));
     markPlaces(painter, picture, map, reliefPart(map.values, 1.0), style);
     if (map.colours.empty())
-        drawColourBar(painter, QRectF(picture.right() + arrows + 6, room.top(), barWidth - 6, std::max(picture.height(), 4 * style.fontPx)), map, facts, style);
+        drawColourBar(painter, QRectF(picture.right() + arrows + 6, room.top(), barWidth - 6, std::max(picture.height(), 9 * style.fontPx)), map, facts, style);
     const bool isKnown = map.mmPerPixel.has_value();
-    drawScaleBar(painter, QRectF(room.left(), below.bottom() - barHeight, room.width(), barHeight), isKnown ? scale / *map.mmPerPixel : scale,
+    drawScaleBar(painter, QRectF(room.left(), picture.bottom() + 2, room.width(), barHeight), isKnown ? scale / *map.mmPerPixel : scale,
                  isKnown ? QStringLiteral("mm") : QStringLiteral("pixels"), style);
 }
 
@@ -132,7 +132,7 @@ void drawRelief(QPainter& painter, const QRectF& place, const SeenMap& map, cons
     const QSize size(static_cast<int>(place.width() * style.pixelRatio), static_cast<int>((place.height() - captionHeight) * style.pixelRatio));
     const Relief relief = reliefOf(values, size, style.body);
     const QRectF below = belowCaption(painter, place,
-                                      QStringLiteral("Relief of the middle %1, %2").arg(lengthText(part.width(), map.mmPerPixel), heightWords(map, relief)), style);
+                                      QStringLiteral("Relief of %1, %2").arg(lengthText(part.width(), map.mmPerPixel), heightWords(map, relief)), style);
     painter.drawImage(QRectF(below.topLeft(), QSizeF(size) / style.pixelRatio), relief.picture);
 }
 

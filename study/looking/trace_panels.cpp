@@ -109,8 +109,8 @@ void drawTrace(QPainter& painter, const QRectF& place, const SeenTrace& trace, c
 void drawSpectrogram(QPainter& painter, const QRectF& place, const SeenTrace& trace, const SheetStyle& style)
 {
     const Stretch stretch = stretchOf(trace);
-    const QString part = stretch.isWhole ? QString() : QStringLiteral(" of the middle %1 samples").arg(stretch.values.size());
-    const QRectF below = belowCaption(painter, place, QStringLiteral("Spectrogram%1, 60 dB from dark to bright").arg(part), style);
+    const QString part = stretch.isWhole ? QString() : QStringLiteral(" of %1 samples").arg(stretch.values.size());
+    const QRectF below = belowCaption(painter, place, QStringLiteral("Spectrogram%1, 60 dB").arg(part), style);
     if (isTooShort(painter, below, trace, style))
         return;
     const cv::Mat amplitudes = amplitudesOf(spectrogramOf(stretch));
@@ -133,7 +133,7 @@ void drawSpectrogram(QPainter& painter, const QRectF& place, const SeenTrace& tr
 
 void drawSpectrum(QPainter& painter, const QRectF& place, const SeenTrace& trace, const SheetStyle& style)
 {
-    const QRectF below = belowCaption(painter, place, QStringLiteral("Spectrum, amplitude on the average"), style);
+    const QRectF below = belowCaption(painter, place, QStringLiteral("Spectrum, mean amplitude"), style);
     if (isTooShort(painter, below, trace, style))
         return;
     const cv::Mat amplitudes = amplitudesOf(spectrogramOf(stretchOf(trace)));

@@ -7,3 +7,7 @@ foreach(name app_test app_stages_test app_answers_test app_operator_test app_pag
 endforeach()
 vis2hap_test(study app_blinding_test LINK tests_window tests_program)
 add_dependencies(app_blinding_test vis2hap)
+vis2hap_test(study app_data_test LINK tests_window study_commands)
+vis2hap_test(study app_display_test LINK tests_window)
+add_dependencies(app_display_test vis2hap-reference-display)
+target_compile_definitions(app_display_test PRIVATE VIS2HAP_REFERENCE_DISPLAY="${PROJECT_BINARY_DIR}/vis2hap-reference-display")

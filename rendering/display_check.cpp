@@ -191,6 +191,7 @@ void Check::take(const std::string& line)
 std::optional<DriverMessage> Check::reply(std::int64_t id, milliseconds patience)
 {
     const Instant deadline = steady_clock::now() + patience;
+    bool isOver = false;
     while (true) {
         const auto found = std::find_if(m_said.begin(), m_said.end(), [&](const DriverMessage& said) { return said.id == id; });
         if (found != m_said.end()) {
@@ -198,9 +199,10 @@ std::optional<DriverMessage> Check::reply(std::int64_t id, milliseconds patience
             m_said.erase(found);
             return said;
         }
+        if (isOver) return std::nullopt;
         const auto line = m_link->receive(deadline);
-        if (!line) return std::nullopt;
-        take(*line);
+        isOver = !line || steady_clock::now() >= deadline;
+        if (line) take(*line);
     }
 }
 
@@ -357,12 +359,9 @@ std::string Check::touches()
     if (const auto fault = expect(shown(), Kind::Shown); !fault.empty()) return fault;
     m_isTouched = false;
     const Instant deadline = steady_clock::now() + m_options.touchWithin;
-    while (!m_isTouched)
-        if (const auto line = m_link->receive(deadline))
-            take(*line);
-        else
-            return lost("no touch was told");
-    return {};
+    while (!m_isTouched && steady_clock::now() < deadline)
+        if (const auto line = m_link->receive(deadline)) take(*line);
+    return m_isTouched ? "" : lost("no touch was told");
 }
 
 /// A program ends; whoever waits for connections shows nothing to the next.

@@ -40,7 +40,8 @@ public:
 
     /// False where the deadline passed or the driver was lost before all of it went out.
     bool send(std::string_view bytes, Instant deadline);
-    /// The next line without its end; none where the deadline passed or the driver was lost.
+    /// The next line without its end; none where the deadline passed or the driver was lost. Lines that are there
+    /// already are given out even then, so whoever waits for a certain one minds the time itself.
     std::optional<std::string> receive(Instant deadline);
 
     bool isLost() const { return !m_trouble.empty(); }

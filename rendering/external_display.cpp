@@ -142,11 +142,13 @@ std::optional<DriverMessage> ExternalDisplay::exchange(const Request& request, m
     const std::int64_t id = ++m_lastId;
     const Instant deadline = steady_clock::now() + patience;
     m_noise.clear();
-    if (m_link->send(request.line(id), deadline) && m_link->send(request.bytes, deadline))
-        while (const auto line = m_link->receive(deadline)) {
-            const auto said = heard(*line);
-            if (said && said->id == id && (said->kind == request.reply || said->kind == Kind::Failed)) return said;
-        }
+    bool isWaiting = m_link->send(request.line(id), deadline) && m_link->send(request.bytes, deadline);
+    while (isWaiting) {
+        const auto line = m_link->receive(deadline);
+        const auto said = line ? heard(*line) : std::nullopt;
+        if (said && said->id == id && (said->kind == request.reply || said->kind == Kind::Failed)) return said;
+        isWaiting = line && steady_clock::now() < deadline;  // a driver that babbles on does not answer either
+    }
     m_isTimedOut = !m_link->isLost();
     const std::string noise = m_noise.empty() ? "" : "; heard instead: " + m_noise;
     lose(m_isTimedOut ? std::string("does not answer \"") + nameOf(request.reply) + "\" within " + secondsText(patience) + noise

@@ -2,8 +2,6 @@
 
 #include "protocols/errors.h"
 
-#include <QSocketNotifier>
-
 #include <algorithm>
 
 namespace study::app {
@@ -52,8 +50,8 @@ void SessionController::watchDisplay()
 {
     if (m_display->descriptorToWatch() < 0)
         return;
-    auto* watch = new QSocketNotifier(m_display->descriptorToWatch(), QSocketNotifier::Read, this);
-    connect(watch, &QSocketNotifier::activated, this, [this] { attendDisplay(); });
+    m_watch = std::make_unique<QSocketNotifier>(m_display->descriptorToWatch(), QSocketNotifier::Read);
+    connect(m_watch.get(), &QSocketNotifier::activated, this, [this] { attendDisplay(); });
 }
 
 void SessionController::attendDisplay()

@@ -9,6 +9,7 @@
 #include "study/session/driver.h"
 
 #include <QObject>
+#include <QSocketNotifier>
 #include <QString>
 
 #include <exception>
@@ -69,6 +70,7 @@ private:
     void attendDisplay();
 
     std::unique_ptr<rendering::HapticDisplay> m_display;
+    std::unique_ptr<QSocketNotifier> m_watch;  ///< goes before what it watches
     std::shared_ptr<session::Clock> m_clock;
     session::Driver m_driver;
     session::View m_view;

@@ -56,7 +56,8 @@ void addView(CLI::App& app, Action& action)
     command->add_option("--speed", call->reading.speedMmPerS, "of a stroke, mm/s, to draw it over mm")->check(CLI::Range(1e-6, 1e6));
     command->add_option("--unit", call->reading.unit, "of the values of TIFF and .npy (default: mm; .npy: mm/mm)");
     command->add_option("--per-row", call->perRow, "signals beside each other")->check(CLI::Range(1, 12))->capture_default_str();
-    command->add_option("--column", call->columnPx, "pixels across for each")->check(CLI::Range(300, 2000))->capture_default_str();
+    command->add_option("--quantity", call->reading.quantity, "column of a record to look at (default: its friction)");
+    command->add_option("--width", call->columnPx, "pixels across for each")->check(CLI::Range(300, 2000))->capture_default_str();
     command->add_flag("--dark", call->isDark, "light on dark");
     command->callback([call, &action] {
         action.surroundings = Surroundings::Offscreen;

@@ -114,6 +114,12 @@ SeenSignal seenRow(const cv::Mat& row, const std::string& title, const std::stri
     return {title, "array of one row, " + std::to_string(values.cols) + " values", std::move(trace)};
 }
 
+/// Friction images of the display's own size lie on its glass pixel by pixel.
+bool isOfTheGlass(const cv::Mat& image)
+{
+    return image.channels() == 1 && image.size() == cv::Size(rendering::displayWidthPx, rendering::displayHeightPx);
+}
+
 std::string kindOfImage(const cv::Mat& image, const std::optional<Place>& place)
 {
     const std::string depth = image.depth() == CV_8U ? ", 8 bits" : ", 16 bits";
@@ -121,14 +127,8 @@ std::string kindOfImage(const cv::Mat& image, const std::optional<Place>& place)
         return "photograph, " + sizeOf(image) + depth;
     if (place && place->signal == "tactile")
         return "tactile frame, " + sizeOf(image) + depth;
-    return (image.channels() == 3 ? "colour picture, " : "friction image, ") + sizeOf(image) + depth;
-}
-
-/// Friction images of the display's own size lie on its glass pixel by pixel.
-std::optional<double> pitchOnGlass(const cv::Mat& image)
-{
-    const bool isWhole = image.channels() == 1 && image.size() == cv::Size(rendering::displayWidthPx, rendering::displayHeightPx);
-    return isWhole ? std::optional(rendering::displayMmPerPixel) : std::nullopt;
+    const char* kind = image.channels() == 3 ? "colour picture, " : isOfTheGlass(image) ? "friction image, " : "grey picture, ";
+    return kind + sizeOf(image) + depth;
 }
 
 SeenSignal readMap(const fs::path& file, const ReadingOptions& options)
@@ -146,7 +146,12 @@ SeenSignal readMap(const fs::path& file, const ReadingOptions& options)
     SeenMap map = isImage ? mapOfImage(image) : mapOfNumbers(image, !options.unit.empty() ? options.unit : isArray ? "mm/mm" : "mm");
     if (!options.unit.empty())
         map.unit = options.unit;
-    map.mmPerPixel = options.mmPerPixel ? options.mmPerPixel : place ? pitchIn(*place) : pitchOnGlass(image);
+    if (options.mmPerPixel)
+        map.mmPerPixel = options.mmPerPixel;
+    else if (place)
+        map.mmPerPixel = pitchIn(*place);
+    else if (isImage && isOfTheGlass(image))
+        map.mmPerPixel = rendering::displayMmPerPixel;
     const std::string kind = isImage ? kindOfImage(image, place) : (map.unit == "mm" ? "height, " : isArray ? "gradient, " : "map, ") + sizeOf(image);
     return {titleOf(file, place), kind, std::move(map)};
 }
@@ -162,9 +167,25 @@ std::vector<double> columnOf(const CsvTable& table, std::size_t column)
     return values;
 }
 
-/// What of the table is friction: tangential over normal force, "mu", or the first column that is neither time nor place.
-void takeValues(SeenTrace& trace, const CsvTable& table)
+std::string joined(const std::vector<std::string>& names)
 {
+    std::string line;
+    for (const std::string& name : names)
+        line += (line.empty() ? "" : ", ") + name;
+    return line;
+}
+
+/// What of the table is friction: tangential over normal force, "mu", or the first column that is neither time nor place.
+void takeValues(SeenTrace& trace, const CsvTable& table, const std::string& quantity)
+{
+    if (!quantity.empty()) {
+        const auto column = table.column(quantity);
+        if (!column)
+            throw protocols::badInput({"has no column " + quantity, table.where, "one of its columns: " + joined(table.columns), ""});
+        trace.values = columnOf(table, *column);
+        trace.quantity = quantity;
+        return;
+    }
     const auto normal = table.column("normal_n"), tangential = table.column("tangential_n"), mu = table.column("mu");
     if (normal && tangential) {
         trace.values = columnOf(table, *tangential);
@@ -177,7 +198,7 @@ void takeValues(SeenTrace& trace, const CsvTable& table)
     }
     for (std::size_t column = 0; column < table.columns.size(); ++column) {
         const std::string& name = table.columns[column];
-        if (name == "t_s" || name == "position_mm" || (mu && column != *mu))
+        if (name == "t_s" || name == "position_mm" || name.starts_with("time") || (mu && column != *mu))
             continue;
         trace.values = columnOf(table, column);
         trace.quantity = mu ? "coefficient of friction" : name;
@@ -222,7 +243,7 @@ SeenSignal readTrace(const fs::path& file, const ReadingOptions& options)
     if (!speed && place)
         speed = place->dataset.friction.speedMmPerS;
     SeenTrace trace;
-    takeValues(trace, table);
+    takeValues(trace, table, options.quantity);
     takePlaces(trace, table, speed);
     keepRising(trace);
     if (trace.places.empty())

@@ -11,6 +11,7 @@ struct ReadingOptions {
     std::optional<double> mmPerPixel;   ///< overrides what the data set says
     std::optional<double> speedMmPerS;  ///< of a stroke whose record holds times only
     std::string unit;                   ///< of a map's values, where the file does not tell
+    std::string quantity;               ///< the column of a record to look at; empty: its friction
 };
 
 /// PNG, PGM, TIFF and .npy as maps (an array of one row as a trace), CSV as a trace. Heights at or below -1e9 mm

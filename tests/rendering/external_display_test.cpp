@@ -8,10 +8,12 @@
 #include <QElapsedTimer>
 #include <QTemporaryDir>
 #include <QTest>
+#include <cmath>
 #include <filesystem>
 #include <opencv2/core.hpp>
 #include <thread>
 
+#include "protocols/random.h"
 #include "refusal.h"
 #include "rendering/external_display.h"
 #include "rendering/image_io.h"
@@ -167,6 +169,7 @@ private Q_SLOTS:
         QTest::newRow("dies at an image") << "was ended by signal 9";
         QTest::newRow("half a line") << "ended with exit code 0 (tried 3 times)";
         QTest::newRow("refuses images") << "refuses: no amplifier";
+        QTest::newRow("babbles for ever") << "does not answer \"shown\" within 0.3 s; heard instead: frame (tried 3 times)";
         QTest::newRow("answers an old id") << "does not answer \"shown\"";
     }
     void faultOfADriverIsToldByName()
@@ -254,6 +257,28 @@ private Q_SLOTS:
         QCOMPARE(address->host, host.toStdString());
         QCOMPARE(address->port, port.toStdString());
         QCOMPARE(address->text(), specification.toStdString());
+    }
+
+    void spoiltMessagesDoNoHarm()
+    {
+        // Every line that a driver may say, with some of its bytes drawn anew.
+        const std::string lines[] = {
+            "{\"type\":\"hello\",\"id\":1,\"schema\":\"vis2hap.display/1\",\"name\":\"A\",\"width\":40,\"height\":30,\"touches\":true}",
+            "{\"type\":\"shown\",\"id\":2,\"at_s\":12.5}", "{\"type\":\"status\",\"id\":4,\"showing\":null}",
+            "{\"type\":\"touched\",\"id\":2,\"at_s\":1e3}", "{\"type\":\"failed\",\"id\":2,\"why\":\"\\u00e4\"}"};
+        protocols::Random random(20261121);
+        int understood = 0;
+        for (int round = 0; round < 40000; ++round) {
+            std::string line = lines[random.below(std::size(lines))];
+            for (std::uint64_t change = random.below(4); change > 0; --change) line[random.below(line.size())] = static_cast<char>(random.below(256));
+            if (random.below(8) == 0) line.resize(random.below(line.size()));
+            const auto said = driverMessageFrom(line);
+            if (!said) continue;
+            ++understood;
+            QVERIFY(said->id >= 0 && said->widthPx >= 0 && said->heightPx >= 0);
+            QVERIFY(!said->deviceS || std::isfinite(*said->deviceS));
+        }
+        QVERIFY(understood > 5000 && understood < 39000);
     }
 
     void messagesAreReadAsTheyAreWritten_data()

@@ -60,7 +60,7 @@ private Q_SLOTS:
         // 1 2 / 3 NaN: mean 2, Sq sqrt(2/3).
         cv::Mat heights = (cv::Mat_<float>(2, 2) << 1, 2, 3, static_cast<float>(nothing));
         rendering::writeTiff(at("h.tiff"), heights);
-        const auto seen = readSignal(at("h.tiff"), {0.1, {}, {}});
+        const auto seen = readSignal(at("h.tiff"), {0.1, {}, {}, {}});
         const auto facts = factsOf(seen);
         QCOMPARE(facts.min.value(), 1.0);
         QCOMPARE(facts.max.value(), 3.0);
@@ -149,7 +149,7 @@ private Q_SLOTS:
         QCOMPARE(mapOf(height).unit, std::string("mm"));
         QVERIFY(contains(photograph.kind, "photograph") && contains(frame.kind, "tactile frame") && contains(height.kind, "height"));
         QCOMPARE(photograph.title, std::string("F01 visual 001.png"));
-        auto told = readSignal(at("set/F01/visual/001.png"), {0.5, {}, {}});
+        auto told = readSignal(at("set/F01/visual/001.png"), {0.5, {}, {}, {}});
         QCOMPARE(mapOf(told).mmPerPixel.value(), 0.5);
         const auto stroke = readSignal(at("set/F01/friction/000.csv"));
         const auto& trace = std::get<SeenTrace>(stroke.what);
@@ -199,6 +199,16 @@ private Q_SLOTS:
         QCOMPARE(QString::fromStdString(std::get<SeenTrace>(seen.what).quantity), quantity);
         QCOMPARE(QString::fromStdString(std::get<SeenTrace>(seen.what).placeUnit), unit);
         QCOMPARE(std::get<SeenTrace>(seen.what).values, (std::vector<double>{1, 2}));
+    }
+
+    void anyColumnOfARecordCanBeAskedFor()
+    {
+        fabric_files::write(at("channels.csv"), "timestamp, channel1, channel2\n10,1,5\n20,2,6\n");
+        const auto first = readSignal(at("channels.csv")), second = readSignal(at("channels.csv"), {{}, {}, {}, "channel2"});
+        QCOMPARE(std::get<SeenTrace>(first.what).values, (std::vector<double>{1, 2}));
+        QCOMPARE(std::get<SeenTrace>(second.what).values, (std::vector<double>{5, 6}));
+        const auto refusal = refusalOf([&] { readSignal(at("channels.csv"), {{}, {}, {}, "channel3"}); });
+        QVERIFY2(contains(refusal, "has no column channel3") && contains(refusal, "channel1, channel2"), refusal.c_str());
     }
 
     void whatCannotBeLookedAtIsRefusedByName_data()

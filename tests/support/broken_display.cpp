@@ -58,6 +58,10 @@ void show(const Json& request)
         std::cin.read(image.data(), static_cast<std::streamsize>(image.size()));
     }
     if (is("hangs at an image")) hang();
+    while (is("babbles for ever")) {
+        sayLine("frame");
+        ::usleep(200);
+    }
     if (is("dies at an image")) std::raise(SIGKILL);
     if (is("dies at the first image") && std::getenv("BROKEN_DISPLAY_MARK") != nullptr) {
         const std::string mark = std::getenv("BROKEN_DISPLAY_MARK");

@@ -15,7 +15,7 @@ struct DisplayDemand {
 };
 
 struct DisplayCheck {
-    std::string name;                     ///< as its hello told it
+    std::string name;  ///< as its hello told it
     std::vector<DisplayDemand> demands;
     std::vector<double> showMs, clearMs;  ///< from the first byte of a request to its reply, full-size images
 

@@ -41,10 +41,11 @@ int millisecondsTo(Instant deadline)
 
 protocols::Error cannotReach(const DriverAddress& address, const std::string& why)
 {
-    return protocols::workFailed({.what = "the display's driver cannot be reached (" + why + ")",
-                                  .where = "display " + address.text(),
-                                  .expected = address.isProgram() ? "a program that can be started" : "a driver that waits for us there",
-                                  .nextStep = "start it by hand and see what it says, then try again"});
+    return protocols::workFailed(
+        {.what = "the display's driver cannot be reached (" + why + ")",
+         .where = "display " + address.text(),
+         .expected = address.isProgram() ? "a program that can be started" : "a driver that waits for us there",
+         .nextStep = "start it by hand and see what it says, then try again"});
 }
 
 void setOption(int socket, int level, int option, int value) { ::setsockopt(socket, level, option, &value, sizeof value); }
@@ -92,14 +93,16 @@ std::string endingText(int status)
 
 std::string DriverAddress::text() const
 {
-    return isProgram() ? "exec:" + command : "tcp:" + (host.find(':') == std::string::npos ? host : "[" + host + "]") + ":" + port;
+    return isProgram() ? "exec:" + command
+                       : "tcp:" + (host.find(':') == std::string::npos ? host : "[" + host + "]") + ":" + port;
 }
 
 std::optional<DriverAddress> driverAddressFrom(const std::string& specification)
 {
     const std::string exec = "exec:", tcp = "tcp:";
     const auto refusal = [&](const std::string& expected) {
-        return protocols::badInput({.what = "display '" + specification + "' names no driver", .where = "", .expected = expected, .nextStep = ""});
+        return protocols::badInput(
+            {.what = "display '" + specification + "' names no driver", .where = "", .expected = expected, .nextStep = ""});
     };
     if (specification.starts_with(exec)) {
         if (specification.find_first_not_of(' ', exec.size()) == std::string::npos) throw refusal("exec:COMMAND");

@@ -71,7 +71,7 @@ private:
     pid_t m_program = -1;
     std::optional<int> m_ending;  ///< as waitpid tells it
     std::string m_incoming, m_errorText, m_trouble;
-    std::size_t m_searched = 0;   ///< so much of what came in holds no line end
+    std::size_t m_searched = 0;  ///< so much of what came in holds no line end
 };
 
 }  // namespace rendering

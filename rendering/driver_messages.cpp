@@ -52,14 +52,14 @@ bool takeFields(const Json& message, DriverMessage& said)
 {
     std::optional<std::int64_t> id, width, height;
     double deviceS = std::nan("");
-    const bool isWhole = takeCount(message, "id", id) && takeCount(message, "width", width) &&
-                         takeCount(message, "height", height) && takeCount(message, "showing", said.showing) &&
-                         take(message, "at_s", &Json::is_number, deviceS) && take(message, "schema", &Json::is_string, said.schema) &&
-                         take(message, "name", &Json::is_string, said.name) && take(message, "why", &Json::is_string, said.why) &&
-                         take(message, "touches", &Json::is_boolean, said.touches);
+    const bool isWhole =
+        takeCount(message, "id", id) && takeCount(message, "width", width) && takeCount(message, "height", height) &&
+        takeCount(message, "showing", said.showing) && take(message, "at_s", &Json::is_number, deviceS) &&
+        take(message, "schema", &Json::is_string, said.schema) && take(message, "name", &Json::is_string, said.name) &&
+        take(message, "why", &Json::is_string, said.why) && take(message, "touches", &Json::is_boolean, said.touches);
     if (!isWhole || !id) return false;
     said.id = *id;
-    constexpr std::int64_t widest = 1 << 20;
+    constexpr std::int64_t widest = 1 << 14;
     said.widthPx = static_cast<int>(std::min(width.value_or(0), widest));
     said.heightPx = static_cast<int>(std::min(height.value_or(0), widest));
     constexpr double latest = 4e9;  // beyond any clock's seconds, and differences still fit into nanoseconds

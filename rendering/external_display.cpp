@@ -45,7 +45,8 @@ void watch(int set, int descriptor)
 std::string readable(const std::string& line)
 {
     std::string text = line.substr(0, noiseKept);
-    std::replace_if(text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+    std::replace_if(
+        text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
     return text;
 }
 
@@ -204,7 +205,8 @@ void ExternalDisplay::attend()
 void ExternalDisplay::ringIfSomethingWaits()
 {
     const std::uint64_t once = 1;
-    if (m_link && m_link->hasLineWaiting()) [[maybe_unused]] const ssize_t rung = ::write(m_bell, &once, sizeof once);
+    if (m_link && m_link->hasLineWaiting()) [[maybe_unused]]
+        const ssize_t rung = ::write(m_bell, &once, sizeof once);
 }
 
 void ExternalDisplay::lose(const std::string& why)

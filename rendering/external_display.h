@@ -53,14 +53,14 @@ private:
 
     DriverAddress m_address;
     DriverPatience m_patience;
-    int m_watched = -1, m_bell = -1;        ///< an epoll set, which stays while drivers come and go; rung for lines read already
-    std::unique_ptr<DriverLink> m_link;     ///< empty: lost
+    int m_watched = -1, m_bell = -1;     ///< an epoll set, which stays while drivers come and go; rung for lines read already
+    std::unique_ptr<DriverLink> m_link;  ///< empty: lost
     DriverMessage m_hello;
     std::int64_t m_lastId = 0;
     std::optional<std::int64_t> m_showing;
-    bool m_isGivenUp = false;               ///< the last request failed after all its tries
-    bool m_isTimedOut = false;              ///< the last exchange failed by its deadline, not by an ending
-    std::string m_trouble, m_noise;         ///< why the driver was lost last; the last line that was no message
+    bool m_isGivenUp = false;                           ///< the last request failed after all its tries
+    bool m_isTimedOut = false;                          ///< the last exchange failed by its deadline, not by an ending
+    std::string m_trouble, m_noise;                     ///< why the driver was lost last; the last line that was no message
     std::deque<std::chrono::nanoseconds> m_clockAhead;  ///< our clock less the device's, at the last stamps heard
     std::function<void(const Touch&)> m_touched;
 };

@@ -56,8 +56,13 @@ private:
         const std::string type = request.is_object() ? request.value("type", Json("")).dump() : "";
         std::this_thread::sleep_for(std::chrono::milliseconds(m_options.delayMs));
         if (type == "\"hello\"")
-            say({{"type", "hello"}, {"id", id}, {"schema", schema}, {"name", "reference display"}, {"width", widthPx},
-                 {"height", heightPx}, {"touches", m_options.touchAfterMs >= 0}});
+            say({{"type", "hello"},
+                 {"id", id},
+                 {"schema", schema},
+                 {"name", "reference display"},
+                 {"width", widthPx},
+                 {"height", heightPx},
+                 {"touches", m_options.touchAfterMs >= 0}});
         else if (type == "\"show\"")
             show(request, id);
         else if (type == "\"clear\"")
@@ -97,7 +102,8 @@ private:
     {
         const bool isClear = image.empty();
         std::ofstream file(m_options.folder / "next.pgm.part", std::ios::binary);
-        file << "P5\n" << (isClear ? widthPx : width) << ' ' << (isClear ? heightPx : height) << "\n255\n"
+        file << "P5\n"
+             << (isClear ? widthPx : width) << ' ' << (isClear ? heightPx : height) << "\n255\n"
              << (isClear ? std::string(static_cast<std::size_t>(widthPx) * heightPx, '\0') : image);
         file.close();
         std::filesystem::rename(m_options.folder / "next.pgm.part", m_options.folder / "current.pgm");
@@ -201,7 +207,8 @@ int main(int argc, char** argv)
         if (target != nullptr) *target = value;
     }
     if (!isUnderstood) {
-        std::fputs("usage: vis2hap-reference-display DIR [--listen PORT] [--delay MS] [--touch-after MS] [--crash-at N]\n", stderr);
+        std::fputs("usage: vis2hap-reference-display DIR [--listen PORT] [--delay MS] [--touch-after MS] [--crash-at N]\n",
+                   stderr);
         return 2;
     }
     options.folder = argv[1];

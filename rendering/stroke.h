@@ -6,7 +6,6 @@
 #pragma once
 
 #include <opencv2/core/mat.hpp>
-
 #include <string>
 #include <vector>
 
@@ -15,11 +14,11 @@ namespace rendering {
 struct StrokeOptions {
     double speedMmPerS = 50;
     double mmPerPixel = 0.170;
-    double contactMm = 0.5;          ///< effective width of the contact for texture
+    double contactMm = 0.5;  ///< effective width of the contact for texture
     double normalForceN = 0.5;
-    double glassFriction = 0.3;      ///< coefficient at pixel value 0
-    double highestFriction = 0.9;    ///< at pixel value 255
-    double responseS = 0.002;        ///< time constant of the skin's first-order response
+    double glassFriction = 0.3;    ///< coefficient at pixel value 0
+    double highestFriction = 0.9;  ///< at pixel value 255
+    double responseS = 0.002;      ///< time constant of the skin's first-order response
     double sampleRateHz = 1000;
 };
 

@@ -28,17 +28,17 @@ struct DataOverview {
 struct DataSheetRequest {
     std::filesystem::path folder;
     QString fabric;
-    int sample = 0;        ///< from 0
+    int sample = 0;  ///< from 0
     Theme theme = Theme::Light;
-    int widthPx = 900;     ///< to fill
-    double fontPx = 15;    ///< of plain text
+    int widthPx = 900;   ///< to fill
+    double fontPx = 15;  ///< of plain text
     double pixelRatio = 1;
 };
 
 struct DataSheet {
-    QImage picture;      ///< empty where no signal could be read
-    QString description; ///< its figures in words
-    QStringList faults;  ///< what could not be read
+    QImage picture;       ///< empty where no signal could be read
+    QString description;  ///< its figures in words
+    QStringList faults;   ///< what could not be read
 };
 
 /// Each throws protocols::Error, may be called on any thread, and refuses what belongs to an open study.

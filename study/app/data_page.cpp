@@ -211,10 +211,13 @@ void DataPage::checkFiles()
         const auto progress = [&](double share) {
             if (isStopping)
                 throw Stopped();
-            QMetaObject::invokeMethod(m_checked, [this, share] {
-                if (m_checking->isBusy())
-                    m_checked->setText(tr("Checking every file: %1 %").arg(static_cast<int>(100 * share)));
-            }, Qt::QueuedConnection);
+            QMetaObject::invokeMethod(
+                m_checked,
+                [this, share] {
+                    if (m_checking->isBusy())
+                        m_checked->setText(tr("Checking every file: %1 %").arg(static_cast<int>(100 * share)));
+                },
+                Qt::QueuedConnection);
         };
         try {
             return [this, faults = m_look.check(folder, progress)] { showFaults(faults); };
@@ -265,7 +268,10 @@ void DataPage::draw()
     if (m_isDrawnAgain)
         return;
     constexpr int marginsPx = 76;
-    const DataSheetRequest request{.folder = m_folder.toStdString(), .fabric = fabric->id, .sample = m_sample, .theme = currentTheme(),
+    const DataSheetRequest request{.folder = m_folder.toStdString(),
+                                   .fabric = fabric->id,
+                                   .sample = m_sample,
+                                   .theme = currentTheme(),
                                    .widthPx = std::min(width(), 1306) - marginsPx,
                                    .fontPx = QFontInfo(QApplication::font()).pixelSize() * factorOf(Type::Plain),
                                    .pixelRatio = devicePixelRatioF()};
@@ -321,8 +327,9 @@ void DataPage::enable()
         one->setVisible(fabric != nullptr);
     if (!fabric)
         return;
-    m_sampleLabel->setText(fabric->samples == 0 ? tr("%1: no samples").arg(fabric->id)
-                                                : tr("%1, sample %2 of %3").arg(fabric->id).arg(m_sample + 1).arg(fabric->samples));
+    m_sampleLabel->setText(fabric->samples == 0
+                               ? tr("%1: no samples").arg(fabric->id)
+                               : tr("%1, sample %2 of %3").arg(fabric->id).arg(m_sample + 1).arg(fabric->samples));
     m_before->setEnabled(m_sample > 0);
     m_after->setEnabled(m_sample + 1 < fabric->samples);
     m_sheet->setVisible(fabric->samples > 0);

@@ -59,10 +59,10 @@ private:
 
     LookAtData m_look;
     DataOverview m_overview;
-    QString m_folder;      ///< the one that is open; empty: none
+    QString m_folder;  ///< the one that is open; empty: none
     int m_sample = 0;
-    bool m_isDrawingDue = false;   ///< when the window has come to rest
-    bool m_isDrawnAgain = false;   ///< something else was asked for while the sheet was drawn
+    bool m_isDrawingDue = false;  ///< when the window has come to rest
+    bool m_isDrawnAgain = false;  ///< something else was asked for while the sheet was drawn
 
     QLineEdit* m_folderField;
     QPushButton* m_browse;

@@ -9,12 +9,15 @@ void InBackground::run(Work work)
     m_isBusy = true;
     m_thread = std::thread([this, run = m_run, work = std::move(work)] {
         const Then then = work(m_isStopping);
-        QMetaObject::invokeMethod(this, [this, run, then] {
-            if (run != m_run)
-                return;  // stopped since
-            m_isBusy = false;
-            then();
-        }, Qt::QueuedConnection);
+        QMetaObject::invokeMethod(
+            this,
+            [this, run, then] {
+                if (run != m_run)
+                    return;  // stopped since
+                m_isBusy = false;
+                then();
+            },
+            Qt::QueuedConnection);
     });
 }
 

@@ -38,7 +38,8 @@ int check(const CheckCall& call)
 {
     const auto address = rendering::driverAddressFrom(call.specification);
     if (!address)
-        throw protocols::badInput({"display '" + call.specification + "' has no driver to check", "", "exec:COMMAND or tcp:HOST:PORT", ""});
+        throw protocols::badInput(
+            {"display '" + call.specification + "' has no driver to check", "", "exec:COMMAND or tcp:HOST:PORT", ""});
     rendering::DisplayCheckOptions options;
     options.touchWithin = std::chrono::milliseconds(static_cast<long>(1000 * call.touchSeconds));
     if (call.touchSeconds > 0)
@@ -58,7 +59,8 @@ void addDisplay(CLI::App& app, Action& action)
 {
     auto* display = app.add_subcommand("display", "for owners of a display: check its driver");
     display->require_subcommand(1);
-    auto* checkDriver = display->add_subcommand("check", "every demand of the protocol, with pass or FAIL; the display shows images meanwhile");
+    auto* checkDriver =
+        display->add_subcommand("check", "every demand of the protocol, with pass or FAIL; the display shows images meanwhile");
     auto call = std::make_shared<CheckCall>();
     checkDriver->add_option("SPEC", call->specification, "exec:COMMAND or tcp:HOST:PORT, as for vis2hap --display")->required();
     checkDriver->add_option("--touch", call->touchSeconds, "wait so many seconds for a finger, to check that touches are told")

@@ -27,8 +27,8 @@ app::DataOverview openData(const fs::path& folder)
     app::DataOverview overview{QString::fromStdString(seen.name), QString::fromStdString(seen.about), {}};
     for (const auto& fabric : seen.fabrics)
         overview.fabrics.push_back({QString::fromStdString(fabric.id), QString::fromStdString(fabric.name),
-                                    QString::fromStdString(fabric.structure), fabric.photographs, fabric.frames, fabric.knownHeights,
-                                    fabric.strokes, fabric.most()});
+                                    QString::fromStdString(fabric.structure), fabric.photographs, fabric.frames,
+                                    fabric.knownHeights, fabric.strokes, fabric.most()});
     return overview;
 }
 
@@ -51,7 +51,8 @@ app::DataSheet drawData(const app::DataSheetRequest& request)
 QStringList checkData(const fs::path& folder, const std::function<void(double)>& progress)
 {
     looking::requireNotOfOpenStudy(folder);
-    return listOf(rendering::fabrics::faultsOfDataset(folder, [&](int done, int total) { progress(1.0 * done / std::max(1, total)); }));
+    return listOf(
+        rendering::fabrics::faultsOfDataset(folder, [&](int done, int total) { progress(1.0 * done / std::max(1, total)); }));
 }
 
 }  // namespace

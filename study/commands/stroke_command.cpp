@@ -27,8 +27,8 @@ cv::Mat readFrictionImage(const std::string& file)
     const cv::Mat image = rendering::readImage(file);
     if (image.type() == CV_8UC1 || image.type() == CV_16UC1)
         return image;
-    throw protocols::badInput({"is no friction image", file, "one grey channel of 8 or 16 bits",
-                               "make one with `vis2hap render`"});
+    throw protocols::badInput(
+        {"is no friction image", file, "one grey channel of 8 or 16 bits", "make one with `vis2hap render`"});
 }
 
 int lineOf(const StrokeCall& call, const cv::Mat& image)
@@ -59,11 +59,12 @@ int stroke(const StrokeCall& call)
 void addStroke(CLI::App& app, Action& action)
 {
     auto* command = app.add_subcommand("stroke", "friction force over time under a simulated finger");
-    command->footer("The model: the finger pad averages the image over its contact (a Gaussian of sigma = contact / 2); friction rises\n"
-                    "linearly with the pixel value, from the glass's own 0.3 at 0 to 0.9 at full scale; the tangential force is\n"
-                    "friction times the normal force and follows with a first-order response (2 ms). The stroke runs from left to\n"
-                    "right (--vertical: top to bottom) at an even speed. Columns: t_s, position_mm, normal_n, tangential_n.\n"
-                    "Simulated participants feel images in this way.");
+    command->footer(
+        "The model: the finger pad averages the image over its contact (a Gaussian of sigma = contact / 2); friction rises\n"
+        "linearly with the pixel value, from the glass's own 0.3 at 0 to 0.9 at full scale; the tangential force is\n"
+        "friction times the normal force and follows with a first-order response (2 ms). The stroke runs from left to\n"
+        "right (--vertical: top to bottom) at an even speed. Columns: t_s, position_mm, normal_n, tangential_n.\n"
+        "Simulated participants feel images in this way.");
     auto call = std::make_shared<StrokeCall>();
     auto& options = call->options;
     command->add_option("IMAGE", call->image, "friction image: PNG or PGM, grey")->required();

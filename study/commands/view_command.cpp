@@ -45,15 +45,17 @@ int view(const ViewCall& call)
 void addView(CLI::App& app, Action& action)
 {
     auto* command = app.add_subcommand("view", "signals as picture, relief and profile with units, side by side on one sheet");
-    command->footer("Photographs, tactile frames and friction images (PNG, PGM), heights in mm (TIFF), gradients (.npy) and friction\n"
-                    "records (CSV: curve, spectrogram and spectrum). States least, largest and mean value, Sq (root mean square about\n"
-                    "the mean), and the shares of clipped and missing points. In a data set the scale is known; elsewhere say it. The\n"
-                    "stimuli of a study that is not unblinded are refused.");
+    command->footer(
+        "Photographs, tactile frames and friction images (PNG, PGM), heights in mm (TIFF), gradients (.npy) and friction\n"
+        "records (CSV: curve, spectrogram and spectrum). States least, largest and mean value, Sq (root mean square about\n"
+        "the mean), and the shares of clipped and missing points. In a data set the scale is known; elsewhere say it. The\n"
+        "stimuli of a study that is not unblinded are refused.");
     auto call = std::make_shared<ViewCall>();
     command->add_option("FILE", call->files, "what to look at")->required();
     command->add_option("--out", call->out, "PNG to write")->required();
     command->add_option("--mm-per-pixel", call->reading.mmPerPixel, "scale of pictures and maps")->check(CLI::Range(1e-6, 1e3));
-    command->add_option("--speed", call->reading.speedMmPerS, "of a stroke, mm/s, to draw it over mm")->check(CLI::Range(1e-6, 1e6));
+    command->add_option("--speed", call->reading.speedMmPerS, "of a stroke, mm/s, to draw it over mm")
+        ->check(CLI::Range(1e-6, 1e6));
     command->add_option("--unit", call->reading.unit, "of the values of TIFF and .npy (default: mm; .npy: mm/mm)");
     command->add_option("--per-row", call->perRow, "signals beside each other")->check(CLI::Range(1, 12))->capture_default_str();
     command->add_option("--quantity", call->reading.quantity, "column of a record to look at (default: its friction)");

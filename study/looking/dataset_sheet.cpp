@@ -23,11 +23,13 @@ std::string pitchText(const char* what, const std::optional<double>& mmPerPixel)
 std::string aboutOf(const Dataset& dataset)
 {
     const std::string origin = dataset.procedural ? "procedural, " : "";
-    const std::string pairing = dataset.pairing == rendering::fabrics::Pairing::Aligned ? "signals of the same places" : "signals of different places";
-    const std::string strokes = "strokes at " + roughFigure(dataset.friction.speedMmPerS) + " mm/s and " + roughFigure(dataset.friction.sampleRateHz) + " Hz";
+    const std::string pairing =
+        dataset.pairing == rendering::fabrics::Pairing::Aligned ? "signals of the same places" : "signals of different places";
+    const std::string strokes = "strokes at " + roughFigure(dataset.friction.speedMmPerS) + " mm/s and " +
+                                roughFigure(dataset.friction.sampleRateHz) + " Hz";
     const std::string licence = dataset.licence.empty() ? "" : "; " + dataset.licence;
-    return origin + pairing + "; " + pitchText("photographs", dataset.cameraMmPerPixel) + "; " + pitchText("frames", dataset.tactileMmPerPixel) +
-           "; " + strokes + licence;
+    return origin + pairing + "; " + pitchText("photographs", dataset.cameraMmPerPixel) + "; " +
+           pitchText("frames", dataset.tactileMmPerPixel) + "; " + strokes + licence;
 }
 
 int countOf(const Dataset& dataset, const protocols::FabricId& fabric, Modality modality)
@@ -56,10 +58,12 @@ SeenSignal computedHeight(const Dataset& dataset, const protocols::FabricId& fab
     requireNotOfOpenStudy(samplePath(dataset, fabric, Modality::Tactile, index));
     rendering::Rendering counts;
     rendering::SignalWorkshop workshop(dataset, rendering::models::Quality::Accurate);
-    const auto signals = workshop.measured(fabric, {0, index, 0}, {rendering::Signal::TactileFrame, rendering::Signal::PhotometricHeight}, counts);
-    return seenHeight(signals.images.at(rendering::Signal::PhotometricHeight), dataset.tactileMmPerPixel,
-                      fabric.value + " height of tactile " + samplePath(dataset, fabric, Modality::Tactile, index).filename().string(),
-                      "from the frame");
+    const auto signals =
+        workshop.measured(fabric, {0, index, 0}, {rendering::Signal::TactileFrame, rendering::Signal::PhotometricHeight}, counts);
+    return seenHeight(
+        signals.images.at(rendering::Signal::PhotometricHeight), dataset.tactileMmPerPixel,
+        fabric.value + " height of tactile " + samplePath(dataset, fabric, Modality::Tactile, index).filename().string(),
+        "from the frame");
 }
 
 class Sheet {

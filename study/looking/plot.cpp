@@ -41,19 +41,86 @@ std::vector<double> ticksOf(const Axis& axis, int wanted)
     return decades;
 }
 
+/// Lines across, each with its label on the left.
+void drawRows(QPainter& painter, const QRectF& inside, double left, double labelWidth, const Axis& y,
+              const std::vector<double>& ticks, const SheetStyle& style)
+{
+    const double height = QFontMetricsF(painter.font()).height();
+    for (const double tick : ticks) {
+        const double at = up(inside, y, tick);
+        painter.setPen(style.line);
+        painter.drawLine(QPointF(inside.left(), at), QPointF(inside.right(), at));
+        painter.setPen(style.quietText);
+        painter.drawText(QRectF(left, at - height / 2, labelWidth, height), Qt::AlignRight | Qt::AlignVCenter,
+                         labelOf(y, tick, stepOf(ticks)));
+    }
+}
+
+/// The line below with its ticks, and the unit at its end; labels that would touch the unit are left out.
+void drawColumns(QPainter& painter, const QRectF& inside, const QRectF& place, const Axis& x, const SheetStyle& style)
+{
+    const QFontMetricsF metrics(painter.font());
+    const QRectF labels(place.left(), inside.bottom() + 2, place.width() - 2, place.bottom() - inside.bottom());
+    const double unitBegins = labels.right() - metrics.horizontalAdvance(x.unit) - 6;
+    const auto ticks = ticksOf(x, static_cast<int>(inside.width() / (metrics.averageCharWidth() * 9)));
+    for (const double tick : ticks) {
+        const QString text = labelOf(x, tick, stepOf(ticks));
+        const double at = across(inside, x, tick), half = metrics.horizontalAdvance(text) / 2;
+        painter.setPen(style.line);
+        painter.drawLine(QPointF(at, inside.bottom()), QPointF(at, inside.bottom() + 4));
+        painter.setPen(style.quietText);
+        if (at + half < unitBegins)
+            painter.drawText(QRectF(std::max(at - half, labels.left()), labels.top(), 2 * half + 1, labels.height()),
+                             Qt::AlignLeft | Qt::AlignBottom, text);
+    }
+    painter.setPen(style.quietText);
+    painter.drawText(labels, Qt::AlignRight | Qt::AlignBottom, x.unit);
+    painter.drawLine(inside.bottomLeft(), inside.bottomRight());
+}
+
+struct Extent {
+    std::optional<double> low, high;
+};
+
+/// Of all samples that lie in the same column of pixels as sample `i`, which goes on to the first behind them.
+Extent extentOfColumn(const QRectF& inside, const Axis& x, const std::vector<double>& places, const std::vector<double>& values,
+                      std::size_t& i)
+{
+    Extent extent;
+    const double column = std::floor(across(inside, x, places[i]));
+    for (; i < values.size() && std::floor(across(inside, x, places[i])) == column; ++i)
+        if (std::isfinite(values[i])) {
+            extent.low = std::min(extent.low.value_or(values[i]), values[i]);
+            extent.high = std::max(extent.high.value_or(values[i]), values[i]);
+        }
+    return extent;
+}
+
 }  // namespace
 
 SheetStyle lightSheet()
 {
-    return {.background = QColor("#f4f3ef"), .surface = QColor("#ffffff"), .text = QColor("#1d2430"), .quietText = QColor("#566070"),
-            .line = QColor("#c9cdd4"), .accent = QColor("#1f5c99"), .attention = QColor("#fff0c9"), .onAttention = QColor("#5a4200"),
+    return {.background = QColor("#f4f3ef"),
+            .surface = QColor("#ffffff"),
+            .text = QColor("#1d2430"),
+            .quietText = QColor("#566070"),
+            .line = QColor("#c9cdd4"),
+            .accent = QColor("#1f5c99"),
+            .attention = QColor("#fff0c9"),
+            .onAttention = QColor("#5a4200"),
             .body = QColor("#cfd6df")};
 }
 
 SheetStyle darkSheet()
 {
-    return {.background = QColor("#15181d"), .surface = QColor("#1f242c"), .text = QColor("#e8eaee"), .quietText = QColor("#a9b1bd"),
-            .line = QColor("#3d4653"), .accent = QColor("#8fb8ee"), .attention = QColor("#4a3a12"), .onAttention = QColor("#ffe4a3"),
+    return {.background = QColor("#15181d"),
+            .surface = QColor("#1f242c"),
+            .text = QColor("#e8eaee"),
+            .quietText = QColor("#a9b1bd"),
+            .line = QColor("#3d4653"),
+            .accent = QColor("#8fb8ee"),
+            .attention = QColor("#4a3a12"),
+            .onAttention = QColor("#ffe4a3"),
             .body = QColor("#b7c0cc")};
 }
 
@@ -134,32 +201,10 @@ QRectF drawAxes(QPainter& painter, const QRectF& place, const Axis& x, const Axi
         widest = std::max(widest, metrics.horizontalAdvance(labelOf(y, tick, stepOf(rows))));
     const double above = metrics.height() * 1.75, below = metrics.height() * 1.35;
     const QRectF inside = place.adjusted(widest + 8, above, -2, -below);
-    const auto columns = ticksOf(x, static_cast<int>(inside.width() / (metrics.averageCharWidth() * 9)));
-
     painter.setPen(style.quietText);
     painter.drawText(QRectF(place.left(), place.top(), place.width(), above), Qt::AlignLeft | Qt::AlignTop, y.unit);
-    const double unitWidth = metrics.horizontalAdvance(x.unit);
-    painter.drawText(QRectF(place.left(), inside.bottom() + 2, place.width() - 2, below), Qt::AlignRight | Qt::AlignBottom, x.unit);
-    for (const double tick : rows) {
-        const double at = up(inside, y, tick);
-        painter.setPen(style.line);
-        painter.drawLine(QPointF(inside.left(), at), QPointF(inside.right(), at));
-        painter.setPen(style.quietText);
-        painter.drawText(QRectF(place.left(), at - metrics.height() / 2, widest, metrics.height()), Qt::AlignRight | Qt::AlignVCenter,
-                         labelOf(y, tick, stepOf(rows)));
-    }
-    for (const double tick : columns) {
-        const QString text = labelOf(x, tick, stepOf(columns));
-        const double at = across(inside, x, tick), half = metrics.horizontalAdvance(text) / 2;
-        painter.setPen(style.line);
-        painter.drawLine(QPointF(at, inside.bottom()), QPointF(at, inside.bottom() + 4));
-        const bool isFree = at + half < inside.right() - unitWidth - 6;
-        painter.setPen(style.quietText);
-        if (isFree)
-            painter.drawText(QRectF(std::max(at - half, place.left()), inside.bottom() + 2, 2 * half + 1, below), Qt::AlignLeft | Qt::AlignBottom, text);
-    }
-    painter.setPen(style.quietText);
-    painter.drawLine(inside.bottomLeft(), inside.bottomRight());
+    drawRows(painter, inside, place.left(), widest, y, rows, style);
+    drawColumns(painter, inside, place, x, style);
     return inside;
 }
 
@@ -173,24 +218,18 @@ void drawCurve(QPainter& painter, const QRectF& inside, const Axis& x, const Axi
     std::optional<QPointF> before;
     std::size_t i = 0;
     while (i < values.size()) {
-        // All samples of one column of pixels at once.
-        const double column = std::floor(across(inside, x, places[i]));
-        std::optional<double> low, high;
-        std::size_t samples = 0;
-        for (; i < values.size() && std::floor(across(inside, x, places[i])) == column; ++i, ++samples)
-            if (std::isfinite(values[i])) {
-                low = std::min(low.value_or(values[i]), values[i]);
-                high = std::max(high.value_or(values[i]), values[i]);
-            }
-        if (!low) {
-            before.reset();
+        const std::size_t first = i;
+        const Extent extent = extentOfColumn(inside, x, places, values, i);
+        if (!extent.low) {
+            before.reset();  // a gap
             continue;
         }
-        const bool isOne = samples == 1;
-        const QPointF top(isOne ? across(inside, x, places[i - 1]) : column + 0.5, up(inside, y, *high));
-        const QPointF bottom(top.x(), up(inside, y, *low));
+        const bool isOne = i == first + 1;
+        const double at = isOne ? across(inside, x, places[first]) : std::floor(across(inside, x, places[first])) + 0.5;
+        const QPointF top(at, up(inside, y, *extent.high)), bottom(at, up(inside, y, *extent.low));
+        const bool isTopNearer = before && std::abs(before->y() - top.y()) < std::abs(before->y() - bottom.y());
         if (before)
-            painter.drawLine(*before, QPointF(top.x(), std::abs(before->y() - top.y()) < std::abs(before->y() - bottom.y()) ? top.y() : bottom.y()));
+            painter.drawLine(*before, isTopNearer ? top : bottom);
         else if (isOne && (i == values.size() || !std::isfinite(values[i])))
             painter.drawEllipse(top, 1.5, 1.5);  // it stands alone
         if (!isOne)
@@ -205,14 +244,16 @@ void drawScaleBar(QPainter& painter, const QRectF& place, double pixelsPerUnit, 
     // A bar of part of a pixel would say nothing.
     const double shortest = unit == QStringLiteral("pixels") ? 1 : 1e-12;
     const double length = roundStep(std::max(shortest, place.width() * 0.42 / pixelsPerUnit));
-    const QString text = QStringLiteral("%1 %2").arg(length >= 1e5 || length < 1e-4 ? QString::number(length, 'g', 3) : tickText(length, length), unit);
+    const QString text = QStringLiteral("%1 %2").arg(
+        length >= 1e5 || length < 1e-4 ? QString::number(length, 'g', 3) : tickText(length, length), unit);
     const double barWidth = length * pixelsPerUnit, middle = place.center().y();
     painter.fillRect(QRectF(place.left(), middle - 2, barWidth, 4), style.text);
     for (const double end : {place.left(), place.left() + barWidth - 2})
         painter.fillRect(QRectF(end, middle - 6, 2, 12), style.text);
     painter.setFont(fontOf(style, 0.9));
     painter.setPen(style.text);
-    painter.drawText(QRectF(place.left() + barWidth + 10, place.top(), place.width(), place.height()), Qt::AlignLeft | Qt::AlignVCenter, text);
+    painter.drawText(QRectF(place.left() + barWidth + 10, place.top(), place.width(), place.height()),
+                     Qt::AlignLeft | Qt::AlignVCenter, text);
 }
 
 }  // namespace study::looking

@@ -20,6 +20,7 @@ struct ReadingOptions {
 SeenSignal readSignal(const std::filesystem::path& file, const ReadingOptions& options = {});
 
 /// A height map in mm that was computed, not read.
-SeenSignal seenHeight(const cv::Mat& heightMm, std::optional<double> mmPerPixel, const std::string& title, const std::string& origin);
+SeenSignal seenHeight(const cv::Mat& heightMm, std::optional<double> mmPerPixel, const std::string& title,
+                      const std::string& origin);
 
 }  // namespace study::looking

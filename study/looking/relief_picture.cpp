@@ -12,9 +12,9 @@ namespace study::looking {
 
 namespace {
 
-constexpr double foreshortening = 0.62;   // of the ground, seen from some 40 degrees above
-constexpr double heightShare = 0.11;      // of the picture's height, taken by the relief itself
-constexpr double outlierShare = 0.005;    // at either end: one spike must not flatten the rest
+constexpr double foreshortening = 0.62;  // of the ground, seen from some 40 degrees above
+constexpr double heightShare = 0.11;     // of the picture's height, taken by the relief itself
+constexpr double outlierShare = 0.005;   // at either end: one spike must not flatten the rest
 
 /// The values that all but a few lie between.
 std::pair<double, double> bulkOf(const cv::Mat& values)
@@ -70,7 +70,8 @@ QRgb lit(const QColor& body, double brightness)
 
 QColor colourOf(double fraction)
 {
-    constexpr std::array<std::array<double, 3>, 5> stops{{{68, 1, 84}, {59, 82, 139}, {33, 145, 140}, {94, 201, 98}, {253, 231, 37}}};
+    constexpr std::array<std::array<double, 3>, 5> stops{
+        {{68, 1, 84}, {59, 82, 139}, {33, 145, 140}, {94, 201, 98}, {253, 231, 37}}};
     const double place = std::clamp(fraction, 0.0, 1.0) * (stops.size() - 1);
     const auto low = std::min(static_cast<std::size_t>(place), stops.size() - 2);
     const double part = place - static_cast<double>(low);
@@ -84,7 +85,8 @@ QImage pictureOf(const cv::Mat& values, double low, double high, Palette palette
 {
     std::array<QRgb, 256> table{};
     for (int level = 0; level < 256; ++level)
-        table[static_cast<std::size_t>(level)] = palette == Palette::Grey ? qRgb(level, level, level) : colourOf(level / 255.0).rgb();
+        table[static_cast<std::size_t>(level)] =
+            palette == Palette::Grey ? qRgb(level, level, level) : colourOf(level / 255.0).rgb();
     QImage picture(values.cols, values.rows, QImage::Format_RGB32);
     const double scale = high > low ? 255 / (high - low) : 0;
     for (int row = 0; row < values.rows; ++row) {
@@ -115,14 +117,16 @@ Relief reliefOf(const cv::Mat& values, QSize size, const QColor& body)
     const int edge = std::max(2, size.height() / 24);  // the front of the block
     const int ground = size.height() - edge - static_cast<int>(std::ceil(highest));
     // The ground keeps the map's own shape where that fits, else it is as deep as there is room.
-    const int rows = std::clamp(static_cast<int>(std::lround(relief.pixelsPerValue * values.rows * foreshortening)), 1, std::max(1, ground));
+    const int rows =
+        std::clamp(static_cast<int>(std::lround(relief.pixelsPerValue * values.rows * foreshortening)), 1, std::max(1, ground));
     const cv::Mat heights = heightsFor(values, size.width(), rows, low, high, relief.pixelsPerUnit);
     const int bottom = size.height() - edge;
     for (int x = 0; x < size.width(); ++x) {
         int hidden = size.height();  // everything from this line down is drawn already
         const QRgb front = lit(body, 0.32);
         for (int row = rows - 1; row >= 0; --row) {
-            const int y = std::clamp(bottom - (rows - 1 - row) - static_cast<int>(std::lround(heights.at<float>(row, x))), 0, size.height() - 1);
+            const int y = std::clamp(bottom - (rows - 1 - row) - static_cast<int>(std::lround(heights.at<float>(row, x))), 0,
+                                     size.height() - 1);
             const QRgb shade = row == rows - 1 ? front : lit(body, brightnessAt(heights, row, x));
             for (int line = y; line < hidden; ++line)
                 reinterpret_cast<QRgb*>(relief.picture.scanLine(line))[x] = shade;

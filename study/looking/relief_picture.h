@@ -20,9 +20,9 @@ QImage pictureOf(const cv::Mat& values, double low, double high, Palette palette
 QRect reliefPart(const cv::Mat& values, double widthOverDepth, int widest = 128);
 
 struct Relief {
-    QImage picture;            ///< transparent where there is nothing
-    double pixelsPerUnit = 0;  ///< so high is one unit of the values drawn; 0 for an even map
-    double pixelsPerValue = 0; ///< so wide is one value of the map
+    QImage picture;             ///< transparent where there is nothing
+    double pixelsPerUnit = 0;   ///< so high is one unit of the values drawn; 0 for an even map
+    double pixelsPerValue = 0;  ///< so wide is one value of the map
 };
 /// Missing values lie at the lowest place. `values` must not be empty.
 Relief reliefOf(const cv::Mat& values, QSize size, const QColor& body);

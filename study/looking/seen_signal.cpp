@@ -11,9 +11,9 @@ namespace study::looking {
 
 namespace {
 
-constexpr double muchClipped = 0.01;   // of the pixels
+constexpr double muchClipped = 0.01;  // of the pixels
 constexpr double muchMissing = 0.001;
-constexpr double flatContrast = 2;     // grey levels of root mean square: nothing can be seen in it
+constexpr double flatContrast = 2;  // grey levels of root mean square: nothing can be seen in it
 
 /// Two passes, for small waves on a large height.
 void addMoments(SignalFacts& facts, const std::vector<double>& finite)
@@ -88,7 +88,9 @@ std::string figure(double value)
     const double size = std::abs(value);
     const bool isPlain = size == 0 || (size >= 1e-4 && size < 1e5);
     // As many decimals as three digits take; whole numbers stay whole.
-    const int decimals = size == 0 || value == std::round(value) ? 0 : std::clamp(2 - static_cast<int>(std::floor(std::log10(size * 1.0005))), 0, 6);
+    const int decimals = size == 0 || value == std::round(value)
+                             ? 0
+                             : std::clamp(2 - static_cast<int>(std::floor(std::log10(size * 1.0005))), 0, 6);
     const auto end = isPlain ? std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed, decimals)
                              : std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::scientific, 2);
     return {text.data(), end.ptr};
@@ -141,7 +143,9 @@ std::vector<std::string> warningsOf(const SeenSignal& signal, const SignalFacts&
     if (clipped > muchClipped && facts.min && *facts.min != *facts.max)
         warnings.push_back(percent(clipped) + " of the pixels are clipped: what is above or below is lost.");
     if (facts.missingShare > muchMissing && facts.min)
-        warnings.push_back(percent(facts.missingShare) + (map ? " of the points are missing." : " of the samples: " + std::get<SeenTrace>(signal.what).whyMissing + "."));
+        warnings.push_back(
+            percent(facts.missingShare) +
+            (map ? " of the points are missing." : " of the samples: " + std::get<SeenTrace>(signal.what).whyMissing + "."));
     if (map && map->unit == "mm" && facts.min && *facts.min < -1e-6)
         warnings.emplace_back("Some heights are below 0; in a data set the lowest places are 0.");
     return warnings;

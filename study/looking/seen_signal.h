@@ -17,35 +17,35 @@ struct Holds {
 };
 
 struct SeenMap {
-    cv::Mat values;      ///< CV_32FC1; NaN where the file has nothing. Of a colour picture: its grey
-    cv::Mat colours;     ///< CV_8UC3, RGB; empty where the file has one channel
-    cv::Mat clipped;     ///< CV_8UC1, not 0 where any channel is at an end; empty without `holds`
-    std::string unit;    ///< "mm", "mm/mm", "grey level"
+    cv::Mat values;    ///< CV_32FC1; NaN where the file has nothing. Of a colour picture: its grey
+    cv::Mat colours;   ///< CV_8UC3, RGB; empty where the file has one channel
+    cv::Mat clipped;   ///< CV_8UC1, not 0 where any channel is at an end; empty without `holds`
+    std::string unit;  ///< "mm", "mm/mm", "grey level"
     std::optional<double> mmPerPixel;
     std::optional<Holds> holds;
 };
 
 struct SeenTrace {
-    std::vector<double> places;  ///< of the samples, rising, in `placeUnit`
-    std::vector<double> values;  ///< NaN where there is none
-    std::string placeUnit;       ///< "mm", "s", "samples"
-    std::string quantity;        ///< "coefficient of friction", or the record's own name
+    std::vector<double> places;          ///< of the samples, rising, in `placeUnit`
+    std::vector<double> values;          ///< NaN where there is none
+    std::string placeUnit;               ///< "mm", "s", "samples"
+    std::string quantity;                ///< "coefficient of friction", or the record's own name
     std::optional<double> sampleRateHz;  ///< on the average
     std::optional<double> samplesPerMm;
     std::string whyMissing = "no number";
 };
 
 struct SeenSignal {
-    std::string title;   ///< "F03 000.png"
-    std::string kind;    ///< "photograph, 512 × 512, 8 bits"
+    std::string title;  ///< "F03 000.png"
+    std::string kind;   ///< "photograph, 512 × 512, 8 bits"
     std::variant<SeenMap, SeenTrace> what;
 };
 
 /// Figures of the finite values; a signal without any has none of the first five.
 struct SignalFacts {
     std::optional<double> min, max, mean;
-    std::optional<double> sq;   ///< root mean square about the mean (of a surface: Sq)
-    double missingShare = 0;    ///< not finite, or marked as missing
+    std::optional<double> sq;                                 ///< root mean square about the mean (of a surface: Sq)
+    double missingShare = 0;                                  ///< not finite, or marked as missing
     std::optional<double> clippedLowShare, clippedHighShare;  ///< of the pixels, where the file's numbers have ends
     bool operator==(const SignalFacts&) const = default;
 };

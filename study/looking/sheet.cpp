@@ -13,8 +13,8 @@ namespace study::looking {
 
 namespace {
 
-constexpr double edge = 16;      // around a card
-constexpr double between = 14;   // cards, and panels of one
+constexpr double edge = 16;     // around a card
+constexpr double between = 14;  // cards, and panels of one
 
 struct Card {
     const SeenSignal& signal;
@@ -76,7 +76,8 @@ void drawHead(QPainter& painter, const QRectF& place, const SeenSignal& signal, 
     painter.setFont(fontOf(style, 1.15, true));
     painter.setPen(style.text);
     const QFontMetricsF bold(painter.font());
-    painter.drawText(place, Qt::AlignLeft | Qt::AlignTop, bold.elidedText(QString::fromStdString(signal.title), Qt::ElideMiddle, place.width()));
+    painter.drawText(place, Qt::AlignLeft | Qt::AlignTop,
+                     bold.elidedText(QString::fromStdString(signal.title), Qt::ElideMiddle, place.width()));
     painter.setFont(fontOf(style, 0.9));
     painter.setPen(style.quietText);
     const QFontMetricsF plain(painter.font());
@@ -104,7 +105,8 @@ void drawFacts(QPainter& painter, QRectF place, const Card& card, const SheetSty
 }
 
 /// The panels from top to bottom; a map and a trace have as many.
-void drawPanels(QPainter& painter, const QRectF& first, const QRectF& second, const QRectF& third, const Card& card, const SheetStyle& style)
+void drawPanels(QPainter& painter, const QRectF& first, const QRectF& second, const QRectF& third, const Card& card,
+                const SheetStyle& style)
 {
     if (const auto* map = std::get_if<SeenMap>(&card.signal.what)) {
         drawPicture(painter, first, *map, card.facts, style);
@@ -154,7 +156,8 @@ QImage drawSheet(const std::vector<SeenSignal>& signals, const SheetStyle& style
     sheet.fill(style.background);
     QPainter painter(&sheet);
     for (int i = 0; i < static_cast<int>(cards.size()); ++i) {
-        const QPointF corner(between + (i % columns) * (style.columnPx + between), between + (i / columns) * (measures.whole() + between));
+        const QPointF corner(between + (i % columns) * (style.columnPx + between),
+                             between + (i / columns) * (measures.whole() + between));
         drawCard(painter, corner, cards[static_cast<std::size_t>(i)], measures, style);
     }
     return sheet;
@@ -166,7 +169,8 @@ QString describe(const std::vector<SeenSignal>& signals)
     for (const SeenSignal& signal : signals) {
         const Card card = cardOf(signal);
         const QString facts = card.lines.join(QStringLiteral("; ")).replace(QStringLiteral("   "), QStringLiteral(", "));
-        texts << QStringLiteral("%1 (%2): %3").arg(QString::fromStdString(signal.title), QString::fromStdString(signal.kind), facts) +
+        texts << QStringLiteral("%1 (%2): %3")
+                         .arg(QString::fromStdString(signal.title), QString::fromStdString(signal.kind), facts) +
                      (card.warnings.isEmpty() ? QString() : QStringLiteral(". ") + card.warnings.join(' '));
     }
     return texts.join('\n');

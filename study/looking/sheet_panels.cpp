@@ -35,7 +35,8 @@ QImage imageOf(const SeenMap& map, const SignalFacts& facts, QSize size, const S
         return QImage(small.data, small.cols, small.rows, static_cast<qsizetype>(small.step), QImage::Format_RGB888).copy();
     }
     const Palette palette = map.holds ? Palette::Grey : Palette::Colours;
-    const double low = map.holds ? map.holds->lowest : facts.min.value_or(0), high = map.holds ? map.holds->highest : facts.max.value_or(1);
+    const double low = map.holds ? map.holds->lowest : facts.min.value_or(0),
+                 high = map.holds ? map.holds->highest : facts.max.value_or(1);
     return pictureOf(fitted(map.values, size), low, high, palette, style.attention);
 }
 
@@ -48,12 +49,16 @@ void drawColourBar(QPainter& painter, const QRectF& place, const SeenMap& map, c
     for (int step = 0; step < static_cast<int>(bar.height()); ++step) {
         const double fraction = 1 - step / bar.height();
         const int level = static_cast<int>(std::lround(255 * fraction));
-        painter.fillRect(QRectF(bar.left(), bar.top() + step, bar.width(), 1), map.holds ? QColor(level, level, level) : colourOf(fraction));
+        painter.fillRect(QRectF(bar.left(), bar.top() + step, bar.width(), 1),
+                         map.holds ? QColor(level, level, level) : colourOf(fraction));
     }
-    const double low = map.holds ? map.holds->lowest : facts.min.value_or(0), high = map.holds ? map.holds->highest : facts.max.value_or(0);
+    const double low = map.holds ? map.holds->lowest : facts.min.value_or(0),
+                 high = map.holds ? map.holds->highest : facts.max.value_or(0);
     painter.setPen(style.quietText);
-    painter.drawText(QRectF(place.left(), place.top(), place.width(), textHeight), Qt::AlignLeft | Qt::AlignTop, QString::fromStdString(figure(high)));
-    painter.drawText(QRectF(place.left(), bar.bottom(), place.width(), textHeight), Qt::AlignLeft | Qt::AlignBottom, QString::fromStdString(figure(low)));
+    painter.drawText(QRectF(place.left(), place.top(), place.width(), textHeight), Qt::AlignLeft | Qt::AlignTop,
+                     QString::fromStdString(figure(high)));
+    painter.drawText(QRectF(place.left(), bar.bottom(), place.width(), textHeight), Qt::AlignLeft | Qt::AlignBottom,
+                     QString::fromStdString(figure(low)));
     painter.save();
     painter.translate(bar.right() + textHeight * 0.55, bar.center().y());
     painter.rotate(-90);
@@ -74,7 +79,8 @@ void markPlaces(QPainter& painter, const QRectF& picture, const SeenMap& map, co
         painter.drawPolygon(QPolygonF{QPointF(x, y), QPointF(x + side * 8, y - 5), QPointF(x + side * 8, y + 5)});
     }
     const double scaleX = picture.width() / map.values.cols, scaleY = picture.height() / map.values.rows;
-    const QRectF framed(picture.left() + part.left() * scaleX, picture.top() + part.top() * scaleY, part.width() * scaleX, part.height() * scaleY);
+    const QRectF framed(picture.left() + part.left() * scaleX, picture.top() + part.top() * scaleY, part.width() * scaleX,
+                        part.height() * scaleY);
     const bool isAll = part.width() == map.values.cols && part.height() == map.values.rows;
     painter.setBrush(Qt::NoBrush);
     for (const QPen& pen : {QPen(Qt::black, 3), QPen(Qt::white, 1)}) {
@@ -89,7 +95,9 @@ void markPlaces(QPainter& painter, const QRectF& picture, const SeenMap& map, co
 QString lengthText(double pixels, const std::optional<double>& mmPerPixel)
 {
     return mmPerPixel ? QStringLiteral("%1 mm").arg(QString::fromStdString(roughFigure(pixels * *mmPerPixel)))
-                      : QStringLiteral("%1 %2").arg(std::lround(pixels)).arg(pixels == 1 ? QStringLiteral("pixel") : QStringLiteral("pixels"));
+                      : QStringLiteral("%1 %2")
+                            .arg(std::lround(pixels))
+                            .arg(pixels == 1 ? QStringLiteral("pixel") : QStringLiteral("pixels"));
 }
 
 QString heightWords(const SeenMap& map, const Relief& relief)
@@ -118,10 +126,12 @@ void drawPicture(QPainter& painter, const QRectF& place, const SeenMap& map, con
     painter.drawImage(picture, imageOf(map, facts, dots, style));
     markPlaces(painter, picture, map, reliefPart(map.values, 1.0), style);
     if (map.colours.empty())
-        drawColourBar(painter, QRectF(picture.right() + arrows + 6, room.top(), barWidth - 6, std::max(picture.height(), 9 * style.fontPx)), map, facts, style);
+        drawColourBar(
+            painter, QRectF(picture.right() + arrows + 6, room.top(), barWidth - 6, std::max(picture.height(), 9 * style.fontPx)),
+            map, facts, style);
     const bool isKnown = map.mmPerPixel.has_value();
-    drawScaleBar(painter, QRectF(room.left(), picture.bottom() + 2, room.width(), barHeight), isKnown ? scale / *map.mmPerPixel : scale,
-                 isKnown ? QStringLiteral("mm") : QStringLiteral("pixels"), style);
+    drawScaleBar(painter, QRectF(room.left(), picture.bottom() + 2, room.width(), barHeight),
+                 isKnown ? scale / *map.mmPerPixel : scale, isKnown ? QStringLiteral("mm") : QStringLiteral("pixels"), style);
 }
 
 void drawRelief(QPainter& painter, const QRectF& place, const SeenMap& map, const SheetStyle& style)
@@ -129,10 +139,12 @@ void drawRelief(QPainter& painter, const QRectF& place, const SeenMap& map, cons
     const QRect part = reliefPart(map.values, 1.0);
     const cv::Mat values = map.values(cv::Rect(part.left(), part.top(), part.width(), part.height())).clone();
     const double captionHeight = style.fontPx * 1.6;
-    const QSize size(static_cast<int>(place.width() * style.pixelRatio), static_cast<int>((place.height() - captionHeight) * style.pixelRatio));
+    const QSize size(static_cast<int>(place.width() * style.pixelRatio),
+                     static_cast<int>((place.height() - captionHeight) * style.pixelRatio));
     const Relief relief = reliefOf(values, size, style.body);
-    const QRectF below = belowCaption(painter, place,
-                                      QStringLiteral("Relief of %1, %2").arg(lengthText(part.width(), map.mmPerPixel), heightWords(map, relief)), style);
+    const QRectF below = belowCaption(
+        painter, place,
+        QStringLiteral("Relief of %1, %2").arg(lengthText(part.width(), map.mmPerPixel), heightWords(map, relief)), style);
     painter.drawImage(QRectF(below.topLeft(), QSizeF(size) / style.pixelRatio), relief.picture);
 }
 

@@ -14,9 +14,9 @@ namespace study::looking {
 
 namespace {
 
-constexpr std::size_t fewestSamples = 32;      // for a spectrogram
-constexpr std::size_t mostSamples = 20000;     // more than a panel can show
-constexpr double shownDecades = 3;             // 60 dB
+constexpr std::size_t fewestSamples = 32;   // for a spectrogram
+constexpr std::size_t mostSamples = 20000;  // more than a panel can show
+constexpr double shownDecades = 3;          // 60 dB
 
 /// What spectrograms are taken of: without gaps, about its mean, at most `mostSamples` from the middle.
 struct Stretch {
@@ -120,7 +120,9 @@ void drawSpectrogram(QPainter& painter, const QRectF& place, const SeenTrace& tr
     for (int row = 0; row < levels.rows; ++row)
         for (int column = 0; column < levels.cols; ++column)  // low frequencies below
             levels.at<float>(levels.rows - 1 - row, column) =
-                strongest > 0 ? static_cast<float>(std::max(-shownDecades, std::log10(amplitudes.at<double>(row, column) / strongest + 1e-12))) : -3.0f;
+                strongest > 0 ? static_cast<float>(
+                                    std::max(-shownDecades, std::log10(amplitudes.at<double>(row, column) / strongest + 1e-12)))
+                              : -3.0f;
     const Frequencies frequencies = frequenciesOf(trace);
     const double first = trace.places[stretch.first], last = trace.places[stretch.first + stretch.values.size() - 1];
     const Axis x{first, last, QString::fromStdString(trace.placeUnit)}, y{0, frequencies.perSample / 2, frequencies.unit};
@@ -146,7 +148,8 @@ void drawSpectrum(QPainter& painter, const QRectF& place, const SeenTrace& trace
     }
     const double highest = *std::max_element(logarithms.begin(), logarithms.end());
     const double lowest = std::max(*std::min_element(logarithms.begin(), logarithms.end()), highest - 6);
-    const Axis x{0, places.back(), frequencies.unit}, y{std::floor(lowest), std::max(std::ceil(highest), std::floor(lowest) + 1), withUnit(trace), true};
+    const Axis x{0, places.back(), frequencies.unit},
+        y{std::floor(lowest), std::max(std::ceil(highest), std::floor(lowest) + 1), withUnit(trace), true};
     drawCurve(painter, drawAxes(painter, below, x, y, style), x, y, places, logarithms, style);
 }
 

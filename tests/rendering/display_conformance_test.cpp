@@ -81,13 +81,13 @@ private Q_SLOTS:
         const QString folder = m_folder.filePath(QTest::currentDataTag());
         DisplayCheckOptions options;
         options.touchWithin = arguments.contains("--touch-after") ? 2s : 0s;
-        const auto check = checked("exec:" + reference() + " " + folder.toStdString() + " " + arguments.join(" ").toStdString(), options);
+        const auto check =
+            checked("exec:" + reference() + " " + folder.toStdString() + " " + arguments.join(" ").toStdString(), options);
         QVERIFY2(check.faults() == 0, qPrintable(faultsOf(check)));
         QCOMPARE(check.demands.size(), std::size_t(arguments.contains("--touch-after") ? 17 : 16));
         QCOMPARE(check.name, std::string("reference display"));
         QCOMPARE(check.showMs.size(), std::size_t(10));
-        if (arguments.contains("--delay"))
-            QVERIFY(*std::min_element(check.showMs.begin(), check.showMs.end()) >= 20);
+        if (arguments.contains("--delay")) QVERIFY(*std::min_element(check.showMs.begin(), check.showMs.end()) >= 20);
         // After its end of file nothing is felt.
         QCOMPARE(cv::countNonZero(readPgm((folder + "/current.pgm").toStdString())), 0);
     }
@@ -103,28 +103,50 @@ private Q_SLOTS:
     {
         QTest::addColumn<QString>("demand");
         QTest::addColumn<QString>("told");
-        QTest::newRow("silent at hello") << "says hello" << "no hello in time";
-        QTest::newRow("other schema") << "says hello" << "acme/7";
-        QTest::newRow("no name") << "says hello" << "no name";
-        QTest::newRow("endless line") << "says hello" << "longer than 65536 bytes";
-        QTest::newRow("endless lines") << "says nothing but messages" << "no message: x";
-        QTest::newRow("babbles") << "says nothing but messages" << "Engine 2.1 is ready";
-        QTest::newRow("answers twice") << "says nothing but messages" << "answered before";
-        QTest::newRow("touched elsewhere") << "says nothing but messages" << "image 999999";
-        QTest::newRow("echoes the schema") << "newer schema" << "display/99";
-        QTest::newRow("shows at the start") << "nothing after hello" << "showing 1";
-        QTest::newRow("hangs at an image") << "shows an image" << "no reply in time";
-        QTest::newRow("dies at an image") << "shows an image" << "ended by signal 9";
-        QTest::newRow("half a line") << "shows an image" << "ended with exit code 0";
-        QTest::newRow("refuses images") << "shows an image" << "no amplifier";
-        QTest::newRow("answers an old id") << "says nothing but messages" << "request 1,";
-        QTest::newRow("reads images as lines") << "whatever they look like" << "";
-        QTest::newRow("status tells nothing") << "names the image" << "showing nothing";
-        QTest::newRow("never clears") << "clears in time" << "showing";
-        QTest::newRow("hangs at clearing") << "clears in time" << "no reply in time";
-        QTest::newRow("silent at the unknown") << "does not know" << "no reply in time";
-        QTest::newRow("ends at the unknown") << "does not know" << "ended with exit code 0";
-        QTest::newRow("goes on without input") << "input ends" << "went on";
+        QTest::newRow("silent at hello") << "says hello"
+                                         << "no hello in time";
+        QTest::newRow("other schema") << "says hello"
+                                      << "acme/7";
+        QTest::newRow("no name") << "says hello"
+                                 << "no name";
+        QTest::newRow("endless line") << "says hello"
+                                      << "longer than 65536 bytes";
+        QTest::newRow("endless lines") << "says nothing but messages"
+                                       << "no message: x";
+        QTest::newRow("babbles") << "says nothing but messages"
+                                 << "Engine 2.1 is ready";
+        QTest::newRow("answers twice") << "says nothing but messages"
+                                       << "answered before";
+        QTest::newRow("touched elsewhere") << "says nothing but messages"
+                                           << "image 999999";
+        QTest::newRow("echoes the schema") << "newer schema"
+                                           << "display/99";
+        QTest::newRow("shows at the start") << "nothing after hello"
+                                            << "showing 1";
+        QTest::newRow("hangs at an image") << "shows an image"
+                                           << "no reply in time";
+        QTest::newRow("dies at an image") << "shows an image"
+                                          << "ended by signal 9";
+        QTest::newRow("half a line") << "shows an image"
+                                     << "ended with exit code 0";
+        QTest::newRow("refuses images") << "shows an image"
+                                        << "no amplifier";
+        QTest::newRow("answers an old id") << "says nothing but messages"
+                                           << "request 1,";
+        QTest::newRow("reads images as lines") << "whatever they look like"
+                                               << "";
+        QTest::newRow("status tells nothing") << "names the image"
+                                              << "showing nothing";
+        QTest::newRow("never clears") << "clears in time"
+                                      << "showing";
+        QTest::newRow("hangs at clearing") << "clears in time"
+                                           << "no reply in time";
+        QTest::newRow("silent at the unknown") << "does not know"
+                                               << "no reply in time";
+        QTest::newRow("ends at the unknown") << "does not know"
+                                             << "ended with exit code 0";
+        QTest::newRow("goes on without input") << "input ends"
+                                               << "went on";
     }
     void brokenDriversAreFoundOut()
     {

@@ -1,5 +1,7 @@
 // A display behind its owner's driver, as a session uses it: what is shown, what is told, and what happens when
 // the driver dies, hangs or babbles.
+#include "rendering/external_display.h"
+
 #include <netinet/in.h>
 #include <poll.h>
 #include <sys/socket.h>
@@ -15,7 +17,6 @@
 
 #include "protocols/random.h"
 #include "refusal.h"
-#include "rendering/external_display.h"
 #include "rendering/image_io.h"
 
 using namespace rendering;
@@ -107,7 +108,8 @@ private Q_SLOTS:
         attendFor(display, 50ms);
         QCOMPARE(touches.size(), std::size_t(2));
         // Told 200 ms late, and known to be.
-        QVERIFY2(touches.back().ago > 120ms && touches.back().ago > touches.front().ago, qPrintable(QString::number(touches.back().ago.count())));
+        QVERIFY2(touches.back().ago > 120ms && touches.back().ago > touches.front().ago,
+                 qPrintable(QString::number(touches.back().ago.count())));
     }
 
     void touchBetweenTwoImagesIsNone()
@@ -202,7 +204,8 @@ private Q_SLOTS:
     void harmlessHabitsAreBorne_data()
     {
         QTest::addColumn<QString>("fault");
-        for (const char* fault : {"babbles", "answers twice", "touched elsewhere", "floods its errors"}) QTest::newRow(fault) << fault;
+        for (const char* fault : {"babbles", "answers twice", "touched elsewhere", "floods its errors"})
+            QTest::newRow(fault) << fault;
     }
     void harmlessHabitsAreBorne()
     {
@@ -239,11 +242,21 @@ private Q_SLOTS:
         QTest::addColumn<QString>("specification");
         QTest::addColumn<QString>("host");
         QTest::addColumn<QString>("port");
-        QTest::newRow("name") << "tcp:lab-pc:7000" << "lab-pc" << "7000";
-        QTest::newRow("version 6") << "tcp:[::1]:7000" << "::1" << "7000";
-        QTest::newRow("without port") << "tcp:lab-pc" << "" << "";
-        QTest::newRow("without host") << "tcp::7000" << "" << "";
-        QTest::newRow("without command") << "exec: " << "" << "";
+        QTest::newRow("name") << "tcp:lab-pc:7000"
+                              << "lab-pc"
+                              << "7000";
+        QTest::newRow("version 6") << "tcp:[::1]:7000"
+                                   << "::1"
+                                   << "7000";
+        QTest::newRow("without port") << "tcp:lab-pc"
+                                      << ""
+                                      << "";
+        QTest::newRow("without host") << "tcp::7000"
+                                      << ""
+                                      << "";
+        QTest::newRow("without command") << "exec: "
+                                         << ""
+                                         << "";
     }
     void addressesAreUnderstood()
     {
@@ -263,14 +276,16 @@ private Q_SLOTS:
     {
         // Every line that a driver may say, with some of its bytes drawn anew.
         const std::string lines[] = {
-            "{\"type\":\"hello\",\"id\":1,\"schema\":\"vis2hap.display/1\",\"name\":\"A\",\"width\":40,\"height\":30,\"touches\":true}",
+            "{\"type\":\"hello\",\"id\":1,\"schema\":\"vis2hap.display/"
+            "1\",\"name\":\"A\",\"width\":40,\"height\":30,\"touches\":true}",
             "{\"type\":\"shown\",\"id\":2,\"at_s\":12.5}", "{\"type\":\"status\",\"id\":4,\"showing\":null}",
             "{\"type\":\"touched\",\"id\":2,\"at_s\":1e3}", "{\"type\":\"failed\",\"id\":2,\"why\":\"\\u00e4\"}"};
         protocols::Random random(20261121);
         int understood = 0;
         for (int round = 0; round < 40000; ++round) {
             std::string line = lines[random.below(std::size(lines))];
-            for (std::uint64_t change = random.below(4); change > 0; --change) line[random.below(line.size())] = static_cast<char>(random.below(256));
+            for (std::uint64_t change = random.below(4); change > 0; --change)
+                line[random.below(line.size())] = static_cast<char>(random.below(256));
             if (random.below(8) == 0) line.resize(random.below(line.size()));
             const auto said = driverMessageFrom(line);
             if (!said) continue;

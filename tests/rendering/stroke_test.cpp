@@ -165,8 +165,8 @@ private Q_SLOTS:
         QCOMPARE(table.columns, (std::vector<std::string>{"t_s", "position_mm", "normal_n", "tangential_n"}));
         QCOMPARE(table.rows.size(), samples.size());
         for (std::size_t row = 0; row < samples.size(); ++row)
-            QCOMPARE((StrokeSample{fabrics::numberAt(table, row, 0), fabrics::numberAt(table, row, 1), fabrics::numberAt(table, row, 2),
-                                   fabrics::numberAt(table, row, 3)}),
+            QCOMPARE((StrokeSample{fabrics::numberAt(table, row, 0), fabrics::numberAt(table, row, 1),
+                                   fabrics::numberAt(table, row, 2), fabrics::numberAt(table, row, 3)}),
                      samples[row]);
     }
 

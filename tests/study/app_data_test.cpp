@@ -202,8 +202,9 @@ void AppDataTest::pageIsSavedAsPicture()
     ShownWindow shown(lookingOptions());
     shown.window.resize(1300, 1150);
     auto& page = openPage(shown, dataset());
-    for (const auto& [name, appearance] : {std::pair("light", Appearance{Theme::Light, 100}), std::pair("dark", Appearance{Theme::DarkRoom, 100}),
-                                           std::pair("large", Appearance{Theme::Light, 200})}) {
+    for (const auto& [name, appearance] :
+         {std::pair("light", Appearance{Theme::Light, 100}), std::pair("dark", Appearance{Theme::DarkRoom, 100}),
+          std::pair("large", Appearance{Theme::Light, 200})}) {
         shown.window.setAppearance(appearance);
         QTest::qWait(400);
         QTRY_VERIFY(!page.isBusy());

@@ -172,7 +172,9 @@ void AppDisplayTest::driverThatStaysDeadSaysWhatToDo()
     const QString works = filePath("works");
     QFile mark(works);
     QVERIFY(mark.open(QIODevice::WriteOnly));
-    const QString command = QStringLiteral("test -e '%1' && exec " VIS2HAP_REFERENCE_DISPLAY " '%2'; echo no amplifier >&2; exit 4").arg(works, felt());
+    const QString command =
+        QStringLiteral("test -e '%1' && exec " VIS2HAP_REFERENCE_DISPLAY " '%2'; echo no amplifier >&2; exit 4")
+            .arg(works, felt());
     ShownWindow shown(with("exec:" + command));
     begin(shown, newStudy());
     stepTo<PlacingTray>(shown);
@@ -189,7 +191,9 @@ void AppDisplayTest::driverThatStaysDeadSaysWhatToDo()
     shown.window.session()->send(TrayReady{});
     QVERIFY(shown.hands.view().state.paused);
     const QString told = messageIn(shown);
-    QVERIFY2(told.contains("exit code 4; it said: no amplifier") && told.contains("tried 3 times") && told.contains("press Enter"), qPrintable(told));
+    QVERIFY2(
+        told.contains("exit code 4; it said: no amplifier") && told.contains("tried 3 times") && told.contains("press Enter"),
+        qPrintable(told));
     QCOMPARE(shown.hands.view().state.answersStored, before);
 
     QVERIFY(mark.open(QIODevice::WriteOnly));  // mended
@@ -213,7 +217,8 @@ void AppDisplayTest::killedProgramLeavesNothingToFeel()
 {
     // A process of its own opens the display, shows an image and is killed: the driver sees its end of input.
     QProcess child;
-    child.start(QCoreApplication::applicationFilePath(), {"--show-and-wait", "exec:" VIS2HAP_REFERENCE_DISPLAY " '" + felt() + "'"});
+    child.start(QCoreApplication::applicationFilePath(),
+                {"--show-and-wait", "exec:" VIS2HAP_REFERENCE_DISPLAY " '" + felt() + "'"});
     QVERIFY(child.waitForReadyRead(10000));
     QCOMPARE(child.readLine(), QByteArray("shown\n"));
     QVERIFY(feltIn(felt()) > 0);

@@ -147,7 +147,8 @@ private Q_SLOTS:
         QCOMPARE(mapOf(frame).mmPerPixel.value(), 0.05);
         QCOMPARE(mapOf(height).mmPerPixel.value(), 0.05);
         QCOMPARE(mapOf(height).unit, std::string("mm"));
-        QVERIFY(contains(photograph.kind, "photograph") && contains(frame.kind, "tactile frame") && contains(height.kind, "height"));
+        QVERIFY(contains(photograph.kind, "photograph") && contains(frame.kind, "tactile frame") &&
+                contains(height.kind, "height"));
         QCOMPARE(photograph.title, std::string("F01 visual 001.png"));
         auto told = readSignal(at("set/F01/visual/001.png"), {0.5, {}, {}, {}});
         QCOMPARE(mapOf(told).mmPerPixel.value(), 0.5);
@@ -184,10 +185,15 @@ private Q_SLOTS:
         QTest::addColumn<QByteArray>("text");
         QTest::addColumn<QString>("quantity");
         QTest::addColumn<QString>("unit");
-        QTest::newRow("coefficient") << QByteArray("t_s,mu\n0,1\n1,2\n") << "coefficient of friction" << "s";
-        QTest::newRow("counts") << QByteArray("t_s,taxel_sum_counts\n0,1\n1,2\n") << "taxel_sum_counts" << "s";
-        QTest::newRow("of a stroke") << QByteArray("t_s,position_mm,normal_n,tangential_n\n0,0,1,1\n1,5,1,2\n") << "coefficient of friction" << "mm";
-        QTest::newRow("without time") << QByteArray("counts\n1\n2\n") << "counts" << "samples";
+        QTest::newRow("coefficient") << QByteArray("t_s,mu\n0,1\n1,2\n") << "coefficient of friction"
+                                     << "s";
+        QTest::newRow("counts") << QByteArray("t_s,taxel_sum_counts\n0,1\n1,2\n") << "taxel_sum_counts"
+                                << "s";
+        QTest::newRow("of a stroke") << QByteArray("t_s,position_mm,normal_n,tangential_n\n0,0,1,1\n1,5,1,2\n")
+                                     << "coefficient of friction"
+                                     << "mm";
+        QTest::newRow("without time") << QByteArray("counts\n1\n2\n") << "counts"
+                                      << "samples";
     }
     void recordsOfOtherQuantitiesKeepTheirName()
     {
@@ -263,7 +269,8 @@ private Q_SLOTS:
             trace.values.push_back(map.at<float>(i / columns, i % columns));
         }
         trace.placeUnit = "mm";
-        const std::vector<SeenSignal> signals{seenHeight(map, {}, "map", "made"), seenHeight(map, 0.05, "map", "made"), {"trace", "made", trace}};
+        const std::vector<SeenSignal> signals{
+            seenHeight(map, {}, "map", "made"), seenHeight(map, 0.05, "map", "made"), {"trace", "made", trace}};
         for (const SheetStyle& style : {lightSheet(), darkSheet()}) {
             const QImage sheet = drawSheet(signals, style);
             QVERIFY(sheet.width() > 3 * 460 && sheet.height() > 700);
@@ -376,7 +383,8 @@ private Q_SLOTS:
         const auto stimulus = std::filesystem::directory_iterator(study.stimuli())->path();
         std::filesystem::create_symlink(stimulus, at("innocent.pgm"));
         std::filesystem::create_directory_symlink(study.folder, at("elsewhere"));
-        for (const auto& file : {stimulus, at("innocent.pgm"), at("elsewhere") / "stimuli" / stimulus.filename(), at("study/stimuli/../stimuli") / stimulus.filename()}) {
+        for (const auto& file : {stimulus, at("innocent.pgm"), at("elsewhere") / "stimuli" / stimulus.filename(),
+                                 at("study/stimuli/../stimuli") / stimulus.filename()}) {
             const auto refusal = refusalOf([&] { readSignal(file); });
             QVERIFY2(contains(refusal, "not unblinded"), refusal.c_str());
         }

@@ -30,8 +30,8 @@ private Q_SLOTS:
 
     void signalsOfAFabricStandSideBySide()
     {
-        const auto ended = runProgram({"view", at("set/F01/visual/000.png"), at("set/F01/tactile/000.png"), at("set/F01/height/000.tiff"),
-                                       at("set/F01/friction/000.csv"), "--out", at("sheet.png")});
+        const auto ended = runProgram({"view", at("set/F01/visual/000.png"), at("set/F01/tactile/000.png"),
+                                       at("set/F01/height/000.tiff"), at("set/F01/friction/000.csv"), "--out", at("sheet.png")});
         QVERIFY2(ended.exitCode == 0, qPrintable(ended.err));
         const QImage sheet(at("sheet.png"));
         QVERIFY(sheet.width() > 4 * 460 && sheet.height() > 700);
@@ -49,7 +49,8 @@ private Q_SLOTS:
         QVERIFY(text.starts_with("t_s,position_mm,normal_n,tangential_n\n0,0,0.5,"));
         // 89 pixels of 0.170 mm at 20 mm/s and 1000 Hz, both ends counted.
         QCOMPARE(std::count(text.begin(), text.end(), '\n'), 1 + 756 + 1);
-        const auto ended = runProgram({"view", at("stroke.csv"), at("image.pgm"), "--out", at("two.png"), "--dark", "--per-row", "1"});
+        const auto ended =
+            runProgram({"view", at("stroke.csv"), at("image.pgm"), "--out", at("two.png"), "--dark", "--per-row", "1"});
         QVERIFY2(ended.exitCode == 0, qPrintable(ended.err));
         QVERIFY(QImage(at("two.png")).height() > 1400);
     }

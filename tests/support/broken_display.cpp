@@ -42,12 +42,14 @@ void hello(const Json& request)
         while (true) std::cout << std::string(1000, 'x') << std::flush;
     if (is("endless lines"))
         while (true) sayLine("x");
-    if (is("other schema")) return say("hello", request["id"], {{"schema", "acme/7"}, {"name", "A"}, {"width", 4}, {"height", 3}});
+    if (is("other schema"))
+        return say("hello", request["id"], {{"schema", "acme/7"}, {"name", "A"}, {"width", 4}, {"height", 3}});
     if (is("echoes the schema"))
         return say("hello", request["id"], {{"schema", request["schema"]}, {"name", "A"}, {"width", 40}, {"height", 30}});
     if (is("no name")) return say("hello", request["id"], {{"schema", "vis2hap.display/1"}, {"width", 40}, {"height", 30}});
     if (is("shows at the start")) showing = 1;
-    say("hello", request["id"], {{"schema", "vis2hap.display/1"}, {"name", "A"}, {"width", 40}, {"height", 30}, {"touches", true}});
+    say("hello", request["id"],
+        {{"schema", "vis2hap.display/1"}, {"name", "A"}, {"width", 40}, {"height", 30}, {"touches", true}});
 }
 
 void show(const Json& request)

@@ -33,19 +33,15 @@ constexpr std::size_t errorTextKept = 2000;
 
 std::string systemText() { return std::strerror(errno); }
 
+void closeBoth(const std::array<int, 2>& ends)
+{
+    for (const int end : ends) ::close(end);
+}
+
 int millisecondsTo(Instant deadline)
 {
     const auto left = std::chrono::ceil<milliseconds>(deadline - steady_clock::now()).count();
     return static_cast<int>(std::max<long long>(0, left));
-}
-
-protocols::Error cannotReach(const DriverAddress& address, const std::string& why)
-{
-    return protocols::workFailed(
-        {.what = "the display's driver cannot be reached (" + why + ")",
-         .where = "display " + address.text(),
-         .expected = address.isProgram() ? "a program that can be started" : "a driver that waits for us there",
-         .nextStep = "start it by hand and see what it says, then try again"});
 }
 
 void setOption(int socket, int level, int option, int value) { ::setsockopt(socket, level, option, &value, sizeof value); }
@@ -131,9 +127,12 @@ DriverLink::~DriverLink() { close(steady_clock::now() + milliseconds(500)); }
 void DriverLink::startProgram(const std::string& command)
 {
     std::array<int, 2> streams{}, errors{};
-    const DriverAddress address{command, {}, {}};
-    if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, streams.data()) != 0) throw cannotReach(address, systemText());
-    if (::pipe2(errors.data(), O_CLOEXEC) != 0) throw cannotReach(address, systemText());
+    const bool hasStreams = ::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, streams.data()) == 0;
+    if (!hasStreams || ::pipe2(errors.data(), O_CLOEXEC) != 0) {
+        m_trouble = "cannot be started (" + systemText() + ")";
+        if (hasStreams) closeBoth(streams);
+        return;
+    }
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_adddup2(&actions, streams[1], STDIN_FILENO);
@@ -155,17 +154,18 @@ void DriverLink::startProgram(const std::string& command)
     ::fcntl(m_socket, F_SETFL, O_NONBLOCK);
     ::fcntl(m_errors, F_SETFL, O_NONBLOCK);
     if (fault == 0) return;
-    ::close(m_socket);
-    ::close(m_errors);
-    throw cannotReach(address, std::strerror(fault));
+    m_program = -1;
+    m_trouble = std::string("cannot be started (") + std::strerror(fault) + ")";
 }
 
 void DriverLink::connectTo(const DriverAddress& address, Instant deadline)
 {
     addrinfo wanted{}, *places = nullptr;
     wanted.ai_socktype = SOCK_STREAM;
-    if (const int fault = ::getaddrinfo(address.host.c_str(), address.port.c_str(), &wanted, &places); fault != 0)
-        throw cannotReach(address, ::gai_strerror(fault));
+    if (const int fault = ::getaddrinfo(address.host.c_str(), address.port.c_str(), &wanted, &places); fault != 0) {
+        m_trouble = std::string("cannot be reached (") + ::gai_strerror(fault) + ")";
+        return;
+    }
     const std::unique_ptr<addrinfo, decltype(&::freeaddrinfo)> owned(places, &::freeaddrinfo);
     int fault = EADDRNOTAVAIL;
     for (const addrinfo* place = places; place != nullptr; place = place->ai_next) {
@@ -173,8 +173,9 @@ void DriverLink::connectTo(const DriverAddress& address, Instant deadline)
         fault = m_socket < 0 ? errno : connectBefore(m_socket, *place, deadline);
         if (fault == 0) return tuneConnection(m_socket);
         if (m_socket >= 0) ::close(m_socket);
+        m_socket = -1;
     }
-    throw cannotReach(address, std::strerror(fault));
+    m_trouble = std::string("cannot be reached (") + std::strerror(fault) + ")";
 }
 
 bool DriverLink::send(std::string_view bytes, Instant deadline)

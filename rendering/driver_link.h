@@ -31,7 +31,7 @@ class DriverLink {
 public:
     static constexpr std::size_t longestLine = 65536;
 
-    /// Throws workFailed where the program cannot be started or nobody takes the connection.
+    /// Where the program cannot be started or nobody takes the connection it is lost from the beginning.
     DriverLink(const DriverAddress& address, Instant deadline);
     /// Ends it as `close` does.
     ~DriverLink();

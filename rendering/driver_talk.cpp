@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "protocols/errors.h"
-
 namespace rendering {
 
 namespace {
@@ -31,12 +29,7 @@ bool DriverTalk::isOpen()
     m_open.clear();
     m_said.clear();
     showing.reset();
-    try {
-        m_link = std::make_unique<DriverLink>(m_address, steady_clock::now() + m_patience.reply);
-    } catch (const protocols::Error& error) {
-        m_opening = error.what();
-        return false;
-    }
+    m_link = std::make_unique<DriverLink>(m_address, steady_clock::now() + m_patience.reply);
     const std::int64_t id = ++m_id;
     m_open.insert(id);
     const auto said = send(helloLine(id)) ? reply(id, m_patience.start) : std::nullopt;

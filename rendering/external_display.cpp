@@ -120,10 +120,9 @@ void ExternalDisplay::ask(const Request& request, int tries)
 
 ExternalDisplay::Begun ExternalDisplay::begin()
 {
-    try {
-        m_link = std::make_unique<DriverLink>(m_address, steady_clock::now() + m_patience.reply);
-    } catch (const protocols::Error& fault) {
-        m_trouble = std::string("does not start: ") + fault.what();
+    m_link = std::make_unique<DriverLink>(m_address, steady_clock::now() + m_patience.reply);
+    if (m_link->isLost()) {
+        lose(m_link->trouble());
         return Begun::NotNow;
     }
     watch(m_watched, m_link->socket());

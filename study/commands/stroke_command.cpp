@@ -4,6 +4,7 @@
 #include "rendering/stroke.h"
 #include "study/commands/command_line.h"
 #include "study/commands/json_output.h"
+#include "study/looking/open_study.h"
 
 #include <CLI/CLI.hpp>
 
@@ -43,6 +44,7 @@ int lineOf(const StrokeCall& call, const cv::Mat& image)
 
 int stroke(const StrokeCall& call)
 {
+    looking::requireNotOfOpenStudy(call.image);
     const cv::Mat image = readFrictionImage(call.image);
     const auto samples = rendering::strokeImage(image, lineOf(call, image), call.vertical, call.options);
     writeFile(call.csv, rendering::strokeCsv(samples));
@@ -77,7 +79,10 @@ void addStroke(CLI::App& app, Action& action)
     command->add_option("--contact", options.contactMm, "width of the contact, mm")->capture_default_str();
     command->add_option("--response", options.responseS, "time constant of the response, s")->capture_default_str();
     command->add_option("--rate", options.sampleRateHz, "samples a second")->capture_default_str();
-    command->callback([call, &action] { action.work = [call] { return stroke(*call); }; });
+    command->callback([call, &action] {
+        action.surroundings = Surroundings::Core;
+        action.work = [call] { return stroke(*call); };
+    });
 }
 
 }  // namespace study::commands

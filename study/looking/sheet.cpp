@@ -1,5 +1,6 @@
 #include "study/looking/sheet.h"
 
+#include "protocols/errors.h"
 #include "study/looking/sheet_panels.h"
 
 #include <QFontMetricsF>
@@ -151,6 +152,10 @@ QImage drawSheet(const std::vector<SeenSignal>& signals, const SheetStyle& style
     const int columns = std::min(perRow, static_cast<int>(cards.size()));
     const int rows = (static_cast<int>(cards.size()) + columns - 1) / columns;
     const QSizeF size(columns * (style.columnPx + between) + between, rows * (measures.whole() + between) + between);
+    constexpr double largestPx = 32000;
+    if (std::max(size.width(), size.height()) * style.pixelRatio > largestPx)
+        throw protocols::badInput({"the sheet would be larger than 32000 pixels", "",
+                                   "fewer signals on one sheet, or narrower ones", "make several sheets"});
     QImage sheet((size * style.pixelRatio).toSize(), QImage::Format_RGB32);
     sheet.setDevicePixelRatio(style.pixelRatio);
     sheet.fill(style.background);

@@ -12,7 +12,8 @@ namespace study::looking {
 /// At most this many signals stand in a row.
 inline constexpr int signalsInARow = 4;
 
-/// `signals` must not be empty; `perRow` from 1. A QGuiApplication must exist; any thread.
+/// `signals` must not be empty; `perRow` from 1. A QGuiApplication must exist; any thread. Throws badInput where the sheet
+/// would be larger than a picture can be.
 QImage drawSheet(const std::vector<SeenSignal>& signals, const SheetStyle& style, int perRow = signalsInARow);
 
 /// What the sheet tells, in words: for screen readers and for standard output.

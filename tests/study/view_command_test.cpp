@@ -65,6 +65,9 @@ private Q_SLOTS:
         QTest::newRow("line outside") << QStringList{"stroke", "IMAGE", "--csv", "OUT", "--line", "60"} << "no line 60";
         QTest::newRow("photograph") << QStringList{"stroke", "PHOTO", "--csv", "OUT"} << "no friction image";
         QTest::newRow("missing") << QStringList{"view", "NOTHING", "--out", "OUT"} << "nothing-here.png";
+        QTest::newRow("more than a sheet holds")
+            << QStringList{"view", "--per-row", "1", "--width", "2000", "--out", "OUT"} + QStringList(9, "IMAGE")
+            << "larger than 32000 pixels";
         QTest::newRow("no file") << QStringList{"view", "--out", "OUT"} << "FILE";
         QTest::newRow("nothing to check") << QStringList{"display", "check", "none"} << "no driver to check";
         QTest::newRow("no port") << QStringList{"display", "check", "tcp:lab"} << "tcp:HOST:PORT";
@@ -89,6 +92,9 @@ private Q_SLOTS:
         QCOMPARE(ended.exitCode, 2);
         QVERIFY2(ended.err.contains("not unblinded"), qPrintable(ended.err));
         QVERIFY(!QFile::exists(at("seen.png")));
+        const Ended stroked = runProgram({"stroke", stimulus, "--csv", at("felt.csv")});
+        QCOMPARE(stroked.exitCode, 2);
+        QVERIFY(stroked.err.contains("not unblinded") && !QFile::exists(at("felt.csv")));
     }
 
     void ownerOfADisplayChecksTheDriver()

@@ -2,9 +2,9 @@
 #include "protocols/errors.h"
 #include "rendering/fabrics/import.h"
 #include "study/commands/command_line.h"
+#include "study/commands/picture_decoder.h"
 
 #include <CLI/CLI.hpp>
-#include <QImageReader>
 
 #include <cstdio>
 #include <memory>
@@ -19,20 +19,6 @@ struct ImportCall {
     std::string out;
     std::string fabric;
 };
-
-/// JPEG and whatever else Qt's image formats read; upright by the camera's orientation mark.
-cv::Mat decodeByQt(const std::filesystem::path& file)
-{
-    QImageReader reader(QString::fromStdString(file.string()));
-    reader.setAutoTransform(true);
-    const QImage image = reader.read().convertToFormat(QImage::Format_RGB888);
-    if (image.isNull())
-        throw protocols::badInput({"no image that can be read (" + reader.errorString().toStdString() + ")", file.string(),
-                                   "PNG, JPEG, BMP, GIF, PPM or WebP", "convert it to PNG"});
-    const cv::Mat view(image.height(), image.width(), CV_8UC3, const_cast<uchar*>(image.constBits()),
-                       static_cast<size_t>(image.bytesPerLine()));
-    return view.clone();
-}
 
 int import(const ImportCall& call)
 {

@@ -2,6 +2,7 @@
 #include "protocols/errors.h"
 #include "study/commands/command_line.h"
 #include "study/commands/json_output.h"
+#include "study/commands/picture_decoder.h"
 #include "study/looking/read_signal.h"
 #include "study/looking/sheet.h"
 
@@ -26,9 +27,11 @@ struct ViewCall {
 
 int view(const ViewCall& call)
 {
+    looking::ReadingOptions reading = call.reading;
+    reading.decode = decodeByQt;
     std::vector<looking::SeenSignal> signals;
     for (const std::string& file : call.files)
-        signals.push_back(looking::readSignal(file, call.reading));
+        signals.push_back(looking::readSignal(file, reading));
     looking::SheetStyle style = call.isDark ? looking::darkSheet() : looking::lightSheet();
     style.columnPx = call.columnPx;
     style.fontPx = call.columnPx / 460.0 * style.fontPx;
@@ -46,10 +49,10 @@ void addView(CLI::App& app, Action& action)
 {
     auto* command = app.add_subcommand("view", "signals as picture, relief and profile with units, side by side on one sheet");
     command->footer(
-        "Photographs, tactile frames and friction images (PNG, PGM), heights in mm (TIFF), gradients (.npy) and friction\n"
-        "records (CSV: curve, spectrogram and spectrum). States least, largest and mean value, Sq (root mean square about\n"
-        "the mean), and the shares of clipped and missing points. In a data set the scale is known; elsewhere say it. The\n"
-        "stimuli of a study that is not unblinded are refused.");
+        "Photographs, tactile frames and friction images (PNG, PGM, JPEG), heights in mm (TIFF, TMD), gradients (.npy) and\n"
+        "friction records (CSV: curve, spectrogram and spectrum). States least, largest and mean value, Sq (root mean\n"
+        "square about the mean), and the shares of clipped and missing points. In a data set the scale is known;\n"
+        "elsewhere say it. The stimuli of a study that is not unblinded are refused.");
     auto call = std::make_shared<ViewCall>();
     command->add_option("FILE", call->files, "what to look at")->required();
     command->add_option("--out", call->out, "PNG to write")->required();

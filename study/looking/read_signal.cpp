@@ -3,6 +3,7 @@
 #include "protocols/errors.h"
 #include "rendering/friction_image.h"
 #include "rendering/image_io.h"
+#include "rendering/true_map.h"
 #include "study/looking/open_study.h"
 #include "study/looking/place_in_dataset.h"
 #include "study/looking/read_trace.h"
@@ -11,6 +12,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <limits>
 
@@ -29,6 +31,14 @@ std::optional<double> pitchIn(const PlaceInDataset& place)
         return place.dataset.cameraMmPerPixel;
     const bool isTactile = place.signal == "tactile" || place.signal == "height";
     return isTactile ? place.dataset.tactileMmPerPixel : std::nullopt;
+}
+
+std::string endingOf(const fs::path& file)
+{
+    std::string ending = file.extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return ending;
 }
 
 std::string sizeOf(const cv::Mat& image)
@@ -107,36 +117,57 @@ std::string kindOfImage(const cv::Mat& image, const std::optional<PlaceInDataset
     return kind + sizeOf(image) + depth;
 }
 
+/// Of an instrument that keeps its pitch beside the heights.
+SeenSignal readProfilometer(const fs::path& file, const ReadingOptions& options)
+{
+    const rendering::TrueMap read = rendering::readTrueMap(file);
+    SeenMap map = mapOfNumbers(read.heightMm, "mm");
+    map.mmPerPixel = options.mmPerPixel.value_or(read.xPitchMm);
+    map.rowPitch = std::clamp(read.yPitchMm / read.xPitchMm, 0.01, 100.0);  // else nothing could be seen
+    return {file.filename().string(), "height, " + sizeOf(read.heightMm), std::move(map)};
+}
+
+cv::Mat decoded(const fs::path& file, const ReadingOptions& options)
+{
+    const std::string kind = endingOf(file);
+    const bool isForeign = kind == ".jpg" || kind == ".jpeg" || kind == ".bmp" || kind == ".webp";
+    return isForeign && options.decode ? options.decode(file) : rendering::readImage(file);
+}
+
+std::optional<double> pitchOf(const cv::Mat& image, const std::optional<PlaceInDataset>& place, const ReadingOptions& options)
+{
+    if (options.mmPerPixel)
+        return options.mmPerPixel;
+    if (place)
+        return pitchIn(*place);
+    const bool isShown = image.depth() == CV_8U && isOfTheGlass(image);
+    return isShown ? std::optional(rendering::displayMmPerPixel) : std::nullopt;
+}
+
+std::string kindOfNumbers(const SeenMap& map)
+{
+    const std::string kind = map.unit == "mm" ? "height, " : map.unit == "mm/mm" ? "gradient, " : "map, ";
+    return kind + sizeOf(map.values);
+}
+
 SeenSignal readMap(const fs::path& file, const ReadingOptions& options)
 {
-    const cv::Mat image = rendering::readImage(file);
+    const cv::Mat image = decoded(file, options);
     if (image.empty())
         throw protocols::badInput({"holds no numbers", file.string(), "at least one pixel", ""});
     const auto place = placeInDataset(file);
     const bool isImage = image.depth() == CV_8U || image.depth() == CV_16U;
-    const bool isArray = file.extension() == ".npy";
+    const bool isArray = endingOf(file) == ".npy";
     if (!isImage && image.channels() != 1)
         throw protocols::badInput({"holds " + std::to_string(image.channels()) + " numbers a pixel", file.string(),
                                    "one number a pixel, or an image of 8 or 16 bits", ""});
     if (isArray && image.rows == 1 && image.cols > 1)
         return seenRow(image, titleOf(file, place), options.unit);
-    SeenMap map = isImage ? mapOfImage(image)
-                          : mapOfNumbers(image, !options.unit.empty() ? options.unit
-                                                : isArray             ? "mm/mm"
-                                                                      : "mm");
-    if (!options.unit.empty())
-        map.unit = options.unit;
-    if (options.mmPerPixel)
-        map.mmPerPixel = options.mmPerPixel;
-    else if (place)
-        map.mmPerPixel = pitchIn(*place);
-    else if (isImage && isOfTheGlass(image))
-        map.mmPerPixel = rendering::displayMmPerPixel;
-    const std::string kind = isImage ? kindOfImage(image, place)
-                                     : (map.unit == "mm" ? "height, "
-                                        : isArray        ? "gradient, "
-                                                         : "map, ") +
-                                           sizeOf(image);
+    const std::string usualUnit = isArray ? "mm/mm" : "mm";
+    SeenMap map = isImage ? mapOfImage(image) : mapOfNumbers(image, options.unit.empty() ? usualUnit : options.unit);
+    map.mmPerPixel = pitchOf(image, place, options);
+    map.beginsAtZero = place && place->signal == "height";
+    const std::string kind = isImage ? kindOfImage(image, place) : kindOfNumbers(map);
     return {titleOf(file, place), kind, std::move(map)};
 }
 
@@ -145,7 +176,10 @@ SeenSignal readMap(const fs::path& file, const ReadingOptions& options)
 SeenSignal readSignal(const fs::path& file, const ReadingOptions& options)
 {
     requireNotOfOpenStudy(file);
-    return file.extension() == ".csv" ? readTrace(file, options) : readMap(file, options);
+    const std::string kind = endingOf(file);
+    if (kind == ".csv")
+        return readTrace(file, options);
+    return kind == ".tmd" ? readProfilometer(file, options) : readMap(file, options);
 }
 
 SeenSignal seenHeight(const cv::Mat& heightMm, std::optional<double> mmPerPixel, const std::string& title,

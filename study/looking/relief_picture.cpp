@@ -100,8 +100,9 @@ QImage pictureOf(const cv::Mat& values, double low, double high, Palette palette
     return picture;
 }
 
-QRect reliefPart(const cv::Mat& values, double widthOverDepth, int widest)
+QRect reliefPart(const cv::Mat& values, double widthOverDepth)
 {
+    const int widest = std::max(128, values.cols / 8);
     const int width = std::min(values.cols, widest);
     const int depth = std::clamp(static_cast<int>(std::lround(width / widthOverDepth)), 1, values.rows);
     return {(values.cols - width) / 2, (values.rows - depth) / 2, width, depth};

@@ -16,8 +16,8 @@ QColor colourOf(double fraction);
 enum class Palette { Grey, Colours };
 QImage pictureOf(const cv::Mat& values, double low, double high, Palette palette, const QColor& missing);
 
-/// Part of a map that a relief of this shape shows: around the middle, at most `widest` values across.
-QRect reliefPart(const cv::Mat& values, double widthOverDepth, int widest = 128);
+/// Part of a map that a relief of this shape shows: around the middle, and small enough for threads to be seen.
+QRect reliefPart(const cv::Mat& values, double widthOverDepth);
 
 struct Relief {
     QImage picture;             ///< transparent where there is nothing

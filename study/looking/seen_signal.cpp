@@ -146,8 +146,8 @@ std::vector<std::string> warningsOf(const SeenSignal& signal, const SignalFacts&
         warnings.push_back(
             percent(facts.missingShare) +
             (map ? " of the points are missing." : " of the samples: " + std::get<SeenTrace>(signal.what).whyMissing + "."));
-    if (map && map->unit == "mm" && facts.min && *facts.min < -1e-6)
-        warnings.emplace_back("Some heights are below 0; in a data set the lowest places are 0.");
+    if (map && map->beginsAtZero && facts.min && *facts.min < -1e-6)
+        warnings.emplace_back("Some heights are below 0.");
     return warnings;
 }
 

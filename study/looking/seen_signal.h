@@ -17,11 +17,13 @@ struct Holds {
 };
 
 struct SeenMap {
-    cv::Mat values;    ///< CV_32FC1; NaN where the file has nothing. Of a colour picture: its grey
-    cv::Mat colours;   ///< CV_8UC3, RGB; empty where the file has one channel
-    cv::Mat clipped;   ///< CV_8UC1, not 0 where any channel is at an end; empty without `holds`
-    std::string unit;  ///< "mm", "mm/mm", "grey level"
-    std::optional<double> mmPerPixel;
+    cv::Mat values;                    ///< CV_32FC1; NaN where the file has nothing. Of a colour picture: its grey
+    cv::Mat colours;                   ///< CV_8UC3, RGB; empty where the file has one channel
+    cv::Mat clipped;                   ///< CV_8UC1, not 0 where any channel is at an end; empty without `holds`
+    std::string unit;                  ///< "mm", "mm/mm", "grey level"
+    std::optional<double> mmPerPixel;  ///< along a row
+    double rowPitch = 1;               ///< from row to row, in pitches along a row
+    bool beginsAtZero = false;         ///< the lowest places of a data set's heights are 0
     std::optional<Holds> holds;
 };
 

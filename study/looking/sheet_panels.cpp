@@ -119,12 +119,13 @@ void drawPicture(QPainter& painter, const QRectF& place, const SeenMap& map, con
     constexpr double arrows = 10, barHeight = 30;
     const double barWidth = map.colours.empty() ? style.fontPx * 4.6 : 0;
     const QRectF room = below.adjusted(arrows, 0, -arrows - barWidth, -barHeight);
-    const double scale = std::min(room.width() / map.values.cols, room.height() / map.values.rows);
-    const QSizeF size(std::max(1.0, map.values.cols * scale), std::max(1.0, map.values.rows * scale));
+    const double rows = map.values.rows * map.rowPitch;
+    const double scale = std::min(room.width() / map.values.cols, room.height() / rows);
+    const QSizeF size(std::max(1.0, map.values.cols * scale), std::max(1.0, rows * scale));
     const QRectF picture(QPointF(room.left(), room.top()), size);
     const QSize dots = (size * style.pixelRatio).toSize().expandedTo(QSize(1, 1));
     painter.drawImage(picture, imageOf(map, facts, dots, style));
-    markPlaces(painter, picture, map, reliefPart(map.values, 1.0), style);
+    markPlaces(painter, picture, map, reliefPart(map.values, map.rowPitch), style);
     if (map.colours.empty())
         drawColourBar(
             painter, QRectF(picture.right() + arrows + 6, room.top(), barWidth - 6, std::max(picture.height(), 9 * style.fontPx)),
@@ -136,8 +137,11 @@ void drawPicture(QPainter& painter, const QRectF& place, const SeenMap& map, con
 
 void drawRelief(QPainter& painter, const QRectF& place, const SeenMap& map, const SheetStyle& style)
 {
-    const QRect part = reliefPart(map.values, 1.0);
-    const cv::Mat values = map.values(cv::Rect(part.left(), part.top(), part.width(), part.height())).clone();
+    const QRect part = reliefPart(map.values, map.rowPitch);
+    cv::Mat values = map.values(cv::Rect(part.left(), part.top(), part.width(), part.height())).clone();
+    const int evenRows = std::max(1, static_cast<int>(std::lround(part.height() * map.rowPitch)));
+    if (evenRows != part.height())
+        cv::resize(values, values, {part.width(), evenRows}, 0, 0, cv::INTER_NEAREST);  // no NaN spreads
     const double captionHeight = style.fontPx * 1.6;
     const QSize size(static_cast<int>(place.width() * style.pixelRatio),
                      static_cast<int>((place.height() - captionHeight) * style.pixelRatio));

@@ -60,7 +60,7 @@ private Q_SLOTS:
         // 1 2 / 3 NaN: mean 2, Sq sqrt(2/3).
         cv::Mat heights = (cv::Mat_<float>(2, 2) << 1, 2, 3, static_cast<float>(nothing));
         rendering::writeTiff(at("h.tiff"), heights);
-        const auto seen = readSignal(at("h.tiff"), {0.1, {}, {}, {}});
+        const auto seen = readSignal(at("h.tiff"), {0.1, {}, {}, {}, {}});
         const auto facts = factsOf(seen);
         QCOMPARE(facts.min.value(), 1.0);
         QCOMPARE(facts.max.value(), 3.0);
@@ -150,7 +150,7 @@ private Q_SLOTS:
         QVERIFY(contains(photograph.kind, "photograph") && contains(frame.kind, "tactile frame") &&
                 contains(height.kind, "height"));
         QCOMPARE(photograph.title, std::string("F01 visual 001.png"));
-        auto told = readSignal(at("set/F01/visual/001.png"), {0.5, {}, {}, {}});
+        auto told = readSignal(at("set/F01/visual/001.png"), {0.5, {}, {}, {}, {}});
         QCOMPARE(mapOf(told).mmPerPixel.value(), 0.5);
         const auto stroke = readSignal(at("set/F01/friction/000.csv"));
         const auto& trace = std::get<SeenTrace>(stroke.what);
@@ -158,6 +158,44 @@ private Q_SLOTS:
         QCOMPARE(trace.places, (std::vector<double>{0, 2.5, 5}));  // 5 mm/s
         QCOMPARE(trace.values, (std::vector<double>{0.2, 0.3, 0.2}));
         QVERIFY(warningsIn(readSignal(at("set/F01/height/000.tiff"))).contains("same everywhere"));
+    }
+
+    void profilometerMapsKeepTheirPitch()
+    {
+        std::string bytes = "Binary TrueMap Data File v2.0\r\n";
+        bytes.resize(32);
+        bytes += std::string("made for a test") + '\0';
+        const std::uint32_t size[] = {4, 3};
+        const float extent[] = {2, 3, 0, 0}, heights[] = {0, 1, 2, 3, 0, 1, -1e10f, 3, 0, 1, 2, 3};
+        bytes.append(reinterpret_cast<const char*>(size), sizeof size);
+        bytes.append(reinterpret_cast<const char*>(extent), sizeof extent);
+        bytes.append(reinterpret_cast<const char*>(heights), sizeof heights);
+        fabric_files::write(at("scan.TMD"), bytes);
+        auto seen = readSignal(at("scan.TMD"));
+        QCOMPARE(mapOf(seen).values.size(), cv::Size(4, 3));
+        QVERIFY(mapOf(seen).mmPerPixel.value() > 0 && mapOf(seen).rowPitch > 1.5);  // rows lie farther apart
+        QVERIFY(std::abs(factsOf(seen).missingShare - 1.0 / 12) < 1e-12);
+        QVERIFY(coloursIn(drawSheet({seen}, lightSheet())) > 20);
+    }
+
+    void foreignPicturesAreReadWhereADecoderIsLent()
+    {
+        fabric_files::write(at("photo.jpg"), "as a camera writes it");
+        ReadingOptions options;
+        QVERIFY(contains(refusalOf([&] { readSignal(at("photo.jpg"), options); }), "photo.jpg"));
+        options.decode = [](const std::filesystem::path&) { return cv::Mat(5, 6, CV_8UC3, cv::Scalar(1, 2, 3)); };
+        auto seen = readSignal(at("photo.jpg"), options);
+        QCOMPARE(mapOf(seen).values.size(), cv::Size(6, 5));
+    }
+
+    void heightsBelowZeroAreToldInADataSet()
+    {
+        fabric_files::smallDataset(at("low"));
+        cv::Mat height = (cv::Mat_<float>(1, 3) << -0.1f, 0.2f, 0.3f);
+        for (const char* file : {"low/F01/height/000.tiff", "low.tiff"})
+            rendering::writeTiff(at(file), height);
+        QVERIFY(warningsIn(readSignal(at("low/F01/height/000.tiff"))).contains("below 0"));
+        QVERIFY(!warningsIn(readSignal(at("low.tiff"))).contains("below 0"));  // elsewhere any height is as good as another
     }
 
     void frictionImageOfTheDisplayHasTheGlassPitch()
@@ -210,10 +248,10 @@ private Q_SLOTS:
     void anyColumnOfARecordCanBeAskedFor()
     {
         fabric_files::write(at("channels.csv"), "timestamp, channel1, channel2\n10,1,5\n20,2,6\n");
-        const auto first = readSignal(at("channels.csv")), second = readSignal(at("channels.csv"), {{}, {}, {}, "channel2"});
+        const auto first = readSignal(at("channels.csv")), second = readSignal(at("channels.csv"), {{}, {}, {}, "channel2", {}});
         QCOMPARE(std::get<SeenTrace>(first.what).values, (std::vector<double>{1, 2}));
         QCOMPARE(std::get<SeenTrace>(second.what).values, (std::vector<double>{5, 6}));
-        const auto refusal = refusalOf([&] { readSignal(at("channels.csv"), {{}, {}, {}, "channel3"}); });
+        const auto refusal = refusalOf([&] { readSignal(at("channels.csv"), {{}, {}, {}, "channel3", {}}); });
         QVERIFY2(contains(refusal, "has no column channel3") && contains(refusal, "channel1, channel2"), refusal.c_str());
     }
 

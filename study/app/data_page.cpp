@@ -13,6 +13,7 @@
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QPlainTextEdit>
+#include <QScrollBar>
 #include <QShortcut>
 #include <QTimer>
 #include <QTreeWidget>
@@ -53,6 +54,7 @@ DataPage::DataPage(const LookAtData& look, QWidget* parent)
       m_sampleLabel(label("sampleLabel", Type::Lead, this, Weight::Bold)),
       m_before(button("sampleBeforeButton", tr("Before (Page Up)"), this)),
       m_after(button("sampleAfterButton", tr("Next (Page Down)"), this)),
+      m_keys(quietLabel("dataKeys", this, Type::Plain)),
       m_sheet(new QLabel(this)),
       m_back(plainButton("dataBackButton", tr("Back (Esc)"), this)),
       m_message(new MessageBar("dataMessage", this)),
@@ -72,6 +74,12 @@ DataPage::DataPage(const LookAtData& look, QWidget* parent)
         auto* shortcut = new QShortcut(QKeySequence(key), this);
         shortcut->setContext(Qt::WidgetWithChildrenShortcut);  // the list would take them for itself
         connect(shortcut, &QShortcut::activated, this, [this, step = step] { stepSample(step); });
+        auto* scroll = new QShortcut(QKeySequence(Qt::CTRL | (step > 0 ? Qt::Key_Down : Qt::Key_Up)), this);
+        scroll->setContext(Qt::WidgetWithChildrenShortcut);
+        connect(scroll, &QShortcut::activated, this, [this, step = step] {
+            QScrollBar* bar = m_area->verticalScrollBar();
+            bar->setValue(bar->value() + step * bar->pageStep() / 3);
+        });
     }
     enable();
 }
@@ -101,6 +109,7 @@ void DataPage::build()
     setType(*m_faults, Type::Plain);
     m_faults->setReadOnly(true);
     m_faults->setTabChangesFocus(true);
+    m_keys->setText(tr("Fabrics: arrow keys in the list   ·   up and down the page: Ctrl ↑ and Ctrl ↓"));
     m_sheet->setObjectName("dataSheet");
     m_sheet->setAlignment(Qt::AlignLeft | Qt::AlignTop);
 
@@ -128,12 +137,14 @@ void DataPage::build()
     column->addSpacing(8);
     column->addWidget(m_sampleLabel);
     column->addLayout(actionsRow({m_before, m_after}));
+    column->addWidget(m_keys);
     column->addWidget(m_sheet);
     column->addStretch(1);
     column->addWidget(lookHint(page));
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
-    outer->addWidget(scrolling("dataArea", page, this));
+    m_area = scrolling("dataArea", page, this);
+    outer->addWidget(m_area);
     QWidget* const inOrder[] = {m_folderField, m_browse, m_open, m_back, m_faults, m_fabrics, m_before, m_after};
     for (std::size_t i = 1; i < std::size(inOrder); ++i)
         setTabOrder(inOrder[i - 1], inOrder[i]);
@@ -323,7 +334,8 @@ void DataPage::enable()
         one->setVisible(isOpen);
     if (!isOpen)
         m_faults->hide();
-    for (QWidget* one : {static_cast<QWidget*>(m_sampleLabel), static_cast<QWidget*>(m_before), static_cast<QWidget*>(m_after)})
+    for (QWidget* one : {static_cast<QWidget*>(m_sampleLabel), static_cast<QWidget*>(m_before), static_cast<QWidget*>(m_after),
+                         static_cast<QWidget*>(m_keys)})
         one->setVisible(fabric != nullptr);
     if (!fabric)
         return;

@@ -14,6 +14,7 @@ class QLabel;
 class QLineEdit;
 class QPlainTextEdit;
 class QPushButton;
+class QScrollArea;
 class QTreeWidget;
 class QVBoxLayout;
 
@@ -74,8 +75,10 @@ private:
     QLabel* m_sampleLabel;
     QPushButton* m_before;
     QPushButton* m_after;
+    QLabel* m_keys;
     QLabel* m_sheet;
     QPushButton* m_back;
+    QScrollArea* m_area = nullptr;
     MessageBar* m_message;
     InBackground* m_reading;
     InBackground* m_drawing;

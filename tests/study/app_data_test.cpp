@@ -9,6 +9,8 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPlainTextEdit>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QTest>
 #include <QTreeWidget>
 
@@ -86,6 +88,12 @@ void AppDataTest::fabricsAreGoneThroughByKeysAlone()
     QCOMPARE(sampleIn(page), QString("F02, sample 1 of 3"));
     press(shown, Qt::Key_PageUp);
     QTRY_VERIFY(!page.isBusy() && sheetIn(page).contains("F02 visual 000.png"));
+    const auto* scroll = page.findChild<QScrollArea*>("dataArea")->verticalScrollBar();
+    const int before = scroll->value();
+    QVERIFY(scroll->maximum() > 0);
+    QTest::keyClick(shown.window.focusWidget(), Qt::Key_Down, Qt::ControlModifier);
+    QVERIFY(scroll->value() > before);
+    QCOMPARE(sampleIn(page), QString("F02, sample 1 of 3"));
     press(shown, Qt::Key_Escape);
     QCOMPARE(shown.window.currentPage()->objectName(), QString("startPage"));
 }

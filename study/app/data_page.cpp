@@ -19,6 +19,7 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -26,12 +27,21 @@ namespace study::app {
 
 namespace {
 
-enum Column { idColumn, nameColumn, photographsColumn, framesColumn, heightsColumn, strokesColumn, columns };
+enum Column { idColumn, nameColumn, photographsColumn, framesColumn, heightsColumn, strokesColumn, faultsColumn, columns };
 
 /// What stops a check whose result nobody waits for any more.
 struct Stopped : std::runtime_error {
     Stopped() : std::runtime_error("stopped") {}
 };
+
+/// So many of the lines are of files of the fabric.
+int faultsOf(const QStringList& faults, const QString& folder, const QString& fabric)
+{
+    const QString place = QDir::cleanPath(folder + QLatin1Char('/') + fabric);
+    return static_cast<int>(std::count_if(faults.begin(), faults.end(), [&](const QString& fault) {
+        return fault.startsWith(place + QLatin1Char('/')) || fault.startsWith(place + QLatin1Char(':'));
+    }));
+}
 
 Theme currentTheme()
 {
@@ -97,7 +107,8 @@ void DataPage::build()
     setType(*m_fabrics, Type::Plain);
     m_fabrics->setRootIsDecorated(false);
     m_fabrics->setAllColumnsShowFocus(true);
-    m_fabrics->setHeaderLabels({tr("Fabric"), tr("Name"), tr("Photographs"), tr("Frames"), tr("Heights"), tr("Strokes")});
+    m_fabrics->setHeaderLabels(
+        {tr("Fabric"), tr("Name"), tr("Photographs"), tr("Frames"), tr("Heights"), tr("Strokes"), tr("Faults")});
     m_fabrics->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_fabrics->header()->setStretchLastSection(false);
     m_fabrics->header()->setSectionResizeMode(nameColumn, QHeaderView::Stretch);
@@ -243,6 +254,11 @@ void DataPage::showFaults(const QStringList& faults)
     m_checked->setText(faults.isEmpty() ? tr("Every file is sound.") : tr("Faults of the files: %1").arg(faults.size()));
     m_faults->setPlainText(faults.join('\n'));
     m_faults->setVisible(!faults.isEmpty());
+    for (int row = 0; row < m_fabrics->topLevelItemCount(); ++row) {
+        auto* item = m_fabrics->topLevelItem(row);
+        item->setText(faultsColumn, QString::number(faultsOf(faults, m_folder, item->text(idColumn))));
+        item->setTextAlignment(faultsColumn, Qt::AlignRight | Qt::AlignVCenter);
+    }
     arrange();
 }
 

@@ -128,6 +128,11 @@ void AppDataTest::faultsOfTheFilesAreListed()
     const QString listed = page.findChild<QPlainTextEdit*>("dataFaults")->toPlainText();
     QVERIFY2(listed.contains("F01/visual/001.png") && listed.contains("F02"), qPrintable(listed));
     QVERIFY(page.findChild<QLabel*>("dataChecked")->text().contains("Faults of the files: 3"));
+    // One truncated photograph; a height and a row of samples.csv without their frame.
+    const auto* fabrics = page.findChild<QTreeWidget*>("dataFabrics");
+    const int last = fabrics->columnCount() - 1;
+    QCOMPARE(fabrics->topLevelItem(0)->text(last), QString("1"));
+    QCOMPARE(fabrics->topLevelItem(1)->text(last), QString("1"));
 }
 
 void AppDataTest::fileThatCannotBeReadLeavesTheOthers()

@@ -7,6 +7,7 @@
 #include "study/looking/sheet.h"
 
 #include "database/study_store.h"
+#include "rendering/fabrics/procedural_fabrics.h"
 #include "tests/rendering/fabric_files.h"
 #include "tests/support/study_builder.h"
 
@@ -413,6 +414,25 @@ private Q_SLOTS:
         QCOMPARE(second.signals.size(), std::size_t(2));  // there is one press
         QVERIFY(first.faults.empty() && sheetOf(at("walk"), "F02", 7).signals.empty());
         QVERIFY(contains(refusalOf([&] { sheetOf(at("walk"), "F09", 0); }), "F09"));
+    }
+
+    void heightIsComputedWhereNoneIsKnown()
+    {
+        rendering::fabrics::ProceduralOptions options;
+        options.fabrics = options.samples = 1;
+        rendering::fabrics::makeProceduralFabrics(at("made"), options);
+        const auto known = factsOf(sheetOf(at("made"), "F01", 0).signals.at(2));
+        std::filesystem::remove(at("made/F01/height/000.tiff"));
+        const auto sheet = sheetOf(at("made"), "F01", 0);
+        QVERIFY2(sheet.faults.empty(), sheet.faults.empty() ? "" : sheet.faults.front().c_str());
+        QCOMPARE(sheet.signals.size(), std::size_t(4));
+        QVERIFY(contains(sheet.signals[2].kind, "from the frame"));
+        const auto computed = factsOf(sheet.signals[2]);
+        QVERIFY(std::abs(computed.sq.value() / known.sq.value() - 1) < 0.3);
+        std::filesystem::remove(at("made/tactile-calibration.json"));
+        const auto without = sheetOf(at("made"), "F01", 0);
+        QCOMPARE(without.signals.size(), std::size_t(3));
+        QVERIFY(contains(without.faults.front(), "tactile-calibration.json"));
     }
 
     void stimuliOfAnOpenStudyAreRefusedUntilItIsUnblinded()

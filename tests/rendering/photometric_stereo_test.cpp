@@ -198,6 +198,50 @@ private Q_SLOTS:
         QVERIFY2(refusal.contains(named) && refusal.contains("sensor.json"), qPrintable(refusal));
     }
 
+    void normalMapsBecomeSlopes()
+    {
+        // A plane that rises by 0.3 to the right and by 0.2 downwards: normal (-0.3, 0.2 up, 1), normalised.
+        const double length = std::sqrt(1 + 0.09 + 0.04);
+        const auto stored = [&](double n) { return static_cast<unsigned short>(std::lround(65535 * (n / length + 1) / 2)); };
+        cv::Mat normals(6, 8, CV_16UC3, cv::Scalar(stored(-0.3), stored(0.2), stored(1)));
+        normals.at<cv::Vec3w>(2, 3) = {32768, 32768, 0};
+        const auto slopes = slopesFromNormals(normals);
+        QVERIFY(std::abs(slopes.x.at<float>(0, 0) - 0.3) < 1e-3);
+        QVERIFY(std::abs(slopes.y.at<float>(0, 0) - 0.2) < 1e-3);
+        QVERIFY2(std::isnan(slopes.x.at<float>(2, 3)), "a normal that faces away is missing");
+        const cv::Mat height = integrateAround(slopes, {}, {0.1, 0.1});
+        QVERIFY(std::abs(height.at<double>(5, 7) - height.at<double>(0, 0) - 0.1 * (0.3 * 7 + 0.2 * 5)) < 1e-3);
+        QVERIFY(refusalOf([] { slopesFromNormals(cv::Mat(4, 4, CV_8UC1, cv::Scalar(1))); }).contains("no normal map"));
+    }
+
+    void extremeFramesHaveADefinedHeight_data()
+    {
+        QTest::addColumn<int>("rows");
+        QTest::addColumn<int>("columns");
+        QTest::addColumn<int>("level");
+        QTest::newRow("black") << 12 << 20 << 0;
+        QTest::newRow("saturated") << 12 << 20 << 255;
+        QTest::newRow("one pixel") << 1 << 1 << 90;
+        QTest::newRow("one row") << 1 << 33 << 255;
+        QTest::newRow("one column") << 33 << 1 << 0;
+    }
+    void extremeFramesHaveADefinedHeight()
+    {
+        QFETCH(int, rows);
+        QFETCH(int, columns);
+        QFETCH(int, level);
+        auto calibration = plainSensor();
+        calibration.highPassCutoffMm = 3;
+        const cv::Mat frame(rows, columns, CV_8UC3, cv::Scalar::all(level)), reference(rows, columns, CV_8UC3, untouched);
+        const cv::Mat height = heightFromFrame(frame, reference, calibration);
+        QCOMPARE(height.size(), frame.size());
+        QVERIFY(cv::checkRange(height));
+        QVERIFY(!hasOutside(lightOf(reference, reference, LightMeasure::AgainstReference)));
+        const cv::Mat nowhere = contactOf(cv::Mat::zeros(rows, columns, CV_32FC1), slopesFromFrame(reference, reference, calibration));
+        QCOMPARE(cv::countNonZero(nowhere), 0);
+        QVERIFY(cv::checkRange(heightInContact(slopesFromFrame(frame, reference, calibration), nowhere, {0.05, 0.05})));
+    }
+
     void frameAndReferenceMustBelongTogether()
     {
         const cv::Mat small(4, 4, CV_8UC3, untouched), large(5, 4, CV_8UC3, untouched), grey(4, 4, CV_8UC1, cv::Scalar(1));

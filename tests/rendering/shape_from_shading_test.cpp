@@ -177,6 +177,48 @@ private Q_SLOTS:
         QVERIFY(std::abs(r) >= atLeast);
     }
 
+    void bumpsOfThePapersReferenceSeeTheSameRelief()
+    {
+        const cv::Mat relief = randomRelief(120, 141), photograph = lambertian(relief, 60, 45);
+        ShadingOptions options;
+        options.method = ShadingMethod::GaussianBumps;
+        const cv::Mat found = shapeFromShading(photograph, options);
+        const double r = correlation(found, relief), linear = correlation(shapeFromShading(photograph), relief);
+        qInfo("bumps %.3f, linear %.3f", r, linear);
+        QVERIFY(r >= 0.6);
+        cv::Scalar mean, spread, known;
+        cv::meanStdDev(found, mean, spread);
+        cv::meanStdDev(relief, cv::noArray(), known);
+        QVERIFY2(std::abs(spread[0] / known[0] - 1) < 0.6, "a slant of 45 degrees is what they assume: heights are in pixels");
+        QVERIFY(std::abs(mean[0]) < 1e-4);
+    }
+
+    void lightFromBelowTurnsBumpsIntoDents()
+    {
+        const cv::Mat photograph = lambertian(randomRelief(100, 100), 60, 45);
+        for (const auto method : {ShadingMethod::Linear, ShadingMethod::GaussianBumps}) {
+            ShadingOptions above, below;
+            above.method = below.method = method;
+            below.lightFromBelow = true;
+            QVERIFY(correlation(shapeFromShading(photograph, above), shapeFromShading(photograph, below)) < -0.9);
+        }
+    }
+
+    void dyedPatternsAreTold()
+    {
+        const cv::Mat photograph = lambertian(randomRelief(120, 120), 60, 45);
+        cv::Mat grey = photograph, dyed;
+        if (grey.channels() == 1) cv::cvtColor(photograph, grey, cv::COLOR_GRAY2RGB);
+        QVERIFY(colourVariation(grey) < 0.5 * coloursSpoilShading);
+        QCOMPARE(colourVariation(cv::Mat(20, 20, CV_8UC1, cv::Scalar(9))), 0.0);
+        dyed = grey.clone();
+        for (int i = 0; i < dyed.rows; ++i)
+            for (int j = 0; j < dyed.cols; ++j)
+                if ((i / 10 + j / 10) % 2) dyed.at<cv::Vec3b>(i, j)[0] = cv::saturate_cast<uchar>(dyed.at<cv::Vec3b>(i, j)[0] * 0.4);
+        QVERIFY2(colourVariation(dyed) > coloursSpoilShading, qPrintable(QString::number(colourVariation(dyed))));
+        QVERIFY(std::isfinite(colourVariation(cv::Mat(1, 1, CV_8UC3, cv::Scalar::all(0)))));
+    }
+
     void nothingIsRefused()
     {
         QVERIFY(!refusalOf([] { shapeFromShading(cv::Mat()); }).isEmpty());

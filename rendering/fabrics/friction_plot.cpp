@@ -138,14 +138,26 @@ std::string kept(const RawRecord& record, const PreparedRecord& prepared)
     return svg + textAt(right, 324, "mean " + inShort(prepared.mean) + " (dashed), sd " + inShort(prepared.sd), "end");
 }
 
+/// What was done, over as many lines as it takes; wide letters need 7 px.
+std::string footnote(const PreparedRecord& prepared)
+{
+    std::string words = describeCuts(prepared).substr(2), svg;
+    for (double y = 550; !words.empty(); y += 16) {
+        std::size_t end = words.size();
+        if (end > 120) end = std::min(words.rfind(' ', 120), end);
+        svg += textAt(left, y, words.substr(0, end));
+        words.erase(0, end + 1);
+    }
+    return svg;
+}
+
 }  // namespace
 
 std::string frictionPlot(const std::string& title, const RawRecord& record, const PreparedRecord& prepared)
 {
-    return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"900\" height=\"560\" font-family=\"sans-serif\" font-size=\"12\">\n"
-           "<rect width=\"900\" height=\"560\" fill=\"#fff\"/>\n" +
-           textAt(left, 24, title) + recorded(record, prepared) + kept(record, prepared) +
-           textAt(left, 552, describeCuts(prepared).substr(2)) + "</svg>\n";
+    return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"900\" height=\"600\" font-family=\"sans-serif\" font-size=\"12\">\n"
+           "<rect width=\"900\" height=\"600\" fill=\"#fff\"/>\n" +
+           textAt(left, 24, title) + recorded(record, prepared) + kept(record, prepared) + footnote(prepared) + "</svg>\n";
 }
 
 }  // namespace rendering::fabrics

@@ -7,7 +7,7 @@
 
 namespace rendering::fabrics {
 
-/// A self-contained SVG of 900 x 560; records of any length take the same space (least and greatest value of
+/// A self-contained SVG of 900 x 600; records of any length take the same space (least and greatest value of
 /// each of 800 columns).
 std::string frictionPlot(const std::string& title, const RawRecord& record, const PreparedRecord& prepared);
 

@@ -68,7 +68,7 @@ Band bandOf(const std::vector<double>& values, double leastShare)
     std::vector<double> strays;
     for (std::size_t i = quarter; i < values.size() - quarter; ++i)
         strays.push_back(std::abs(values[i] - band.level - band.slope * (double(i) - band.centre)));
-    band.width = std::max(4 * 1.4826 * quantile(std::move(strays), 0.5), leastShare * std::abs(band.level));
+    band.width = std::max(1.25 * quantile(std::move(strays), 0.99), leastShare * std::abs(band.level));
     return band;
 }
 
@@ -124,7 +124,8 @@ std::optional<Rows> unloadedRows(std::span<const double> normalN)
     const auto last = std::find_if_not(normalN.rbegin(), normalN.rend(), atRest);
     const auto before = std::size_t(first - normalN.begin()), after = std::size_t(last - normalN.rbegin());
     if (std::max(before, after) < 10 || std::max(before, after) == normalN.size()) return std::nullopt;
-    return before >= after ? Rows{0, before} : Rows{normalN.size() - after, normalN.size()};
+    // Not the last tenth before the contact, nor the first after it: there the probe is on its way.
+    return before >= after ? Rows{0, before - before / 10} : Rows{normalN.size() - after + after / 10, normalN.size()};
 }
 
 Slide steadySlide(std::span<const double> normalN, std::span<const double> tangentialN)

@@ -27,7 +27,7 @@ inline constexpr std::size_t fewestToJudge = 50;
 double loadedLevel(std::span<const double> normalN);
 
 /// Ten or more samples at the beginning or end of a record (the longer of the two) whose normal force
-/// stays within a tenth of the way from rest to load; none where there are no such, or where rest is
+/// stays within a tenth of the way from rest to load, but for the tenth of them next to the contact; none where there are no such, or where rest is
 /// more than a quarter of the load: then it was no rest.
 std::optional<Rows> unloadedRows(std::span<const double> normalN);
 
@@ -38,8 +38,8 @@ struct Slide {
 
 /// Contact is the longest run of samples above leastShareOfLoad (of all of them where no normal force is
 /// known; gaps of up to 1 % are bridged). The steady part begins when coefficient and normal force have
-/// stayed for a twentieth of the contact within a band about the line through the middle half: four
-/// times its spread, at least a tenth (coefficient) or a fifth (force); and ends likewise. Values without
+/// stayed for a twentieth of the contact within a band about the line through the middle half: 1.25 times
+/// what 99 % of it stray, at least a tenth (coefficient) or a fifth (force); and ends likewise. Values without
 /// a normal force are judged alone. Nothing is cut from a record of fewer than fewestToJudge samples, nor
 /// where the beginning or the end would lose more than 40 % of the contact.
 Slide steadySlide(std::span<const double> normalN, std::span<const double> tangentialN);

@@ -144,7 +144,7 @@ private Q_SLOTS:
             patches += spread(patch);
         }
         qInfo("roughness of the screen over that of the patches: %.3f", screen / patches);
-        QVERIFY(std::abs(screen / patches - 1) < 0.02);
+        QVERIFY(std::abs(screen / patches - 1) < 0.045);  // 0.940 where the mean is not made up for
     }
 
     void nothingLeavesTheRangeOfTheSource()

@@ -1,4 +1,4 @@
-foreach(test grey_test height_gradient_test surface_integration_test photometric_stereo_test shape_from_shading_test spectrogram_test)
+foreach(test grey_test height_gradient_test surface_integration_test photometric_stereo_test shape_from_shading_test spectrogram_test spectrogram_file_test)
   vis2hap_test(rendering ${test} LINK rendering_signals rendering_fabrics)
 endforeach()
 foreach(test plan_test friction_image_test screen_extension_test stimulus_bank_test display_test stroke_test)

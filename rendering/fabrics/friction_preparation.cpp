@@ -134,7 +134,9 @@ void evenOut(PreparedRecord& result, const Kept& kept, const std::string& where,
     const double duration = kept.timeS.back() - kept.timeS.front(), ownS = duration / double(kept.timeS.size() - 1);
     const bool asItIs = result.base.even && result.leftOut == 0 && !rateHz;
     result.stepS = asItIs ? ownS : rateHz ? 1 / *rateHz : result.base.stepS;
-    if (!(duration / result.stepS <= double(mostSamples)))
+    // One stamp gone wrong must not make a record of hours.
+    const double most = rateHz ? double(mostSamples) : 20 * double(kept.timeS.size()) + 1000;
+    if (!(duration / result.stepS <= most))
         throw protocols::badInput({"has a gap in time that is too long to fill", where, "time stamps of one stroke", ""});
     if (rateHz && duration < result.stepS)
         throw protocols::badInput(

@@ -11,8 +11,8 @@ struct AtDisplayPitch {
     bool cropped = false;  ///< there would be more
 };
 
-/// `source`: CV_32FC1 of one pitch. Made smaller, it first passes a Gaussian of half a new pixel, which
-/// leaves under 1 % of what the new pixels cannot hold. A trace (`bothAxes` false) is scaled along x alone.
+/// `source`: CV_32FC1 of one pitch. Filtered by Lanczos' kernel of three lobes: made smaller, nothing folds that
+/// the new pixels cannot hold; waves of three new pixels and more stay as they are. A trace (`bothAxes` false) is scaled along x alone.
 /// Sources of any size take bounded time: finer ones are first averaged in whole pixels.
 AtDisplayPitch atDisplayPitch(const cv::Mat& source, double mmPerPixel, bool bothAxes, cv::Size most);
 

@@ -45,6 +45,11 @@ double power(const cv::Mat& values, double mean, double pixelArea)
 /// `shown`: what of the source lies on the screen once.
 std::optional<double> varianceLost(const cv::Mat& source, double sourcePitch, const cv::Mat& shown, double shownPitch)
 {
+    if (shown.data == source.data && shown.size() == source.size()) {
+        double least = 0, most = 0;
+        cv::minMaxLoc(source, &least, &most);
+        return most > least ? std::optional(0.0) : std::nullopt;
+    }
     const double ratio = shownPitch / sourcePitch, area = source.rows == 1 && shown.rows == 1 ? ratio : ratio * ratio;
     const double mean = cv::mean(source)[0], all = power(source, mean, 1);
     if (!(all > 0)) return {};
@@ -84,8 +89,8 @@ ScaledMap compose(const protocols::Condition& condition, const Sources& sources,
 {
     if (condition.relief == protocols::ReliefSource::None) return composeTrace(condition, sources, scale, extension);
     requireValues(sources.relief, condition);
-    cv::Mat relief;
-    sources.relief.convertTo(relief, CV_32F);
+    cv::Mat relief = sources.relief;
+    if (relief.type() != CV_32FC1) sources.relief.convertTo(relief, CV_32F);
     const double pitch = scale == Scale::Physical ? requirePitch(sources.reliefMmPerPixel.value_or(0), condition) : 1;
     ScaledMap map = onScreen(relief, pitch, scale, extension);
     if (condition.friction == protocols::FrictionSource::None) return map;
@@ -94,8 +99,9 @@ ScaledMap compose(const protocols::Condition& condition, const Sources& sources,
                                      .where = "",
                                      .expected = "a number",
                                      .nextStep = "check the data set with vis2hap fabrics check"});
+    // Nothing on the screen exceeds the source but by what a filter overshoots.
+    requireValues(cv::Mat(1, 1, CV_64FC1, cv::Scalar(cv::norm(relief, cv::NORM_INF) * *sources.meanFriction)), condition);
     map.values *= *sources.meanFriction;
-    requireValues(map.values, condition);
     return map;
 }
 

@@ -15,6 +15,8 @@ namespace rendering {
 namespace {
 
 constexpr int leastPatch = 16;         ///< px along an axis; below it there is no strip to compare
+constexpr int longestCompared = 192;   ///< px of a strip's length, in its middle
+constexpr int mostCut = 128;           ///< px; more would leave little to lay
 constexpr double costOfCutting = 0.1;  ///< correlation that cutting the whole patch away must win
 
 /// Where the next patch along an axis begins, so that its first strip lies on this one's last.
@@ -35,9 +37,12 @@ std::optional<Step> stepAlongX(const cv::Mat& patch, bool mayShift)
     step.strip = std::clamp(patch.cols / 8, 4, 48);
     // Up to half a strip sideways: further, the patches' corners would leave gaps.
     const int sideways = mayShift ? std::min(step.strip / 2, patch.rows / 4) : 0;
-    const cv::Mat last = patch(cv::Rect(patch.cols - step.strip, sideways, step.strip, patch.rows - 2 * sideways));
+    const int length = std::min(patch.rows - 2 * sideways, longestCompared), top = (patch.rows - length) / 2;
+    const cv::Mat last = patch(cv::Rect(patch.cols - step.strip, top, step.strip, length));
+    const cv::Mat beginning =
+        patch(cv::Rect(0, top - sideways, std::min(patch.cols / 2, step.strip + mostCut), length + 2 * sideways));
     cv::Mat agreement;
-    cv::matchTemplate(patch.colRange(0, patch.cols / 2), last, agreement, cv::TM_CCOEFF_NORMED);
+    cv::matchTemplate(beginning, last, agreement, cv::TM_CCOEFF_NORMED);
     double best = -2;
     for (int y = 0; y < agreement.rows; ++y)
         for (int x = 0; x < agreement.cols; ++x) {
@@ -113,10 +118,17 @@ cv::Mat blended(const cv::Mat& patch, const Step& x, const Step& y, double agree
     cv::Mat sum = cv::Mat::zeros(patch.size(), CV_32FC1), weight = sum.clone(), squares = sum.clone();
     for (const cv::Point place : lattice({}, patch.size(), patch.size(), x, y)) {
         const Seen seen = seenOf(patch.size(), place, patch.size());
-        const cv::Mat w = window(seen.ofPatch);
-        cv::Mat(sum(seen.onCanvas)) += patch(seen.ofPatch).mul(w);
-        cv::Mat(weight(seen.onCanvas)) += w;
-        cv::Mat(squares(seen.onCanvas)) += w.mul(w);
+        for (int i = 0; i < seen.onCanvas.height; ++i) {
+            const int row = seen.onCanvas.y + i, from = seen.ofPatch.y + i;
+            const float *value = patch.ptr<float>(from) + seen.ofPatch.x, *w = window.ptr<float>(from) + seen.ofPatch.x;
+            float *s = sum.ptr<float>(row) + seen.onCanvas.x, *t = weight.ptr<float>(row) + seen.onCanvas.x,
+                  *q = squares.ptr<float>(row) + seen.onCanvas.x;
+            for (int j = 0; j < seen.onCanvas.width; ++j) {
+                s[j] += w[j] * value[j];
+                t[j] += w[j];
+                q[j] += w[j] * w[j];
+            }
+        }
     }
     double least = 0, most = 0;
     cv::minMaxLoc(patch, &least, &most);
@@ -143,19 +155,33 @@ cv::Mat slowPart(const cv::Mat& patch)
     return slow;
 }
 
-/// (slow + texture) in the patch's own units and within its range.
-void addBack(cv::Mat& slow, const cv::Mat& texture, double gain, double offset, const cv::Mat& patch)
+/// Row `row` of the texture that is laid at `places`.
+void layRow(std::vector<float>& texture, const cv::Mat& laid, const std::vector<cv::Point>& places, int row)
 {
-    double least = 0, most = 0;
-    cv::minMaxLoc(patch, &least, &most);
-    const auto low = static_cast<float>(least), high = static_cast<float>(most);
-    const auto scale = static_cast<float>(gain), shift = static_cast<float>(offset);
+    for (const cv::Point place : places) {
+        const int own = row - place.y;
+        if (own < 0 || own >= laid.rows) continue;
+        const int from = std::max(place.x, 0), to = std::min(place.x + laid.cols, static_cast<int>(texture.size()));
+        std::copy_n(laid.ptr<float>(own) + (from - place.x), std::max(to - from, 0), texture.begin() + from);
+    }
+}
+
+/// What makes a texture of spread 1 the patch's own again, and keeps it within the patch's range.
+struct Units {
+    float gain = 1, offset = 0, least = 0, most = 0;
+};
+
+/// (slow + texture) in the patch's own units, row by row: a screen of texture in between would cost more than the sum.
+void addTexture(cv::Mat& slow, const cv::Mat& laid, const std::vector<cv::Point>& places, const Units& units)
+{
+    std::vector<float> texture(static_cast<std::size_t>(slow.cols));
     for (int i = 0; i < slow.rows; ++i) {
+        layRow(texture, laid, places, i);
         float* value = slow.ptr<float>(i);
-        const float* fine = texture.ptr<float>(i);
+        const float* fine = texture.data();
         for (int j = 0; j < slow.cols; ++j) {
-            const float sum = (value[j] + fine[j]) * scale + shift;
-            value[j] = std::min(std::max(sum, low), high);
+            const float sum = (value[j] + fine[j]) * units.gain + units.offset;
+            value[j] = std::min(std::max(sum, units.least), units.most);
         }
     }
 }
@@ -185,12 +211,10 @@ std::optional<Extended> tiled(const cv::Mat& patch)
     const cv::Mat laid = blended(texture(kept), x, y, agreement);
     cv::Mat values = mirrored(slow, {screen.width, patch.rows > 1 ? screen.height : 1});
     const cv::Point corner((screen.width - patch.cols) / 2, (values.rows - patch.rows) / 2);
-    cv::Mat everywhere(values.size(), CV_32FC1);
-    for (const cv::Point place : lattice(corner + kept.tl(), laid.size(), values.size(), x, y)) {
-        const Seen seen = seenOf(laid.size(), place, values.size());
-        laid(seen.ofPatch).copyTo(everywhere(seen.onCanvas));
-    }
-    addBack(values, everywhere, sd[0], mean[0], patch);
+    double least = 0, most = 0;
+    cv::minMaxLoc(patch, &least, &most);
+    addTexture(values, laid, lattice(corner + kept.tl(), laid.size(), values.size(), x, y),
+               {static_cast<float>(sd[0]), static_cast<float>(mean[0]), static_cast<float>(least), static_cast<float>(most)});
     // What no neighbour reaches is the source itself, bit by bit. Slanted neighbours reach half a strip further.
     const int marginX = x.strip + x.strip / 2, marginY = y.strip + y.strip / 2;
     const cv::Rect inside(marginX, marginY, kept.width - 2 * marginX, kept.height - 2 * marginY);

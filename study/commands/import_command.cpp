@@ -3,7 +3,7 @@
 #include "protocols/errors.h"
 #include "rendering/fabrics/import.h"
 #include "rendering/signals/friction_trace.h"
-#include "rendering/signals/spectrogram_file.h"
+#include "rendering/spectrogram_file.h"
 #include "study/commands/command_line.h"
 
 #include <CLI/CLI.hpp>
@@ -57,7 +57,7 @@ void writeSpectrograms(const std::filesystem::path& out, const std::filesystem::
             const auto trace = rendering::signals::frictionTrace(record, sample.string());
             rendering::signals::SpectrogramParameters parameters;
             parameters.sampleRateHz = trace.sampleRateHz;
-            writeSpectrogram(plots / (name + ".spectrogram.json"), rendering::signals::stft(trace.values, parameters));
+            rendering::writeSpectrogram(plots / (name + ".spectrogram.json"), rendering::signals::stft(trace.values, parameters));
         }
 }
 

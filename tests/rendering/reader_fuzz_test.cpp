@@ -12,7 +12,7 @@
 #include "rendering/fabrics/friction_preparation.h"
 #include "rendering/fabrics/import_kinds.h"
 #include "rendering/signals/friction_trace.h"
-#include "rendering/signals/spectrogram_file.h"
+#include "rendering/spectrogram_file.h"
 #include "stroke_text.h"
 #include "tests/support/mutated_files.h"
 
@@ -109,7 +109,7 @@ private Q_SLOTS:
         for (int i = 0; i < 60; ++i)
             stroke += stroke_text::number(i / 60.0) + ",5," + stroke_text::number(2 + 0.1 * (i % 3)) + "\n";
         write(m_path / "set/F01/friction/000.csv", stroke);
-        signals::writeSpectrogram(m_path / "s.json", signals::stft(std::vector<double>(200, 0.5)));
+        writeSpectrogram(m_path / "s.json", signals::stft(std::vector<double>(200, 0.5)));
         QTest::addColumn<int>("target");
         m_targets = {
             importer("friction-csv", "a.csv", shortStroke(), readFrictionCsv),
@@ -132,14 +132,13 @@ private Q_SLOTS:
              [](const fs::path& folder) { readDataset(folder / "set"); }},
             {"spectrogram.json", "s.json", read(m_path / "s.json"),
              [](const fs::path& folder) {
-                 const auto read = signals::readSpectrogram(folder / "s.json");
+                 const auto read = readSpectrogram(folder / "s.json");
                  if (const auto* complex = std::get_if<signals::Spectrogram>(&read))
                      requireFinite(signals::istft(*complex), "a trace");
              }},
             {"spectrogram.npy", "s.npy", read(m_path / "s.npy"),
              [](const fs::path& folder) {
-                 requireFinite(signals::istft(std::get<signals::Spectrogram>(signals::readSpectrogram(folder / "s.json"))),
-                               "a trace");
+                 requireFinite(signals::istft(std::get<signals::Spectrogram>(readSpectrogram(folder / "s.json"))), "a trace");
              }},
         };
         for (int i = 0; i < int(m_targets.size()); ++i) QTest::newRow(m_targets[std::size_t(i)].name) << i;

@@ -1,4 +1,4 @@
-#include "rendering/signals/spectrogram_file.h"
+#include "rendering/spectrogram_file.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -11,6 +11,7 @@
 #include "refusal.h"
 #include "rendering/image_io.h"
 
+using namespace rendering;
 using namespace rendering::signals;
 
 namespace {
@@ -116,6 +117,9 @@ private Q_SLOTS:
         values.at<double>(1, 1) = std::nan("");
         rendering::writeNpy(values_(), values);
         QVERIFY(refusalOf([&] { readSpectrogram(file()); }).contains("not finite"));
+        values.at<double>(1, 1) = 1e308;  // found by reader_fuzz_test: the trace was no number
+        rendering::writeNpy(values_(), values);
+        QVERIFY(refusalOf([&] { readSpectrogram(file()); }).contains("beyond"));
         fs::remove(values_());
         QVERIFY(!refusalOf([&] { readSpectrogram(file()); }).isEmpty());
         QVERIFY(!refusalOf([&] { readSpectrogram(file().string() + "x"); }).isEmpty());

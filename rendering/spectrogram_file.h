@@ -7,15 +7,15 @@
 
 #include "rendering/signals/spectrogram.h"
 
-namespace rendering::signals {
+namespace rendering {
 
 /// `file`: NAME.json. The values are 64-bit, [frequency x frame] magnitudes or [frequency x 2 frame] with real and
 /// imaginary parts side by side. Throws environmentFault.
-void writeSpectrogram(const std::filesystem::path& file, const Spectrogram& spectrogram);
-void writeSpectrogram(const std::filesystem::path& file, const MagnitudeSpectrogram& spectrogram);
+void writeSpectrogram(const std::filesystem::path& file, const signals::Spectrogram& spectrogram);
+void writeSpectrogram(const std::filesystem::path& file, const signals::MagnitudeSpectrogram& spectrogram);
 
 /// Throws badInput naming the file: missing, malformed, parameters that cannot be undone, values of another size
 /// than the parameters say, not finite, or a negative magnitude.
-std::variant<Spectrogram, MagnitudeSpectrogram> readSpectrogram(const std::filesystem::path& file);
+std::variant<signals::Spectrogram, signals::MagnitudeSpectrogram> readSpectrogram(const std::filesystem::path& file);
 
-}  // namespace rendering::signals
+}  // namespace rendering

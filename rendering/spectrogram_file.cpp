@@ -1,4 +1,4 @@
-#include "rendering/signals/spectrogram_file.h"
+#include "rendering/spectrogram_file.h"
 
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -8,11 +8,14 @@
 #include "rendering/image_io.h"
 #include "rendering/whole_file.h"
 
-namespace rendering::signals {
+namespace rendering {
 
 namespace {
 
 namespace fs = std::filesystem;
+using signals::MagnitudeSpectrogram;
+using signals::Spectrogram;
+using signals::SpectrogramParameters;
 using Json = nlohmann::ordered_json;
 
 constexpr const char* schema = "vis2hap.spectrogram/1";
@@ -59,7 +62,8 @@ Described described(const fs::path& file)
 {
     try {
         const Json json = Json::parse(readWholeFile(file));
-        if (json.at("schema") != schema) throw malformed(file, "is no spectrogram", std::string("\"schema\": \"") + schema + "\"");
+        if (json.at("schema") != schema)
+            throw malformed(file, "is no spectrogram", std::string("\"schema\": \"") + schema + "\"");
         const auto whole = [&](const char* name) {
             if (!json.at(name).is_number_integer()) throw malformed(file, std::string(name) + " is no whole number", "1 or more");
             const auto value = json.at(name).get<std::int64_t>();
@@ -80,14 +84,15 @@ Described described(const fs::path& file)
 
 void requireFit(const fs::path& file, const Described& described, const cv::Mat& values, int columns)
 {
-    requireInvertible(described.parameters);
+    signals::requireInvertible(described.parameters);
     const int frequencies = described.parameters.frequencies();
     const auto frames = static_cast<std::int64_t>(described.parameters.frames(described.traceLength));
     if (described.traceLength < 2 || values.channels() != 1 || values.rows != frequencies || values.cols != frames * columns)
         throw malformed(file, "holds " + std::to_string(values.rows) + " x " + std::to_string(values.cols) + " values",
                         std::to_string(frequencies) + " x " + std::to_string(frames * columns) + ", as its parameters say");
-    if (!cv::checkRange(values) || !std::isfinite(described.mean))
-        throw malformed(file, "holds values that are not finite", "a number everywhere");
+    // Sums and squares of anything larger leave the range of numbers.
+    if (!cv::checkRange(values, true, nullptr, -1e100, 1e100) || !(std::abs(described.mean) < 1e100))
+        throw malformed(file, "holds values that are not finite or beyond 1e100", "a number everywhere");
 }
 
 }  // namespace
@@ -121,4 +126,4 @@ std::variant<Spectrogram, MagnitudeSpectrogram> readSpectrogram(const fs::path& 
     return MagnitudeSpectrogram{told.parameters, told.traceLength, told.mean, values};
 }
 
-}  // namespace rendering::signals
+}  // namespace rendering

@@ -94,13 +94,15 @@ signals::Calibration threeLamps(cv::Matx<float, 3, 2>& colourFromSlope)
 {
     constexpr double gain = 0.4;
     signals::Calibration calibration;
+    signals::LinearMap map{{std::vector<double>(3), std::vector<double>(3)}, {}};
     for (int lamp = 0; lamp < 3; ++lamp) {
         const double angle = 2 * std::numbers::pi * lamp / 3, c = std::cos(angle), s = std::sin(angle);
         colourFromSlope(lamp, 0) = static_cast<float>(-gain * c);
         colourFromSlope(lamp, 1) = static_cast<float>(-gain * s);
-        calibration.gradientFromRgb[0][static_cast<std::size_t>(lamp)] = -2 * c / (3 * gain);
-        calibration.gradientFromRgb[1][static_cast<std::size_t>(lamp)] = -2 * s / (3 * gain);
+        map.gain[0][static_cast<std::size_t>(lamp)] = -2 * c / (3 * gain);
+        map.gain[1][static_cast<std::size_t>(lamp)] = -2 * s / (3 * gain);
     }
+    calibration.map = map;
     calibration.mmPerPixel = pitchMm;
     calibration.highPassCutoffMm = 3;
     return calibration;

@@ -1,7 +1,6 @@
-// The orthonormal discrete cosine transform (DCT-II) of images of any size and its inverse. OpenCV's
-// own refuses odd sizes; those go through a complex transform of the same length (Makhoul, "A fast
-// cosine transform in one and two dimensions", 1980). It belongs to half-sample mirrored extension,
-// that is to surfaces whose slope across the border is free (Neumann).
+// The orthonormal discrete cosine transform (DCT-II) of images of any size and its inverse, by pocketfft on one
+// thread. It belongs to half-sample mirrored extension, that is to surfaces whose slope across the border is free
+// (Neumann).
 #pragma once
 
 #include <opencv2/core/mat.hpp>

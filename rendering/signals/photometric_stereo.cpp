@@ -1,55 +1,22 @@
 #include "rendering/signals/photometric_stereo.h"
 
-#include <algorithm>
-#include <cmath>
-#include <fstream>
-#include <iterator>
-#include <nlohmann/json.hpp>
-#include <opencv2/core.hpp>
-#include <vector>
-
 #include "protocols/errors.h"
+
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
 
 namespace rendering::signals {
 
 namespace {
 
-protocols::Error malformed(const std::string& where, const std::string& what, const std::string& expected)
-{
-    return protocols::badInput({.what = what, .where = where, .expected = expected, .nextStep = ""});
-}
-
-const nlohmann::json& member(const nlohmann::json& json, const char* name, const std::string& where)
-{
-    if (!json.contains(name))
-        throw malformed(where, std::string("the calibration lacks \"") + name + "\"", "a file made by vis2hap calibrate");
-    return json.at(name);
-}
-
-double number(const nlohmann::json& json, const std::string& place, const std::string& where)
-{
-    if (!json.is_number() || !std::isfinite(json.get<double>())) throw malformed(where, place + " is " + json.dump(), "a number");
-    return json.get<double>();
-}
-
-template <std::size_t n>
-std::array<double, n> numbers(const nlohmann::json& json, const std::string& place, const std::string& where)
-{
-    if (!json.is_array() || json.size() != n)
-        throw malformed(where, place + " is " + json.dump(), std::to_string(n) + " numbers");
-    std::array<double, n> values{};
-    for (std::size_t i = 0; i < n; ++i) values[i] = number(json[i], place, where);
-    return values;
-}
-
-void requireSound(const Calibration& calibration, const std::string& where)
-{
-    if (!(calibration.mmPerPixel > 0)) throw malformed(where, "mm_per_pixel is not above 0", "the pitch of the tactile frames");
-    if (calibration.highPassCutoffMm && !(*calibration.highPassCutoffMm > 0))
-        throw malformed(where, "high_pass_cutoff_mm is not above 0", "a wavelength in mm, or null");
-    if (!(calibration.zeroPercentile >= 0 && calibration.zeroPercentile <= 50))
-        throw malformed(where, "zero_percentile is outside 0..50", "a low percentile, such as 2");
-}
+constexpr int contourLevels = 64;
+constexpr float flattestNormal = 0.02F;  ///< nz; slopes above 50 come from rounding
 
 /// The value that `percent` of the pixels do not exceed.
 double percentile(const cv::Mat& values, double percent)
@@ -60,74 +27,56 @@ double percentile(const cv::Mat& values, double percent)
     return sorted[static_cast<std::size_t>(place)];
 }
 
+cv::Mat steepness(const Slopes& slopes)
+{
+    cv::Mat x, y, result;
+    slopes.x.convertTo(x, CV_32F);
+    slopes.y.convertTo(y, CV_32F);
+    cv::magnitude(x, y, result);
+    return result;
+}
+
+/// Mean steepness of the pixels between neighbouring levels of height, of those levels that hold enough pixels to be a contour.
+std::array<double, contourLevels> steepnessByLevel(const cv::Mat& height, const cv::Mat& steep, double top)
+{
+    std::array<double, contourLevels> sum{}, count{};
+    for (int i = 0; i < height.rows; ++i)
+        for (int j = 0; j < height.cols; ++j) {
+            const int level = static_cast<int>(contourLevels * height.at<float>(i, j) / top);
+            if (level < 0 || level >= contourLevels) continue;
+            sum[static_cast<std::size_t>(level)] += steep.at<float>(i, j);
+            count[static_cast<std::size_t>(level)] += 1;
+        }
+    for (std::size_t level = 0; level < contourLevels; ++level) sum[level] = count[level] > 0 ? sum[level] / count[level] : 0;
+    return sum;
+}
+
+/// The steepest level between a tenth and nine tenths of the height, over five levels.
+double edgeLevel(const std::array<double, contourLevels>& steep)
+{
+    std::size_t best = contourLevels / 2;
+    double most = -1;
+    for (std::size_t level = contourLevels / 10; level < contourLevels * 9 / 10; ++level) {
+        double around = 0;
+        for (std::size_t k = level - 2; k <= level + 2; ++k) around += steep[k];
+        if (around > most) {
+            most = around;
+            best = level;
+        }
+    }
+    return (static_cast<double>(best) + 0.5) / contourLevels;
+}
+
 }  // namespace
-
-Calibration calibrationFromJson(std::string_view text, const std::string& where)
-{
-    const auto json = nlohmann::json::parse(text, nullptr, false);
-    if (!json.is_object()) throw malformed(where, "this is no calibration", "a JSON object");
-    if (member(json, "schema", where) != "vis2hap.calibration/1")
-        throw malformed(where, "schema is " + json.at("schema").dump(), "\"vis2hap.calibration/1\"");
-    if (member(json, "kind", where) != "linear") throw malformed(where, "kind is " + json.at("kind").dump(), "\"linear\"");
-    const auto& matrix = member(json, "gradient_from_rgb", where);
-    if (!matrix.is_array() || matrix.size() != 2)
-        throw malformed(where, "gradient_from_rgb is " + matrix.dump(), "two rows of three numbers");
-    Calibration calibration;
-    for (std::size_t i = 0; i < 2; ++i) calibration.gradientFromRgb[i] = numbers<3>(matrix[i], "gradient_from_rgb", where);
-    calibration.offset = numbers<2>(member(json, "offset", where), "offset", where);
-    calibration.mmPerPixel = number(member(json, "mm_per_pixel", where), "mm_per_pixel", where);
-    if (json.contains("high_pass_cutoff_mm") && !json.at("high_pass_cutoff_mm").is_null())
-        calibration.highPassCutoffMm = number(json.at("high_pass_cutoff_mm"), "high_pass_cutoff_mm", where);
-    calibration.zeroPercentile = number(member(json, "zero_percentile", where), "zero_percentile", where);
-    requireSound(calibration, where);
-    return calibration;
-}
-
-Calibration readCalibration(const std::filesystem::path& file)
-{
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream) throw malformed(file.string(), "the calibration cannot be read", "the file that dataset.json names");
-    const std::string text{std::istreambuf_iterator<char>(stream), {}};
-    return calibrationFromJson(text, file.string());
-}
-
-std::string toJson(const Calibration& calibration)
-{
-    nlohmann::ordered_json json{{"schema", "vis2hap.calibration/1"},
-                                {"kind", "linear"},
-                                {"gradient_from_rgb", calibration.gradientFromRgb},
-                                {"offset", calibration.offset},
-                                {"mm_per_pixel", calibration.mmPerPixel},
-                                {"high_pass_cutoff_mm", nullptr},
-                                {"zero_percentile", calibration.zeroPercentile}};
-    if (calibration.highPassCutoffMm) json["high_pass_cutoff_mm"] = *calibration.highPassCutoffMm;
-    return json.dump(2) + "\n";
-}
 
 Slopes slopesFromFrame(const cv::Mat& frame, const cv::Mat& reference, const Calibration& calibration)
 {
-    if (frame.empty() || frame.type() != CV_8UC3 || reference.type() != CV_8UC3 || frame.size() != reference.size())
-        throw protocols::badInput({.what = "the tactile frame (" + std::to_string(frame.cols) + " x " +
-                                           std::to_string(frame.rows) + ") and its reference (" + std::to_string(reference.cols) +
-                                           " x " + std::to_string(reference.rows) + ") do not belong together",
+    if (!frame.empty() && frame.channels() != calibration.channels)
+        throw protocols::badInput({.what = "the tactile frame has " + std::to_string(frame.channels()) + " channels",
                                    .where = "",
-                                   .expected = "two 8-bit colour images of one size",
+                                   .expected = std::to_string(calibration.channels) + ", as the sensor was calibrated with",
                                    .nextStep = ""});
-    cv::Mat change;
-    cv::subtract(frame, reference, change, cv::noArray(), CV_32F);
-    cv::Matx<float, 2, 4> map;
-    for (int i = 0; i < 2; ++i) {
-        const auto row = static_cast<std::size_t>(i);
-        for (int c = 0; c < 3; ++c)
-            map(i, c) = static_cast<float>(calibration.gradientFromRgb[row][static_cast<std::size_t>(c)] / 255);
-        map(i, 3) = static_cast<float>(calibration.offset[row]);
-    }
-    cv::Mat both;
-    cv::transform(change, both, map);
-    Slopes slopes;
-    cv::extractChannel(both, slopes.x, 0);
-    cv::extractChannel(both, slopes.y, 1);
-    return slopes;
+    return slopesOf(calibration.map, lightOf(frame, reference, calibration.light));
 }
 
 cv::Mat settled(const cv::Mat& heightMm, const Pitch& pitch, std::optional<double> highPassCutoffMm, double zeroPercentile)
@@ -145,6 +94,59 @@ cv::Mat heightFromFrame(const cv::Mat& frame, const cv::Mat& reference, const Ca
     const Pitch pitch{calibration.mmPerPixel, calibration.mmPerPixel};
     const cv::Mat height = integrate(slopesFromFrame(frame, reference, calibration), pitch, SlopeKind::Point, quality);
     return settled(height, pitch, calibration.highPassCutoffMm, calibration.zeroPercentile);
+}
+
+bool hasOutside(const cv::Mat& light)
+{
+    cv::Mat squares = light.mul(light), strength;
+    cv::reduce(squares.reshape(1, static_cast<int>(light.total())), strength, 1, cv::REDUCE_SUM);
+    cv::sqrt(strength.reshape(1, light.rows), strength);
+    cv::blur(strength, strength, {3, 3});
+    const double strongest = percentile(strength, 99.5);
+    return strongest > 0.1 && cv::countNonZero(strength < 0.25 * strongest) > 0.6 * static_cast<double>(strength.total());
+}
+
+cv::Mat contactOf(const cv::Mat& gelHeightMm, const Slopes& slopes)
+{
+    cv::Mat height;
+    gelHeightMm.convertTo(height, CV_32F);
+    cv::GaussianBlur(height, height, {}, 1);
+    const double top = percentile(height, 99.9);
+    if (!(top > 0)) return cv::Mat::zeros(height.size(), CV_8UC1);
+    const double level = top * edgeLevel(steepnessByLevel(height, steepness(slopes), top));
+    return height > level;
+}
+
+cv::Mat heightInContact(const Slopes& slopes, const cv::Mat& contact, const Pitch& pitch, IntegrationQuality quality)
+{
+    Slopes inside{slopes.x.clone(), slopes.y.clone()};
+    inside.x.setTo(0, contact == 0);
+    inside.y.setTo(0, contact == 0);
+    cv::Mat height;
+    integrate(inside, pitch, SlopeKind::Point, quality).convertTo(height, CV_32F);
+    const cv::Mat outside = contact == 0;
+    if (cv::countNonZero(outside) > 0) height -= cv::mean(height, outside)[0];
+    height.setTo(0, outside);
+    return cv::max(height, 0);
+}
+
+Slopes slopesFromNormals(const cv::Mat& image)
+{
+    if (image.empty() || (image.type() != CV_8UC3 && image.type() != CV_16UC3))
+        throw protocols::badInput({.what = "this is no normal map", .where = "", .expected = "an RGB image of 8 or 16 bits", .nextStep = ""});
+    cv::Mat normals;
+    image.convertTo(normals, CV_32F, 2.0 / (image.depth() == CV_16U ? 65535 : 255), -1);
+    Slopes slopes{cv::Mat(image.size(), CV_32FC1), cv::Mat(image.size(), CV_32FC1)};
+    for (int i = 0; i < normals.rows; ++i) {
+        const auto* normal = normals.ptr<cv::Vec3f>(i);
+        float *x = slopes.x.ptr<float>(i), *y = slopes.y.ptr<float>(i);
+        for (int j = 0; j < normals.cols; ++j) {
+            const bool seen = normal[j][2] > flattestNormal;
+            x[j] = seen ? -normal[j][0] / normal[j][2] : std::numeric_limits<float>::quiet_NaN();
+            y[j] = seen ? normal[j][1] / normal[j][2] : std::numeric_limits<float>::quiet_NaN();
+        }
+    }
+    return slopes;
 }
 
 }  // namespace rendering::signals

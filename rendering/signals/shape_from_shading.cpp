@@ -12,15 +12,23 @@ namespace rendering::signals {
 
 namespace {
 
+/// The waves longer than `longestPx`, or than half the image: a Gaussian that passes half of a wave of that length (ISO
+/// 16610-21).
+cv::Mat slowPart(const cv::Mat& values, double longestPx)
+{
+    const double length = std::min(longestPx, std::max(2.0, std::min(values.rows, values.cols) / 2.0));
+    const double sigma = length * std::sqrt(std::log(2.0) / 2) / std::numbers::pi;
+    cv::Mat slow;
+    cv::GaussianBlur(values, slow, {}, sigma, sigma, cv::BORDER_REFLECT);
+    return slow;
+}
+
 /// Brightness against that of the surroundings, minus 1: uneven light and the photograph's exposure drop
 /// out, the slope along the light remains.
-cv::Mat shadingOf(const cv::Mat& photograph, double highPassPx)
+cv::Mat shadingOf(const cv::Mat& photograph, double longestPx)
 {
     const cv::Mat light = grey(photograph);
-    // A Gaussian that passes half of a wave of highPassPx (ISO 16610-21).
-    const double sigma = highPassPx * std::sqrt(std::log(2.0) / 2) / std::numbers::pi;
-    cv::Mat surroundings;
-    cv::GaussianBlur(light, surroundings, {}, sigma, sigma, cv::BORDER_REFLECT);
+    const cv::Mat surroundings = slowPart(light, longestPx);
     // Black surroundings have no relative brightness: a floor of a hundredth of the mean.
     const double floor = std::max(1e-6, 0.01 * cv::mean(light)[0]);
     cv::Mat difference, shading;

@@ -14,8 +14,8 @@ enum class ShadingQuality { Fast, Accurate };
 
 struct ShadingOptions {
     ShadingQuality quality = ShadingQuality::Accurate;
-    double highPassPx = 64;                   ///< longer waves are taken for uneven light, not relief
-    double regularisation = 0.02;             ///< cycles per pixel along the light below which relief is not trusted
+    double highPassPx = 200;                  ///< longer waves are taken for uneven light, not relief
+    double regularisation = 0.008;           ///< cycles per pixel along the light below which relief is not trusted
     std::optional<double> lightAzimuthDeg{};  ///< known direction; none: estimated
 };
 
@@ -30,7 +30,7 @@ struct Light {
 /// whose energy goes with the squared cosine of the angle to the light); its upper end, or its left end
 /// where it is within 10 degrees of level: azimuth 10..190. Below a coherence of 0.02 it is 90.
 /// `photograph` as in signals::grey.
-Light estimateLight(const cv::Mat& photograph, double highPassPx = 64);
+Light estimateLight(const cv::Mat& photograph, double highPassPx = 200);
 
 /// Height in pixels times the sine of the light's slant, mean 0, CV_32FC1 of the photograph's size.
 /// An even photograph gives an even relief. Throws badInput for an empty image.

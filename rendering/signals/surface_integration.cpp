@@ -1,21 +1,27 @@
 #include "rendering/signals/surface_integration.h"
 
-#include <cmath>
-#include <numbers>
-#include <opencv2/core.hpp>
-#include <string>
-#include <vector>
-
 #include "protocols/errors.h"
 #include "rendering/signals/cosine_transform.h"
+#include "rendering/signals/slope_differences.h"
+
+#include <opencv2/core.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
 
 namespace rendering::signals {
 
 namespace {
 
+constexpr double weightOfGaps = 1e-3;
+constexpr int mostIterations = 200;
+constexpr double residualToReach = 1e-9;
+
 std::string sizeText(const cv::Mat& image) { return std::to_string(image.cols) + " x " + std::to_string(image.rows); }
 
-void require(const Slopes& slopes, const Pitch& pitch)
+void requireShape(const Slopes& slopes, const Pitch& pitch)
 {
     if (slopes.x.empty() || slopes.x.size() != slopes.y.size())
         throw protocols::badInput(
@@ -29,6 +35,10 @@ void require(const Slopes& slopes, const Pitch& pitch)
     if (!(pitch.x > 0 && pitch.y > 0 && std::isfinite(pitch.x) && std::isfinite(pitch.y)))
         throw protocols::badInput(
             {.what = "the pitch of the slopes is not a length", .where = "", .expected = "mm per pixel above 0", .nextStep = ""});
+}
+
+void requireWhole(const Slopes& slopes)
+{
     if (!cv::checkRange(slopes.x) || !cv::checkRange(slopes.y))
         throw protocols::badInput({.what = "slopes hold values that are not finite",
                                    .where = "",
@@ -36,91 +46,119 @@ void require(const Slopes& slopes, const Pitch& pitch)
                                    .nextStep = ""});
 }
 
-/// Slopes between a pixel and its right neighbour; one column fewer than the slopes.
 template <class T>
-cv::Mat between(const cv::Mat& slopes, SlopeKind kind)
+cv::Mat as(const cv::Mat& values)
 {
-    const cv::Mat left = slopes.colRange(0, slopes.cols - 1);
     cv::Mat result;
-    if (kind == SlopeKind::Forward)
-        left.convertTo(result, cv::DataType<T>::depth);
-    else
-        cv::addWeighted(left, 0.5, slopes.colRange(1, slopes.cols), 0.5, 0, result, cv::DataType<T>::depth);
+    values.convertTo(result, cv::DataType<T>::type);
     return result;
-}
-
-/// Adds one axis' share of the normal equations' right side: what flows in minus what flows out.
-template <class T>
-void addSources(cv::Mat& sources, const cv::Mat& edges, double pitch)
-{
-    for (int i = 0; i < edges.rows; ++i) {
-        T* row = sources.ptr<T>(i);
-        const T* edge = edges.ptr<T>(i);
-        for (int j = 0; j < edges.cols; ++j) {
-            const T flow = static_cast<T>(edge[j] / pitch);
-            row[j] -= flow;
-            row[j + 1] += flow;
-        }
-    }
-}
-
-/// Eigenvalues of the second difference with free ends.
-std::vector<double> eigenvalues(int length, double pitch)
-{
-    std::vector<double> values(static_cast<std::size_t>(length));
-    for (int k = 0; k < length; ++k) {
-        const double s = 2 * std::sin(std::numbers::pi * k / (2.0 * length)) / pitch;
-        values[static_cast<std::size_t>(k)] = s * s;
-    }
-    return values;
 }
 
 template <class T>
 cv::Mat solved(const Slopes& slopes, const Pitch& pitch, SlopeKind kind)
 {
-    const cv::Size size = slopes.x.size();
-    cv::Mat sources = cv::Mat::zeros(size, cv::DataType<T>::type);
-    if (size.width > 1) addSources<T>(sources, between<T>(slopes.x, kind), pitch.x);
-    if (size.height > 1) {
-        cv::Mat turned = sources.t();
-        addSources<T>(turned, between<T>(slopes.y.t(), kind), pitch.y);
-        cv::transpose(turned, sources);
-    }
-    cv::Mat spectrum = cosineTransform(sources);
-    const auto alongX = eigenvalues(size.width, pitch.x);
-    const auto alongY = eigenvalues(size.height, pitch.y);
-    for (int i = 0; i < size.height; ++i) {
-        T* row = spectrum.ptr<T>(i);
-        for (int j = 0; j < size.width; ++j)
-            row[j] = static_cast<T>(row[j] / (alongY[static_cast<std::size_t>(i)] + alongX[static_cast<std::size_t>(j)]));
-    }
-    spectrum.at<T>(0, 0) = 0;  // the mean, which slopes do not tell
-    return inverseCosineTransform(spectrum);
+    const Differences<T> differences(slopes.x.size(), pitch, kind);
+    return differences.surfaceOf(differences.transposed(differences.between({as<T>(slopes.x), as<T>(slopes.y)})));
 }
 
-cv::Mat asDouble(const cv::Mat& values)
+/// Missing slopes become the mean of those around them, from near to far (a pyramid of known averages).
+cv::Mat continued(const cv::Mat& values, const cv::Mat& known)
 {
-    cv::Mat result;
-    values.convertTo(result, CV_64F);
+    if (values.rows == 1 && values.cols == 1) return values;
+    cv::Mat sum, count;
+    const cv::Size half((values.cols + 1) / 2, (values.rows + 1) / 2);
+    sum = cv::Mat::zeros(half, CV_64FC1);
+    count = cv::Mat::zeros(half, CV_64FC1);
+    for (int i = 0; i < values.rows; ++i)
+        for (int j = 0; j < values.cols; ++j)
+            if (known.at<uchar>(i, j)) {
+                sum.at<double>(i / 2, j / 2) += values.at<double>(i, j);
+                count.at<double>(i / 2, j / 2) += 1;
+            }
+    const cv::Mat coarseKnown = count > 0;
+    const cv::Mat coarse = continued(sum / cv::max(count, 1.0), coarseKnown);
+    cv::Mat result = values.clone();
+    for (int i = 0; i < values.rows; ++i)
+        for (int j = 0; j < values.cols; ++j)
+            if (!known.at<uchar>(i, j)) result.at<double>(i, j) = coarse.at<double>(i / 2, j / 2);
     return result;
+}
+
+Slopes weighted(const Slopes& values, const Slopes& weights)
+{
+    return {values.x.mul(weights.x), values.y.mul(weights.y)};
 }
 
 }  // namespace
 
+SlopeKind slopeKindNamed(std::string_view name)
+{
+    for (const auto& [known, kind] : {std::pair{"point", SlopeKind::Point}, {"central", SlopeKind::Central},
+                                      {"forward", SlopeKind::Forward}})
+        if (name == known) return kind;
+    throw protocols::badInput({.what = "unknown kind of slopes '" + std::string(name) + "'",
+                               .where = "",
+                               .expected = "point, central or forward",
+                               .nextStep = ""});
+}
+
 cv::Mat integrate(const Slopes& slopes, const Pitch& pitch, SlopeKind kind, IntegrationQuality quality)
 {
-    require(slopes, pitch);
+    requireShape(slopes, pitch);
+    requireWhole(slopes);
     return quality == IntegrationQuality::Full ? solved<double>(slopes, pitch, kind) : solved<float>(slopes, pitch, kind);
+}
+
+cv::Mat measuredPlaces(const Slopes& slopes)
+{
+    // A difference with itself is 0 unless the value is not finite.
+    const cv::Mat x = as<double>(slopes.x), y = as<double>(slopes.y);
+    return (x - x == 0) & (y - y == 0);
+}
+
+cv::Mat integrateAround(const Slopes& slopes, const cv::Mat& measured, const Pitch& pitch, SlopeKind kind)
+{
+    requireShape(slopes, pitch);
+    cv::Mat known = measuredPlaces(slopes);
+    if (!measured.empty()) known &= measured != 0;
+    if (cv::countNonZero(known) == 0)
+        throw protocols::badInput({.what = "no slope is measured at all", .where = "", .expected = "numbers", .nextStep = ""});
+    const Slopes whole{continued(as<double>(slopes.x), known), continued(as<double>(slopes.y), known)};
+    if (cv::countNonZero(known) == static_cast<int>(known.total())) return solved<double>(whole, pitch, kind);
+
+    const Differences<double> differences(known.size(), pitch, kind);
+    const Slopes weights = differences.weights(known, weightOfGaps);
+    const auto normal = [&](const cv::Mat& height) { return differences.transposed(weighted(differences.of(height), weights)); };
+    const cv::Mat sources = differences.transposed(weighted(differences.between(whole), weights));
+    cv::Mat height = solved<double>(whole, pitch, kind);
+    cv::Mat residual = sources - normal(height);
+    cv::Mat step = differences.surfaceOf(residual), direction = step.clone();
+    double power = residual.dot(step);
+    const double enough = residualToReach * residualToReach * std::max(power, 1e-300);
+    for (int i = 0; i < mostIterations && power > enough; ++i) {
+        const cv::Mat change = normal(direction);
+        const double length = power / direction.dot(change);
+        height += length * direction;
+        residual -= length * change;
+        step = differences.surfaceOf(residual);
+        const double next = residual.dot(step);
+        direction = step + (next / power) * direction;
+        power = next;
+    }
+    return height - cv::mean(height)[0];
 }
 
 double curlResidual(const Slopes& slopes, const Pitch& pitch)
 {
-    require(slopes, pitch);
-    if (slopes.x.rows < 2 || slopes.x.cols < 2) return 0;
-    const cv::Mat alongX = between<double>(asDouble(slopes.x), SlopeKind::Point);
-    const cv::Mat alongY = between<double>(asDouble(slopes.y).t(), SlopeKind::Point).t();
-    const cv::Mat xChange = (alongX.rowRange(1, alongX.rows) - alongX.rowRange(0, alongX.rows - 1)) / pitch.y;
-    const cv::Mat yChange = (alongY.colRange(1, alongY.cols) - alongY.colRange(0, alongY.cols - 1)) / pitch.x;
+    requireShape(slopes, pitch);
+    requireWhole(slopes);
+    const int rows = slopes.x.rows, columns = slopes.x.cols;
+    if (rows < 2 || columns < 2) return 0;
+    const cv::Mat x = as<double>(slopes.x), y = as<double>(slopes.y);
+    const cv::Mat alongX = (x.colRange(0, columns - 1) + x.colRange(1, columns)) / 2;
+    const cv::Mat alongY = (y.rowRange(0, rows - 1) + y.rowRange(1, rows)) / 2;
+    const cv::Mat xChange = (alongX.rowRange(1, rows) - alongX.rowRange(0, rows - 1)) / pitch.y;
+    const cv::Mat yChange = (alongY.colRange(1, columns) - alongY.colRange(0, columns - 1)) / pitch.x;
     const double all = std::hypot(cv::norm(xChange), cv::norm(yChange));
     return all > 0 ? cv::norm(xChange, yChange) / all : 0;
 }
@@ -132,15 +170,47 @@ cv::Mat withoutLowFrequency(const cv::Mat& heightMm, const Pitch& pitch, double 
                                    .where = "",
                                    .expected = "a wavelength above 0",
                                    .nextStep = ""});
-    cv::Mat spectrum = cosineTransform(asDouble(heightMm));
+    cv::Mat spectrum = cosineTransform(as<double>(heightMm));
+    const auto passed = [cutoffMm](int length, double step) {
+        std::vector<double> share(static_cast<std::size_t>(length));
+        for (int k = 0; k < length; ++k)
+            share[static_cast<std::size_t>(k)] = std::exp2(-std::pow(cutoffMm * cosineFrequency(k, length, step), 2));
+        return share;
+    };
+    const auto alongX = passed(spectrum.cols, pitch.x), alongY = passed(spectrum.rows, pitch.y);
     for (int i = 0; i < spectrum.rows; ++i)
-        for (int j = 0; j < spectrum.cols; ++j) {
-            const double frequency =
-                std::hypot(cosineFrequency(i, spectrum.rows, pitch.y), cosineFrequency(j, spectrum.cols, pitch.x));
-            spectrum.at<double>(i, j) *= 1 - std::exp2(-std::pow(cutoffMm * frequency, 2));
-        }
+        for (int j = 0; j < spectrum.cols; ++j)
+            spectrum.at<double>(i, j) *= 1 - alongY[static_cast<std::size_t>(i)] * alongX[static_cast<std::size_t>(j)];
     cv::Mat result;
     inverseCosineTransform(spectrum).convertTo(result, heightMm.depth());
+    return result;
+}
+
+cv::Mat withoutTilt(const cv::Mat& heightMm, const cv::Mat& places)
+{
+    const cv::Mat height = as<double>(heightMm);
+    cv::Matx33d normal = cv::Matx33d::zeros();
+    cv::Vec3d right;
+    int count = 0;
+    const auto terms = [&](int i, int j) {  // about the middle, so that the three hardly mix
+        return cv::Vec3d((2.0 * j - height.cols + 1) / height.cols, (2.0 * i - height.rows + 1) / height.rows, 1);
+    };
+    for (int i = 0; i < height.rows; ++i)
+        for (int j = 0; j < height.cols; ++j) {
+            if (!places.empty() && !places.at<uchar>(i, j)) continue;
+            const auto t = terms(i, j);
+            normal += t * t.t();
+            right += height.at<double>(i, j) * t;
+            ++count;
+        }
+    if (count < 3)
+        throw protocols::badInput({.what = "there is no place to level the surface by", .where = "", .expected = "three pixels outside contact", .nextStep = ""});
+    cv::Vec3d plane;
+    cv::solve(normal, right, plane, cv::DECOMP_SVD);  // one row or column has no slope across it
+    cv::Mat result(height.size(), CV_64FC1);
+    for (int i = 0; i < height.rows; ++i)
+        for (int j = 0; j < height.cols; ++j) result.at<double>(i, j) = height.at<double>(i, j) - plane.dot(terms(i, j));
+    result.convertTo(result, heightMm.depth());
     return result;
 }
 

@@ -20,7 +20,7 @@ constexpr double pitchMm = 0.05;
 Calibration plainSensor()
 {
     Calibration calibration;
-    calibration.gradientFromRgb = {{{2, 0, 0}, {0, -4, 0}}};
+    calibration.map = LinearMap{{{{2, 0, 0}, {0, -4, 0}}}, {}};
     calibration.mmPerPixel = pitchMm;
     calibration.zeroPercentile = 0;
     return calibration;
@@ -92,7 +92,7 @@ private Q_SLOTS:
     void offsetIsATilt()
     {
         auto calibration = plainSensor();
-        calibration.offset = {0.2, 0};
+        std::get<LinearMap>(calibration.map).offset = {0.2, 0};
         const cv::Mat same(9, 21, CV_8UC3, untouched);
         const cv::Mat height = heightFromFrame(same, same, calibration);
         QVERIFY(std::abs(height.at<float>(4, 20) - 20 * pitchMm * 0.2) < 1e-5);
@@ -102,7 +102,7 @@ private Q_SLOTS:
     void slowSurfaceIsRemovedAndTheBumpsStay()
     {
         auto calibration = plainSensor();
-        calibration.offset = {0.05, 0.1};
+        std::get<LinearMap>(calibration.map).offset = {0.05, 0.1};
         calibration.highPassCutoffMm = 6;
         calibration.zeroPercentile = 2;
         const cv::Mat frame = frameOfBumps(240, 320), reference(frame.size(), CV_8UC3, untouched);
@@ -143,8 +143,8 @@ private Q_SLOTS:
     void calibrationIsReadBackAsWritten()
     {
         const auto calibration = calibrationFromJson(soundJson, "text");
-        QCOMPARE(calibration.gradientFromRgb[1][0], 4.0);
-        QCOMPARE(calibration.offset[1], -0.25);
+        QCOMPARE(std::get<LinearMap>(calibration.map).gain[1][0], 4.0);
+        QCOMPARE(std::get<LinearMap>(calibration.map).offset[1], -0.25);
         QCOMPARE(calibration.highPassCutoffMm.value(), 3.0);
         QTemporaryDir folder;
         const auto file = std::filesystem::path(folder.filePath("c.json").toStdString());

@@ -10,7 +10,8 @@
 #include "refusal.h"
 #include "rendering/image_io.h"
 #include "rendering/signals/surface_integration.h"
-#include "true_map.h"
+#include "rendering/true_map.h"
+#include "shared_data.h"
 
 using namespace rendering::signals;
 
@@ -59,13 +60,13 @@ double correlation(const cv::Mat& a, const cv::Mat& b)
     return x.dot(y) / (cv::norm(x) * cv::norm(y));
 }
 
-/// Waves between 1.5 and 40 pixels.
+/// Between Gaussians of 1.5 and 40 pixels.
 cv::Mat inBand(const cv::Mat& image)
 {
     cv::Mat values, fine, coarse;
     image.convertTo(values, CV_64F);
-    cv::GaussianBlur(values, fine, {}, 0.19 * 1.5, 0, cv::BORDER_REFLECT);
-    cv::GaussianBlur(values, coarse, {}, 0.19 * 40, 0, cv::BORDER_REFLECT);
+    cv::GaussianBlur(values, fine, {}, 1.5, 0, cv::BORDER_REFLECT);
+    cv::GaussianBlur(values, coarse, {}, 40, 0, cv::BORDER_REFLECT);
     return fine - coarse;
 }
 
@@ -105,7 +106,8 @@ private Q_SLOTS:
         for (int i = 0; i < 128; ++i)
             for (int j = 0; j < 128; ++j) relief.at<double>(i, j) = 0.25 * std::cos(2 * std::numbers::pi * j / 16);
         const cv::Mat found = shapeFromShading(lambertian(relief, 180, 45), {.lightAzimuthDeg = 180.0});
-        const cv::Mat inner = found(cv::Rect(32, 32, 64, 64));
+        cv::Mat inner;  // the mean of the rows, without the streaks that noise leaves along the light
+        cv::reduce(found(cv::Rect(32, 32, 64, 64)), inner, 0, cv::REDUCE_AVG);
         double low = 0, high = 0;
         cv::minMaxLoc(inner, &low, &high);
         QVERIFY2(std::abs((high - low) - 0.5) < 0.1, qPrintable(QString::number(high - low)));
@@ -152,22 +154,22 @@ private Q_SLOTS:
     {
         QTest::addColumn<QString>("file");
         QTest::addColumn<double>("atLeast");
-        QTest::newRow("lit across") << "image02.png" << 0.7;
-        QTest::newRow("lit across, other image") << "image03.png" << 0.7;
-        QTest::newRow("lit from the other side") << "image05.png" << 0.7;
-        QTest::newRow("lit from the other side, other image") << "image06.png" << 0.7;
-        // Along the groove the light leaves its walls dark on neither side, and the walls themselves
-        // hide its axis: the second of these two lies at 0.19.
-        QTest::newRow("lit along the groove") << "image01.png" << 0.4;
-        QTest::newRow("lit along the groove, from the other end") << "image04.png" << 0.15;
+        QTest::newRow("lit across") << "image02.png" << 0.75;
+        QTest::newRow("lit across, other image") << "image03.png" << 0.75;
+        QTest::newRow("lit from the other side") << "image05.png" << 0.75;
+        QTest::newRow("lit from the other side, other image") << "image06.png" << 0.75;
+        // Along the groove its walls tell little of the slope, and hide the light's axis.
+        QTest::newRow("lit along the groove") << "image01.png" << 0.65;
+        QTest::newRow("lit along the groove, from the other end") << "image04.png" << 0.6;
     }
     void grooveIsSeenWithoutKnowingTheLight()
     {
         QFETCH(QString, file);
         QFETCH(double, atLeast);
-        const auto map = readTrueMap(sharedData("gsmatlab_groove/heightmap.tmd"));
-        if (map.heightMm.empty()) QSKIP("the shared groove scan is not there");
-        const cv::Mat photograph = rendering::readPng(sharedData("gsmatlab_groove/" + file).toStdString());
+        const auto scan = sharedData("gsmatlab_groove");
+        if (!std::filesystem::exists(scan)) QSKIP("the shared groove scan is not there");
+        const auto map = rendering::readTrueMap(scan / "heightmap.tmd");
+        const cv::Mat photograph = rendering::readPng(scan / file.toStdString());
         QCOMPARE(photograph.size(), map.heightMm.size());
         const auto light = estimateLight(photograph);
         const double r = correlation(inBand(shapeFromShading(photograph)), inBand(map.heightMm));

@@ -6,13 +6,16 @@
 #include <limits>
 #include <numbers>
 #include <opencv2/core.hpp>
+#include <tuple>
 
 #include "protocols/random.h"
 #include "refusal.h"
 #include "rendering/signals/cosine_transform.h"
-#include "true_map.h"
+#include "rendering/true_map.h"
+#include "shared_data.h"
 
 using namespace rendering::signals;
+using rendering::readTrueMap;
 
 namespace {
 
@@ -61,9 +64,61 @@ cv::Mat gradientAlongX(const cv::Mat& height, double pitch)
     for (int i = 0; i < height.rows; ++i)
         for (int j = 0; j < height.cols; ++j) {
             const int a = std::max(0, j - 1), b = std::min(height.cols - 1, j + 1);
-            result.at<double>(i, j) = (height.at<double>(i, b) - height.at<double>(i, a)) / ((b - a) * pitch);
+            result.at<double>(i, j) = (height.at<double>(i, b) - height.at<double>(i, a)) / (std::max(1, b - a) * pitch);
         }
     return result;
+}
+
+const Pitch surfacePitch{0.05, 0.05};
+
+struct KnownSurface {
+    cv::Mat heightMm;
+    Slopes slopes;
+};
+
+/// 240 x 320 heights and their exact slopes at the pixels' centres; `at(x, y)` gives height, dh/dx and dh/dy at mm.
+template <class At>
+KnownSurface surfaceFrom(At at)
+{
+    KnownSurface known{cv::Mat(240, 320, CV_64FC1), {cv::Mat(240, 320, CV_64FC1), cv::Mat(240, 320, CV_64FC1)}};
+    for (int i = 0; i < 240; ++i)
+        for (int j = 0; j < 320; ++j)
+            std::tie(known.heightMm.at<double>(i, j), known.slopes.x.at<double>(i, j), known.slopes.y.at<double>(i, j)) =
+                at(j * surfacePitch.x, i * surfacePitch.y);
+    return known;
+}
+
+KnownSurface tiltedPlane()
+{
+    return surfaceFrom([](double x, double y) { return std::tuple{0.3 * x - 0.2 * y, 0.3, -0.2}; });
+}
+
+KnownSurface weave(double pixels)
+{
+    const double w = 2 * std::numbers::pi / (pixels * surfacePitch.x);
+    return surfaceFrom([w](double x, double y) {
+        const double a = w * x + 0.7, b = w * y + 1.1;
+        return std::tuple{0.05 * std::cos(a) * std::cos(b), -0.05 * w * std::sin(a) * std::cos(b), -0.05 * w * std::cos(a) * std::sin(b)};
+    });
+}
+
+/// The part of a ball that stands out of a plane.
+KnownSurface ballCap(double radiusMm, double heightMm)
+{
+    return surfaceFrom([=](double x, double y) {
+        const double dx = x - 8.01, dy = y - 5.98, below = radiusMm - heightMm, square = radiusMm * radiusMm - dx * dx - dy * dy;
+        if (square <= below * below) return std::tuple{0.0, 0.0, 0.0};
+        const double z = std::sqrt(square);
+        return std::tuple{z - below, -dx / z, -dy / z};
+    });
+}
+
+/// RMS difference about the means, in percent of the true surface's range.
+double percentOfRangeOff(const cv::Mat& found, const cv::Mat& known)
+{
+    double low = 0, high = 0;
+    cv::minMaxLoc(known, &low, &high);
+    return 100 * cv::norm(centred(found), centred(known)) / std::sqrt(static_cast<double>(known.total())) / (high - low);
 }
 
 void addSizes()
@@ -87,6 +142,8 @@ void addSizes()
 }
 
 }  // namespace
+
+Q_DECLARE_METATYPE(KnownSurface)
 
 class SurfaceIntegrationTest : public QObject {
     Q_OBJECT
@@ -139,46 +196,142 @@ private Q_SLOTS:
         QVERIFY(largestDifference(found, centred(height)) < 1e-10);
     }
 
-    void cosineSurfaceComesBackFromItsExactSlopes()
+    void anySurfaceComesBackFromItsCentralSlopes_data() { addSizes(); }
+    void anySurfaceComesBackFromItsCentralSlopes()
     {
-        // 20 samples a wave: the mean of two neighbouring slopes is (pi/20)^2 / 3 = 0.8 % off the rise.
-        const int rows = 121, columns = 100;
-        const Pitch pitch{0.04, 0.05};
-        const double kx = 2 * std::numbers::pi / (20 * pitch.x), ky = 2 * std::numbers::pi / (20 * pitch.y);
-        cv::Mat height(rows, columns, CV_64FC1);
-        Slopes slopes{height.clone(), height.clone()};
-        for (int i = 0; i < rows; ++i)
-            for (int j = 0; j < columns; ++j) {
-                const double x = kx * j * pitch.x, y = ky * i * pitch.y;
-                height.at<double>(i, j) = 0.1 * std::cos(x) * std::sin(y);
-                slopes.x.at<double>(i, j) = -0.1 * kx * std::sin(x) * std::sin(y);
-                slopes.y.at<double>(i, j) = 0.1 * ky * std::cos(x) * std::cos(y);
-            }
-        const cv::Mat found = integrate(slopes, pitch);
-        QVERIFY(cv::norm(found, centred(height)) < 0.015 * cv::norm(centred(height)));
-        QVERIFY(curlResidual(slopes, pitch) < 0.01);
+        QFETCH(int, rows);
+        QFETCH(int, columns);
+        const Pitch pitch{0.05, 0.13};
+        const cv::Mat height = randomImage(rows, columns);
+        const Slopes slopes{gradientAlongX(height, pitch.x), gradientAlongX(height.t(), pitch.y).t()};
+        QVERIFY(largestDifference(integrate(slopes, pitch, SlopeKind::Central), centred(height)) < 1e-9);
     }
 
-    void realMapComesBackAsReportedElsewhere_data()
+    void pointSlopesComeBackWithinATenthOfAPercent_data()
+    {
+        QTest::addColumn<KnownSurface>("surface");
+        QTest::addColumn<double>("percentOfRange");
+        QTest::newRow("tilted plane") << tiltedPlane() << 1e-9;
+        QTest::newRow("weave of 6 pixels") << weave(6) << 0.15;
+        QTest::newRow("weave of 12 pixels") << weave(12) << 0.005;
+        // Where the slope jumps between two pixels, no rule knows where: 35 pixels of radius, 0.3 mm high.
+        QTest::newRow("ball cap") << ballCap(5, 0.3) << 0.1;
+    }
+    void pointSlopesComeBackWithinATenthOfAPercent()
+    {
+        QFETCH(KnownSurface, surface);
+        QFETCH(double, percentOfRange);
+        for (const auto quality : {IntegrationQuality::Full, IntegrationQuality::Fast}) {
+            const cv::Mat found = integrate(surface.slopes, surfacePitch, SlopeKind::Point, quality);
+            const double error = percentOfRangeOff(found, surface.heightMm);
+            qInfo("%.4f %% of the range", error);
+            QVERIFY(error <= std::max(percentOfRange, quality == IntegrationQuality::Full ? 0.0 : 1e-3));
+        }
+    }
+
+    void realMapComesBackFromCentralDifferences_data()
     {
         QTest::addColumn<QString>("file");
-        QTest::addColumn<double>("percentOfSq");
-        QTest::newRow("Dime") << "Dime.tmd" << 2.4;
-        QTest::newRow("StepHeight") << "StepHeight.tmd" << 2.6;
+        QTest::addColumn<double>("asPointSlopes");
+        QTest::newRow("Dime") << "Dime.tmd" << 1.92;
+        QTest::newRow("StepHeight") << "StepHeight.tmd" << 2.11;
+        QTest::newRow("paper") << "paper.tmd" << 12.4;
     }
-    void realMapComesBackAsReportedElsewhere()
+    /// Said to be what they are they come back to rounding; taken for point slopes they are off as printed by a
+    /// second implementation (numpy, scipy.fft.dctn and quadrature of sixth order).
+    void realMapComesBackFromCentralDifferences()
     {
         QFETCH(QString, file);
-        QFETCH(double, percentOfSq);
-        const auto map = readTrueMap(sharedData("truemap_heightmaps/" + file));
-        if (map.heightMm.empty()) QSKIP("the shared height maps are not there");
+        QFETCH(double, asPointSlopes);
+        const auto path = sharedData("truemap_heightmaps") / file.toStdString();
+        if (!std::filesystem::exists(path)) QSKIP("the shared height maps are not there");
+        const auto map = readTrueMap(path);
         cv::Mat height;
         map.heightMm.convertTo(height, CV_64F);
         const Slopes slopes{gradientAlongX(height, map.xPitchMm), gradientAlongX(height.t(), map.yPitchMm).t()};
-        const cv::Mat found = integrate(slopes, {map.xPitchMm, map.yPitchMm});
-        const double error = 100 * cv::norm(found, centred(height)) / cv::norm(centred(height));
-        qInfo("%s: %.2f %% of Sq", qPrintable(file), error);
-        QVERIFY(std::abs(error - percentOfSq) < 0.1);
+        const Pitch pitch{map.xPitchMm, map.yPitchMm};
+        const auto percentOfSq = [&](SlopeKind kind) {
+            return 100 * cv::norm(integrate(slopes, pitch, kind), centred(height)) / cv::norm(centred(height));
+        };
+        QVERIFY(percentOfSq(SlopeKind::Central) < 1e-8);
+        const double taken = percentOfSq(SlopeKind::Point);
+        QVERIFY2(std::abs(taken - asPointSlopes) < 0.05, qPrintable(QString::number(taken)));
+    }
+
+    void missingSlopesAreBridged()
+    {
+        const auto known = weave(24);
+        Slopes holed{known.slopes.x.clone(), known.slopes.y.clone()};
+        cv::Mat measured(known.heightMm.size(), CV_8UC1, cv::Scalar(255));
+        holed.x(cv::Rect(100, 60, 6, 90)) = std::numeric_limits<double>::quiet_NaN();
+        holed.y.at<double>(5, 5) = std::numeric_limits<double>::infinity();
+        measured(cv::Rect(200, 100, 12, 12)) = 0;
+        const cv::Mat found = integrateAround(holed, measured, surfacePitch);
+        QVERIFY(cv::checkRange(found));
+        cv::Mat places = measured & measuredPlaces(holed);
+        cv::Mat difference = found - centred(known.heightMm);
+        difference -= cv::mean(difference, places)[0];
+        difference.setTo(0, places == 0);
+        const double error = 100 * cv::norm(difference) / std::sqrt(cv::countNonZero(places)) / 0.1;
+        qInfo("%.3f %% of the range outside the gaps", error);
+        QVERIFY(error < 0.5);
+        QVERIFY(largestDifference(integrateAround(known.slopes, {}, surfacePitch), integrate(known.slopes, surfacePitch)) < 1e-9);
+    }
+
+    void anIslandAmongGapsKeepsItsShape()
+    {
+        const auto known = weave(24);
+        cv::Mat measured(known.heightMm.size(), CV_8UC1, cv::Scalar(0));
+        measured(cv::Rect(40, 40, 60, 60)) = 255;
+        measured(cv::Rect(150, 40, 60, 60)) = 255;
+        for (const auto kind : {SlopeKind::Point, SlopeKind::Forward, SlopeKind::Central}) {
+            const cv::Mat found = integrateAround(known.slopes, measured, surfacePitch, kind);
+            const cv::Mat inside = found(cv::Rect(45, 45, 50, 50)), truth = known.heightMm(cv::Rect(45, 45, 50, 50));
+            QVERIFY(cv::norm(centred(inside), centred(truth)) < 0.1 * cv::norm(centred(truth)));
+        }
+    }
+
+    void tiltIsTakenOutByThePlacesOutside()
+    {
+        cv::Mat height(20, 30, CV_64FC1), outside(20, 30, CV_8UC1, cv::Scalar(255));
+        for (int i = 0; i < 20; ++i)
+            for (int j = 0; j < 30; ++j) height.at<double>(i, j) = 0.1 * j - 0.2 * i + 3;
+        height(cv::Rect(10, 5, 8, 8)) += 1;
+        outside(cv::Rect(10, 5, 8, 8)) = 0;
+        const cv::Mat level = withoutTilt(height, outside);
+        QVERIFY(std::abs(level.at<double>(7, 12) - 1) < 1e-12);
+        QVERIFY(std::abs(level.at<double>(19, 0)) < 1e-12);
+        QVERIFY(largestDifference(withoutTilt(height.row(0), {}), cv::Mat::zeros(1, 30, CV_64FC1)) < 1e-12);
+        QVERIFY(refusalOf([&] { withoutTilt(height, cv::Mat::zeros(20, 30, CV_8UC1)); }).contains("no place"));
+    }
+
+    void weaveOnABulgeComesBackAtTheStatedCutOff()
+    {
+        const auto known = weave(12);
+        cv::Mat bulged = known.heightMm.clone();
+        for (int i = 0; i < bulged.rows; ++i)
+            for (int j = 0; j < bulged.cols; ++j) {
+                const double x = (j - 160) / 160.0, y = (i - 120) / 120.0;
+                bulged.at<double>(i, j) += 0.4 * std::exp(-(x * x + y * y));
+            }
+        const cv::Mat level = withoutLowFrequency(bulged, surfacePitch, 1.5);
+        const double error = cv::norm(level, centred(known.heightMm)) / cv::norm(centred(known.heightMm));
+        qInfo("%.2f %% of Sq is left of a bulge of 0.4 mm", 100 * error);
+        QVERIFY(error < 0.06);
+    }
+
+    void everyFiniteHeightIsIntegrated_data()
+    {
+        QTest::addColumn<double>("mm");
+        QTest::newRow("1 nm") << 1e-6;
+        QTest::newRow("1 km") << 1e6;
+    }
+    void everyFiniteHeightIsIntegrated()
+    {
+        QFETCH(double, mm);
+        const auto known = weave(12);
+        const Slopes slopes{known.slopes.x * mm, known.slopes.y * mm};
+        QVERIFY(percentOfRangeOff(integrate(slopes, surfacePitch), known.heightMm * mm) < 0.005);
     }
 
     void noiseIsNoSurface()

@@ -1,12 +1,13 @@
 // What goes wrong around a session is told on the page where it happens, with what to do, and loses no answer: a
 // protocol edited in mid-study, a study open elsewhere, a stimulus altered, a full disk, a display that cannot be opened.
-#include "study/app/rating_text.h"
+#include "protocols/errors.h"
 #include "tests/support/counting_vfs.h"
 #include "tests/support/played_session.h"
 #include "tests/support/typed_answers.h"
 #include "tests/support/whole_protocol.h"
 
 #include <QFile>
+#include <QGuiApplication>
 #include <QLabel>
 #include <QLineEdit>
 #include <QTest>
@@ -50,6 +51,7 @@ private Q_SLOTS:
     void fullDiskKeepsTheEntryUntilThereIsRoom_data();
     void fullDiskKeepsTheEntryUntilThereIsRoom();
     void displayThatCannotBeOpenedIsToldOnTheStudyPage();
+    void theOnlyScreenIsNotCovered();
     void messageOfOneSessionIsNotShownInTheNext();
     void steppedWallClockChangesNoResponseTime();
 };
@@ -164,6 +166,18 @@ void AppFaultsTest::displayThatCannotBeOpenedIsToldOnTheStudyPage()
     QVERIFY(message->isVisible());
     QVERIFY2(message->text().contains("no screen 9"), qPrintable(message->text()));
     QVERIFY(shown.window.study()->store().enrolments().empty());
+}
+
+void AppFaultsTest::theOnlyScreenIsNotCovered()
+{
+    if (QGuiApplication::screens().size() > 1)
+        QSKIP("there is more than one screen");
+    try {
+        study::app::openDisplay("cover:0");
+        QFAIL("the console would be hidden");
+    } catch (const protocols::Error& fault) {
+        QVERIFY2(QString::fromUtf8(fault.what()).contains("hide the console"), fault.what());
+    }
 }
 
 void AppFaultsTest::messageOfOneSessionIsNotShownInTheNext()

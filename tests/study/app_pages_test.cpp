@@ -22,6 +22,10 @@ using tests::support::ShownWindow;
 class AppPagesTest : public tests::support::WindowTest {
     Q_OBJECT
 
+private:
+    /// A row of the study page's list.
+    static QString placeAt(OpenWindow& open, int row);
+
 private Q_SLOTS:
     void typedNumbersBecomeRatings_data();
     void typedNumbersBecomeRatings();
@@ -30,6 +34,7 @@ private Q_SLOTS:
     void folderThatIsNoStudyIsToldOnTheStartPage();
     void studiesLastUsedAreRemembered();
     void studyPageShowsWhoIsWhere();
+    void placeOfOneWhoWithdrewIsTakenByTheNext();
     void takenOrStrangeParticipantsAreNotEnrolled_data();
     void takenOrStrangeParticipantsAreNotEnrolled();
     void newStudyIsMadeOffTheWindowsThread();
@@ -125,6 +130,32 @@ void AppPagesTest::studiesLastUsedAreRemembered()
     QCOMPARE(list->item(1)->text().toStdString(), second.folder.string());
 }
 
+QString AppPagesTest::placeAt(OpenWindow& open, int row)
+{
+    const auto& places = open.widget<QTreeWidget>("placesList");
+    QStringList texts;
+    for (int column = 0; column < 4; ++column)
+        texts << places.topLevelItem(row)->text(column);
+    return texts.join('|');
+}
+
+void AppPagesTest::placeOfOneWhoWithdrewIsTakenByTheNext()
+{
+    OpenWindow open(newStudy({.participants = 1}));
+    open.enrolAndBegin();
+    open.playTo("Presenting", "Q2");
+    open.perform(WithdrawnEvent{"tired"});
+    open.hands().pressKey(Qt::Key_Return);
+    QTRY_COMPARE(open.window().currentPage()->objectName(), QString("studyPage"));
+    QCOMPARE(placeAt(open, 0), QString("1|P01|withdrawn, place freed|6 of 24"));
+    QCOMPARE(placeAt(open, 1), QString("1|–|free|"));
+    open.hands().click("enrolButton");
+    open.hands().pressKey(Qt::Key_Q);
+    QTRY_COMPARE(open.window().currentPage()->objectName(), QString("studyPage"));
+    QCOMPARE(placeAt(open, 0), QString("1|P01|withdrawn, place freed|6 of 24"));
+    QCOMPARE(placeAt(open, 1), QString("1|P02|under way|0 of 24"));
+}
+
 void AppPagesTest::studyPageShowsWhoIsWhere()
 {
     OpenWindow open(newStudy({.participants = 3}));
@@ -134,16 +165,9 @@ void AppPagesTest::studyPageShowsWhoIsWhere()
     open.playTo("Presenting", "Q2");
     open.hands().pressKey(Qt::Key_Q);
     QTRY_COMPARE(open.window().currentPage()->objectName(), QString("studyPage"));
-    const auto& places = open.widget<QTreeWidget>("placesList");
-    const auto row = [&](int number) {
-        QStringList texts;
-        for (int column = 0; column < 4; ++column)
-            texts << places.topLevelItem(number)->text(column);
-        return texts.join('|');
-    };
-    QCOMPARE(row(0), QString("1|P01|finished|24 of 24"));
-    QCOMPARE(row(1), QString("2|P02|under way|6 of 24"));
-    QCOMPARE(row(2), QString("3|–|free|"));
+    QCOMPARE(placeAt(open, 0), QString("1|P01|finished|24 of 24"));
+    QCOMPARE(placeAt(open, 1), QString("2|P02|under way|6 of 24"));
+    QCOMPARE(placeAt(open, 2), QString("3|–|free|"));
     QCOMPARE(open.widget<QLineEdit>("participantField").text(), QString("P03"));
 }
 

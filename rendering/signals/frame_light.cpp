@@ -1,0 +1,156 @@
+#include "rendering/signals/frame_light.h"
+
+#include "protocols/errors.h"
+
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+namespace rendering::signals {
+
+namespace {
+
+constexpr double otherSensorAbove = 0.06;  ///< mean difference of colour, 0..1; frames of one sensor differ by about 0.01
+constexpr int fitGrid = 96;                ///< the illumination is fitted to so many places along the longer side
+constexpr int cubicTerms = 10;
+
+double fullScale(const cv::Mat& frame) { return frame.depth() == CV_16U ? 65535 : 255; }
+
+std::string described(const cv::Mat& frame)
+{
+    return std::to_string(frame.cols) + " x " + std::to_string(frame.rows) + ", " + std::to_string(frame.channels()) +
+           (frame.channels() == 1 ? " channel" : " channels");
+}
+
+cv::Vec<double, cubicTerms> cubic(double u, double v)
+{
+    return {1, u, v, u * u, u * v, v * v, u * u * u, u * u * v, u * v * v, v * v * v};
+}
+
+double placeOf(double index, int length) { return length > 1 ? 2 * index / (length - 1) - 1 : 0; }
+
+double medianOf(std::vector<double> values)
+{
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+double meanDifference(const SensorLook& a, const SensorLook& b, const std::vector<std::size_t>& channelOrder)
+{
+    const std::size_t channels = channelOrder.size();
+    double sum = 0;
+    for (std::size_t i = 0; i < a.colours.size(); ++i)
+        sum += std::abs(a.colours[i] - b.colours[i / channels * channels + channelOrder[i % channels]]);
+    return sum / static_cast<double>(a.colours.size());
+}
+
+}  // namespace
+
+cv::Mat logIllumination(const cv::Mat& channel)
+{
+    const int step = std::max(1, std::max(channel.rows, channel.cols) / fitGrid);
+    std::vector<cv::Vec<double, cubicTerms>> terms;
+    std::vector<double> levels;
+    cv::Mat values;
+    channel.convertTo(values, CV_32F);
+    for (int i = step / 2; i < values.rows; i += step)
+        for (int j = step / 2; j < values.cols; j += step) {
+            terms.push_back(cubic(placeOf(j, values.cols), placeOf(i, values.rows)));
+            levels.push_back(std::log(std::max(1.F, values.at<float>(i, j))));
+        }
+    cv::Vec<double, cubicTerms> surface;
+    std::vector<double> weights(levels.size(), 1);
+    for (int round = 0; round < 15; ++round) {
+        cv::Matx<double, cubicTerms, cubicTerms> normal = 1e-9 * cv::Matx<double, cubicTerms, cubicTerms>::eye();
+        cv::Vec<double, cubicTerms> right;
+        for (std::size_t s = 0; s < levels.size(); ++s) {
+            normal += weights[s] * (terms[s] * terms[s].t());
+            right += weights[s] * levels[s] * terms[s];
+        }
+        cv::solve(normal, right, surface, cv::DECOMP_CHOLESKY);
+        std::vector<double> off(levels.size());
+        for (std::size_t s = 0; s < levels.size(); ++s) off[s] = std::abs(levels[s] - terms[s].dot(surface));
+        const double spread = std::max(1e-6, 2 * 1.4826 * medianOf(off));
+        for (std::size_t s = 0; s < levels.size(); ++s) weights[s] = 1 / (1 + off[s] * off[s] / (spread * spread));
+    }
+    cv::Mat result(channel.size(), CV_32FC1);
+    for (int i = 0; i < result.rows; ++i)
+        for (int j = 0; j < result.cols; ++j)
+            result.at<float>(i, j) = static_cast<float>(surface.dot(cubic(placeOf(j, result.cols), placeOf(i, result.rows))));
+    return result;
+}
+
+cv::Mat lightOf(const cv::Mat& frame, const cv::Mat& reference, LightMeasure measure)
+{
+    const bool readable = !frame.empty() && (frame.depth() == CV_8U || frame.depth() == CV_16U);
+    if (!readable || (measure == LightMeasure::AgainstReference && (frame.type() != reference.type() || frame.size() != reference.size())))
+        throw protocols::badInput({.what = "the tactile frame (" + described(frame) + ") and its reference (" + described(reference) +
+                                           ") do not belong together",
+                                   .where = "",
+                                   .expected = "images of 8 or 16 bits, of one size and kind",
+                                   .nextStep = ""});
+    cv::Mat light;
+    if (measure == LightMeasure::AgainstReference) {
+        cv::subtract(frame, reference, light, cv::noArray(), CV_32F);
+        light *= 1 / fullScale(frame);
+        return light;
+    }
+    std::vector<cv::Mat> channels;
+    cv::split(frame, channels);
+    for (auto& channel : channels) {
+        const cv::Mat illumination = logIllumination(channel);
+        cv::Mat level;
+        channel.convertTo(level, CV_32F);
+        cv::log(cv::max(level, 1), level);
+        channel = level - illumination;
+    }
+    cv::merge(channels, light);
+    return light;
+}
+
+cv::Mat oneFrame(const std::vector<cv::Mat>& lamps)
+{
+    for (const auto& lamp : lamps)
+        if (lamp.empty() || lamp.channels() != 1 || lamp.size() != lamps.front().size() || lamp.depth() != lamps.front().depth())
+            throw protocols::badInput({.what = "the frames of the lamps differ (" + described(lamps.front()) + "; " + described(lamp) + ")",
+                                       .where = "",
+                                       .expected = "grey images of one size, one a lamp",
+                                       .nextStep = ""});
+    cv::Mat frame;
+    cv::merge(lamps, frame);
+    return frame;
+}
+
+SensorLook lookOf(const cv::Mat& reference)
+{
+    cv::Mat coarse;
+    reference.convertTo(coarse, CV_32F, 1 / fullScale(reference));
+    cv::resize(coarse, coarse, {SensorLook::columns, SensorLook::rows}, 0, 0, cv::INTER_AREA);
+    const cv::Mat flat = coarse.reshape(1, 1);
+    return {reference.cols, reference.rows, std::vector<double>(flat.begin<float>(), flat.end<float>())};
+}
+
+std::optional<std::string> differenceOf(const SensorLook& known, const SensorLook& found)
+{
+    if (known.width != found.width || known.height != found.height)
+        return "it has " + std::to_string(found.width) + " x " + std::to_string(found.height) + " pixels, the sensor " +
+               std::to_string(known.width) + " x " + std::to_string(known.height);
+    if (known.colours.size() != found.colours.size()) return "it has another number of channels";
+    std::vector<std::size_t> order(known.colours.size() / (SensorLook::columns * SensorLook::rows));
+    std::iota(order.begin(), order.end(), 0);
+    const double asItIs = meanDifference(known, found, order);
+    if (order.size() == 3) {
+        const double swapped = meanDifference(known, found, {2, 1, 0});
+        if (asItIs > 0.02 && swapped < 0.5 * asItIs) return "its red and blue are swapped";
+    }
+    if (asItIs > otherSensorAbove)
+        return "its colours are off by " + std::to_string(std::lround(100 * asItIs)) + " % of full scale: it shows another sensor or other light";
+    return std::nullopt;
+}
+
+}  // namespace rendering::signals

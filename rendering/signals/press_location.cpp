@@ -1,0 +1,316 @@
+// locate(): the circles of all presses and the light's model, in turn (a bundle adjustment).
+#include "protocols/errors.h"
+#include "rendering/signals/ball_presses.h"
+
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace rendering::signals {
+
+namespace {
+
+constexpr int degree = 3;
+constexpr int rounds = 5;
+constexpr double windowRadii = 1.65;    ///< of the ball, around the centre: what the model is fitted to
+constexpr int mostWindowPixels = 2500;
+constexpr double otherSensorAbove = 0.08;  ///< median far-field change of light; the gel's own is about 0.02
+
+/// One pixel's model terms: all monomials p^i q^j, 1 <= i + j <= degree, each constant, along u and along v.
+constexpr int slopeTerms = 9;
+constexpr int terms = 3 * slopeTerms;
+using Terms = cv::Vec<double, terms>;
+
+Terms termsOf(double p, double q, double u, double v)
+{
+    Terms all;
+    int k = 0;
+    for (int total = 1; total <= degree; ++total)
+        for (int i = 0; i <= total; ++i) {
+            const double product = std::pow(p, i) * std::pow(q, total - i);
+            all[k++] = product;
+            all[k++] = product * u;
+            all[k++] = product * v;
+        }
+    return all;
+}
+
+/// The gel's slope at a place relative to the ball's centre, px: towards the centre it rises.
+cv::Point2d gelSlope(cv::Point2d from, double ballPx, double contactPx, double bridgePx)
+{
+    const double r = std::max(1e-9, std::hypot(from.x, from.y)), inside = std::min(r, contactPx);
+    double steep = inside / std::sqrt(std::max(1e-6, ballPx * ballPx - inside * inside));
+    if (r > contactPx) steep *= std::exp(-(r - contactPx) / bridgePx);
+    return {-from.x / r * steep, -from.y / r * steep};
+}
+
+/// Pixels around a place, evenly thinned.
+struct Window {
+    std::vector<cv::Point> pixels;
+};
+
+Window windowAround(cv::Point2d centre, double radius, cv::Size size)
+{
+    const int step = std::max(1, static_cast<int>(std::sqrt(CV_PI * radius * radius / mostWindowPixels)));
+    Window window;
+    for (int y = std::max(0, static_cast<int>(centre.y - radius)); y < std::min<int>(size.height, static_cast<int>(centre.y + radius) + 1); y += step)
+        for (int x = std::max(0, static_cast<int>(centre.x - radius)); x < std::min<int>(size.width, static_cast<int>(centre.x + radius) + 1); x += step)
+            if (std::hypot(x - centre.x, y - centre.y) < radius) window.pixels.emplace_back(x, y);
+    return window;
+}
+
+class Locating {
+public:
+    explicit Locating(const BallPresses& presses) : m_size(presses.background.size()), m_ballPx(presses.ballRadiusMm / presses.mmPerPixel)
+    {
+        for (const auto& press : presses.presses) {
+            cv::Mat light;
+            lightOf(press.frame, presses.background, LightMeasure::AgainstReference).convertTo(light, CV_64F);
+            m_light.push_back(light);
+        }
+        m_channels = presses.background.channels();
+    }
+
+    double ballPx() const { return m_ballPx; }
+    std::size_t count() const { return m_light.size(); }
+    const cv::Mat& light(std::size_t press) const { return m_light[press]; }
+
+    /// Where the light has changed most, over half the ball's width.
+    ContactCircle firstGuess(std::size_t press) const
+    {
+        cv::Mat squares = m_light[press].mul(m_light[press]), strength;
+        cv::reduce(squares.reshape(1, static_cast<int>(squares.total())), strength, 1, cv::REDUCE_SUM);
+        strength = strength.reshape(1, m_size.height);
+        cv::GaussianBlur(strength, strength, {}, m_ballPx / 2);
+        cv::Point place;
+        cv::minMaxLoc(strength, nullptr, nullptr, nullptr, &place);
+        return {cv::Point2d(place), 0.85 * m_ballPx, 0};
+    }
+
+    PressModel fit(const std::vector<ContactCircle>& circles, double contactPx, double bridgePx, double& residual) const
+    {
+        cv::Mat normal = cv::Mat::zeros(terms, terms, CV_64FC1), right = cv::Mat::zeros(terms, m_channels, CV_64FC1);
+        double squares = 0, samples = 0;
+        for (std::size_t i = 0; i < count(); ++i)
+            for (const auto& pixel : windowOf(circles[i]).pixels) {
+                const Terms row = termsAt(circles[i], pixel, contactPx, bridgePx);
+                addOuter(normal, row);
+                const double* value = m_light[i].ptr<double>(pixel.y) + static_cast<std::ptrdiff_t>(pixel.x) * m_channels;
+                for (int k = 0; k < terms; ++k)
+                    for (int c = 0; c < m_channels; ++c) right.at<double>(k, c) += row[k] * value[c];
+                for (int c = 0; c < m_channels; ++c) squares += value[c] * value[c];
+                samples += 1;
+            }
+        cv::completeSymm(normal);
+        normal += 1e-6 * samples * cv::Mat::eye(terms, terms, CV_64FC1);
+        PressModel model{{}, contactPx, bridgePx};
+        cv::solve(normal, right, model.coefficients, cv::DECOMP_CHOLESKY);
+        residual = squares - model.coefficients.dot(right);  // of least squares, but for the ridge
+        return model;
+    }
+
+    /// The radius and bridge under which the light is explained best, on a grid around the present ones.
+    PressModel bestFit(const std::vector<ContactCircle>& circles, double around, double reach, const std::vector<double>& bridges) const
+    {
+        PressModel best;
+        double least = 0;
+        for (int k = -3; k <= 3; ++k)
+            for (const double bridge : bridges) {
+                const double contact = std::clamp(around + reach * k / 3, 0.2 * m_ballPx, 0.98 * m_ballPx);
+                double residual = 0;
+                auto model = fit(circles, contact, bridge, residual);
+                if (best.coefficients.empty() || residual < least) {
+                    least = residual;
+                    best = model;
+                }
+            }
+        return best;
+    }
+
+    /// Gauss-Newton over the centre and the radius of one press.
+    ContactCircle refined(std::size_t press, ContactCircle circle, const PressModel& model) const
+    {
+        for (int step = 0; step < 4; ++step) {
+            const Window window = windowOf(circle);
+            const cv::Mat now = residuals(press, circle, model, window);
+            cv::Mat derivatives(now.rows, 3, CV_64FC1);
+            constexpr double nudge = 0.05;
+            for (int k = 0; k < 3; ++k) derivatives.col(k) = (residuals(press, moved(circle, k, nudge), model, window) - now) / nudge;
+            cv::Mat normal = derivatives.t() * derivatives, change;
+            normal += 1e-3 * cv::trace(normal)[0] * cv::Mat::eye(3, 3, CV_64FC1);
+            if (!cv::solve(normal, derivatives.t() * now, change, cv::DECOMP_CHOLESKY)) break;
+            for (int k = 0; k < 3; ++k) circle = moved(circle, k, -std::clamp(change.at<double>(k), -2.0, 2.0));
+            circle.radiusPx = std::clamp(circle.radiusPx, 0.2 * m_ballPx, 0.98 * m_ballPx);
+            circle.centrePx.x = std::clamp(circle.centrePx.x, 0.0, m_size.width - 1.0);
+            circle.centrePx.y = std::clamp(circle.centrePx.y, 0.0, m_size.height - 1.0);
+        }
+        circle.explained = explained(press, circle, model);
+        return circle;
+    }
+
+private:
+    Window windowOf(const ContactCircle& circle) const { return windowAround(circle.centrePx, windowRadii * m_ballPx, m_size); }
+
+    Terms termsAt(const ContactCircle& circle, cv::Point pixel, double contactPx, double bridgePx) const
+    {
+        const auto slope = gelSlope(cv::Point2d(pixel) - circle.centrePx, m_ballPx, contactPx, bridgePx);
+        return termsOf(slope.x, slope.y, 2.0 * pixel.x / m_size.width - 1, 2.0 * pixel.y / m_size.height - 1);
+    }
+
+    static void addOuter(cv::Mat& normal, const Terms& row)
+    {
+        for (int i = 0; i < terms; ++i) {
+            double* target = normal.ptr<double>(i);
+            for (int j = i; j < terms; ++j) target[j] += row[i] * row[j];
+        }
+    }
+
+    static ContactCircle moved(ContactCircle circle, int axis, double by)
+    {
+        double* place[] = {&circle.centrePx.x, &circle.centrePx.y, &circle.radiusPx};
+        *place[axis] += by;
+        return circle;
+    }
+
+    cv::Mat residuals(std::size_t press, const ContactCircle& circle, const PressModel& model, const Window& window) const
+    {
+        cv::Mat result(static_cast<int>(window.pixels.size()) * m_channels, 1, CV_64FC1);
+        int next = 0;
+        for (const auto& pixel : window.pixels) {
+            const Terms row = termsAt(circle, pixel, circle.radiusPx, model.bridgePx);
+            const double* value = m_light[press].ptr<double>(pixel.y) + static_cast<std::ptrdiff_t>(pixel.x) * m_channels;
+            for (int c = 0; c < m_channels; ++c) {
+                double sum = -value[c];
+                for (int k = 0; k < terms; ++k) sum += row[k] * model.coefficients.at<double>(k, c);
+                result.at<double>(next++) = sum;
+            }
+        }
+        return result;
+    }
+
+    double explained(std::size_t press, const ContactCircle& circle, const PressModel& model) const
+    {
+        const Window window = windowOf(circle);
+        const cv::Mat off = residuals(press, circle, model, window);
+        double all = 0;
+        for (const auto& pixel : window.pixels) {
+            const double* value = m_light[press].ptr<double>(pixel.y) + static_cast<std::ptrdiff_t>(pixel.x) * m_channels;
+            for (int c = 0; c < m_channels; ++c) all += value[c] * value[c];
+        }
+        return all > 0 ? 1 - off.dot(off) / all : 0;
+    }
+
+    cv::Size m_size;
+    double m_ballPx;
+    int m_channels = 3;
+    std::vector<cv::Mat> m_light;  ///< CV_64FC(n)
+};
+
+protocols::Error fault(const std::string& what, const std::string& expected, const std::string& nextStep)
+{
+    return protocols::badInput({.what = what, .where = "", .expected = expected, .nextStep = nextStep});
+}
+
+void requireUsable(const BallPresses& presses)
+{
+    if (!(presses.ballRadiusMm > 0 && std::isfinite(presses.ballRadiusMm)) || !(presses.mmPerPixel > 0 && std::isfinite(presses.mmPerPixel)))
+        throw fault("the ball's radius or the pitch is not a length", "mm, and mm per pixel, above 0", "");
+    if (presses.background.empty() || presses.background.channels() != 3)
+        throw fault("there is no colour frame of the untouched sensor", "background.png among the presses", "save a frame before touching the sensor");
+    const double ballPx = presses.ballRadiusMm / presses.mmPerPixel;
+    const int shorter = std::min(presses.background.cols, presses.background.rows);
+    if (ballPx < 4 || ballPx > shorter)
+        throw fault("a ball of " + std::to_string(ballPx) + " pixels radius cannot be measured in frames of " + std::to_string(shorter) + " pixels",
+                    "a ball of 4 pixels or more that fits into the frame", "check --ball-radius and --mm-per-pixel");
+}
+
+double medianChange(const cv::Mat& frame, const cv::Mat& background, cv::Point2d centre, double ballPx)
+{
+    std::vector<float> changes;
+    const cv::Mat light = lightOf(frame, background, LightMeasure::AgainstReference);
+    for (int y = 0; y < light.rows; y += 2)
+        for (int x = 0; x < light.cols; x += 2) {
+            if (std::hypot(x - centre.x, y - centre.y) < 2 * ballPx) continue;
+            const auto& value = light.at<cv::Vec3f>(y, x);
+            changes.push_back((std::abs(value[0]) + std::abs(value[1]) + std::abs(value[2])) / 3);
+        }
+    if (changes.empty()) return 0;
+    const auto middle = changes.begin() + static_cast<std::ptrdiff_t>(changes.size() / 2);
+    std::nth_element(changes.begin(), middle, changes.end());
+    return *middle;
+}
+
+/// Far from the ball a press looks like the background; if not, the background is another's.
+void requireOwnBackground(const BallPresses& presses, const Locating& locating)
+{
+    cv::Mat swapped;
+    cv::cvtColor(presses.background, swapped, cv::COLOR_RGB2BGR);
+    for (std::size_t i = 0; i < presses.presses.size(); ++i) {
+        const auto& press = presses.presses[i];
+        const auto centre = locating.firstGuess(i).centrePx;
+        const double change = medianChange(press.frame, presses.background, centre, locating.ballPx());
+        if (change > 0.03 && medianChange(press.frame, swapped, centre, locating.ballPx()) < 0.5 * change)
+            throw fault(press.name + " and the background have their red and blue swapped", "frames saved in one order of channels",
+                        "save them all as RGB");
+        if (change > otherSensorAbove)
+            throw fault("far from the ball " + press.name + " differs from the background by " + std::to_string(std::lround(100 * change)) +
+                            " % of full scale",
+                        "the background of the same sensor under the same light", "take it again, just before the presses");
+    }
+}
+
+void requireBalls(const BallPresses& presses, const std::vector<ContactCircle>& circles)
+{
+    std::string unseen;
+    for (std::size_t i = 0; i < circles.size(); ++i)
+        if (!(circles[i].explained >= leastExplained)) unseen += (unseen.empty() ? "" : ", ") + presses.presses[i].name;
+    if (!unseen.empty())
+        throw fault("no ball is seen in " + unseen, "a press of the ball whose radius was given", "take these frames out, or press again");
+}
+
+}  // namespace
+
+LocatedPresses locate(const BallPresses& presses)
+{
+    requireUsable(presses);
+    if (presses.presses.size() < fewestPresses)
+        throw fault("there are only " + std::to_string(presses.presses.size()) + " presses",
+                    std::to_string(fewestPresses) + " at least, better 30, spread over the sensor", "press the ball at more places");
+    const Locating locating(presses);
+    requireOwnBackground(presses, locating);
+    LocatedPresses found;
+    for (std::size_t i = 0; i < locating.count(); ++i) found.circles.push_back(locating.firstGuess(i));
+    const double ball = locating.ballPx();
+    double around = 0.85 * ball, reach = 0.12 * ball;
+    for (int round = 0; round < rounds; ++round, reach = std::max(0.03 * ball, reach / 2)) {
+        found.model = locating.bestFit(found.circles, around, reach, {0.1 * ball, 0.2 * ball, 0.4 * ball, 0.8 * ball});
+        around = found.model.contactPx;
+        for (std::size_t i = 0; i < locating.count(); ++i) {
+            found.circles[i].radiusPx = around;
+            found.circles[i] = locating.refined(i, found.circles[i], found.model);
+        }
+    }
+    requireBalls(presses, found.circles);
+    return found;
+}
+
+std::vector<ContactCircle> locate(const BallPresses& presses, const PressModel& model)
+{
+    requireUsable(presses);
+    const Locating locating(presses);
+    requireOwnBackground(presses, locating);
+    std::vector<ContactCircle> circles;
+    for (std::size_t i = 0; i < locating.count(); ++i) {
+        ContactCircle circle = locating.firstGuess(i);
+        circle.radiusPx = model.contactPx;
+        for (int round = 0; round < 3; ++round) circle = locating.refined(i, circle, model);
+        circles.push_back(circle);
+    }
+    requireBalls(presses, circles);
+    return circles;
+}
+
+}  // namespace rendering::signals

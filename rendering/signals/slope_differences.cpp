@@ -1,0 +1,255 @@
+#include "rendering/signals/slope_differences.h"
+
+#include "rendering/signals/cosine_transform.h"
+
+#include <opencv2/core.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace rendering::signals {
+
+namespace {
+
+constexpr int slopesAround = 6;  ///< through which the polynomial of a point slope goes
+
+/// Integral from node 0 to node 1 of the polynomial through the nodes first, first + 1 ... first + count - 1, as weights of
+/// its values.
+std::array<double, slopesAround> integralWeights(int first, int count)
+{
+    cv::Mat powers(count, count, CV_64FC1), integrals(count, 1, CV_64FC1), weights;
+    for (int k = 0; k < count; ++k) {
+        for (int node = 0; node < count; ++node) powers.at<double>(k, node) = std::pow(first + node, k);
+        integrals.at<double>(k) = 1.0 / (k + 1);
+    }
+    cv::solve(powers, integrals, weights, cv::DECOMP_LU);
+    std::array<double, slopesAround> result{};
+    std::copy_n(weights.ptr<double>(), count, result.begin());
+    return result;
+}
+
+/// Which slopes stand for the rise from sample j to j + 1, and with what weights.
+template <class T>
+struct Stencil {
+    int first = 0;
+    std::array<T, slopesAround> weights{};
+};
+
+template <class T>
+std::vector<Stencil<T>> stencils(int length)
+{
+    const int count = std::min(slopesAround, length);
+    std::vector<Stencil<T>> result;
+    for (int j = 0; j + 1 < length; ++j) {
+        Stencil<T> stencil;
+        stencil.first = std::clamp(j + 1 - count / 2, 0, length - count);
+        const auto weights = integralWeights(stencil.first - j, count);
+        std::transform(weights.begin(), weights.end(), stencil.weights.begin(), [](double w) { return static_cast<T>(w); });
+        result.push_back(stencil);
+        // All in the middle are alike.
+        while (static_cast<int>(result.size()) + 1 < length && stencil.first == j + 1 - count / 2 && stencil.first + count < length) {
+            ++j;
+            ++stencil.first;
+            result.push_back(stencil);
+        }
+    }
+    return result;
+}
+
+template <class T>
+cv::Mat pointRisesAlongX(const cv::Mat& slopes)
+{
+    cv::Mat rises = cv::Mat::zeros(slopes.size(), slopes.type());
+    const int count = std::min(slopesAround, slopes.cols);
+    const auto all = stencils<T>(slopes.cols);
+    for (int i = 0; i < slopes.rows; ++i) {
+        const T* slope = slopes.ptr<T>(i);
+        T* rise = rises.ptr<T>(i);
+        int j = 0;
+        const int last = static_cast<int>(all.size());
+        const auto one = [&](int at) {
+            const auto& stencil = all[static_cast<std::size_t>(at)];
+            T sum = 0;
+            for (int k = 0; k < count; ++k) sum += stencil.weights[static_cast<std::size_t>(k)] * slope[stencil.first + k];
+            rise[at] = sum;
+        };
+        for (; j < last && j < count / 2 - 1; ++j) one(j);
+        if (count == slopesAround) {
+            const auto w = all[static_cast<std::size_t>(std::min(j, last - 1))].weights;
+            const int end = last - (count / 2 - 1);
+            for (; j < end; ++j) {
+                const T* s = slope + j - 2;
+                rise[j] = w[0] * (s[0] + s[5]) + w[1] * (s[1] + s[4]) + w[2] * (s[2] + s[3]);
+            }
+        }
+        for (; j < last; ++j) one(j);
+    }
+    return rises;
+}
+
+template <class T>
+cv::Mat pointRisesAlongY(const cv::Mat& slopes)
+{
+    cv::Mat rises = cv::Mat::zeros(slopes.size(), slopes.type());
+    const int count = std::min(slopesAround, slopes.rows);
+    const auto all = stencils<T>(slopes.rows);
+    for (int i = 0; i < static_cast<int>(all.size()); ++i) {
+        const auto& stencil = all[static_cast<std::size_t>(i)];
+        T* rise = rises.ptr<T>(i);
+        for (int k = 0; k < count; ++k) {
+            const T* slope = slopes.ptr<T>(stencil.first + k);
+            const T weight = stencil.weights[static_cast<std::size_t>(k)];
+            for (int j = 0; j < slopes.cols; ++j) rise[j] += weight * slope[j];
+        }
+    }
+    return rises;
+}
+
+std::vector<double> eigenvalues(int length, double pitch, bool central)
+{
+    std::vector<double> values(static_cast<std::size_t>(length));
+    for (int k = 0; k < length; ++k) {
+        const double angle = std::numbers::pi * k / length;
+        const double s = (central ? std::sin(angle) : 2 * std::sin(angle / 2)) / pitch;
+        values[static_cast<std::size_t>(k)] = s * s;
+    }
+    return values;
+}
+
+/// out[j] = scale * (in[j + 1] - in[j - 1]), mirrored at the ends, along a row.
+template <class T>
+void centralRow(const T* in, T* out, int length, T scale)
+{
+    if (length == 1) return;
+    out[0] = scale * (in[1] - in[0]);
+    for (int j = 1; j + 1 < length; ++j) out[j] = scale * (in[j + 1] - in[j - 1]);
+    out[length - 1] = scale * (in[length - 1] - in[length - 2]);
+}
+
+/// The transpose of centralRow, added to `out`.
+template <class T>
+void addCentralRowTransposed(const T* in, T* out, int length, T scale)
+{
+    if (length == 1) return;
+    out[0] -= scale * (in[0] + in[1]);
+    for (int j = 1; j + 1 < length; ++j) out[j] += scale * (in[j - 1] - in[j + 1]);
+    out[length - 1] += scale * (in[length - 2] + in[length - 1]);
+}
+
+/// The rows above and below, or the row itself where the border mirrors it.
+template <class T>
+std::pair<const T*, const T*> neighbours(const cv::Mat& image, int row)
+{
+    return {image.ptr<T>(std::max(0, row - 1)), image.ptr<T>(std::min(image.rows - 1, row + 1))};
+}
+
+}  // namespace
+
+template <class T>
+Differences<T>::Differences(cv::Size size, const Pitch& pitch, SlopeKind kind) : m_size(size), m_pitch(pitch), m_kind(kind)
+{
+    const auto narrowed = [this](const std::vector<double>& values) { return std::vector<T>(values.begin(), values.end()); };
+    m_alongX = narrowed(eigenvalues(size.width, pitch.x, central()));
+    m_alongY = narrowed(eigenvalues(size.height, pitch.y, central()));
+}
+
+template <class T>
+Slopes Differences<T>::between(const Slopes& slopes) const
+{
+    if (m_kind == SlopeKind::Point) return {pointRisesAlongX<T>(slopes.x), pointRisesAlongY<T>(slopes.y)};
+    Slopes result{slopes.x.clone(), slopes.y.clone()};
+    if (m_kind == SlopeKind::Forward) {
+        result.x.col(m_size.width - 1) = 0;
+        result.y.row(m_size.height - 1) = 0;
+        return result;
+    }
+    for (const int j : {0, m_size.width - 1}) result.x.col(j) *= m_size.width > 1 ? 0.5 : 0;
+    for (const int i : {0, m_size.height - 1}) result.y.row(i) *= m_size.height > 1 ? 0.5 : 0;
+    return result;
+}
+
+template <class T>
+Slopes Differences<T>::of(const cv::Mat& height) const
+{
+    Slopes result{cv::Mat::zeros(m_size, cv::DataType<T>::type), cv::Mat::zeros(m_size, cv::DataType<T>::type)};
+    const T alongX = static_cast<T>((central() ? 0.5 : 1) / m_pitch.x), alongY = static_cast<T>((central() ? 0.5 : 1) / m_pitch.y);
+    for (int i = 0; i < m_size.height; ++i) {
+        const T* h = height.ptr<T>(i);
+        T* x = result.x.ptr<T>(i);
+        T* y = result.y.ptr<T>(i);
+        if (central()) {
+            centralRow(h, x, m_size.width, alongX);
+            const auto [above, below] = neighbours<T>(height, i);
+            for (int j = 0; j < m_size.width; ++j) y[j] = alongY * (below[j] - above[j]);
+            continue;
+        }
+        for (int j = 0; j + 1 < m_size.width; ++j) x[j] = alongX * (h[j + 1] - h[j]);
+        if (i + 1 == m_size.height) continue;
+        const T* next = height.ptr<T>(i + 1);
+        for (int j = 0; j < m_size.width; ++j) y[j] = alongY * (next[j] - h[j]);
+    }
+    return result;
+}
+
+template <class T>
+cv::Mat Differences<T>::transposed(const Slopes& differences) const
+{
+    cv::Mat sources = cv::Mat::zeros(m_size, cv::DataType<T>::type);
+    const T alongX = static_cast<T>((central() ? 0.5 : 1) / m_pitch.x), alongY = static_cast<T>((central() ? 0.5 : 1) / m_pitch.y);
+    for (int i = 0; i < m_size.height; ++i) {
+        T* out = sources.ptr<T>(i);
+        const T* x = differences.x.ptr<T>(i);
+        const T* y = differences.y.ptr<T>(i);
+        if (central()) {
+            addCentralRowTransposed(x, out, m_size.width, alongX);
+            if (m_size.height == 1) continue;
+            const auto [above, below] = neighbours<T>(differences.y, i);
+            const T ofAbove = i == 0 ? T(-1) : T(1), ofBelow = i + 1 == m_size.height ? T(1) : T(-1);
+            for (int j = 0; j < m_size.width; ++j) out[j] += alongY * (ofAbove * above[j] + ofBelow * below[j]);
+            continue;
+        }
+        out[0] -= alongX * x[0];
+        for (int j = 1; j < m_size.width; ++j) out[j] += alongX * (x[j - 1] - x[j]);
+        for (int j = 0; j < m_size.width; ++j) out[j] -= alongY * y[j];
+        if (i == 0) continue;
+        const T* above = differences.y.ptr<T>(i - 1);
+        for (int j = 0; j < m_size.width; ++j) out[j] += alongY * above[j];
+    }
+    return sources;
+}
+
+template <class T>
+cv::Mat Differences<T>::surfaceOf(const cv::Mat& sources) const
+{
+    cv::Mat spectrum = cosineTransform(sources);
+    for (int i = 0; i < m_size.height; ++i) {
+        T* row = spectrum.ptr<T>(i);
+        const T alongY = m_alongY[static_cast<std::size_t>(i)];
+        for (int j = 0; j < m_size.width; ++j) row[j] /= alongY + m_alongX[static_cast<std::size_t>(j)];
+    }
+    spectrum.at<T>(0, 0) = 0;  // the mean, which slopes do not tell
+    return inverseCosineTransform(spectrum);
+}
+
+template <class T>
+Slopes Differences<T>::weights(const cv::Mat& measured, double weightOfGaps) const
+{
+    Slopes result{cv::Mat(m_size, cv::DataType<T>::type), cv::Mat(m_size, cv::DataType<T>::type)};
+    const auto weight = [&](bool known) { return static_cast<T>(known ? 1 : weightOfGaps); };
+    for (int i = 0; i < m_size.height; ++i)
+        for (int j = 0; j < m_size.width; ++j) {
+            const bool here = measured.at<uchar>(i, j) != 0;
+            const bool right = central() || (j + 1 < m_size.width && measured.at<uchar>(i, j + 1) != 0);
+            const bool below = central() || (i + 1 < m_size.height && measured.at<uchar>(i + 1, j) != 0);
+            result.x.at<T>(i, j) = weight(here && right);
+            result.y.at<T>(i, j) = weight(here && below);
+        }
+    return result;
+}
+
+template class Differences<float>;
+template class Differences<double>;
+
+}  // namespace rendering::signals

@@ -43,7 +43,7 @@ void write(const fs::path& file, const AnySpectrogram& spectrogram, const char* 
                     {"trace_length", spectrogram.traceLength},
                     {"mean", spectrogram.mean}};
     writeNpy(valuesBeside(file), values);
-    writeWholeFile(file, json.dump(2) + "\n");
+    writeWholeFile(file, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 protocols::Error malformed(const fs::path& file, const std::string& what, const std::string& expected)

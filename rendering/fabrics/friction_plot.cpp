@@ -13,7 +13,7 @@ constexpr double left = 70, width = 800, right = left + width;
 std::string escaped(const std::string& text)
 {
     std::string result;
-    for (const char c : text) {
+    for (const char c : readable(text)) {
         const char* word = c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '&' ? "&amp;" : c == '"' ? "&quot;" : nullptr;
         if (word != nullptr)
             result += word;

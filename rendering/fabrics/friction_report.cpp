@@ -103,7 +103,7 @@ std::string preparationJson(const RawRecord& record, const FrictionOptions& opti
     json["mean"] = prepared.mean;
     json["sd"] = prepared.sd;
     json["warnings"] = prepared.warnings;
-    return json.dump(2) + "\n";
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";  // file names may be any bytes
 }
 
 }  // namespace rendering::fabrics

@@ -193,8 +193,8 @@ std::vector<RawRecord> readFrictionCsv(const std::filesystem::path& file, const 
             record.secondTangentialN.push_back(forces.tangential[1].factor * reader.number(forces.tangential[1].index));
     }
     std::vector<std::string> names;
-    for (const Column& column : forces.tangential) names.push_back(column.name);
-    record.meaning = both ? meaningOf(names, forces.normal->name) : "coefficient of friction";
+    for (const Column& column : forces.tangential) names.push_back(readable(column.name));
+    record.meaning = both ? meaningOf(names, readable(forces.normal->name)) : "coefficient of friction";
     return {record};
 }
 

@@ -53,6 +53,8 @@ std::string meaningOf(const std::vector<std::string>& tangential, const std::str
 
 /// Without carriage returns; Latin-1 bytes become UTF-8.
 std::string asUtf8(std::string_view latin1);
+/// UTF-8 as it is; other bytes taken for Latin-1. For names in messages, pictures and JSON.
+std::string readable(const std::string& text);
 /// Lines of a text, which must outlive them.
 std::vector<std::string_view> linesOf(std::string_view text);
 std::vector<std::string_view> splitAt(std::string_view line, char separator);

@@ -1,6 +1,7 @@
 // Text files of two instruments: the PCS (MTM) tribometer and LabVIEW measurement files with forces.
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <numeric>
 
 #include "protocols/errors.h"
@@ -81,6 +82,13 @@ ForceColumn forceColumn(const StepTable& step, const std::optional<Axis>& axis, 
         return column;
     }
     return {};
+}
+
+/// Without what must not stand in a JSON text; for judging its bytes.
+std::string quotable(std::string text)
+{
+    std::erase_if(text, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == '"' || c == '\\'; });
+    return text;
 }
 
 RawRecord tribometerRecord(const StepTable& step, const std::string& where, const FrictionOptions& options)
@@ -208,6 +216,12 @@ std::string asUtf8(std::string_view latin1)
         }
     }
     return text;
+}
+
+std::string readable(const std::string& text)
+{
+    // nlohmann's decoder knows every malformed sequence; ours would be the second one to get right.
+    return nlohmann::json::accept("\"" + quotable(text) + "\"") ? text : asUtf8(text);
 }
 
 std::vector<std::string_view> linesOf(std::string_view text)

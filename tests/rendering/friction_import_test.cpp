@@ -242,6 +242,15 @@ private Q_SLOTS:
         QVERIFY(std::abs(saved()["mean"].get<double>() - 0.5) < 0.002);
     }
 
+    /// Found by reader_fuzz_test: the bytes were no JSON.
+    void namesInLatin1BecomeReadable()
+    {
+        m_plots = pathOf(*m_folder) / "plots";
+        const auto line = imported("Time [ms];Fn (mN)\xB5;Fx (mN);Fy (mN)\n0;500;3;4\n10;510;3;4\n25;520;-3;4\n");
+        QVERIFY2(contains(line, "Fn (mN)\xC2\xB5"), line.c_str());
+        QVERIFY(contains(saved()["meaning"].get<std::string>(), "\xC2\xB5"));
+    }
+
     void aFabricThatIsAddedIsSaid()
     {
         write(m_in / "Felt_1.csv", "t,mu\n0,0.1\n1,0.2\n");

@@ -1,7 +1,7 @@
 // Presses of a ball of known radius into a GelSight sensor: where the ball was, how wide it touched, what a calibration
-// makes of it. Nothing is taken from an annotation: the circles are those with which one model of the light (a
-// cubic in the slope whose coefficients go linearly over the frame) explains all the presses at once. Inside
-// contact the gel has the ball's slope; outside it the slope decays exponentially from the edge.
+// makes of it. Nothing is taken from an annotation: the centres are those with which one model of the light (a
+// cubic in the slope whose coefficients go linearly over the frame) explains all the presses at once; the edge of
+// contact is where the light has changed most, for there the gel is steepest.
 #pragma once
 
 #include "rendering/signals/calibration.h"
@@ -31,15 +31,17 @@ struct ContactCircle {
     double explained = 0;  ///< share of the light's variance around it that the model explains
 };
 
-/// What the light around a press depends on; found from all the presses.
+/// The light around a press, found from all the presses: the ball's slope within contactPx, and from there on falling to 1/e over
+/// bridgePx. Good for finding centres; its radius is a compromise and not that of the contact.
 struct PressModel {
-    cv::Mat coefficients;   ///< CV_64FC1 [terms x channels]
-    double contactPx = 0;   ///< usual radius of contact
-    double bridgePx = 0;    ///< over which the slope falls to 1/e outside
+    cv::Mat coefficients;  ///< CV_64FC1 [terms x channels]
+    double contactPx = 0;
+    double bridgePx = 0;
 };
 
 struct LocatedPresses {
     PressModel model;
+    double contactPx = 0;                ///< usual radius of contact
     std::vector<ContactCircle> circles;  ///< of BallPresses::presses
 };
 

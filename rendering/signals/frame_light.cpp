@@ -103,11 +103,10 @@ cv::Mat lightOf(const cv::Mat& frame, const cv::Mat& reference, LightMeasure mea
     std::vector<cv::Mat> channels;
     cv::split(frame, channels);
     for (auto& channel : channels) {
-        const cv::Mat illumination = logIllumination(channel);
-        cv::Mat level;
+        cv::Mat illumination, level;
+        cv::exp(logIllumination(channel), illumination);
         channel.convertTo(level, CV_32F);
-        cv::log(cv::max(level, 1), level);
-        channel = level - illumination;
+        channel = level / illumination - 1;
     }
     cv::merge(channels, light);
     return light;

@@ -11,7 +11,7 @@ namespace rendering::signals {
 
 enum class LightMeasure {
     AgainstReference,  ///< (frame - reference) / full scale
-    AgainstOwnLight,   ///< ln(frame / its illumination): a cubic surface through most of ln(frame), a channel at a time
+    AgainstOwnLight,   ///< frame / its illumination - 1: a cubic surface through most of ln(frame), a channel at a time
 };
 
 /// CV_32FC(n). `frame`, and `reference` where it is asked for: 8 or 16 bits, n channels, one size. Throws badInput where

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
 
 namespace rendering::signals {
@@ -14,9 +15,11 @@ namespace rendering::signals {
 namespace {
 
 constexpr int degree = 3;
-constexpr int rounds = 5;
+constexpr int rounds = 4;
 constexpr double windowRadii = 1.65;    ///< of the ball, around the centre: what the model is fitted to
-constexpr int mostWindowPixels = 2500;
+constexpr int mostWindowPixels = 1500;
+constexpr double ringPx = 0.5;          ///< between the rings of a profile
+constexpr double equalDepthPx = 0.75;   ///< radii that differ less are those of one depth, and the rest is noise
 constexpr double otherSensorAbove = 0.08;  ///< median far-field change of light; the gel's own is about 0.02
 
 /// One pixel's model terms: all monomials p^i q^j, 1 <= i + j <= degree, each constant, along u and along v.
@@ -26,11 +29,12 @@ using Terms = cv::Vec<double, terms>;
 
 Terms termsOf(double p, double q, double u, double v)
 {
+    const double ps[] = {1, p, p * p, p * p * p}, qs[] = {1, q, q * q, q * q * q};
     Terms all;
     int k = 0;
     for (int total = 1; total <= degree; ++total)
         for (int i = 0; i <= total; ++i) {
-            const double product = std::pow(p, i) * std::pow(q, total - i);
+            const double product = ps[i] * qs[total - i];
             all[k++] = product;
             all[k++] = product * u;
             all[k++] = product * v;
@@ -52,9 +56,8 @@ struct Window {
     std::vector<cv::Point> pixels;
 };
 
-Window windowAround(cv::Point2d centre, double radius, cv::Size size)
+Window windowAround(cv::Point2d centre, double radius, cv::Size size, int step)
 {
-    const int step = std::max(1, static_cast<int>(std::sqrt(CV_PI * radius * radius / mostWindowPixels)));
     Window window;
     for (int y = std::max(0, static_cast<int>(centre.y - radius)); y < std::min<int>(size.height, static_cast<int>(centre.y + radius) + 1); y += step)
         for (int x = std::max(0, static_cast<int>(centre.x - radius)); x < std::min<int>(size.width, static_cast<int>(centre.x + radius) + 1); x += step)
@@ -87,7 +90,7 @@ public:
         cv::GaussianBlur(strength, strength, {}, m_ballPx / 2);
         cv::Point place;
         cv::minMaxLoc(strength, nullptr, nullptr, nullptr, &place);
-        return {cv::Point2d(place), 0.85 * m_ballPx, 0};
+        return {cv::Point2d(place), 0, 0};
     }
 
     PressModel fit(const std::vector<ContactCircle>& circles, double contactPx, double bridgePx, double& residual) const
@@ -112,16 +115,15 @@ public:
         return model;
     }
 
-    /// The radius and bridge under which the light is explained best, on a grid around the present ones.
-    PressModel bestFit(const std::vector<ContactCircle>& circles, double around, double reach, const std::vector<double>& bridges) const
+    /// The radius and bridge under which the light is explained best: good enough to find the centres by.
+    PressModel bestFit(const std::vector<ContactCircle>& circles) const
     {
         PressModel best;
         double least = 0;
-        for (int k = -3; k <= 3; ++k)
-            for (const double bridge : bridges) {
-                const double contact = std::clamp(around + reach * k / 3, 0.2 * m_ballPx, 0.98 * m_ballPx);
+        for (const double contact : {0.5, 0.6, 0.7, 0.77, 0.84, 0.91})
+            for (const double bridge : {0.15, 0.35, 0.6}) {
                 double residual = 0;
-                auto model = fit(circles, contact, bridge, residual);
+                auto model = fit(circles, contact * m_ballPx, bridge * m_ballPx, residual);
                 if (best.coefficients.empty() || residual < least) {
                     least = residual;
                     best = model;
@@ -130,20 +132,19 @@ public:
         return best;
     }
 
-    /// Gauss-Newton over the centre and the radius of one press.
+    /// Gauss-Newton over the centre of one press.
     ContactCircle refined(std::size_t press, ContactCircle circle, const PressModel& model) const
     {
         for (int step = 0; step < 4; ++step) {
             const Window window = windowOf(circle);
             const cv::Mat now = residuals(press, circle, model, window);
-            cv::Mat derivatives(now.rows, 3, CV_64FC1);
+            cv::Mat derivatives(now.rows, 2, CV_64FC1);
             constexpr double nudge = 0.05;
-            for (int k = 0; k < 3; ++k) derivatives.col(k) = (residuals(press, moved(circle, k, nudge), model, window) - now) / nudge;
+            for (int k = 0; k < 2; ++k) derivatives.col(k) = (residuals(press, moved(circle, k, nudge), model, window) - now) / nudge;
             cv::Mat normal = derivatives.t() * derivatives, change;
-            normal += 1e-3 * cv::trace(normal)[0] * cv::Mat::eye(3, 3, CV_64FC1);
+            normal += 1e-3 * cv::trace(normal)[0] * cv::Mat::eye(2, 2, CV_64FC1);
             if (!cv::solve(normal, derivatives.t() * now, change, cv::DECOMP_CHOLESKY)) break;
-            for (int k = 0; k < 3; ++k) circle = moved(circle, k, -std::clamp(change.at<double>(k), -2.0, 2.0));
-            circle.radiusPx = std::clamp(circle.radiusPx, 0.2 * m_ballPx, 0.98 * m_ballPx);
+            for (int k = 0; k < 2; ++k) circle = moved(circle, k, -std::clamp(change.at<double>(k), -2.0, 2.0));
             circle.centrePx.x = std::clamp(circle.centrePx.x, 0.0, m_size.width - 1.0);
             circle.centrePx.y = std::clamp(circle.centrePx.y, 0.0, m_size.height - 1.0);
         }
@@ -151,8 +152,31 @@ public:
         return circle;
     }
 
+    /// Mean change of light on the rings around a press.
+    std::vector<double> profile(std::size_t press, cv::Point2d centre) const
+    {
+        const int rings = static_cast<int>(windowRadii * m_ballPx / ringPx);
+        std::vector<double> sum(static_cast<std::size_t>(rings)), count(sum);
+        for (const auto& pixel : windowAround(centre, windowRadii * m_ballPx, m_size, 1).pixels) {
+            const double ring = std::hypot(pixel.x - centre.x, pixel.y - centre.y) / ringPx;
+            const auto near = static_cast<std::size_t>(ring);
+            const double share = ring - std::floor(ring);
+            for (const auto& [at, weight] : {std::pair{near, 1 - share}, {near + 1, share}})
+                if (at < sum.size()) {
+                    sum[at] += weight * strengthAt(press, pixel);
+                    count[at] += weight;
+                }
+        }
+        for (std::size_t i = 0; i < sum.size(); ++i) sum[i] = count[i] > 0 ? sum[i] / count[i] : 0;
+        return sum;
+    }
+
 private:
-    Window windowOf(const ContactCircle& circle) const { return windowAround(circle.centrePx, windowRadii * m_ballPx, m_size); }
+    Window windowOf(const ContactCircle& circle) const
+    {
+        const double radius = windowRadii * m_ballPx;
+        return windowAround(circle.centrePx, radius, m_size, std::max(1, static_cast<int>(std::sqrt(CV_PI * radius * radius / mostWindowPixels))));
+    }
 
     Terms termsAt(const ContactCircle& circle, cv::Point pixel, double contactPx, double bridgePx) const
     {
@@ -170,9 +194,14 @@ private:
 
     static ContactCircle moved(ContactCircle circle, int axis, double by)
     {
-        double* place[] = {&circle.centrePx.x, &circle.centrePx.y, &circle.radiusPx};
-        *place[axis] += by;
+        (axis == 0 ? circle.centrePx.x : circle.centrePx.y) += by;
         return circle;
+    }
+
+    double strengthAt(std::size_t press, cv::Point pixel) const
+    {
+        const double* value = m_light[press].ptr<double>(pixel.y) + static_cast<std::ptrdiff_t>(pixel.x) * m_channels;
+        return std::sqrt(std::inner_product(value, value + m_channels, value, 0.0));
     }
 
     cv::Mat residuals(std::size_t press, const ContactCircle& circle, const PressModel& model, const Window& window) const
@@ -180,7 +209,7 @@ private:
         cv::Mat result(static_cast<int>(window.pixels.size()) * m_channels, 1, CV_64FC1);
         int next = 0;
         for (const auto& pixel : window.pixels) {
-            const Terms row = termsAt(circle, pixel, circle.radiusPx, model.bridgePx);
+            const Terms row = termsAt(circle, pixel, model.contactPx, model.bridgePx);
             const double* value = m_light[press].ptr<double>(pixel.y) + static_cast<std::ptrdiff_t>(pixel.x) * m_channels;
             for (int c = 0; c < m_channels; ++c) {
                 double sum = -value[c];
@@ -271,6 +300,46 @@ void requireBalls(const BallPresses& presses, const std::vector<ContactCircle>& 
         throw fault("no ball is seen in " + unseen, "a press of the ball whose radius was given", "take these frames out, or press again");
 }
 
+/// Where a profile is highest, between its rings, px: the edge of contact, at which the gel is steepest.
+double peakOf(const std::vector<double>& profile, double ballPx)
+{
+    std::vector<double> smooth(profile.size());
+    for (std::size_t i = 2; i + 2 < profile.size(); ++i)
+        smooth[i] = (profile[i - 2] + 2 * profile[i - 1] + 3 * profile[i] + 2 * profile[i + 1] + profile[i + 2]) / 9;
+    const auto last = std::min(smooth.size(), static_cast<std::size_t>(0.98 * ballPx / ringPx));
+    const auto from = static_cast<std::size_t>(0.2 * ballPx / ringPx);
+    const auto best = static_cast<std::size_t>(
+        std::max_element(smooth.begin() + static_cast<std::ptrdiff_t>(from), smooth.begin() + static_cast<std::ptrdiff_t>(last)) - smooth.begin());
+    const double before = smooth[best - 1], here = smooth[best], after = smooth[best + 1], bend = before - 2 * here + after;
+    const double between = bend < 0 ? std::clamp(0.5 * (before - after) / bend, -0.5, 0.5) : 0;
+    return std::min((static_cast<double>(best) + between) * ringPx, 0.98 * ballPx);
+}
+
+double medianOf(std::vector<double> values)
+{
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+/// Each press's own radius, or that of all of them together where they were equally deep.
+double setRadii(const Locating& locating, std::vector<ContactCircle>& circles)
+{
+    std::vector<double> together, own;
+    for (std::size_t i = 0; i < circles.size(); ++i) {
+        const auto profile = locating.profile(i, circles[i].centrePx);
+        own.push_back(peakOf(profile, locating.ballPx()));
+        together.resize(profile.size());
+        std::transform(profile.begin(), profile.end(), together.begin(), together.begin(), std::plus<>());
+    }
+    const double usual = peakOf(together, locating.ballPx());
+    std::vector<double> off(own.size());
+    std::transform(own.begin(), own.end(), off.begin(), [usual](double radius) { return std::abs(radius - usual); });
+    const bool equal = 1.4826 * medianOf(off) < equalDepthPx;
+    for (std::size_t i = 0; i < circles.size(); ++i) circles[i].radiusPx = equal ? usual : own[i];
+    return usual;
+}
+
 }  // namespace
 
 LocatedPresses locate(const BallPresses& presses)
@@ -283,17 +352,14 @@ LocatedPresses locate(const BallPresses& presses)
     requireOwnBackground(presses, locating);
     LocatedPresses found;
     for (std::size_t i = 0; i < locating.count(); ++i) found.circles.push_back(locating.firstGuess(i));
-    const double ball = locating.ballPx();
-    double around = 0.85 * ball, reach = 0.12 * ball;
-    for (int round = 0; round < rounds; ++round, reach = std::max(0.03 * ball, reach / 2)) {
-        found.model = locating.bestFit(found.circles, around, reach, {0.1 * ball, 0.2 * ball, 0.4 * ball, 0.8 * ball});
-        around = found.model.contactPx;
-        for (std::size_t i = 0; i < locating.count(); ++i) {
-            found.circles[i].radiusPx = around;
-            found.circles[i] = locating.refined(i, found.circles[i], found.model);
-        }
+    for (int round = 0; round < rounds; ++round) {
+        double residual = 0;
+        found.model = round % 2 == 0 ? locating.bestFit(found.circles)
+                                     : locating.fit(found.circles, found.model.contactPx, found.model.bridgePx, residual);
+        for (std::size_t i = 0; i < locating.count(); ++i) found.circles[i] = locating.refined(i, found.circles[i], found.model);
     }
     requireBalls(presses, found.circles);
+    found.contactPx = setRadii(locating, found.circles);
     return found;
 }
 
@@ -305,11 +371,11 @@ std::vector<ContactCircle> locate(const BallPresses& presses, const PressModel& 
     std::vector<ContactCircle> circles;
     for (std::size_t i = 0; i < locating.count(); ++i) {
         ContactCircle circle = locating.firstGuess(i);
-        circle.radiusPx = model.contactPx;
         for (int round = 0; round < 3; ++round) circle = locating.refined(i, circle, model);
         circles.push_back(circle);
     }
     requireBalls(presses, circles);
+    setRadii(locating, circles);
     return circles;
 }
 

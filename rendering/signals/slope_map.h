@@ -73,9 +73,10 @@ struct FitOptions {
     bool byPlace = true;
     int degree = 3;
     double lightScale = 4;
+    double ridge = 1e-6;         ///< per sample; inputs are about 1
     std::uint64_t seed = 1;      ///< of the network's first weights
-    int networkSamples = 12000;  ///< no more than these are used, evenly drawn
-    int networkSteps = 400;
+    int networkSamples = 6000;   ///< no more than these are used, evenly drawn
+    int networkSteps = 300;
 };
 
 /// Least squares; then the whole is scaled so that it does not flatten: light is measured with noise, slopes are

@@ -13,8 +13,6 @@ namespace rendering::signals {
 
 namespace {
 
-constexpr double ridge = 1e-6;  ///< per sample; inputs are about 1
-
 int inputCount(const SlopeSamples& samples, bool byPlace) { return samples.channels + (byPlace ? 2 : 0); }
 
 /// One row a sample: the inputs of a map.
@@ -55,7 +53,7 @@ double unflattening(const cv::Mat& found, const cv::Mat& known)
 }
 
 /// `terms`: one row a sample.
-cv::Mat leastSquares(const cv::Mat& terms, const cv::Mat& targets)
+cv::Mat leastSquares(const cv::Mat& terms, const cv::Mat& targets, double ridge)
 {
     cv::Mat normal = terms.t() * terms, solution;
     normal += ridge * terms.rows * cv::Mat::eye(terms.cols, terms.cols, CV_64FC1);
@@ -84,9 +82,9 @@ std::array<std::vector<double>, 2> columnsOf(const cv::Mat& solution)
     return columns;
 }
 
-SlopeMap linearFit(const SlopeSamples& samples)
+SlopeMap linearFit(const SlopeSamples& samples, const FitOptions& options)
 {
-    const auto columns = columnsOf(leastSquares(termsOf(inputsOf(samples, false, 1), 1), targetsOf(samples)));
+    const auto columns = columnsOf(leastSquares(termsOf(inputsOf(samples, false, 1), 1), targetsOf(samples), options.ridge));
     LinearMap map;
     for (std::size_t axis = 0; axis < 2; ++axis) {
         map.offset[axis] = columns[axis].front();
@@ -98,7 +96,7 @@ SlopeMap linearFit(const SlopeSamples& samples)
 SlopeMap polynomialFit(const SlopeSamples& samples, const FitOptions& options)
 {
     const cv::Mat terms = termsOf(inputsOf(samples, options.byPlace, options.lightScale), options.degree);
-    return PolynomialMap{options.degree, options.byPlace, options.lightScale, columnsOf(leastSquares(terms, targetsOf(samples)))};
+    return PolynomialMap{options.degree, options.byPlace, options.lightScale, columnsOf(leastSquares(terms, targetsOf(samples), options.ridge))};
 }
 
 /// One layer while it learns.
@@ -219,7 +217,7 @@ SlopeMap fitSlopeMap(const SlopeSamples& samples, const FitOptions& options)
     switch (options.quality) {
         case MapQuality::Fast:
             requireEnough(samples.size(), static_cast<std::size_t>(samples.channels + 1));
-            return linearFit(samples);
+            return linearFit(samples, options);
         case MapQuality::Balanced:
             requireEnough(samples.size(), monomials(inputs, options.degree).size());
             return polynomialFit(samples, options);

@@ -26,6 +26,8 @@ struct Action {
 
 void addFabrics(CLI::App& app, Action& action);
 void addImport(CLI::App& app, Action& action);
+void addCalibrate(CLI::App& app, Action& action);
+void addHeight(CLI::App& app, Action& action);
 void addTrain(CLI::App& app, Action& action);
 void addRender(CLI::App& app, Action& action);
 void addStudy(CLI::App& app, Action& action);

@@ -5,9 +5,9 @@
 #include "rendering/signals/friction_trace.h"
 #include "rendering/spectrogram_file.h"
 #include "study/commands/command_line.h"
+#include "study/commands/picture_decoder.h"
 
 #include <CLI/CLI.hpp>
-#include <QImageReader>
 
 #include <cstdio>
 #include <memory>
@@ -50,29 +50,16 @@ void writeSpectrograms(const std::filesystem::path& out, const std::filesystem::
         for (const int index : sampleIndices(dataset, fabric.id, Modality::Friction)) {
             const auto sample = samplePath(dataset, fabric.id, Modality::Friction, index);
             const std::string name = fabric.id.value + "-" + sample.stem().string();
+            if (!std::filesystem::exists(plots / (name + ".svg")))
+                continue;
             const auto record = readFriction(dataset, fabric.id, index);
-            if (!std::filesystem::exists(plots / (name + ".svg")) ||
-                record.values.size() < static_cast<std::size_t>(rendering::signals::shortestTrace))
+            if (record.values.size() < static_cast<std::size_t>(rendering::signals::shortestTrace))
                 continue;
             const auto trace = rendering::signals::frictionTrace(record, sample.string());
             rendering::signals::SpectrogramParameters parameters;
             parameters.sampleRateHz = trace.sampleRateHz;
             rendering::writeSpectrogram(plots / (name + ".spectrogram.json"), rendering::signals::stft(trace.values, parameters));
         }
-}
-
-/// JPEG and whatever else Qt's image formats read; upright by the camera's orientation mark.
-cv::Mat decodeByQt(const std::filesystem::path& file)
-{
-    QImageReader reader(QString::fromStdString(file.string()));
-    reader.setAutoTransform(true);
-    const QImage image = reader.read().convertToFormat(QImage::Format_RGB888);
-    if (image.isNull())
-        throw protocols::badInput({"no image that can be read (" + reader.errorString().toStdString() + ")", file.string(),
-                                   "PNG, JPEG, BMP, GIF, PPM or WebP", "convert it to PNG"});
-    const cv::Mat view(image.height(), image.width(), CV_8UC3, const_cast<uchar*>(image.constBits()),
-                       static_cast<size_t>(image.bytesPerLine()));
-    return view.clone();
 }
 
 int import(const ImportCall& call)

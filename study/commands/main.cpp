@@ -58,6 +58,8 @@ int run(int argc, char** argv)
     study::commands::addApp(app, action);
     study::commands::addFabrics(app, action);
     study::commands::addImport(app, action);
+    study::commands::addCalibrate(app, action);
+    study::commands::addHeight(app, action);
     study::commands::addTrain(app, action);
     study::commands::addRender(app, action);
     study::commands::addStudy(app, action);

@@ -1,0 +1,137 @@
+#include "rendering/signals/surface_calibration.h"
+
+#include "protocols/errors.h"
+#include "rendering/signals/photometric_stereo.h"
+
+#include <opencv2/core.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rendering::signals {
+
+namespace {
+
+constexpr std::size_t samplesWanted = 60000;
+constexpr double ownLightScale = 2;  ///< light differs from its own illumination by about half of it
+constexpr double ownLightRidge = 1e-4;  ///< its channels go together, and other rows are read than were learned
+
+/// Central differences over the pitch, one-sided at the borders; NaN beside what is unknown.
+Slopes slopesOfHeight(const cv::Mat& heightMm, const Pitch& pitch)
+{
+    Slopes slopes{cv::Mat(heightMm.size(), CV_32FC1), cv::Mat(heightMm.size(), CV_32FC1)};
+    cv::Mat height;
+    heightMm.convertTo(height, CV_64F);
+    const auto rise = [&](int i0, int j0, int i1, int j1, double step) {
+        const int count = std::max(1, (i1 - i0) + (j1 - j0));
+        return static_cast<float>((height.at<double>(i1, j1) - height.at<double>(i0, j0)) / (count * step));
+    };
+    for (int i = 0; i < height.rows; ++i)
+        for (int j = 0; j < height.cols; ++j) {
+            slopes.x.at<float>(i, j) = rise(i, std::max(0, j - 1), i, std::min(height.cols - 1, j + 1), pitch.x);
+            slopes.y.at<float>(i, j) = rise(std::max(0, i - 1), j, std::min(height.rows - 1, i + 1), j, pitch.y);
+        }
+    return slopes;
+}
+
+LightMeasure measureOf(const KnownSurfaceFrame& surface)
+{
+    return surface.reference.empty() ? LightMeasure::AgainstOwnLight : LightMeasure::AgainstReference;
+}
+
+void requireFitting(const KnownSurfaceFrame& surface, int first, int last)
+{
+    const auto fault = [](const std::string& what, const std::string& expected) {
+        return protocols::badInput({.what = what, .where = "", .expected = expected, .nextStep = ""});
+    };
+    if (surface.frame.size() != surface.heightMm.size())
+        throw fault("the frame has " + std::to_string(surface.frame.cols) + " x " + std::to_string(surface.frame.rows) + " pixels, the surface " +
+                        std::to_string(surface.heightMm.cols) + " x " + std::to_string(surface.heightMm.rows),
+                    "a height for each pixel");
+    if (!(surface.pitch.x > 0 && std::abs(surface.pitch.x / surface.pitch.y - 1) < 0.01))
+        throw fault("the surface's pitch differs along x and y", "square pixels, as the frame has");
+    if (first < 0 || last > surface.heightMm.rows || first >= last)
+        throw fault("rows " + std::to_string(first) + " to " + std::to_string(last) + " are not in the surface",
+                    "rows from 0 to " + std::to_string(surface.heightMm.rows));
+}
+
+/// The rows asked for, where the slope is known.
+cv::Mat knownPlaces(const Slopes& slopes, int first, int last)
+{
+    cv::Mat places = cv::Mat::zeros(slopes.x.size(), CV_8UC1);
+    measuredPlaces({slopes.x.rowRange(first, last), slopes.y.rowRange(first, last)}).copyTo(places.rowRange(first, last));
+    return places;
+}
+
+cv::Mat withoutQuadratic(const cv::Mat& values, const cv::Mat& places)
+{
+    cv::Matx<double, 6, 6> normal;
+    cv::Vec<double, 6> right, surface;
+    const auto terms = [&](int i, int j) {
+        const double u = 2.0 * j / values.cols - 1, v = 2.0 * i / values.rows - 1;
+        return cv::Vec<double, 6>(1, u, v, u * u, u * v, v * v);
+    };
+    for (int i = 0; i < values.rows; ++i)
+        for (int j = 0; j < values.cols; ++j)
+            if (places.at<uchar>(i, j)) {
+                normal += terms(i, j) * terms(i, j).t();
+                right += values.at<double>(i, j) * terms(i, j);
+            }
+    cv::solve(normal, right, surface, cv::DECOMP_SVD);
+    cv::Mat result = cv::Mat::zeros(values.size(), CV_64FC1);
+    for (int i = 0; i < values.rows; ++i)
+        for (int j = 0; j < values.cols; ++j)
+            if (places.at<uchar>(i, j)) result.at<double>(i, j) = values.at<double>(i, j) - surface.dot(terms(i, j));
+    return result;
+}
+
+}  // namespace
+
+Calibration calibrationFrom(const KnownSurfaceFrame& surface, int first, int last, MapQuality quality)
+{
+    requireFitting(surface, first, last);
+    const Slopes known = slopesOfHeight(surface.heightMm, surface.pitch);
+    const cv::Mat places = knownPlaces(known, first, last);
+    SlopeSamples samples;
+    samples.channels = surface.frame.channels();
+    const auto count = static_cast<std::size_t>(cv::countNonZero(places));
+    samples.add(lightOf(surface.frame, surface.reference, measureOf(surface)), known, places,
+                static_cast<int>(std::max<std::size_t>(1, count / samplesWanted)));
+    FitOptions options;
+    options.quality = quality;
+    if (surface.reference.empty()) {  // its illumination is already taken out, and the rows to be read may lie elsewhere
+        options.byPlace = false;
+        options.lightScale = ownLightScale;
+        options.ridge = ownLightRidge;
+    }
+    Calibration calibration;
+    calibration.light = measureOf(surface);
+    calibration.channels = samples.channels;
+    calibration.map = fitSlopeMap(samples, options);
+    calibration.mmPerPixel = surface.pitch.x;
+    if (!surface.reference.empty()) calibration.sensor = lookOf(surface.reference);
+    return calibration;
+}
+
+SurfaceScore scoreOf(const Calibration& calibration, const KnownSurfaceFrame& surface, int first, int last)
+{
+    requireFitting(surface, first, last);
+    const Slopes all = slopesFromFrame(surface.frame, surface.reference, calibration);
+    const Slopes slopes{all.x.rowRange(first, last).clone(), all.y.rowRange(first, last).clone()};
+    const Slopes known = slopesOfHeight(surface.heightMm, surface.pitch);
+    const cv::Mat places = knownPlaces(known, first, last).rowRange(first, last);
+    SurfaceScore score;
+    const auto offBy = [&](const cv::Mat& found, const cv::Mat& truth) { return cv::mean(cv::abs(found - truth.rowRange(first, last)), places)[0]; };
+    score.slopeError = (offBy(slopes.x, known.x) + offBy(slopes.y, known.y)) / 2;
+    cv::Mat truth;
+    surface.heightMm.rowRange(first, last).convertTo(truth, CV_64F);
+    truth.setTo(0, places == 0);
+    const cv::Mat off = withoutQuadratic(integrate(slopes, surface.pitch) - truth, places);
+    score.heightErrorMm = cv::norm(off) / std::sqrt(std::max(1, cv::countNonZero(places)));
+    cv::Scalar mean, sd;
+    cv::meanStdDev(truth, mean, sd, places);
+    score.knownSqMm = sd[0];
+    return score;
+}
+
+}  // namespace rendering::signals

@@ -1,0 +1,214 @@
+// vis2hap calibrate PRESSES --ball-radius MM --mm-per-pixel X --out FILE, or FRAME... --surface HEIGHT --out FILE
+#include "protocols/errors.h"
+#include "rendering/calibration_report.h"
+#include "rendering/image_io.h"
+#include "rendering/press_folder.h"
+#include "rendering/signals/surface_calibration.h"
+#include "rendering/true_map.h"
+#include "study/commands/command_line.h"
+#include "study/commands/json_output.h"
+#include "study/commands/picture_decoder.h"
+
+#include <CLI/CLI.hpp>
+#include <opencv2/core.hpp>
+
+#include <cstdio>
+#include <memory>
+#include <numeric>
+
+namespace study::commands {
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+using rendering::signals::MapQuality;
+
+const std::map<std::string, MapQuality> qualities{{"fast", MapQuality::Fast}, {"balanced", MapQuality::Balanced}, {"accurate", MapQuality::Accurate}};
+
+struct CalibrateCall {
+    std::vector<std::string> from;
+    std::string out, test, surface, background, quality = "balanced";
+    double ballRadiusMm = 0, mmPerPixel = 0;
+    std::vector<double> rows{0, 1};
+    double cutoffMm = 0;
+    JsonTarget json;
+};
+
+/// Beside FILE: FILE's name without its ending, and this.
+fs::path besideOut(const CalibrateCall& call, const std::string& ending)
+{
+    return fs::path(call.out).parent_path() / (fs::path(call.out).stem().string() + ending);
+}
+
+void writePictures(const CalibrateCall& call, const cv::Mat& reference, const cv::Mat& sheet)
+{
+    rendering::writePng(besideOut(call, "-background.png"), reference);
+    rendering::writePng(besideOut(call, "-presses.png"), sheet);
+}
+
+void printScore(const char* of, const rendering::signals::CalibrationScore& score)
+{
+    std::printf("%-28s normals %.2f deg off (median), depth %.4f mm off in contact, peak %.2f mm (%.2f to %.2f) where the circles say %.2f\n", of,
+                score.normalErrorDeg, score.depthErrorMm, score.peakMm, score.lowestPeakMm, score.highestPeakMm, score.ballPeakMm);
+}
+
+void printTrade(const std::vector<rendering::QualityTrade>& trades, MapQuality chosen)
+{
+    std::printf("\n%-10s %12s %14s %10s %14s %8s\n", "quality", "normals deg", "depth off mm", "peak mm", "ms a frame", "fit s");
+    for (const auto& trade : trades)
+        std::printf("%-10s %12.2f %14.4f %10.3f %14.2f %8.2f%s\n", rendering::nameOf(trade.quality).c_str(), trade.score.normalErrorDeg,
+                    trade.score.depthErrorMm, trade.score.peakMm, trade.millisecondsAFrame, trade.fitSeconds, trade.quality == chosen ? "  <- saved" : "");
+}
+
+ordered_json tradeJson(const std::vector<rendering::QualityTrade>& trades)
+{
+    ordered_json rows = ordered_json::array();
+    for (const auto& trade : trades)
+        rows.push_back({{"quality", rendering::nameOf(trade.quality)},
+                        {"normal_error_deg", trade.score.normalErrorDeg},
+                        {"depth_error_mm", trade.score.depthErrorMm},
+                        {"peak_mm", trade.score.peakMm},
+                        {"ms_a_frame", trade.millisecondsAFrame},
+                        {"fit_s", trade.fitSeconds}});
+    return rows;
+}
+
+std::vector<std::size_t> allOf(const rendering::signals::BallPresses& presses)
+{
+    std::vector<std::size_t> all(presses.presses.size());
+    std::iota(all.begin(), all.end(), 0);
+    return all;
+}
+
+int calibrateOnBalls(const CalibrateCall& call)
+{
+    namespace signals = rendering::signals;
+    const MapQuality quality = qualities.at(call.quality);
+    const auto presses = rendering::readBallPresses(call.from.front(), call.ballRadiusMm, call.mmPerPixel, decodeByQt);
+    const auto located = signals::locate(presses);
+    auto calibration = signals::calibrationFrom(presses, located.circles, allOf(presses), quality);
+    if (call.cutoffMm > 0) calibration.highPassCutoffMm = call.cutoffMm;
+
+    std::vector<rendering::QualityTrade> trades;
+    for (const auto& [name, each] : qualities) trades.push_back(rendering::tradeOf(presses, located, each));
+    std::sort(trades.begin(), trades.end(), [](const auto& a, const auto& b) { return a.quality < b.quality; });
+    const auto& validated = trades[static_cast<std::size_t>(quality)].score;
+    ordered_json report{{"schema", "vis2hap.calibration-report/1"},
+                        {"presses", presses.presses.size()},
+                        {"quality", call.quality},
+                        {"ball_radius_mm", call.ballRadiusMm},
+                        {"mm_per_pixel", call.mmPerPixel},
+                        {"contact_radius_px", located.contactPx},
+                        {"cross_validated", rendering::jsonOf(validated)},
+                        {"trade", tradeJson(trades)}};
+    std::optional<signals::CalibrationScore> tested;
+    if (!call.test.empty()) {
+        const auto others = rendering::readBallPresses(call.test, call.ballRadiusMm, call.mmPerPixel, decodeByQt);
+        tested = signals::scoreOf(calibration, others, signals::locate(others, located.model), allOf(others));
+        report["test"] = rendering::jsonOf(*tested);
+    }
+    writeFile(call.out, signals::toJson(calibration));
+    writePictures(call, presses.background, rendering::pressSheet(presses, calibration, validated));
+    writeFile(besideOut(call, "-quality.json"), report.dump(2) + "\n");
+    if (call.json) {
+        writeJson(call.json, report);
+        return 0;
+    }
+    std::printf("%zu presses; the ball touches over %.1f px (%.2f mm) of radius\n", presses.presses.size(), located.contactPx,
+                located.contactPx * call.mmPerPixel);
+    printScore("cross-validated:", validated);
+    if (tested) printScore((call.test + ":").c_str(), *tested);
+    std::printf("%-28s the gel around the ball bridges to its rest surface: with it the peak would be %.2f mm\n", "", validated.peakOverGelMm);
+    printTrade(trades, quality);
+    std::printf("\nwrote %s, %s, %s and %s\n", call.out.c_str(), besideOut(call, "-background.png").c_str(), besideOut(call, "-presses.png").c_str(),
+                besideOut(call, "-quality.json").c_str());
+    return 0;
+}
+
+rendering::TrueMap knownSurface(const CalibrateCall& call)
+{
+    const fs::path file(call.surface);
+    if (file.extension() == ".tmd") {
+        auto map = rendering::readTrueMap(file);
+        if (call.mmPerPixel > 0) map.xPitchMm = map.yPitchMm = call.mmPerPixel;
+        return map;
+    }
+    if (!(call.mmPerPixel > 0))
+        throw protocols::badInput({"the pitch of the surface is not known", call.surface, "--mm-per-pixel", "state it"});
+    return {rendering::readImage(file), call.mmPerPixel, call.mmPerPixel, ""};
+}
+
+int calibrateOnSurface(const CalibrateCall& call)
+{
+    namespace signals = rendering::signals;
+    std::vector<cv::Mat> frames;
+    for (const auto& file : call.from) frames.push_back(rendering::readPicture(file, decodeByQt));
+    signals::KnownSurfaceFrame surface;
+    surface.frame = frames.size() == 1 ? frames.front() : signals::oneFrame(frames);
+    if (!call.background.empty()) surface.reference = rendering::readPicture(call.background, decodeByQt);
+    const auto map = knownSurface(call);
+    surface.heightMm = map.heightMm;
+    surface.pitch = {map.xPitchMm, map.yPitchMm};
+    const auto row = [&](double share) { return static_cast<int>(std::lround(share * map.heightMm.rows)); };
+    const int first = row(call.rows[0]), last = row(call.rows[1]);
+    auto calibration = signals::calibrationFrom(surface, first, last, qualities.at(call.quality));
+    if (call.cutoffMm > 0) calibration.highPassCutoffMm = call.cutoffMm;
+    writeFile(call.out, signals::toJson(calibration));
+    ordered_json report{{"schema", "vis2hap.calibration-report/1"}, {"quality", call.quality}, {"surface", call.surface}};
+    const auto put = [&](const char* name, int from, int to) {
+        if (from >= to) return;
+        const auto score = signals::scoreOf(calibration, surface, from, to);
+        report[name] = {{"rows", {from, to}}, {"slope_error", score.slopeError}, {"height_error_mm", score.heightErrorMm}, {"surface_sq_mm", score.knownSqMm}};
+        if (!call.json)
+            std::printf("%-12s rows %d to %d: slopes %.4f off, height %.2f um off (RMS, less a quadratic) of Sq %.1f um\n", name, from, to, score.slopeError,
+                        1000 * score.heightErrorMm, 1000 * score.knownSqMm);
+    };
+    put("learned", first, last);
+    put("above", 0, first);
+    put("below", last, map.heightMm.rows);
+    if (call.json)
+        writeJson(call.json, report);
+    else
+        std::printf("wrote %s\n", call.out.c_str());
+    return 0;
+}
+
+int calibrate(const CalibrateCall& call)
+{
+    if (!call.surface.empty()) return calibrateOnSurface(call);
+    if (call.from.size() != 1)
+        throw protocols::badInput({std::to_string(call.from.size()) + " places of presses are named", call.from[1], "one folder",
+                                   "put the presses and background.png into one folder, or give --surface"});
+    return calibrateOnBalls(call);
+}
+
+}  // namespace
+
+void addCalibrate(CLI::App& app, Action& action)
+{
+    auto* command = app.add_subcommand("calibrate", "ball presses of a GelSight sensor, or a known surface -> calibration and its quality");
+    auto call = std::make_shared<CalibrateCall>();
+    command->add_option("PRESSES", call->from, "a folder with background.png and one picture a press; with --surface the frames")->required();
+    auto* ball = command->add_option("--ball-radius", call->ballRadiusMm, "mm")->check(CLI::PositiveNumber);
+    auto* pitch = command->add_option("--mm-per-pixel", call->mmPerPixel, "mm")->check(CLI::PositiveNumber);
+    command->add_option("--out", call->out, "the calibration to write; its report and pictures come beside it")->required();
+    command->add_option("--test", call->test, "further presses, only read: how good is it on these")->needs(ball);
+    command->add_option("--quality", call->quality, "fast (linear), balanced (polynomial) or accurate (network)")
+        ->check(CLI::IsMember({"fast", "balanced", "accurate"}));
+    command->add_option("--cutoff", call->cutoffMm, "mm; slower surfaces are taken out of frames of full contact (balls: a quarter of the frame)")
+        ->check(CLI::PositiveNumber);
+    auto* surface = command->add_option("--surface", call->surface, "known height of the frame (.tmd, .tiff or .npy, mm) instead of balls; several "
+                                                                    "frames are lamps of one surface")->excludes(ball);
+    command->add_option("--background", call->background, "with --surface: the untouched sensor")->needs(surface);
+    command->add_option("--rows", call->rows, "with --surface: learn from these rows only, e.g. 0,0.5")->delimiter(',')->expected(2)->check(CLI::Range(0.0, 1.0))->needs(surface);
+    addJsonOption(*command, call->json);
+    command->callback([call, ball, pitch, surface, &action] {
+        if (surface->count() == 0 && (ball->count() == 0 || pitch->count() == 0))
+            throw CLI::ValidationError("calibrate", "--ball-radius and --mm-per-pixel are needed (or --surface)");
+        action.surroundings = Surroundings::Core;
+        action.work = [call] { return calibrate(*call); };
+    });
+}
+
+}  // namespace study::commands

@@ -45,7 +45,7 @@ struct SmallDataset {
         dataset.tactileMmPerPixel = 0.05;
         dataset.tactileCalibration = "tactile-calibration.json";
         signals::Calibration calibration;
-        calibration.gradientFromRgb = {{{1, 0, 0}, {0, 1, 0}}};
+        calibration.map = signals::LinearMap{{{{1, 0, 0}, {0, 1, 0}}}, {}};
         calibration.mmPerPixel = 0.05;
         std::ofstream(dataset.folder / dataset.tactileCalibration) << signals::toJson(calibration);
         writePng(dataset.folder / "tactile-reference.png", cv::Mat(48, 64, CV_8UC3, cv::Scalar::all(120)));

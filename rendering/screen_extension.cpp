@@ -145,10 +145,10 @@ cv::Mat mirrored(const cv::Mat& patch, cv::Size canvas)
     return values;
 }
 
-/// What is wider than about a sixth of the patch: folds and tilt rather than texture. Three running means.
-cv::Mat slowPart(const cv::Mat& patch)
+/// What is wider than about a share of the patch (a sixth: folds and tilt rather than texture). Three running means.
+cv::Mat slowPart(const cv::Mat& patch, int share)
 {
-    const cv::Size width(patch.cols / 6 | 1, patch.rows / 6 | 1);
+    const cv::Size width(patch.cols / share | 1, patch.rows / share | 1);
     cv::Mat slow;
     cv::blur(patch, slow, width, {-1, -1}, cv::BORDER_REFLECT);
     for (int i = 0; i < 2; ++i) cv::blur(slow, slow, width, {-1, -1}, cv::BORDER_REFLECT);
@@ -171,19 +171,37 @@ struct Units {
     float gain = 1, offset = 0, least = 0, most = 0;
 };
 
-/// (slow + texture) in the patch's own units, row by row: a screen of texture in between would cost more than the sum.
-void addTexture(cv::Mat& slow, const cv::Mat& laid, const std::vector<cv::Point>& places, const Units& units)
+/// (slow + contrast * texture) in the patch's own units, row by row: a screen of texture in between would cost more
+/// than the sum.
+void addTexture(cv::Mat& slow, const cv::Mat& contrast, const cv::Mat& laid, const std::vector<cv::Point>& places,
+                const Units& units)
 {
     std::vector<float> texture(static_cast<std::size_t>(slow.cols));
     for (int i = 0; i < slow.rows; ++i) {
         layRow(texture, laid, places, i);
         float* value = slow.ptr<float>(i);
-        const float* fine = texture.data();
+        const float *fine = texture.data(), *strength = contrast.ptr<float>(i);
         for (int j = 0; j < slow.cols; ++j) {
-            const float sum = (value[j] + fine[j]) * units.gain + units.offset;
+            const float sum = (value[j] + strength[j] * fine[j]) * units.gain + units.offset;
             value[j] = std::min(std::max(sum, units.least), units.most);
         }
     }
+}
+
+/// A patch about its mean and of spread 1 as slow + contrast * texture: a fold's shade and how strongly the weave
+/// shows in it change slowly, the texture is everywhere alike.
+struct Parts {
+    cv::Mat slow, contrast, texture;
+};
+
+Parts partsOf(const cv::Mat& normal)
+{
+    constexpr double leastContrast = 0.05;  // of the spread of the whole: what is flatter has no texture to lay
+    Parts parts{slowPart(normal, 6), {}, {}};
+    parts.texture = normal - parts.slow;
+    cv::sqrt(cv::max(slowPart(parts.texture.mul(parts.texture), 3), leastContrast * leastContrast), parts.contrast);
+    parts.texture /= parts.contrast;
+    return parts;
 }
 
 /// The texture is laid on a lattice. Folds have no direction to keep and never meet themselves: they are mirrored,
@@ -198,7 +216,8 @@ std::optional<Extended> tiled(const cv::Mat& patch)
     // About its mean and of spread 1: heights of 1 nm and of 1 km are laid alike.
     cv::Mat normal;
     patch.convertTo(normal, CV_32F, 1 / sd[0], -mean[0] / sd[0]);
-    const cv::Mat slow = slowPart(normal), texture = normal - slow;
+    const Parts parts = partsOf(normal);
+    const cv::Mat& texture = parts.texture;
     Step x{.along = patch.cols}, y{.along = patch.rows};
     for (const bool alongX : {true, false}) {
         if (alongX ? !needsX : !needsY) continue;
@@ -209,11 +228,12 @@ std::optional<Extended> tiled(const cv::Mat& patch)
     const cv::Rect kept(x.cut, y.cut, patch.cols - x.cut, patch.rows - y.cut);
     const double agreement = (x.correlation + y.correlation) / ((needsX ? 1 : 0) + (needsY ? 1 : 0));
     const cv::Mat laid = blended(texture(kept), x, y, agreement);
-    cv::Mat values = mirrored(slow, {screen.width, patch.rows > 1 ? screen.height : 1});
+    const cv::Size canvas(screen.width, patch.rows > 1 ? screen.height : 1);
+    cv::Mat values = mirrored(parts.slow, canvas);
     const cv::Point corner((screen.width - patch.cols) / 2, (values.rows - patch.rows) / 2);
     double least = 0, most = 0;
     cv::minMaxLoc(patch, &least, &most);
-    addTexture(values, laid, lattice(corner + kept.tl(), laid.size(), values.size(), x, y),
+    addTexture(values, mirrored(parts.contrast, canvas), laid, lattice(corner + kept.tl(), laid.size(), values.size(), x, y),
                {static_cast<float>(sd[0]), static_cast<float>(mean[0]), static_cast<float>(least), static_cast<float>(most)});
     // What no neighbour reaches is the source itself, bit by bit. Slanted neighbours reach half a strip further.
     const int marginX = x.strip + x.strip / 2, marginY = y.strip + y.strip / 2;

@@ -145,13 +145,20 @@ cv::Mat mirrored(const cv::Mat& patch, cv::Size canvas)
     return values;
 }
 
-/// What is wider than about a share of the patch (a sixth: folds and tilt rather than texture). Three running means.
+/// Three running means over a share of the patch: what is wider than about that. Of a large patch a quarter of
+/// the pixels say as much.
 cv::Mat slowPart(const cv::Mat& patch, int share)
 {
-    const cv::Size width(patch.cols / share | 1, patch.rows / share | 1);
-    cv::Mat slow;
-    cv::blur(patch, slow, width, {-1, -1}, cv::BORDER_REFLECT);
-    for (int i = 0; i < 2; ++i) cv::blur(slow, slow, width, {-1, -1}, cv::BORDER_REFLECT);
+    const bool large = std::min(patch.rows, patch.cols) >= 128;
+    cv::Mat slow = patch;
+    if (large) cv::resize(patch, slow, {patch.cols / 4, patch.rows / 4}, 0, 0, cv::INTER_AREA);
+    const cv::Size width(slow.cols / share | 1, slow.rows / share | 1);
+    for (int i = 0; i < 3; ++i) {
+        cv::Mat next;
+        cv::blur(slow, next, width, {-1, -1}, cv::BORDER_REFLECT);
+        slow = next;
+    }
+    if (large) cv::resize(slow, slow, patch.size(), 0, 0, cv::INTER_LINEAR);
     return slow;
 }
 
@@ -199,8 +206,11 @@ Parts partsOf(const cv::Mat& normal)
     constexpr double leastContrast = 0.05;  // of the spread of the whole: what is flatter has no texture to lay
     Parts parts{slowPart(normal, 6), {}, {}};
     parts.texture = normal - parts.slow;
-    cv::sqrt(cv::max(slowPart(parts.texture.mul(parts.texture), 3), leastContrast * leastContrast), parts.contrast);
-    parts.texture /= parts.contrast;
+    cv::multiply(parts.texture, parts.texture, parts.contrast);
+    parts.contrast = slowPart(parts.contrast, 3);
+    cv::max(parts.contrast, leastContrast * leastContrast, parts.contrast);
+    cv::sqrt(parts.contrast, parts.contrast);
+    cv::divide(parts.texture, parts.contrast, parts.texture);
     return parts;
 }
 

@@ -148,19 +148,18 @@ private Q_SLOTS:
     }
 
     /// A weave that shows strongly in the light and weakly in the shade: seen on photographs of satin.
-    void contrastThatChangesLeavesNoEdge()
+    void contrastThatChangesGoesOnBesideThePatch()
     {
         cv::Mat patch = felt(256, 256, 9);
         for (int i = 0; i < patch.rows; ++i) patch.row(i) *= 0.15 + 0.85 * i / 255.0;
         const cv::Mat laid = overScreen(patch, Extension::Tile).values;
-        const auto rough = [&](int row) { return spread(laid.rowRange(row, row + 12)); };
-        double steepest = 1;
-        for (int row = 0; row + 24 <= laid.rows; row += 4) {
-            const double ratio = rough(row + 12) / rough(row);
-            steepest = std::max({steepest, ratio, 1 / ratio});
+        double furthest = 1;
+        for (int row = 0; row + 12 <= patch.rows; row += 12) {
+            const double ratio = spread(laid.rowRange(272 + row, 284 + row)) / spread(patch.rowRange(row, row + 12));
+            furthest = std::max({furthest, ratio, 1 / ratio});
         }
-        qInfo("roughness of neighbouring strips differs by a factor of %.2f at most", steepest);
-        QVERIFY(steepest < 1.7);  // over 3 where the texture keeps its own contrast
+        qInfo("beside the patch, a strip's roughness differs from the patch's own by a factor of %.2f at most", furthest);
+        QVERIFY(furthest < 2);  // 3.6 where the texture keeps its own contrast
     }
 
     void nothingLeavesTheRangeOfTheSource()

@@ -23,8 +23,8 @@ cv::Mat mirrored(const cv::Mat& patch, cv::Size canvas)
     return values;
 }
 
-/// Three running means over a share of the patch: what is wider than about that. Of a large patch a quarter of
-/// the pixels say as much.
+/// Three running means over a share of the patch: what is wider than about that. Of a large patch every fourth row
+/// and column say as much.
 cv::Mat slowPart(const cv::Mat& patch, int share)
 {
     const bool large = std::min(patch.rows, patch.cols) >= 128;

@@ -32,8 +32,8 @@ private Q_SLOTS:
             return one.stage == stage.toStdString() && one.quality == quality.toStdString();
         });
         QVERIFY(row != m_rows.end());
-        qInfo("%s, %s: %.2f ms, %.3g %s", row->stage.c_str(), row->quality.c_str(), row->milliseconds, row->error,
-              row->errorUnit.c_str());
+        qInfo("%s, %s: %.2f ms, %.3g %s; %s", row->stage.c_str(), row->quality.c_str(), row->milliseconds, row->error,
+              row->errorUnit.c_str(), row->note.c_str());
         QVERIFY(std::isfinite(row->error) && row->error <= most);
         QVERIFY(row->milliseconds > 0);
     }

@@ -5,6 +5,7 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "rendering/friction_image.h"
@@ -45,21 +46,25 @@ struct Units {
     float gain = 1, offset = 0, least = 0, most = 0;
 };
 
-/// (slow + contrast * texture) in the patch's own units, row by row: a screen of texture in between would cost more
-/// than the sum.
-void addTexture(cv::Mat& slow, const cv::Mat& contrast, const cv::Mat& laid, const std::vector<cv::Point>& places,
-                const Units& units)
+/// (slow + contrast * texture) in the patch's own units, row by row: screens of each in between would cost more than
+/// the sum. `slow` and `contrast`: as wide as the canvas, as high as the patch; mirrored where the canvas is higher.
+cv::Mat joined(const cv::Mat& slow, const cv::Mat& contrast, const cv::Mat& laid, const std::vector<cv::Point>& places,
+               cv::Size canvas, const Units& units)
 {
-    std::vector<float> texture(static_cast<std::size_t>(slow.cols));
-    for (int i = 0; i < slow.rows; ++i) {
+    cv::Mat values(canvas, CV_32FC1);
+    std::vector<float> texture(static_cast<std::size_t>(canvas.width));
+    const int top = (canvas.height - slow.rows) / 2;
+    for (int i = 0; i < canvas.height; ++i) {
         layRow(texture, laid, places, i);
-        float* value = slow.ptr<float>(i);
-        const float *fine = texture.data(), *strength = contrast.ptr<float>(i);
-        for (int j = 0; j < slow.cols; ++j) {
-            const float sum = (value[j] + strength[j] * fine[j]) * units.gain + units.offset;
+        const int own = cv::borderInterpolate(i - top, slow.rows, cv::BORDER_REFLECT);
+        const float *level = slow.ptr<float>(own), *strength = contrast.ptr<float>(own), *fine = texture.data();
+        float* value = values.ptr<float>(i);
+        for (int j = 0; j < canvas.width; ++j) {
+            const float sum = (level[j] + strength[j] * fine[j]) * units.gain + units.offset;
             value[j] = std::min(std::max(sum, units.least), units.most);
         }
     }
+    return values;
 }
 
 /// A patch about its mean and of spread 1 as slow + contrast * texture: a fold's shade and how strongly the weave
@@ -81,6 +86,19 @@ Parts partsOf(const cv::Mat& normal)
     return parts;
 }
 
+/// Steps along x and y; a patch as wide or high as the screen is not laid along that axis.
+std::optional<std::pair<Step, Step>> stepsOf(const cv::Mat& texture, bool needsX, bool needsY)
+{
+    std::pair<Step, Step> steps{{.along = texture.cols}, {.along = texture.rows}};
+    for (const bool alongX : {true, false}) {
+        if (alongX ? !needsX : !needsY) continue;
+        const auto found = stepAlongX(alongX ? texture : cv::Mat(texture.t()), needsX && needsY);
+        if (!found) return {};
+        (alongX ? steps.first : steps.second) = *found;
+    }
+    return steps;
+}
+
 /// The texture is laid on a lattice. Folds have no direction to keep and never meet themselves: they are mirrored,
 /// which joins them without an edge.
 std::optional<Extended> tiled(const cv::Mat& patch)
@@ -95,23 +113,20 @@ std::optional<Extended> tiled(const cv::Mat& patch)
     patch.convertTo(normal, CV_32F, 1 / sd[0], -mean[0] / sd[0]);
     const Parts parts = partsOf(normal);
     const cv::Mat& texture = parts.texture;
-    Step x{.along = patch.cols}, y{.along = patch.rows};
-    for (const bool alongX : {true, false}) {
-        if (alongX ? !needsX : !needsY) continue;
-        const auto found = stepAlongX(alongX ? texture : cv::Mat(texture.t()), needsX && needsY);
-        if (!found) return {};
-        (alongX ? x : y) = *found;
-    }
+    const auto steps = stepsOf(texture, needsX, needsY);
+    if (!steps) return {};
+    const auto& [x, y] = *steps;
     const cv::Rect kept(x.cut, y.cut, patch.cols - x.cut, patch.rows - y.cut);
     const double agreement = (x.correlation + y.correlation) / ((needsX ? 1 : 0) + (needsY ? 1 : 0));
     const cv::Mat laid = blended(texture(kept), x, y, agreement);
     const cv::Size canvas(screen.width, patch.rows > 1 ? screen.height : 1);
-    cv::Mat values = mirrored(parts.slow, canvas);
-    const cv::Point corner((screen.width - patch.cols) / 2, (values.rows - patch.rows) / 2);
+    const cv::Size wide(canvas.width, patch.rows);
+    const cv::Point corner((canvas.width - patch.cols) / 2, (canvas.height - patch.rows) / 2);
     double least = 0, most = 0;
     cv::minMaxLoc(patch, &least, &most);
-    addTexture(values, mirrored(parts.contrast, canvas), laid, lattice(corner + kept.tl(), laid.size(), values.size(), x, y),
-               {static_cast<float>(sd[0]), static_cast<float>(mean[0]), static_cast<float>(least), static_cast<float>(most)});
+    cv::Mat values = joined(
+        mirrored(parts.slow, wide), mirrored(parts.contrast, wide), laid, lattice(corner + kept.tl(), laid.size(), canvas, x, y),
+        canvas, {static_cast<float>(sd[0]), static_cast<float>(mean[0]), static_cast<float>(least), static_cast<float>(most)});
     // What no neighbour reaches is the source itself, bit by bit. Slanted neighbours reach half a strip further.
     const int marginX = x.strip + x.strip / 2, marginY = y.strip + y.strip / 2;
     const cv::Rect inside(marginX, marginY, kept.width - 2 * marginX, kept.height - 2 * marginY);

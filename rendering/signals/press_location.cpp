@@ -152,6 +152,13 @@ public:
         return circle;
     }
 
+    /// The better of the model's usual radius and the press's own, which counts where presses differ in depth.
+    double explainedByOwn(std::size_t press, const ContactCircle& circle, PressModel model) const
+    {
+        model.contactPx = circle.radiusPx;
+        return std::max(circle.explained, explained(press, circle, model));
+    }
+
     /// Mean change of light on the rings around a press.
     std::vector<double> profile(std::size_t press, cv::Point2d centre) const
     {
@@ -323,7 +330,7 @@ double medianOf(std::vector<double> values)
 }
 
 /// Each press's own radius, or that of all of them together where they were equally deep.
-double setRadii(const Locating& locating, std::vector<ContactCircle>& circles)
+double setRadii(const Locating& locating, const PressModel& model, std::vector<ContactCircle>& circles)
 {
     std::vector<double> together, own;
     for (std::size_t i = 0; i < circles.size(); ++i) {
@@ -336,7 +343,10 @@ double setRadii(const Locating& locating, std::vector<ContactCircle>& circles)
     std::vector<double> off(own.size());
     std::transform(own.begin(), own.end(), off.begin(), [usual](double radius) { return std::abs(radius - usual); });
     const bool equal = 1.4826 * medianOf(off) < equalDepthPx;
-    for (std::size_t i = 0; i < circles.size(); ++i) circles[i].radiusPx = equal ? usual : own[i];
+    for (std::size_t i = 0; i < circles.size(); ++i) {
+        circles[i].radiusPx = equal ? usual : own[i];
+        circles[i].explained = locating.explainedByOwn(i, circles[i], model);
+    }
     return usual;
 }
 
@@ -358,8 +368,8 @@ LocatedPresses locate(const BallPresses& presses)
                                      : locating.fit(found.circles, found.model.contactPx, found.model.bridgePx, residual);
         for (std::size_t i = 0; i < locating.count(); ++i) found.circles[i] = locating.refined(i, found.circles[i], found.model);
     }
+    found.contactPx = setRadii(locating, found.model, found.circles);
     requireBalls(presses, found.circles);
-    found.contactPx = setRadii(locating, found.circles);
     return found;
 }
 
@@ -374,8 +384,8 @@ std::vector<ContactCircle> locate(const BallPresses& presses, const PressModel& 
         for (int round = 0; round < 3; ++round) circle = locating.refined(i, circle, model);
         circles.push_back(circle);
     }
+    setRadii(locating, model, circles);
     requireBalls(presses, circles);
-    setRadii(locating, circles);
     return circles;
 }
 

@@ -5,6 +5,8 @@
 #include <numbers>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
+#include <utility>
+#include <vector>
 
 #include "rendering/signals/grey.h"
 
@@ -96,14 +98,143 @@ Light lightOf(const cv::Mat& shading)
     return light;
 }
 
+constexpr int bumpSpacingPx = 2;    ///< between the bumps' centres, and their standard deviation
+constexpr int outerSteps = 3, innerSteps = 25;
+constexpr double bumpRidge = 1e-4;  ///< on the bumps' heights: holds those that no light falls on
+
+/// The surface as a sum of Gaussian bumps, its Lambertian image at a slant of 45 degrees (relative to a level place, minus 1), and the
+/// derivative of that image. Heights stand at the bumps' centres, every bumpSpacingPx-th pixel, and are 0 elsewhere.
+class Bumps {
+public:
+    Bumps(cv::Size size, double azimuthDeg) : m_size(size)
+    {
+        const double angle = azimuthDeg * std::numbers::pi / 180;
+        m_towardsX = static_cast<float>(std::cos(angle));
+        m_towardsY = static_cast<float>(-std::sin(angle));
+    }
+
+    static cv::Mat surface(const cv::Mat& heights)
+    {
+        cv::Mat result;
+        cv::GaussianBlur(heights, result, {}, bumpSpacingPx, bumpSpacingPx, cv::BORDER_ISOLATED | cv::BORDER_CONSTANT);
+        return result;
+    }
+
+    cv::Mat image(const cv::Mat& heights)
+    {
+        const auto [p, q] = slopes(surface(heights));
+        cv::Mat along = m_towardsX * p + m_towardsY * q, steep = p.mul(p) + q.mul(q) + 1, root;
+        cv::sqrt(steep, root);
+        const cv::Mat light = 1 - along;
+        // d/dp of (1 - along) / root, likewise q.
+        m_byP = -m_towardsX / root - light.mul(p) / steep.mul(root);
+        m_byQ = -m_towardsY / root - light.mul(q) / steep.mul(root);
+        return light / root - 1;
+    }
+
+    /// The derivative at the heights that `image` was last asked for.
+    cv::Mat change(const cv::Mat& heights) const
+    {
+        const auto [p, q] = slopes(surface(heights));
+        return m_byP.mul(p) + m_byQ.mul(q);
+    }
+
+    cv::Mat transposedChange(const cv::Mat& image) const
+    {
+        const cv::Mat p = m_byP.mul(image), q = m_byQ.mul(image);
+        cv::Mat back = cv::Mat::zeros(m_size, CV_32FC1);
+        for (int i = 0; i < m_size.height; ++i)
+            for (int j = 0; j < m_size.width; ++j) {
+                if (j + 1 < m_size.width) {
+                    back.at<float>(i, j + 1) += p.at<float>(i, j);
+                    back.at<float>(i, j) -= p.at<float>(i, j);
+                }
+                if (i + 1 < m_size.height) {
+                    back.at<float>(i + 1, j) += q.at<float>(i, j);
+                    back.at<float>(i, j) -= q.at<float>(i, j);
+                }
+            }
+        return atCentres(surface(back));
+    }
+
+private:
+    static std::pair<cv::Mat, cv::Mat> slopes(const cv::Mat& surface)
+    {
+        cv::Mat p = cv::Mat::zeros(surface.size(), CV_32FC1), q = p.clone();
+        if (surface.cols > 1)
+            cv::subtract(surface.colRange(1, surface.cols), surface.colRange(0, surface.cols - 1), p.colRange(0, surface.cols - 1));
+        if (surface.rows > 1)
+            cv::subtract(surface.rowRange(1, surface.rows), surface.rowRange(0, surface.rows - 1), q.rowRange(0, surface.rows - 1));
+        return {p, q};
+    }
+
+    static cv::Mat atCentres(cv::Mat values)
+    {
+        for (int i = 0; i < values.rows; ++i)
+            for (int j = 0; j < values.cols; ++j)
+                if (i % bumpSpacingPx != 0 || j % bumpSpacingPx != 0) values.at<float>(i, j) = 0;
+        return values;
+    }
+
+    cv::Size m_size;
+    float m_towardsX = 0, m_towardsY = 0;
+    cv::Mat m_byP, m_byQ;
+};
+
+/// Gauss-Newton; each step's least squares by conjugate gradients.
+cv::Mat bumpsThatShade(const cv::Mat& shading, double azimuthDeg)
+{
+    Bumps bumps(shading.size(), azimuthDeg);
+    cv::Mat heights = cv::Mat::zeros(shading.size(), CV_32FC1);
+    for (int outer = 0; outer < outerSteps; ++outer) {
+        const cv::Mat left = shading - bumps.image(heights);
+        cv::Mat residual = bumps.transposedChange(left) - bumpRidge * heights, direction = residual.clone(), step = cv::Mat::zeros(shading.size(), CV_32FC1);
+        double power = residual.dot(residual);
+        const double enough = 1e-8 * power;
+        for (int inner = 0; inner < innerSteps && power > enough && power > 0; ++inner) {
+            const cv::Mat image = bumps.change(direction);
+            const cv::Mat pushed = bumps.transposedChange(image) + bumpRidge * direction;
+            const double length = power / direction.dot(pushed);
+            step += length * direction;
+            residual -= length * pushed;
+            const double next = residual.dot(residual);
+            direction = residual + (next / power) * direction;
+            power = next;
+        }
+        heights += step;
+    }
+    const cv::Mat surface = Bumps::surface(heights);
+    return surface - cv::mean(surface)[0];
+}
+
 }  // namespace
+
+double colourVariation(const cv::Mat& photograph, double highPassPx)
+{
+    if (photograph.channels() != 3) return 0;
+    std::vector<cv::Mat> channels;
+    cv::split(photograph, channels);
+    for (auto& channel : channels) channel = shadingOf(channel, highPassPx);
+    // Of three channels alike, the mean carries all; what is left of each is colour.
+    const cv::Mat brightness = (channels[0] + channels[1] + channels[2]) / 3;
+    double colour = 0;
+    for (const auto& channel : channels) {
+        cv::Mat calm;
+        cv::GaussianBlur(channel - brightness, calm, {}, 1.0);  // the camera's noise differs from channel to channel
+        colour += std::pow(cv::norm(calm), 2) / 3;
+    }
+    const double all = cv::norm(brightness);
+    return all > 0 ? std::sqrt(colour) / all : 0;
+}
 
 Light estimateLight(const cv::Mat& photograph, double highPassPx) { return lightOf(shadingOf(photograph, highPassPx)); }
 
 cv::Mat shapeFromShading(const cv::Mat& photograph, const ShadingOptions& options)
 {
     const cv::Mat shading = shadingOf(photograph, options.highPassPx);
-    const double azimuthDeg = options.lightAzimuthDeg ? *options.lightAzimuthDeg : lightOf(shading).azimuthDeg;
+    const double estimated = options.lightAzimuthDeg ? 0 : lightOf(shading).azimuthDeg + (options.lightFromBelow ? 180 : 0);
+    const double azimuthDeg = options.lightAzimuthDeg.value_or(estimated);
+    if (options.method == ShadingMethod::GaussianBumps) return bumpsThatShade(shading, azimuthDeg);
     if (options.quality == ShadingQuality::Accurate) return solved(shading, azimuthDeg, options.regularisation);
     cv::Mat small, large;
     cv::resize(shading, small, {std::max(1, shading.cols / 2), std::max(1, shading.rows / 2)}, 0, 0, cv::INTER_AREA);

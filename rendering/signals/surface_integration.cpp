@@ -16,8 +16,8 @@ namespace rendering::signals {
 namespace {
 
 constexpr double weightOfGaps = 1e-3;
-constexpr int mostIterations = 200;
-constexpr double residualToReach = 1e-9;
+constexpr int mostIterations = 60;
+constexpr double residualToReach = 1e-6;
 
 std::string sizeText(const cv::Mat& image) { return std::to_string(image.cols) + " x " + std::to_string(image.rows); }
 
@@ -49,6 +49,7 @@ void requireWhole(const Slopes& slopes)
 template <class T>
 cv::Mat as(const cv::Mat& values)
 {
+    if (values.type() == cv::DataType<T>::type) return values;
     cv::Mat result;
     values.convertTo(result, cv::DataType<T>::type);
     return result;
@@ -148,19 +149,19 @@ cv::Mat integrateAround(const Slopes& slopes, const cv::Mat& measured, const Pit
     return height - cv::mean(height)[0];
 }
 
-double curlResidual(const Slopes& slopes, const Pitch& pitch)
+double curlResidual(const Slopes& slopes, const cv::Mat& heightMm, const Pitch& pitch, SlopeKind kind)
 {
     requireShape(slopes, pitch);
-    requireWhole(slopes);
-    const int rows = slopes.x.rows, columns = slopes.x.cols;
-    if (rows < 2 || columns < 2) return 0;
-    const cv::Mat x = as<double>(slopes.x), y = as<double>(slopes.y);
-    const cv::Mat alongX = (x.colRange(0, columns - 1) + x.colRange(1, columns)) / 2;
-    const cv::Mat alongY = (y.rowRange(0, rows - 1) + y.rowRange(1, rows)) / 2;
-    const cv::Mat xChange = (alongX.rowRange(1, rows) - alongX.rowRange(0, rows - 1)) / pitch.y;
-    const cv::Mat yChange = (alongY.colRange(1, columns) - alongY.colRange(0, columns - 1)) / pitch.x;
-    const double all = std::hypot(cv::norm(xChange), cv::norm(yChange));
-    return all > 0 ? cv::norm(xChange, yChange) / all : 0;
+    const Differences<double> differences(slopes.x.size(), pitch, kind);
+    const Slopes found = differences.of(as<double>(heightMm));
+    Slopes given = differences.between({as<double>(slopes.x), as<double>(slopes.y)});
+    double all = 0, unexplained = 0;
+    for (const auto& [mine, theirs] : {std::pair{&found.x, &given.x}, {&found.y, &given.y}}) {
+        const cv::Mat finite = *theirs - *theirs == 0;  // a difference with itself is 0 unless the value is not finite
+        all += std::pow(cv::norm(*theirs, cv::NORM_L2, finite), 2);
+        unexplained += std::pow(cv::norm(*theirs, *mine, cv::NORM_L2, finite), 2);
+    }
+    return all > 0 ? std::sqrt(unexplained / all) : 0;
 }
 
 cv::Mat withoutLowFrequency(const cv::Mat& heightMm, const Pitch& pitch, double cutoffMm)

@@ -53,9 +53,9 @@ cv::Mat measuredPlaces(const Slopes& slopes);
 /// precision. Throws badInput as `integrate`, and where nothing at all was measured.
 cv::Mat integrateAround(const Slopes& slopes, const cv::Mat& measured, const Pitch& pitch, SlopeKind kind = SlopeKind::Point);
 
-/// How far point slopes are from being those of any surface: RMS circulation around the cells between
-/// pixels over the RMS change of slope that enters it. 0 for a surface, about 1 for noise.
-double curlResidual(const Slopes& slopes, const Pitch& pitch);
+/// The share of the slopes that no surface has (their curl part): RMS of what `heightMm`, integrated from them, leaves unexplained over
+/// RMS of the slopes. 0 for a surface, 0.7 for noise. Slopes that are not finite are left out.
+double curlResidual(const Slopes& slopes, const cv::Mat& heightMm, const Pitch& pitch, SlopeKind kind = SlopeKind::Point);
 
 /// The surface without its parts longer than the cut-off: ISO 16610-21 Gaussian filter, which passes
 /// half of a wave of `cutoffMm`; free borders. The mean becomes 0. Depth is kept.

@@ -1,10 +1,13 @@
 // vis2hap bench: speed and error of every stage that has a fast and an accurate way.
 #include "protocols/errors.h"
 #include "rendering/bench.h"
+#include "rendering/bench_recordings.h"
 #include "study/commands/bench_session.h"
 #include "study/commands/bench_statistics.h"
 #include "study/commands/command_line.h"
 #include "study/commands/json_output.h"
+#include "study/commands/peer_programs.h"
+#include "study/commands/picture_decoder.h"
 #include "study/commands/second_program.h"
 
 #include <CLI/CLI.hpp>
@@ -21,12 +24,43 @@ using nlohmann::ordered_json;
 
 const std::vector<std::string> stages{"signals", "statistics", "session", "generators"};
 
-ordered_json signalRows()
+struct BenchCall {
+    std::vector<std::string> wanted;
+    bool peers = false;
+    std::string data;
+    JsonTarget target;
+};
+
+ordered_json jsonOf(const rendering::BenchRow& row)
+{
+    return {{"stage", row.stage}, {"quality", row.quality}, {"ms", row.milliseconds}, {"error", row.error}, {"error_is", row.errorUnit}, {"note", row.note}};
+}
+
+/// What the folder lacks is said at once, on standard error.
+void addRecordings(ordered_json& rows, const std::string& folder)
+{
+    if (!std::filesystem::is_directory(folder))
+        throw protocols::badInput({"the folder of recordings is not there", folder, "a folder laid out as README, \"Bench on recordings\", says", ""});
+    const auto bench = rendering::benchRecordings(folder, decodeByQt);
+    for (const auto& line : bench.skipped)
+        std::fprintf(stderr, "skipped: %s\n", line.c_str());
+    for (const auto& row : bench.rows)
+        rows.push_back(jsonOf(row));
+}
+
+ordered_json signalRows(const BenchCall& call)
 {
     ordered_json rows = ordered_json::array();
     for (const auto& row : rendering::benchSignals())
-        rows.push_back({{"stage", row.stage}, {"quality", row.quality}, {"ms", row.milliseconds}, {"error", row.error},
-                        {"error_is", row.errorUnit}, {"note", row.note}});
+        rows.push_back(jsonOf(row));
+    if (call.peers)
+        for (const auto& [stage, times] : signalPeerTimes())
+            for (const auto& [peer, milliseconds] : times)
+                rows.push_back({{"stage", stage}, {"quality", peer}, {"ms", milliseconds ? ordered_json(*milliseconds) : ordered_json()},
+                                {"error", nullptr}, {"error_is", ""},
+                                {"note", milliseconds ? "the same work, one thread, in this run" : "not installed"}});
+    if (!call.data.empty())
+        addRecordings(rows, call.data);
     return rows;
 }
 
@@ -45,36 +79,43 @@ ordered_json generatorRows()
     return rows;
 }
 
+std::string cell(const ordered_json& number, const char* format)
+{
+    char text[40] = "";
+    if (!number.is_null())
+        std::snprintf(text, sizeof text, format, number.get<double>());
+    return text;
+}
+
 void print(const ordered_json& rows)
 {
     std::printf("%-34s %-10s %10s %12s  %s\n", "stage", "quality", "ms", "error", "error is");
     for (const auto& row : rows) {
         const auto note = row["note"].get<std::string>();
-        std::printf("%-34s %-10s %10.3f %12.4g  %s%s%s\n", row["stage"].get<std::string>().c_str(),
-                    row["quality"].get<std::string>().c_str(), row["ms"].get<double>(), row["error"].get<double>(),
-                    row["error_is"].get<std::string>().c_str(), note.empty() ? "" : "; ", note.c_str());
+        const auto unit = row["error_is"].get<std::string>();
+        std::printf("%-34s %-10s %10s %12s  %s%s%s\n", row["stage"].get<std::string>().c_str(),
+                    row["quality"].get<std::string>().c_str(), cell(row["ms"], "%.3f").c_str(), cell(row["error"], "%.4g").c_str(),
+                    unit.c_str(), unit.empty() || note.empty() ? "" : "; ", note.c_str());
     }
 }
 
-ordered_json rowsOf(const std::string& stage, bool peers)
+ordered_json rowsOf(const std::string& stage, const BenchCall& call)
 {
     if (stage == "signals")
-        return signalRows();
+        return signalRows(call);
     if (stage == "session")
         return sessionRows();
-    return stage == "statistics" ? statisticsRows(peers) : generatorRows();
+    return stage == "statistics" ? statisticsRows(call.peers) : generatorRows();
 }
 
-int bench(std::vector<std::string> wanted, bool peers, const JsonTarget& target)
+int bench(const BenchCall& call)
 {
-    if (wanted.empty())
-        wanted = stages;
     ordered_json rows = ordered_json::array();
-    for (const auto& stage : wanted)
-        for (auto& row : rowsOf(stage, peers))
+    for (const auto& stage : call.wanted.empty() ? stages : call.wanted)
+        for (auto& row : rowsOf(stage, call))
             rows.push_back(row);
-    if (target)
-        writeJson(target, {{"schema", "vis2hap.bench/1"}, {"rows", rows}});
+    if (call.target)
+        writeJson(call.target, {{"schema", "vis2hap.bench/1"}, {"rows", rows}});
     else
         print(rows);
     return 0;
@@ -85,15 +126,14 @@ int bench(std::vector<std::string> wanted, bool peers, const JsonTarget& target)
 void addBench(CLI::App& app, Action& action)
 {
     auto* command = app.add_subcommand("bench", "the speed-accuracy table of this machine");
-    auto wanted = std::make_shared<std::vector<std::string>>();
-    auto peers = std::make_shared<bool>(false);
-    auto target = std::make_shared<JsonTarget>();
-    command->add_option("STAGE", *wanted, "signals, statistics, session, generators (default: all)")->check(CLI::IsMember(stages));
-    command->add_flag("--peers", *peers, "time R and Python's packages on the same work beside ours");
-    addJsonOption(*command, *target);
-    command->callback([wanted, peers, target, &action] {
+    auto call = std::make_shared<BenchCall>();
+    command->add_option("STAGE", call->wanted, "signals, statistics, session, generators (default: all)")->check(CLI::IsMember(stages));
+    command->add_flag("--peers", call->peers, "time R and Python's packages on the same work beside ours");
+    command->add_option("--data", call->data, "a folder of recordings: the signal stages on them, against what is known of each");
+    addJsonOption(*command, call->target);
+    command->callback([call, &action] {
         action.surroundings = Surroundings::Offscreen;
-        action.work = [=] { return bench(*wanted, *peers, *target); };
+        action.work = [call] { return bench(*call); };
     });
 }
 

@@ -66,8 +66,9 @@ void integrateAll(Reconstruction& result, const HeightCall& call, signals::Slope
     cv::Mat measured = signals::measuredPlaces(result.slopes);
     if (!call.mask.empty()) measured &= maskOf(call.mask, measured.size());
     const bool whole = cv::countNonZero(measured) == static_cast<int>(measured.total());
-    cv::Mat height = whole ? signals::integrate(result.slopes, pitch, kind, qualityOf(call))
-                           : signals::integrateAround(result.slopes, measured, pitch, kind);
+    const cv::Mat integral = whole ? signals::integrate(result.slopes, pitch, kind, qualityOf(call))
+                                   : signals::integrateAround(result.slopes, measured, pitch, kind);
+    cv::Mat height = integral;
     if (call.cutoffMm > 0) height = signals::withoutLowFrequency(height, pitch, call.cutoffMm);
     double low = 0;
     cv::minMaxLoc(height, &low);
@@ -76,7 +77,7 @@ void integrateAll(Reconstruction& result, const HeightCall& call, signals::Slope
         throw protocols::badInput({"the slopes give heights that no 32-bit number holds", result.name, "slopes in mm/mm", "check their units"});
     result.facts["pitch_mm"] = {pitch.x, pitch.y};
     result.facts["missing_share"] = 1 - shareOf(measured);
-    if (whole && kind == signals::SlopeKind::Point) result.facts["curl_residual"] = signals::curlResidual(result.slopes, pitch);
+    result.facts["curl_residual"] = signals::curlResidual(result.slopes, integral, pitch, kind);
     result.facts["high_pass_cutoff_mm"] = nullptr;
     if (call.cutoffMm > 0) result.facts["high_pass_cutoff_mm"] = call.cutoffMm;
     result.facts["zero"] = "lowest place";
@@ -95,17 +96,19 @@ Reconstruction fromGradients(const HeightCall& call)
     return result;
 }
 
-/// Which way a normal map's y points is often not said: the wrong way is no surface, and its circulation tells.
+/// Which way a normal map's y points is often not said: the wrong way is no surface, and the share that cannot be integrated tells.
+/// A part of the map is enough to see it.
 bool yPointsDown(const signals::Slopes& slopes, const signals::Pitch& pitch, const std::string& said, ordered_json& facts)
 {
     if (said != "auto") return said == "down";
-    signals::Slopes whole{slopes.x.clone(), slopes.y.clone()};
-    cv::patchNaNs(whole.x, 0);
-    cv::patchNaNs(whole.y, 0);
-    const double up = signals::curlResidual(whole, pitch), down = signals::curlResidual({whole.x, -whole.y}, pitch);
-    facts["curl_residual_y_up"] = up;
-    facts["curl_residual_y_down"] = down;
-    return down < up;
+    const cv::Rect part(cv::Point(), cv::Size(std::min(1024, slopes.x.cols), std::min(1024, slopes.x.rows)));
+    const signals::Slopes up{slopes.x(part).clone(), slopes.y(part).clone()};
+    const signals::Slopes down{up.x, -up.y};
+    if (cv::countNonZero(signals::measuredPlaces(up)) == 0) return false;
+    const auto residual = [&](const signals::Slopes& some) { return signals::curlResidual(some, signals::integrateAround(some, {}, pitch), pitch); };
+    facts["curl_residual_y_up"] = residual(up);
+    facts["curl_residual_y_down"] = residual(down);
+    return facts["curl_residual_y_down"] < facts["curl_residual_y_up"];
 }
 
 Reconstruction fromNormals(const HeightCall& call)
@@ -150,10 +153,10 @@ Reconstruction fromFrame(const HeightCall& call, const signals::Calibration& cal
     Reconstruction result{name, signals::slopesFromFrame(frame, reference, calibration), {}, {}};
     const cv::Mat contact = contactPlaces(call, result.slopes, pitch, signals::lightOf(frame, reference, calibration.light));
     result.facts = {{"from", "frame"}, {"calibration", call.calibration}, {"map", signals::kindOf(calibration.map)}, {"pitch_mm", {pitch.x, pitch.y}}};
-    result.facts["curl_residual"] = signals::curlResidual(result.slopes, pitch);
+    const cv::Mat height = signals::integrate(result.slopes, pitch, signals::SlopeKind::Point, qualityOf(call));
+    result.facts["curl_residual"] = signals::curlResidual(result.slopes, height, pitch);
     if (contact.empty()) {
         const auto cutoff = call.cutoffMm > 0 ? std::optional(call.cutoffMm) : calibration.highPassCutoffMm;
-        const cv::Mat height = signals::integrate(result.slopes, pitch, signals::SlopeKind::Point, qualityOf(call));
         result.heightMm = signals::settled(height, pitch, cutoff, calibration.zeroPercentile);
         result.facts["contact"] = "whole frame";
         result.facts["high_pass_cutoff_mm"] = nullptr;
@@ -165,9 +168,7 @@ Reconstruction fromFrame(const HeightCall& call, const signals::Calibration& cal
         result.facts["contact_share"] = shareOf(contact);
         result.facts["zero"] = "edge of contact; 0 outside, where the gel's shape is not the object's";
     }
-    cv::Mat bright;
-    cv::inRange(frame, cv::Scalar::all(frame.depth() == CV_16U ? 65535 : 255), cv::Scalar::all(1e9), bright);
-    result.facts["saturated_share"] = shareOf(bright);
+    result.facts["saturated_share"] = shareOf(frame.reshape(1) == (frame.depth() == CV_16U ? 65535 : 255));
     return result;
 }
 

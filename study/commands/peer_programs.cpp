@@ -59,6 +59,36 @@ bca <- median.ms(function() {
 cat(sprintf('{"R": {"paired t": %.4f, "bca": %.4f}}', t, bca))
 )";
 
+constexpr const char* signalScript = R"(
+import json, os, time
+for name in ('OMP_NUM_THREADS', 'OPENBLAS_NUM_THREADS', 'MKL_NUM_THREADS'): os.environ[name] = '1'
+def median(work, repeats):
+    times = []
+    for i in range(repeats):
+        start = time.perf_counter(); work(); times.append(1000 * (time.perf_counter() - start))
+    return sorted(times)[repeats // 2]
+found = {'scipy': {}}
+try:
+    import numpy, scipy.fft
+    draw = numpy.random.default_rng(1)
+    p, q = draw.random((480, 640)).astype('f4'), draw.random((480, 640)).astype('f4')
+    there = lambda a: scipy.fft.dctn(a, norm='ortho', workers=1)
+    back = lambda a: scipy.fft.idctn(a, norm='ortho', workers=1)
+    found['scipy']['cosine transforms 480x640'] = median(lambda: back(there(p)), 21)
+    x = (2 * numpy.sin(numpy.pi * numpy.arange(640) / 1280)) ** 2
+    y = (2 * numpy.sin(numpy.pi * numpy.arange(480) / 960)) ** 2
+    value = (x[None] + y[:, None]).astype('f4'); value[0, 0] = 1
+    def integrate():
+        right = (p[:, 1:] + p[:, :-1]) / 2; down = (q[1:] + q[:-1]) / 2
+        source = numpy.zeros_like(p)
+        source[:, :-1] -= right; source[:, 1:] += right; source[:-1] -= down; source[1:] += down
+        spectrum = there(source) / value; spectrum[0, 0] = 0
+        return back(spectrum)
+    found['scipy']['integration 480x640'] = median(integrate, 21)
+except ImportError: pass
+print(json.dumps(found))
+)";
+
 /// Standard output of a program; empty where it cannot be started or fails.
 std::string outputOf(const std::vector<std::string>& command)
 {
@@ -105,6 +135,14 @@ PeerTimes peerTimes()
     for (const char* stage : {"ssim", "ssim float"}) times[stage] = {{"scikit-image", std::nullopt}};
     add(times, outputOf({"/usr/bin/python3", "-c", pythonScript}));
     add(times, outputOf({"Rscript", "-e", rScript}));
+    return times;
+}
+
+PeerTimes signalPeerTimes()
+{
+    PeerTimes times;
+    for (const char* stage : {"cosine transforms 480x640", "integration 480x640"}) times[stage] = {{"scipy", std::nullopt}};
+    add(times, outputOf({"/usr/bin/python3", "-c", signalScript}));
     return times;
 }
 

@@ -337,9 +337,13 @@ private Q_SLOTS:
     void noiseIsNoSurface()
     {
         const Slopes noise{randomImage(40, 50), randomImage(50, 40).t()};
-        QVERIFY(curlResidual(noise, {0.1, 0.1}) > 0.5);
-        QCOMPARE(curlResidual({cv::Mat::zeros(4, 4, CV_64FC1), cv::Mat::zeros(4, 4, CV_64FC1)}, {}), 0.0);
-        QCOMPARE(curlResidual({cv::Mat::ones(1, 9, CV_64FC1), cv::Mat::ones(1, 9, CV_64FC1)}, {}), 0.0);
+        const auto residual = [](const Slopes& slopes, const Pitch& pitch) { return curlResidual(slopes, integrate(slopes, pitch), pitch); };
+        QVERIFY(std::abs(residual(noise, {0.1, 0.1}) - 0.7) < 0.1);
+        const auto known = weave(12);
+        QVERIFY(residual(known.slopes, surfacePitch) < 0.001);
+        QVERIFY(residual({known.slopes.x, -known.slopes.y}, surfacePitch) > 0.3);
+        QCOMPARE(residual({cv::Mat::zeros(4, 4, CV_64FC1), cv::Mat::zeros(4, 4, CV_64FC1)}, {}), 0.0);
+        QVERIFY(residual({cv::Mat::ones(1, 9, CV_64FC1), cv::Mat::zeros(1, 9, CV_64FC1)}, {}) < 1e-12);
     }
 
     void highPassHalvesAWaveOfTheCutOff()

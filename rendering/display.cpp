@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "protocols/errors.h"
+#include "rendering/external_display.h"
 #include "rendering/friction_image.h"
 #include "rendering/image_io.h"
 
@@ -65,8 +66,11 @@ std::unique_ptr<HapticDisplay> openDisplay(const std::string& specification)
     if (specification == "none") return std::make_unique<NoDisplay>();
     if (specification.starts_with(folderKind) && specification.size() > folderKind.size())
         return openFolder(specification.substr(folderKind.size()));
-    throw protocols::badInput(
-        {.what = "unknown display '" + specification + "'", .where = "", .expected = "none, or folder:DIR", .nextStep = ""});
+    if (const auto address = driverAddressFrom(specification)) return std::make_unique<ExternalDisplay>(*address);
+    throw protocols::badInput({.what = "unknown display '" + specification + "'",
+                               .where = "",
+                               .expected = "none, folder:DIR, exec:COMMAND or tcp:HOST:PORT",
+                               .nextStep = ""});
 }
 
 }  // namespace rendering

@@ -28,6 +28,7 @@ const QList<Room>& rooms()
         {"study/session/",
          {"study/session/", "database/study_store.h", "rendering/display.h", "rendering/stimulus_bank.h", "protocols/"},
          true},
+        {"study/looking/", {"study/looking/", "database/study_store.h", "rendering/", "protocols/"}, true},
         {"study/app/",
          {"study/app/", "study/session/", "database/study_store.h", "database/study_folder.h", "reports/",
           "rendering/display.h", "rendering/stimulus_bank.h", "protocols/"},
@@ -81,7 +82,8 @@ QStringList includeFaults(const QString& file, const QString& text)
 /// Session and app may not even name what tells a condition.
 QStringList blindingFaults(const QString& file, const QString& text)
 {
-    if (!file.startsWith("study/session/") && !file.startsWith("study/app/")) return {};
+    const bool isBlinded = file.startsWith("study/session/") || file.startsWith("study/app/") || file.startsWith("study/looking/");
+    if (!isBlinded) return {};
     QStringList faults;
     static const QRegularExpression keys("\\b(AllocationKey|MaskedKey|readAllocationKey\\w*|readMaskedKey|Unblinded)\\b");
     const auto match = keys.match(withoutComments(text));
@@ -149,6 +151,8 @@ private Q_SLOTS:
         QTest::newRow("session without widgets of the app") << "study/session/a.cpp" << "#include \"study/app/page.h\"\n";
         QTest::newRow("session without keys") << "study/session/a.cpp" << "#include \"database/keys.h\"\n";
         QTest::newRow("app without keys") << "study/app/a.cpp" << "#include \"database/keys.h\"\n";
+        QTest::newRow("looking without keys") << "study/looking/a.cpp" << "#include \"database/keys.h\"\n";
+        QTest::newRow("app without signals") << "study/app/a.cpp" << "#include \"study/looking/sheet.h\"\n";
         QTest::newRow("app without friction images") << "study/app/a.cpp" << "#include \"rendering/friction_image.h\"\n";
         QTest::newRow("torch outside the models") << "rendering/a.cpp" << "#include <torch/torch.h>\n";
         QTest::newRow("room that is not in the table") << "extras/a.cpp" << "";

@@ -26,7 +26,7 @@ std::string sizeText(cv::Size size) { return std::to_string(size.width) + " x " 
 
 class Check {
 public:
-    explicit Check(const fs::path& folder) : m_folder(folder) {}
+    Check(const fs::path& folder, const std::function<void(int, int)>& progress) : m_folder(folder), m_progress(progress) {}
 
     std::vector<std::string> run()
     {
@@ -38,6 +38,8 @@ public:
         m_dataset.folder = m_folder;
         if (m_dataset.fabrics.empty()) fault("dataset.json", "names no fabrics");
         checkFolders();
+        for (const FabricInfo& fabric : m_dataset.fabrics)
+            for (const Modality modality : modalities) m_samples += static_cast<int>(sampleIndices(m_dataset, fabric.id, modality).size());
         for (const FabricInfo& fabric : m_dataset.fabrics) checkSamples(fabric);
         checkSizes();
         checkSensor();
@@ -117,6 +119,7 @@ private:
         for (const Modality modality : modalities)
             for (const int index : sampleIndices(m_dataset, fabric.id, modality)) {
                 ++samples;
+                if (m_progress) m_progress(m_done++, m_samples);
                 m_present.insert({fabric.id.value, modality, index});
                 checkSample(fabric, modality, index);
             }
@@ -226,6 +229,8 @@ private:
     using Key = std::tuple<std::string, Modality, int>;
 
     fs::path m_folder;
+    const std::function<void(int, int)>& m_progress;
+    int m_samples = 0, m_done = 0;
     Dataset m_dataset;
     std::vector<std::string> m_faults;
     std::map<std::string, std::vector<std::pair<fs::path, cv::Size>>> m_sizes;
@@ -234,13 +239,13 @@ private:
 
 }  // namespace
 
-std::vector<std::string> faultsOfDataset(const fs::path& folder)
+std::vector<std::string> faultsOfDataset(const fs::path& folder, const std::function<void(int, int)>& progress)
 {
     std::error_code problem;
     if (!fs::is_regular_file(folder / "dataset.json", problem))
         throw protocols::badInput({"is no data set (there is no dataset.json)", folder.string(), "a data set folder",
                                    "make one with `vis2hap fabrics make` or `vis2hap import`"});
-    return Check(folder).run();
+    return Check(folder, progress).run();
 }
 
 }  // namespace rendering::fabrics

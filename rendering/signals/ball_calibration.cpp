@@ -14,6 +14,7 @@ namespace {
 
 constexpr double farRadii = 1.9;      ///< of the ball: beyond it the gel is at rest
 constexpr int farSamplesAPress = 600;
+constexpr double pressRidge = 1e-3;   ///< less leaves a cubic map free between few presses, and gains nothing with many
 constexpr double cutoffShare = 0.25;  ///< of the frame's shorter side: slower surfaces are taken out of frames of full contact
 
 double distance(const ContactCircle& circle, int x, int y) { return std::hypot(x - circle.centrePx.x, y - circle.centrePx.y); }
@@ -145,6 +146,7 @@ Calibration calibrationFrom(const BallPresses& presses, const std::vector<Contac
     }
     FitOptions options;
     options.quality = quality;
+    options.ridge = pressRidge;
     Calibration calibration;
     calibration.channels = samples.channels;
     calibration.map = fitSlopeMap(samples, options);

@@ -52,8 +52,8 @@ inline constexpr double leastExplained = 0.5;  ///< below it no ball is seen
 /// (seen in the far field), a ball that is not larger than a few pixels, and presses in which no ball is found
 /// (all named).
 LocatedPresses locate(const BallPresses& presses);
-/// The circles of further presses of the same sensor under a model that is known.
-std::vector<ContactCircle> locate(const BallPresses& presses, const PressModel& model);
+/// The circles of further presses of the same sensor and ball under the model of the first.
+std::vector<ContactCircle> locate(const BallPresses& presses, const LocatedPresses& known);
 
 /// The ball's slopes inside its contact (NaN-free; 0 elsewhere), CV_32FC1 each.
 Slopes ballSlopes(const BallPresses& presses, const ContactCircle& circle);

@@ -329,8 +329,9 @@ double medianOf(std::vector<double> values)
     return *middle;
 }
 
-/// Each press's own radius, or that of all of them together where they were equally deep.
-double setRadii(const Locating& locating, const PressModel& model, std::vector<ContactCircle>& circles)
+/// Each press's own radius, or that of all of them together (or of those before them) where they were equally deep.
+double setRadii(const Locating& locating, const PressModel& model, std::vector<ContactCircle>& circles,
+                std::optional<double> knownUsual = {})
 {
     std::vector<double> together, own;
     for (std::size_t i = 0; i < circles.size(); ++i) {
@@ -339,7 +340,7 @@ double setRadii(const Locating& locating, const PressModel& model, std::vector<C
         together.resize(profile.size());
         std::transform(profile.begin(), profile.end(), together.begin(), together.begin(), std::plus<>());
     }
-    const double usual = peakOf(together, locating.ballPx());
+    const double usual = knownUsual.value_or(peakOf(together, locating.ballPx()));
     std::vector<double> off(own.size());
     std::transform(own.begin(), own.end(), off.begin(), [usual](double radius) { return std::abs(radius - usual); });
     const bool equal = 1.4826 * medianOf(off) < equalDepthPx;
@@ -373,7 +374,7 @@ LocatedPresses locate(const BallPresses& presses)
     return found;
 }
 
-std::vector<ContactCircle> locate(const BallPresses& presses, const PressModel& model)
+std::vector<ContactCircle> locate(const BallPresses& presses, const LocatedPresses& known)
 {
     requireUsable(presses);
     const Locating locating(presses);
@@ -381,10 +382,10 @@ std::vector<ContactCircle> locate(const BallPresses& presses, const PressModel& 
     std::vector<ContactCircle> circles;
     for (std::size_t i = 0; i < locating.count(); ++i) {
         ContactCircle circle = locating.firstGuess(i);
-        for (int round = 0; round < 3; ++round) circle = locating.refined(i, circle, model);
+        for (int round = 0; round < 3; ++round) circle = locating.refined(i, circle, known.model);
         circles.push_back(circle);
     }
-    setRadii(locating, model, circles);
+    setRadii(locating, known.model, circles, known.contactPx);
     requireBalls(presses, circles);
     return circles;
 }

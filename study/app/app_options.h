@@ -4,6 +4,7 @@
 
 #include "database/study_store.h"
 #include "rendering/display.h"
+#include "study/app/data_look.h"
 #include "study/app/monitor.h"
 #include "study/app/screen_cover.h"
 #include "study/session/clock.h"
@@ -45,6 +46,7 @@ struct AppOptions {
     MakeStudy makeStudy;                         ///< empty: the window makes no studies
     std::shared_ptr<session::Clock> clock;       ///< empty: the system's
     std::shared_ptr<QSettings> settings;         ///< recent studies and looks; empty: nothing is remembered
+    LookAtData lookAtData;                       ///< empty: the window shows no data sets
     ReadFlags readFlags;                         ///< for the monitor; empty: it shows no flags
     database::ParticipantKind kind = database::ParticipantKind::Human;
 };

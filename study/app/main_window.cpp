@@ -1,6 +1,7 @@
 #include "study/app/main_window.h"
 
 #include "protocols/errors.h"
+#include "study/app/data_page.h"
 #include "study/app/new_study_page.h"
 #include "study/app/pieces.h"
 #include "study/app/recent_studies.h"
@@ -38,6 +39,7 @@ MainWindow::MainWindow(const AppOptions& options, QWidget* parent)
       m_pages(new QStackedWidget(this)),
       m_startPage(new StartPage(this)),
       m_newStudyPage(new NewStudyPage(options.makeStudy, this)),
+      m_dataPage(new DataPage(options.lookAtData, this)),
       m_studyPage(new StudyPage(this)),
       m_sessionPage(new SessionPage(this))
 {
@@ -45,7 +47,7 @@ MainWindow::MainWindow(const AppOptions& options, QWidget* parent)
     if (!m_options.clock)
         m_options.clock = std::make_shared<session::SystemClock>();
     m_pages->setObjectName("pages");
-    for (QWidget* page : {static_cast<QWidget*>(m_startPage), static_cast<QWidget*>(m_newStudyPage),
+    for (QWidget* page : {static_cast<QWidget*>(m_startPage), static_cast<QWidget*>(m_newStudyPage), static_cast<QWidget*>(m_dataPage),
                           static_cast<QWidget*>(m_studyPage), static_cast<QWidget*>(m_sessionPage)})
         m_pages->addWidget(page);
     auto* column = new QVBoxLayout(this);
@@ -68,6 +70,11 @@ void MainWindow::joinPages()
         m_pages->setCurrentWidget(m_newStudyPage);
         m_newStudyPage->focusFirst();
     });
+    connect(m_startPage, &StartPage::dataAsked, this, [this] {
+        m_pages->setCurrentWidget(m_dataPage);
+        m_dataPage->focusFirst();
+    });
+    connect(m_dataPage, &DataPage::backAsked, this, &MainWindow::showStart);
     connect(m_newStudyPage, &NewStudyPage::backAsked, this, &MainWindow::showStart);
     connect(m_newStudyPage, &NewStudyPage::made, this, [this](const QString& folder) {
         showStart();
@@ -97,7 +104,8 @@ QWidget* MainWindow::currentPage() const
 void MainWindow::showStart()
 {
     setWindowTitle(tr("Vis2Hap"));
-    m_startPage->present(recentStudies(m_options.settings.get()), static_cast<bool>(m_options.makeStudy));
+    m_startPage->present(recentStudies(m_options.settings.get()), static_cast<bool>(m_options.makeStudy),
+                         static_cast<bool>(m_options.lookAtData));
     m_pages->setCurrentWidget(m_startPage);
     m_startPage->focusFirst();
 }

@@ -1,4 +1,4 @@
-// The window: a stack of four pages (start, new study, study, session), what is open behind them, and the
+// The window: a stack of five pages (start, new study, data set, study, session), what is open behind them, and the
 // looks. It decides nothing about a session; it joins pages to the controller.
 #pragma once
 
@@ -15,6 +15,7 @@ class QStackedWidget;
 
 namespace study::app {
 
+class DataPage;
 class NewStudyPage;
 class SessionPage;
 class StartPage;
@@ -63,6 +64,7 @@ private:
     QStackedWidget* m_pages;
     StartPage* m_startPage;
     NewStudyPage* m_newStudyPage;
+    DataPage* m_dataPage;
     StudyPage* m_studyPage;
     SessionPage* m_sessionPage;
 };

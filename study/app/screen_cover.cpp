@@ -73,7 +73,7 @@ public:
         showFullScreen();
     }
 
-    std::function<void()> touched;
+    std::function<void(const rendering::Touch&)> touched;
     bool isScreenGone = false;
 
 protected:
@@ -85,7 +85,7 @@ protected:
             return QWidget::event(event);
         event->accept();  // else the system would make a mouse press of a finger's touch
         if (touched)
-            touched();
+            touched({});
         return true;
     }
 };
@@ -112,8 +112,9 @@ std::string ScreenCover::name() const
     return m_felt->name() + " under a covered screen";
 }
 
-void ScreenCover::onTouched(std::function<void()> touched)
+void ScreenCover::onTouched(std::function<void(const rendering::Touch&)> touched)
 {
+    m_felt->onTouched(touched);
     m_window->touched = std::move(touched);
 }
 

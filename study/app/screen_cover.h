@@ -23,8 +23,10 @@ public:
     void clear() override { m_felt->clear(); }
     std::string name() const override;
     bool reportsTouches() const override { return true; }
-    /// Touches of a finger and presses of a mouse alike.
-    void onTouched(std::function<void()> touched) override;
+    /// Touches of a finger and presses of a mouse alike, and those that the display under the cover tells.
+    void onTouched(std::function<void(const rendering::Touch&)> touched) override;
+    int descriptorToWatch() const override { return m_felt->descriptorToWatch(); }
+    void attend() override { m_felt->attend(); }
 
 private:
     class Window;
@@ -33,7 +35,7 @@ private:
 };
 
 /// What rendering::openDisplay takes, and "cover:N" for the screen N (0 is the main one), alone or behind another kind:
-/// "folder:DIR,cover:1". Throws badInput for a screen that is not there, or where no other is left for the console.
+/// "folder:DIR,cover:1", "exec:COMMAND,cover:1". Throws badInput for a screen that is not there, or where no other is left for the console.
 std::unique_ptr<rendering::HapticDisplay> openDisplay(const std::string& specification);
 
 }  // namespace study::app

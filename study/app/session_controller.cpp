@@ -42,7 +42,27 @@ SessionController::SessionController(database::StudyStore& store, const protocol
       m_driver(store, participant, kind, bank, *m_display, *m_clock),
       m_view(m_driver.view())
 {
-    m_display->onTouched([this] { displayTouched(); });
+    m_display->onTouched([this](const rendering::Touch& touch) { displayTouched(touch); });
+    watchDisplay();
+}
+
+void SessionController::watchDisplay()
+{
+    if (m_display->descriptorToWatch() < 0)
+        return;
+    m_watch = std::make_unique<QSocketNotifier>(m_display->descriptorToWatch(), QSocketNotifier::Read);
+    connect(m_watch.get(), &QSocketNotifier::activated, this, [this] { attendDisplay(); });
+}
+
+void SessionController::attendDisplay()
+{
+    try {
+        m_display->attend();
+    } catch (const std::exception& fault) {
+        // What was being felt is not to be trusted: the presentation begins again when the display is back.
+        send(session::Paused{});
+        Q_EMIT told(withNextStep(QString::fromUtf8(fault.what()), m_view.state.paused), Tone::Fault);
+    }
 }
 
 void SessionController::send(const session::EventBody& event)
@@ -72,11 +92,11 @@ void SessionController::tellWhatCame(const QString& trouble)
         Q_EMIT told(done, Tone::Done);
 }
 
-void SessionController::displayTouched()
+void SessionController::displayTouched(const rendering::Touch& touch)
 {
     const auto* presenting = std::get_if<session::Presenting>(&m_view.state.stage);
     if (presenting && !presenting->touchedAtNs)
-        send(session::Touched{session::TouchSource::Display});
+        send(session::Touched{session::TouchSource::Display, touch.ago.count()});
 }
 
 const protocols::Question& SessionController::questionOf(const StoredAnswer& answer) const

@@ -9,6 +9,7 @@
 #include "study/session/driver.h"
 
 #include <QObject>
+#include <QSocketNotifier>
 #include <QString>
 
 #include <exception>
@@ -44,7 +45,7 @@ public:
     /// Never throws: refusals and faults are signalled, and kept in lastOutcome().
     void send(const session::EventBody& event);
     /// The display was touched: stamps the first touch where one is awaited, else nothing.
-    void displayTouched();
+    void displayTouched(const rendering::Touch& touch = {});
 
     const session::View& view() const { return m_view; }
     const session::Plan& plan() const { return m_driver.plan(); }
@@ -65,8 +66,11 @@ private:
     const protocols::Question& questionOf(const session::StoredAnswer& answer) const;
     Correctable correctableOf(const session::StoredAnswer& answer) const;
     void tellWhatCame(const QString& trouble);
+    void watchDisplay();
+    void attendDisplay();
 
     std::unique_ptr<rendering::HapticDisplay> m_display;
+    std::unique_ptr<QSocketNotifier> m_watch;  ///< goes before what it watches
     std::shared_ptr<session::Clock> m_clock;
     session::Driver m_driver;
     session::View m_view;

@@ -1,5 +1,6 @@
 #include "study/app/start_page.h"
 
+#include "study/app/flow_layout.h"
 #include "study/app/pieces.h"
 #include "study/app/stage_page.h"
 
@@ -20,6 +21,7 @@ StartPage::StartPage(QWidget* parent)
       m_browse(button("browseStudyButton", tr("Browse…"), this)),
       m_open(mainButton("openButton", tr("Open the study (Enter)"), this)),
       m_new(button("newStudyButton", tr("Make a new study…"), this)),
+      m_data(button("lookAtDataButton", tr("Look at a data set…"), this)),
       m_message(new MessageBar("startMessage", this))
 {
     setObjectName("startPage");
@@ -43,11 +45,6 @@ StartPage::StartPage(QWidget* parent)
     folderRow->setSpacing(10);
     folderRow->addWidget(m_folder, 1);
     folderRow->addWidget(m_browse);
-    auto* actions = new QHBoxLayout;
-    actions->setSpacing(14);
-    actions->addWidget(m_open);
-    actions->addWidget(m_new);
-    actions->addStretch(1);
     auto* column = new QVBoxLayout(page);
     column->setSpacing(10);
     column->addStretch(1);
@@ -60,7 +57,7 @@ StartPage::StartPage(QWidget* parent)
     column->addWidget(caption);
     column->addLayout(folderRow);
     column->addSpacing(10);
-    column->addLayout(actions);
+    column->addLayout(actionsRow({m_open, m_new, m_data}));
     column->addSpacing(6);
     column->addWidget(m_message);
     column->addStretch(2);
@@ -77,9 +74,10 @@ StartPage::StartPage(QWidget* parent)
     });
     connect(m_browse, &QPushButton::clicked, this, &StartPage::browse);
     connect(m_new, &QPushButton::clicked, this, &StartPage::newStudyAsked);
+    connect(m_data, &QPushButton::clicked, this, &StartPage::dataAsked);
 }
 
-void StartPage::present(const QStringList& recentFolders, bool canMakeStudies)
+void StartPage::present(const QStringList& recentFolders, bool canMakeStudies, bool canLookAtData)
 {
     m_message->clearMessage();
     m_recent->clear();
@@ -89,6 +87,7 @@ void StartPage::present(const QStringList& recentFolders, bool canMakeStudies)
     if (!recentFolders.isEmpty())
         m_recent->setCurrentRow(0);
     m_new->setVisible(canMakeStudies);
+    m_data->setVisible(canLookAtData);
 }
 
 void StartPage::tellFault(const QString& text)

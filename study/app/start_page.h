@@ -1,4 +1,5 @@
-// Where the program begins: open a study folder (one of the last ones, or any), or go on to making a new one.
+// Where the program begins: open a study folder (one of the last ones, or any), or go on to making a new one
+// or to looking at a data set.
 #pragma once
 
 #include <QStringList>
@@ -19,13 +20,14 @@ public:
     explicit StartPage(QWidget* parent);
 
     /// Folders, the last used first.
-    void present(const QStringList& recentFolders, bool canMakeStudies);
+    void present(const QStringList& recentFolders, bool canMakeStudies, bool canLookAtData);
     void tellFault(const QString& text);
     void focusFirst();
 
 Q_SIGNALS:
     void openAsked(const QString& folder);
     void newStudyAsked();
+    void dataAsked();
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;
@@ -40,6 +42,7 @@ private:
     QPushButton* m_browse;
     QPushButton* m_open;
     QPushButton* m_new;
+    QPushButton* m_data;
     MessageBar* m_message;
 };
 

@@ -4,6 +4,7 @@
 #include "reports/quality.h"
 #include "study/app/app.h"
 #include "study/commands/command_line.h"
+#include "study/commands/look_at_data.h"
 #include "study/commands/new_study.h"
 #include "study/commands/stored_study.h"
 
@@ -63,6 +64,7 @@ app::AppOptions optionsOf(const Call& call)
     options.display = call.display;
     options.makeStudy = makeForApp;
     options.settings = app::userSettings();
+    options.lookAtData = lookAtData();
     options.readFlags = flagsOf;
     return options;
 }
@@ -84,8 +86,9 @@ void addApp(CLI::App& app, Action& action)
     auto call = std::make_shared<Call>();
     app.add_option("STUDY", call->study, "open this study in the app");
     app.add_option("--display", call->display,
-                   "haptic display: none, folder:DIR (keeps DIR/current.pgm), cover:N (blackens touch screen N, which tells the "
-                   "first touch), or both: folder:DIR,cover:N")
+                   "haptic display: none, folder:DIR (keeps DIR/current.pgm), exec:COMMAND (a driver that is started), "
+                   "tcp:HOST:PORT (a driver on another computer), cover:N (blackens touch screen N, which tells the first "
+                   "touch), or one under a cover: folder:DIR,cover:N")
         ->capture_default_str();
     app.add_flag("--monitor", call->monitor,
                  "watch this study instead: who is where, what is missing, flags; reads only, blinded");

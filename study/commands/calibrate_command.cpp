@@ -105,7 +105,7 @@ int calibrateOnBalls(const CalibrateCall& call)
     std::optional<signals::CalibrationScore> tested;
     if (!call.test.empty()) {
         const auto others = rendering::readBallPresses(call.test, call.ballRadiusMm, call.mmPerPixel, decodeByQt);
-        tested = signals::scoreOf(calibration, others, signals::locate(others, located.model), allOf(others));
+        tested = signals::scoreOf(calibration, others, signals::locate(others, located), allOf(others));
         report["test"] = rendering::jsonOf(*tested);
     }
     writeFile(call.out, signals::toJson(calibration));

@@ -43,6 +43,9 @@ void addNumbers(CLI::App& app, Action& action);  ///< describe, compare, metrics
 void addAnalyse(CLI::App& app, Action& action);
 void addPower(CLI::App& app, Action& action);
 void addBench(CLI::App& app, Action& action);
+void addDisplay(CLI::App& app, Action& action);
+void addStroke(CLI::App& app, Action& action);
+void addView(CLI::App& app, Action& action);
 /// The app itself: `vis2hap [STUDY]`, when no command is named.
 void addApp(CLI::App& app, Action& action);
 

@@ -75,6 +75,9 @@ int run(int argc, char** argv)
     study::commands::addAnalyse(app, action);
     study::commands::addPower(app, action);
     study::commands::addBench(app, action);
+    study::commands::addDisplay(app, action);
+    study::commands::addStroke(app, action);
+    study::commands::addView(app, action);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& problem) {

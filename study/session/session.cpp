@@ -38,6 +38,8 @@
 // same question of the same trial and none of a voided presentation.
 #include "study/session/session_moves.h"
 
+#include <algorithm>
+
 namespace study::session {
 
 namespace {
@@ -106,7 +108,8 @@ struct Transition {
     {
         if (presenting.touchedAtNs) return Refusal{"The first touch is stamped already."};
         Presenting touched = presenting;
-        touched.touchedAtNs = atNs;
+        // Never before the image was asked for, whatever a device tells.
+        touched.touchedAtNs = std::clamp(atNs - touch.agoNs, presenting.readyAtNs, atNs);
         touched.touchedBy = touch.by;
         return moved(touched);
     }

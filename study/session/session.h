@@ -143,7 +143,11 @@ struct ChecklistDone {
 };
 struct SittingPrepared {};              ///< paused in a later sitting -> the scale's refresher
 struct TrayReady {};                    ///< the tray is confirmed: show the stimulus, ask the first question
-struct Touched { TouchSource by = TouchSource::Operator; };  ///< first touch of the display
+/// First touch of the display; it came `agoNs` before the event, where a device tells so.
+struct Touched {
+    TouchSource by = TouchSource::Operator;
+    std::int64_t agoNs = 0;
+};
 struct Answered { Response response; };
 struct Corrected {                      ///< changes the latest answer to `question`
     protocols::QuestionId question;

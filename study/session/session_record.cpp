@@ -63,7 +63,8 @@ ChecklistDone checklistOf(const Json& payload)
 
 Touched touchOf(const Json& payload)
 {
-    return {payload.value("by", "operator") == "display" ? TouchSource::Display : TouchSource::Operator};
+    return {payload.value("by", "operator") == "display" ? TouchSource::Display : TouchSource::Operator,
+            payload.value("ago_ns", std::int64_t{0})};
 }
 
 struct Kind {
@@ -134,7 +135,9 @@ Json payloadOf(const EventBody& body)
                                      return Json{{"ticked", event.ticked}, {"readings", event.readings}};
                                  },
                                  [](const Touched& event) {
-                                     return Json{{"by", event.by == TouchSource::Display ? "display" : "operator"}};
+                                     Json payload{{"by", event.by == TouchSource::Display ? "display" : "operator"}};
+                                     if (event.agoNs != 0) payload["ago_ns"] = event.agoNs;
+                                     return payload;
                                  },
                                  [](const auto&) { return Json::object(); }},
                       body);

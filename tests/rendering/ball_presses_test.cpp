@@ -71,7 +71,7 @@ private Q_SLOTS:
         auto further = tests::simulatedPresses(13);
         further.presses.presses.erase(further.presses.presses.begin(), further.presses.presses.begin() + 9);
         const auto located = locate(first.presses);
-        const auto circles = locate(further.presses, located.model);
+        const auto circles = locate(further.presses, located);
         QCOMPARE(circles.size(), std::size_t(4));
         for (std::size_t i = 0; i < circles.size(); ++i) {
             const auto off = circles[i].centrePx - further.centres[9 + i];

@@ -64,7 +64,7 @@ private Q_SLOTS:
     void unknownDisplayIsRefused_data()
     {
         QTest::addColumn<QString>("specification");
-        for (const char* text : {"", "tanvas", "folder:", "folder", "None"}) QTest::addRow("'%s'", text) << text;
+        for (const char* text : {"", "tanvas", "folder:", "folder", "None", "exec", "udp:host:1"}) QTest::addRow("'%s'", text) << text;
     }
     void unknownDisplayIsRefused()
     {

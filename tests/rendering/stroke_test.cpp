@@ -3,8 +3,12 @@
 #include <QTest>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <opencv2/core.hpp>
+
+#include "refusal.h"
+#include "rendering/fabrics/csv_table.h"
 
 using namespace rendering;
 
@@ -53,19 +57,117 @@ private Q_SLOTS:
         for (const double value : felt) QVERIFY(std::abs(value - force) < 1e-12);
     }
 
+    void stepIsFollowedAsTheSkinResponds_data()
+    {
+        QTest::addColumn<double>("responseS");
+        QTest::addColumn<double>("sampleRateHz");
+        QTest::newRow("slow skin") << 0.02 << 1000.0;
+        QTest::newRow("the model's own") << 0.002 << 1000.0;
+        QTest::newRow("faster than its samples") << 0.0002 << 1000.0;
+        QTest::newRow("coarse samples") << 0.02 << 50.0;
+    }
     void stepIsFollowedAsTheSkinResponds()
     {
-        cv::Mat image = flat(0);
-        image.colRange(640, 1280).setTo(255);
+        // tau F' + F = d(t). Between two pixels d rises evenly, for T = pitch / speed; from its beginning on
+        // F = d0 + a (t - tau + tau exp(-t/tau)) with a = (d1 - d0) / T, and after its end at T
+        // F = d1 + (F(T) - d1) exp(-(t - T)/tau). The samples meet the ramp's ends exactly: 8.5 mm/s, 0.17 mm: T = 20 ms.
+        QFETCH(double, responseS);
+        QFETCH(double, sampleRateHz);
+        cv::Mat image(3, 41, CV_8UC1, cv::Scalar(0));
+        image.colRange(20, 41).setTo(255);
         StrokeOptions options;
         options.contactMm = 0.001;  // a needle: the step stays a step
-        options.responseS = 0.02;
-        const auto force = strokeForce(image, 10, false, options);
-        const double stepS = 639.5 * 0.170 / 50, low = 0.15, high = 0.45;
-        const auto at = [&](double timeS) { return force[static_cast<std::size_t>(std::lround(timeS * 1000))]; };
-        QVERIFY(std::abs(at(stepS - 0.005) - low) < 1e-9);
-        QVERIFY(std::abs(at(stepS + 0.02) - (high - (high - low) * std::exp(-1))) < 0.015);
-        QVERIFY(std::abs(at(stepS + 0.2) - high) < 1e-4);
+        options.speedMmPerS = 8.5;
+        options.responseS = responseS;
+        options.sampleRateHz = sampleRateHz;
+        const double d0 = 0.15, d1 = 0.45, begin = 19 * 0.02, rise = 0.02, tau = responseS;
+        const auto onRamp = [&](double t) { return d0 + (d1 - d0) / rise * (t - tau + tau * std::exp(-t / tau)); };
+        const auto expected = [&](double t) {
+            if (t <= begin) return d0;
+            if (t <= begin + rise) return onRamp(t - begin);
+            return d1 + (onRamp(rise) - d1) * std::exp(-(t - begin - rise) / tau);
+        };
+        const auto samples = strokeImage(image, 1, false, options);
+        QCOMPARE(samples.size(), static_cast<std::size_t>(std::lround(0.8 * sampleRateHz)) + 1);
+        for (const auto& sample : samples) {
+            QVERIFY(std::abs(sample.tangentialN - expected(sample.timeS)) < 1e-9);
+            QVERIFY(std::abs(sample.positionMm - 8.5 * sample.timeS) < 1e-9);
+            QCOMPARE(sample.normalN, 0.5);
+        }
+    }
+
+    void sixteenBitImageIsFeltAsItsEightBitOne()
+    {
+        cv::Mat fine;
+        const cv::Mat image = grating(40);
+        image.convertTo(fine, CV_16U, 257);
+        const auto coarseForce = strokeForce(image, 9, false), fineForce = strokeForce(fine, 9, false);
+        QCOMPARE(coarseForce.size(), fineForce.size());
+        for (std::size_t i = 0; i < fineForce.size(); ++i) QVERIFY(std::abs(fineForce[i] - coarseForce[i]) < 1e-12);
+    }
+
+    void smallestImagesHaveAForce_data()
+    {
+        QTest::addColumn<int>("width");
+        QTest::addColumn<int>("height");
+        QTest::addColumn<double>("contactMm");
+        QTest::newRow("one pixel") << 1 << 1 << 0.5;
+        QTest::newRow("one pixel under a broad finger") << 1 << 1 << 100.0;
+        QTest::newRow("one row") << 9 << 1 << 0.5;
+        QTest::newRow("one column") << 1 << 9 << 0.5;
+    }
+    void smallestImagesHaveAForce()
+    {
+        QFETCH(int, width);
+        QFETCH(int, height);
+        StrokeOptions options;
+        QFETCH(double, contactMm);
+        options.contactMm = contactMm;
+        const cv::Mat image(height, width, CV_8UC1, cv::Scalar(255));
+        for (const bool vertical : {false, true}) {
+            const auto force = strokeForce(image, 0, vertical, options);
+            QVERIFY(!force.empty());
+            for (const double value : force) QVERIFY(std::abs(value - 0.45) < 1e-12);
+        }
+    }
+
+    void speedOutOfRangeIsRefused_data()
+    {
+        QTest::addColumn<double>("speed");
+        QTest::addColumn<QString>("told");
+        QTest::newRow("none") << 0.0 << "speed (mm/s) of a stroke is 0";
+        QTest::newRow("backwards") << -5.0 << "speed (mm/s) of a stroke is -5";
+        QTest::newRow("no number") << std::nan("") << "speed (mm/s)";
+        QTest::newRow("endless") << std::numeric_limits<double>::infinity() << "speed (mm/s)";
+        QTest::newRow("as slow as moss") << 1e-5 << "a speed from 0.0217";
+    }
+    void speedOutOfRangeIsRefused()
+    {
+        QFETCH(double, speed);
+        QFETCH(QString, told);
+        StrokeOptions options;
+        options.speedMmPerS = speed;
+        const auto refusal = refusalOf([&] { strokeForce(flat(0), 0, false, options); });
+        QVERIFY2(refusal.contains(told), qPrintable(refusal));
+    }
+
+    void fastestStrokeIsItsBeginning()
+    {
+        StrokeOptions options;
+        options.speedMmPerS = 1e6;
+        QCOMPARE(strokeForce(flat(0), 0, false, options), std::vector<double>{0.15});
+    }
+
+    void tableReadsBackExactly()
+    {
+        const auto samples = strokeImage(grating(30), 5, false);
+        const auto table = fabrics::csvTableFrom(strokeCsv(samples), "stroke");
+        QCOMPARE(table.columns, (std::vector<std::string>{"t_s", "position_mm", "normal_n", "tangential_n"}));
+        QCOMPARE(table.rows.size(), samples.size());
+        for (std::size_t row = 0; row < samples.size(); ++row)
+            QCOMPARE((StrokeSample{fabrics::numberAt(table, row, 0), fabrics::numberAt(table, row, 1),
+                                   fabrics::numberAt(table, row, 2), fabrics::numberAt(table, row, 3)}),
+                     samples[row]);
     }
 
     void fingerPadBlursFineTexture()

@@ -13,3 +13,13 @@ foreach(test ball_presses_test render_fabrics_test earlier_render_test bench_com
 endforeach()
 vis2hap_test(rendering bench_test LINK rendering)
 vis2hap_test(rendering reader_fuzz_test LINK rendering_signals rendering_fabrics)
+# Displays behind a driver: the reference one, and one with a fault of your choice.
+add_executable(broken_display support/broken_display.cpp)
+set_target_properties(broken_display PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
+target_link_libraries(broken_display PRIVATE vis2hap_rules nlohmann_json::nlohmann_json)
+foreach(test external_display_test display_conformance_test)
+  vis2hap_test(rendering ${test} LINK rendering_images)
+  add_dependencies(${test} vis2hap-reference-display broken_display)
+  target_compile_definitions(${test} PRIVATE VIS2HAP_REFERENCE_DISPLAY="${PROJECT_BINARY_DIR}/vis2hap-reference-display"
+                                             VIS2HAP_BROKEN_DISPLAY="$<TARGET_FILE:broken_display>")
+endforeach()

@@ -13,6 +13,8 @@
 
 #include <opencv2/core/mat.hpp>
 
+#include <poll.h>
+
 using namespace study::app;
 using namespace study::session;
 using tests::support::OpenWindow;
@@ -56,6 +58,7 @@ private Q_SLOTS:
     void coversItsScreenWithBlack();
     void reportsFingersAndMouse();
     void passesImagesOnToTheDisplayUnderIt();
+    void driverUnderTheCoverTellsItsTouchesToo();
     void screensThatAreNotThereAreRefused_data();
     void screensThatAreNotThereAreRefused();
     void touchOfTheCoverIsStampedInASession();
@@ -77,7 +80,7 @@ void AppCoverTest::reportsFingersAndMouse()
 {
     const auto display = openDisplay("cover:1");
     int touches = 0;
-    display->onTouched([&] { ++touches; });
+    display->onTouched([&](const rendering::Touch&) { ++touches; });
     QTest::mousePress(cover(), Qt::LeftButton);
     QCOMPARE(touches, 1);
     QTest::mouseMove(cover(), QPoint(5, 5));
@@ -100,6 +103,20 @@ void AppCoverTest::passesImagesOnToTheDisplayUnderIt()
     QFile image(QString::fromStdString(folder + "/current.pgm"));
     QVERIFY(image.open(QIODevice::ReadOnly));
     QVERIFY(image.readAll().contains(char(200)));
+}
+
+void AppCoverTest::driverUnderTheCoverTellsItsTouchesToo()
+{
+    const auto display = openDisplay("exec:" VIS2HAP_REFERENCE_DISPLAY " '" + filePath("felt").toStdString() + "' --touch-after 10,cover:1");
+    int touches = 0;
+    display->onTouched([&](const rendering::Touch&) { ++touches; });
+    display->show(cv::Mat(8, 8, CV_8UC1, cv::Scalar(200)));
+    pollfd waiting{display->descriptorToWatch(), POLLIN, 0};
+    QCOMPARE(::poll(&waiting, 1, 5000), 1);
+    display->attend();
+    QCOMPARE(touches, 1);
+    QTest::mousePress(cover(), Qt::LeftButton);
+    QCOMPARE(touches, 2);
 }
 
 void AppCoverTest::screensThatAreNotThereAreRefused_data()

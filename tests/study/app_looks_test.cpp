@@ -1,6 +1,7 @@
 // How every page looks: names for screen readers, themes, text sizes. With VIS2HAP_SCREENSHOTS=FOLDER every page is
 // saved there as PNG: light, dark, and with text at 200 percent.
 #include "study/app/appearance.h"
+#include "study/app/data_page.h"
 #include "study/app/monitor_window.h"
 #include "study/app/scale_line.h"
 #include "tests/support/open_window.h"
@@ -39,6 +40,25 @@ QStringList namelessControlsIn(const QWidget& root)
         if (isControl(*widget) && (widget->accessibleName().trimmed().isEmpty() || widget->objectName().isEmpty()))
             nameless << QString::fromLatin1(widget->metaObject()->className()) + " " + widget->objectName();
     return nameless;
+}
+
+/// A data set with one faulty file; the sheet is an empty one.
+LookAtData someData()
+{
+    LookAtData look;
+    look.open = [](const std::filesystem::path&) {
+        return DataOverview{"Fifteen fabrics", "signals of different places; photographs 0.05 mm a pixel; CC0-1.0",
+                            {{"F01", "Linen", "plain weave", 225, 225, 225, 225, 225}, {"F02", "Felt", "", 3, 0, 0, 2, 3}}};
+    };
+    look.draw = [](const DataSheetRequest& request) {
+        QImage sheet(request.widthPx, 500, QImage::Format_RGB32);
+        sheet.fill(Qt::gray);
+        return DataSheet{sheet, "F01 visual 000.png: min 79, max 243", {}};
+    };
+    look.check = [](const std::filesystem::path&, const std::function<void(double)>&) {
+        return QStringList{"fabrics/F02/visual/001.png: is truncated"};
+    };
+    return look;
 }
 
 /// Buttons and labels that have less room than their text takes.
@@ -103,6 +123,7 @@ void AppLooksTest::visitPages(const Look& look)
 {
     AppOptions options;
     options.makeStudy = [](const NewStudyRequest&, const MakingProgress&) {};
+    options.lookAtData = someData();
     options.settings = std::make_shared<QSettings>(filePath("pages.ini"), QSettings::IniFormat);
     OpenWindow open(newStudy(tests::support::wholeStudy()), options);
     open.window().startSession(protocols::ParticipantId("P01"));
@@ -239,6 +260,13 @@ void AppLooksTest::visitAround(OpenWindow& open, const Look& look)
     look(open.window(), "start-fault");
     open.hands().click("newStudyButton");
     look(open.window(), "new-study");
+    open.hands().pressKey(Qt::Key_Escape);
+    open.hands().click("lookAtDataButton");
+    look(open.window(), "data");
+    auto& page = *qobject_cast<DataPage*>(open.window().currentPage());
+    page.open("fabrics");
+    QTRY_VERIFY(!page.isBusy());
+    look(open.window(), "data-open");
 }
 
 void AppLooksTest::visitMonitor(OpenWindow& open, const Look& look)

@@ -33,7 +33,10 @@ public:
     void clear() override { m_record->told.push_back("clear"); }
     std::string name() const override { return "recording"; }
     bool reportsTouches() const override { return m_record->reportsTouches; }
-    void onTouched(std::function<void()> touched) override { m_record->touch = std::move(touched); }
+    void onTouched(std::function<void(const rendering::Touch&)> touched) override
+    {
+        m_record->touch = [touched = std::move(touched)] { touched({}); };
+    }
 
 private:
     std::shared_ptr<DisplayRecord> m_record;

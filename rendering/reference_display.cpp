@@ -1,0 +1,220 @@
+// vis2hap-reference-display: the smallest whole driver of a display by display_protocol.md, to start one's
+// own from. Its device is a folder: current.pgm is what would be felt, all 0 while cleared. Nothing of the
+// main program is used here, so that the file can be taken along.
+//
+//   vis2hap-reference-display DIR [--listen PORT] [--delay MS] [--touch-after MS] [--crash-at N]
+//
+// Without --listen it speaks over its standard streams. For tests: --delay holds every reply back,
+// --touch-after tells a touch so long after each image, --crash-at dies at the Nth image.
+#include <arpa/inet.h>
+#include <poll.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <thread>
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Clock = std::chrono::steady_clock;
+
+constexpr const char* schema = "vis2hap.display/1";
+constexpr int widthPx = 1280, heightPx = 800;
+constexpr std::size_t mostBytes = 64u << 20;
+
+struct Options {
+    std::filesystem::path folder;
+    int port = 0, delayMs = 0, touchAfterMs = -1, crashAt = 0;
+};
+
+double nowS() { return std::chrono::duration<double>(Clock::now().time_since_epoch()).count(); }
+
+/// One computer's connection, from its first byte to its end of file.
+class Conversation {
+public:
+    Conversation(const Options& options, int in, int out) : m_options(options), m_in(in), m_out(out) {}
+
+    void run()
+    {
+        feel(0, 0, {});
+        while (const auto line = nextLine()) answer(Json::parse(*line, nullptr, false));
+        feel(0, 0, {});  // end of file: whoever showed this is gone, so nothing may be felt any more
+    }
+
+private:
+    void answer(const Json& request)
+    {
+        const Json id = request.is_object() ? request.value("id", Json(0)) : Json(0);
+        const std::string type = request.is_object() ? request.value("type", Json("")).dump() : "";
+        std::this_thread::sleep_for(std::chrono::milliseconds(m_options.delayMs));
+        if (type == "\"hello\"")
+            say({{"type", "hello"},
+                 {"id", id},
+                 {"schema", schema},
+                 {"name", "reference display"},
+                 {"width", widthPx},
+                 {"height", heightPx},
+                 {"touches", m_options.touchAfterMs >= 0}});
+        else if (type == "\"show\"")
+            show(request, id);
+        else if (type == "\"clear\"")
+            clear(id);
+        else if (type == "\"status\"")
+            say({{"type", "status"}, {"id", id}, {"showing", m_showing}, {"at_s", nowS()}});
+        else
+            say({{"type", "failed"}, {"id", id}, {"why", "unknown request"}});
+    }
+
+    void show(const Json& request, const Json& id)
+    {
+        const int width = request.value("width", 0), height = request.value("height", 0);
+        const auto bytes = request.value("bytes", std::size_t{0});
+        if (bytes > mostBytes) std::exit(1);  // the stream cannot be followed any more
+        const std::string image = exactly(bytes);
+        if (image.size() != bytes) return;  // end of file in the middle of an image
+        if (++m_images == m_options.crashAt) std::raise(SIGKILL);
+        if (width < 1 || height < 1 || bytes != static_cast<std::size_t>(width) * static_cast<std::size_t>(height))
+            return say({{"type", "failed"}, {"id", id}, {"why", "width x height is not the number of bytes"}});
+        feel(width, height, image);
+        m_showing = id;
+        if (m_options.touchAfterMs >= 0) m_touchDue = Clock::now() + std::chrono::milliseconds(m_options.touchAfterMs);
+        say({{"type", "shown"}, {"id", id}, {"at_s", nowS()}});
+    }
+
+    void clear(const Json& id)
+    {
+        feel(0, 0, {});
+        m_showing = nullptr;
+        m_touchDue.reset();
+        say({{"type", "cleared"}, {"id", id}, {"at_s", nowS()}});
+    }
+
+    /// Here a device's own interface would be called. By rename, so that nobody reads half an image.
+    void feel(int width, int height, const std::string& image) const
+    {
+        const bool isClear = image.empty();
+        std::ofstream file(m_options.folder / "next.pgm.part", std::ios::binary);
+        file << "P5\n"
+             << (isClear ? widthPx : width) << ' ' << (isClear ? heightPx : height) << "\n255\n"
+             << (isClear ? std::string(static_cast<std::size_t>(widthPx) * heightPx, '\0') : image);
+        file.close();
+        std::filesystem::rename(m_options.folder / "next.pgm.part", m_options.folder / "current.pgm");
+    }
+
+    void say(const Json& message) const
+    {
+        const std::string line = message.dump() + "\n";
+        for (std::size_t sent = 0; sent < line.size();) {
+            const ssize_t now = ::write(m_out, line.data() + sent, line.size() - sent);
+            if (now <= 0) return;  // nobody listens; the end of file follows
+            sent += static_cast<std::size_t>(now);
+        }
+    }
+
+    /// Waits for more, and tells a touch when its time comes. False at the end of file.
+    bool readMore()
+    {
+        while (true) {
+            const auto left = m_touchDue ? std::chrono::ceil<std::chrono::milliseconds>(*m_touchDue - Clock::now()).count() : -1;
+            pollfd waiting{m_in, POLLIN, 0};
+            if (::poll(&waiting, 1, m_touchDue ? static_cast<int>(std::max(0L, static_cast<long>(left))) : -1) > 0) break;
+            if (m_touchDue) say({{"type", "touched"}, {"id", m_showing}, {"at_s", nowS()}});
+            m_touchDue.reset();
+        }
+        char chunk[65536];
+        const ssize_t got = ::read(m_in, chunk, sizeof chunk);
+        if (got > 0) m_buffer.append(chunk, static_cast<std::size_t>(got));
+        return got > 0;
+    }
+
+    std::optional<std::string> nextLine()
+    {
+        std::size_t end = 0;
+        while ((end = m_buffer.find('\n')) == std::string::npos)
+            if (!readMore()) return std::nullopt;
+        std::string line = m_buffer.substr(0, end);
+        m_buffer.erase(0, end + 1);
+        return line;
+    }
+
+    std::string exactly(std::size_t bytes)
+    {
+        while (m_buffer.size() < bytes && readMore()) {
+        }
+        std::string image = m_buffer.substr(0, bytes);
+        m_buffer.erase(0, image.size());
+        return image;
+    }
+
+    const Options& m_options;
+    int m_in, m_out;
+    std::string m_buffer;
+    Json m_showing = nullptr;
+    int m_images = 0;
+    std::optional<Clock::time_point> m_touchDue;
+};
+
+/// One computer after the other; prints the port, which the system chooses where it is 0.
+int listenAt(const Options& options)
+{
+    const int server = ::socket(AF_INET, SOCK_STREAM, 0);
+    const int yes = 1;
+    sockaddr_in place{};
+    socklen_t size = sizeof place;
+    place.sin_family = AF_INET;
+    place.sin_port = htons(static_cast<std::uint16_t>(options.port));
+    ::setsockopt(server, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+    if (::bind(server, reinterpret_cast<sockaddr*>(&place), sizeof place) != 0 || ::listen(server, 1) != 0) {
+        std::perror("cannot listen");
+        return 1;
+    }
+    ::getsockname(server, reinterpret_cast<sockaddr*>(&place), &size);
+    std::printf("listening at port %d\n", ntohs(place.sin_port));
+    std::fflush(stdout);
+    while (true) {
+        const int client = ::accept(server, nullptr, nullptr);
+        if (client < 0) continue;
+        ::setsockopt(client, SOL_SOCKET, SO_KEEPALIVE, &yes, sizeof yes);  // a computer that loses its power says no good-bye
+        Conversation(options, client, client).run();
+        ::close(client);
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    Options options;
+    bool isListening = false, isUnderstood = argc >= 2 && argc % 2 == 0 && argv[1][0] != '-';
+    for (int i = 2; isUnderstood && i + 1 < argc; i += 2) {
+        const std::string name = argv[i];
+        const int value = std::atoi(argv[i + 1]);
+        isListening = isListening || name == "--listen";
+        int* target = name == "--listen"        ? &options.port
+                      : name == "--delay"       ? &options.delayMs
+                      : name == "--touch-after" ? &options.touchAfterMs
+                      : name == "--crash-at"    ? &options.crashAt
+                                                : nullptr;
+        isUnderstood = target != nullptr;
+        if (target != nullptr) *target = value;
+    }
+    if (!isUnderstood) {
+        std::fputs("usage: vis2hap-reference-display DIR [--listen PORT] [--delay MS] [--touch-after MS] [--crash-at N]\n",
+                   stderr);
+        return 2;
+    }
+    options.folder = argv[1];
+    std::filesystem::create_directories(options.folder);
+    std::signal(SIGPIPE, SIG_IGN);
+    if (isListening) return listenAt(options);
+    Conversation(options, STDIN_FILENO, STDOUT_FILENO).run();
+    return 0;
+}

@@ -1,0 +1,71 @@
+// vis2hap display check SPEC
+#include "protocols/errors.h"
+#include "rendering/display_check.h"
+#include "study/commands/command_line.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+
+namespace study::commands {
+
+namespace {
+
+struct CheckCall {
+    std::string specification;
+    double touchSeconds = 0;
+};
+
+void printDemand(const rendering::DisplayDemand& demand)
+{
+    const bool isMet = demand.fault.empty();
+    std::printf("%s  %s%s%s\n", isMet ? "pass" : "FAIL", demand.demand.c_str(), isMet ? "" : ": ", demand.fault.c_str());
+    std::fflush(stdout);
+}
+
+void printTimes(const char* what, std::vector<double> milliseconds)
+{
+    if (milliseconds.empty())
+        return;
+    std::sort(milliseconds.begin(), milliseconds.end());
+    std::printf("%s: %.1f ms in the middle of %zu, %.1f ms at most\n", what, milliseconds[milliseconds.size() / 2],
+                milliseconds.size(), milliseconds.back());
+}
+
+int check(const CheckCall& call)
+{
+    const auto address = rendering::driverAddressFrom(call.specification);
+    if (!address)
+        throw protocols::badInput(
+            {"display '" + call.specification + "' has no driver to check", "", "exec:COMMAND or tcp:HOST:PORT", ""});
+    rendering::DisplayCheckOptions options;
+    options.touchWithin = std::chrono::milliseconds(static_cast<long>(1000 * call.touchSeconds));
+    if (call.touchSeconds > 0)
+        std::printf("Touch the display when you feel that it is on; there are %g seconds.\n", call.touchSeconds);
+    const auto result = checkDisplay(*address, options, printDemand);
+    printTimes("show, until it can be felt", result.showMs);
+    printTimes("clear", result.clearMs);
+    const std::string name = result.name.empty() ? call.specification : result.name;
+    const int faults = result.faults();
+    std::printf("%s: %s\n", name.c_str(), faults == 0 ? "meets every demand" : (std::to_string(faults) + " faults").c_str());
+    return static_cast<int>(faults == 0 ? protocols::ExitCode::Done : protocols::ExitCode::WorkFailed);
+}
+
+}  // namespace
+
+void addDisplay(CLI::App& app, Action& action)
+{
+    auto* display = app.add_subcommand("display", "for owners of a display: check its driver");
+    display->require_subcommand(1);
+    auto* checkDriver =
+        display->add_subcommand("check", "every demand of the protocol, with pass or FAIL; the display shows images meanwhile");
+    auto call = std::make_shared<CheckCall>();
+    checkDriver->add_option("SPEC", call->specification, "exec:COMMAND or tcp:HOST:PORT, as for vis2hap --display")->required();
+    checkDriver->add_option("--touch", call->touchSeconds, "wait so many seconds for a finger, to check that touches are told")
+        ->check(CLI::Range(0.0, 600.0));
+    checkDriver->callback([call, &action] { action.work = [call] { return check(*call); }; });
+}
+
+}  // namespace study::commands

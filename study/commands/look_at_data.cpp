@@ -1,0 +1,65 @@
+#include "study/commands/look_at_data.h"
+
+#include "rendering/fabrics/dataset_check.h"
+#include "study/looking/dataset_sheet.h"
+#include "study/looking/open_study.h"
+#include "study/looking/sheet.h"
+
+#include <algorithm>
+
+namespace study::commands {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+QStringList listOf(const std::vector<std::string>& texts)
+{
+    QStringList list;
+    for (const std::string& text : texts)
+        list << QString::fromStdString(text);
+    return list;
+}
+
+app::DataOverview openData(const fs::path& folder)
+{
+    const auto seen = looking::overviewOf(folder);
+    app::DataOverview overview{QString::fromStdString(seen.name), QString::fromStdString(seen.about), {}};
+    for (const auto& fabric : seen.fabrics)
+        overview.fabrics.push_back({QString::fromStdString(fabric.id), QString::fromStdString(fabric.name),
+                                    QString::fromStdString(fabric.structure), fabric.photographs, fabric.frames,
+                                    fabric.knownHeights, fabric.strokes, fabric.most()});
+    return overview;
+}
+
+/// Columns as wide as fill the width; text must stay readable in them.
+app::DataSheet drawData(const app::DataSheetRequest& request)
+{
+    const auto seen = looking::sheetOf(request.folder, request.fabric.toStdString(), request.sample);
+    if (seen.signals.empty())
+        return {{}, {}, listOf(seen.faults)};
+    looking::SheetStyle style = request.theme == app::Theme::DarkRoom ? looking::darkSheet() : looking::lightSheet();
+    style.fontPx = request.fontPx;
+    style.pixelRatio = request.pixelRatio;
+    const int narrowest = static_cast<int>(22 * style.fontPx);
+    const int perRow = std::clamp(request.widthPx / narrowest, 1, static_cast<int>(seen.signals.size()));
+    constexpr int between = 14;
+    style.columnPx = (request.widthPx - between) / perRow - between;
+    return {looking::drawSheet(seen.signals, style, perRow), looking::describe(seen.signals), listOf(seen.faults)};
+}
+
+QStringList checkData(const fs::path& folder, const std::function<void(double)>& progress)
+{
+    looking::requireNotOfOpenStudy(folder);
+    return listOf(
+        rendering::fabrics::faultsOfDataset(folder, [&](int done, int total) { progress(1.0 * done / std::max(1, total)); }));
+}
+
+}  // namespace
+
+app::LookAtData lookAtData()
+{
+    return {openData, drawData, checkData};
+}
+
+}  // namespace study::commands

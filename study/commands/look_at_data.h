@@ -1,0 +1,10 @@
+// What the app's page for looking at a data set is fed from.
+#pragma once
+
+#include "study/app/data_look.h"
+
+namespace study::commands {
+
+app::LookAtData lookAtData();
+
+}  // namespace study::commands

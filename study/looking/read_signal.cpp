@@ -1,0 +1,193 @@
+#include "study/looking/read_signal.h"
+
+#include "protocols/errors.h"
+#include "rendering/friction_image.h"
+#include "rendering/image_io.h"
+#include "rendering/true_map.h"
+#include "study/looking/open_study.h"
+#include "study/looking/place_in_dataset.h"
+#include "study/looking/read_trace.h"
+
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <limits>
+
+namespace study::looking {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double missingMarkerMm = -1e9;  // instruments write -1e10
+
+std::optional<double> pitchIn(const PlaceInDataset& place)
+{
+    if (place.signal == "visual")
+        return place.dataset.cameraMmPerPixel;
+    const bool isTactile = place.signal == "tactile" || place.signal == "height";
+    return isTactile ? place.dataset.tactileMmPerPixel : std::nullopt;
+}
+
+std::string endingOf(const fs::path& file)
+{
+    std::string ending = file.extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return ending;
+}
+
+std::string sizeOf(const cv::Mat& image)
+{
+    return std::to_string(image.cols) + " × " + std::to_string(image.rows);
+}
+
+/// Bit 0: a channel at 0; bit 1: a channel at the highest.
+cv::Mat clippedIn(const cv::Mat& image, const Holds& holds)
+{
+    cv::Mat marks = cv::Mat::zeros(image.size(), CV_8UC1);
+    std::vector<cv::Mat> channels;
+    cv::split(image, channels);
+    for (const cv::Mat& channel : channels) {
+        marks |= (channel == holds.lowest) & 1;
+        marks |= (channel == holds.highest) & 2;
+    }
+    return marks;
+}
+
+SeenMap mapOfImage(const cv::Mat& image)
+{
+    SeenMap map;
+    map.holds = image.depth() == CV_8U ? Holds{0, 255} : Holds{0, 65535};
+    map.unit = "grey level";
+    map.clipped = clippedIn(image, *map.holds);
+    cv::Mat grey = image;
+    if (image.channels() == 3) {
+        image.convertTo(map.colours, CV_8U, 255.0 / map.holds->highest);
+        cv::cvtColor(image, grey, cv::COLOR_RGB2GRAY);
+    }
+    grey.convertTo(map.values, CV_32F);
+    return map;
+}
+
+SeenMap mapOfNumbers(const cv::Mat& numbers, const std::string& unit)
+{
+    SeenMap map;
+    map.unit = unit;
+    numbers.convertTo(map.values, CV_32F);
+    for (float& value : cv::Mat_<float>(map.values))
+        if (!std::isfinite(value) || (unit == "mm" && value <= missingMarkerMm))
+            value = static_cast<float>(nothing);
+    return map;
+}
+
+SeenSignal seenRow(const cv::Mat& row, const std::string& title, const std::string& unit)
+{
+    SeenTrace trace;
+    cv::Mat values;
+    row.convertTo(values, CV_64F);
+    for (int i = 0; i < values.cols; ++i) {
+        const double value = values.at<double>(i);
+        trace.places.push_back(i);
+        trace.values.push_back(std::isfinite(value) ? value : nothing);
+    }
+    trace.placeUnit = "samples";
+    trace.quantity = unit.empty() ? "value" : unit;
+    return {title, "array of one row, " + std::to_string(values.cols) + " values", std::move(trace)};
+}
+
+/// Friction images of the display's own size lie on its glass pixel by pixel.
+bool isOfTheGlass(const cv::Mat& image)
+{
+    return image.channels() == 1 && image.size() == cv::Size(rendering::displayWidthPx, rendering::displayHeightPx);
+}
+
+std::string kindOfImage(const cv::Mat& image, const std::optional<PlaceInDataset>& place)
+{
+    const std::string depth = image.depth() == CV_8U ? ", 8 bits" : ", 16 bits";
+    if (place && place->signal == "visual")
+        return "photograph, " + sizeOf(image) + depth;
+    if (place && place->signal == "tactile")
+        return "tactile frame, " + sizeOf(image) + depth;
+    const char* kind = image.channels() == 3 ? "colour picture, " : isOfTheGlass(image) ? "friction image, " : "grey picture, ";
+    return kind + sizeOf(image) + depth;
+}
+
+/// Of an instrument that keeps its pitch beside the heights.
+SeenSignal readProfilometer(const fs::path& file, const ReadingOptions& options)
+{
+    const rendering::TrueMap read = rendering::readTrueMap(file);
+    SeenMap map = mapOfNumbers(read.heightMm, "mm");
+    map.mmPerPixel = options.mmPerPixel.value_or(read.xPitchMm);
+    map.rowPitch = std::clamp(read.yPitchMm / read.xPitchMm, 0.01, 100.0);  // else nothing could be seen
+    return {file.filename().string(), "height, " + sizeOf(read.heightMm), std::move(map)};
+}
+
+cv::Mat decoded(const fs::path& file, const ReadingOptions& options)
+{
+    const std::string kind = endingOf(file);
+    const bool isForeign = kind == ".jpg" || kind == ".jpeg" || kind == ".bmp" || kind == ".webp";
+    return isForeign && options.decode ? options.decode(file) : rendering::readImage(file);
+}
+
+std::optional<double> pitchOf(const cv::Mat& image, const std::optional<PlaceInDataset>& place, const ReadingOptions& options)
+{
+    if (options.mmPerPixel)
+        return options.mmPerPixel;
+    if (place)
+        return pitchIn(*place);
+    const bool isShown = image.depth() == CV_8U && isOfTheGlass(image);
+    return isShown ? std::optional(rendering::displayMmPerPixel) : std::nullopt;
+}
+
+std::string kindOfNumbers(const SeenMap& map)
+{
+    const std::string kind = map.unit == "mm" ? "height, " : map.unit == "mm/mm" ? "gradient, " : "map, ";
+    return kind + sizeOf(map.values);
+}
+
+SeenSignal readMap(const fs::path& file, const ReadingOptions& options)
+{
+    const cv::Mat image = decoded(file, options);
+    if (image.empty())
+        throw protocols::badInput({"holds no numbers", file.string(), "at least one pixel", ""});
+    const auto place = placeInDataset(file);
+    const bool isImage = image.depth() == CV_8U || image.depth() == CV_16U;
+    const bool isArray = endingOf(file) == ".npy";
+    if (!isImage && image.channels() != 1)
+        throw protocols::badInput({"holds " + std::to_string(image.channels()) + " numbers a pixel", file.string(),
+                                   "one number a pixel, or an image of 8 or 16 bits", ""});
+    if (isArray && image.rows == 1 && image.cols > 1)
+        return seenRow(image, titleOf(file, place), options.unit);
+    const std::string usualUnit = isArray ? "mm/mm" : "mm";
+    SeenMap map = isImage ? mapOfImage(image) : mapOfNumbers(image, options.unit.empty() ? usualUnit : options.unit);
+    map.mmPerPixel = pitchOf(image, place, options);
+    map.beginsAtZero = place && place->signal == "height";
+    const std::string kind = isImage ? kindOfImage(image, place) : kindOfNumbers(map);
+    return {titleOf(file, place), kind, std::move(map)};
+}
+
+}  // namespace
+
+SeenSignal readSignal(const fs::path& file, const ReadingOptions& options)
+{
+    requireNotOfOpenStudy(file);
+    const std::string kind = endingOf(file);
+    if (kind == ".csv")
+        return readTrace(file, options);
+    return kind == ".tmd" ? readProfilometer(file, options) : readMap(file, options);
+}
+
+SeenSignal seenHeight(const cv::Mat& heightMm, std::optional<double> mmPerPixel, const std::string& title,
+                      const std::string& origin)
+{
+    SeenMap map = mapOfNumbers(heightMm, "mm");
+    map.mmPerPixel = mmPerPixel;
+    return {title, "height, " + sizeOf(heightMm) + ", " + origin, std::move(map)};
+}
+
+}  // namespace study::looking

@@ -1,0 +1,128 @@
+#include "study/looking/read_trace.h"
+
+#include "protocols/errors.h"
+#include "rendering/fabrics/csv_table.h"
+#include "study/looking/place_in_dataset.h"
+
+#include <cmath>
+#include <limits>
+
+namespace study::looking {
+
+namespace {
+
+namespace fs = std::filesystem;
+using rendering::fabrics::CsvTable;
+
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double leastNormalN = 0.05;  // below it a coefficient is noise over noise
+
+std::vector<double> columnOf(const CsvTable& table, std::size_t column)
+{
+    std::vector<double> values;
+    values.reserve(table.rows.size());
+    for (const auto& row : table.rows)
+        values.push_back(rendering::fabrics::numberIn(row[column]).value_or(nothing));
+    return values;
+}
+
+std::string joined(const std::vector<std::string>& names)
+{
+    std::string line;
+    for (const std::string& name : names)
+        line += (line.empty() ? "" : ", ") + name;
+    return line;
+}
+
+/// What of the table is friction: tangential over normal force, "mu", or the first column that is neither time nor place.
+void takeValues(SeenTrace& trace, const CsvTable& table, const std::string& quantity)
+{
+    if (!quantity.empty()) {
+        const auto column = table.column(quantity);
+        if (!column)
+            throw protocols::badInput(
+                {"has no column " + quantity, table.where, "one of its columns: " + joined(table.columns), ""});
+        trace.values = columnOf(table, *column);
+        trace.quantity = quantity;
+        return;
+    }
+    const auto normal = table.column("normal_n"), tangential = table.column("tangential_n"), mu = table.column("mu");
+    if (normal && tangential) {
+        trace.values = columnOf(table, *tangential);
+        const auto load = columnOf(table, *normal);
+        for (std::size_t i = 0; i < load.size(); ++i)
+            trace.values[i] = load[i] > leastNormalN ? trace.values[i] / load[i] : nothing;
+        trace.quantity = "coefficient of friction";
+        trace.whyMissing = "not in contact";
+        return;
+    }
+    for (std::size_t column = 0; column < table.columns.size(); ++column) {
+        const std::string& name = table.columns[column];
+        if (name == "t_s" || name == "position_mm" || name.starts_with("time") || (mu && column != *mu))
+            continue;
+        trace.values = columnOf(table, column);
+        trace.quantity = mu ? "coefficient of friction" : name;
+        return;
+    }
+    throw protocols::badInput(
+        {"holds no friction", table.where, "t_s,normal_n,tangential_n or t_s,mu or t_s and one named quantity", ""});
+}
+
+/// Samples without a place of their own (and what stands out of order) are left out.
+void keepRising(SeenTrace& trace)
+{
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < trace.places.size(); ++i) {
+        if (!std::isfinite(trace.places[i]) || (kept > 0 && trace.places[i] <= trace.places[kept - 1]))
+            continue;
+        trace.places[kept] = trace.places[i];
+        trace.values[kept++] = trace.values[i];
+    }
+    trace.places.resize(kept);
+    trace.values.resize(kept);
+}
+
+void takePlaces(SeenTrace& trace, const CsvTable& table, std::optional<double> speedMmPerS)
+{
+    const auto time = table.column("t_s"), position = table.column("position_mm");
+    trace.placeUnit = position || (time && speedMmPerS) ? "mm" : time ? "s" : "samples";
+    if (position || time)
+        trace.places = columnOf(table, position ? *position : *time);
+    else
+        for (std::size_t i = 0; i < table.rows.size(); ++i)
+            trace.places.push_back(static_cast<double>(i));
+    if (!position && time && speedMmPerS)
+        for (double& place : trace.places)
+            place *= *speedMmPerS;
+}
+
+}  // namespace
+
+SeenSignal readTrace(const fs::path& file, const ReadingOptions& options)
+{
+    const CsvTable table = rendering::fabrics::readCsvTable(file);
+    const auto place = placeInDataset(file);
+    std::optional<double> speed = options.speedMmPerS;
+    if (!speed && place)
+        speed = place->dataset.friction.speedMmPerS;
+    SeenTrace trace;
+    takeValues(trace, table, options.quantity);
+    takePlaces(trace, table, speed);
+    keepRising(trace);
+    if (trace.places.empty())
+        throw protocols::badInput({"holds no samples", file.string(), "at least one row", ""});
+    const double gaps = static_cast<double>(trace.places.size() - 1);
+    const double length = trace.places.back() - trace.places.front();
+    if (trace.placeUnit == "mm" && length > 0)
+        trace.samplesPerMm = gaps / length;
+    if (const auto time = table.column("t_s"); time && gaps > 0) {
+        const auto times = columnOf(table, *time);
+        if (times.back() > times.front())
+            trace.sampleRateHz = static_cast<double>(times.size() - 1) / (times.back() - times.front());
+    }
+    const std::string rate = trace.sampleRateHz ? ", " + figure(*trace.sampleRateHz) + " Hz" : "";
+    return {titleOf(file, place), "friction record, " + std::to_string(trace.places.size()) + " samples" + rate,
+            std::move(trace)};
+}
+
+}  // namespace study::looking

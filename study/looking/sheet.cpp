@@ -1,0 +1,184 @@
+#include "study/looking/sheet.h"
+
+#include "protocols/errors.h"
+#include "study/looking/sheet_panels.h"
+
+#include <QFontMetricsF>
+#include <QPainter>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace study::looking {
+
+namespace {
+
+constexpr double edge = 16;     // around a card
+constexpr double between = 14;  // cards, and panels of one
+
+struct Card {
+    const SeenSignal& signal;
+    SignalFacts facts;
+    QStringList lines, warnings;
+};
+
+QStringList qtLines(const std::vector<std::string>& lines)
+{
+    QStringList list;
+    for (const std::string& line : lines)
+        list << QString::fromStdString(line);
+    return list;
+}
+
+Card cardOf(const SeenSignal& signal)
+{
+    const SignalFacts facts = factsOf(signal);
+    return {signal, facts, qtLines(linesOf(signal, facts)), qtLines(warningsOf(signal, facts))};
+}
+
+struct Measures {
+    double head = 0, picture = 0, relief = 0, profile = 0, facts = 0;
+    double whole() const { return head + picture + relief + profile + facts + 4 * between + 2 * edge; }
+};
+
+double inner(const SheetStyle& style)
+{
+    return style.columnPx - 2 * edge;
+}
+
+double heightOf(const QString& text, const QFont& font, double width)
+{
+    return QFontMetricsF(font).boundingRect(QRectF(0, 0, width, 1e4), Qt::AlignLeft | Qt::TextWordWrap, text).height();
+}
+
+double factsHeight(const Card& card, const SheetStyle& style)
+{
+    double height = heightOf(card.lines.join('\n'), fontOf(style), inner(style));
+    for (const QString& warning : card.warnings)
+        height += heightOf(warning, fontOf(style), inner(style) - 16) + 16;
+    return height;
+}
+
+Measures measuresOf(const std::vector<Card>& cards, const SheetStyle& style)
+{
+    Measures measures;
+    measures.head = QFontMetricsF(fontOf(style, 1.15, true)).height() + QFontMetricsF(fontOf(style, 0.9)).height() + 6;
+    measures.picture = inner(style) * 0.72;
+    measures.relief = inner(style) * 0.52;
+    measures.profile = inner(style) * 0.42;
+    for (const Card& card : cards)
+        measures.facts = std::max(measures.facts, factsHeight(card, style));
+    return measures;
+}
+
+void drawHead(QPainter& painter, const QRectF& place, const SeenSignal& signal, const SheetStyle& style)
+{
+    painter.setFont(fontOf(style, 1.15, true));
+    painter.setPen(style.text);
+    const QFontMetricsF bold(painter.font());
+    painter.drawText(place, Qt::AlignLeft | Qt::AlignTop,
+                     bold.elidedText(QString::fromStdString(signal.title), Qt::ElideMiddle, place.width()));
+    painter.setFont(fontOf(style, 0.9));
+    painter.setPen(style.quietText);
+    const QFontMetricsF plain(painter.font());
+    painter.drawText(place.adjusted(0, bold.height() + 2, 0, 0), Qt::AlignLeft | Qt::AlignTop,
+                     plain.elidedText(QString::fromStdString(signal.kind), Qt::ElideRight, place.width()));
+}
+
+void drawFacts(QPainter& painter, QRectF place, const Card& card, const SheetStyle& style)
+{
+    painter.setFont(fontOf(style));
+    painter.setPen(style.text);
+    const QString text = card.lines.join('\n');
+    painter.drawText(place, Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, text);
+    place.setTop(place.top() + heightOf(text, painter.font(), place.width()));
+    for (const QString& warning : card.warnings) {
+        const double height = heightOf(warning, painter.font(), place.width() - 16) + 10;
+        const QRectF box(place.left(), place.top() + 6, place.width(), height);
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(style.attention);
+        painter.drawRoundedRect(box, 6, 6);
+        painter.setPen(style.onAttention);
+        painter.drawText(box.adjusted(8, 5, -8, -5), Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap, warning);
+        place.setTop(box.bottom());
+    }
+}
+
+/// The panels from top to bottom; a map and a trace have as many.
+void drawPanels(QPainter& painter, const QRectF& first, const QRectF& second, const QRectF& third, const Card& card,
+                const SheetStyle& style)
+{
+    if (const auto* map = std::get_if<SeenMap>(&card.signal.what)) {
+        drawPicture(painter, first, *map, card.facts, style);
+        drawRelief(painter, second, *map, style);
+        drawProfile(painter, third, *map, style);
+        return;
+    }
+    const auto& trace = std::get<SeenTrace>(card.signal.what);
+    drawTrace(painter, first, trace, style);
+    drawSpectrogram(painter, second, trace, style);
+    drawSpectrum(painter, third, trace, style);
+}
+
+void drawCard(QPainter& painter, const QPointF& corner, const Card& card, const Measures& measures, const SheetStyle& style)
+{
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(style.line, 1));
+    painter.setBrush(style.surface);
+    painter.drawRoundedRect(QRectF(corner, QSizeF(style.columnPx, measures.whole())).adjusted(0.5, 0.5, -0.5, -0.5), 10, 10);
+    painter.setRenderHint(QPainter::Antialiasing, false);
+    double top = corner.y() + edge;
+    const auto next = [&](double height) {
+        const QRectF place(corner.x() + edge, top, inner(style), height);
+        top += height + between;
+        return place;
+    };
+    drawHead(painter, next(measures.head), card.signal, style);
+    const QRectF first = next(measures.picture), second = next(measures.relief), third = next(measures.profile);
+    drawPanels(painter, first, second, third, card, style);
+    drawFacts(painter, next(measures.facts), card, style);
+}
+
+}  // namespace
+
+QImage drawSheet(const std::vector<SeenSignal>& signals, const SheetStyle& style, int perRow)
+{
+    assert(!signals.empty() && perRow >= 1 && "a sheet shows something");
+    std::vector<Card> cards;
+    for (const SeenSignal& signal : signals)
+        cards.push_back(cardOf(signal));
+    const Measures measures = measuresOf(cards, style);
+    const int columns = std::min(perRow, static_cast<int>(cards.size()));
+    const int rows = (static_cast<int>(cards.size()) + columns - 1) / columns;
+    const QSizeF size(columns * (style.columnPx + between) + between, rows * (measures.whole() + between) + between);
+    constexpr double largestPx = 32000;
+    if (std::max(size.width(), size.height()) * style.pixelRatio > largestPx)
+        throw protocols::badInput({"the sheet would be larger than 32000 pixels", "",
+                                   "fewer signals on one sheet, or narrower ones", "make several sheets"});
+    QImage sheet((size * style.pixelRatio).toSize(), QImage::Format_RGB32);
+    sheet.setDevicePixelRatio(style.pixelRatio);
+    sheet.fill(style.background);
+    QPainter painter(&sheet);
+    for (int i = 0; i < static_cast<int>(cards.size()); ++i) {
+        const QPointF corner(between + (i % columns) * (style.columnPx + between),
+                             between + (i / columns) * (measures.whole() + between));
+        drawCard(painter, corner, cards[static_cast<std::size_t>(i)], measures, style);
+    }
+    return sheet;
+}
+
+QString describe(const std::vector<SeenSignal>& signals)
+{
+    QStringList texts;
+    for (const SeenSignal& signal : signals) {
+        const Card card = cardOf(signal);
+        const QString facts = card.lines.join(QStringLiteral("; ")).replace(QStringLiteral("   "), QStringLiteral(", "));
+        texts << QStringLiteral("%1 (%2): %3")
+                         .arg(QString::fromStdString(signal.title), QString::fromStdString(signal.kind), facts) +
+                     (card.warnings.isEmpty() ? QString() : QStringLiteral(". ") + card.warnings.join(' '));
+    }
+    return texts.join('\n');
+}
+
+}  // namespace study::looking

@@ -1,0 +1,126 @@
+// vis2hap view, stroke and display check, as they are typed.
+#include "tests/rendering/fabric_files.h"
+#include "tests/support/program.h"
+#include "tests/support/study_builder.h"
+
+#include <QImage>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QtTest>
+
+using support::Ended;
+using support::runProgram;
+
+class ViewCommandTest : public QObject {
+    Q_OBJECT
+    QTemporaryDir m_folder;
+
+    QString at(const char* name) { return m_folder.filePath(name); }
+    std::filesystem::path pathAt(const char* name) { return at(name).toStdString(); }
+
+private Q_SLOTS:
+    void initTestCase()
+    {
+        fabric_files::smallDataset(pathAt("set"));
+        cv::Mat image(60, 90, CV_8UC1);
+        for (int i = 0; i < 60 * 90; ++i)
+            image.data[i] = static_cast<unsigned char>(i * 13 % 256);
+        rendering::writePgm(pathAt("image.pgm"), image);
+    }
+
+    void signalsOfAFabricStandSideBySide()
+    {
+        const auto ended = runProgram({"view", at("set/F01/visual/000.png"), at("set/F01/tactile/000.png"),
+                                       at("set/F01/height/000.tiff"), at("set/F01/friction/000.csv"), "--out", at("sheet.png")});
+        QVERIFY2(ended.exitCode == 0, qPrintable(ended.err));
+        const QImage sheet(at("sheet.png"));
+        QVERIFY(sheet.width() > 4 * 460 && sheet.height() > 700);
+        const QStringList lines = ended.out.split('\n', Qt::SkipEmptyParts);
+        QCOMPARE(lines.size(), 4);
+        QVERIFY(lines[2].contains("height, 32 × 24") && lines[2].contains("0.125 mm") && lines[2].contains("same everywhere"));
+        QVERIFY(lines[3].contains("coefficient") || lines[3].contains("friction record"));
+    }
+
+    void strokeIsWrittenAndLookedAt()
+    {
+        const auto stroked = runProgram({"stroke", at("image.pgm"), "--csv", at("stroke.csv"), "--speed", "20"});
+        QVERIFY2(stroked.exitCode == 0, qPrintable(stroked.err));
+        const std::string text = fabric_files::read(pathAt("stroke.csv"));
+        QVERIFY(text.starts_with("t_s,position_mm,normal_n,tangential_n\n0,0,0.5,"));
+        // 89 pixels of 0.170 mm at 20 mm/s and 1000 Hz, both ends counted.
+        QCOMPARE(std::count(text.begin(), text.end(), '\n'), 1 + 756 + 1);
+        const auto ended =
+            runProgram({"view", at("stroke.csv"), at("image.pgm"), "--out", at("two.png"), "--dark", "--per-row", "1"});
+        QVERIFY2(ended.exitCode == 0, qPrintable(ended.err));
+        QVERIFY(QImage(at("two.png")).height() > 1400);
+    }
+
+    void wrongCallsAreRefused_data()
+    {
+        QTest::addColumn<QStringList>("arguments");
+        QTest::addColumn<QString>("told");
+        QTest::newRow("no speed") << QStringList{"stroke", "IMAGE", "--csv", "OUT", "--speed", "0"} << "speed";
+        QTest::newRow("backwards") << QStringList{"stroke", "IMAGE", "--csv", "OUT", "--speed", "-3"} << "speed";
+        QTest::newRow("far too fast") << QStringList{"stroke", "IMAGE", "--csv", "OUT", "--speed", "1e9"} << "speed";
+        QTest::newRow("line outside") << QStringList{"stroke", "IMAGE", "--csv", "OUT", "--line", "60"} << "no line 60";
+        QTest::newRow("photograph") << QStringList{"stroke", "PHOTO", "--csv", "OUT"} << "no friction image";
+        QTest::newRow("missing") << QStringList{"view", "NOTHING", "--out", "OUT"} << "nothing-here.png";
+        QTest::newRow("more than a sheet holds")
+            << QStringList{"view", "--per-row", "1", "--width", "2000", "--out", "OUT"} + QStringList(9, "IMAGE")
+            << "larger than 32000 pixels";
+        QTest::newRow("no file") << QStringList{"view", "--out", "OUT"} << "FILE";
+        QTest::newRow("nothing to check") << QStringList{"display", "check", "none"} << "no driver to check";
+        QTest::newRow("no port") << QStringList{"display", "check", "tcp:lab"} << "tcp:HOST:PORT";
+    }
+    void wrongCallsAreRefused()
+    {
+        QFETCH(QStringList, arguments);
+        QFETCH(QString, told);
+        arguments.replaceInStrings("IMAGE", at("image.pgm")).replaceInStrings("OUT", at("not-written"));
+        arguments.replaceInStrings("PHOTO", at("set/F01/visual/000.png")).replaceInStrings("NOTHING", at("nothing-here.png"));
+        const Ended ended = runProgram(arguments);
+        QCOMPARE(ended.exitCode, 2);
+        QVERIFY2(ended.err.contains(told) && ended.err.count('\n') == 1, qPrintable(ended.err));
+        QVERIFY(!QFile::exists(at("not-written")));
+    }
+
+    void stimuliOfAnOpenStudyAreRefused()
+    {
+        const auto study = tests::support::buildStudy(pathAt("study"));
+        const auto stimulus = QString::fromStdString(std::filesystem::directory_iterator(study.stimuli())->path().string());
+        const Ended ended = runProgram({"view", stimulus, "--out", at("seen.png")});
+        QCOMPARE(ended.exitCode, 2);
+        QVERIFY2(ended.err.contains("not unblinded"), qPrintable(ended.err));
+        QVERIFY(!QFile::exists(at("seen.png")));
+        const Ended stroked = runProgram({"stroke", stimulus, "--csv", at("felt.csv")});
+        QCOMPARE(stroked.exitCode, 2);
+        QVERIFY(stroked.err.contains("not unblinded") && !QFile::exists(at("felt.csv")));
+    }
+
+    void ownerOfADisplayChecksTheDriver()
+    {
+        const QString driver = QStringLiteral("exec:" VIS2HAP_REFERENCE_DISPLAY " '%1'").arg(at("felt"));
+        const Ended ended = runProgram({"display", "check", driver + " --touch-after 20", "--touch", "5"});
+        QVERIFY2(ended.exitCode == 0, qPrintable(ended.out + ended.err));
+        QCOMPARE(ended.out.count("\npass  "), 17);
+        QVERIFY(ended.out.contains("reference display: meets every demand") && ended.out.contains("ms in the middle of 10"));
+        const Ended dead = runProgram({"display", "check", driver + " --crash-at 1"});
+        QCOMPARE(dead.exitCode, 1);
+        QVERIFY2(dead.out.contains("FAIL  shows an image") && dead.out.contains("signal 9"), qPrintable(dead.out));
+    }
+
+    void nothingHeavyIsLoaded()
+    {
+        // The app and the light commands start in milliseconds; see CONTRIBUTING.md.
+        QProcess libraries;
+        libraries.start("ldd", {VIS2HAP_PROGRAM});
+        QVERIFY(libraries.waitForFinished());
+        const QString loaded = QString::fromUtf8(libraries.readAllStandardOutput());
+        QVERIFY(loaded.contains("libopencv_core"));
+        for (const char* heavy : {"libtorch", "libopencv_imgcodecs", "libopencv_highgui", "libgdal"})
+            QVERIFY2(!loaded.contains(heavy), heavy);
+    }
+};
+
+QTEST_GUILESS_MAIN(ViewCommandTest)
+#include "view_command_test.moc"

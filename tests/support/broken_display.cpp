@@ -1,0 +1,117 @@
+// A display's driver with one fault, named on its command line, for the tests of the conformance check and of
+// sessions:  broken_display FAULT
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace {
+
+using Json = nlohmann::json;
+
+std::string fault;
+Json showing;
+int images = 0;
+
+bool is(const char* name) { return fault == name; }
+
+void sayLine(const std::string& line) { std::cout << line << std::endl; }
+
+void say(const char* type, const Json& id, Json more = Json::object())
+{
+    more["type"] = type;
+    more["id"] = id;
+    sayLine(more.dump());
+    if (is("answers twice")) sayLine(more.dump());
+}
+
+void hang()
+{
+    while (true) ::pause();
+}
+
+void hello(const Json& request)
+{
+    if (is("silent at hello")) hang();
+    if (is("babbles")) sayLine("Engine 2.1 is ready");
+    if (is("endless line"))
+        while (true) std::cout << std::string(1000, 'x') << std::flush;
+    if (is("endless lines"))
+        while (true) sayLine("x");
+    if (is("other schema"))
+        return say("hello", request["id"], {{"schema", "acme/7"}, {"name", "A"}, {"width", 4}, {"height", 3}});
+    if (is("echoes the schema"))
+        return say("hello", request["id"], {{"schema", request["schema"]}, {"name", "A"}, {"width", 40}, {"height", 30}});
+    if (is("no name")) return say("hello", request["id"], {{"schema", "vis2hap.display/1"}, {"width", 40}, {"height", 30}});
+    if (is("shows at the start")) showing = 1;
+    say("hello", request["id"],
+        {{"schema", "vis2hap.display/1"}, {"name", "A"}, {"width", 40}, {"height", 30}, {"touches", true}});
+}
+
+void show(const Json& request)
+{
+    ++images;
+    if (!is("reads images as lines")) {
+        std::string image(request["bytes"].get<std::size_t>(), '\0');
+        std::cin.read(image.data(), static_cast<std::streamsize>(image.size()));
+    }
+    if (is("hangs at an image")) hang();
+    while (is("babbles for ever")) {
+        sayLine("frame");
+        ::usleep(200);
+    }
+    if (is("dies at an image")) std::raise(SIGKILL);
+    if (is("dies at the first image") && std::getenv("BROKEN_DISPLAY_MARK") != nullptr) {
+        const std::string mark = std::getenv("BROKEN_DISPLAY_MARK");
+        if (::access(mark.c_str(), F_OK) != 0) {
+            std::fclose(std::fopen(mark.c_str(), "w"));
+            std::fputs("cannot open the amplifier\n", stderr);
+            std::exit(3);
+        }
+    }
+    if (is("half a line")) {
+        std::cout << "{\"type\":\"sho" << std::flush;
+        std::exit(0);
+    }
+    if (is("floods its errors")) std::cerr << std::string(1 << 20, 'e') << std::endl;
+    if (is("refuses images")) return say("failed", request["id"], {{"why", "no amplifier"}});
+    if (is("answers an old id")) return say("shown", 1);
+    if (is("late first reply") && images == 1) return say("shown", 0);
+    showing = request["id"];
+    say("shown", showing);
+    if (is("touched elsewhere")) say("touched", 999999);
+    if (is("dies after an image")) {
+        ::usleep(20000);
+        std::raise(SIGKILL);
+    }
+}
+
+void answer(const Json& request)
+{
+    const std::string type = request.is_object() ? request.value("type", "") : "";
+    if (type == "hello") return hello(request);
+    if (type == "show") return show(request);
+    if (type == "clear" && !is("never clears")) showing = nullptr;
+    if (type == "clear" && is("hangs at clearing")) hang();
+    if (type == "clear") say("cleared", request["id"]);
+    if (type == "clear" && is("dies after clearing")) std::raise(SIGKILL);
+    if (type == "clear") return;
+    if (type == "status" && is("status tells nothing")) return say("status", request["id"]);
+    if (type == "status") return say("status", request["id"], {{"showing", showing}});
+    if (is("ends at the unknown")) std::exit(0);
+    if (!is("silent at the unknown")) say("failed", request.value("id", Json(0)), {{"why", "unknown"}});
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    fault = argc > 1 ? argv[1] : "";
+    for (std::string line; std::getline(std::cin, line);) answer(Json::parse(line, nullptr, false));
+    if (is("goes on without input")) hang();
+    return 0;
+}

@@ -9,7 +9,7 @@ namespace protocols {
 
 namespace {
 
-constexpr std::array<Condition, 9> conditions{{
+constexpr std::array<Condition, 10> conditions{{
     {"v_grey", ConditionGroup::Vision, ReliefSource::GreyPhotograph, FrictionSource::None},
     {"v_shape", ConditionGroup::Vision, ReliefSource::ShapeFromShading, FrictionSource::None},
     {"f_g", ConditionGroup::Generated, ReliefSource::None, FrictionSource::GeneratedTrace},
@@ -19,6 +19,7 @@ constexpr std::array<Condition, 9> conditions{{
     {"f", ConditionGroup::Measured, ReliefSource::None, FrictionSource::MeasuredTrace},
     {"h", ConditionGroup::Measured, ReliefSource::PhotometricHeight, FrictionSource::None},
     {"h&f", ConditionGroup::Measured, ReliefSource::PhotometricHeight, FrictionSource::MeasuredTrace},
+    {"gradient", ConditionGroup::Measured, ReliefSource::HeightGradient, FrictionSource::None, false},
 }};
 
 std::string knownIds()
@@ -65,7 +66,8 @@ std::vector<ConditionId> conditionList(std::string_view text)
 {
     std::vector<ConditionId> ids;
     if (text == "all") {
-        for (const Condition& condition : conditions) ids.push_back(condition.conditionId());
+        for (const Condition& condition : conditions)
+            if (condition.ofThePaper) ids.push_back(condition.conditionId());
         return ids;
     }
     for (std::size_t begin = 0; begin <= text.size();) {

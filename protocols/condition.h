@@ -1,6 +1,6 @@
-// The nine input conditions of the paper (section "Baselines of haptic rendering"), as a table.
-// Which signals must be computed follows from a row's two sources (rendering/plan.h); a tenth
-// condition is one more row.
+// The nine input conditions of the paper (section "Baselines of haptic rendering"), as a table, and
+// others that must be asked for by name. Which signals must be computed follows from a row's two
+// sources (rendering/plan.h); another condition is one more row.
 #pragma once
 
 #include "protocols/ids.h"
@@ -13,7 +13,7 @@
 namespace protocols {
 
 enum class ConditionGroup { Vision, Generated, Measured };
-enum class ReliefSource { None, GreyPhotograph, ShapeFromShading, GeneratedHeight, GreyTactile, PhotometricHeight };
+enum class ReliefSource { None, GreyPhotograph, ShapeFromShading, GeneratedHeight, GreyTactile, PhotometricHeight, HeightGradient };
 enum class FrictionSource { None, GeneratedTrace, MeasuredTrace };
 
 struct Condition {
@@ -21,6 +21,7 @@ struct Condition {
     ConditionGroup group;
     ReliefSource relief;
     FrictionSource friction;
+    bool ofThePaper = true;  ///< one of the nine that "all" means
 
     ConditionId conditionId() const { return ConditionId(std::string(id)); }
 };
@@ -28,7 +29,7 @@ struct Condition {
 /// What keys call the blank glass of a catch trial; no condition, so in no list of conditions.
 ConditionId catchTrialId();
 
-/// In the order of the paper, which is the order of every table and file.
+/// The nine in the order of the paper, which is the order of every table and file, then the others.
 std::span<const Condition> allConditions();
 
 /// Accepts "h_g&f_g" and its file-name spelling "h_g+f_g". Throws badInput naming the known ids.
@@ -37,7 +38,7 @@ const Condition& conditionNamed(std::string_view id);
 /// "h_g&f_g" -> "h_g+f_g".
 std::string fileNameOf(const ConditionId& id);
 
-/// "all", or a comma-separated list of ids. Throws badInput for an unknown or doubled one.
+/// "all" (the nine of the paper), or a comma-separated list of ids. Throws badInput for an unknown or doubled one.
 std::vector<ConditionId> conditionList(std::string_view text);
 
 }  // namespace protocols

@@ -7,6 +7,7 @@
 
 #include "rendering/signals/friction_trace.h"
 #include "rendering/signals/grey.h"
+#include "rendering/signals/height_gradient.h"
 #include "rendering/signals/shape_from_shading.h"
 
 namespace rendering {
@@ -65,20 +66,16 @@ std::optional<protocols::Fault> lackOfHeight(const fabrics::Dataset& dataset, co
                             fabric.value + "/height/*.tiff", "add it, or name a calibration"};
 }
 
-bool hasPitch(const fabrics::Dataset& dataset, const protocols::Condition& condition)
+/// The pitch of what a recording shows, as the data set states it.
+std::optional<double> statedPitch(const fabrics::Dataset& dataset, Signal signal)
 {
-    switch (condition.relief) {
-        case protocols::ReliefSource::None:
-            return true;
-        case protocols::ReliefSource::GreyPhotograph:
-        case protocols::ReliefSource::ShapeFromShading:
-        case protocols::ReliefSource::GeneratedHeight:
-            return dataset.cameraMmPerPixel.has_value();
-        case protocols::ReliefSource::GreyTactile:
-        case protocols::ReliefSource::PhotometricHeight:
-            return dataset.tactileMmPerPixel.has_value();
-    }
-    return false;
+    return recordingBelow(signal) == Signal::Photograph ? dataset.cameraMmPerPixel : dataset.tactileMmPerPixel;
+}
+
+protocols::Fault lackOfPitch(const fabrics::Dataset& dataset, const std::string& what)
+{
+    return {what + ", is unknown", (dataset.folder / "dataset.json").string(), "mm_per_pixel",
+            "state it there, or use --scale pixels"};
 }
 
 /// Runs one computation, counted and timed.
@@ -114,10 +111,14 @@ std::optional<protocols::Fault> lackOf(const fabrics::Dataset& dataset, const pr
             if (auto fault = lackOfSample(dataset, fabric, samples, condition, reading)) return fault;
     if (needs(Signal::PhotometricHeight))
         if (auto fault = lackOfHeight(dataset, fabric, samples, condition)) return fault;
-    if (scale == Scale::Physical && !hasPitch(dataset, condition))
-        return protocols::Fault{"the physical scale of the images" + forWhom(fabric, condition) + ", is unknown",
-                                (dataset.folder / "dataset.json").string(), "mm_per_pixel",
-                                "state it there, or use --scale pixels"};
+    const auto relief = reliefSignal(condition);
+    if (scale == Scale::Physical && relief && !statedPitch(dataset, *relief))
+        return lackOfPitch(dataset, "the physical scale of the images" + forWhom(fabric, condition));
+    if (needs(Signal::HeightGradient) && !dataset.tactileMmPerPixel) {
+        auto fault = lackOfPitch(dataset, "the pitch of the tactile frames" + forWhom(fabric, condition));
+        fault.nextStep = "state it there, or leave the condition out";
+        return fault;
+    }
     return {};
 }
 
@@ -154,6 +155,9 @@ FabricSignals SignalWorkshop::measured(const protocols::FabricId& fabric, const 
     compute(Signal::PhotometricHeight,
             [&] { return tactileHeight(fabric, samples.tactile, imageOf(result, Signal::TactileFrame)); });
 
+    compute(Signal::HeightGradient,
+            [&] { return signals::heightGradient(imageOf(result, Signal::PhotometricHeight), *m_dataset.tactileMmPerPixel); });
+
     fabrics::FrictionRecord record;
     if (needed.contains(Signal::FrictionRecord))
         computed(counts, Signal::FrictionRecord, [&] { record = fabrics::readFriction(m_dataset, fabric, samples.friction); });
@@ -186,42 +190,17 @@ void addGenerated(FabricSignals& signals, models::GeneratedSignals generated, co
 Sources sourcesOf(const protocols::Condition& condition, const FabricSignals& signals)
 {
     Sources sources;
-    const auto relief = [&](Signal signal, std::optional<double> pitch) {
-        sources.relief = imageOf(signals, signal);
-        sources.reliefMmPerPixel = pitch;
-    };
-    switch (condition.relief) {
-        case protocols::ReliefSource::None:
-            break;
-        case protocols::ReliefSource::GreyPhotograph:
-            relief(Signal::GreyPhotograph, signals.photographMmPerPixel);
-            break;
-        case protocols::ReliefSource::ShapeFromShading:
-            relief(Signal::ShapeFromShading, signals.photographMmPerPixel);
-            break;
-        case protocols::ReliefSource::GeneratedHeight:
-            relief(Signal::GeneratedHeight, signals.generatedMmPerPixel);
-            break;
-        case protocols::ReliefSource::GreyTactile:
-            relief(Signal::GreyTactile, signals.tactileMmPerPixel);
-            break;
-        case protocols::ReliefSource::PhotometricHeight:
-            relief(Signal::PhotometricHeight, signals.tactileMmPerPixel);
-            break;
+    if (const auto relief = reliefSignal(condition)) {
+        sources.relief = imageOf(signals, *relief);
+        sources.reliefMmPerPixel = byGenerator(*relief)                            ? signals.generatedMmPerPixel
+                                   : recordingBelow(*relief) == Signal::Photograph ? signals.photographMmPerPixel
+                                                                                   : signals.tactileMmPerPixel;
     }
-    switch (condition.friction) {
-        case protocols::FrictionSource::None:
-            break;
-        case protocols::FrictionSource::GeneratedTrace:
-            sources.trace = signals.traces.at(Signal::GeneratedTrace);
-            sources.traceMmPerSample = signals.generatedTraceMmPerSample.value_or(0);
-            sources.meanFriction = signals.generatedMeanFriction;
-            break;
-        case protocols::FrictionSource::MeasuredTrace:
-            sources.trace = signals.traces.at(Signal::MeasuredTrace);
-            sources.traceMmPerSample = signals.traceMmPerSample.value_or(0);
-            sources.meanFriction = signals.measuredMeanFriction;
-            break;
+    if (const auto friction = frictionSignal(condition)) {
+        const bool generated = *friction == Signal::GeneratedTrace;
+        sources.trace = signals.traces.at(*friction);
+        sources.traceMmPerSample = (generated ? signals.generatedTraceMmPerSample : signals.traceMmPerSample).value_or(0);
+        sources.meanFriction = generated ? signals.generatedMeanFriction : signals.measuredMeanFriction;
     }
     return sources;
 }

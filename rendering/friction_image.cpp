@@ -3,76 +3,22 @@
 #include <algorithm>
 #include <cmath>
 #include <opencv2/core.hpp>
-#include <opencv2/imgproc.hpp>
 
 #include "protocols/errors.h"
+#include "rendering/display_pitch.h"
 
 namespace rendering {
 
 namespace {
 
-/// Row i of `source` at position i * step + offset, linearly between its neighbours, mirrored outside.
-cv::Mat resampledRows(const cv::Mat& source, int count, double offset, double step)
-{
-    cv::Mat result(count, source.cols, CV_32FC1);
-    for (int i = 0; i < count; ++i) {
-        const double place = offset + i * step;
-        const int low = static_cast<int>(std::floor(place));
-        const double share = place - low;
-        const int a = cv::borderInterpolate(low, source.rows, cv::BORDER_REFLECT);
-        const int b = cv::borderInterpolate(low + 1, source.rows, cv::BORDER_REFLECT);
-        cv::addWeighted(source.row(a), 1 - share, source.row(b), share, 0, result.row(i));
-    }
-    return result;
-}
+/// Squares of anything larger leave the range of 32-bit numbers.
+constexpr double largestValue = 1e30;
 
-/// To `ratio` times the pixels along the rows, centre on centre. Made smaller, the source first passes a
-/// Gaussian of half a new pixel, which leaves under 1 % of what the new pixels cannot hold.
-cv::Mat scaledRows(const cv::Mat& source, double ratio)
+void requireValues(const cv::Mat& values, const protocols::Condition& condition)
 {
-    const int count = std::max(1, static_cast<int>(std::lround(source.rows * ratio)));
-    cv::Mat smooth = source;
-    if (ratio < 1) {
-        const double sigma = 0.5 / ratio;
-        const int reach = static_cast<int>(std::ceil(4 * sigma));
-        cv::sepFilter2D(source, smooth, CV_32F, cv::Mat::ones(1, 1, CV_32F), cv::getGaussianKernel(2 * reach + 1, sigma, CV_32F),
-                        {-1, -1}, 0, cv::BORDER_REFLECT);
-    }
-    const double centre = (source.rows - 1) / 2.0;
-    return resampledRows(smooth, count, centre - (count - 1) / 2.0 / ratio, 1 / ratio);
-}
-
-cv::Mat toDisplayPitch(const cv::Mat& source, double mmPerPixel, bool bothAxes)
-{
-    const double ratio = mmPerPixel / displayMmPerPixel;
-    cv::Mat result = bothAxes ? scaledRows(source, ratio) : source;
-    result = scaledRows(result.t(), ratio).t();
-    return result;
-}
-
-/// Centred on the screen: cropped where it is larger, continued by its mirror image where smaller.
-ScaledMap onScreen(const cv::Mat& source)
-{
-    const cv::Size screen(displayWidthPx, displayHeightPx);
-    const cv::Size kept(std::min(source.cols, screen.width), std::min(source.rows, screen.height));
-    const cv::Mat inside =
-        source(cv::Rect((source.cols - kept.width) / 2, (source.rows - kept.height) / 2, kept.width, kept.height));
-    const int left = (screen.width - kept.width) / 2, top = (screen.height - kept.height) / 2;
-    ScaledMap map;
-    cv::copyMakeBorder(inside, map.values, top, screen.height - kept.height - top, left, screen.width - kept.width - left,
-                       cv::BORDER_REFLECT);
-    if (kept != screen)
-        map.extension = "mirror";
-    else
-        map.extension = inside.size() == source.size() ? "none" : "none (cropped)";
-    return map;
-}
-
-void requireFinite(const cv::Mat& values, const protocols::Condition& condition)
-{
-    if (values.empty() || !cv::checkRange(values))
+    if (values.empty() || !cv::checkRange(values, true, nullptr, -largestValue, largestValue))
         throw protocols::workFailed({.what = "the signal of " + std::string(condition.id) +
-                                             (values.empty() ? " is empty" : " holds values that are not finite"),
+                                             (values.empty() ? " is empty" : " holds values that are not finite or beyond 1e30"),
                                      .where = "",
                                      .expected = "a number at every place",
                                      .nextStep = "check the data set with vis2hap fabrics check"});
@@ -88,54 +34,75 @@ double requirePitch(double mmPerPixel, const protocols::Condition& condition)
     return mmPerPixel;
 }
 
-ScaledMap composeTrace(const protocols::Condition& condition, const Sources& sources, Scale scale)
+/// Sum of squares about `mean`, times the area of a pixel.
+double power(const cv::Mat& values, double mean, double pixelArea)
+{
+    cv::Scalar own, sd;
+    cv::meanStdDev(values, own, sd);
+    return (sd[0] * sd[0] + (own[0] - mean) * (own[0] - mean)) * static_cast<double>(values.total()) * pixelArea;
+}
+
+/// `shown`: what of the source lies on the screen once.
+std::optional<double> varianceLost(const cv::Mat& source, double sourcePitch, const cv::Mat& shown, double shownPitch)
+{
+    if (shown.data == source.data && shown.size() == source.size()) {
+        double least = 0, most = 0;
+        cv::minMaxLoc(source, &least, &most);
+        return most > least ? std::optional(0.0) : std::nullopt;
+    }
+    const double ratio = shownPitch / sourcePitch, area = source.rows == 1 && shown.rows == 1 ? ratio : ratio * ratio;
+    const double mean = cv::mean(source)[0], all = power(source, mean, 1);
+    if (!(all > 0)) return {};
+    return std::clamp(1 - power(shown, mean, area) / all, 0.0, 1.0);
+}
+
+ScaledMap onScreen(const cv::Mat& source, double mmPerPixel, Scale scale, Extension extension)
+{
+    const cv::Size screen(displayWidthPx, displayHeightPx);
+    AtDisplayPitch shown{source, false};
+    if (scale == Scale::Physical) {
+        shown = atDisplayPitch(source, mmPerPixel, source.rows > 1, screen);
+    } else if (source.cols > screen.width || source.rows > screen.height) {
+        const cv::Size kept(std::min(source.cols, screen.width), std::min(source.rows, screen.height));
+        shown = {source(cv::Rect((source.cols - kept.width) / 2, (source.rows - kept.height) / 2, kept.width, kept.height)),
+                 true};
+    }
+    auto extended = overScreen(shown.values, extension);
+    if (shown.cropped && extended.how == "none") extended.how = "none (cropped)";
+    const double pitch = scale == Scale::Physical ? displayMmPerPixel : mmPerPixel;
+    return {extended.values, extended.how, varianceLost(source, mmPerPixel, shown.values, pitch), extended.agreement};
+}
+
+ScaledMap composeTrace(const protocols::Condition& condition, const Sources& sources, Scale scale, Extension extension)
 {
     cv::Mat line;
     cv::Mat(1, static_cast<int>(sources.trace.size()), CV_64FC1, const_cast<double*>(sources.trace.data()))
         .convertTo(line, CV_32F);
-    requireFinite(line, condition);
-    if (scale == Scale::Physical) line = toDisplayPitch(line, requirePitch(sources.traceMmPerSample, condition), false);
-    return onScreen(line);
+    requireValues(line, condition);
+    const double pitch = scale == Scale::Physical ? requirePitch(sources.traceMmPerSample, condition) : 1;
+    return onScreen(line, pitch, scale, extension);
 }
 
 }  // namespace
 
-ScaledMap compose(const protocols::Condition& condition, const Sources& sources, Scale scale)
+ScaledMap compose(const protocols::Condition& condition, const Sources& sources, Scale scale, Extension extension)
 {
-    if (condition.relief == protocols::ReliefSource::None) return composeTrace(condition, sources, scale);
-    requireFinite(sources.relief, condition);
-    cv::Mat relief;
-    sources.relief.convertTo(relief, CV_32F);
-    if (scale == Scale::Physical)
-        relief = toDisplayPitch(relief, requirePitch(sources.reliefMmPerPixel.value_or(0), condition), true);
-    ScaledMap map = onScreen(relief);
+    if (condition.relief == protocols::ReliefSource::None) return composeTrace(condition, sources, scale, extension);
+    requireValues(sources.relief, condition);
+    cv::Mat relief = sources.relief;
+    if (relief.type() != CV_32FC1) sources.relief.convertTo(relief, CV_32F);
+    const double pitch = scale == Scale::Physical ? requirePitch(sources.reliefMmPerPixel.value_or(0), condition) : 1;
+    ScaledMap map = onScreen(relief, pitch, scale, extension);
     if (condition.friction == protocols::FrictionSource::None) return map;
     if (!sources.meanFriction || !std::isfinite(*sources.meanFriction))
         throw protocols::workFailed({.what = "the mean friction of " + std::string(condition.id) + " is missing",
                                      .where = "",
                                      .expected = "a number",
                                      .nextStep = "check the data set with vis2hap fabrics check"});
+    // Nothing on the screen exceeds the source but by what a filter overshoots.
+    requireValues(cv::Mat(1, 1, CV_64FC1, cv::Scalar(cv::norm(relief, cv::NORM_INF) * *sources.meanFriction)), condition);
     map.values *= *sources.meanFriction;
     return map;
-}
-
-void MapRange::include(const ScaledMap& map)
-{
-    double low = 0, high = 0;
-    cv::minMaxLoc(map.values, &low, &high);
-    min = empty ? low : std::min(min, low);
-    max = empty ? high : std::max(max, high);
-    empty = false;
-}
-
-cv::Mat mapToDisplay(const ScaledMap& map, const MapRange& range)
-{
-    if (range.constant()) return cv::Mat::zeros(map.values.size(), CV_8UC1);
-    cv::Mat centred, image;
-    // Subtracted before scaling: a narrow range far from 0 would lose its last digits otherwise.
-    cv::subtract(map.values, cv::Scalar(range.min), centred, cv::noArray(), CV_64F);
-    centred.convertTo(image, CV_8U, 255 / (range.max - range.min));
-    return image;
 }
 
 }  // namespace rendering

@@ -6,8 +6,11 @@
 #include "protocols/condition.h"
 #include "protocols/ids.h"
 
+#include "rendering/screen_extension.h"
+
 #include <opencv2/core/mat.hpp>
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -30,16 +33,26 @@ struct Sources {
 
 /// m' of one fabric on the screen, before the range law.
 struct ScaledMap {
-    cv::Mat values;          ///< CV_32FC1 [800 x 1280]
-    std::string extension;   ///< how a smaller source was extended: "mirror", "none (cropped)"
+    cv::Mat values;         ///< CV_32FC1 [800 x 1280]
+    std::string extension = {};  ///< how a smaller source was continued: "tile", "mirror", "none (cropped)"
+    /// Share of the source's variance about its mean, over its whole area, that does not reach the screen:
+    /// what was cropped and, at the physical scale, what the display's pixels cannot hold. None for a
+    /// constant source.
+    std::optional<double> varianceLost = {};
+    double agreement = 0;  ///< of the strips where patches overlap, correlation; 0 where none do
 };
 
 enum class Scale { Pixels, Physical };
 
+/// The axis of the display along which traces are laid and the finger strokes.
+inline constexpr char strokeAxis = 'x';
+
 /// Relief alone, trace alone (constant across the stroke, which runs along x), or friction x relief,
 /// by the row of the condition. `pixels` lays one source pixel on one display pixel as in the paper;
 /// `physical` keeps millimetres with an anti-aliasing filter and needs the source's pitch (badInput else).
-ScaledMap compose(const protocols::Condition& condition, const Sources& sources, Scale scale);
+/// Throws workFailed for values that are not finite or beyond 1e30.
+ScaledMap compose(const protocols::Condition& condition, const Sources& sources, Scale scale,
+                  Extension extension = Extension::Tile);
 
 /// min(m') and max(m') over all objects of a condition.
 struct MapRange {
@@ -50,7 +63,31 @@ struct MapRange {
     bool constant() const { return !(max > min); }
 };
 
+/// The range without the lowest and highest pixels of all objects together, so that a speck of dust does
+/// not flatten the rest: from percentile `low` to `high`, to 1/65536 of the whole range. The whole range
+/// where nothing lies between.
+class RobustRange {
+public:
+    explicit RobustRange(const MapRange& whole);
+    void include(const ScaledMap& map);  ///< every map that the whole range is of, once
+    MapRange between(double lowPercentile, double highPercentile) const;
+
+private:
+    MapRange m_whole;
+    std::vector<std::uint64_t> m_counts;
+};
+
+/// Share of a map's pixels outside a range.
+double shareOutside(const ScaledMap& map, const MapRange& range);
+
+struct DisplayMapping {
+    int bits = 8;         ///< 8 (0..255, what the display takes) or 16 (0..65535, to look at and to compare)
+    bool dither = false;  ///< noise of one level before rounding, so that no steps are felt in a slow slope
+    std::uint64_t seed = 1;
+    bool operator==(const DisplayMapping&) const = default;
+};
+
 /// Eq. 5 to 0..255, rounded. A constant range maps to 0: no relief, the glass's own friction.
-cv::Mat mapToDisplay(const ScaledMap& map, const MapRange& range);
+cv::Mat mapToDisplay(const ScaledMap& map, const MapRange& range, const DisplayMapping& mapping = {});
 
 }  // namespace rendering

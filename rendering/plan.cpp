@@ -8,12 +8,17 @@ namespace rendering {
 
 namespace {
 
-/// One signal: its name and what it is computed from. Below: every signal after those it rests on, so
-/// the order of this table is an order of computing.
+using protocols::FrictionSource;
+using protocols::ReliefSource;
+
+/// One signal: its name, what it is computed from, and which source of a condition it is. Below: every
+/// signal after those it rests on, so the order of this table is an order of computing.
 struct SignalRow {
     Signal signal;
     const char* name;
     std::vector<Signal> from;
+    ReliefSource relief = ReliefSource::None;
+    FrictionSource friction = FrictionSource::None;
     bool byGenerator = false;
 };
 
@@ -23,14 +28,29 @@ const std::vector<SignalRow>& signalTable()
         {Signal::Photograph, "photograph", {}},
         {Signal::TactileFrame, "tactile frame", {}},
         {Signal::FrictionRecord, "friction record", {}},
-        {Signal::GreyPhotograph, "grey photograph", {Signal::Photograph}},
-        {Signal::ShapeFromShading, "shape from shading", {Signal::Photograph}},
-        {Signal::GreyTactile, "grey tactile frame", {Signal::TactileFrame}},
-        {Signal::PhotometricHeight, "photometric height", {Signal::TactileFrame}},
-        {Signal::GeneratedHeight, "generated height", {Signal::Photograph}, true},
-        {Signal::MeasuredTrace, "measured trace", {Signal::FrictionRecord}},
-        {Signal::GeneratedSpectrogram, "generated spectrogram", {Signal::Photograph}, true},
-        {Signal::GeneratedTrace, "generated trace", {Signal::GeneratedSpectrogram}},
+        {Signal::GreyPhotograph, "grey photograph", {Signal::Photograph}, ReliefSource::GreyPhotograph},
+        {Signal::ShapeFromShading, "shape from shading", {Signal::Photograph}, ReliefSource::ShapeFromShading},
+        {Signal::GreyTactile, "grey tactile frame", {Signal::TactileFrame}, ReliefSource::GreyTactile},
+        {Signal::PhotometricHeight, "photometric height", {Signal::TactileFrame}, ReliefSource::PhotometricHeight},
+        {Signal::HeightGradient, "gradient of the height", {Signal::PhotometricHeight}, ReliefSource::HeightGradient},
+        {Signal::GeneratedHeight,
+         "generated height",
+         {Signal::Photograph},
+         ReliefSource::GeneratedHeight,
+         FrictionSource::None,
+         true},
+        {Signal::MeasuredTrace, "measured trace", {Signal::FrictionRecord}, ReliefSource::None, FrictionSource::MeasuredTrace},
+        {Signal::GeneratedSpectrogram,
+         "generated spectrogram",
+         {Signal::Photograph},
+         ReliefSource::None,
+         FrictionSource::None,
+         true},
+        {Signal::GeneratedTrace,
+         "generated trace",
+         {Signal::GeneratedSpectrogram},
+         ReliefSource::None,
+         FrictionSource::GeneratedTrace},
     };
     return rows;
 }
@@ -41,41 +61,6 @@ const SignalRow& rowOf(Signal signal)
     const auto found = std::find_if(rows.begin(), rows.end(), [&](const auto& row) { return row.signal == signal; });
     assert(found != rows.end() && "every signal has a row in the table");
     return *found;
-}
-
-std::vector<Signal> sourcesOf(const protocols::Condition& condition)
-{
-    std::vector<Signal> sources;
-    switch (condition.relief) {
-        case protocols::ReliefSource::None:
-            break;
-        case protocols::ReliefSource::GreyPhotograph:
-            sources.push_back(Signal::GreyPhotograph);
-            break;
-        case protocols::ReliefSource::ShapeFromShading:
-            sources.push_back(Signal::ShapeFromShading);
-            break;
-        case protocols::ReliefSource::GeneratedHeight:
-            sources.push_back(Signal::GeneratedHeight);
-            break;
-        case protocols::ReliefSource::GreyTactile:
-            sources.push_back(Signal::GreyTactile);
-            break;
-        case protocols::ReliefSource::PhotometricHeight:
-            sources.push_back(Signal::PhotometricHeight);
-            break;
-    }
-    switch (condition.friction) {
-        case protocols::FrictionSource::None:
-            break;
-        case protocols::FrictionSource::GeneratedTrace:
-            sources.push_back(Signal::GeneratedTrace);
-            break;
-        case protocols::FrictionSource::MeasuredTrace:
-            sources.push_back(Signal::MeasuredTrace);
-            break;
-    }
-    return sources;
 }
 
 void addWithGround(std::set<Signal>& needed, Signal signal)
@@ -103,10 +88,30 @@ std::string joined(std::span<const Signal> signals)
 
 std::string nameOf(Signal signal) { return rowOf(signal).name; }
 
+std::optional<Signal> reliefSignal(const protocols::Condition& condition)
+{
+    if (condition.relief == ReliefSource::None) return {};
+    const auto& rows = signalTable();
+    const auto found = std::find_if(rows.begin(), rows.end(), [&](const auto& row) { return row.relief == condition.relief; });
+    assert(found != rows.end() && "every source of relief is a signal of the table");
+    return found->signal;
+}
+
+std::optional<Signal> frictionSignal(const protocols::Condition& condition)
+{
+    if (condition.friction == FrictionSource::None) return {};
+    const auto& rows = signalTable();
+    const auto found =
+        std::find_if(rows.begin(), rows.end(), [&](const auto& row) { return row.friction == condition.friction; });
+    assert(found != rows.end() && "every source of friction is a signal of the table");
+    return found->signal;
+}
+
 std::vector<Signal> signalsFor(const protocols::Condition& condition)
 {
     std::set<Signal> needed;
-    for (const Signal source : sourcesOf(condition)) addWithGround(needed, source);
+    for (const auto& source : {reliefSignal(condition), frictionSignal(condition)})
+        if (source) addWithGround(needed, *source);
     return inOrder(needed);
 }
 
@@ -116,6 +121,14 @@ std::vector<Signal> signalsFor(std::span<const protocols::ConditionId> condition
     for (const auto& id : conditions)
         for (const Signal signal : signalsFor(protocols::conditionNamed(id.value))) needed.insert(signal);
     return inOrder(needed);
+}
+
+bool byGenerator(Signal signal) { return rowOf(signal).byGenerator; }
+
+Signal recordingBelow(Signal signal)
+{
+    const auto& from = rowOf(signal).from;
+    return from.empty() ? signal : recordingBelow(from.front());
 }
 
 bool needsGenerators(std::span<const Signal> signals)

@@ -100,25 +100,48 @@ std::string rangeKey(const protocols::Condition& condition, const FabricSignals&
     return condition.friction == protocols::FrictionSource::MeasuredTrace ? signals.measuredQuantity : "";
 }
 
+/// Ranges between percentiles of all pixels: another pass over the maps, since their whole range must be known.
+template <class KeyOf, class MapOf>
+void makeRobust(std::map<std::string, MapRange>& ranges, const KeyOf& keyOf, const MapOf& mapOf,
+                const std::vector<FabricId>& rangeOver, const Percentiles& percentiles)
+{
+    std::map<std::string, RobustRange> robust;
+    for (const auto& [key, range] : ranges) robust.emplace(key, range);
+    for (const auto& fabric : rangeOver) robust.at(keyOf(fabric)).include(mapOf(fabric));
+    for (auto& [key, range] : ranges) range = robust.at(key).between(percentiles.low, percentiles.high);
+}
+
+void requirePercentiles(const Percentiles& percentiles)
+{
+    if (percentiles.low >= 0 && percentiles.low < percentiles.high && percentiles.high <= 100) return;
+    throw protocols::badInput({.what = "the percentiles of the range are no range",
+                               .where = "--range-percentiles",
+                               .expected = "0 <= LO < HI <= 100, e.g. 0.1,99.9",
+                               .nextStep = ""});
+}
+
 RenderedCondition renderCondition(const ConditionId& id, const std::vector<FabricId>& rangeOver, const RenderRequest& request,
                                   const Rendering& rendering)
 {
     const auto start = std::chrono::steady_clock::now();
     const auto& condition = protocols::conditionNamed(id.value);
     const auto mapOf = [&](const FabricId& fabric) {
-        return compose(condition, sourcesOf(condition, rendering.signals.at(fabric)), request.scale);
+        return compose(condition, sourcesOf(condition, rendering.signals.at(fabric)), request.scale, request.extension);
     };
     RenderedCondition result;
     result.condition = id;
     result.rangeOver = rangeOver;
     // Two passes: composing again is quick, keeping the maps of all fabrics is 4 MB each.
-    for (const auto& fabric : rangeOver) result.ranges[rangeKey(condition, rendering.signals.at(fabric))].include(mapOf(fabric));
+    const auto keyOf = [&](const FabricId& fabric) { return rangeKey(condition, rendering.signals.at(fabric)); };
+    for (const auto& fabric : rangeOver) result.ranges[keyOf(fabric)].include(mapOf(fabric));
+    if (!request.percentiles.whole()) makeRobust(result.ranges, keyOf, mapOf, rangeOver, request.percentiles);
     for (const auto& fabric : request.fabrics) {
         const auto map = mapOf(fabric);
-        const auto& range = result.ranges.at(rangeKey(condition, rendering.signals.at(fabric)));
+        const auto& range = result.ranges.at(keyOf(fabric));
         if (result.images.empty()) result.range = range;
-        result.images[fabric] = mapToDisplay(map, range);
-        result.extension[fabric] = map.extension;
+        result.images[fabric] = mapToDisplay(map, range, request.mapping);
+        result.maps[fabric] = {map.extension, map.agreement, map.varianceLost,
+                               request.percentiles.whole() ? 0 : shareOutside(map, range)};
     }
     result.milliseconds = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     return result;
@@ -129,6 +152,7 @@ RenderedCondition renderCondition(const ConditionId& id, const std::vector<Fabri
 Rendering renderFabrics(const fabrics::Dataset& dataset, const RenderRequest& request,
                         const std::function<void(int, int, const std::string&)>& progress)
 {
+    requirePercentiles(request.percentiles);
     Rendering rendering;
     const Job job = settle(dataset, request, rendering);
     const int total = static_cast<int>(job.needed.size() + request.conditions.size()) + 1;

@@ -21,12 +21,21 @@ struct SampleChoice {
     int visual = 0, tactile = 0, friction = 0;  ///< sample indices
 };
 
+struct Percentiles {
+    double low = 0, high = 100;  ///< 0 <= low < high <= 100
+    bool whole() const { return low <= 0 && high >= 100; }
+    bool operator==(const Percentiles&) const = default;
+};
+
 struct RenderRequest {
     std::vector<protocols::FabricId> fabrics;    ///< what to write
     std::vector<protocols::FabricId> rangeOver;  ///< whose maps set the range; empty: all of the data set
     std::vector<protocols::ConditionId> conditions;
     std::map<protocols::FabricId, SampleChoice> samples;  ///< missing: the first sample of each signal
     Scale scale = Scale::Pixels;
+    Extension extension = Extension::Tile;
+    Percentiles percentiles;  ///< of the pixels of all objects together; 0 and 100: their least and greatest value
+    DisplayMapping mapping;
     models::GenerationOptions generation;  ///< model and quality; what is generated follows from the conditions
 
     /// Asked at most once, with the photographs of all fabrics, and only where a condition needs it.
@@ -45,6 +54,14 @@ struct FabricSignals {
         generatedTraceMmPerSample;
 };
 
+/// What became of a source on its way to the screen.
+struct MapFacts {
+    std::string extension;               ///< how a source smaller than the screen was continued
+    double agreement = 0;                ///< of overlapping strips, correlation
+    std::optional<double> varianceLost;  ///< ScaledMap::varianceLost
+    double outsideRange = 0;             ///< share of pixels that robust percentiles cut off
+};
+
 struct RenderedCondition {
     protocols::ConditionId condition;
     MapRange range;  ///< of the first fabric written
@@ -52,8 +69,8 @@ struct RenderedCondition {
     /// sensor units have no common range.
     std::map<std::string, MapRange> ranges;
     std::vector<protocols::FabricId> rangeOver;            ///< whose maps the ranges are of
-    std::map<protocols::FabricId, std::string> extension;  ///< how a source smaller than the screen was continued
-    std::map<protocols::FabricId, cv::Mat> images;         ///< CV_8UC1 [800 x 1280], of RenderRequest::fabrics
+    std::map<protocols::FabricId, MapFacts> maps;    ///< of RenderRequest::fabrics
+    std::map<protocols::FabricId, cv::Mat> images;  ///< [800 x 1280], CV_8UC1 or CV_16UC1, of RenderRequest::fabrics
     double milliseconds = 0;
 };
 
@@ -71,7 +88,10 @@ struct Rendering {
 Rendering renderFabrics(const fabrics::Dataset& dataset, const RenderRequest& request,
                         const std::function<void(int, int, const std::string&)>& progress = {});
 
-/// The text of render.json: range and its set, samples, signals computed, ms.
+/// The text of render.json: range and its set, samples, signals computed, extension, variance lost, ms.
 std::string renderJson(const fabrics::Dataset& dataset, const RenderRequest& request, const Rendering& rendering);
+
+/// What became of each fabric's sources, a line a fabric for people.
+std::vector<std::string> describeMaps(const Rendering& rendering);
 
 }  // namespace rendering

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "rendering/render_fabrics.h"
@@ -15,7 +16,22 @@ double rounded(double milliseconds) { return std::round(milliseconds * 1000) / 1
 
 Json jsonOf(const MapRange& range) { return {{"min", range.min}, {"max", range.max}, {"constant", range.constant()}}; }
 
-Json jsonOf(const RenderedCondition& rendered)
+const char* nameOf(Scale scale) { return scale == Scale::Pixels ? "pixels" : "physical"; }
+const char* nameOf(Extension extension) { return extension == Extension::Tile ? "tile" : "mirror"; }
+
+/// All that decides how a value becomes a level, beside the range itself.
+Json mappingOf(const RenderRequest& request)
+{
+    Json json{{"scale", nameOf(request.scale)},
+              {"extension", nameOf(request.extension)},
+              {"percentiles", {request.percentiles.low, request.percentiles.high}},
+              {"bits", request.mapping.bits},
+              {"dither", request.mapping.dither}};
+    if (request.mapping.dither) json["dither_seed"] = request.mapping.seed;
+    return json;
+}
+
+Json jsonOf(const RenderedCondition& rendered, const RenderRequest& request)
 {
     Json json{{"range", jsonOf(rendered.range)}, {"range_over", Json::array()}, {"signals", Json::array()}};
     for (const auto& fabric : rendered.rangeOver) json["range_over"].push_back(fabric.value);
@@ -23,7 +39,17 @@ Json jsonOf(const RenderedCondition& rendered)
         for (const auto& [quantity, range] : rendered.ranges) json["ranges"][quantity] = jsonOf(range);
     for (const Signal signal : signalsFor(protocols::conditionNamed(rendered.condition.value)))
         json["signals"].push_back(nameOf(signal));
-    for (const auto& [fabric, extension] : rendered.extension) json["extension"][fabric.value] = extension;
+    json["mapping"] = mappingOf(request);
+    json["stroke_axis"] = std::string(1, strokeAxis);
+    json["images"] = Json::array();
+    for (const auto& [fabric, facts] : rendered.maps) {
+        json["images"].push_back(fabric.value);
+        json["extension"][fabric.value] = facts.extension;
+        json["agreement"][fabric.value] = facts.agreement;
+        json["variance_lost"][fabric.value] = facts.varianceLost ? Json(*facts.varianceLost) : Json();
+        if (!facts.varianceLost) json["why"]["variance_lost"] = "a constant source has no variance";
+        if (!request.percentiles.whole()) json["outside_range"][fabric.value] = facts.outsideRange;
+    }
     json["ms"] = rounded(rendered.milliseconds);
     return json;
 }
@@ -53,17 +79,55 @@ const char* nameOf(models::Quality quality)
 
 }  // namespace
 
+namespace {
+
+std::string percent(double share)
+{
+    char text[16];
+    std::snprintf(text, sizeof text, "%d.%d %%", static_cast<int>(share * 1000 + 0.5) / 10,
+                  static_cast<int>(share * 1000 + 0.5) % 10);
+    return text;
+}
+
+std::string inWords(const MapFacts& facts)
+{
+    return facts.extension + (facts.varianceLost ? ", " + percent(*facts.varianceLost) + " of its variance lost" : ", constant") +
+           (facts.outsideRange > 0 ? ", " + percent(facts.outsideRange) + " of its pixels beyond the range" : "");
+}
+
+}  // namespace
+
+std::vector<std::string> describeMaps(const Rendering& rendering)
+{
+    // Conditions of one source share its fate: named together.
+    std::map<protocols::FabricId, std::vector<std::pair<std::string, std::string>>> fates;
+    for (const auto& rendered : rendering.conditions)
+        for (const auto& [fabric, facts] : rendered.maps) {
+            auto& known = fates[fabric];
+            const auto words = inWords(facts);
+            const auto same = std::find_if(known.begin(), known.end(), [&](const auto& fate) { return fate.first == words; });
+            if (same == known.end())
+                known.emplace_back(words, rendered.condition.value);
+            else
+                same->second += ", " + rendered.condition.value;
+        }
+    std::vector<std::string> lines;
+    for (const auto& [fabric, known] : fates) {
+        std::string line;
+        for (const auto& [words, conditions] : known)
+            line += (line.empty() ? fabric.value + ": " : "; ") + conditions + ": " + words;
+        lines.push_back(line);
+    }
+    return lines;
+}
+
 std::string renderJson(const fabrics::Dataset& dataset, const RenderRequest& request, const Rendering& rendering)
 {
-    Json json{{"schema", "vis2hap.render/1"},
-              {"dataset", dataset.name},
-              {"scale", request.scale == Scale::Pixels ? "pixels" : "physical"},
-              {"quality", nameOf(request.generation.quality)},
-              {"conditions", Json::object()},
-              {"samples", Json::object()},
-              {"signals_computed", Json::object()},
-              {"signals_ms", Json::object()}};
-    for (const auto& rendered : rendering.conditions) json["conditions"][rendered.condition.value] = jsonOf(rendered);
+    Json json{{"schema", "vis2hap.render/1"},       {"dataset", dataset.name},
+              {"scale", nameOf(request.scale)},     {"quality", nameOf(request.generation.quality)},
+              {"conditions", Json::object()},       {"samples", Json::object()},
+              {"signals_computed", Json::object()}, {"signals_ms", Json::object()}};
+    for (const auto& rendered : rendering.conditions) json["conditions"][rendered.condition.value] = jsonOf(rendered, request);
     for (const auto& [fabric, samples] : rendering.samples) json["samples"][fabric.value] = samplesOf(samples, rendering);
     for (const auto& [signal, count] : rendering.computed) json["signals_computed"][nameOf(signal)] = count;
     for (const auto& [signal, milliseconds] : rendering.milliseconds) json["signals_ms"][nameOf(signal)] = rounded(milliseconds);

@@ -20,105 +20,115 @@ std::string_view withoutBlanks(std::string_view text)
     return text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
-/// Cuts records and cells; one line break ends a record unless it stands in quotes.
-class Cutter {
-public:
-    Cutter(std::string_view text, char separator, const std::string& where) : m_text(text), m_separator(separator), m_where(where)
-    {
-    }
-
-    bool atEnd() const { return m_at >= m_text.size(); }
-
-    std::vector<std::string> record()
-    {
-        std::vector<std::string> cells;
-        while (true) {
-            cells.push_back(cell());
-            if (!atEnd() && m_text[m_at] == m_separator) {
-                ++m_at;
-                continue;
-            }
-            skipLineBreak();
-            return cells;
-        }
-    }
-
-private:
-    std::string cell()
-    {
-        if (!atEnd() && m_text[m_at] == '"') return quotedCell();
-        const std::size_t start = m_at;
-        while (!atEnd() && m_text[m_at] != m_separator && m_text[m_at] != '\n' && m_text[m_at] != '\r') ++m_at;
-        return std::string(m_text.substr(start, m_at - start));
-    }
-
-    std::string quotedCell()
-    {
-        std::string content;
-        for (++m_at; !atEnd(); ++m_at) {
-            if (m_text[m_at] != '"') {
-                content += m_text[m_at];
-            } else if (m_at + 1 < m_text.size() && m_text[m_at + 1] == '"') {
-                content += '"';
-                ++m_at;
-            } else {
-                ++m_at;
-                if (!atEnd() && m_text[m_at] != m_separator && m_text[m_at] != '\n' && m_text[m_at] != '\r')
-                    throw protocols::badInput(
-                        {"text follows a closing quote", m_where, "a separator or the end of the line", ""});
-                return content;
-            }
-        }
-        throw protocols::badInput({"a quote is never closed", m_where, "cells quoted as RFC 4180 says", ""});
-    }
-
-    void skipLineBreak()
-    {
-        if (!atEnd() && m_text[m_at] == '\r') ++m_at;
-        if (!atEnd() && m_text[m_at] == '\n') ++m_at;
-    }
-
-    std::string_view m_text;
-    char m_separator;
-    const std::string& m_where;
-    std::size_t m_at = 0;
-};
-
-bool isEmptyLine(const std::vector<std::string>& record) { return record.size() == 1 && withoutBlanks(record[0]).empty(); }
-
-}  // namespace
-
-std::optional<std::size_t> CsvTable::column(std::string_view name) const
+std::optional<std::size_t> placeOf(const std::vector<std::string>& columns, std::string_view name)
 {
     const auto found = std::find(columns.begin(), columns.end(), name);
     return found == columns.end() ? std::nullopt : std::optional(std::size_t(found - columns.begin()));
 }
 
-CsvTable csvTableFrom(std::string_view text, const std::string& where, char separator)
+double numberOrFault(const std::string& cell, const std::string& row, const std::string& column)
+{
+    if (const auto value = numberIn(cell)) return *value;
+    throw protocols::badInput(
+        {cell.empty() ? "is empty" : "\"" + cell + "\" is no number", row + ", column " + column, "a finite number", ""});
+}
+
+}  // namespace
+
+CsvReader::CsvReader(std::string_view text, std::string where, char separator)
+    : m_text(text), m_where(std::move(where)), m_separator(separator)
 {
     constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
-    if (text.starts_with(byteOrderMark)) text.remove_prefix(byteOrderMark.size());
-    CsvTable table{where, {}, {}};
-    Cutter cutter(text, separator, where);
-    while (!cutter.atEnd() && table.columns.empty()) {
-        const auto header = cutter.record();
-        if (!isEmptyLine(header))
-            for (const std::string& name : header) table.columns.emplace_back(withoutBlanks(name));
-    }
-    if (table.columns.empty()) throw protocols::badInput({"is empty", where, "a header row", ""});
-    std::set<std::string> seen;
-    for (const std::string& name : table.columns)
+    if (m_text.starts_with(byteOrderMark)) m_text.remove_prefix(byteOrderMark.size());
+    do {
+        if (atEnd()) throw protocols::badInput({"is empty", m_where, "a header row", ""});
+        readRecord();
+    } while (isEmptyLine());
+    std::set<std::string_view> seen;
+    for (const std::string& name : m_cells) m_columns.emplace_back(withoutBlanks(name));
+    for (const std::string& name : m_columns)
         if (!name.empty() && !seen.insert(name).second)
-            throw protocols::badInput({"the column \"" + name + "\" occurs twice", where, "each column once", ""});
-    while (!cutter.atEnd()) {
-        auto record = cutter.record();
-        if (isEmptyLine(record)) continue;
-        table.rows.push_back(std::move(record));
-        if (table.rows.back().size() != table.columns.size())
-            throw protocols::badInput({"has " + std::to_string(table.rows.back().size()) + " cells",
-                                       rowName(table, table.rows.size() - 1),
-                                       std::to_string(table.columns.size()) + ", as the header", ""});
+            throw protocols::badInput({"the column \"" + name + "\" occurs twice", m_where, "each column once", ""});
+}
+
+std::optional<std::size_t> CsvReader::column(std::string_view name) const { return placeOf(m_columns, name); }
+
+bool CsvReader::next()
+{
+    do {
+        if (atEnd()) return false;
+        readRecord();
+    } while (isEmptyLine());
+    ++m_rows;
+    if (m_cells.size() != m_columns.size())
+        throw protocols::badInput({"has " + std::to_string(m_cells.size()) + " cells",
+                                   m_where + ", row " + std::to_string(m_rows),
+                                   std::to_string(m_columns.size()) + ", as the header", ""});
+    return true;
+}
+
+double CsvReader::number(std::size_t column) const
+{
+    const std::string& cell = m_cells[column];
+    // The name of the row is made only for a fault: this is called 10^7 times.
+    const auto value = numberIn(cell);
+    return value ? *value : numberOrFault(cell, m_where + ", row " + std::to_string(m_rows), m_columns[column]);
+}
+
+/// One line break ends a record unless it stands in quotes.
+void CsvReader::readRecord()
+{
+    std::size_t count = 0;
+    while (true) {
+        if (m_cells.size() <= count) m_cells.emplace_back();
+        readCell(m_cells[count++]);
+        if (atEnd() || m_text[m_at] != m_separator) break;
+        ++m_at;
     }
+    m_cells.resize(count);
+    if (!atEnd() && m_text[m_at] == '\r') ++m_at;
+    if (!atEnd() && m_text[m_at] == '\n') ++m_at;
+}
+
+void CsvReader::readCell(std::string& cell)
+{
+    if (!atEnd() && m_text[m_at] == '"') {
+        readQuotedCell(cell);
+        return;
+    }
+    const std::size_t start = m_at;
+    while (!atEnd() && m_text[m_at] != m_separator && m_text[m_at] != '\n' && m_text[m_at] != '\r') ++m_at;
+    cell.assign(m_text.substr(start, m_at - start));
+}
+
+void CsvReader::readQuotedCell(std::string& cell)
+{
+    cell.clear();
+    for (++m_at; !atEnd(); ++m_at) {
+        if (m_text[m_at] != '"') {
+            cell += m_text[m_at];
+        } else if (m_at + 1 < m_text.size() && m_text[m_at + 1] == '"') {
+            cell += '"';
+            ++m_at;
+        } else {
+            ++m_at;
+            if (!atEnd() && m_text[m_at] != m_separator && m_text[m_at] != '\n' && m_text[m_at] != '\r')
+                throw protocols::badInput({"text follows a closing quote", m_where, "a separator or the end of the line", ""});
+            return;
+        }
+    }
+    throw protocols::badInput({"a quote is never closed", m_where, "cells quoted as RFC 4180 says", ""});
+}
+
+bool CsvReader::isEmptyLine() const { return m_cells.size() == 1 && withoutBlanks(m_cells[0]).empty(); }
+
+std::optional<std::size_t> CsvTable::column(std::string_view name) const { return placeOf(columns, name); }
+
+CsvTable csvTableFrom(std::string_view text, const std::string& where, char separator)
+{
+    CsvReader reader(text, where, separator);
+    CsvTable table{where, reader.columns(), {}};
+    while (reader.next()) table.rows.push_back(reader.cells());
     return table;
 }
 
@@ -140,9 +150,8 @@ std::optional<double> numberIn(std::string_view text)
 double numberAt(const CsvTable& table, std::size_t row, std::size_t column)
 {
     const std::string& cell = table.rows[row][column];
-    if (const auto value = numberIn(cell)) return *value;
-    throw protocols::badInput({cell.empty() ? "is empty" : "\"" + cell + "\" is no number",
-                               rowName(table, row) + ", column " + table.columns[column], "a finite number", ""});
+    const auto value = numberIn(cell);
+    return value ? *value : numberOrFault(cell, rowName(table, row), table.columns[column]);
 }
 
 std::string rowName(const CsvTable& table, std::size_t row) { return table.where + ", row " + std::to_string(row + 1); }

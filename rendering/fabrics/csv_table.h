@@ -18,6 +18,40 @@ struct CsvTable {
     std::optional<std::size_t> column(std::string_view name) const;
 };
 
+/// The same rows one after another, for records too long to be kept as text: 10^7 rows of three numbers take
+/// 1.5 GB as cells.
+class CsvReader {
+public:
+    /// Reads the header; `text` must outlive the reader. Throws badInput as readCsvTable().
+    CsvReader(std::string_view text, std::string where, char separator = ',');
+
+    const std::vector<std::string>& columns() const { return m_columns; }
+    std::optional<std::size_t> column(std::string_view name) const;
+
+    /// False at the end. Throws badInput for a row of another length or an open quote.
+    bool next();
+    const std::vector<std::string>& cells() const { return m_cells; }
+    std::size_t rows() const { return m_rows; }  ///< read so far; the first after the header is 1
+
+    /// The number in a cell of the row that next() read; throws badInput naming row and column.
+    double number(std::size_t column) const;
+
+    const std::string& where() const { return m_where; }
+
+private:
+    void readRecord();
+    void readCell(std::string& cell);
+    void readQuotedCell(std::string& cell);
+    bool isEmptyLine() const;
+    bool atEnd() const { return m_at >= m_text.size(); }
+
+    std::string_view m_text;
+    std::string m_where;
+    char m_separator;
+    std::size_t m_at = 0, m_rows = 0;
+    std::vector<std::string> m_columns, m_cells;
+};
+
 /// Throws badInput: no header row, a row with another number of cells, an open quote, a name that occurs twice.
 /// Empty lines are passed over. `separator` is a comma, semicolon or tab.
 CsvTable readCsvTable(const std::filesystem::path& file, char separator = ',');

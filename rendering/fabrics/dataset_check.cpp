@@ -105,6 +105,8 @@ private:
             for (const int index : sampleIndices(m_dataset, fabric.id, modality)) {
                 if (nameOf(modality) == folder)
                     names.insert(samplePath(m_dataset, fabric.id, modality, index).filename().string());
+                if (modality == Modality::Friction && folder == nameOf(modality))  // what the import did to it
+                    names.insert(samplePath(m_dataset, fabric.id, modality, index).stem().string() + ".json");
                 if (modality == Modality::Tactile && folder == "height")
                     names.insert(knownHeightPath(m_dataset, fabric.id, index).filename().string());
             }

@@ -46,4 +46,18 @@ std::vector<double> atEvenSteps(const std::vector<double>& timeS, const std::vec
     return even;
 }
 
+std::vector<double> meansAtEvenSteps(const std::vector<double>& timeS, const std::vector<double>& values, double stepS)
+{
+    std::vector<double> even = atEvenSteps(timeS, values, stepS);
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < even.size(); ++i) {
+        const double end = timeS.front() + (double(i) + 0.5) * stepS;
+        double sum = 0;
+        std::size_t count = 0;
+        for (; next < timeS.size() && timeS[next] < end; ++next, ++count) sum += values[next];
+        if (count > 0) even[i] = sum / double(count);
+    }
+    return even;
+}
+
 }  // namespace rendering::fabrics

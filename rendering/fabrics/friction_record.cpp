@@ -1,9 +1,10 @@
 // The friction part of dataset.h: records as CSV, whose header says what they are.
-#include <algorithm>
+#include <cmath>
 
 #include "protocols/errors.h"
 #include "rendering/fabrics/csv_table.h"
 #include "rendering/fabrics/dataset.h"
+#include "rendering/whole_file.h"
 
 namespace rendering::fabrics {
 
@@ -18,31 +19,32 @@ std::string joined(const std::vector<std::string>& names)
     return line;
 }
 
-protocols::Error unknownColumns(const CsvTable& table)
+protocols::Error unknownColumns(const CsvReader& reader)
 {
-    return protocols::badInput({"has the columns " + joined(table.columns), table.where,
+    return protocols::badInput({"has the columns " + joined(reader.columns()), reader.where(),
                                 "t_s,normal_n,tangential_n or t_s,mu or t_s and one named quantity", ""});
 }
 
-std::vector<double> timesOf(const CsvTable& table, std::size_t column)
+std::string rowOf(const CsvReader& reader) { return reader.where() + ", row " + std::to_string(reader.rows()); }
+
+void addTime(FrictionRecord& record, const CsvReader& reader, std::size_t column)
 {
-    std::vector<double> times;
-    for (std::size_t row = 0; row < table.rows.size(); ++row) {
-        times.push_back(numberAt(table, row, column));
-        if (row > 0 && times[row] <= times[row - 1])
-            throw protocols::badInput(
-                {"time does not increase", rowName(table, row) + ", column t_s", "rows in order of time", ""});
-    }
-    return times;
+    const double time = reader.number(column);
+    if (!record.timeS.empty() && !(time > record.timeS.back()))
+        throw protocols::badInput({"time does not increase", rowOf(reader) + ", column t_s", "rows in order of time", ""});
+    record.timeS.push_back(time);
 }
 
-double coefficientAt(const CsvTable& table, std::size_t row, std::size_t normal, std::size_t tangential)
+double coefficientIn(const CsvReader& reader, std::size_t normal, std::size_t tangential)
 {
-    const double force = numberAt(table, row, normal);
+    const double force = reader.number(normal);
     if (force <= leastNormalN)
-        throw protocols::badInput({"the normal force is " + shortest(force) + " N", rowName(table, row) + ", column normal_n",
+        throw protocols::badInput({"the normal force is " + shortest(force) + " N", rowOf(reader) + ", column normal_n",
                                    "more than 0.05 N: the probe must be in contact", "cut the record to the stroke"});
-    return numberAt(table, row, tangential) / force;
+    const double coefficient = reader.number(tangential) / force;
+    if (!std::isfinite(coefficient))
+        throw protocols::badInput({"the forces have no finite ratio", rowOf(reader), "forces in N", ""});
+    return coefficient;
 }
 
 }  // namespace
@@ -55,25 +57,22 @@ FrictionRecord readFriction(const Dataset& dataset, const protocols::FabricId& f
         throw protocols::badInput(
             {"fabric " + fabric.value + " (" + info.name + ") has no friction sample " + std::to_string(index),
              dataset.folder.string(), "", "import friction records, or choose a condition that does not need them"});
-    const CsvTable table = readCsvTable(file);
-    const auto time = table.column("t_s");
-    if (!time) throw unknownColumns(table);
-    if (table.rows.size() < 2)
-        throw protocols::badInput({"has " + std::to_string(table.rows.size()) + " rows", table.where, "at least 2", ""});
+    const std::string bytes = readWholeFile(file);
+    CsvReader reader(bytes, file.string());
+    const auto time = reader.column("t_s"), normal = reader.column("normal_n"), tangential = reader.column("tangential_n");
+    const bool forces = normal && tangential;
+    if (!time || (!forces && (reader.columns().size() != 2 || normal || tangential))) throw unknownColumns(reader);
+    const std::size_t value = *time == 0 ? 1 : 0;
     FrictionRecord record;
-    record.timeS = timesOf(table, *time);
+    if (!forces) record.quantity = reader.columns()[value];
+    while (reader.next()) {
+        addTime(record, reader, *time);
+        record.values.push_back(forces ? coefficientIn(reader, *normal, *tangential) : reader.number(value));
+    }
+    if (record.values.size() < 2)
+        throw protocols::badInput({"has " + std::to_string(record.values.size()) + " rows", reader.where(), "at least 2", ""});
     record.sampleRateHz = double(record.timeS.size() - 1) / (record.timeS.back() - record.timeS.front());
     record.speedMmPerS = dataset.friction.speedMmPerS;
-    const auto normal = table.column("normal_n"), tangential = table.column("tangential_n");
-    if (normal && tangential) {
-        for (std::size_t row = 0; row < table.rows.size(); ++row)
-            record.values.push_back(coefficientAt(table, row, *normal, *tangential));
-        return record;
-    }
-    if (table.columns.size() != 2 || normal || tangential) throw unknownColumns(table);
-    const std::size_t value = *time == 0 ? 1 : 0;
-    record.quantity = table.columns[value];
-    for (std::size_t row = 0; row < table.rows.size(); ++row) record.values.push_back(numberAt(table, row, value));
     return record;
 }
 

@@ -3,6 +3,7 @@
 #include "protocols/errors.h"
 #include "rendering/fabrics/import_kinds.h"
 #include "rendering/fabrics/import_stage.h"
+#include "rendering/whole_file.h"
 
 namespace rendering::fabrics {
 
@@ -23,6 +24,17 @@ constexpr Kind kinds[] = {
     {ImportKind::Slide, "slide", importFrictionFiles},
 };
 
+void writePlots(const std::filesystem::path& folder, const std::vector<ImportStage::Plot>& plots)
+{
+    if (folder.empty() || plots.empty()) return;
+    std::error_code failure;
+    std::filesystem::create_directories(folder, failure);
+    if (failure)
+        throw protocols::environmentFault({"cannot make the folder (" + failure.message() + ")", folder.string(),
+                                           "a writable place", "choose another --plots"});
+    for (const auto& [name, svg] : plots) writeWholeFile(folder / name, svg);
+}
+
 }  // namespace
 
 ImportKind importKindNamed(std::string_view name)
@@ -38,6 +50,7 @@ ImportKind importKindNamed(std::string_view name)
 std::vector<std::string> importRecordings(const ImportRequest& request)
 {
     ImportStage stage(request.out);
+    const std::size_t fabricsBefore = stage.dataset().fabrics.size();
     Lines lines;
     for (const Kind& kind : kinds)
         if (kind.kind == request.kind) lines = kind.import(request, stage);
@@ -45,7 +58,11 @@ std::vector<std::string> importRecordings(const ImportRequest& request)
         stage.dataset().procedural = false;
         lines.emplace_back("the data set was procedural; with real recordings in it, it no longer is");
     }
+    if (const std::size_t fabrics = stage.dataset().fabrics.size(); !stage.isNew() && fabrics > fabricsBefore)
+        lines.push_back("the data set has " + std::to_string(fabrics) + " fabrics now, " + std::to_string(fabricsBefore) +
+                        " before: ranges of friction images made before were over those alone; render all again to compare them");
     stage.commit();
+    writePlots(request.plots, stage.plots());
     return lines;
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "rendering/fabrics/dataset.h"
+#include "rendering/fabrics/friction_options.h"
 
 namespace rendering::fabrics {
 
@@ -24,6 +25,8 @@ struct ImportRequest {
     /// Decodes what image_io does not read (JPEG, BMP ...): the caller lends one, so that the
     /// importers link no codec. Returns CV_8UC3 RGB, throws badInput.
     std::function<cv::Mat(const std::filesystem::path&)> decodeOther;
+    FrictionOptions friction = {};     ///< of friction records
+    std::filesystem::path plots = {};  ///< folder for a picture of each stroke, F01-000.svg; empty: none
 };
 
 /// What was imported, a line each for people: "F01 Linen: slide, 812 samples, taxel_sum_counts (counts, not a coefficient), ...".

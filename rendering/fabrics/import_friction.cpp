@@ -1,13 +1,12 @@
 // Friction records of every instrument: reading is each instrument's; what follows is the same.
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
-#include <numeric>
 
 #include "protocols/errors.h"
 #include "rendering/fabrics/csv_table.h"
-#include "rendering/fabrics/even_steps.h"
+#include "rendering/fabrics/friction_plot.h"
+#include "rendering/fabrics/friction_preparation.h"
 #include "rendering/fabrics/import_kinds.h"
 #include "rendering/fabrics/import_sources.h"
 #include "rendering/whole_file.h"
@@ -16,14 +15,11 @@ namespace rendering::fabrics {
 
 namespace {
 
-constexpr double leastNormalN = 0.05;
-constexpr std::size_t mostSamples = 50'000'000;
-
 struct Instrument {
     ImportKind kind;
     std::array<std::string_view, 2> endings;
     FabricNaming naming;
-    std::vector<RawRecord> (*read)(const std::filesystem::path&);
+    std::vector<RawRecord> (*read)(const std::filesystem::path&, const FrictionOptions&);
 };
 
 constexpr Instrument instruments[] = {
@@ -38,69 +34,27 @@ const Instrument& instrumentOf(ImportKind kind)
     return *std::find_if(std::begin(instruments), std::end(instruments), [&](const Instrument& one) { return one.kind == kind; });
 }
 
-/// Four significant figures, for people.
-std::string inShort(double value)
+std::string toCsv(const PreparedRecord& prepared, const std::string& quantity)
 {
-    char buffer[40];
-    const auto [end, problem] = std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, 4);
-    return std::string(buffer, problem == std::errc{} ? end : buffer);
-}
-
-void refuseLostContact(const RawRecord& record)
-{
-    for (std::size_t row = 0; row < record.normalN.size(); ++row)
-        if (record.normalN[row] <= leastNormalN)
-            throw protocols::badInput({"the normal force is " + shortest(record.normalN[row]) + " N",
-                                       record.where + ", row " + std::to_string(row + 1),
-                                       "more than 0.05 N: the probe must be in contact", "cut the record to the stroke"});
-}
-
-/// A record at even steps, as it is written.
-struct EvenRecord {
-    double stepS = 0;
-    std::vector<double> values, normalN;
-};
-
-EvenRecord evenedOut(const RawRecord& record, const TimeBase& base)
-{
-    if ((record.timeS.back() - record.timeS.front()) / base.stepS > double(mostSamples))
-        throw protocols::badInput({"has a gap in time that is too long to fill", record.where, "time stamps of one stroke", ""});
-    if (base.even)
-        return {(record.timeS.back() - record.timeS.front()) / double(record.timeS.size() - 1), record.values, record.normalN};
-    EvenRecord even{base.stepS, atEvenSteps(record.timeS, record.values, base.stepS), {}};
-    if (!record.normalN.empty()) even.normalN = atEvenSteps(record.timeS, record.normalN, base.stepS);
-    return even;
-}
-
-std::string toCsv(const EvenRecord& even, const std::string& quantity)
-{
-    const bool forces = !even.normalN.empty();
+    const bool forces = !prepared.evenNormalN.empty();
     std::string text = forces ? "t_s,normal_n,tangential_n\n" : "t_s," + csvCell(quantity) + "\n";
-    for (std::size_t i = 0; i < even.values.size(); ++i) {
-        text += shortest(std::round(double(i) * even.stepS * 1e9) / 1e9) + ",";
-        if (forces) text += shortest(even.normalN[i]) + ",";
-        text += shortest(even.values[i]) + "\n";
+    for (std::size_t i = 0; i < prepared.values.size(); ++i) {
+        text += shortest(std::round(double(i) * prepared.stepS * 1e9) / 1e9) + ",";
+        if (forces) text += shortest(prepared.evenNormalN[i]) + ",";
+        text += shortest(prepared.values[i]) + "\n";
     }
     return text;
 }
 
-double meanOf(const RawRecord& record)
-{
-    double sum = 0;
-    for (std::size_t i = 0; i < record.values.size(); ++i)
-        sum += record.normalN.empty() ? record.values[i] : record.values[i] / record.normalN[i];
-    return sum / double(record.values.size());
-}
-
-std::string describe(const RawRecord& record, const TimeBase& base, const EvenRecord& even)
+std::string describe(const RawRecord& record, const PreparedRecord& prepared)
 {
     const bool coefficient = !record.normalN.empty() || record.quantity == "mu";
     std::string line = record.instrument + ", " + std::to_string(record.values.size()) + " rows, " + record.meaning + ", mean " +
-                       inShort(meanOf(record)) + (coefficient ? "" : " (not a coefficient)") + ", " + inShort(1 / even.stepS) +
+                       inShort(prepared.mean) + (coefficient ? "" : " (not a coefficient)") + ", " + inShort(1 / prepared.stepS) +
                        " Hz";
-    if (!base.even)
-        line += " (time stamps uneven, " + inShort(base.smallestS * 1000) + " to " + inShort(base.largestS * 1000) +
-                " ms; resampled linearly to the median step, " + std::to_string(even.values.size()) + " samples)";
+    if (prepared.resampling != "none")
+        line += " (own steps " + inShort(prepared.base.smallestS * 1000) + " to " + inShort(prepared.base.largestS * 1000) +
+                " ms; resampled, " + prepared.resampling + ", to " + std::to_string(prepared.values.size()) + " samples)";
     return line;
 }
 
@@ -111,7 +65,7 @@ bool hasFriction(const Dataset& dataset)
                        [&](const FabricInfo& fabric) { return !sampleIndices(dataset, fabric.id, Modality::Friction).empty(); });
 }
 
-void describeRecording(Dataset& dataset, const RawRecord& record, const EvenRecord& even)
+void describeRecording(Dataset& dataset, const RawRecord& record, const PreparedRecord& even)
 {
     dataset.friction.sampleRateHz = std::round(1 / even.stepS * 1e6) / 1e6;
     if (!record.speedMmPerS) return;
@@ -128,6 +82,11 @@ std::string remarkOnSpeed(const RawRecord& record, const Dataset& dataset)
     return ", " + own + " (the data set states " + known + ")";
 }
 
+std::string titleOf(const FabricInfo& fabric, int sample)
+{
+    return fabric.id.value + (fabric.name == fabric.id.value ? "" : " " + fabric.name) + ", sample " + std::to_string(sample);
+}
+
 }  // namespace
 
 Lines importFrictionFiles(const ImportRequest& request, ImportStage& stage)
@@ -138,18 +97,18 @@ Lines importFrictionFiles(const ImportRequest& request, ImportStage& stage)
     bool first = stage.isNew() || !hasFriction(dataset);
     Lines lines;
     for (const SourceFile& source : files)
-        for (const RawRecord& record : instrument.read(source.file)) {
-            const TimeBase base = timeBaseOf(record.timeS, record.where);
-            refuseLostContact(record);
-            const EvenRecord even = evenedOut(record, base);
-            if (first) describeRecording(dataset, record, even);
+        for (const RawRecord& record : instrument.read(source.file, request.friction)) {
+            const PreparedRecord done = prepared(record, request.friction);
+            if (first) describeRecording(dataset, record, done);
             first = false;
             const auto fabric = stage.fabricFor(source.fabricName, request.fabric);
             const auto slot = stage.addSample(fabric, Modality::Friction);
-            writeWholeFile(slot.file, toCsv(even, record.quantity));
-            const FabricInfo& info = dataset.fabric(fabric);
-            lines.push_back(fabric.value + (info.name == fabric.value ? "" : " " + info.name) + ", sample " +
-                            std::to_string(slot.index) + ": " + describe(record, base, even) + remarkOnSpeed(record, dataset));
+            writeWholeFile(slot.file, toCsv(done, record.quantity));
+            writeWholeFile(stage.beside(slot, ".json"), preparationJson(record, request.friction, done));
+            const std::string title = titleOf(dataset.fabric(fabric), slot.index);
+            if (!request.plots.empty())
+                stage.keepPlot({fabric.value + "-" + slot.file.stem().string() + ".svg", frictionPlot(title, record, done)});
+            lines.push_back(title + ": " + describe(record, done) + remarkOnSpeed(record, dataset) + describeCuts(done));
         }
     return lines;
 }

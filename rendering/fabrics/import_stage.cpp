@@ -85,6 +85,14 @@ ImportStage::Slot ImportStage::addSample(const FabricId& fabric, Modality modali
     return {index, m_staging / relative};
 }
 
+fs::path ImportStage::beside(const Slot& slot, const std::string& ending)
+{
+    fs::path file = slot.file;
+    file.replace_extension(ending);
+    m_files.push_back(file.lexically_relative(m_staging));
+    return file;
+}
+
 fs::path ImportStage::addFile(const std::string& name)
 {
     makeFolder(m_staging, m_out);

@@ -33,6 +33,16 @@ public:
     /// The next sample of a fabric and signal; its place stays unknown and it is a group of its own.
     Slot addSample(const protocols::FabricId& fabric, Modality modality);
 
+    /// Where to write what is to be known of a sample, beside it and under its name: "000.json".
+    std::filesystem::path beside(const Slot& slot, const std::string& ending);
+
+    /// A picture for the user, not of the data set: written by the caller once all is in place.
+    struct Plot {
+        std::string name, svg;
+    };
+    void keepPlot(Plot plot) { m_plots.push_back(std::move(plot)); }
+    const std::vector<Plot>& plots() const { return m_plots; }
+
     /// Where to write a file that belongs to the whole data set.
     std::filesystem::path addFile(const std::string& name);
 
@@ -45,6 +55,7 @@ private:
     bool m_isNew = false;
     std::vector<std::filesystem::path> m_files;  ///< relative to both folders
     std::vector<SamplePlace> m_added;
+    std::vector<Plot> m_plots;
 };
 
 }  // namespace rendering::fabrics

@@ -102,9 +102,15 @@ void writeAnswers(const fs::path& folder, std::span<const GeneratedSignals> answ
     for (const GeneratedSignals& answer : answers) {
         const std::string number = std::to_string(list.size());
         const cv::Mat trace = answer.trace.empty() ? cv::Mat() : cv::Mat(answer.trace, true).reshape(1, 1);
+        const auto& parameters = answer.spectrogramParameters;
         list.push_back({{"height", written(folder, "height" + number + ".npy", answer.heightMm)},
                         {"height_mm_per_pixel", answer.heightMmPerPixel},
                         {"spectrogram", written(folder, "spectrogram" + number + ".npy", answer.spectrogram)},
+                        {"spectrogram_parameters",
+                         {{"window", parameters.windowLength},
+                          {"hop", parameters.hop},
+                          {"fft", parameters.fftSize},
+                          {"samples_per_mm", parameters.sampleRateHz}}},
                         {"trace", written(folder, "trace" + number + ".npy", trace)},
                         {"trace_mm_per_sample", answer.traceMmPerSample},
                         {"mean_friction", answer.meanFriction}});
@@ -123,6 +129,9 @@ std::vector<GeneratedSignals> readAnswers(const fs::path& folder)
             answer.heightMm = readBack(folder, item.at("height"));
             answer.heightMmPerPixel = item.at("height_mm_per_pixel").get<double>();
             answer.spectrogram = readBack(folder, item.at("spectrogram"));
+            const Json& parameters = item.at("spectrogram_parameters");
+            answer.spectrogramParameters = {parameters.at("window").get<int>(), parameters.at("hop").get<int>(),
+                                            parameters.at("fft").get<int>(), parameters.at("samples_per_mm").get<double>()};
             const cv::Mat trace = readBack(folder, item.at("trace"));
             if (!trace.empty())
                 answer.trace.assign(trace.ptr<double>(), trace.ptr<double>() + trace.total());

@@ -4,7 +4,8 @@
 //                 "height":bool,"friction":bool,"photographs":[{"file":"photo0.npy","mm_per_pixel":X|null}]}
 //   photoN.npy   uint8 [height x 3 width], R G B interleaved
 //   answer.json  {"schema":"vis2hap.generated/1","signals":[{"height":FILE|null,"height_mm_per_pixel":X,
-//                 "spectrogram":FILE|null,"trace":FILE|null,"trace_mm_per_sample":X,"mean_friction":X}]}
+//                 "spectrogram":FILE|null,"spectrogram_parameters":{"window":N,"hop":N,"fft":N,"samples_per_mm":X},
+//                 "trace":FILE|null,"trace_mm_per_sample":X,"mean_friction":X}]}
 #pragma once
 
 #include "rendering/models/generation.h"

@@ -1,7 +1,6 @@
 #include "rendering/models/friction_target.h"
 
 #include "protocols/errors.h"
-#include "rendering/signals/spectrogram.h"
 
 #include <opencv2/core.hpp>
 
@@ -12,16 +11,6 @@
 namespace rendering::models {
 
 namespace {
-
-signals::SpectrogramParameters parametersOf(const Architecture& architecture)
-{
-    signals::SpectrogramParameters parameters;
-    parameters.windowLength = architecture.window;
-    parameters.fftSize = architecture.window;
-    parameters.hop = architecture.hop;
-    parameters.sampleRateHz = 1 / architecture.traceMmPerSample;  // samples a millimetre: the same law, no speed in it
-    return parameters;
-}
 
 /// Of a periodic Hann window; what a constant trace of 1 gives in the row of frequency 0.
 double windowSum(const Architecture& architecture) { return architecture.window / 2.0; }
@@ -41,9 +30,19 @@ std::vector<double> fitted(std::span<const double> trace, int length)
 
 }  // namespace
 
+signals::SpectrogramParameters spectrogramParameters(const Architecture& architecture)
+{
+    signals::SpectrogramParameters parameters;
+    parameters.windowLength = architecture.window;
+    parameters.fftSize = architecture.window;
+    parameters.hop = architecture.hop;
+    parameters.sampleRateHz = 1 / architecture.traceMmPerSample;
+    return parameters;
+}
+
 void setSpectrogramShape(Architecture& architecture)
 {
-    const signals::SpectrogramParameters parameters = parametersOf(architecture);
+    const signals::SpectrogramParameters parameters = spectrogramParameters(architecture);
     signals::requireInvertible(parameters);
     architecture.rows = parameters.frequencies();
     architecture.frames = parameters.frames(architecture.traceSamples);
@@ -55,7 +54,7 @@ FrictionTarget frictionTarget(std::span<const double> trace, const Architecture&
     const double mean = std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
     if (!(mean > 0))
         throw protocols::badInput({"a friction record whose mean is not positive", "friction", "coefficients above 0", ""});
-    const cv::Mat absolute = signals::magnitude(signals::stft(values, parametersOf(architecture))).values;
+    const cv::Mat absolute = signals::magnitude(signals::stft(values, spectrogramParameters(architecture))).values;
     FrictionTarget target;
     target.mean = static_cast<float>(mean);
     cv::Mat ratio;
@@ -81,7 +80,7 @@ cv::Mat magnitudes(const FrictionTarget& target, const Architecture& architectur
 std::vector<double> traceOf(const FrictionTarget& target, const Architecture& architecture, int iterations)
 {
     signals::MagnitudeSpectrogram spectrogram;
-    spectrogram.parameters = parametersOf(architecture);
+    spectrogram.parameters = spectrogramParameters(architecture);
     spectrogram.traceLength = architecture.traceSamples;
     spectrogram.mean = target.mean;
     spectrogram.values = magnitudes(target, architecture);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "rendering/models/architecture.h"
+#include "rendering/signals/spectrogram.h"
 
 #include <opencv2/core/mat.hpp>
 
@@ -21,6 +22,9 @@ inline constexpr double ratioFloor = 1e-4;
 
 /// The shape of the spectrogram of a trace of `traceSamples` samples, into rows and frames.
 void setSpectrogramShape(Architecture& architecture);
+
+/// Of the spectrograms that G_s speaks; the rate in samples a millimetre: the same law, no speed in it.
+signals::SpectrogramParameters spectrogramParameters(const Architecture& architecture);
 
 /// `trace` is cut or mirrored to Architecture::traceSamples. Needs a positive mean (badInput else).
 FrictionTarget frictionTarget(std::span<const double> trace, const Architecture& architecture);

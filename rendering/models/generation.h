@@ -3,6 +3,8 @@
 // generated signal is asked for and never else.
 #pragma once
 
+#include "rendering/signals/spectrogram.h"
+
 #include <opencv2/core/mat.hpp>
 
 #include <filesystem>
@@ -34,6 +36,8 @@ struct GeneratedSignals {
     std::vector<double> trace;            ///< istft of the spectrogram (phase by Griffin-Lim), coefficient
     double traceMmPerSample = 0;
     double meanFriction = 0;
+    /// What it takes to undo the spectrogram; rate in samples a millimetre.
+    signals::SpectrogramParameters spectrogramParameters;
 };
 
 /// In the order of the photographs. Throws environmentFault where libtorch or vis2hap-nn cannot be

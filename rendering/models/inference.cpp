@@ -184,6 +184,7 @@ GeneratedSignals LoadedModel::generate(const PhotographToTouch& photograph, cons
         const FrictionTarget target = m_parts->friction(rgb, options.quality);
         requireFinite(target.logRatio);
         signals.spectrogram = magnitudes(target, architecture);
+        signals.spectrogramParameters = spectrogramParameters(architecture);
         signals.trace = traceOf(target, architecture, iterationsOf(options.quality));
         signals.traceMmPerSample = architecture.traceMmPerSample;
         signals.meanFriction = target.mean;

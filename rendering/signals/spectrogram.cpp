@@ -40,21 +40,26 @@ double meanOf(std::span<const double> values)
     return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-/// The transforms lie in rows here, [frame x frequency], as OpenCV wants them.
+/// The transforms lie in rows here, [frame x frequency], as OpenCV wants them. In blocks of frames: a trace of
+/// 10^7 samples must not be held four times over.
 cv::Mat analysed(std::span<const double> trace, const SpectrogramParameters& parameters, const std::vector<double>& window)
 {
-    const int length = static_cast<int>(trace.size());
-    const int n = parameters.fftSize;
-    cv::Mat pieces(parameters.frames(length), n, CV_64FC1);
-    for (int frame = 0; frame < pieces.rows; ++frame) {
-        double* piece = pieces.ptr<double>(frame);
-        const int start = frame * parameters.hop - n / 2;
-        for (int i = 0; i < n; ++i)
-            piece[i] = window[static_cast<std::size_t>(i)] * trace[static_cast<std::size_t>(mirrored(start + i, length))];
+    constexpr int framesAtOnce = 4096;
+    const int length = static_cast<int>(trace.size()), n = parameters.fftSize, frames = parameters.frames(length);
+    cv::Mat result(frames, parameters.frequencies(), CV_64FC2), pieces, spectrum;
+    for (int first = 0; first < frames; first += framesAtOnce) {
+        const int count = std::min(framesAtOnce, frames - first);
+        pieces.create(count, n, CV_64FC1);
+        for (int frame = 0; frame < count; ++frame) {
+            double* piece = pieces.ptr<double>(frame);
+            const int start = (first + frame) * parameters.hop - n / 2;
+            for (int i = 0; i < n; ++i)
+                piece[i] = window[static_cast<std::size_t>(i)] * trace[static_cast<std::size_t>(mirrored(start + i, length))];
+        }
+        cv::dft(pieces, spectrum, cv::DFT_ROWS | cv::DFT_COMPLEX_OUTPUT);
+        spectrum.colRange(0, result.cols).copyTo(result.rowRange(first, first + count));
     }
-    cv::Mat spectrum;
-    cv::dft(pieces, spectrum, cv::DFT_ROWS | cv::DFT_COMPLEX_OUTPUT);
-    return spectrum.colRange(0, parameters.frequencies()).clone();
+    return result;
 }
 
 cv::Mat withNegativeFrequencies(const cv::Mat& half, int n)
@@ -160,10 +165,29 @@ double convergence(const cv::Mat& spectrum, const cv::Mat& magnitude)
 
 }  // namespace
 
+void requireConstantOverlap(const SpectrogramParameters& parameters)
+{
+    requireInvertible(parameters);
+    const auto window = windowOf(parameters);
+    double least = 0, most = 0;
+    for (int offset = 0; offset < parameters.hop; ++offset) {
+        double weight = 0;
+        for (int i = offset; i < parameters.fftSize; i += parameters.hop) weight += window[static_cast<std::size_t>(i)];
+        least = offset == 0 ? weight : std::min(least, weight);
+        most = std::max(most, weight);
+    }
+    if (most - least > 0.001 * most)
+        throw protocols::badInput({.what = "windows of " + std::to_string(parameters.windowLength) + " at a hop of " +
+                                           std::to_string(parameters.hop) + " do not add up to the same everywhere",
+                                   .where = "",
+                                   .expected = "a hop that divides half the window, so that the mean can be read",
+                                   .nextStep = ""});
+}
+
 void requireInvertible(const SpectrogramParameters& parameters)
 {
     const auto& p = parameters;
-    if (p.windowLength < 2 || p.hop < 1 || p.fftSize < p.windowLength || !(p.sampleRateHz > 0))
+    if (p.windowLength < 2 || p.hop < 1 || p.fftSize < p.windowLength || !(p.sampleRateHz > 0) || !std::isfinite(p.sampleRateHz))
         throw protocols::badInput({.what = "a spectrogram with window " + std::to_string(p.windowLength) + ", hop " +
                                            std::to_string(p.hop) + " and transform " + std::to_string(p.fftSize) +
                                            " cannot be made",
@@ -191,8 +215,8 @@ Spectrogram stft(std::span<const double> trace, const SpectrogramParameters& par
                                    .where = "",
                                    .expected = "at least 2",
                                    .nextStep = ""});
-    if (!std::all_of(trace.begin(), trace.end(), [](double v) { return std::isfinite(v); }))
-        throw protocols::badInput({.what = "the trace holds values that are not finite",
+    if (!std::all_of(trace.begin(), trace.end(), [](double v) { return std::abs(v) < 1e100; }))
+        throw protocols::badInput({.what = "the trace holds values that are not finite or beyond 1e100",
                                    .where = "",
                                    .expected = "a number everywhere",
                                    .nextStep = ""});
@@ -219,6 +243,7 @@ MagnitudeSpectrogram magnitude(const Spectrogram& spectrogram)
 
 double meanFromMagnitude(const cv::Mat& values, const SpectrogramParameters& parameters)
 {
+    requireConstantOverlap(parameters);
     cv::Mat row;
     values.row(0).convertTo(row, CV_64F);
     const int last = row.cols - 1;
@@ -253,14 +278,15 @@ Inversion griffinLim(const MagnitudeSpectrogram& spectrogram, const GriffinLimOp
 
     const auto window = windowOf(parameters);
     cv::Mat phases = firstPhases(wanted, options.seed), before;
+    Inversion result;
     for (int i = 0; i < options.iterations; ++i) {
         const auto guess =
             synthesised(withPhases(wanted, phases, parameters.fftSize), spectrogram.traceLength, parameters, window);
         const cv::Mat spectrum = analysed(guess, parameters, window);
+        result.convergence.push_back(convergence(spectrum, wanted));
         advance(phases, spectrum, before, options.momentum);
         before = spectrum;
     }
-    Inversion result;
     result.trace = synthesised(withPhases(wanted, phases, parameters.fftSize), spectrogram.traceLength, parameters, window);
     const double shift = spectrogram.mean - meanOf(result.trace);
     for (double& value : result.trace) value += shift;

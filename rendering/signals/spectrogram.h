@@ -36,6 +36,10 @@ struct MagnitudeSpectrogram {
     cv::Mat values;   ///< CV_64FC1 or CV_32FC1 [frequency x frame], >= 0
 };
 
+/// Throws badInput where the windows do not add up to the same everywhere (constant overlap-add, to 0.1 %):
+/// a mean read from the row of frequency 0 would weigh some samples more than others.
+void requireConstantOverlap(const SpectrogramParameters& parameters);
+
 /// Throws badInput where the window cannot be undone: a sample that no window weighs (hop too long),
 /// a window longer than the transform, or a length below 2.
 void requireInvertible(const SpectrogramParameters& parameters);
@@ -50,7 +54,8 @@ std::vector<double> istft(const Spectrogram& spectrogram);
 
 MagnitudeSpectrogram magnitude(const Spectrogram& spectrogram);
 
-/// The mean as the row of frequency 0 tells it, for a trace that is positive throughout.
+/// The mean as the row of frequency 0 tells it, for a trace that is positive throughout. Throws badInput as
+/// requireConstantOverlap().
 double meanFromMagnitude(const cv::Mat& values, const SpectrogramParameters& parameters);
 
 enum class InversionQuality { Fast, Accurate };
@@ -68,6 +73,8 @@ struct Inversion {
     /// |STFT(trace)| against the magnitude asked for, relative, over the rows that the mean does not
     /// reach (from 2 on): the mean is so large that with it every result would look perfect.
     double spectralConvergence = 0;
+    /// The same before each iteration, of the trace it starts from: how it converged. Empty for 0 iterations.
+    std::vector<double> convergence;
 };
 
 /// A trace with the given magnitude and mean. The row of frequency 0 keeps phase 0, since friction is

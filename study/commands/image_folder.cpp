@@ -31,6 +31,8 @@ std::string imageFolderKey(const database::StudyFacts& facts, const rendering::R
         inputs["samples"][fabric.value] = {sample.visual, sample.tactile, sample.friction};
     for (const auto& condition : request.conditions)
         inputs["conditions"].push_back(condition.value);
+    inputs["mapping"] = {static_cast<int>(request.scale), static_cast<int>(request.extension), request.percentiles.low,
+                         request.percentiles.high, request.mapping.dither};
     return protocols::sha256(inputs.dump());
 }
 

@@ -1,6 +1,9 @@
-// vis2hap import KIND FROM... --out DIR [--fabric ID]
+// vis2hap import KIND FROM... --out DIR [--fabric ID]; friction records: [--normal COLUMN] [--tangential COLUMNS]
+// [--force-unit UNIT] [--zero WHEN] [--trim WHEN] [--rate HZ] [--plots DIR]
 #include "protocols/errors.h"
 #include "rendering/fabrics/import.h"
+#include "rendering/signals/friction_trace.h"
+#include "rendering/spectrogram_file.h"
 #include "study/commands/command_line.h"
 #include "study/commands/picture_decoder.h"
 
@@ -18,7 +21,46 @@ struct ImportCall {
     std::vector<std::string> from;
     std::string out;
     std::string fabric;
+    std::string normal, tangential, forceUnit, zero = "auto", trim = "auto", plots;
+    std::optional<double> rate;
 };
+
+rendering::fabrics::FrictionOptions frictionOptions(const ImportCall& call)
+{
+    using namespace rendering::fabrics;
+    FrictionOptions options;
+    if (const auto axes = axesFrom(call.normal, "--normal", 1); !axes.empty())
+        options.normal = axes.front();
+    options.tangential = axesFrom(call.tangential, "--tangential", 2);
+    options.forceUnit = call.forceUnit;
+    if (!call.forceUnit.empty() && !newtonsIn(call.forceUnit))
+        throw protocols::badInput({"\"" + call.forceUnit + "\" is no unit of force", "--force-unit", std::string(knownForceUnits), ""});
+    options.zero = foundFrom(call.zero, "--zero", options.zeroInterval);
+    options.trim = foundFrom(call.trim, "--trim", options.trimInterval);
+    options.rateHz = call.rate;
+    return options;
+}
+
+/// The spectrogram of each stroke that came in, with its parameters, beside its picture.
+void writeSpectrograms(const std::filesystem::path& out, const std::filesystem::path& plots)
+{
+    using namespace rendering::fabrics;
+    const auto dataset = readDataset(out);
+    for (const auto& fabric : dataset.fabrics)
+        for (const int index : sampleIndices(dataset, fabric.id, Modality::Friction)) {
+            const auto sample = samplePath(dataset, fabric.id, Modality::Friction, index);
+            const std::string name = fabric.id.value + "-" + sample.stem().string();
+            if (!std::filesystem::exists(plots / (name + ".svg")))
+                continue;
+            const auto record = readFriction(dataset, fabric.id, index);
+            if (record.values.size() < static_cast<std::size_t>(rendering::signals::shortestTrace))
+                continue;
+            const auto trace = rendering::signals::frictionTrace(record, sample.string());
+            rendering::signals::SpectrogramParameters parameters;
+            parameters.sampleRateHz = trace.sampleRateHz;
+            rendering::writeSpectrogram(plots / (name + ".spectrogram.json"), rendering::signals::stft(trace.values, parameters));
+        }
+}
 
 int import(const ImportCall& call)
 {
@@ -29,8 +71,12 @@ int import(const ImportCall& call)
     if (!call.fabric.empty())
         request.fabric = protocols::FabricId(call.fabric);
     request.decodeOther = decodeByQt;
+    request.friction = frictionOptions(call);
+    request.plots = call.plots;
     for (const auto& line : rendering::fabrics::importRecordings(request))
         std::printf("%s\n", line.c_str());
+    if (!call.plots.empty() && std::filesystem::exists(call.plots))
+        writeSpectrograms(call.out, call.plots);
     return 0;
 }
 
@@ -44,6 +90,19 @@ void addImport(CLI::App& app, Action& action)
     command->add_option("FROM", call->from, "files or folders")->required();
     command->add_option("--out", call->out, "the data set; an existing one is added to")->required();
     command->add_option("--fabric", call->fabric, "put everything into this fabric, e.g. F03");
+    const char* friction = "Friction records";
+    command->add_option("--normal", call->normal, "column of the normal force; a minus turns it: --normal=-fz")->group(friction);
+    command->add_option("--tangential", call->tangential, "one column, which keeps its sign, or two: fx,fy is sqrt(fx^2 + fy^2)")
+        ->group(friction);
+    command->add_option("--force-unit", call->forceUnit, "of columns whose names state none (default: N)")->group(friction);
+    command->add_option("--zero", call->zero, "unloaded samples, whose mean is subtracted: auto, none, or FROM,TO in s")
+        ->group(friction)
+        ->capture_default_str();
+    command->add_option("--trim", call->trim, "to the steady slide: auto, none, or FROM,TO in s")->group(friction)->capture_default_str();
+    command->add_option("--rate", call->rate, "resample to so many Hz (default: the median of the record's own steps)")
+        ->group(friction)
+        ->check(CLI::Range(1e-3, 1e7));
+    command->add_option("--plots", call->plots, "folder for a picture and a spectrogram of each stroke")->group(friction);
     command->callback([call, &action] {
         action.surroundings = Surroundings::Core;  // Qt finds its JPEG reader through the application
         action.work = [call] { return import(*call); };

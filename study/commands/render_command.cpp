@@ -1,5 +1,7 @@
 // vis2hap render DATASET --fabric ID|all --condition ID|all --out DIR
 #include "protocols/errors.h"
+#include "rendering/earlier_render.h"
+#include "rendering/fabrics/csv_table.h"
 #include "rendering/image_io.h"
 #include "rendering/render_fabrics.h"
 #include "study/commands/command_line.h"
@@ -22,6 +24,10 @@ struct RenderCall {
     std::string dataset, fabric = "all", condition = "all", out, model, quality = "balanced", scale = "pixels";
     std::optional<int> sample;
     bool explain = false;
+    std::string extension = "tile", percentiles;
+    int bits = 8;
+    bool dither = false;
+    std::uint64_t ditherSeed = 1;
 };
 
 const std::map<std::string, rendering::models::Quality> qualities{{"fast", rendering::models::Quality::Fast},
@@ -53,6 +59,19 @@ std::map<protocols::FabricId, rendering::SampleChoice> chosenSamples(const rende
     return samples;
 }
 
+/// "LO,HI"; locale-free.
+rendering::Percentiles percentilesFrom(const std::string& text)
+{
+    if (text.empty())
+        return {};
+    const auto comma = text.find(',');
+    const auto low = rendering::fabrics::numberIn(text.substr(0, comma));
+    const auto high = comma == std::string::npos ? std::nullopt : rendering::fabrics::numberIn(text.substr(comma + 1));
+    if (!low || !high)
+        throw protocols::badInput({"\"" + text + "\" are no two percentiles", "--range-percentiles", "LO,HI, e.g. 0.1,99.9", ""});
+    return {*low, *high};
+}
+
 void writeRendering(const fs::path& out, const rendering::Rendering& rendering, const std::string& json)
 {
     for (const auto& condition : rendering.conditions)
@@ -67,6 +86,13 @@ void writeRendering(const fs::path& out, const rendering::Rendering& rendering, 
     writeFile(out / "render.json", json);
 }
 
+/// Joined with what an earlier call left in the folder.
+rendering::JoinedRender savedJson(const fs::path& out, const std::string& json)
+{
+    const auto file = out / "render.json";
+    return fs::exists(file) ? rendering::joined(json, readFile(file), file.string()) : rendering::JoinedRender{json, {}};
+}
+
 int render(const RenderCall& call)
 {
     const auto dataset = rendering::fabrics::readDataset(call.dataset);
@@ -75,6 +101,9 @@ int render(const RenderCall& call)
     request.fabrics = fabricList(dataset, call.fabric);
     request.samples = chosenSamples(dataset, call.sample);
     request.scale = call.scale == "physical" ? rendering::Scale::Physical : rendering::Scale::Pixels;
+    request.extension = call.extension == "mirror" ? rendering::Extension::Mirror : rendering::Extension::Tile;
+    request.percentiles = percentilesFrom(call.percentiles);
+    request.mapping = {call.bits, call.dither, call.ditherSeed};
     request.generation.model = call.model;
     request.generation.quality = qualities.at(call.quality);
     if (call.explain)
@@ -83,8 +112,13 @@ int render(const RenderCall& call)
     const auto rendering = renderFabrics(dataset, request, [&](int done, int total, const std::string& what) {
         progress.show(done, total, what);
     });
-    writeRendering(call.out, rendering, renderJson(dataset, request, rendering));
-    std::printf("%s: friction images of %zu fabrics x %zu conditions, ranges over %zu fabrics in render.json\n", call.out.c_str(),
+    const auto saved = savedJson(call.out, renderJson(dataset, request, rendering));
+    writeRendering(call.out, rendering, saved.json);
+    for (const auto& warning : saved.warnings)
+        std::fprintf(stderr, "warning: %s\n", warning.c_str());
+    for (const auto& line : rendering::describeMaps(rendering))
+        std::printf("%s\n", line.c_str());
+    std::printf("%s: friction images of %zu fabrics x %zu conditions, ranges over %zu fabrics in render.json; traces along x\n", call.out.c_str(),
                 request.fabrics.size(), request.conditions.size(), dataset.fabrics.size());
     if (call.explain)
         for (const auto& [signal, times] : rendering.computed)
@@ -110,6 +144,15 @@ void addRender(CLI::App& app, Action& action)
     command->add_option("--scale", call->scale, "pixels: 1:1 as in the paper; physical: true millimetres")
         ->check(CLI::IsMember({"pixels", "physical"}))
         ->capture_default_str();
+    command->add_option("--extension", call->extension, "over the screen: tile (texture meets itself) or mirror")
+        ->check(CLI::IsMember({"tile", "mirror"}))
+        ->capture_default_str();
+    command->add_option("--range-percentiles", call->percentiles, "LO,HI of all fabrics' pixels (default 0,100: least and greatest)");
+    command->add_option("--bits", call->bits, "of the PNG files; the display takes 8")
+        ->check(CLI::IsMember({8, 16}))
+        ->capture_default_str();
+    command->add_flag("--dither", call->dither, "noise of one level before rounding");
+    command->add_option("--dither-seed", call->ditherSeed, "of that noise")->capture_default_str();
     command->add_flag("--explain", call->explain, "print which signals each condition computes");
     command->callback([call, &action] { action.work = [call] { return render(*call); }; });
 }

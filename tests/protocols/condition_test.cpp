@@ -12,8 +12,16 @@ private Q_SLOTS:
     void nineConditionsInTheOrderOfThePaper()
     {
         QStringList ids;
-        for (const Condition& condition : allConditions()) ids << QString::fromStdString(condition.conditionId().value);
+        for (const ConditionId& id : conditionList("all")) ids << QString::fromStdString(id.value);
         QCOMPARE(ids.join(' '), QString("v_grey v_shape f_g h_g h_g&f_g t_grey f h h&f"));
+    }
+
+    void otherConditionsFollowAndMustBeNamed()
+    {
+        const auto all = allConditions();
+        QCOMPARE(all.size(), std::size_t{10});
+        for (std::size_t i = 0; i < all.size(); ++i) QCOMPARE(all[i].ofThePaper, i < 9);
+        QCOMPARE(conditionList("gradient,h"), (std::vector<ConditionId>{ConditionId("gradient"), ConditionId("h")}));
     }
 
     void groupsFollowTheSignals()

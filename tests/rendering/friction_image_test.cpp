@@ -62,7 +62,7 @@ private Q_SLOTS:
         QFETCH(int, rows);
         QFETCH(int, columns);
         const cv::Mat relief = ramp(rows, columns);
-        const auto map = compose(conditionNamed("h"), reliefOnly(relief), Scale::Pixels);
+        const auto map = compose(conditionNamed("h"), reliefOnly(relief), Scale::Pixels, Extension::Mirror);
         QCOMPARE(map.values.size(), cv::Size(1280, 800));
         QCOMPARE(map.extension, std::string("mirror"));
         const int left = (1280 - columns) / 2, top = (800 - rows) / 2;
@@ -81,14 +81,14 @@ private Q_SLOTS:
         QCOMPARE(cv::norm(map.values, relief(cv::Rect(110, 100, 1280, 800)), cv::NORM_INF), 0.0);
         QCOMPARE(map.extension, std::string("none (cropped)"));
         QCOMPARE(compose(conditionNamed("v_grey"), reliefOnly(ramp(800, 1280)), Scale::Pixels).extension, std::string("none"));
-        QCOMPARE(compose(conditionNamed("v_grey"), reliefOnly(ramp(500, 2000)), Scale::Pixels).extension, std::string("mirror"));
+        QCOMPARE(compose(conditionNamed("v_grey"), reliefOnly(ramp(500, 2000)), Scale::Pixels, Extension::Mirror).extension, std::string("mirror"));
     }
 
     void traceRunsAlongTheStroke()
     {
         Sources sources;
         for (int i = 0; i < 480; ++i) sources.trace.push_back(0.5 + 0.001 * i);
-        const auto map = compose(conditionNamed("f"), sources, Scale::Pixels);
+        const auto map = compose(conditionNamed("f"), sources, Scale::Pixels, Extension::Mirror);
         for (const int row : {0, 399, 799}) {
             for (int i = 0; i < 480; ++i)
                 QCOMPARE(map.values.at<float>(row, 400 + i), static_cast<float>(sources.trace[static_cast<std::size_t>(i)]));
@@ -160,7 +160,7 @@ private Q_SLOTS:
         Sources sources;
         sources.traceMmPerSample = 5.0 / 60;
         for (int i = 0; i < 480; ++i) sources.trace.push_back(i < 240 ? 0.0 : 1.0);
-        const auto map = compose(conditionNamed("f"), sources, Scale::Physical);
+        const auto map = compose(conditionNamed("f"), sources, Scale::Physical, Extension::Mirror);
         // 40 mm are 235 pixels: the step in the middle, undone in the mirror image 40 mm to its right.
         const auto at = [&](int place) { return map.values.at<float>(400, place); };
         QVERIFY(at(635) < 0.01F && at(645) > 0.99F);
@@ -214,6 +214,125 @@ private Q_SLOTS:
         QCOMPARE(mapToDisplay(map, {}).size(), cv::Size(1280, 800));
     }
 
+    void sixteenBitsShowWhatEightRoundAway()
+    {
+        const ScaledMap map{(cv::Mat_<float>(1, 3) << 0.F, 0.0001F, 1.F), "none"};
+        const auto range = rangeOf({map});
+        const cv::Mat image = mapToDisplay(map, range, {.bits = 16});
+        QCOMPARE(image.type(), CV_16UC1);
+        QCOMPARE(int(image.at<std::uint16_t>(0, 1)), 7);
+        QCOMPARE(int(image.at<std::uint16_t>(0, 2)), 65535);
+        QCOMPARE(int(mapToDisplay(map, range).at<unsigned char>(0, 1)), 0);
+    }
+
+    void ditheredLevelsAreRightOnAverage()
+    {
+        cv::Mat values(300, 400, CV_32FC1, cv::Scalar(100.3));
+        values.at<float>(0, 0) = 0;
+        values.at<float>(0, 1) = 255;
+        const ScaledMap map{values, "none"};
+        const auto range = rangeOf({map});
+        const cv::Mat plain = mapToDisplay(map, range), image = mapToDisplay(map, range, {.dither = true});
+        QCOMPARE(int(plain.at<unsigned char>(9, 9)), 100);
+        QVERIFY(std::abs(cv::mean(image.rowRange(1, 300))[0] - 100.3) < 0.01);
+        QVERIFY(cv::norm(image, plain, cv::NORM_INF) <= 1);
+        QCOMPARE(cv::norm(image, mapToDisplay(map, range, {.dither = true}), cv::NORM_INF), 0.0);
+        QVERIFY(cv::norm(image, mapToDisplay(map, range, {.dither = true, .seed = 2}), cv::NORM_INF) > 0);
+        QCOMPARE(cv::countNonZero(mapToDisplay(map, {}, {.dither = true})), 0);  // a constant range stays blank
+    }
+
+    void percentilesAreThoseOfAllObjectsTogether()
+    {
+        cv::Mat low(1, 1000, CV_32FC1), high(1, 1000, CV_32FC1);
+        for (int j = 0; j < 1000; ++j) {
+            low.at<float>(j) = static_cast<float>(j);
+            high.at<float>(j) = static_cast<float>(1000 + j);
+        }
+        const std::vector<ScaledMap> maps{{low, "none"}, {high, "none"}};
+        const auto whole = rangeOf(maps);
+        RobustRange robust(whole);
+        for (const auto& map : maps) robust.include(map);
+        const auto range = robust.between(5, 90);
+        QVERIFY2(std::abs(range.min - 100) < 1 && std::abs(range.max - 1800) < 1,
+                 qPrintable(QString("%1 %2").arg(range.min).arg(range.max)));
+        QCOMPARE(robust.between(0, 100).min, whole.min);
+        QCOMPARE(robust.between(0, 100).max, whole.max);
+        QVERIFY(std::abs(shareOutside(maps[0], range) - 0.1) < 0.002);
+        // Nearly all of it one value: the whole range rather than none.
+        cv::Mat flat = cv::Mat::zeros(1, 1000, CV_32FC1);
+        flat.at<float>(7) = 1;
+        RobustRange mostlyFlat(rangeOf({{flat, "none"}}));
+        mostlyFlat.include({flat, "none"});
+        QVERIFY(!mostlyFlat.between(1, 99).constant());
+    }
+
+    void croppedVarianceIsTold()
+    {
+        const auto whole = compose(conditionNamed("h"), reliefOnly(ramp(240, 320)), Scale::Pixels);
+        QCOMPARE(*whole.varianceLost, 0.0);
+        cv::Mat relief(800, 3280, CV_32FC1);
+        for (int i = 0; i < relief.rows; ++i)
+            for (int j = 0; j < relief.cols; ++j) relief.at<float>(i, j) = static_cast<float>((i + j) % 2);
+        const auto cropped = compose(conditionNamed("h"), reliefOnly(relief), Scale::Pixels);
+        QVERIFY(std::abs(*cropped.varianceLost - (1 - 1280.0 / 3280)) < 1e-6);
+        QVERIFY(!compose(conditionNamed("h"), reliefOnly(cv::Mat::ones(9, 9, CV_32FC1)), Scale::Pixels).varianceLost);
+    }
+
+    void varianceThatTheDisplayCannotHoldIsTold()
+    {
+        // Half of the power in a wave of 8 mm, half in one of 0.2 mm, which the display's pixels cannot hold.
+        cv::Mat relief(400, 400, CV_32FC1);
+        for (int i = 0; i < 400; ++i)
+            for (int j = 0; j < 400; ++j)
+                relief.at<float>(i, j) = static_cast<float>(std::sin(2 * std::numbers::pi * j * 0.05 / 5) +
+                                                            std::sin(2 * std::numbers::pi * i * 0.05 / 0.2));
+        auto sources = reliefOnly(relief);
+        sources.reliefMmPerPixel = 0.05;
+        const auto map = compose(conditionNamed("h"), sources, Scale::Physical);
+        QVERIFY2(std::abs(*map.varianceLost - 0.5) < 0.02, qPrintable(QString::number(*map.varianceLost)));
+    }
+
+    void extremeHeightsHaveADefinedImage_data()
+    {
+        QTest::addColumn<double>("height");
+        QTest::newRow("1 nm") << 1e-6;
+        QTest::newRow("1 km") << 1e6;
+        QTest::newRow("below 32 bits") << 1e-44;
+        QTest::newRow("as large as is taken") << 9e29;
+    }
+    void extremeHeightsHaveADefinedImage()
+    {
+        QFETCH(double, height);
+        cv::Mat relief(240, 320, CV_32FC1);
+        for (int i = 0; i < relief.rows; ++i)
+            for (int j = 0; j < relief.cols; ++j)
+                relief.at<float>(i, j) = static_cast<float>(height * (0.5 + 0.5 * std::sin(0.5 * j + 0.1 * i)));
+        auto sources = reliefOnly(relief);
+        sources.reliefMmPerPixel = 0.05;
+        sources.meanFriction = 0.5;
+        for (const auto scale : {Scale::Pixels, Scale::Physical}) {
+            const auto map = compose(conditionNamed("h&f"), sources, scale);
+            QVERIFY(cv::checkRange(map.values));
+            double least = 0, most = 0;
+            cv::minMaxLoc(mapToDisplay(map, rangeOf({map})), &least, &most);
+            const bool constant = rangeOf({map}).constant();  // 1e-44 may vanish in the filter
+            QVERIFY(constant ? most == 0 : least == 0 && most == 255);
+        }
+    }
+
+    void longTracesTakeTheirMiddle()
+    {
+        Sources sources;
+        sources.traceMmPerSample = 1e-5;  // 10^7 samples over 100 mm
+        sources.trace.resize(10000000);
+        for (std::size_t i = 0; i < sources.trace.size(); ++i)
+            sources.trace[i] = std::sin(2 * std::numbers::pi * static_cast<double>(i) * 1e-5 / 4) + (i % 2 == 0 ? 0.5 : -0.5);
+        const auto map = compose(conditionNamed("f"), sources, Scale::Physical);
+        QVERIFY(cv::checkRange(map.values));
+        QVERIFY(std::abs(*map.varianceLost - 1.0 / 3) < 0.02);  // the alternation; the wave of 4 mm stays
+        QCOMPARE(compose(conditionNamed("f"), sources, Scale::Pixels).values.size(), cv::Size(1280, 800));
+    }
+
     /// Why the range is that of all objects: image by image, h&f would be h.
     void meanFrictionIsFeltOnlyBecauseTheRangeIsCommon()
     {
@@ -222,8 +341,9 @@ private Q_SLOTS:
         smooth.meanFriction = 0.2;
         const auto imageOf = [](const char* condition, const Sources& sources, const std::vector<Sources>& all) {
             std::vector<ScaledMap> maps;
-            for (const auto& one : all) maps.push_back(compose(conditionNamed(condition), one, Scale::Pixels));
-            return mapToDisplay(compose(conditionNamed(condition), sources, Scale::Pixels), rangeOf(maps));
+            for (const auto& one : all)
+                maps.push_back(compose(conditionNamed(condition), one, Scale::Pixels, Extension::Mirror));
+            return mapToDisplay(compose(conditionNamed(condition), sources, Scale::Pixels, Extension::Mirror), rangeOf(maps));
         };
         const cv::Mat alone = imageOf("h&f", smooth, {smooth}), reliefAlone = imageOf("h", smooth, {smooth});
         QVERIFY(cv::norm(alone, reliefAlone, cv::NORM_INF) <= 1);
@@ -241,6 +361,14 @@ private Q_SLOTS:
         broken.at<float>(1, 1) = std::numeric_limits<float>::quiet_NaN();
         QVERIFY(refusalOf([&] { compose(conditionNamed("h"), reliefOnly(broken), Scale::Pixels); }).contains("not finite"));
         QVERIFY(refusalOf([&] { compose(conditionNamed("f"), {}, Scale::Pixels); }).contains("empty"));
+        broken.at<float>(1, 1) = std::numeric_limits<float>::infinity();
+        QVERIFY(refusalOf([&] { compose(conditionNamed("h"), reliefOnly(broken), Scale::Pixels); }).contains("not finite"));
+        auto large = reliefOnly(ramp(4, 4));
+        large.meanFriction = 1e40;
+        QVERIFY(refusalOf([&] { compose(conditionNamed("h&f"), large, Scale::Pixels); }).contains("not finite"));
+        Sources trace;
+        trace.trace = {0.1, 1e300};
+        QVERIFY(refusalOf([&] { compose(conditionNamed("f"), trace, Scale::Pixels); }).contains("not finite"));
     }
 };
 

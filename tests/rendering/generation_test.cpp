@@ -46,6 +46,10 @@ void verifySound(const GeneratedSignals& signals, const cv::Size& size)
     QCOMPARE(signals.heightMm.rows, size.height);
     QVERIFY(cv::checkRange(signals.heightMm, true, nullptr, 0, 100));
     QVERIFY(cv::checkRange(signals.spectrogram, true, nullptr, 0, 1e6));
+    const auto& parameters = signals.spectrogramParameters;  // enough to undo it
+    QCOMPARE(signals.spectrogram.rows, parameters.frequencies());
+    QCOMPARE(signals.spectrogram.cols, parameters.frames(static_cast<int>(signals.trace.size())));
+    QVERIFY(std::abs(parameters.sampleRateHz * signals.traceMmPerSample - 1) < 1e-12);
     QVERIFY(signals.meanFriction > 0 && signals.meanFriction < 10);
     QVERIFY(std::abs(meanOf(signals.trace) / signals.meanFriction - 1) < 1e-6);
 }

@@ -212,7 +212,7 @@ private Q_SLOTS:
         row("lost contact", "friction-csv", "Z_1.csv", "t,normal,tangential\n0,5,1\n1,0.01,1\n2,5,1\n", "row 2");
         row("time backwards", "friction-csv", "Z_1.csv", "t,normal,tangential\n0,5,1\n2,5,1\n1,5,1\n", "row 3");
         row("a word", "friction-csv", "Z_1.csv", "t,normal,tangential\n0,5,1\n1,x,1\n", "row 2");
-        row("unknown unit", "friction-csv", "Z_1.csv", "t,normal (kg),tangential\n0,5,1\n1,5,1\n", "unit");
+        row("unknown unit", "friction-csv", "Z_1.csv", "t,normal (lbf),tangential\n0,5,1\n1,5,1\n", "unit");
         row("doubled role", "friction-csv", "Z_1.csv", "t,normal,fn,tangential\n0,5,1,1\n1,5,1,1\n", "both");
         row("one row", "friction-csv", "Z_1.csv", "t,mu\n0,0.1\n", "1 rows");
         row("binary", "friction-csv", "Z_1.csv", QByteArray("\x00\x01\x02\xff", 4), "columns");

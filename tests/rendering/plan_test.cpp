@@ -42,6 +42,8 @@ private Q_SLOTS:
                            << "tactile frame, photometric height" << false;
         QTest::newRow("h&f") << "h&f"
                              << "tactile frame, friction record, photometric height, measured trace" << false;
+        QTest::newRow("gradient") << "gradient"
+                                  << "tactile frame, photometric height, gradient of the height" << false;
     }
     void conditionNeedsItsSignalsAndNoOthers()
     {

@@ -45,7 +45,7 @@ struct SmallDataset {
         dataset.tactileMmPerPixel = 0.05;
         dataset.tactileCalibration = "tactile-calibration.json";
         signals::Calibration calibration;
-        calibration.gradientFromRgb = {{{1, 0, 0}, {0, 1, 0}}};
+        calibration.map = signals::LinearMap{{{{1, 0, 0}, {0, 1, 0}}}, {}};
         calibration.mmPerPixel = 0.05;
         std::ofstream(dataset.folder / dataset.tactileCalibration) << signals::toJson(calibration);
         writePng(dataset.folder / "tactile-reference.png", cv::Mat(48, 64, CV_8UC3, cv::Scalar::all(120)));
@@ -151,6 +151,8 @@ private Q_SLOTS:
                            << "tactile frame 3, photometric height 3" << 0;
         QTest::newRow("h&f") << "h&f"
                              << "tactile frame 3, friction record 3, photometric height 3, measured trace 3" << 0;
+        QTest::newRow("gradient") << "gradient"
+                                  << "tactile frame 3, photometric height 3, gradient of the height 3" << 0;
         QTest::newRow("shared ones once") << "v_grey,h,h&f,f"
                                           << "photograph 3, tactile frame 3, friction record 3, "
                                              "grey photograph 3, photometric height 3, measured trace 3"
@@ -338,6 +340,56 @@ private Q_SLOTS:
         QCOMPARE(high, 255.0);  // the counts do not flatten the coefficients
     }
 
+    void gradientNeedsThePitchOfTheTactileFrames()
+    {
+        SmallDataset small;
+        small.dataset.tactileMmPerPixel.reset();
+        Asked asked;
+        const auto refusal = refusalOf([&] { renderFabrics(small.dataset, requestFor(small, "gradient", asked)); });
+        QVERIFY2(refusal.contains("pitch") && refusal.contains("gradient"), qPrintable(refusal));
+    }
+
+    void robustPercentilesKeepASpeckFromFlatteningTheRest()
+    {
+        const SmallDataset small;
+        cv::Mat speck = picture(60, 70, 9, 20);
+        speck.at<cv::Vec3b>(30, 35) = {255, 255, 255};
+        writePng(small.dataset.folder / "F01/visual/000.png", speck);
+        Asked asked;
+        auto request = requestFor(small, "v_grey", asked);
+        request.fabrics = {FabricId("F01")};
+        request.rangeOver = {FabricId("F01")};
+        const auto whole = renderFabrics(small.dataset, request);
+        QCOMPARE(whole.conditions[0].maps.at(FabricId("F01")).outsideRange, 0.0);
+        request.percentiles = {0.5, 99.5};
+        const auto robust = renderFabrics(small.dataset, request);
+        QVERIFY(whole.conditions[0].range.max > 250);
+        QVERIFY(robust.conditions[0].range.max < 150 && robust.conditions[0].range.min >= whole.conditions[0].range.min);
+        const double outside = robust.conditions[0].maps.at(FabricId("F01")).outsideRange;
+        QVERIFY2(outside > 0 && outside < 0.01, qPrintable(QString::number(outside)));
+        const auto text = QString::fromStdString(renderJson(small.dataset, request, robust));
+        QVERIFY(text.contains("outside_range") && text.contains("99.5"));
+        for (const auto& wrong : {Percentiles{50, 50}, Percentiles{-1, 100}, Percentiles{0, 101}, Percentiles{90, 10}}) {
+            request.percentiles = wrong;
+            QVERIFY(refusalOf([&] { renderFabrics(small.dataset, request); }).contains("percentiles"));
+        }
+    }
+
+    void whatBecomesOfEachSourceIsTold()
+    {
+        const SmallDataset small;
+        writePng(small.dataset.folder / "F02/visual/000.png", picture(1000, 1400, 8, 40));
+        Asked asked;
+        auto request = requestFor(small, "v_grey,t_grey,h", asked);
+        const auto lines = describeMaps(renderFabrics(small.dataset, request));
+        QCOMPARE(lines.size(), std::size_t(3));
+        QVERIFY2(lines[0].starts_with("F01: v_grey, t_grey, h: tile, 0.0 % of its variance lost"), lines[0].c_str());
+        QVERIFY2(lines[1].starts_with("F02: v_grey: none (cropped), 2"), lines[1].c_str());
+        request.scale = Scale::Physical;
+        const auto physical = renderFabrics(small.dataset, request);
+        QVERIFY(*physical.conditions[2].maps.at(FabricId("F01")).varianceLost > 0.01);
+    }
+
     void jsonSaysRangeSamplesAndSignals()
     {
         const SmallDataset small;
@@ -349,7 +401,11 @@ private Q_SLOTS:
         const auto condition = json["conditions"].toObject()["h&f"].toObject();
         QVERIFY(condition["range"].toObject()["max"].toDouble() > 0);
         QCOMPARE(condition["range_over"].toArray().size(), 3);
-        QCOMPARE(condition["extension"].toObject()["F01"].toString(), "mirror");
+        QCOMPARE(condition["extension"].toObject()["F01"].toString(), "tile");
+        QCOMPARE(condition["stroke_axis"].toString(), "x");
+        QCOMPARE(condition["images"].toArray().size(), 3);
+        QCOMPARE(condition["variance_lost"].toObject()["F01"].toDouble(-1), 0.0);
+        QCOMPARE(condition["mapping"].toObject()["percentiles"].toArray()[1].toDouble(), 100.0);
         QCOMPARE(json["signals_computed"].toObject()["photometric height"].toInt(), 3);
         QCOMPARE(json["samples"].toObject()["F03"].toObject()["tactile"].toInt(-1), 0);
         QVERIFY(condition["ms"].isDouble());

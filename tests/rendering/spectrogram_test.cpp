@@ -150,6 +150,37 @@ private Q_SLOTS:
         QVERIFY(accurate < 0.1);
     }
 
+    void convergenceIsShownIterationByIteration()
+    {
+        const auto inversion = griffinLim(magnitude(stft(fabricTrace(480))), GriffinLimOptions::of(InversionQuality::Accurate));
+        const auto& course = inversion.convergence;
+        QCOMPARE(course.size(), std::size_t(200));
+        QVERIFY(course.front() > 3 * course.back());
+        QVERIFY(course[20] < course[0] && course[199] < course[20]);
+        // The last one shown is of the trace before the last iteration: near the final figure.
+        QVERIFY(std::abs(course.back() - inversion.spectralConvergence) < 0.02);
+        const std::vector<double> flat(480, 0.4);
+        for (const double value : griffinLim(magnitude(stft(flat))).convergence) QVERIFY(std::isfinite(value));
+    }
+
+    void aMeanIsNotReadWhereWindowsDoNotAddUp()
+    {
+        const auto trace = fabricTrace(480);
+        const SpectrogramParameters odd{64, 27, 64, 60};  // can be undone, but weighs samples unevenly
+        const auto spectrogram = magnitude(stft(trace, odd));
+        QVERIFY(refusalOf([&] { meanFromMagnitude(spectrogram.values, odd); }).contains("do not add up"));
+        QVERIFY(refusalOf([] { requireConstantOverlap({64, 48, 64, 60}); }).contains("48"));
+        for (const int hop : {1, 2, 4, 8, 16, 32})
+            QVERIFY(refusalOf([&] { requireConstantOverlap({64, hop, 64, 60}); }).isEmpty());
+    }
+
+    void aLongTraceComesBackToo()
+    {
+        std::vector<double> trace(1000000);
+        for (std::size_t i = 0; i < trace.size(); ++i) trace[i] = 0.5 + 0.1 * std::sin(0.3 * static_cast<double>(i));
+        QVERIFY(largestDifference(istft(stft(trace)), trace) <= 1e-12);
+    }
+
     void sameSeedGivesTheSameTrace()
     {
         const auto spectrogram = magnitude(stft(fabricTrace(200)));

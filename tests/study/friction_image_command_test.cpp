@@ -1,0 +1,140 @@
+// Friction images and friction records through the program, as users run it: both scales, a range that was saved, a
+// condition beside the paper's nine in a whole study, and strokes from a file.
+#include "tests/rendering/stroke_text.h"
+#include "tests/support/program.h"
+
+#include <QDir>
+#include <QImage>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+using support::mustRun;
+using support::runProgram;
+
+namespace {
+
+nlohmann::ordered_json readJson(const QString& file)
+{
+    std::ifstream in(file.toStdString());
+    return nlohmann::ordered_json::parse(in);
+}
+
+void writeText(const QString& file, const std::string& text) { std::ofstream(file.toStdString()) << text; }
+
+}  // namespace
+
+class FrictionImageCommandTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase()
+    {
+        m_fabrics = path("fabrics");
+        mustRun({"fabrics", "make", m_fabrics, "--fabrics", "4", "--samples", "2", "--seed", "5"});
+    }
+
+    void whatIsLostIsPrintedAndSaved()
+    {
+        const auto ended = mustRun({"render", m_fabrics, "--condition", "v_grey,f,h", "--out", path("mm"), "--scale", "physical"});
+        for (const char* part : {"F01: ", "F04: ", "tile, ", "of its variance lost", "traces along x"})
+            QVERIFY2(ended.out.contains(part), qPrintable(ended.out));
+        const auto condition = readJson(path("mm/render.json"))["conditions"]["h"];
+        QCOMPARE(condition["mapping"]["scale"].get<std::string>(), std::string("physical"));
+        QCOMPARE(condition["extension"]["F02"].get<std::string>(), std::string("tile"));
+        QCOMPARE(condition["stroke_axis"].get<std::string>(), std::string("x"));
+        const double lost = condition["variance_lost"]["F02"];
+        QVERIFY(lost > 0 && lost < 0.9);
+    }
+
+    void allConditionsAreTheNineOfThePaper()
+    {
+        mustRun({"render", m_fabrics, "--fabric", "F01", "--condition", "v_grey,gradient", "--out", path("ten")});
+        QVERIFY(QFile::exists(path("ten/F01/gradient.png")));
+        const auto told = mustRun({"render", m_fabrics, "--fabric", "F01", "--condition", "gradient", "--explain", "--out", path("ten")});
+        QVERIFY(told.out.contains("gradient of the height") && told.out.contains("no libtorch"));
+        const auto refused = runProgram({"render", m_fabrics, "--condition", "gradients", "--out", path("ten")});
+        QCOMPARE(refused.exitCode, 2);
+        QVERIFY(refused.err.contains("h&f, gradient"));
+    }
+
+    void aSecondRenderSaysWhatItChanges()
+    {
+        mustRun({"render", m_fabrics, "--condition", "f", "--out", path("twice")});
+        const auto same = mustRun({"render", m_fabrics, "--fabric", "F01", "--condition", "f", "--out", path("twice")});
+        QVERIFY2(!same.err.contains("warning"), qPrintable(same.err));
+        const auto other =
+            mustRun({"render", m_fabrics, "--fabric", "F01", "--condition", "f", "--out", path("twice"), "--range-percentiles", "1,99"});
+        QVERIFY2(other.err.contains("warning") && other.err.contains("images of F02, F03, F04"), qPrintable(other.err));
+        QCOMPARE(readJson(path("twice/render.json"))["conditions"]["f"]["mapped_otherwise"].size(), std::size_t(3));
+        for (const char* wrong : {"5", "99,1", "a,b", "0,200"}) {
+            const auto refused = runProgram({"render", m_fabrics, "--condition", "f", "--out", path("never"), "--range-percentiles", wrong});
+            QCOMPARE(refused.exitCode, 2);
+        }
+        QVERIFY(!QFile::exists(path("never/render.json")));
+    }
+
+    void sixteenBitsAndDitheringAreOptions()
+    {
+        mustRun({"render", m_fabrics, "--fabric", "F01", "--condition", "h", "--out", path("deep"), "--bits", "16"});
+        QCOMPARE(QImage(path("deep/F01/h.png")).format(), QImage::Format_Grayscale16);
+        for (const char* name : {"a", "b"})
+            mustRun({"render", m_fabrics, "--fabric", "F01", "--condition", "h", "--out", path(name), "--dither"});
+        const QImage first(path("a/F01/h.png"));
+        QCOMPARE(first.format(), QImage::Format_Grayscale8);
+        QCOMPARE(first, QImage(path("b/F01/h.png")));
+    }
+
+    /// A condition is one row: nothing between protocol and report needs to know of it.
+    void aTenthConditionGoesThroughAWholeStudy()
+    {
+        writeText(path("protocol.json"), R"({"schema":"vis2hap.protocol/1","name":"ten","participants":2,"fabrics":3,
+            "conditions":["h","gradient"],"phases":[{"questions":["Q1"],"alternatives":3},
+            {"questions":["Q2"],"scale":{"min":0,"max":10,"step":0.1,"sections":9}}],
+            "planned":[["gradient","h"]],"familiarisation_fabrics":0})");
+        const QString study = path("study");
+        mustRun({"study", "new", study, "--dataset", m_fabrics, "--protocol", path("protocol.json"), "--seed", "3", "--key-seed", "4"});
+        QVERIFY(readJson(study + "/allocation-key.json").dump().find("gradient") != std::string::npos);
+        QVERIFY(readJson(study + "/masked-key.json").dump().find("gradient") == std::string::npos);
+        mustRun({"simulate", study, "--dataset", m_fabrics});
+        mustRun({"verify", study});
+        mustRun({"unblind", study, "--who", "nobody", "--why", "the test ends"});
+        mustRun({"report", study, "--out", path("report")});
+        const auto results = readJson(path("report/results.json"));
+        QCOMPARE(results["conditions"], nlohmann::ordered_json({"h", "gradient"}));
+        QCOMPARE(results["Q1"]["gradient"]["trials"].get<int>(), 6);
+        QVERIFY(results["Q2"]["gradient"]["mean"].is_number());
+        QVERIFY(results["comparisons"][0].value("planned", false));
+    }
+
+    void aStrokeIsImportedWithItsPicture()
+    {
+        writeText(path("Felt_1.csv"), stroke_text::twoForces({}, "t_s,fz,fx"));
+        const auto ended = mustRun({"import", "friction-csv", path("Felt_1.csv"), "--out", path("set"), "--plots", path("plots"),
+                                    "--normal=fz", "--tangential=fx", "--rate", "100"});
+        QVERIFY2(ended.out.contains("breakaway") && ended.out.contains("unloaded samples") && ended.out.contains("100 Hz"),
+                 qPrintable(ended.out));
+        for (const char* file : {"set/F01/friction/000.csv", "set/F01/friction/000.json", "plots/F01-000.svg",
+                                 "plots/F01-000.spectrogram.json", "plots/F01-000.spectrogram.npy"})
+            QVERIFY2(QFile::exists(path(file)), file);
+        QVERIFY(std::abs(readJson(path("plots/F01-000.spectrogram.json"))["mean"].get<double>() - 0.5) < 0.002);
+        QCOMPARE(mustRun({"fabrics", "check", path("set")}).exitCode, 0);
+        mustRun({"render", path("set"), "--condition", "f", "--out", path("felt"), "--scale", "physical"});
+        for (const auto& wrong : {QStringList{"--zero", "9"}, QStringList{"--trim", "3,2"}, QStringList{"--force-unit", "stone"},
+                                  QStringList{"--normal", "fq"}, QStringList{"--rate", "0"}}) {
+            const auto refused = runProgram(QStringList{"import", "friction-csv", path("Felt_1.csv"), "--out", path("no")} + wrong);
+            QCOMPARE(refused.exitCode, 2);
+            QVERIFY(!QFile::exists(path("no")));
+        }
+    }
+
+private:
+    QString path(const QString& name) const { return m_folder.filePath(name); }
+
+    QTemporaryDir m_folder;
+    QString m_fabrics;
+};
+
+QTEST_GUILESS_MAIN(FrictionImageCommandTest)
+#include "friction_image_command_test.moc"

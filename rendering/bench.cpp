@@ -8,6 +8,7 @@
 #include <opencv2/core.hpp>
 
 #include "protocols/random.h"
+#include "rendering/bench_composition.h"
 #include "rendering/signals/cosine_transform.h"
 #include "rendering/signals/photometric_stereo.h"
 #include "rendering/signals/shape_from_shading.h"
@@ -260,6 +261,7 @@ std::vector<BenchRow> benchSignals()
     benchPhotometricStereo(rows);
     benchShapeFromShading(rows);
     benchSpectrogram(rows);
+    for (auto& row : benchComposition()) rows.push_back(std::move(row));
     cv::setNumThreads(threads);
     return rows;
 }

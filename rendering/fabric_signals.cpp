@@ -147,9 +147,10 @@ FabricSignals SignalWorkshop::measured(const protocols::FabricId& fabric, const 
     compute(Signal::TactileFrame, [&] { return fabrics::readTactileFrame(m_dataset, fabric, samples.tactile); });
     compute(Signal::GreyPhotograph, [&] { return signals::grey(imageOf(result, Signal::Photograph)); });
     compute(Signal::ShapeFromShading, [&] {
-        signals::ShadingOptions options;
-        if (m_quality == models::Quality::Fast) options.quality = signals::ShadingQuality::Fast;
-        return signals::shapeFromShading(imageOf(result, Signal::Photograph), options);
+        const cv::Mat& photograph = imageOf(result, Signal::Photograph);
+        result.light = signals::estimateLight(photograph, m_shading.highPassPx);
+        result.colourVariation = signals::colourVariation(photograph, m_shading.highPassPx);
+        return signals::shapeFromShading(photograph, m_shading);
     });
     compute(Signal::GreyTactile, [&] { return signals::grey(imageOf(result, Signal::TactileFrame)); });
     compute(Signal::PhotometricHeight,

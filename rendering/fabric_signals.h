@@ -21,7 +21,11 @@ std::optional<protocols::Fault> lackOf(const fabrics::Dataset& dataset, const pr
 /// Reads and computes signals, each at most once, and counts and times them.
 class SignalWorkshop {
 public:
-    SignalWorkshop(const fabrics::Dataset& dataset, models::Quality quality) : m_dataset(dataset), m_quality(quality) {}
+    SignalWorkshop(const fabrics::Dataset& dataset, models::Quality quality, const signals::ShadingOptions& shading = {})
+        : m_dataset(dataset), m_quality(quality), m_shading(shading)
+    {
+        if (quality == models::Quality::Fast) m_shading.quality = signals::ShadingQuality::Fast;
+    }
 
     /// All of `needed` that no generator makes.
     FabricSignals measured(const protocols::FabricId& fabric, const SampleChoice& samples, const std::set<Signal>& needed,
@@ -32,6 +36,7 @@ private:
 
     const fabrics::Dataset& m_dataset;
     models::Quality m_quality;
+    signals::ShadingOptions m_shading;
     cv::Mat m_reference;
     std::optional<signals::Calibration> m_calibration;
 };

@@ -161,7 +161,7 @@ Rendering renderFabrics(const fabrics::Dataset& dataset, const RenderRequest& re
         if (progress) progress(done, total, what);
         ++done;
     };
-    SignalWorkshop workshop(dataset, request.generation.quality);
+    SignalWorkshop workshop(dataset, request.generation.quality, request.shading);
     for (const auto& [fabric, needed] : job.needed) {
         report("signals of " + fabric.value);
         rendering.signals[fabric] = workshop.measured(fabric, rendering.samples.at(fabric), needed, rendering);

@@ -14,6 +14,7 @@
 #include "rendering/friction_image.h"
 #include "rendering/models/generation.h"
 #include "rendering/plan.h"
+#include "rendering/signals/shape_from_shading.h"
 
 namespace rendering {
 
@@ -36,6 +37,7 @@ struct RenderRequest {
     Extension extension = Extension::Tile;
     Percentiles percentiles;  ///< of the pixels of all objects together; 0 and 100: their least and greatest value
     DisplayMapping mapping;
+    signals::ShadingOptions shading;  ///< of v_shape; its quality follows from generation.quality
     models::GenerationOptions generation;  ///< model and quality; what is generated follows from the conditions
 
     /// Asked at most once, with the photographs of all fabrics, and only where a condition needs it.
@@ -49,6 +51,8 @@ struct FabricSignals {
     std::map<Signal, cv::Mat> images;
     std::map<Signal, std::vector<double>> traces;
     std::optional<double> measuredMeanFriction, generatedMeanFriction;
+    std::optional<signals::Light> light;    ///< that shape from shading was lit by
+    std::optional<double> colourVariation;  ///< of the photograph it was made from
     std::string measuredQuantity = "mu";  ///< what the measured trace holds; "mu": a coefficient
     std::optional<double> photographMmPerPixel, tactileMmPerPixel, generatedMmPerPixel, traceMmPerSample,
         generatedTraceMmPerSample;
@@ -93,5 +97,8 @@ std::string renderJson(const fabrics::Dataset& dataset, const RenderRequest& req
 
 /// What became of each fabric's sources, a line a fabric for people.
 std::vector<std::string> describeMaps(const Rendering& rendering);
+
+/// Fabrics whose photographs break the assumption of shape from shading, that only slope changes brightness; a line each.
+std::vector<std::string> shadingWarnings(const Rendering& rendering);
 
 }  // namespace rendering

@@ -121,6 +121,16 @@ std::vector<std::string> describeMaps(const Rendering& rendering)
     return lines;
 }
 
+std::vector<std::string> shadingWarnings(const Rendering& rendering)
+{
+    std::vector<std::string> lines;
+    for (const auto& [fabric, ready] : rendering.signals)
+        if (ready.colourVariation && *ready.colourVariation > signals::coloursSpoilShading)
+            lines.push_back(fabric.value + ": its photograph varies in colour by " + percent(*ready.colourVariation) +
+                            " of its brightness; v_shape may take dye for relief");
+    return lines;
+}
+
 std::string renderJson(const fabrics::Dataset& dataset, const RenderRequest& request, const Rendering& rendering)
 {
     Json json{{"schema", "vis2hap.render/1"},       {"dataset", dataset.name},
@@ -131,10 +141,17 @@ std::string renderJson(const fabrics::Dataset& dataset, const RenderRequest& req
     for (const auto& [fabric, samples] : rendering.samples) json["samples"][fabric.value] = samplesOf(samples, rendering);
     for (const auto& [signal, count] : rendering.computed) json["signals_computed"][nameOf(signal)] = count;
     for (const auto& [signal, milliseconds] : rendering.milliseconds) json["signals_ms"][nameOf(signal)] = rounded(milliseconds);
-    for (const auto& [fabric, signals] : rendering.signals)
-        if (signals.measuredMeanFriction)
-            json["measured_friction"][fabric.value] = {{"quantity", signals.measuredQuantity},
-                                                       {"mean", *signals.measuredMeanFriction}};
+    for (const auto& [fabric, ready] : rendering.signals)
+        if (ready.measuredMeanFriction)
+            json["measured_friction"][fabric.value] = {{"quantity", ready.measuredQuantity},
+                                                       {"mean", *ready.measuredMeanFriction}};
+    for (const auto& [fabric, ready] : rendering.signals)
+        if (ready.light)
+            json["shading"][fabric.value] = {{"method", request.shading.method == signals::ShadingMethod::Linear ? "linear" : "bumps"},
+                                             {"light_from", request.shading.lightFromBelow ? "below" : "above"},
+                                             {"light_azimuth_deg", ready.light->azimuthDeg},
+                                             {"light_coherence", ready.light->coherence},
+                                             {"colour_variation", *ready.colourVariation}};
     return json.dump(2) + "\n";
 }
 

@@ -24,7 +24,7 @@ struct RenderCall {
     std::string dataset, fabric = "all", condition = "all", out, model, quality = "balanced", scale = "pixels";
     std::optional<int> sample;
     bool explain = false;
-    std::string extension = "tile", percentiles;
+    std::string extension = "tile", percentiles, shading = "linear", lightFrom = "above";
     int bits = 8;
     bool dither = false;
     std::uint64_t ditherSeed = 1;
@@ -104,6 +104,8 @@ int render(const RenderCall& call)
     request.extension = call.extension == "mirror" ? rendering::Extension::Mirror : rendering::Extension::Tile;
     request.percentiles = percentilesFrom(call.percentiles);
     request.mapping = {call.bits, call.dither, call.ditherSeed};
+    request.shading.method = call.shading == "bumps" ? rendering::signals::ShadingMethod::GaussianBumps : rendering::signals::ShadingMethod::Linear;
+    request.shading.lightFromBelow = call.lightFrom == "below";
     request.generation.model = call.model;
     request.generation.quality = qualities.at(call.quality);
     if (call.explain)
@@ -115,6 +117,8 @@ int render(const RenderCall& call)
     const auto saved = savedJson(call.out, renderJson(dataset, request, rendering));
     writeRendering(call.out, rendering, saved.json);
     for (const auto& warning : saved.warnings)
+        std::fprintf(stderr, "warning: %s\n", warning.c_str());
+    for (const auto& warning : rendering::shadingWarnings(rendering))
         std::fprintf(stderr, "warning: %s\n", warning.c_str());
     for (const auto& line : rendering::describeMaps(rendering))
         std::printf("%s\n", line.c_str());
@@ -146,6 +150,12 @@ void addRender(CLI::App& app, Action& action)
         ->capture_default_str();
     command->add_option("--extension", call->extension, "over the screen: tile (texture meets itself) or mirror")
         ->check(CLI::IsMember({"tile", "mirror"}))
+        ->capture_default_str();
+    command->add_option("--shading", call->shading, "of v_shape: linear (Pentland), or bumps (Gaussian, the paper's reference)")
+        ->check(CLI::IsMember({"linear", "bumps"}))
+        ->capture_default_str();
+    command->add_option("--light-from", call->lightFrom, "of v_shape: above, as people see; below turns bumps into dents")
+        ->check(CLI::IsMember({"above", "below"}))
         ->capture_default_str();
     command->add_option("--range-percentiles", call->percentiles, "LO,HI of all fabrics' pixels (default 0,100: least and greatest)");
     command->add_option("--bits", call->bits, "of the PNG files; the display takes 8")

@@ -12,7 +12,9 @@ foreach(test ball_presses_test render_fabrics_test earlier_render_test bench_com
   vis2hap_test(rendering ${test} LINK rendering)
 endforeach()
 vis2hap_test(rendering bench_test LINK rendering)
-vis2hap_test(rendering reader_fuzz_test LINK rendering_signals rendering_fabrics)
+foreach(test reader_fuzz_test image_fuzz_test)
+  vis2hap_test(rendering ${test} LINK rendering_signals rendering_fabrics)
+endforeach()
 # Displays behind a driver: the reference one, and one with a fault of your choice.
 add_executable(broken_display support/broken_display.cpp)
 set_target_properties(broken_display PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)

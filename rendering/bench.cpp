@@ -42,8 +42,8 @@ struct KnownSurface {
     signals::Slopes slopes;
 };
 
-/// A plain weave of 0.8 mm yarns on a gentle wave, with its exact slopes.
-KnownSurface knownWeave(int rows, int columns)
+/// A plain weave of 0.8 mm yarns on a gentle wave of 9 mm, with its exact slopes.
+KnownSurface knownWeave(int rows, int columns, double waveMm = 0.1)
 {
     KnownSurface known{cv::Mat(rows, columns, CV_64FC1), {cv::Mat(rows, columns, CV_64FC1), cv::Mat(rows, columns, CV_64FC1)}};
     const double yarn = 2 * std::numbers::pi / 0.8, wave = 2 * std::numbers::pi / 9.0;
@@ -51,11 +51,11 @@ KnownSurface knownWeave(int rows, int columns)
         for (int j = 0; j < columns; ++j) {
             const double x = j * pitchMm, y = i * pitchMm;
             known.heightMm.at<double>(i, j) =
-                0.05 * std::cos(yarn * x) * std::cos(yarn * y) + 0.1 * std::sin(wave * (x + 0.4 * y));
+                0.05 * std::cos(yarn * x) * std::cos(yarn * y) + waveMm * std::sin(wave * (x + 0.4 * y));
             known.slopes.x.at<double>(i, j) =
-                -0.05 * yarn * std::sin(yarn * x) * std::cos(yarn * y) + 0.1 * wave * std::cos(wave * (x + 0.4 * y));
+                -0.05 * yarn * std::sin(yarn * x) * std::cos(yarn * y) + waveMm * wave * std::cos(wave * (x + 0.4 * y));
             known.slopes.y.at<double>(i, j) =
-                -0.05 * yarn * std::cos(yarn * x) * std::sin(yarn * y) + 0.04 * wave * std::cos(wave * (x + 0.4 * y));
+                -0.05 * yarn * std::cos(yarn * x) * std::sin(yarn * y) + 0.4 * waveMm * wave * std::cos(wave * (x + 0.4 * y));
         }
     return known;
 }
@@ -177,7 +177,7 @@ void benchPhotometricStereo(std::vector<BenchRow>& rows)
 void benchShapeFromShading(std::vector<BenchRow>& rows)
 {
     using signals::ShadingQuality;
-    const auto known = knownWeave(512, 512);
+    const auto known = knownWeave(512, 512, 0);
     const double azimuth = 60 * std::numbers::pi / 180, slant = 45 * std::numbers::pi / 180;
     const double lx = std::cos(azimuth) * std::sin(slant), ly = -std::sin(azimuth) * std::sin(slant), lz = std::cos(slant);
     cv::Mat photograph(known.heightMm.size(), CV_8UC1);
@@ -187,7 +187,7 @@ void benchShapeFromShading(std::vector<BenchRow>& rows)
             const double light = (lz - p * lx - q * ly) / std::sqrt(1 + p * p + q * q);
             photograph.at<unsigned char>(i, j) = cv::saturate_cast<unsigned char>(200 * light);
         }
-    const cv::Mat truth = signals::withoutLowFrequency(known.heightMm, {pitchMm, pitchMm}, signals::ShadingOptions{}.highPassPx * pitchMm);
+    const cv::Mat truth = known.heightMm;
     for (const auto quality : {ShadingQuality::Accurate, ShadingQuality::Fast}) {
         signals::ShadingOptions options;
         options.quality = quality;

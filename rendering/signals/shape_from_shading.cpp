@@ -55,6 +55,11 @@ cv::Mat faded(const cv::Mat& shading, int margin, cv::Size full)
     return wide;
 }
 
+/// Slopes nearly across the light: what a photograph shows of them is harmonics and noise, which the division would blow up.
+constexpr double acrossShare = 0.2;  ///< sine of the angle to the light's axis at which half is let through
+/// A weave's own lines pull the estimated axis towards them; so much of a full coherence is believed of light from above.
+constexpr double aboveWeight = 0.04;
+
 double frequency(int k, int n) { return (2 * k <= n ? k : k - n) / static_cast<double>(n); }
 
 /// brightness = -(slope along the light), so height = brightness / (-2 pi i f), f along the light;
@@ -69,8 +74,9 @@ cv::Mat solved(const cv::Mat& shading, double azimuthDeg, double regularisation)
     cv::dft(faded(shading, margin, full), spectrum, cv::DFT_COMPLEX_OUTPUT);
     for (int i = 0; i < spectrum.rows; ++i)
         for (int j = 0; j < spectrum.cols; ++j) {
-            const double f = frequency(j, full.width) * towardsX + frequency(i, full.height) * towardsY;
-            const double gain = f / (2 * std::numbers::pi * (f * f + regularisation * regularisation));
+            const double fx = frequency(j, full.width), fy = frequency(i, full.height), f = fx * towardsX + fy * towardsY;
+            const double floor = regularisation * regularisation + acrossShare * acrossShare * (fx * fx + fy * fy);
+            const double gain = f / (2 * std::numbers::pi * (f * f + floor));
             auto& bin = spectrum.at<cv::Vec2f>(i, j);
             bin = {static_cast<float>(-gain * bin[1]), static_cast<float>(gain * bin[0])};  // times i
         }
@@ -91,7 +97,8 @@ Light lightOf(const cv::Mat& shading)
     if (!(xx + yy > 0)) return light;
     light.coherence = std::hypot(xx - yy, 2 * xy) / (xx + yy);
     if (light.coherence < 0.02) return light;
-    const double axis = 0.5 * std::atan2(2 * xy, xx - yy);  // in image coordinates, rows downwards
+    // In image coordinates, rows downwards, angles doubled; light from above lies at half a turn.
+    const double axis = 0.5 * std::atan2(2 * xy / (xx + yy), (xx - yy) / (xx + yy) - aboveWeight);
     light.azimuthDeg = -axis * 180 / std::numbers::pi;      // -90 .. 90
     if (light.azimuthDeg < 10)
         light.azimuthDeg += 180;  // the upper end; of an axis that is nearly level, the left one

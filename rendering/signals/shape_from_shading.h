@@ -34,7 +34,7 @@ struct Light {
 };
 
 /// The axis along which brightness changes most (the structure tensor of the high-passed photograph,
-/// whose energy goes with the squared cosine of the angle to the light); its upper end, or its left end
+/// whose energy goes with the squared cosine of the angle to the light), a little drawn to light from above; its upper end, or its left end
 /// where it is within 10 degrees of level: azimuth 10..190. Below a coherence of 0.02 it is 90.
 /// `photograph` as in signals::grey.
 Light estimateLight(const cv::Mat& photograph, double highPassPx = 200);

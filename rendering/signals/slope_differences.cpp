@@ -58,34 +58,48 @@ std::vector<Stencil<T>> stencils(int length)
     return result;
 }
 
+/// The rises of one row of slopes, as many as there are pairs of neighbours.
+template <class T>
+void risesOfRow(const T* slope, T* rise, const std::vector<Stencil<T>>& all, int count)
+{
+    const int last = static_cast<int>(all.size());
+    const auto one = [&](int at) {
+        const auto& stencil = all[static_cast<std::size_t>(at)];
+        T sum = 0;
+        for (int k = 0; k < count; ++k) sum += stencil.weights[static_cast<std::size_t>(k)] * slope[stencil.first + k];
+        rise[at] = sum;
+    };
+    int j = 0;
+    for (; j < last && j < count / 2 - 1; ++j) one(j);
+    if (count == slopesAround) {
+        const auto w = all[static_cast<std::size_t>(std::min(j, last - 1))].weights;
+        const int end = last - (count / 2 - 1);
+        for (; j < end; ++j) {
+            const T* s = slope + j - 2;
+            rise[j] = w[0] * (s[0] + s[5]) + w[1] * (s[1] + s[4]) + w[2] * (s[2] + s[3]);
+        }
+    }
+    for (; j < last; ++j) one(j);
+}
+
+/// The rises from a row to the next.
+template <class T>
+void risesToNextRow(const cv::Mat& slopes, T* rise, const Stencil<T>& stencil, int count)
+{
+    std::fill_n(rise, slopes.cols, T(0));
+    for (int k = 0; k < count; ++k) {
+        const T* slope = slopes.ptr<T>(stencil.first + k);
+        const T weight = stencil.weights[static_cast<std::size_t>(k)];
+        for (int j = 0; j < slopes.cols; ++j) rise[j] += weight * slope[j];
+    }
+}
+
 template <class T>
 cv::Mat pointRisesAlongX(const cv::Mat& slopes)
 {
     cv::Mat rises = cv::Mat::zeros(slopes.size(), slopes.type());
-    const int count = std::min(slopesAround, slopes.cols);
     const auto all = stencils<T>(slopes.cols);
-    for (int i = 0; i < slopes.rows; ++i) {
-        const T* slope = slopes.ptr<T>(i);
-        T* rise = rises.ptr<T>(i);
-        int j = 0;
-        const int last = static_cast<int>(all.size());
-        const auto one = [&](int at) {
-            const auto& stencil = all[static_cast<std::size_t>(at)];
-            T sum = 0;
-            for (int k = 0; k < count; ++k) sum += stencil.weights[static_cast<std::size_t>(k)] * slope[stencil.first + k];
-            rise[at] = sum;
-        };
-        for (; j < last && j < count / 2 - 1; ++j) one(j);
-        if (count == slopesAround) {
-            const auto w = all[static_cast<std::size_t>(std::min(j, last - 1))].weights;
-            const int end = last - (count / 2 - 1);
-            for (; j < end; ++j) {
-                const T* s = slope + j - 2;
-                rise[j] = w[0] * (s[0] + s[5]) + w[1] * (s[1] + s[4]) + w[2] * (s[2] + s[3]);
-            }
-        }
-        for (; j < last; ++j) one(j);
-    }
+    for (int i = 0; i < slopes.rows; ++i) risesOfRow(slopes.ptr<T>(i), rises.ptr<T>(i), all, std::min(slopesAround, slopes.cols));
     return rises;
 }
 
@@ -93,17 +107,9 @@ template <class T>
 cv::Mat pointRisesAlongY(const cv::Mat& slopes)
 {
     cv::Mat rises = cv::Mat::zeros(slopes.size(), slopes.type());
-    const int count = std::min(slopesAround, slopes.rows);
     const auto all = stencils<T>(slopes.rows);
-    for (int i = 0; i < static_cast<int>(all.size()); ++i) {
-        const auto& stencil = all[static_cast<std::size_t>(i)];
-        T* rise = rises.ptr<T>(i);
-        for (int k = 0; k < count; ++k) {
-            const T* slope = slopes.ptr<T>(stencil.first + k);
-            const T weight = stencil.weights[static_cast<std::size_t>(k)];
-            for (int j = 0; j < slopes.cols; ++j) rise[j] += weight * slope[j];
-        }
-    }
+    for (int i = 0; i + 1 < slopes.rows; ++i)
+        risesToNextRow(slopes, rises.ptr<T>(i), all[static_cast<std::size_t>(i)], std::min(slopesAround, slopes.rows));
     return rises;
 }
 
@@ -218,6 +224,30 @@ cv::Mat Differences<T>::transposed(const Slopes& differences) const
         for (int j = 0; j < m_size.width; ++j) out[j] += alongY * above[j];
     }
     return sources;
+}
+
+template <class T>
+cv::Mat Differences<T>::sources(const Slopes& slopes) const
+{
+    if (m_kind != SlopeKind::Point) return transposed(between(slopes));
+    const int width = m_size.width, height = m_size.height, countX = std::min(slopesAround, width), countY = std::min(slopesAround, height);
+    const auto alongX = stencils<T>(width), alongY = stencils<T>(height);
+    const T scaleX = static_cast<T>(1 / m_pitch.x), scaleY = static_cast<T>(1 / m_pitch.y);
+    const auto length = static_cast<std::size_t>(width);
+    std::vector<T> right(length + 1, T(0)), above(length, T(0)), below(length, T(0));  // right: first the rise into the row, 0
+    cv::Mat result(m_size, cv::DataType<T>::type);
+    for (int i = 0; i < height; ++i) {
+        risesOfRow(slopes.x.ptr<T>(i), right.data() + 1, alongX, countX);
+        right[length] = 0;
+        if (i + 1 < height)
+            risesToNextRow(slopes.y, below.data(), alongY[static_cast<std::size_t>(i)], countY);
+        else
+            std::fill(below.begin(), below.end(), T(0));
+        T* out = result.ptr<T>(i);
+        for (std::size_t j = 0; j < length; ++j) out[j] = scaleX * (right[j] - right[j + 1]) + scaleY * (above[j] - below[j]);
+        std::swap(above, below);
+    }
+    return result;
 }
 
 template <class T>

@@ -20,6 +20,8 @@ public:
     Slopes between(const Slopes& slopes) const;
     Slopes of(const cv::Mat& height) const;
     cv::Mat transposed(const Slopes& differences) const;
+    /// transposed(between(slopes)); for point slopes in one pass over them.
+    cv::Mat sources(const Slopes& slopes) const;
     /// Height of mean 0 with transposed(of(height)) == sources.
     cv::Mat surfaceOf(const cv::Mat& sources) const;
     /// 1 for a difference between measured places, else `weightOfGaps`.

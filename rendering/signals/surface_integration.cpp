@@ -16,6 +16,7 @@ namespace rendering::signals {
 namespace {
 
 constexpr double weightOfGaps = 1e-3;
+constexpr double fewGaps = 1e-3;  ///< of the pixels: so few are as well bridged by the slopes around them alone
 constexpr int mostIterations = 60;
 constexpr double residualToReach = 1e-6;
 
@@ -59,7 +60,7 @@ template <class T>
 cv::Mat solved(const Slopes& slopes, const Pitch& pitch, SlopeKind kind)
 {
     const Differences<T> differences(slopes.x.size(), pitch, kind);
-    return differences.surfaceOf(differences.transposed(differences.between({as<T>(slopes.x), as<T>(slopes.y)})));
+    return differences.surfaceOf(differences.sources({as<T>(slopes.x), as<T>(slopes.y)}));
 }
 
 /// Missing slopes become the mean of those around them, from near to far (a pyramid of known averages).
@@ -106,8 +107,11 @@ SlopeKind slopeKindNamed(std::string_view name)
 cv::Mat integrate(const Slopes& slopes, const Pitch& pitch, SlopeKind kind, IntegrationQuality quality)
 {
     requireShape(slopes, pitch);
-    requireWhole(slopes);
-    return quality == IntegrationQuality::Full ? solved<double>(slopes, pitch, kind) : solved<float>(slopes, pitch, kind);
+    cv::Mat height = quality == IntegrationQuality::Full ? solved<double>(slopes, pitch, kind) : solved<float>(slopes, pitch, kind);
+    // The transform spreads a value that is not finite over all of the surface: one place tells.
+    const bool finite = height.depth() == CV_64F ? std::isfinite(height.at<double>(0, 0)) : std::isfinite(height.at<float>(0, 0));
+    if (!finite || height.total() == 1) requireWhole(slopes);
+    return height;
 }
 
 cv::Mat measuredPlaces(const Slopes& slopes)
@@ -125,7 +129,8 @@ cv::Mat integrateAround(const Slopes& slopes, const cv::Mat& measured, const Pit
     if (cv::countNonZero(known) == 0)
         throw protocols::badInput({.what = "no slope is measured at all", .where = "", .expected = "numbers", .nextStep = ""});
     const Slopes whole{continued(as<double>(slopes.x), known), continued(as<double>(slopes.y), known)};
-    if (cv::countNonZero(known) == static_cast<int>(known.total())) return solved<double>(whole, pitch, kind);
+    const double gaps = 1 - static_cast<double>(cv::countNonZero(known)) / static_cast<double>(known.total());
+    if (gaps < fewGaps) return solved<double>(whole, pitch, kind);
 
     const Differences<double> differences(known.size(), pitch, kind);
     const Slopes weights = differences.weights(known, weightOfGaps);

@@ -142,6 +142,7 @@ signals::SlopeMap fittedMap(const KnownSurface& known, const cv::Mat& frame, con
     samples.add(signals::lightOf(frame, reference, signals::LightMeasure::AgainstReference), slopes, cv::Mat(frame.size(), CV_8UC1, cv::Scalar(255)), 4);
     signals::FitOptions options;
     options.quality = quality;
+    options.degree = 4;  // as presses of a ball are fitted
     return signals::fitSlopeMap(samples, options);
 }
 

@@ -79,7 +79,7 @@ struct FitOptions {
     int networkSteps = 300;
 };
 
-/// Least squares; then the whole is scaled so that it does not flatten: light is measured with noise, slopes are
+/// Least squares; a polynomial has no slope where the light is that of the untouched sensor. Then the whole is scaled so that it does not flatten: light is measured with noise, slopes are
 /// known, and the plain fit of slopes on light comes out too small by the share of variance that it does not explain.
 /// Throws badInput for fewer samples than ten times the numbers to be found.
 SlopeMap fitSlopeMap(const SlopeSamples& samples, const FitOptions& options = {});

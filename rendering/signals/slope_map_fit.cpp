@@ -93,10 +93,28 @@ SlopeMap linearFit(const SlopeSamples& samples, const FitOptions& options)
     return map;
 }
 
+/// Products with a factor of light in them: the others would give the untouched sensor a slope.
+std::vector<int> litTerms(int inputs, int channels, int degree)
+{
+    const auto all = monomials(inputs, degree);
+    std::vector<bool> lit(all.size(), false);
+    std::vector<int> chosen;
+    for (std::size_t m = 1; m < all.size(); ++m) {
+        lit[m] = all[m].factor < channels || lit[static_cast<std::size_t>(all[m].parent)];
+        if (lit[m]) chosen.push_back(static_cast<int>(m));
+    }
+    return chosen;
+}
+
 SlopeMap polynomialFit(const SlopeSamples& samples, const FitOptions& options)
 {
     const cv::Mat terms = termsOf(inputsOf(samples, options.byPlace, options.lightScale), options.degree);
-    return PolynomialMap{options.degree, options.byPlace, options.lightScale, columnsOf(leastSquares(terms, targetsOf(samples), options.ridge))};
+    const auto chosen = litTerms(inputCount(samples, options.byPlace), samples.channels, options.degree);
+    cv::Mat lit(terms.rows, static_cast<int>(chosen.size()), CV_64FC1), all = cv::Mat::zeros(terms.cols, 2, CV_64FC1);
+    for (int k = 0; k < lit.cols; ++k) terms.col(chosen[static_cast<std::size_t>(k)]).copyTo(lit.col(k));
+    const cv::Mat solution = leastSquares(lit, targetsOf(samples), options.ridge);
+    for (int k = 0; k < lit.cols; ++k) solution.row(k).copyTo(all.row(chosen[static_cast<std::size_t>(k)]));
+    return PolynomialMap{options.degree, options.byPlace, options.lightScale, columnsOf(all)};
 }
 
 /// One layer while it learns.

@@ -65,6 +65,25 @@ private Q_SLOTS:
         QVERIFY2(score.peakOverGelMm > score.peakMm + 0.2, "the gel's bridge lifts the ball above its edge of contact");
     }
 
+    void untouchedSensorIsFlat_data()
+    {
+        QTest::addColumn<int>("quality");
+        QTest::newRow("balanced") << int(MapQuality::Balanced);
+        QTest::newRow("accurate") << int(MapQuality::Accurate);
+    }
+    void untouchedSensorIsFlat()
+    {
+        QFETCH(int, quality);
+        const auto made = tests::simulatedPresses(10);
+        const auto located = locate(made.presses);
+        std::vector<std::size_t> all(10);
+        std::iota(all.begin(), all.end(), 0);
+        auto calibration = calibrationFrom(made.presses, located.circles, all, MapQuality(quality));
+        calibration.highPassCutoffMm.reset();
+        const cv::Mat height = heightFromFrame(made.presses.background, made.presses.background, calibration);
+        QVERIFY2(cv::norm(height, cv::NORM_INF) < 1e-6, qPrintable(QString::number(cv::norm(height, cv::NORM_INF))));
+    }
+
     void furtherPressesAreFoundUnderTheModelOfTheFirst()
     {
         const auto first = tests::simulatedPresses(10);

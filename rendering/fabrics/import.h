@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <opencv2/core/mat.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -17,6 +18,15 @@ namespace rendering::fabrics {
 enum class ImportKind { Photos, Gelsight, FrictionCsv, Tribometer, Labview, Slide };
 ImportKind importKindNamed(std::string_view name);  ///< throws badInput naming the kinds
 
+/// The calibrated sensor that tactile frames are of.
+struct ImportedSensor {
+    std::string calibration;  ///< text of its file
+    double mmPerPixel = 0;
+    cv::Mat untouched;  ///< the frame saved with the calibration; empty: one must be among the files
+    /// Throws badInput where a reference frame is another sensor's; `where` names it.
+    std::function<void(const cv::Mat& reference, const std::string& where)> requireSame;
+};
+
 struct ImportRequest {
     ImportKind kind = ImportKind::Photos;
     std::vector<std::filesystem::path> from;  ///< files or folders
@@ -25,6 +35,7 @@ struct ImportRequest {
     /// Decodes what image_io does not read (JPEG, BMP ...): the caller lends one, so that the
     /// importers link no codec. Returns CV_8UC3 RGB, throws badInput.
     std::function<cv::Mat(const std::filesystem::path&)> decodeOther;
+    std::optional<ImportedSensor> sensor = {};  ///< of tactile frames
     FrictionOptions friction = {};     ///< of friction records
     std::filesystem::path plots = {};  ///< folder for a picture of each stroke, F01-000.svg; empty: none
 };

@@ -8,6 +8,7 @@
 #include "rendering/fabrics/import_kinds.h"
 #include "rendering/fabrics/import_sources.h"
 #include "rendering/image_io.h"
+#include "rendering/whole_file.h"
 
 namespace rendering::fabrics {
 
@@ -114,6 +115,21 @@ cv::Mat referenceAmong(const std::vector<SourceFile>& files, const ImportRequest
     return reference;
 }
 
+constexpr const char* calibrationName = "tactile-calibration.json";
+
+/// The sensor's own untouched frame where none was among the files.
+void takeSensor(const ImportedSensor& sensor, const Dataset& dataset, cv::Mat& reference)
+{
+    const fs::path known = dataset.folder / dataset.tactileCalibration;
+    if (!dataset.tactileCalibration.empty() && (dataset.tactileCalibration == "known" || readWholeFile(known) != sensor.calibration))
+        throw protocols::badInput({"its tactile frames are read by another calibration", known.string(), "one sensor a data set",
+                                   "import the frames of another sensor into another data set"});
+    if (reference.empty())
+        reference = sensor.untouched;
+    else
+        sensor.requireSame(reference, "the reference frame");
+}
+
 }  // namespace
 
 Lines importPhotos(const ImportRequest& request, ImportStage& stage)
@@ -141,7 +157,8 @@ Lines importGelsight(const ImportRequest& request, ImportStage& stage)
 {
     Dataset& dataset = stage.dataset();
     const auto files = sourceFiles(request.from, imageEndings, FabricNaming::FolderOrFile);
-    const cv::Mat reference = referenceAmong(files, request, dataset, stage.isNew());
+    cv::Mat reference = referenceAmong(files, request, dataset, stage.isNew());
+    if (request.sensor) takeSensor(*request.sensor, dataset, reference);
     if (reference.empty() && !stage.isNew() && hasSamples(dataset, Modality::Tactile))
         throw protocols::badInput({"already holds tactile frames but no reference frame", dataset.folder.string(),
                                    "frames of the same sensor", "import into a new data set"});
@@ -165,6 +182,11 @@ Lines importGelsight(const ImportRequest& request, ImportStage& stage)
             {"only reference frames were given", request.from.front().string(), "at least one frame of a press", ""});
     if (!reference.empty() && (stage.isNew() || !fs::exists(dataset.folder / "tactile-reference.png")))
         writePng(stage.addFile("tactile-reference.png"), reference);
+    if (request.sensor && dataset.tactileCalibration.empty()) {
+        writeWholeFile(stage.addFile(calibrationName), request.sensor->calibration);
+        dataset.tactileCalibration = calibrationName;
+        dataset.tactileMmPerPixel = request.sensor->mmPerPixel;
+    }
     Lines lines =
         linesFor(counts, dataset, "tactile frame", dataset.tactileCalibration.empty() ? "sensor not calibrated" : "calibrated");
     if (reference.empty())

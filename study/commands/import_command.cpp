@@ -2,9 +2,12 @@
 // [--force-unit UNIT] [--zero WHEN] [--trim WHEN] [--rate HZ] [--plots DIR]
 #include "protocols/errors.h"
 #include "rendering/fabrics/import.h"
+#include "rendering/image_io.h"
+#include "rendering/signals/calibration.h"
 #include "rendering/signals/friction_trace.h"
 #include "rendering/spectrogram_file.h"
 #include "study/commands/command_line.h"
+#include "study/commands/json_output.h"
 #include "study/commands/picture_decoder.h"
 
 #include <CLI/CLI.hpp>
@@ -21,7 +24,7 @@ struct ImportCall {
     std::vector<std::string> from;
     std::string out;
     std::string fabric;
-    std::string normal, tangential, forceUnit, zero = "auto", trim = "auto", plots;
+    std::string calibration, normal, tangential, forceUnit, zero = "auto", trim = "auto", plots;
     std::optional<double> rate;
 };
 
@@ -62,6 +65,27 @@ void writeSpectrograms(const std::filesystem::path& out, const std::filesystem::
         }
 }
 
+/// A calibration and the untouched frame that `calibrate` saved beside it.
+rendering::fabrics::ImportedSensor sensorFrom(const std::filesystem::path& file)
+{
+    namespace signals = rendering::signals;
+    const auto calibration = signals::readCalibration(file);
+    if (calibration.channels != 3)
+        throw protocols::badInput({"the sensor has " + std::to_string(calibration.channels) + " lamps, one frame each", file.string(),
+                                   "a sensor of colour frames", "turn its frames into heights with vis2hap height"});
+    rendering::fabrics::ImportedSensor sensor{readFile(file), calibration.mmPerPixel, {}, {}};
+    sensor.requireSame = [look = calibration.sensor, file](const cv::Mat& reference, const std::string& where) {
+        const auto difference = look ? signals::differenceOf(*look, signals::lookOf(reference)) : std::nullopt;
+        if (difference)
+            throw protocols::badInput({"is not of the calibrated sensor: " + *difference, where, "a frame of the sensor of " + file.string(),
+                                       "calibrate this sensor, or take its own background"});
+    };
+    const auto background = file.parent_path() / (file.stem().string() + "-background.png");
+    if (std::filesystem::exists(background))
+        sensor.untouched = rendering::readPng(background);
+    return sensor;
+}
+
 int import(const ImportCall& call)
 {
     rendering::fabrics::ImportRequest request;
@@ -72,6 +96,11 @@ int import(const ImportCall& call)
         request.fabric = protocols::FabricId(call.fabric);
     request.decodeOther = decodeByQt;
     request.friction = frictionOptions(call);
+    if (!call.calibration.empty()) {
+        if (request.kind != rendering::fabrics::ImportKind::Gelsight)
+            throw protocols::badInput({"only tactile frames have a calibration", "--calibration", "import gelsight", ""});
+        request.sensor = sensorFrom(call.calibration);
+    }
     request.plots = call.plots;
     for (const auto& line : rendering::fabrics::importRecordings(request))
         std::printf("%s\n", line.c_str());
@@ -90,6 +119,7 @@ void addImport(CLI::App& app, Action& action)
     command->add_option("FROM", call->from, "files or folders")->required();
     command->add_option("--out", call->out, "the data set; an existing one is added to")->required();
     command->add_option("--fabric", call->fabric, "put everything into this fabric, e.g. F03");
+    command->add_option("--calibration", call->calibration, "of the sensor that gelsight frames are of, made by vis2hap calibrate");
     const char* friction = "Friction records";
     command->add_option("--normal", call->normal, "column of the normal force; a minus turns it: --normal=-fz")->group(friction);
     command->add_option("--tangential", call->tangential, "one column, which keeps its sign, or two: fx,fy is sqrt(fx^2 + fy^2)")

@@ -88,6 +88,24 @@ private Q_SLOTS:
         QVERIFY(jsonIn(out + "/press_3.json")["high_pass_cutoff_mm"].get<double>() > 0);
     }
 
+    void framesOfACalibratedSensorBecomeADataSetWithHeights()
+    {
+        const QString felt = m_folder.filePath("frames/Felt"), set = m_folder.filePath("set"), images = m_folder.filePath("images");
+        QVERIFY(QDir().mkpath(felt));
+        for (const char* press : {"/press_1.png", "/press_2.png"})
+            QVERIFY(QFile::copy(m_presses + press, felt + press));
+        const auto ended = support::mustRun({"import", "gelsight", m_folder.filePath("frames"), "--calibration", m_sensor, "--out", set});
+        QVERIFY2(ended.out.contains("calibrated"), qPrintable(ended.out));
+        QCOMPARE(jsonIn(set + "/dataset.json")["tactile"]["mm_per_pixel"].get<double>(), 0.125);
+        support::mustRun({"render", set, "--condition", "h", "--out", images});
+        QVERIFY(QFile::exists(images + "/F01/h.png"));
+
+        // Another calibration for the same frames would read them as another sensor's.
+        const auto refused = support::runProgram({"import", "gelsight", m_folder.filePath("frames"), "--calibration", m_folder.filePath("tested.json"), "--out", set});
+        QCOMPARE(refused.exitCode, 2);
+        QVERIFY2(refused.err.contains("another calibration"), qPrintable(refused.err));
+    }
+
     void anotherSensorsBackgroundIsRefused()
     {
         const QString other = m_folder.filePath("other.png"), out = m_folder.filePath("nothing");

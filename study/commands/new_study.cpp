@@ -132,6 +132,7 @@ struct Images {
     std::map<protocols::ConditionId, std::map<protocols::FabricId, cv::Mat>> byCondition;
     std::string signalsJson = "{}";
     bool reused = false;
+    std::vector<std::string> warnings;  ///< of photographs; none where images are reused
 };
 
 Images friction(const NewStudy& request, const Dataset& dataset, const rendering::RenderRequest& render, const std::string& key,
@@ -147,6 +148,7 @@ Images friction(const NewStudy& request, const Dataset& dataset, const rendering
         }
     auto rendering = renderFabrics(dataset, render, progress);
     images.signalsJson = signalQuality(rendering.signals).dump();
+    images.warnings = shadingWarnings(rendering);
     if (!request.images.empty())
         writeImageFolder(request.images, key, renderJson(dataset, render, rendering), rendering, images.signalsJson);
     for (auto& condition : rendering.conditions)
@@ -268,6 +270,7 @@ MadeStudy makeStudy(const NewStudy& request, const StepProgress& progress)
     const auto images = friction(request, dataset, render, imageFolderKey(facts, render), progress);
     facts.signalsJson = images.signalsJson;
     made.imagesReused = images.reused;
+    made.warnings.insert(made.warnings.end(), images.warnings.begin(), images.warnings.end());
 
     const auto design = protocols::drawDesign(text.protocol, request.seed);
     made.balance = balanceOf(design, text.protocol);

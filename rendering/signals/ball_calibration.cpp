@@ -150,7 +150,7 @@ Calibration calibrationFrom(const BallPresses& presses, const std::vector<Contac
     options.ridge = pressRidge;
     options.degree = pressDegree;
     options.networkSamples = 3000;  // twice as many cost twice the time and gain nothing that shows
-    options.networkSteps = 250;
+    options.networkSteps = 500;
     Calibration calibration;
     calibration.channels = samples.channels;
     calibration.map = fitSlopeMap(samples, options);

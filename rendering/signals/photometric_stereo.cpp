@@ -76,14 +76,7 @@ Slopes slopesFromFrame(const cv::Mat& frame, const cv::Mat& reference, const Cal
                                    .where = "",
                                    .expected = std::to_string(calibration.channels) + ", as the sensor was calibrated with",
                                    .nextStep = ""});
-    const cv::Mat light = lightOf(frame, reference, calibration.light);
-    Slopes slopes = slopesOf(calibration.map, light);
-    if (std::holds_alternative<NetworkMap>(calibration.map)) {  // of the untouched sensor: a network's are not 0 by its form
-        const Slopes rest = slopesOf(calibration.map, cv::Mat::zeros(light.size(), light.type()));
-        slopes.x -= rest.x;
-        slopes.y -= rest.y;
-    }
-    return slopes;
+    return slopesOf(calibration.map, lightOf(frame, reference, calibration.light));
 }
 
 cv::Mat settled(const cv::Mat& heightMm, const Pitch& pitch, std::optional<double> highPassCutoffMm, double zeroPercentile)

@@ -102,7 +102,7 @@ Slopes slopesBy(const PolynomialMap& map, const cv::Mat& light)
     });
 }
 
-Slopes slopesBy(const NetworkMap& map, const cv::Mat& light)
+Slopes outputsOf(const NetworkMap& map, const cv::Mat& light)
 {
     const Inputs inputs(light.channels(), map.byPlace, map.lightScale);
     CV_Assert(!map.sizes.empty() && map.sizes.front() == inputs.count() && map.sizes.back() == 2);
@@ -126,6 +126,12 @@ Slopes slopesBy(const NetworkMap& map, const cv::Mat& light)
             std::swap(from, to);
         }
     });
+}
+
+Slopes slopesBy(const NetworkMap& map, const cv::Mat& light)
+{
+    const Slopes lit = outputsOf(map, light), rest = outputsOf(map, cv::Mat::zeros(light.size(), light.type()));
+    return {lit.x - rest.x, lit.y - rest.y};
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ struct PolynomialMap {
     bool operator==(const PolynomialMap&) const = default;
 };
 
-/// The same inputs through layers of tanh; the last layer is linear. Weights row by row, the bias last in each.
+/// The same inputs through layers of tanh; the last layer is linear; less what it gives without light. Weights row by row, the bias last in each.
 struct NetworkMap {
     bool byPlace = true;
     double lightScale = 4;
@@ -79,7 +79,7 @@ struct FitOptions {
     int networkSteps = 300;
 };
 
-/// Least squares; a polynomial has no slope where the light is that of the untouched sensor. Then the whole is scaled so that it does not flatten: light is measured with noise, slopes are
+/// Least squares of maps without slope where the light is that of the untouched sensor (networks: less their slope there). Then the whole is scaled so that it does not flatten: light is measured with noise, slopes are
 /// known, and the plain fit of slopes on light comes out too small by the share of variance that it does not explain.
 /// Throws badInput for fewer samples than ten times the numbers to be found.
 SlopeMap fitSlopeMap(const SlopeSamples& samples, const FitOptions& options = {});

@@ -13,6 +13,8 @@ namespace rendering::signals {
 
 namespace {
 
+constexpr double weightDecay = 4e-5;  ///< of the network: holds it between presses that lie far apart
+
 int inputCount(const SlopeSamples& samples, bool byPlace) { return samples.channels + (byPlace ? 2 : 0); }
 
 /// One row a sample: the inputs of a map.
@@ -163,12 +165,21 @@ public:
         return values;
     }
 
+    /// Of the slopes less those at rest: `inputs` holds the samples, then the same places without light.
+    cv::Mat slopes(const cv::Mat& inputs)
+    {
+        const cv::Mat all = outputs(inputs);
+        return all.rowRange(0, all.rows / 2) - all.rowRange(all.rows / 2, all.rows);
+    }
+
     void step(const cv::Mat& inputs, const cv::Mat& targets)
     {
-        cv::Mat error = (outputs(inputs) - targets) / inputs.rows;
+        const cv::Mat off = (slopes(inputs) - targets) / targets.rows;
+        cv::Mat error;
+        cv::vconcat(off, -off, error);
         for (std::size_t i = m_layers.size(); i-- > 0;) {
             const cv::Mat from = i == 0 ? inputs : m_layers[i - 1].activation;
-            const cv::Mat gradient = error.t() * withBias(from);
+            const cv::Mat gradient = error.t() * withBias(from) + weightDecay * m_layers[i].weights;
             if (i > 0) {
                 const cv::Mat& weights = m_layers[i].weights;
                 error = (error * weights.colRange(0, weights.cols - 1)).mul(1 - from.mul(from));
@@ -221,8 +232,11 @@ SlopeMap networkFit(const SlopeSamples& samples, const FitOptions& options)
     const cv::Mat targets = everyNthRow(targetsOf(samples), options.networkSamples);
     NetworkMap map{options.byPlace, options.lightScale, {inputs.cols, 24, 24, 2}, {}};
     LearningNetwork network(map.sizes, options.seed);
-    for (int i = 0; i < options.networkSteps; ++i) network.step(inputs, targets);
-    network.scaleOutputs(unflattening(network.outputs(inputs), targets));
+    cv::Mat rest = inputs.clone(), both;
+    rest.colRange(0, samples.channels) = 0;
+    cv::vconcat(inputs, rest, both);
+    for (int i = 0; i < options.networkSteps; ++i) network.step(both, targets);
+    network.scaleOutputs(unflattening(network.slopes(both), targets));
     map.weights = network.weights();
     return map;
 }

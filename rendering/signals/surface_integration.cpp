@@ -18,6 +18,8 @@ namespace {
 constexpr double weightOfGaps = 1e-3;
 constexpr double fewGaps = 1e-3;  ///< of the pixels: so few are as well bridged by the slopes around them alone
 constexpr int mostIterations = 60;
+constexpr int iterationsOfLargeMaps = 8;  ///< from the continued slopes on, what more would bring is far below their noise
+constexpr std::size_t largeMap = 4'000'000;
 constexpr double residualToReach = 1e-6;
 
 std::string sizeText(const cv::Mat& image) { return std::to_string(image.cols) + " x " + std::to_string(image.rows); }
@@ -141,7 +143,8 @@ cv::Mat integrateAround(const Slopes& slopes, const cv::Mat& measured, const Pit
     cv::Mat step = differences.surfaceOf(residual), direction = step.clone();
     double power = residual.dot(step);
     const double enough = residualToReach * residualToReach * std::max(power, 1e-300);
-    for (int i = 0; i < mostIterations && power > enough; ++i) {
+    const int iterations = known.total() > largeMap ? iterationsOfLargeMaps : mostIterations;
+    for (int i = 0; i < iterations && power > enough; ++i) {
         const cv::Mat change = normal(direction);
         const double length = power / direction.dot(change);
         height += length * direction;

@@ -102,7 +102,8 @@ DisplayCheck Check::run(const std::function<void(const DisplayDemand&)>& tell)
         if (!isAsked) continue;
         const bool needsDriver = demand.faultOf != &Check::saysNothingElse;
         std::string fault;
-        if (m_talk.hello().schema.empty() && !m_result.demands.empty() && needsDriver)
+        // What it said instead of hello is told; of one that said nothing, nothing is known.
+        if (m_talk.hello().schema.empty() && !m_result.demands.empty() && (needsDriver || m_talk.stray().empty()))
             fault = "could not be asked: there was no hello";
         else if (needsDriver && !m_talk.isOpen() && demand.faultOf != &Check::hello)
             fault = m_talk.opening();

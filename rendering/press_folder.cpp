@@ -73,6 +73,13 @@ signals::BallPresses readBallPresses(const fs::path& folder, double ballRadiusMm
                                    .where = folder.string(),
                                    .expected = "background.png and one picture a press",
                                    .nextStep = ""});
+    for (const auto& press : presses.presses)
+        if (press.frame.size() != presses.background.size() || press.frame.type() != presses.background.type())
+            throw protocols::badInput({.what = "is of another size or kind than the background",
+                                       .where = (folder / press.name).string(),
+                                       .expected = std::to_string(presses.background.cols) + " x " + std::to_string(presses.background.rows) +
+                                                   " pixels, colour, as many bits",
+                                       .nextStep = "take it out, or save it as the others"});
     return presses;
 }
 

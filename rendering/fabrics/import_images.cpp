@@ -115,6 +115,13 @@ cv::Mat referenceAmong(const std::vector<SourceFile>& files, const ImportRequest
     return reference;
 }
 
+bool isGrey(const cv::Mat& picture)
+{
+    cv::Mat channels[3];
+    cv::split(picture, channels);
+    return cv::norm(channels[0], channels[1], cv::NORM_INF) == 0 && cv::norm(channels[1], channels[2], cv::NORM_INF) == 0;
+}
+
 constexpr const char* calibrationName = "tactile-calibration.json";
 
 /// The sensor's own untouched frame where none was among the files.
@@ -168,6 +175,8 @@ Lines importGelsight(const ImportRequest& request, ImportStage& stage)
         if (isReference(source.file)) continue;
         const cv::Mat frame = readPicture(source.file, request);
         if (size.area() == 0) size = frame.size();
+        if (request.sensor && isGrey(frame))
+            throw protocols::badInput({"is grey", source.file.string(), "a colour frame, as the sensor was calibrated with", ""});
         if (frame.size() != size)
             throw protocols::badInput(
                 {"is " + sizeOf(frame), source.file.string(),

@@ -191,7 +191,8 @@ Calibration calibrationFromJson(std::string_view text, const std::string& where)
 Calibration readCalibration(const std::filesystem::path& file)
 {
     std::ifstream stream(file, std::ios::binary);
-    if (!stream) throw malformed(file.string(), "the calibration cannot be read", "a file made by vis2hap calibrate");
+    std::error_code ignored;
+    if (!stream || std::filesystem::is_directory(file, ignored)) throw malformed(file.string(), "the calibration cannot be read", "a file made by vis2hap calibrate");
     const std::string text{std::istreambuf_iterator<char>(stream), {}};
     return calibrationFromJson(text, file.string());
 }

@@ -23,7 +23,7 @@ double fullScale(const cv::Mat& frame) { return frame.depth() == CV_16U ? 65535 
 std::string described(const cv::Mat& frame)
 {
     return std::to_string(frame.cols) + " x " + std::to_string(frame.rows) + ", " + std::to_string(frame.channels()) +
-           (frame.channels() == 1 ? " channel" : " channels");
+           (frame.channels() == 1 ? " channel" : " channels") + " of " + std::to_string(8 * frame.elemSize1()) + " bits";
 }
 
 cv::Vec<double, cubicTerms> cubic(double u, double v)

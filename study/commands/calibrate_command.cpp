@@ -7,6 +7,7 @@
 #include "rendering/true_map.h"
 #include "study/commands/command_line.h"
 #include "study/commands/json_output.h"
+#include "study/commands/number_checks.h"
 #include "study/commands/picture_decoder.h"
 
 #include <CLI/CLI.hpp>
@@ -176,6 +177,10 @@ int calibrateOnSurface(const CalibrateCall& call)
 
 int calibrate(const CalibrateCall& call)
 {
+    std::error_code failed;
+    const fs::path folder = fs::absolute(call.out).parent_path();
+    fs::create_directories(folder, failed);
+    if (failed) throw protocols::environmentFault({"the folder cannot be made (" + failed.message() + ")", folder.string(), "a place that can be written to", ""});
     if (!call.surface.empty()) return calibrateOnSurface(call);
     if (call.from.size() != 1)
         throw protocols::badInput({std::to_string(call.from.size()) + " places of presses are named", call.from[1], "one folder",
@@ -190,18 +195,18 @@ void addCalibrate(CLI::App& app, Action& action)
     auto* command = app.add_subcommand("calibrate", "ball presses of a GelSight sensor, or a known surface -> calibration and its quality");
     auto call = std::make_shared<CalibrateCall>();
     command->add_option("PRESSES", call->from, "a folder with background.png and one picture a press; with --surface the frames")->required();
-    auto* ball = command->add_option("--ball-radius", call->ballRadiusMm, "mm")->check(CLI::PositiveNumber);
-    auto* pitch = command->add_option("--mm-per-pixel", call->mmPerPixel, "mm")->check(CLI::PositiveNumber);
+    auto* ball = command->add_option("--ball-radius", call->ballRadiusMm, "mm")->check(aboveZero());
+    auto* pitch = command->add_option("--mm-per-pixel", call->mmPerPixel, "mm")->check(aboveZero());
     command->add_option("--out", call->out, "the calibration to write; its report and pictures come beside it")->required();
     command->add_option("--test", call->test, "further presses, only read: how good is it on these")->needs(ball);
     command->add_option("--quality", call->quality, "fast (linear), balanced (polynomial) or accurate (network)")
         ->check(CLI::IsMember({"fast", "balanced", "accurate"}));
     command->add_option("--cutoff", call->cutoffMm, "mm; slower surfaces are taken out of frames of full contact (balls: a quarter of the frame)")
-        ->check(CLI::PositiveNumber);
+        ->check(aboveZero());
     auto* surface = command->add_option("--surface", call->surface, "known height of the frame (.tmd, .tiff or .npy, mm) instead of balls; several "
                                                                     "frames are lamps of one surface")->excludes(ball);
     command->add_option("--background", call->background, "with --surface: the untouched sensor")->needs(surface);
-    command->add_option("--rows", call->rows, "with --surface: learn from these rows only, e.g. 0,0.5")->delimiter(',')->expected(2)->check(CLI::Range(0.0, 1.0))->needs(surface);
+    command->add_option("--rows", call->rows, "with --surface: learn from these rows only, e.g. 0,0.5")->delimiter(',')->expected(2)->check(finiteIn(0, 1))->needs(surface);
     addJsonOption(*command, call->json);
     command->callback([call, ball, pitch, surface, &action] {
         if (surface->count() == 0 && (ball->count() == 0 || pitch->count() == 0))

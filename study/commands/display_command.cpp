@@ -2,6 +2,7 @@
 #include "protocols/errors.h"
 #include "rendering/display_check.h"
 #include "study/commands/command_line.h"
+#include "study/commands/number_checks.h"
 
 #include <CLI/CLI.hpp>
 
@@ -64,7 +65,7 @@ void addDisplay(CLI::App& app, Action& action)
     auto call = std::make_shared<CheckCall>();
     checkDriver->add_option("SPEC", call->specification, "exec:COMMAND or tcp:HOST:PORT, as for vis2hap --display")->required();
     checkDriver->add_option("--touch", call->touchSeconds, "wait so many seconds for a finger, to check that touches are told")
-        ->check(CLI::Range(0.0, 600.0));
+        ->check(finiteIn(0, 600));
     checkDriver->callback([call, &action] { action.work = [call] { return check(*call); }; });
 }
 

@@ -5,6 +5,7 @@
 #include "rendering/signals/photometric_stereo.h"
 #include "study/commands/command_line.h"
 #include "study/commands/json_output.h"
+#include "study/commands/number_checks.h"
 #include "study/commands/picture_decoder.h"
 
 #include <CLI/CLI.hpp>
@@ -12,6 +13,7 @@
 
 #include <cstdio>
 #include <memory>
+#include <set>
 
 namespace study::commands {
 
@@ -172,6 +174,24 @@ Reconstruction fromFrame(const HeightCall& call, const signals::Calibration& cal
     return result;
 }
 
+/// A frame that the sensor cannot have taken is named before any work.
+void requireOfSensor(const std::string& file, const cv::Mat& frame, const cv::Mat& reference)
+{
+    if (reference.empty() || (frame.size() == reference.size() && frame.type() == reference.type()))
+        return;
+    const auto kind = [](const cv::Mat& image) {
+        return std::to_string(image.cols) + " x " + std::to_string(image.rows) + (image.channels() == 1 ? ", grey, " : ", colour, ") +
+               std::to_string(8 * image.elemSize1()) + " bits";
+    };
+    throw protocols::badInput({"is no frame of the calibrated sensor (" + kind(frame) + ")", file, kind(reference) + ", as its background", ""});
+}
+
+void requireOwnName(const std::string& file, const std::string& name, std::set<std::string>& names)
+{
+    if (!names.insert(name).second)
+        throw protocols::badInput({"another frame has this name too", file, "frames whose results do not overwrite each other", "rename one, or use another --out"});
+}
+
 /// One colour frame each, or as many grey ones, in their order, as the sensor has lamps.
 std::vector<Reconstruction> fromFrames(const HeightCall& call)
 {
@@ -179,9 +199,14 @@ std::vector<Reconstruction> fromFrames(const HeightCall& call)
     const cv::Mat reference = referenceOf(call, calibration);
     std::vector<Reconstruction> results;
     std::vector<cv::Mat> lamps;
+    std::set<std::string> names;
     for (const auto& file : call.frames) {
+        if (fs::is_directory(file))
+            throw protocols::badInput({"is a folder", file, "a frame", "name the frames in it"});
         const cv::Mat frame = rendering::readPicture(file, decodeByQt);
         const std::string name = fs::path(file).stem().string();
+        requireOfSensor(file, frame, reference);
+        requireOwnName(file, name, names);
         if (frame.channels() == calibration.channels && calibration.channels != 1) {
             results.push_back(fromFrame(call, calibration, reference, name, frame));
             continue;
@@ -220,6 +245,13 @@ int height(const HeightCall& call)
     if (sources != 1 || (!call.frames.empty() && call.calibration.empty()))
         throw protocols::badInput({sources == 1 ? "frames need a calibration" : "one source of heights is needed", "",
                                    "frames with --calibration, or --gradients, or --normals", ""});
+    if (!call.frames.empty() && (!call.mask.empty() || !call.pitch.empty() || call.kind != "point"))
+        throw protocols::badInput({"--mask, --pitch and --kind are of gradients and normal maps", call.frames.front(),
+                                   "a calibration knows its pitch; --contact takes a mask", ""});
+    if (call.frames.empty() && (call.contact != "auto" || !call.calibration.empty()))
+        throw protocols::badInput({"--contact and --calibration are of frames", "", "frames", ""});
+    if (call.contact != "auto" && call.contact != "whole" && call.contact != "part" && !fs::exists(call.contact))
+        throw protocols::badInput({"\"" + call.contact + "\" is no kind of contact", "--contact", "auto, whole, part, or a mask image", ""});
     std::error_code failed;
     fs::create_directories(call.out, failed);
     if (failed) throw protocols::environmentFault({"the folder cannot be made (" + failed.message() + ")", call.out, "a place that can be written to", ""});
@@ -246,9 +278,9 @@ void addHeight(CLI::App& app, Action& action)
     command->add_option("--kind", call->kind, "of gradients: point slopes, central or forward differences")->check(CLI::IsMember({"point", "central", "forward"}));
     command->add_option("--normals", call->normals, "a normal map, (n + 1) / 2 as RGB");
     command->add_option("--normals-y", call->normalsY, "up, down, or auto: whichever is a surface")->check(CLI::IsMember({"auto", "up", "down"}));
-    command->add_option("--pitch", call->pitch, "mm between pixels along x,y (one number: both; default 1)")->delimiter(',')->expected(1, 2)->check(CLI::PositiveNumber);
+    command->add_option("--pitch", call->pitch, "mm between pixels along x,y (one number: both; default 1)")->delimiter(',')->expected(1, 2)->check(aboveZero());
     command->add_option("--mask", call->mask, "0 where gradients or normals were not measured; these places, and NaN, are bridged");
-    command->add_option("--cutoff", call->cutoffMm, "mm; waves longer than this are taken out")->check(CLI::PositiveNumber);
+    command->add_option("--cutoff", call->cutoffMm, "mm; waves longer than this are taken out")->check(aboveZero());
     command->add_option("--quality", call->quality, "full (double precision) or fast (single)")->check(CLI::IsMember({"full", "fast"}));
     command->add_option("--out", call->out, "folder for NAME.tiff, NAME-gx.npy, NAME-gy.npy and NAME.json")->required();
     command->callback([call, &action] {

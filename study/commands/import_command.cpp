@@ -7,6 +7,7 @@
 #include "rendering/signals/friction_trace.h"
 #include "rendering/spectrogram_file.h"
 #include "study/commands/command_line.h"
+#include "study/commands/number_checks.h"
 #include "study/commands/json_output.h"
 #include "study/commands/picture_decoder.h"
 
@@ -102,6 +103,10 @@ int import(const ImportCall& call)
         request.sensor = sensorFrom(call.calibration);
     }
     request.plots = call.plots;
+    std::error_code failed;
+    if (!call.plots.empty() && (std::filesystem::create_directories(call.plots, failed), failed))
+        throw protocols::environmentFault({"the folder of plots cannot be made (" + failed.message() + ")", call.plots, "a place that can be written to",
+                                           "nothing was imported; choose another"});
     for (const auto& line : rendering::fabrics::importRecordings(request))
         std::printf("%s\n", line.c_str());
     if (!call.plots.empty() && std::filesystem::exists(call.plots))
@@ -131,7 +136,7 @@ void addImport(CLI::App& app, Action& action)
     command->add_option("--trim", call->trim, "to the steady slide: auto, none, or FROM,TO in s")->group(friction)->capture_default_str();
     command->add_option("--rate", call->rate, "resample to so many Hz (default: the median of the record's own steps)")
         ->group(friction)
-        ->check(CLI::Range(1e-3, 1e7));
+        ->check(finiteIn(1e-3, 1e7));
     command->add_option("--plots", call->plots, "folder for a picture and a spectrogram of each stroke")->group(friction);
     command->callback([call, &action] {
         action.surroundings = Surroundings::Core;  // Qt finds its JPEG reader through the application

@@ -52,11 +52,11 @@ void writeFile(const std::filesystem::path& file, std::string_view text)
 
 std::string readFile(const std::filesystem::path& file)
 {
+    std::error_code ignored;
     std::ifstream in(file, std::ios::binary);
-    std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
-    if (!in || std::filesystem::is_directory(file))
-        throw protocols::badInput({"cannot be read", file.string(), "a readable file", "check the path"});
-    return text;
+    if (!in || std::filesystem::is_directory(file, ignored))
+        throw protocols::badInput({in ? "is a folder" : "cannot be read", file.string(), "a readable file", "check the path"});
+    return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
 
 std::string csvCell(const std::string& text)

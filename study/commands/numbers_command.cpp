@@ -10,6 +10,8 @@
 #include "stats/trace_error.h"
 #include "stats/wilcoxon.h"
 #include "study/commands/command_line.h"
+#include "study/commands/number_checks.h"
+#include "study/looking/open_study.h"
 #include "study/commands/csv_column.h"
 #include "study/commands/json_output.h"
 #include "study/commands/statistic_json.h"
@@ -231,6 +233,8 @@ ordered_json imageMetrics(const MetricsCall& call)
 
 int metrics(const MetricsCall& call)
 {
+    for (const auto& file : {call.a, call.b})
+        looking::requireNotOfOpenStudy(file);
     if (isTrace(call.a) != isTrace(call.b))
         throw protocols::badInput({"a trace and an image cannot be compared", call.a + " and " + call.b, "two of one kind", ""});
     if (!isTrace(call.a)) {
@@ -277,9 +281,12 @@ void addNumbers(CLI::App& app, Action& action)
     auto images = std::make_shared<MetricsCall>();
     metricsCommand->add_option("A", images->a, "generated")->required();
     metricsCommand->add_option("B", images->b, "ground truth")->required();
-    metricsCommand->add_option("--range", images->range, "dynamic range L of SSIM")->check(CLI::PositiveNumber);
+    metricsCommand->add_option("--range", images->range, "dynamic range L of SSIM")->check(aboveZero());
     addJsonOption(*metricsCommand, images->target);
-    metricsCommand->callback([images, &action] { action.work = [images] { return metrics(*images); }; });
+    metricsCommand->callback([images, &action] {
+        action.surroundings = Surroundings::Core;  // to see whether a stimulus belongs to an open study
+        action.work = [images] { return metrics(*images); };
+    });
 }
 
 }  // namespace study::commands

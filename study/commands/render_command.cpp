@@ -45,6 +45,8 @@ std::vector<protocols::FabricId> fabricList(const rendering::fabrics::Dataset& d
     std::istringstream parts(text);
     for (std::string part; std::getline(parts, part, ',');)
         ids.push_back(dataset.fabric(protocols::FabricId(part)).id);
+    if (ids.empty())
+        throw protocols::badInput({"no fabric is named", "--fabric", "ids, comma-separated, or all", ""});
     return ids;
 }
 

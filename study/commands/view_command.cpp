@@ -1,6 +1,7 @@
 // vis2hap view FILE… --out PNG
 #include "protocols/errors.h"
 #include "study/commands/command_line.h"
+#include "study/commands/number_checks.h"
 #include "study/commands/json_output.h"
 #include "study/commands/picture_decoder.h"
 #include "study/looking/read_signal.h"
@@ -56,9 +57,9 @@ void addView(CLI::App& app, Action& action)
     auto call = std::make_shared<ViewCall>();
     command->add_option("FILE", call->files, "what to look at")->required();
     command->add_option("--out", call->out, "PNG to write")->required();
-    command->add_option("--mm-per-pixel", call->reading.mmPerPixel, "scale of pictures and maps")->check(CLI::Range(1e-6, 1e3));
+    command->add_option("--mm-per-pixel", call->reading.mmPerPixel, "scale of pictures and maps")->check(finiteIn(1e-6, 1e3));
     command->add_option("--speed", call->reading.speedMmPerS, "of a stroke, mm/s, to draw it over mm")
-        ->check(CLI::Range(1e-6, 1e6));
+        ->check(finiteIn(1e-6, 1e6));
     command->add_option("--unit", call->reading.unit, "of the values of TIFF and .npy (default: mm; .npy: mm/mm)");
     command->add_option("--per-row", call->perRow, "signals beside each other")->check(CLI::Range(1, 12))->capture_default_str();
     command->add_option("--quantity", call->reading.quantity, "column of a record to look at (default: its friction)");

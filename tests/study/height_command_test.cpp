@@ -172,6 +172,12 @@ private Q_SLOTS:
         QTest::newRow("no ball") << QStringList{"calibrate", "presses", "--out", "x.json"} << "--ball-radius";
         QTest::newRow("no folder") << QStringList{"calibrate", "/nowhere", "--ball-radius", "2", "--mm-per-pixel", "0.1", "--out", "x.json"} << "/nowhere";
         QTest::newRow("unknown kind") << QStringList{"height", "--gradients", "a.npy", "b.npy", "--kind", "sideways", "--out", "x"} << "--kind";
+        QTest::newRow("cut-off that is no number") << QStringList{"height", "--normals", "n.png", "--cutoff", "nan", "--out", "x"} << "--cutoff";
+        QTest::newRow("contact of gradients") << QStringList{"height", "--gradients", "a.npy", "b.npy", "--contact", "whole", "--out", "x"} << "--contact";
+        QTest::newRow("unknown contact") << QStringList{"height", m_presses + "/press_1.png", "--calibration", m_sensor, "--contact", "foo", "--out", "x"} << "foo";
+        QTest::newRow("pitch of frames") << QStringList{"height", m_presses + "/press_1.png", "--calibration", m_sensor, "--pitch", "3", "--out", "x"} << "--pitch";
+        QTest::newRow("folder as calibration") << QStringList{"height", m_presses + "/press_1.png", "--calibration", m_presses, "--out", m_folder.filePath("x")} << "calibration";
+        QTest::newRow("one name twice") << QStringList{"height", m_presses + "/press_1.png", m_presses + "/press_1.png", "--calibration", m_sensor, "--out", m_folder.filePath("x")} << "press_1.png";
         QTest::newRow("no recordings") << QStringList{"bench", "signals", "--data", "/nowhere"} << "/nowhere";
     }
     void wrongCallsAreNamed()

@@ -95,6 +95,11 @@ private Q_SLOTS:
         const Ended stroked = runProgram({"stroke", stimulus, "--csv", at("felt.csv")});
         QCOMPARE(stroked.exitCode, 2);
         QVERIFY(stroked.err.contains("not unblinded") && !QFile::exists(at("felt.csv")));
+
+        // Compared with a rendering of one's own it would tell its condition.
+        const Ended compared = runProgram({"metrics", stimulus, stimulus});
+        QCOMPARE(compared.exitCode, 2);
+        QVERIFY2(compared.err.contains("not unblinded") && compared.out.isEmpty(), qPrintable(compared.err));
     }
 
     void ownerOfADisplayChecksTheDriver()

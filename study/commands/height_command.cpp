@@ -225,6 +225,9 @@ std::vector<Reconstruction> fromFrames(const HeightCall& call)
 void write(const HeightCall& call, Reconstruction result)
 {
     const fs::path out(call.out);
+    std::error_code failed;
+    fs::create_directories(out, failed);
+    if (failed) throw protocols::environmentFault({"the folder cannot be made (" + failed.message() + ")", call.out, "a place that can be written to", ""});
     double low = 0, high = 0;
     cv::minMaxLoc(result.heightMm, &low, &high);
     cv::Scalar mean, sd;
@@ -252,9 +255,6 @@ int height(const HeightCall& call)
         throw protocols::badInput({"--contact and --calibration are of frames", "", "frames", ""});
     if (call.contact != "auto" && call.contact != "whole" && call.contact != "part" && !fs::exists(call.contact))
         throw protocols::badInput({"\"" + call.contact + "\" is no kind of contact", "--contact", "auto, whole, part, or a mask image", ""});
-    std::error_code failed;
-    fs::create_directories(call.out, failed);
-    if (failed) throw protocols::environmentFault({"the folder cannot be made (" + failed.message() + ")", call.out, "a place that can be written to", ""});
     if (!call.gradients.empty())
         write(call, fromGradients(call));
     else if (!call.normals.empty())

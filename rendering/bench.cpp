@@ -9,6 +9,7 @@
 
 #include "protocols/random.h"
 #include "rendering/bench_composition.h"
+#include "rendering/median_time.h"
 #include "rendering/signals/cosine_transform.h"
 #include "rendering/signals/photometric_stereo.h"
 #include "rendering/signals/shape_from_shading.h"
@@ -25,16 +26,7 @@ constexpr int repeats = 21;
 /// Of several runs after one that fills the caches; long work is not done so often.
 double medianMilliseconds(const std::function<void()>& work)
 {
-    const auto timed = [&work] {
-        const auto start = std::chrono::steady_clock::now();
-        work();
-        return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-    };
-    const int count = timed() > 50 ? 3 : repeats;
-    std::vector<double> times;
-    for (int i = 0; i < count; ++i) times.push_back(timed());
-    std::nth_element(times.begin(), times.begin() + count / 2, times.end());
-    return times[static_cast<std::size_t>(count / 2)];
+    return rendering::medianMilliseconds(millisecondsOf(work) > 50 ? 3 : repeats, work);
 }
 
 struct KnownSurface {

@@ -12,24 +12,12 @@
 #include "protocols/random.h"
 #include "rendering/fabrics/even_steps.h"
 #include "rendering/friction_image.h"
+#include "rendering/median_time.h"
 #include "rendering/signals/spectrogram.h"
 
 namespace rendering {
 
 namespace {
-
-double medianMilliseconds(const std::function<void()>& work)
-{
-    constexpr int repeats = 7;
-    std::vector<double> times;
-    for (int i = 0; i < repeats; ++i) {
-        const auto start = std::chrono::steady_clock::now();
-        work();
-        times.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
-    }
-    std::nth_element(times.begin(), times.begin() + repeats / 2, times.end());
-    return times[repeats / 2];
-}
 
 /// A twill of 0.9 mm with a little of its own at every place; its period divides no patch.
 cv::Mat twill(int rows, int columns, double mmPerPixel)
@@ -102,7 +90,7 @@ void benchNineConditions(std::vector<BenchRow>& rows, Scale scale, Extension ext
 {
     const auto sources = readySources();
     cv::Mat relief;
-    const double time = medianMilliseconds([&] {
+    const double time = medianMilliseconds(7, [&] {
         for (const auto& [id, one] : sources) {
             const auto map = compose(protocols::conditionNamed(id), one, scale, extension);
             MapRange range;
@@ -129,7 +117,7 @@ void benchResampling(std::vector<BenchRow>& rows)
     }
     std::vector<double> even;
     double step = 0;
-    const double time = medianMilliseconds([&] {
+    const double time = medianMilliseconds(7, [&] {
         step = fabrics::timeBaseOf(times, "bench").stepS;
         even = fabrics::atEvenSteps(times, values, step);
     });
@@ -143,7 +131,7 @@ void benchRoundTrip(std::vector<BenchRow>& rows)
 {
     const auto trace = traceOf(480);
     std::vector<double> back;
-    const double time = medianMilliseconds([&] { back = signals::istft(signals::stft(trace)); });
+    const double time = medianMilliseconds(7, [&] { back = signals::istft(signals::stft(trace)); });
     double largest = 0;
     for (std::size_t i = 0; i < trace.size(); ++i) largest = std::max(largest, std::abs(back[i] - trace[i]));
     rows.push_back({"spectrogram round trip", "complex", time, largest, "largest difference", "480 samples of about 0.5"});
@@ -155,7 +143,7 @@ void benchMean(std::vector<BenchRow>& rows)
     const auto spectrogram = signals::stft(trace);
     auto magnitude = signals::magnitude(spectrogram);
     signals::Inversion inversion;
-    const double time = medianMilliseconds([&] {
+    const double time = medianMilliseconds(7, [&] {
         magnitude.mean = signals::meanFromMagnitude(magnitude.values, magnitude.parameters);
         inversion = signals::griffinLim(magnitude, signals::GriffinLimOptions::of(signals::InversionQuality::Fast));
     });

@@ -3,6 +3,7 @@
 #include "protocols/random.h"
 #include "rendering/calibration_report.h"
 #include "rendering/image_io.h"
+#include "rendering/median_time.h"
 #include "rendering/signals/ball_presses.h"
 #include "rendering/signals/photometric_stereo.h"
 #include "rendering/signals/roughness.h"
@@ -14,7 +15,6 @@
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <regex>
@@ -35,13 +35,6 @@ std::string text(const char* format, auto... values)
     char buffer[240];
     std::snprintf(buffer, sizeof buffer, format, values...);
     return buffer;
-}
-
-double millisecondsOf(const auto& work)
-{
-    const auto start = std::chrono::steady_clock::now();
-    work();
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
 std::vector<fs::path> filesIn(const fs::path& folder, const std::string& pattern)

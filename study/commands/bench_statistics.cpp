@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "reports/report.h"
+#include "rendering/median_time.h"
 #include "stats/bootstrap.h"
 #include "stats/image_metrics.h"
 #include "stats/sign_flip.h"
@@ -20,18 +21,7 @@ namespace study::commands {
 namespace {
 
 using nlohmann::ordered_json;
-
-double medianMilliseconds(int repeats, const std::function<void()>& work)
-{
-    std::vector<double> times;
-    for (int i = 0; i < repeats; ++i) {
-        const auto start = std::chrono::steady_clock::now();
-        work();
-        times.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
-    }
-    std::nth_element(times.begin(), times.begin() + repeats / 2, times.end());
-    return times[static_cast<std::size_t>(repeats / 2)];
-}
+using rendering::medianMilliseconds;
 
 /// ((i * multiplier + increment) mod 2^32) / 2^32.
 std::vector<double> sequence(std::size_t n, std::uint64_t multiplier, std::uint64_t increment)

@@ -15,8 +15,7 @@ namespace study::commands {
 
 namespace {
 
-// Each prints one JSON object: {"peer": {"stage": milliseconds or null}}.
-constexpr const char* pythonScript = R"(
+constexpr const char* pythonTiming = R"(
 import json, os, time
 for name in ('OMP_NUM_THREADS', 'OPENBLAS_NUM_THREADS', 'MKL_NUM_THREADS'): os.environ[name] = '1'
 def median(work, repeats):
@@ -24,6 +23,10 @@ def median(work, repeats):
     for i in range(repeats):
         start = time.perf_counter(); work(); times.append(1000 * (time.perf_counter() - start))
     return sorted(times)[repeats // 2]
+)";
+
+// Each prints one JSON object: {"peer": {"stage": milliseconds or null}}.
+constexpr const char* pythonScript = R"(
 found = {'scipy': {'paired t': None, 'bca': None}, 'scikit-image': {'ssim': None, 'ssim float': None}}
 try:
     import numpy, scipy.stats
@@ -60,13 +63,6 @@ cat(sprintf('{"R": {"paired t": %.4f, "bca": %.4f}}', t, bca))
 )";
 
 constexpr const char* signalScript = R"(
-import json, os, time
-for name in ('OMP_NUM_THREADS', 'OPENBLAS_NUM_THREADS', 'MKL_NUM_THREADS'): os.environ[name] = '1'
-def median(work, repeats):
-    times = []
-    for i in range(repeats):
-        start = time.perf_counter(); work(); times.append(1000 * (time.perf_counter() - start))
-    return sorted(times)[repeats // 2]
 found = {'scipy': {}}
 try:
     import numpy, scipy.fft
@@ -133,7 +129,7 @@ PeerTimes peerTimes()
     PeerTimes times;
     for (const char* stage : {"paired t", "bca"}) times[stage] = {{"scipy", std::nullopt}, {"R", std::nullopt}};
     for (const char* stage : {"ssim", "ssim float"}) times[stage] = {{"scikit-image", std::nullopt}};
-    add(times, outputOf({"/usr/bin/python3", "-c", pythonScript}));
+    add(times, outputOf({"/usr/bin/python3", "-c", std::string(pythonTiming) + pythonScript}));
     add(times, outputOf({"Rscript", "-e", rScript}));
     return times;
 }
@@ -142,7 +138,7 @@ PeerTimes signalPeerTimes()
 {
     PeerTimes times;
     for (const char* stage : {"cosine transforms 480x640", "integration 480x640"}) times[stage] = {{"scipy", std::nullopt}};
-    add(times, outputOf({"/usr/bin/python3", "-c", signalScript}));
+    add(times, outputOf({"/usr/bin/python3", "-c", std::string(pythonTiming) + signalScript}));
     return times;
 }
 

@@ -51,18 +51,23 @@ Quality qualityNamed(std::string_view name)
     throw protocols::badInput({"unknown quality '" + std::string(name) + "'", "--quality", "fast, balanced or accurate", ""});
 }
 
-void writeRequest(const fs::path& folder, std::span<const PhotographToTouch> photographs, const GenerationOptions& options)
+RequestWriter::RequestWriter(fs::path folder, GenerationOptions options) : m_folder(std::move(folder)), m_options(std::move(options))
 {
-    Json list = Json::array();
-    for (const PhotographToTouch& photograph : photographs) {
-        const std::string name = "photo" + std::to_string(list.size()) + ".npy";
-        const cv::Mat whole = photograph.photograph.isContinuous() ? photograph.photograph : photograph.photograph.clone();
-        writeNpy(folder / name, whole.reshape(1));
-        list.push_back({{"file", name}, {"mm_per_pixel", photograph.mmPerPixel ? Json(*photograph.mmPerPixel) : Json(nullptr)}});
-    }
-    const Json json{{"schema", requestSchema},      {"model", options.model.string()}, {"quality", nameOf(options.quality)},
-                    {"height", options.height},     {"friction", options.friction},    {"photographs", list}};
-    writeWholeFile(folder / "request.json", json.dump() + "\n");
+}
+
+void RequestWriter::add(const PhotographToTouch& photograph)
+{
+    const std::string name = "photo" + std::to_string(m_photographs.size()) + ".npy";
+    const cv::Mat whole = photograph.photograph.isContinuous() ? photograph.photograph : photograph.photograph.clone();
+    writeNpy(m_folder / name, whole.reshape(1));
+    m_photographs.push_back({{"file", name}, {"mm_per_pixel", photograph.mmPerPixel ? Json(*photograph.mmPerPixel) : Json(nullptr)}});
+}
+
+void RequestWriter::finish() const
+{
+    const Json json{{"schema", requestSchema},    {"model", m_options.model.string()}, {"quality", nameOf(m_options.quality)},
+                    {"height", m_options.height}, {"friction", m_options.friction},    {"photographs", m_photographs}};
+    writeWholeFile(m_folder / "request.json", json.dump() + "\n");
 }
 
 Request readRequest(const fs::path& folder)
@@ -80,15 +85,9 @@ Request readRequest(const fs::path& folder)
         request.options.height = json.at("height").get<bool>();
         request.options.friction = json.at("friction").get<bool>();
         for (const Json& item : json.at("photographs")) {
-            const cv::Mat flat = readNpy(folder / item.at("file").get<std::string>());
-            if (flat.type() != CV_8UC1 || flat.cols < 3 || flat.cols % 3 != 0)
-                throw protocols::badInput({"no photograph", (folder / item.at("file").get<std::string>()).string(),
-                                           "uint8 [height x 3 width]", ""});
-            PhotographToTouch photograph;
-            photograph.photograph = flat.reshape(3);
-            if (!item.at("mm_per_pixel").is_null())
-                photograph.mmPerPixel = item.at("mm_per_pixel").get<double>();
-            request.photographs.push_back(photograph);
+            const Json& pitch = item.at("mm_per_pixel");
+            request.photographs.push_back({folder / item.at("file").get<std::string>(),
+                                           pitch.is_null() ? std::nullopt : std::optional(pitch.get<double>())});
         }
     } catch (const Json::exception& fault) {
         throw protocols::badInput({fault.what(), file.string(), requestSchema, ""});
@@ -96,26 +95,37 @@ Request readRequest(const fs::path& folder)
     return request;
 }
 
-void writeAnswers(const fs::path& folder, std::span<const GeneratedSignals> answers)
+PhotographToTouch readPhotograph(const Request::Asked& photograph)
 {
-    Json list = Json::array();
-    for (const GeneratedSignals& answer : answers) {
-        const std::string number = std::to_string(list.size());
-        const cv::Mat trace = answer.trace.empty() ? cv::Mat() : cv::Mat(answer.trace, true).reshape(1, 1);
-        const auto& parameters = answer.spectrogramParameters;
-        list.push_back({{"height", written(folder, "height" + number + ".npy", answer.heightMm)},
-                        {"height_mm_per_pixel", answer.heightMmPerPixel},
-                        {"spectrogram", written(folder, "spectrogram" + number + ".npy", answer.spectrogram)},
-                        {"spectrogram_parameters",
-                         {{"window", parameters.windowLength},
-                          {"hop", parameters.hop},
-                          {"fft", parameters.fftSize},
-                          {"samples_per_mm", parameters.sampleRateHz}}},
-                        {"trace", written(folder, "trace" + number + ".npy", trace)},
-                        {"trace_mm_per_sample", answer.traceMmPerSample},
-                        {"mean_friction", answer.meanFriction}});
-    }
-    writeWholeFile(folder / "answer.json", Json{{"schema", answerSchema}, {"signals", list}}.dump() + "\n");
+    const cv::Mat flat = readNpy(photograph.file);
+    if (flat.type() != CV_8UC1 || flat.cols < 3 || flat.cols % 3 != 0)
+        throw protocols::badInput({"no photograph", photograph.file.string(), "uint8 [height x 3 width]", ""});
+    return {flat.reshape(3), photograph.mmPerPixel};
+}
+
+AnswerWriter::AnswerWriter(fs::path folder) : m_folder(std::move(folder)) {}
+
+void AnswerWriter::add(const GeneratedSignals& answer)
+{
+    const std::string number = std::to_string(m_signals.size());
+    const cv::Mat trace = answer.trace.empty() ? cv::Mat() : cv::Mat(answer.trace, true).reshape(1, 1);
+    const auto& parameters = answer.spectrogramParameters;
+    m_signals.push_back({{"height", written(m_folder, "height" + number + ".npy", answer.heightMm)},
+                         {"height_mm_per_pixel", answer.heightMmPerPixel},
+                         {"spectrogram", written(m_folder, "spectrogram" + number + ".npy", answer.spectrogram)},
+                         {"spectrogram_parameters",
+                          {{"window", parameters.windowLength},
+                           {"hop", parameters.hop},
+                           {"fft", parameters.fftSize},
+                           {"samples_per_mm", parameters.sampleRateHz}}},
+                         {"trace", written(m_folder, "trace" + number + ".npy", trace)},
+                         {"trace_mm_per_sample", answer.traceMmPerSample},
+                         {"mean_friction", answer.meanFriction}});
+}
+
+void AnswerWriter::finish() const
+{
+    writeWholeFile(m_folder / "answer.json", Json{{"schema", answerSchema}, {"signals", m_signals}}.dump() + "\n");
 }
 
 std::vector<GeneratedSignals> readAnswers(const fs::path& folder)

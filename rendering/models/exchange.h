@@ -1,5 +1,6 @@
 // How the program and vis2hap-nn speak: a folder with request.json and one .npy a photograph, into
-// which the answers are written as answer.json and .npy files. Both sides use these functions.
+// which the answers are written as answer.json and .npy files. Both sides use these functions, and
+// both hold one photograph at a time.
 //   request.json {"schema":"vis2hap.generate/1","model":FILE,"quality":"fast"|"balanced"|"accurate",
 //                 "height":bool,"friction":bool,"photographs":[{"file":"photo0.npy","mm_per_pixel":X|null}]}
 //   photoN.npy   uint8 [height x 3 width], R G B interleaved
@@ -10,8 +11,10 @@
 
 #include "rendering/models/generation.h"
 
+#include <nlohmann/json.hpp>
+
 #include <filesystem>
-#include <span>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,18 +22,45 @@
 namespace rendering::models {
 
 struct Request {
-    std::vector<PhotographToTouch> photographs;
+    struct Asked {
+        std::filesystem::path file;
+        std::optional<double> mmPerPixel;
+    };
+    std::vector<Asked> photographs;
     GenerationOptions options;
 };
 
 std::string nameOf(Quality quality);
 Quality qualityNamed(std::string_view name);  ///< throws badInput naming the three
 
-void writeRequest(const std::filesystem::path& folder, std::span<const PhotographToTouch> photographs,
-                  const GenerationOptions& options);
-Request readRequest(const std::filesystem::path& folder);  ///< throws badInput
+/// Writes each photograph when it is added, request.json at the end.
+class RequestWriter {
+public:
+    RequestWriter(std::filesystem::path folder, GenerationOptions options);
+    void add(const PhotographToTouch& photograph);
+    void finish() const;
 
-void writeAnswers(const std::filesystem::path& folder, std::span<const GeneratedSignals> answers);
+private:
+    std::filesystem::path m_folder;
+    GenerationOptions m_options;
+    nlohmann::ordered_json m_photographs = nlohmann::ordered_json::array();
+};
+
+Request readRequest(const std::filesystem::path& folder);             ///< throws badInput
+PhotographToTouch readPhotograph(const Request::Asked& photograph);   ///< throws badInput
+
+/// Writes the arrays of each answer when it is added, answer.json at the end.
+class AnswerWriter {
+public:
+    explicit AnswerWriter(std::filesystem::path folder);
+    void add(const GeneratedSignals& answer);
+    void finish() const;
+
+private:
+    std::filesystem::path m_folder;
+    nlohmann::ordered_json m_signals = nlohmann::ordered_json::array();
+};
+
 std::vector<GeneratedSignals> readAnswers(const std::filesystem::path& folder);  ///< throws workFailed
 
 }  // namespace rendering::models

@@ -4,6 +4,8 @@
 #include "rendering/models/child_process.h"
 #include "rendering/models/exchange.h"
 #include "rendering/models/model_card.h"
+#include "rendering/models/photograph_at_pitch.h"
+#include "rendering/models/photograph_features.h"
 #include "rendering/models/temporary_folder.h"
 
 namespace rendering::models {
@@ -20,6 +22,17 @@ void checkPhotographs(std::span<const PhotographToTouch> photographs)
     }
 }
 
+PhotographFacts factsOf(const SeenPhotograph& seen, const ModelCardFields& card)
+{
+    PhotographFacts facts;
+    facts.middleOnly = seen.middleOnly;
+    if (!card.photographs)
+        return facts;
+    facts.distance = distanceTo(*card.photographs, photographFeatures(seen.rgb));
+    facts.usualDistance = card.photographs->threshold;
+    return facts;
+}
+
 }  // namespace
 
 std::vector<GeneratedSignals> generate(std::span<const PhotographToTouch> photographs, const GenerationOptions& options)
@@ -31,14 +44,24 @@ std::vector<GeneratedSignals> generate(std::span<const PhotographToTouch> photog
     if (wish.model.empty())
         wish.model = shippedModel();
     wish.model = std::filesystem::absolute(wish.model);
-    checkWeightsFile(wish.model, readModelCardFields(wish.model));
+    const ModelCardFields card = readModelCardFields(wish.model);
+    checkWeightsFile(wish.model, card);
     const TemporaryFolder folder;
-    writeRequest(folder.path(), photographs, wish);
+    RequestWriter request(folder.path(), wish);
+    std::vector<PhotographFacts> facts;
+    for (const PhotographToTouch& photograph : photographs) {
+        const SeenPhotograph seen = photographAtPitch(photograph, card.architecture.mmPerPixel);
+        request.add({seen.rgb, card.architecture.mmPerPixel});
+        facts.push_back(factsOf(seen, card));
+    }
+    request.finish();
     runGeneratorProgram({"generate", folder.path().string()}, folder.path() / "messages");
     std::vector<GeneratedSignals> answers = readAnswers(folder.path());
     if (answers.size() != photographs.size())
         throw protocols::workFailed({"vis2hap-nn answered " + std::to_string(answers.size()) + " of " +
                                          std::to_string(photographs.size()) + " photographs", "generators", "", ""});
+    for (std::size_t i = 0; i < answers.size(); ++i)
+        answers[i].photograph = facts[i];
     return answers;
 }
 

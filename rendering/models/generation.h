@@ -29,6 +29,15 @@ struct PhotographToTouch {
     std::optional<double> mmPerPixel;     ///< unknown: taken as the pitch the model was trained at
 };
 
+/// What is known of a photograph before anything is generated from it.
+struct PhotographFacts {
+    std::optional<double> distance;  ///< to the nearest photograph trained on (see familiarity.h); none: the card does not tell
+    double usualDistance = 0;        ///< 99 % of photographs of known fabrics lie below it
+    bool middleOnly = false;         ///< larger than a model takes: its edges were cut off (see photograph_at_pitch.h)
+    bool unfamiliar() const { return distance && *distance > usualDistance; }  ///< what is generated is a guess
+    bool operator==(const PhotographFacts&) const = default;
+};
+
 struct GeneratedSignals {
     cv::Mat heightMm;                     ///< CV_32FC1, >= 0; empty if not asked for
     double heightMmPerPixel = 0;
@@ -38,9 +47,10 @@ struct GeneratedSignals {
     double meanFriction = 0;
     /// What it takes to undo the spectrogram; rate in samples a millimetre.
     signals::SpectrogramParameters spectrogramParameters;
+    PhotographFacts photograph;
 };
 
-/// In the order of the photographs. Throws environmentFault where libtorch or vis2hap-nn cannot be
+/// In the order of the photographs; each by itself, whatever the others are. Throws environmentFault where libtorch or vis2hap-nn cannot be
 /// loaded, badInput for weights that are no model of this program.
 std::vector<GeneratedSignals> generate(std::span<const PhotographToTouch> photographs, const GenerationOptions& options);
 

@@ -2,6 +2,7 @@
 
 #include "protocols/errors.h"
 #include "rendering/models/friction_target.h"
+#include "rendering/models/photograph_at_pitch.h"
 #include "rendering/models/weights.h"
 #include "rendering/signals/spectrogram.h"
 
@@ -20,18 +21,6 @@ constexpr int tileSide = 256;   ///< px of a height map that one pass of G_h mak
 constexpr int tileMargin = 32;  ///< px around it that G_h sees beyond; a multiple of 16 with the tile
 
 int roundedUpTo16(int length) { return (length + 15) / 16 * 16; }
-
-cv::Mat atPitch(const PhotographToTouch& photograph, double mmPerPixel)
-{
-    const double factor = photograph.mmPerPixel.value_or(mmPerPixel) / mmPerPixel;
-    const auto side = [&](int length) { return std::clamp(static_cast<int>(std::lround(length * factor)), 1, 1 << 15); };
-    const cv::Size size(side(photograph.photograph.cols), side(photograph.photograph.rows));
-    cv::Mat result = photograph.photograph;
-    if (size != result.size())
-        cv::resize(photograph.photograph, result, size, 0, 0, factor < 1 ? cv::INTER_AREA : cv::INTER_LINEAR);
-    const cv::Size shown(std::min(size.width, LoadedModel::largestSidePx), std::min(size.height, LoadedModel::largestSidePx));
-    return result({(size.width - shown.width) / 2, (size.height - shown.height) / 2, shown.width, shown.height}).clone();
-}
 
 /// [1, 3, H, W] in 0..1.
 torch::Tensor tensorOf(const cv::Mat& rgb)
@@ -173,7 +162,7 @@ GeneratedSignals LoadedModel::generate(const PhotographToTouch& photograph, cons
 {
     const torch::NoGradGuard still;
     const Architecture& architecture = m_parts->architecture;
-    const cv::Mat rgb = atPitch(photograph, architecture.mmPerPixel);
+    const cv::Mat rgb = photographAtPitch(photograph, architecture.mmPerPixel).rgb;
     GeneratedSignals signals;
     if (options.height) {
         signals.heightMm = m_parts->height(rgb, options.quality);

@@ -14,13 +14,10 @@ public:
     explicit LoadedModel(const std::filesystem::path& model, int threads = 0);
     ~LoadedModel();
 
-    /// The height map covers the photograph at the model's pitch, of photographs larger than
-    /// largestSidePx there the middle. Quality: fast takes one pass and one crop of G_s, balanced two
+    /// The height map covers the photograph as photographAtPitch gives it. Quality: fast takes one pass and one crop of G_s, balanced two
     /// passes (as it is and turned by 180 degrees) and four crops, accurate eight passes (all turns
     /// and mirrorings of the square) and nine crops in four mirrorings; passes and crops are averaged.
     GeneratedSignals generate(const PhotographToTouch& photograph, const GenerationOptions& options) const;
-
-    static constexpr int largestSidePx = 2048;
 
 private:
     struct Parts;

@@ -72,6 +72,15 @@ protocols::Error unreadable(const std::filesystem::path& card, const std::string
                                 "take the weights together with the .json that `vis2hap train` wrote beside them"});
 }
 
+Familiarity familiarityOf(const Json& json, const std::filesystem::path& card)
+{
+    try {
+        return familiarityFrom(json);
+    } catch (const protocols::Error& fault) {
+        throw unreadable(card, fault.what());
+    }
+}
+
 std::filesystem::path beside(const std::filesystem::path& file)
 {
     std::filesystem::path temporary = file;
@@ -109,8 +118,10 @@ std::string cardText(const ModelCardFields& card)
               {"training_minutes", card.trainingMinutes},
               {"held_out", card.heldOut},
               {"architecture", architectureJson(card.architecture)},
-              {"validation", card.validation},
-              {"training_sample_hashes", card.told.trainingSampleHashes}};
+              {"validation", card.validation}};
+    if (card.photographs)
+        json["photographs"] = familiarityJson(*card.photographs);
+    json["training_sample_hashes"] = card.told.trainingSampleHashes;
     return json.dump(1) + "\n";
 }
 
@@ -143,6 +154,8 @@ ModelCardFields readModelCardFields(const std::filesystem::path& model)
             throw unreadable(file, "its networks are of another kind than this program's");
         card.architecture = architectureFrom(json.at("architecture"));
         card.validation = json.at("validation");
+        if (json.contains("photographs"))
+            card.photographs = familiarityOf(json.at("photographs"), file);
     } catch (const Json::exception& fault) {
         throw unreadable(file, fault.what());
     }

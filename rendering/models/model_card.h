@@ -3,12 +3,14 @@
 #pragma once
 
 #include "rendering/models/architecture.h"
+#include "rendering/models/familiarity.h"
 #include "rendering/models/generation.h"
 
 #include <nlohmann/json.hpp>
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +26,7 @@ struct ModelCardFields {
     std::vector<std::string> heldOut;
     std::string datasetName, datasetHash;
     nlohmann::ordered_json validation;   ///< figures before and after training
+    std::optional<Familiarity> photographs;  ///< of training; older cards do not tell
 };
 
 std::filesystem::path cardOf(const std::filesystem::path& model);

@@ -72,10 +72,10 @@ void offerGeneration(CLI::App& app)
     generate->callback([folder] {
         const models::Request request = models::readRequest(*folder);
         const models::LoadedModel model(request.options.model);
-        std::vector<models::GeneratedSignals> answers;
-        for (const models::PhotographToTouch& photograph : request.photographs)
-            answers.push_back(model.generate(photograph, request.options));
-        models::writeAnswers(*folder, answers);
+        models::AnswerWriter answers(*folder);
+        for (const models::Request::Asked& photograph : request.photographs)
+            answers.add(model.generate(models::readPhotograph(photograph), request.options));
+        answers.finish();
     });
 }
 

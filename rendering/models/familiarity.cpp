@@ -1,0 +1,176 @@
+#include "rendering/models/familiarity.h"
+
+#include "protocols/errors.h"
+#include "rendering/models/photograph_features.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+namespace rendering::models {
+
+namespace {
+
+/// A feature that hardly varies in training must not make every other photograph look strange.
+constexpr double leastDeviation = 0.02;
+/// A single fabric photographed a few times would have a threshold of nearly nothing.
+constexpr double leastThreshold = 1;
+
+using Standardised = std::vector<double>;
+
+double fourDigits(double value)
+{
+    char text[32];
+    const auto written = std::to_chars(text, text + sizeof text, value, std::chars_format::general, 4);
+    double rounded = value;
+    std::from_chars(text, written.ptr, rounded);
+    return rounded;
+}
+
+double squaredDistance(const Standardised& a, const Standardised& b)
+{
+    double sum = 0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        sum += (a[i] - b[i]) * (a[i] - b[i]);
+    return sum;
+}
+
+double distanceToNearest(const std::vector<Standardised>& kept, const Standardised& point)
+{
+    double least = std::numeric_limits<double>::max();
+    for (const Standardised& one : kept)
+        least = std::min(least, squaredDistance(one, point));
+    return std::sqrt(least);
+}
+
+void requireFeatures(std::span<const std::vector<float>> photographs)
+{
+    for (const std::vector<float>& features : photographs)
+        if (features.size() != static_cast<std::size_t>(photographFeatureCount))
+            throw protocols::badInput({std::to_string(features.size()) + " features of a photograph", "familiarity",
+                                       std::to_string(photographFeatureCount), "take those of photographFeatures"});
+}
+
+void fitScale(Familiarity& familiarity, std::span<const std::vector<float>> training)
+{
+    const auto count = static_cast<double>(training.size());
+    for (std::size_t i = 0; i < static_cast<std::size_t>(photographFeatureCount); ++i) {
+        double sum = 0, squares = 0;
+        for (const std::vector<float>& features : training)
+            sum += static_cast<double>(features[i]);
+        const double mean = sum / count;
+        for (const std::vector<float>& features : training)
+            squares += std::pow(static_cast<double>(features[i]) - mean, 2);
+        familiarity.mean.push_back(fourDigits(mean));
+        familiarity.deviation.push_back(fourDigits(std::max(leastDeviation, std::sqrt(squares / count))));
+    }
+}
+
+Standardised standardised(const Familiarity& familiarity, const std::vector<float>& features)
+{
+    Standardised point;
+    for (std::size_t i = 0; i < features.size(); ++i)
+        point.push_back((static_cast<double>(features[i]) - familiarity.mean[i]) / familiarity.deviation[i]);
+    return point;
+}
+
+/// Beginning with the first, always the one farthest from those taken (the first of equals).
+std::vector<Standardised> spreadChoice(const std::vector<Standardised>& points)
+{
+    std::vector<double> apart(points.size(), std::numeric_limits<double>::max());
+    std::vector<Standardised> chosen;
+    std::size_t next = 0;
+    while (chosen.size() < static_cast<std::size_t>(mostPhotographsKept) && apart[next] > 0) {
+        chosen.push_back(points[next]);
+        for (std::size_t i = 0; i < points.size(); ++i)
+            apart[i] = std::min(apart[i], squaredDistance(points[next], points[i]));
+        next = static_cast<std::size_t>(std::max_element(apart.begin(), apart.end()) - apart.begin());
+    }
+    return chosen;
+}
+
+std::vector<double> distancesAmong(const std::vector<Standardised>& points)
+{
+    std::vector<double> distances;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        std::vector<Standardised> others = points;
+        others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
+        if (!others.empty())
+            distances.push_back(distanceToNearest(others, points[i]));
+    }
+    return distances;
+}
+
+double thresholdOf(std::vector<double> distances)
+{
+    if (distances.empty())
+        return leastThreshold;
+    std::sort(distances.begin(), distances.end());
+    const auto at = static_cast<std::size_t>(std::ceil(familiarShare * static_cast<double>(distances.size()))) - 1;
+    return std::max(leastThreshold, distances[std::min(at, distances.size() - 1)]);
+}
+
+bool sensible(const Familiarity& familiarity)
+{
+    const auto sound = [](const std::vector<double>& numbers) {
+        return numbers.size() == static_cast<std::size_t>(photographFeatureCount) &&
+               std::all_of(numbers.begin(), numbers.end(), [](double number) { return std::isfinite(number); });
+    };
+    return sound(familiarity.mean) && sound(familiarity.deviation) && !familiarity.nearest.empty() &&
+           std::all_of(familiarity.deviation.begin(), familiarity.deviation.end(), [](double sd) { return sd > 0; }) &&
+           std::all_of(familiarity.nearest.begin(), familiarity.nearest.end(), sound) && std::isfinite(familiarity.threshold) &&
+           familiarity.threshold > 0;
+}
+
+}  // namespace
+
+Familiarity fitFamiliarity(std::span<const std::vector<float>> training, std::span<const std::vector<float>> validation)
+{
+    if (training.empty())
+        throw protocols::badInput({"no training photographs", "familiarity", "at least one", ""});
+    requireFeatures(training);
+    requireFeatures(validation);
+    Familiarity familiarity;
+    fitScale(familiarity, training);
+    std::vector<Standardised> points;
+    for (const std::vector<float>& features : training)
+        points.push_back(standardised(familiarity, features));
+    familiarity.nearest = spreadChoice(points);
+    for (Standardised& point : familiarity.nearest)
+        std::transform(point.begin(), point.end(), point.begin(), fourDigits);
+    std::vector<double> distances;
+    for (const std::vector<float>& features : validation)
+        distances.push_back(distanceTo(familiarity, features));
+    familiarity.threshold = fourDigits(thresholdOf(validation.empty() ? distancesAmong(familiarity.nearest) : distances));
+    return familiarity;
+}
+
+double distanceTo(const Familiarity& familiarity, const std::vector<float>& features)
+{
+    requireFeatures(std::span(&features, 1));
+    return distanceToNearest(familiarity.nearest, standardised(familiarity, features));
+}
+
+nlohmann::ordered_json familiarityJson(const Familiarity& familiarity)
+{
+    return {{"features_mean", familiarity.mean},
+            {"features_sd", familiarity.deviation},
+            {"nearest", familiarity.nearest},
+            {"threshold", familiarity.threshold}};
+}
+
+Familiarity familiarityFrom(const nlohmann::ordered_json& json)
+{
+    Familiarity familiarity;
+    familiarity.mean = json.at("features_mean").get<std::vector<double>>();
+    familiarity.deviation = json.at("features_sd").get<std::vector<double>>();
+    familiarity.nearest = json.at("nearest").get<std::vector<std::vector<double>>>();
+    familiarity.threshold = json.at("threshold").get<double>();
+    if (!sensible(familiarity))
+        throw protocols::badInput({"the numbers on known photographs cannot be right", "photographs",
+                                   std::to_string(photographFeatureCount) + " finite features of each", ""});
+    return familiarity;
+}
+
+}  // namespace rendering::models

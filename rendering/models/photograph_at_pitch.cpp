@@ -1,0 +1,44 @@
+#include "rendering/models/photograph_at_pitch.h"
+
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rendering::models {
+
+namespace {
+
+/// What is taken of one side: its pixels in the photograph and how many they become.
+struct Side {
+    int from = 0, length = 0, becomes = 0;
+};
+
+Side shownOf(int length, double factor)
+{
+    const double whole = std::max(1.0, std::round(length * factor));
+    if (whole <= largestSidePx)
+        return {0, length, static_cast<int>(whole)};
+    const int taken = std::clamp(static_cast<int>(std::lround(largestSidePx / factor)), 1, length);
+    return {(length - taken) / 2, taken, largestSidePx};
+}
+
+}  // namespace
+
+SeenPhotograph photographAtPitch(const PhotographToTouch& photograph, double mmPerPixel)
+{
+    const double factor = photograph.mmPerPixel.value_or(mmPerPixel) / mmPerPixel;
+    const Side across = shownOf(photograph.photograph.cols, factor), down = shownOf(photograph.photograph.rows, factor);
+    const cv::Mat shown = photograph.photograph({across.from, down.from, across.length, down.length});
+    const cv::Size size(across.becomes, down.becomes);
+    SeenPhotograph seen;
+    seen.middleOnly = shown.size() != photograph.photograph.size();
+    if (size == shown.size())
+        seen.rgb = shown.clone();
+    else
+        cv::resize(shown, seen.rgb, size, 0, 0, factor < 1 ? cv::INTER_AREA : cv::INTER_LINEAR);
+    return seen;
+}
+
+}  // namespace rendering::models

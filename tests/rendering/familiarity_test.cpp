@@ -1,0 +1,161 @@
+// Photographs unlike all that a model was trained on are told from other places on known fabrics.
+#include "protocols/errors.h"
+#include "rendering/fabrics/dataset.h"
+#include "rendering/fabrics/procedural_fabrics.h"
+#include "rendering/image_io.h"
+#include "rendering/models/familiarity.h"
+#include "rendering/models/photograph_features.h"
+#include "tests/rendering/shared_data.h"
+
+#include <opencv2/core.hpp>
+
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <cmath>
+#include <limits>
+
+using namespace rendering;
+using models::Familiarity;
+using Features = std::vector<float>;
+
+namespace {
+
+Features plain(float value) { return Features(static_cast<std::size_t>(models::photographFeatureCount), value); }
+
+}  // namespace
+
+class FamiliarityTest : public QObject {
+    Q_OBJECT
+
+private:
+    QTemporaryDir m_folder;
+    std::vector<Features> m_training, m_validation, m_elsewhere;
+    Familiarity m_familiarity;
+
+private Q_SLOTS:
+    void initTestCase()
+    {
+        fabrics::ProceduralOptions options;
+        options.fabrics = 6;
+        options.samples = 12;
+        options.seed = 12;
+        const auto dataset = fabrics::makeProceduralFabrics(m_folder.filePath("fabrics").toStdString(), options);
+        for (const fabrics::FabricInfo& fabric : dataset.fabrics)
+            for (int index = 0; index < 12; ++index)
+                (index < 7 ? m_training : index < 10 ? m_validation : m_elsewhere)
+                    .push_back(models::photographFeatures(fabrics::readPhotograph(dataset, fabric.id, index)));
+        m_familiarity = models::fitFamiliarity(m_training, m_validation);
+    }
+
+    void photographsTrainedOnLieAtNoDistance()
+    {
+        for (const Features& features : m_training)
+            QVERIFY(models::distanceTo(m_familiarity, features) < 0.01);  // four digits are kept
+    }
+
+    void otherPlacesOnKnownFabricsAreFamiliar()
+    {
+        int strange = 0;
+        for (const Features& features : m_elsewhere)
+            strange += models::distanceTo(m_familiarity, features) > m_familiarity.threshold ? 1 : 0;
+        QVERIFY2(strange <= 1, qPrintable(QString::number(strange)));
+        for (const Features& features : m_validation)
+            QVERIFY(models::distanceTo(m_familiarity, features) <= m_familiarity.threshold * 1.001);
+    }
+
+    void picturesOfOtherThingsAreNot()
+    {
+        cv::Mat noise(256, 256, CV_8UC3), halves(256, 256, CV_8UC3, cv::Scalar::all(30));
+        cv::theRNG().state = 5;
+        cv::randu(noise, 0, 256);
+        halves.colRange(128, 256).setTo(cv::Scalar::all(220));
+        for (const cv::Mat& picture : {noise, halves, cv::Mat(256, 256, CV_8UC3, cv::Scalar::all(0))}) {
+            const double distance = models::distanceTo(m_familiarity, models::photographFeatures(picture));
+            QVERIFY2(std::isfinite(distance) && distance > 1.5 * m_familiarity.threshold, qPrintable(QString::number(distance)));
+        }
+    }
+
+    void realFabricsAreToldFromProceduralOnes()
+    {
+        const auto folder = support::sharedData("fabricbtdf_photos");
+        if (folder.empty())
+            QSKIP("the shared data are not here");
+        for (const char* name : {"twill1_R.png", "twill3_R.png", "satin1_R.png", "satin2_R.png"})
+            QVERIFY(models::distanceTo(m_familiarity, models::photographFeatures(readPng(folder / name))) > m_familiarity.threshold);
+    }
+
+    void aFewHundredAreKeptAndTheRareAmongThem()
+    {
+        std::vector<Features> many;
+        for (int i = 0; i < 1000; ++i) {
+            Features features = plain(static_cast<float>(i % 500) * 0.01F);
+            features[3] = static_cast<float>(i % 7);
+            many.push_back(features);
+        }
+        Features rare = plain(1);
+        rare[0] = 90;
+        many[777] = rare;
+        const Familiarity kept = models::fitFamiliarity(many, {});
+        QCOMPARE(static_cast<int>(kept.nearest.size()), models::mostPhotographsKept);
+        QVERIFY(models::distanceTo(kept, rare) < 0.01);
+        QCOMPARE(models::fitFamiliarity(many, {}), kept);
+        QCOMPARE(models::fitFamiliarity(many, std::span(many).first(1)).nearest, kept.nearest);
+    }
+
+    void ninetyNineOfAHundredLieBelowTheThreshold()
+    {
+        const std::vector<Features> training{plain(-1), plain(1)};  // mean 0, deviation 1 of each
+        std::vector<Features> validation;
+        for (int i = 1; i <= 200; ++i) {
+            validation.push_back(plain(1));
+            validation.back()[0] = 1 + static_cast<float>(i);
+        }
+        QCOMPARE(models::fitFamiliarity(training, validation).threshold, 198.0);
+    }
+
+    void onePhotographIsEnough()
+    {
+        const std::vector<Features> one{plain(0.5F)};
+        const Familiarity familiarity = models::fitFamiliarity(one, {});
+        QCOMPARE(familiarity.nearest.size(), std::size_t{1});
+        QVERIFY(familiarity.threshold > 0);
+        QCOMPARE(models::distanceTo(familiarity, one[0]), 0.0);
+        QVERIFY(std::isfinite(models::distanceTo(familiarity, plain(7))));
+    }
+
+    void writtenIsReadBack()
+    {
+        const auto text = models::familiarityJson(m_familiarity).dump();
+        QCOMPARE(models::familiarityFrom(nlohmann::ordered_json::parse(text)), m_familiarity);
+        QVERIFY(text.size() / m_familiarity.nearest.size() < 22 * 12);  // a card of a few hundred stays small
+    }
+
+    void nonsenseIsRefused_data()
+    {
+        QTest::addColumn<QString>("harm");
+        for (const char* harm : {"features_mean short", "features_sd zero", "nearest none", "nearest short", "threshold negative"})
+            QTest::newRow(harm) << harm;
+    }
+
+    void nonsenseIsRefused()
+    {
+        QFETCH(QString, harm);
+        auto json = models::familiarityJson(m_familiarity);
+        if (harm == "features_mean short") json["features_mean"].erase(0);
+        if (harm == "features_sd zero") json["features_sd"][3] = 0;
+        if (harm == "nearest none") json["nearest"].clear();
+        if (harm == "nearest short") json["nearest"][1].erase(0);
+        if (harm == "threshold negative") json["threshold"] = -1;
+        QVERIFY_THROWS_EXCEPTION(protocols::Error, models::familiarityFrom(json));
+    }
+
+    void wrongFeaturesAreRefused()
+    {
+        QVERIFY_THROWS_EXCEPTION(protocols::Error, models::fitFamiliarity({}, {}));
+        QVERIFY_THROWS_EXCEPTION(protocols::Error, models::distanceTo(m_familiarity, Features(3)));
+    }
+};
+
+QTEST_GUILESS_MAIN(FamiliarityTest)
+#include "familiarity_test.moc"

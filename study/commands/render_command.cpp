@@ -122,6 +122,9 @@ int render(const RenderCall& call)
         std::fprintf(stderr, "warning: %s\n", warning.c_str());
     for (const auto& warning : rendering::shadingWarnings(rendering))
         std::fprintf(stderr, "warning: %s\n", warning.c_str());
+    for (const auto& warnings : {rendering::unfamiliarPhotographs(rendering), rendering::cutPhotographs(rendering)})
+        for (const auto& warning : warnings)
+            std::fprintf(stderr, "warning: %s\n", warning.c_str());
     for (const auto& line : rendering::describeMaps(rendering))
         std::printf("%s\n", line.c_str());
     std::printf("%s: friction images of %zu fabrics x %zu conditions, ranges over %zu fabrics in render.json; traces along x\n", call.out.c_str(),

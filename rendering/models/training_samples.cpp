@@ -12,7 +12,7 @@ namespace rendering::models {
 
 namespace {
 
-constexpr int cell = 192, gap = 8, labelWidth = 56, scaleWidth = 96, headHeight = 30;
+constexpr int cell = 192, gap = 8, labelWidth = 56, scaleWidth = 104, headHeight = 30;
 
 void write(cv::Mat& sheet, const std::string& words, cv::Point where)
 {

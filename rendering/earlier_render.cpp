@@ -100,6 +100,9 @@ JoinedRender joinedOrThrow(const std::string& json, std::string_view earlier, co
     }
     for (const auto& [fabric, samples] : before.at("samples").items())
         if (!now.at("samples").contains(fabric)) now["samples"][fabric] = samples;
+    if (before.contains("photographs"))
+        for (const auto& [fabric, facts] : before.at("photographs").items())
+            if (!now.contains("photographs") || !now.at("photographs").contains(fabric)) now["photographs"][fabric] = facts;
     result.json = now.dump(2) + "\n";
     return result;
 }

@@ -176,6 +176,7 @@ FabricSignals SignalWorkshop::measured(const protocols::FabricId& fabric, const 
 
 void addGenerated(FabricSignals& signals, models::GeneratedSignals generated, const std::set<Signal>& needed)
 {
+    signals.photograph = generated.photograph;
     if (needed.contains(Signal::GeneratedHeight)) {
         signals.images[Signal::GeneratedHeight] = generated.heightMm;
         signals.generatedMmPerPixel = generated.heightMmPerPixel;

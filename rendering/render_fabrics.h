@@ -53,6 +53,7 @@ struct FabricSignals {
     std::optional<double> measuredMeanFriction, generatedMeanFriction;
     std::optional<signals::Light> light;    ///< that shape from shading was lit by
     std::optional<double> colourVariation;  ///< of the photograph it was made from
+    std::optional<models::PhotographFacts> photograph;  ///< where something was generated from it
     std::string measuredQuantity = "mu";  ///< what the measured trace holds; "mu": a coefficient
     std::optional<double> photographMmPerPixel, tactileMmPerPixel, generatedMmPerPixel, traceMmPerSample,
         generatedTraceMmPerSample;
@@ -100,5 +101,11 @@ std::vector<std::string> describeMaps(const Rendering& rendering);
 
 /// Fabrics whose photographs break the assumption of shape from shading, that only slope changes brightness; a line each.
 std::vector<std::string> shadingWarnings(const Rendering& rendering);
+
+/// Photographs that the generators know nothing like of, a line each; one more where the weights do not tell.
+std::vector<std::string> unfamiliarPhotographs(const Rendering& rendering);
+
+/// Photographs of which only the middle is used, a line each.
+std::vector<std::string> cutPhotographs(const Rendering& rendering);
 
 }  // namespace rendering

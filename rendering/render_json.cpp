@@ -54,6 +54,21 @@ Json jsonOf(const RenderedCondition& rendered, const RenderRequest& request)
     return json;
 }
 
+/// How like the photographs trained on; see rendering/models/familiarity.h.
+Json jsonOf(const models::PhotographFacts& photograph)
+{
+    Json json{{"distance", nullptr}, {"usual_distance", nullptr}, {"unfamiliar", photograph.unfamiliar()},
+              {"middle_only", photograph.middleOnly}};
+    if (photograph.distance) {
+        json["distance"] = *photograph.distance;
+        json["usual_distance"] = photograph.usualDistance;
+    } else {
+        json["unfamiliar"] = nullptr;
+        json["why"] = {{"distance", "the weights do not tell which photographs they know"}};
+    }
+    return json;
+}
+
 /// Only the signals that the fabric's images rest on.
 Json samplesOf(const SampleChoice& samples, const Rendering& rendering)
 {
@@ -152,6 +167,8 @@ std::string renderJson(const fabrics::Dataset& dataset, const RenderRequest& req
                                              {"light_azimuth_deg", ready.light->azimuthDeg},
                                              {"light_coherence", ready.light->coherence},
                                              {"colour_variation", *ready.colourVariation}};
+    for (const auto& [fabric, ready] : rendering.signals)
+        if (ready.photograph) json["photographs"][fabric.value] = jsonOf(*ready.photograph);
     return json.dump(2) + "\n";
 }
 

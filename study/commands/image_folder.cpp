@@ -41,10 +41,11 @@ std::optional<KeptImages> readImageFolder(const fs::path& folder, const std::str
     if (!fs::exists(folder / manifestName))
         return std::nullopt;
     const auto manifest = ordered_json::parse(readFile(folder / manifestName), nullptr, false);
-    if (manifest.is_discarded() || manifest.value("key", "") != key)
+    if (manifest.is_discarded() || manifest.value("key", "") != key || !manifest.contains("stamps"))
         return std::nullopt;
     KeptImages kept;
     kept.signalsJson = manifest["signals"].dump();
+    kept.stamps = manifest["stamps"].get<std::vector<std::string>>();
     for (const auto& condition : request.conditions)
         for (const auto& fabric : request.fabrics) {
             const auto file = imagePath(folder, fabric, condition);
@@ -57,9 +58,11 @@ std::optional<KeptImages> readImageFolder(const fs::path& folder, const std::str
 }
 
 void writeImageFolder(const fs::path& folder, const std::string& key, const std::string& renderJson,
-                      const rendering::Rendering& rendering, const std::string& signalsJson)
+                      const rendering::Rendering& rendering, const std::string& signalsJson,
+                      const std::vector<std::string>& stamps)
 {
-    ordered_json manifest{{"schema", "vis2hap.images/1"}, {"key", key}, {"signals", ordered_json::parse(signalsJson)}};
+    ordered_json manifest{
+        {"schema", "vis2hap.images/1"}, {"key", key}, {"signals", ordered_json::parse(signalsJson)}, {"stamps", stamps}};
     for (const auto& condition : rendering.conditions)
         for (const auto& [fabric, image] : condition.images) {
             const auto file = imagePath(folder, fabric, condition.condition);

@@ -10,12 +10,14 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace study::commands {
 
 struct KeptImages {
     std::map<protocols::ConditionId, std::map<protocols::FabricId, cv::Mat>> images;
     std::string signalsJson;
+    std::vector<std::string> stamps;  ///< sentences on the images that a report must carry
 };
 
 /// SHA-256 over all that the images follow from: data set, fabrics, samples, conditions, weights, program.
@@ -26,6 +28,7 @@ std::optional<KeptImages> readImageFolder(const std::filesystem::path& folder, c
                                           const rendering::RenderRequest& request);
 
 void writeImageFolder(const std::filesystem::path& folder, const std::string& key, const std::string& renderJson,
-                      const rendering::Rendering& rendering, const std::string& signalsJson);
+                      const rendering::Rendering& rendering, const std::string& signalsJson,
+                      const std::vector<std::string>& stamps);
 
 }  // namespace study::commands

@@ -132,8 +132,16 @@ struct Images {
     std::map<protocols::ConditionId, std::map<protocols::FabricId, cv::Mat>> byCondition;
     std::string signalsJson = "{}";
     bool reused = false;
+    std::vector<std::string> stamps;    ///< photographs that the generators do not know
     std::vector<std::string> warnings;  ///< of photographs; none where images are reused
 };
+
+/// As reports print it.
+std::string sentence(std::string line)
+{
+    line[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(line[0])));
+    return line + ".";
+}
 
 Images friction(const NewStudy& request, const Dataset& dataset, const rendering::RenderRequest& render, const std::string& key,
                 const StepProgress& progress)
@@ -143,14 +151,19 @@ Images friction(const NewStudy& request, const Dataset& dataset, const rendering
         if (auto kept = readImageFolder(request.images, key, render)) {
             images.byCondition = std::move(kept->images);
             images.signalsJson = kept->signalsJson;
+            images.stamps = kept->stamps;
             images.reused = true;
             return images;
         }
     auto rendering = renderFabrics(dataset, render, progress);
     images.signalsJson = signalQuality(rendering.signals).dump();
+    for (const auto& line : unfamiliarPhotographs(rendering))
+        images.stamps.push_back(sentence(line));
     images.warnings = shadingWarnings(rendering);
+    for (const auto& line : cutPhotographs(rendering))
+        images.warnings.push_back(line);
     if (!request.images.empty())
-        writeImageFolder(request.images, key, renderJson(dataset, render, rendering), rendering, images.signalsJson);
+        writeImageFolder(request.images, key, renderJson(dataset, render, rendering), rendering, images.signalsJson, images.stamps);
     for (auto& condition : rendering.conditions)
         images.byCondition[condition.condition] = std::move(condition.images);
     return images;
@@ -265,10 +278,11 @@ MadeStudy makeStudy(const NewStudy& request, const StepProgress& progress)
         facts.fabricNames[fabric] = dataset.fabric(fabric).name;
     facts.createdAt = session::SystemClock().wallTime();
     facts.programVersion = versionText();
-    made.warnings = facts.stamps;
 
     const auto images = friction(request, dataset, render, imageFolderKey(facts, render), progress);
     facts.signalsJson = images.signalsJson;
+    facts.stamps.insert(facts.stamps.end(), images.stamps.begin(), images.stamps.end());
+    made.warnings = facts.stamps;
     made.imagesReused = images.reused;
     made.warnings.insert(made.warnings.end(), images.warnings.begin(), images.warnings.end());
 

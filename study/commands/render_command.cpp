@@ -7,6 +7,7 @@
 #include "study/commands/command_line.h"
 #include "study/commands/json_output.h"
 #include "study/commands/progress.h"
+#include "study/commands/render_sheet.h"
 
 #include <CLI/CLI.hpp>
 
@@ -28,6 +29,7 @@ struct RenderCall {
     int bits = 8;
     bool dither = false;
     std::uint64_t ditherSeed = 1;
+    std::string sheet;
 };
 
 const std::map<std::string, rendering::models::Quality> qualities{{"fast", rendering::models::Quality::Fast},
@@ -112,16 +114,27 @@ int render(const RenderCall& call)
     request.generation.quality = qualities.at(call.quality);
     if (call.explain)
         std::fputs(rendering::explain(request.conditions).c_str(), stdout);
+    // Drawn before anything is written: where it cannot be, nothing is left behind.
+    std::optional<looking::ContactSheet> sheet;
+    if (!call.sheet.empty()) {
+        Progress progress("contact sheet");
+        sheet = contactSheetOf(dataset, request, [&](int done, int total, const std::string& what) { progress.show(done, total, what); });
+    }
     Progress progress("friction images");
     const auto rendering = renderFabrics(dataset, request, [&](int done, int total, const std::string& what) {
         progress.show(done, total, what);
     });
     const auto saved = savedJson(call.out, renderJson(dataset, request, rendering));
     writeRendering(call.out, rendering, saved.json);
+    if (sheet)
+        writeContactSheet(call.sheet, *sheet);
     for (const auto& warning : saved.warnings)
         std::fprintf(stderr, "warning: %s\n", warning.c_str());
     for (const auto& warning : rendering::shadingWarnings(rendering))
         std::fprintf(stderr, "warning: %s\n", warning.c_str());
+    for (const auto& warnings : {rendering::unfamiliarPhotographs(rendering), rendering::cutPhotographs(rendering)})
+        for (const auto& warning : warnings)
+            std::fprintf(stderr, "warning: %s\n", warning.c_str());
     for (const auto& line : rendering::describeMaps(rendering))
         std::printf("%s\n", line.c_str());
     std::printf("%s: friction images of %zu fabrics x %zu conditions, ranges over %zu fabrics in render.json; traces along x\n", call.out.c_str(),
@@ -165,8 +178,14 @@ void addRender(CLI::App& app, Action& action)
         ->capture_default_str();
     command->add_flag("--dither", call->dither, "noise of one level before rounding");
     command->add_option("--dither-seed", call->ditherSeed, "of that noise")->capture_default_str();
+    command->add_option("--sheet", call->sheet,
+                        "PNG, a row each fabric: photograph, measured and generated height and friction, friction images");
     command->add_flag("--explain", call->explain, "print which signals each condition computes");
-    command->callback([call, &action] { action.work = [call] { return render(*call); }; });
+    command->callback([call, &action] {
+        if (!call->sheet.empty())
+            action.surroundings = Surroundings::Offscreen;
+        action.work = [call] { return render(*call); };
+    });
 }
 
 }  // namespace study::commands

@@ -390,6 +390,33 @@ private Q_SLOTS:
         QVERIFY(*physical.conditions[2].maps.at(FabricId("F01")).varianceLost > 0.01);
     }
 
+    void photographsUnlikeThoseTrainedOnAreNamed()
+    {
+        SmallDataset small;
+        Asked asked;
+        auto request = requestFor(small, "h_g", asked);
+        request.generate = [inner = request.generate](auto photographs, const auto& options) {
+            auto generated = inner(photographs, options);
+            generated[0].photograph = {9.14, 3.2, true};
+            generated[1].photograph = {3.19, 3.2, false};
+            return generated;
+        };
+        const auto rendering = renderFabrics(small.dataset, request);
+        const auto lines = unfamiliarPhotographs(rendering);
+        QCOMPARE(lines.size(), std::size_t{2});  // the third photograph's distance is not told
+        QCOMPARE(QString::fromStdString(lines[0]),
+                 "photograph 0 of F01 is unlike every photograph that the model was trained on (distance 9.1, 99 % of known fabrics "
+                 "lie below 3.2); what it generates is a guess");
+        QVERIFY(QString::fromStdString(lines[1]).startsWith("these weights do not tell"));
+        QCOMPARE(cutPhotographs(rendering).size(), std::size_t{1});
+        const auto json = nlohmann::json::parse(renderJson(small.dataset, request, rendering))["photographs"];
+        QCOMPARE(json["F01"]["unfamiliar"].get<bool>(), true);
+        QCOMPARE(json["F02"]["unfamiliar"].get<bool>(), false);
+        QVERIFY(json["F03"]["unfamiliar"].is_null());
+        const auto none = requestFor(small, "v_grey", asked);
+        QVERIFY(unfamiliarPhotographs(renderFabrics(small.dataset, none)).empty());
+    }
+
     void jsonSaysRangeSamplesAndSignals()
     {
         const SmallDataset small;

@@ -97,7 +97,8 @@ private Q_SLOTS:
         QTest::addColumn<QString>("harm");
         for (const char* harm : {"truncated", "truncated, card fits", "empty, card fits", "no archive, card fits", "not finite",
                                  "altered byte", "missing", "card missing", "card of another schema", "card no JSON",
-                                 "card of other networks", "card with absurd sizes"})
+                                 "card of other networks", "card with absurd sizes",
+                                 "card with nonsense on photographs"})
             QTest::newRow(harm) << harm;
     }
 
@@ -125,6 +126,8 @@ private Q_SLOTS:
             fs::remove(models::cardOf(model()));
         else if (harm == "card no JSON")
             write(models::cardOf(model()), card.substr(0, card.size() / 3));
+        else if (harm == "card with nonsense on photographs")
+            write(models::cardOf(model()), "{\"photographs\": {\"threshold\": 1}," + card.substr(card.find('{') + 1));
         else if (harm.startsWith("card"))
             alterCard(harm, card);
         const QString fault = faultOfGenerating();

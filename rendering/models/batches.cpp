@@ -1,5 +1,7 @@
 #include "rendering/models/batches.h"
 
+#include "rendering/models/ring_spectrum.h"
+
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
@@ -10,11 +12,11 @@ namespace rendering::models {
 
 namespace {
 
-cv::Mat turnedAsTaken(const cv::Mat& image, cv::Point2d centre, double angleDeg, int side)
+cv::Mat turnedAsTaken(const cv::Mat& image, cv::Point2d centre, double angleDeg, int side, double zoom)
 {
     // getRotationMatrix2D turns anticlockwise for positive angles; WARP_INVERSE_MAP is not set, so the
     // matrix maps source to destination.
-    cv::Mat turn = cv::getRotationMatrix2D(cv::Point2f(static_cast<float>(centre.x), static_cast<float>(centre.y)), angleDeg, 1);
+    cv::Mat turn = cv::getRotationMatrix2D(cv::Point2f(static_cast<float>(centre.x), static_cast<float>(centre.y)), angleDeg, 1 / zoom);
     turn.at<double>(0, 2) += (side - 1) / 2.0 - centre.x;
     turn.at<double>(1, 2) += (side - 1) / 2.0 - centre.y;
     cv::Mat crop;
@@ -23,7 +25,7 @@ cv::Mat turnedAsTaken(const cv::Mat& image, cv::Point2d centre, double angleDeg,
 }
 
 /// A place for the centre of a turned crop: anywhere that keeps it inside where there is room.
-cv::Point2d drawCentre(const cv::Size& size, int side, double angleDeg, protocols::Random& random)
+cv::Point2d drawCentre(const cv::Size& size, double side, double angleDeg, protocols::Random& random)
 {
     const double radians = angleDeg * CV_PI / 180;
     const double half = side / 2.0 * (std::abs(std::cos(radians)) + std::abs(std::sin(radians)));
@@ -41,6 +43,17 @@ struct Jitter {
     float noise = 0;
     bool grey = false;
 };
+
+/// A third of the training pictures are zoomed, by up to so much either way.
+constexpr std::uint64_t oneInSoManyZoomed = 3;
+constexpr double mostZoom = 1.5;
+
+double drawZoom(protocols::Random& random)
+{
+    if (random.below(oneInSoManyZoomed) != 0)
+        return 1;
+    return std::exp(random.uniform(-std::log(mostZoom), std::log(mostZoom)));
+}
 
 /// How many pictures lose their colour, so that fabrics are told apart by their texture too.
 constexpr std::uint64_t oneInSoManyGrey = 4;
@@ -105,7 +118,7 @@ void flipJointly(cv::Mat& photograph, cv::Mat& height, protocols::Random& random
 }
 
 /// Where both show one place, the crop keeps to what both show.
-cv::Point2d photographCentre(const TrainingData& data, const TrainingPhotograph& photograph, const TrainingHeight& height, int side,
+cv::Point2d photographCentre(const TrainingData& data, const TrainingPhotograph& photograph, const TrainingHeight& height, double side,
                              double angleDeg, protocols::Random& random)
 {
     const cv::Size whole = photograph.rgb.size(), felt = height.heightMm.size();
@@ -116,9 +129,8 @@ cv::Point2d photographCentre(const TrainingData& data, const TrainingPhotograph&
 
 /// Where the height map's crop lies: the place of the photograph's crop where both show one place.
 cv::Point2d heightCentre(const TrainingData& data, const TrainingPhotograph& photograph, cv::Point2d photographAt,
-                         const TrainingHeight& height, double angleDeg, protocols::Random& random)
+                         const TrainingHeight& height, double side, double angleDeg, protocols::Random& random)
 {
-    const int side = data.architecture.crop;
     const cv::Point2d free = drawCentre(height.heightMm.size(), side, angleDeg, random);
     if (!data.aligned || height.index != photograph.index)
         return free;
@@ -142,6 +154,14 @@ void appendOther(Batch& batch, const TrainingData& data, const FabricSamples& fa
     batch.otherMeans.push_back(stroke.target.mean);
 }
 
+void appendRings(Batch& batch, const TrainingHeight& height, const cv::Mat& felt, double zoom)
+{
+    if (felt.empty())
+        return;
+    const std::vector<float> rings = zoom == 1 ? height.rings : ringPowers(felt, batch.crop);
+    batch.rings.insert(batch.rings.end(), rings.begin(), rings.end());
+}
+
 void appendDrawn(Batch& batch, const TrainingData& data, const FabricSamples& fabric, const BatchWish& wish,
                  protocols::Random& random)
 {
@@ -152,32 +172,34 @@ void appendDrawn(Batch& batch, const TrainingData& data, const FabricSamples& fa
     const bool free = wish.augment && random.below(2) == 1;
     const double angle = free ? random.uniform(-180, 180) : photograph.rotationDeg;
     const double photographAngle = angle - photograph.rotationDeg, heightAngle = angle - height.rotationDeg;
-    const cv::Point2d photographAt = photographCentre(data, photograph, height, batch.crop, photographAngle, random);
-    cv::Mat seen = turnedCrop(photograph.rgb, photographAt, photographAngle, batch.crop), felt;
-    if (wish.heights)
-        felt = turnedCrop(height.heightMm, heightCentre(data, photograph, photographAt, height, heightAngle, random), heightAngle,
-                          batch.crop + 2 * batch.margin);
+    const double zoom = wish.augment ? drawZoom(random) : 1, shownPx = batch.crop * zoom;
+    const cv::Point2d photographAt = photographCentre(data, photograph, height, shownPx, photographAngle, random);
+    cv::Mat seen = turnedCrop(photograph.rgb, photographAt, photographAngle, batch.crop, zoom), felt;
+    if (wish.heights) {
+        const cv::Point2d heightAt = heightCentre(data, photograph, photographAt, height, shownPx, heightAngle, random);
+        felt = turnedCrop(height.heightMm, heightAt, heightAngle, batch.crop + 2 * batch.margin, zoom) / zoom;
+    }
     if (wish.augment)
         flipJointly(seen, felt, random);
     appendPhotograph(batch.photographs, seen, wish.augment ? drawJitter(random) : Jitter{}, random);
     appendMap(batch.heights, felt, static_cast<float>(1 / data.architecture.heightScaleMm));
     appendMap(batch.logRatios, stroke.target.logRatio, 1);
     batch.means.push_back(stroke.target.mean);
-    batch.rings.insert(batch.rings.end(), height.rings.begin(), height.rings.end());
+    appendRings(batch, height, felt, zoom);
     if (!wish.augment)
         appendOther(batch, data, fabric, angle, random);
 }
 
 }  // namespace
 
-cv::Mat turnedCrop(const cv::Mat& image, cv::Point2d centre, double angleDeg, int side)
+cv::Mat turnedCrop(const cv::Mat& image, cv::Point2d centre, double angleDeg, int side, double zoom)
 {
     const cv::Rect whole(static_cast<int>(std::floor(centre.x - (side - 1) / 2.0)),
                          static_cast<int>(std::floor(centre.y - (side - 1) / 2.0)), side, side);
     const cv::Rect inside = whole & cv::Rect(0, 0, image.cols, image.rows);
-    if (std::abs(angleDeg) < 1e-9 && inside == whole)
+    if (std::abs(angleDeg) < 1e-9 && zoom == 1 && inside == whole)
         return image(whole).clone();
-    return turnedAsTaken(image, centre, angleDeg, side);
+    return turnedAsTaken(image, centre, angleDeg, side, zoom);
 }
 
 Batch drawBatch(const TrainingData& data, const std::vector<FabricSamples>& part, const BatchWish& wish, protocols::Random& random)

@@ -27,8 +27,9 @@ struct Batch {
 
 struct BatchWish {
     int size = 8;
-    /// Training: crops turned (photograph and height by one joint angle) and flipped jointly, photographs
-    /// jittered in brightness and colour, some of them grey, with Gaussian noise. Else (validation): the
+    /// Training: crops turned (photograph and height by one joint angle) and flipped jointly, some of them
+    /// jointly zoomed (heights too, so that slopes stay: a finer or coarser fabric of the same make),
+    /// photographs jittered in brightness and colour, some of them grey, with Gaussian noise. Else (validation): the
     /// photograph as taken, the height turned to match, no flips.
     bool augment = true;
     int margin = 0;       ///< px; 0 in an aligned data set
@@ -38,8 +39,9 @@ struct BatchWish {
 /// Fabrics in turn of a shuffled deck.
 Batch drawBatch(const TrainingData& data, const std::vector<FabricSamples>& part, const BatchWish& wish, protocols::Random& random);
 
-/// The crop of `image` of `side` px whose centre lies at `centre`, turned by `angleDeg` anticlockwise,
+/// The crop of `image` of `side` px whose centre lies at `centre`, turned by `angleDeg` anticlockwise, a
+/// pixel of it showing `zoom` pixels of the image,
 /// mirrored at the image's border; bilinear, heights cubic. Angle 0 at whole pixels copies.
-cv::Mat turnedCrop(const cv::Mat& image, cv::Point2d centre, double angleDeg, int side);
+cv::Mat turnedCrop(const cv::Mat& image, cv::Point2d centre, double angleDeg, int side, double zoom = 1);
 
 }  // namespace rendering::models

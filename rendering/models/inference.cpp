@@ -3,6 +3,7 @@
 #include "protocols/errors.h"
 #include "rendering/models/friction_target.h"
 #include "rendering/models/photograph_at_pitch.h"
+#include "rendering/models/ring_spectrum.h"
 #include "rendering/models/weights.h"
 #include "rendering/signals/spectrogram.h"
 
@@ -113,7 +114,29 @@ struct LoadedModel::Parts {
                 heightOfTile(padded({x, y, tile.width + 2 * tileMargin, tile.height + 2 * tileMargin}), quality)
                     .copyTo(result(tile));
             }
-        return result({0, 0, rgb.cols, rgb.rows}) * architecture.heightScaleMm;
+        const cv::Mat relief = result({0, 0, rgb.cols, rgb.rows}) * architecture.heightScaleMm;
+        return architecture.imposesSpectrum ? withRingPowers(relief, rings(rgb, quality), architecture.crop) : relief;
+    }
+
+    /// The radial spectrum that G_h predicts, averaged over crops.
+    std::vector<float> rings(const cv::Mat& rgb, Quality quality) const
+    {
+        const torch::Tensor mean = generators.height->rings(crops(rgb, quality)).mean(0).contiguous();
+        return {mean.data_ptr<float>(), mean.data_ptr<float>() + ringCount};
+    }
+
+    /// [N, 3, crop, crop]: what is asked once of a whole photograph is asked of these.
+    torch::Tensor crops(const cv::Mat& rgb, Quality quality) const
+    {
+        const int side = architecture.crop;
+        cv::Mat wide;
+        cv::copyMakeBorder(rgb, wide, 0, std::max(0, side - rgb.rows), 0, std::max(0, side - rgb.cols), cv::BORDER_REFLECT_101);
+        const int turns = quality == Quality::Accurate ? 4 : 1;
+        std::vector<torch::Tensor> all;
+        for (const cv::Point& corner : cropCorners(wide.size(), side, quality))
+            for (int turn = 0; turn < turns; ++turn)
+                all.push_back(turned(tensorOf(wide({corner.x, corner.y, side, side})), turn));
+        return torch::cat(all, 0);
     }
 
     /// `seen`: the tile with its margin; the margin is cut off again.
@@ -131,15 +154,7 @@ struct LoadedModel::Parts {
 
     FrictionTarget friction(const cv::Mat& rgb, Quality quality) const
     {
-        const int side = architecture.crop;
-        cv::Mat wide;
-        cv::copyMakeBorder(rgb, wide, 0, std::max(0, side - rgb.rows), 0, std::max(0, side - rgb.cols), cv::BORDER_REFLECT_101);
-        const int turns = quality == Quality::Accurate ? 4 : 1;
-        std::vector<torch::Tensor> crops;
-        for (const cv::Point& corner : cropCorners(wide.size(), side, quality))
-            for (int turn = 0; turn < turns; ++turn)
-                crops.push_back(turned(tensorOf(wide({corner.x, corner.y, side, side})), turn));
-        const FrictionGuess guess = generators.friction->forward(torch::cat(crops, 0));
+        const FrictionGuess guess = generators.friction->forward(crops(rgb, quality));
         const torch::Tensor logRatio = guess.logRatio.mean(0).contiguous();
         FrictionTarget target;
         target.logRatio = cv::Mat(architecture.rows, architecture.frames, CV_32F, logRatio.data_ptr<float>()).clone();

@@ -71,6 +71,22 @@ cv::Mat atLeastAWindow(const cv::Mat& map, int side)
     return wide;
 }
 
+constexpr int gainsPerCycle = 4096;
+
+/// Gains between the rings' middles, by frequency in 1 / gainsPerCycle cycles a pixel up to a picture's corner.
+std::vector<float> gainTable(const std::vector<double>& logGain, int side)
+{
+    std::vector<float> gains;
+    for (int i = 0; i <= static_cast<int>(0.72 * gainsPerCycle); ++i) {
+        const double frequency = (i + 0.5) / gainsPerCycle;
+        const double place = std::clamp(ringAt(frequency, side) - 0.5, 0.0, ringCount - 1.0);
+        const auto ring = std::min(static_cast<std::size_t>(place), logGain.size() - 2);
+        const double share = place - static_cast<double>(ring);
+        gains.push_back(static_cast<float>(std::exp((1 - share) * logGain[ring] + share * logGain[ring + 1])));
+    }
+    return gains;
+}
+
 }  // namespace
 
 std::vector<float> ringPowers(const cv::Mat& heightMm, int side)
@@ -106,20 +122,17 @@ cv::Mat withRingPowers(const cv::Mat& heightMm, const std::vector<float>& wanted
     std::vector<double> logGain(ringCount);
     for (std::size_t i = 0; i < logGain.size(); ++i)
         logGain[i] = std::clamp(0.5 * static_cast<double>(wanted[i] - present[i]), -std::log(mostGain), std::log(mostGain));
-    const auto gainAt = [&](double frequency) {
-        const double place = frequency > 0 ? std::clamp(ringAt(frequency, side) - 0.5, 0.0, ringCount - 1.0) : 0;
-        const auto ring = std::min(static_cast<std::size_t>(place), logGain.size() - 2);
-        const double share = place - static_cast<double>(ring);
-        return std::exp((1 - share) * logGain[ring] + share * logGain[ring + 1]);
-    };
     const double mean = cv::mean(heightMm)[0];
     cv::Mat padded, transform;
     const int border = std::min({side / 2, heightMm.rows - 1, heightMm.cols - 1});
-    cv::copyMakeBorder(heightMm - mean, padded, border, border, border, border, cv::BORDER_REFLECT_101);
+    const auto beyond = [&](int length) { return cv::getOptimalDFTSize(length + 2 * border) - length - border; };
+    cv::copyMakeBorder(heightMm - mean, padded, border, beyond(heightMm.rows), border, beyond(heightMm.cols), cv::BORDER_REFLECT_101);
     cv::dft(padded, transform, cv::DFT_COMPLEX_OUTPUT);
+    const std::vector<float> gains = gainTable(logGain, side);
     for (int row = 0; row < transform.rows; ++row)
         for (int column = 0; column < transform.cols; ++column)
-            transform.at<cv::Vec2f>(row, column) *= static_cast<float>(gainAt(frequencyAt(row, column, transform.size())));
+            transform.at<cv::Vec2f>(row, column) *=
+                gains[static_cast<std::size_t>(frequencyAt(row, column, transform.size()) * gainsPerCycle)];
     cv::Mat filtered;
     cv::dft(transform, filtered, cv::DFT_INVERSE | cv::DFT_REAL_OUTPUT | cv::DFT_SCALE);
     return cv::max(filtered({border, border, heightMm.cols, heightMm.rows}) + mean, 0);

@@ -5,6 +5,7 @@
 #include "rendering/models/contest.h"
 #include "rendering/models/photograph_features.h"
 #include "rendering/models/progress_lines.h"
+#include "rendering/models/training_log.h"
 #include "rendering/models/validation.h"
 #include "rendering/models/weights.h"
 
@@ -51,6 +52,8 @@ std::string fingerprint(const TrainingOptions& options, const TrainingData& data
         text += "|" + id.value;
     return text + "|" + std::to_string(data.trainingHashes.size());
 }
+
+constexpr int stepsALogRow = 10;
 
 /// What the card says of photographs that the model knows.
 std::optional<Familiarity> familiarityOf(const TrainingData& data)
@@ -100,6 +103,7 @@ public:
         } else {
             state.validationBefore = figures(contest.result()).dump();
         }
+        TrainingLog log(logOf(m_options.out), m_options.resume ? std::optional(state.step) : std::nullopt);
         const Clock::time_point started = Clock::now();
         const double before = state.elapsedS;
         while (!ended(state)) {
@@ -110,8 +114,12 @@ public:
             state.elapsedS = before + std::chrono::duration<double>(Clock::now() - started).count();
             m_lines.step(state.step, fractionDone(state), losses, remainingS(state));
             const bool last = fractionDone(state) >= 1;
+            if (state.step % stepsALogRow == 0)
+                log.losses(state.step, std::vector<NamedValue>{{"discriminator", losses.discriminator},
+                                                               {"generators", losses.generators},
+                                                               {"distance", losses.distance}});
             if (last || state.step % m_options.validateEvery == 0)
-                validate(contest, state);
+                validate(contest, state, log);
             if (last || state.step % m_options.checkpointEvery == 0 || ended(state)) {
                 if (!contest.finite())
                     stopAt(state.step);
@@ -148,7 +156,7 @@ private:
 
     /// Keeps the networks where they are better than at every validation before; the reference, whose
     /// losses come from a contest, always.
-    void validate(Contest& contest, Checkpoint& state)
+    void validate(Contest& contest, Checkpoint& state, TrainingLog& log)
     {
         if (!contest.finite())
             stopAt(state.step);
@@ -162,6 +170,15 @@ private:
             contest.keepAsBest();
         }
         m_lines.validated(state.step, now, better);
+        if (now.is_null())
+            return;
+        std::vector<NamedValue> values;
+        for (const auto& [name, value] : now.items())
+            if (value.is_object())
+                values.push_back({name, value.at("generated").get<double>()});
+        log.validation(state.step, values);
+        log.pictures(state.step, sampleRows(m_data, contest.result(), m_options.seed));
+        m_lines.say("distance " + sparkline(log.valuesOf("distance")));
     }
 
     double fractionDone(const Checkpoint& state) const
@@ -220,6 +237,13 @@ std::string nameOf(Objective objective)
     case Objective::L1Only: return "l1-only";
     }
     return {};
+}
+
+std::filesystem::path logOf(const std::filesystem::path& model)
+{
+    std::filesystem::path folder = model;
+    folder += ".log";
+    return folder;
 }
 
 void train(const fabrics::Dataset& dataset, const TrainingOptions& options, std::ostream& log, bool terminal)

@@ -49,6 +49,9 @@ struct TrainingOptions {
     std::string command;                      ///< as typed, for the model card
 };
 
+/// MODEL.log: the folder with the curves and sample pictures of a training (training_log.h).
+std::filesystem::path logOf(const std::filesystem::path& model);
+
 /// The result is the networks as they were at the best validation, for the reference's losses at the end.
 /// Reports to `log`: a bar with remaining time where `terminal`, plain lines else.
 /// Throws badInput (data set, options, a checkpoint of other settings), workFailed where the loss is

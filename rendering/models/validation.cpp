@@ -4,6 +4,8 @@
 #include "rendering/models/contest.h"
 #include "rendering/models/finished_relief.h"
 
+#include <opencv2/core.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -35,6 +37,38 @@ void add(Sums& sums, const Touch& candidate, const Touch& measured, const Traini
         ((candidate.friction.mean - measured.friction.mean) / measured.friction.mean).abs().mean(), 1);
 }
 
+/// Inference for the time of its life.
+class Inferring {
+public:
+    explicit Inferring(Generators& generators) : m_generators(generators) { train(false); }
+    ~Inferring() { train(true); }
+    Inferring(const Inferring&) = delete;
+    Inferring& operator=(const Inferring&) = delete;
+
+private:
+    void train(bool on)
+    {
+        m_generators.height->train(on);
+        m_generators.friction->train(on);
+    }
+    Generators& m_generators;
+    torch::NoGradGuard m_still;
+};
+
+/// [1, H, W] in units of the networks.
+cv::Mat inMillimetres(const torch::Tensor& map, double heightScaleMm)
+{
+    const torch::Tensor flat = map.contiguous();
+    return cv::Mat(static_cast<int>(flat.size(1)), static_cast<int>(flat.size(2)), CV_32F, flat.data_ptr<float>()) * heightScaleMm;
+}
+
+/// [3, H, W] in 0..1.
+cv::Mat asPicture(const torch::Tensor& photograph)
+{
+    const torch::Tensor bytes = (photograph.permute({1, 2, 0}) * 255).round().clamp(0, 255).to(torch::kByte).contiguous();
+    return cv::Mat(static_cast<int>(bytes.size(0)), static_cast<int>(bytes.size(1)), CV_8UC3, bytes.data_ptr<std::uint8_t>()).clone();
+}
+
 /// Enough places to compare by.
 double shortened(double value) { return std::round(value * 1e6) / 1e6; }
 
@@ -43,9 +77,7 @@ double shortened(double value) { return std::round(value * 1e6) / 1e6; }
 nlohmann::ordered_json validationFigures(const TrainingData& data, Generators& generators, const LossWeights& weights, int pairs,
                                          protocols::Random& random)
 {
-    const torch::NoGradGuard still;
-    generators.height->eval();
-    generators.friction->eval();
+    const Inferring inferring(generators);
     Sums generated, measured;
     double distances = 0;
     BatchWish wish;
@@ -66,8 +98,6 @@ nlohmann::ordered_json validationFigures(const TrainingData& data, Generators& g
         compare(generated, guess);
         compare(measured, batch.other);
     }
-    generators.height->train();
-    generators.friction->train();
     nlohmann::ordered_json figures{{"pairs", drawn}, {"distance", {{"generated", shortened(distances / drawn)}}}};
     for (const auto& [name, sum] : generated) {
         const bool ratio = name == "height_sq_ratio";
@@ -75,6 +105,30 @@ nlohmann::ordered_json validationFigures(const TrainingData& data, Generators& g
         figures[name] = {{"generated", figure(sum)}, {"measured", figure(measured[name])}};
     }
     return figures;
+}
+
+std::vector<SampleRow> sampleRows(const TrainingData& data, Generators& generators, std::uint64_t seed)
+{
+    const Inferring inferring(generators);
+    constexpr std::size_t most = 6;
+    std::vector<FabricSamples> shown;
+    for (std::size_t i = 0; i < std::min(most, data.validation.size()); ++i)
+        shown.push_back(data.validation[i * data.validation.size() / std::min(most, data.validation.size())]);
+    std::vector<SampleRow> rows;
+    protocols::Random random = protocols::Random::stream(seed, "samples");
+    BatchWish wish;
+    wish.size = 1;
+    wish.augment = false;
+    wish.margin = registrationMarginPx;
+    for (const FabricSamples& fabric : shown) {
+        const TensorBatch batch = tensorsOf(drawBatch(data, {fabric}, wish, random));
+        const torch::Tensor height = finishedRelief(generators.height->forward(batch.photograph),
+                                                    generators.height->rings(batch.photograph), data.architecture);
+        const double scale = data.architecture.heightScaleMm;
+        rows.push_back({fabric.fabric.value, asPicture(batch.photograph[0]),
+                        inMillimetres(registered(height, batch.heights).maps[0], scale), inMillimetres(height[0], scale)});
+    }
+    return rows;
 }
 
 }  // namespace rendering::models

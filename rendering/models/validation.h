@@ -4,9 +4,13 @@
 
 #include "rendering/models/batches.h"
 #include "rendering/models/losses.h"
+#include "rendering/models/training_log.h"
 #include "rendering/models/weights.h"
 
 #include <nlohmann/json.hpp>
+
+#include <cstdint>
+#include <vector>
 
 namespace rendering::models {
 
@@ -19,5 +23,9 @@ namespace rendering::models {
 /// over fabrics of the larger over the smaller), log_ratio_l1, mean_friction_relative_error.
 nlohmann::ordered_json validationFigures(const TrainingData& data, Generators& generators, const LossWeights& weights, int pairs,
                                          protocols::Random& random);
+
+/// Photographs of the validation part, a fabric each (six at most), with the generated height and the
+/// measured one where it fits best: for the log.
+std::vector<SampleRow> sampleRows(const TrainingData& data, Generators& generators, std::uint64_t seed);
 
 }  // namespace rendering::models

@@ -1,6 +1,7 @@
 // Training by the real command on a tiny procedural data set.
 #include "protocols/sha256.h"
 #include "rendering/fabrics/dataset.h"
+#include "rendering/fabrics/location_split.h"
 #include "rendering/fabrics/procedural_fabrics.h"
 #include "rendering/models/child_process.h"
 #include "rendering/models/model_card.h"
@@ -95,8 +96,8 @@ private Q_SLOTS:
         QVERIFY(outcome.output.contains("left"));
         const models::ModelCardFields card = models::readModelCardFields(at("model.pt"));
         QCOMPARE(card.steps, 60);
-        const std::map<const char*, double> shares{{"height_sorted_l1_mm", 0.8}, {"mean_friction_relative_error", 0.8},
-                                                   {"height_l1_mm", 0.95},       {"log_ratio_l1", 0.95}};
+        const std::map<const char*, double> shares{{"distance", 0.8},     {"mean_friction_relative_error", 0.8},
+                                                   {"height_l1_mm", 0.95}, {"log_ratio_l1", 0.95}};
         for (const auto& [figure, share] : shares) {
             const double before = card.validation.at("before").at(figure).at("generated").get<double>();
             const double after = card.validation.at("after").at(figure).at("generated").get<double>();
@@ -112,7 +113,7 @@ private Q_SLOTS:
         const fabrics::Dataset dataset = fabrics::readDataset(at("fabrics"));
         std::vector<std::string> expected;
         std::set<std::string> others;
-        for (const auto& [place, part] : fabrics::splitBySample(dataset, 1)) {
+        for (const auto& [place, part] : fabrics::splitByLocation(dataset, 1)) {
             const std::string hash = protocols::sha256OfFile(fabrics::samplePath(dataset, place.fabric, place.modality, place.index));
             if (part == Part::Training)
                 expected.push_back(hash);
@@ -154,6 +155,8 @@ private Q_SLOTS:
         QVERIFY2(resumed.exitCode == 0, qPrintable(resumed.errors));
         QVERIFY(resumed.output.contains("resumed at step"));
         QCOMPARE(protocols::sha256OfFile(at("broken.pt")), protocols::sha256OfFile(at("whole.pt")));
+        for (const char* file : {"losses.csv", "validation.csv", "curves.svg"})
+            QCOMPARE(protocols::sha256OfFile(at("broken.pt.log") / file), protocols::sha256OfFile(at("whole.pt.log") / file));
     }
 
     void anotherSeedGivesOtherWeights()
@@ -193,7 +196,44 @@ private Q_SLOTS:
     void referenceLossesTrainToo()
     {
         QCOMPARE(run(smallRun("reference.pt", 2) << "--reference").exitCode, 0);
-        QVERIFY(models::readModelCardFields(at("reference.pt")).reference);
+        QCOMPARE(models::readModelCardFields(at("reference.pt")).objective, std::string("reference"));
+    }
+
+    void controlByL1TrainsWithoutADiscriminator()
+    {
+        const Outcome outcome = run(smallRun("l1.pt", 2) << "--l1-only");
+        QCOMPARE(outcome.exitCode, 0);
+        QVERIFY2(outcome.output.contains("D 0.0 "), qPrintable(outcome.output));
+        QCOMPARE(models::readModelCardFields(at("l1.pt")).objective, std::string("l1-only"));
+    }
+
+    void splitAfterAugmentationLeavesNothingUnseen()
+    {
+        QCOMPARE(run(smallRun("augmented.pt", 1) << "--split" << "augmented").exitCode, 0);
+        const models::ModelCardFields card = models::readModelCardFields(at("augmented.pt"));
+        QCOMPARE(card.split, std::string("augmented"));
+        const fabrics::Dataset dataset = fabrics::readDataset(at("fabrics"));
+        QCOMPARE(card.told.trainingSampleHashes.size(), fabrics::splitBySample(dataset, 1).size());
+    }
+
+    void trainingStopsWhereValidationNoLongerImproves()
+    {
+        QStringList call = smallRun("early.pt", 400);
+        call << "--validate-every" << "1" << "--patience" << "1" << "--learning-rate" << "0.05";
+        const Outcome outcome = run(call);
+        QVERIFY2(outcome.exitCode == 0, qPrintable(outcome.errors));
+        const models::ModelCardFields card = models::readModelCardFields(at("early.pt"));
+        QVERIFY2(card.steps < 400, qPrintable(QString::number(card.steps)));
+        QCOMPARE(card.bestStep, card.steps - 1);
+    }
+
+    void logShowsTheLossesAndPicturesOfTheRun()
+    {
+        const QDir log(text("model.pt.log"));
+        QCOMPARE(log.entryList({"losses.csv", "validation.csv", "curves.svg", "samples-*.png"}, QDir::Files).size(), 4);
+        QFile losses(log.filePath("losses.csv"));
+        QVERIFY(losses.open(QIODevice::ReadOnly));
+        QCOMPARE(losses.readAll().trimmed().count('\n'), 6);  // a header, then every tenth of 60 steps
     }
 
     void minutesEndTheRunInTime()
@@ -221,6 +261,9 @@ private Q_SLOTS:
                                            << "--minutes";
         QTest::newRow("no steps") << QStringList{"train", fabrics, "--out", out, "--steps", "0"} << 2 << "--steps";
         QTest::newRow("odd crop") << QStringList{"train", fabrics, "--out", out, "--steps", "1", "--crop", "50"} << 2 << "--crop";
+        QTest::newRow("unknown split") << QStringList{"train", fabrics, "--out", out, "--split", "weather"} << 2 << "--split";
+        QTest::newRow("two kinds of losses") << QStringList{"train", fabrics, "--out", out, "--reference", "--l1-only"} << 2
+                                             << "--l1-only";
         QTest::newRow("unknown fabric") << QStringList{"train", fabrics, "--out", out, "--steps", "1", "--hold-out", "F77"} << 2
                                         << "F77";
         QTest::newRow("nothing left") << QStringList{"train", fabrics, "--out", out, "--steps", "1", "--hold-out", "F01,F02,F03"}

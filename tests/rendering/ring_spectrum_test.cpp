@@ -1,0 +1,142 @@
+// Radial spectra of height maps, and maps brought to a wanted one.
+#include "protocols/random.h"
+#include "rendering/models/ring_spectrum.h"
+
+#include <QTest>
+
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+using namespace rendering::models;
+
+namespace {
+
+constexpr int side = 128;
+
+cv::Mat noise(const cv::Size& size, double deviationMm, double smoothPx, std::uint64_t seed)
+{
+    protocols::Random random(seed);
+    cv::Mat map(size, CV_32F);
+    for (int row = 0; row < map.rows; ++row)
+        for (int column = 0; column < map.cols; ++column)
+            map.at<float>(row, column) = static_cast<float>(deviationMm * random.normal());
+    if (smoothPx > 0)
+        cv::GaussianBlur(map, map, {}, smoothPx);
+    return map + 0.5;
+}
+
+cv::Mat waves(const cv::Size& size, double amplitudeMm, double periodPx)
+{
+    cv::Mat map(size, CV_32F);
+    for (int row = 0; row < map.rows; ++row)
+        for (int column = 0; column < map.cols; ++column)
+            map.at<float>(row, column) =
+                static_cast<float>(0.3 + amplitudeMm * std::sin(2 * std::numbers::pi * (column + 0.3 * row) / periodPx));
+    return map;
+}
+
+double deviation(const cv::Mat& map)
+{
+    cv::Scalar mean, spread;
+    cv::meanStdDev(map, mean, spread);
+    return spread[0];
+}
+
+double largestDifference(const std::vector<float>& a, const std::vector<float>& b)
+{
+    double most = 0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        most = std::max(most, static_cast<double>(std::abs(a[i] - b[i])));
+    return most;
+}
+
+}  // namespace
+
+class RingSpectrumTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void whiteNoiseHasTheSquareOfItsDeviationInEveryRing()
+    {
+        const std::vector<float> powers = ringPowers(noise({512, 512}, 0.1, 0, 3), side);
+        QCOMPARE(powers.size(), std::size_t{ringCount});
+        for (std::size_t i = 8; i < powers.size(); ++i)
+            QVERIFY2(std::abs(powers[i] - std::log(0.01)) < 0.15, qPrintable(QString("ring %1: %2").arg(i).arg(powers[i])));
+    }
+
+    void waveStandsOutInTheRingOfItsPeriod()
+    {
+        const std::vector<float> powers = ringPowers(waves({320, 240}, 0.05, 12), side);
+        const auto highest = std::max_element(powers.begin(), powers.end()) - powers.begin();
+        const double frequency = std::hypot(1.0, 0.3) / 12, ratio = std::pow(0.5 / (1.5 / side), 1.0 / ringCount);
+        const double expected = std::log(frequency / (1.5 / side)) / std::log(ratio);
+        QVERIFY2(std::abs(static_cast<double>(highest) + 0.5 - expected) <= 1, qPrintable(QString::number(highest)));
+    }
+
+    void flatMapHasTheFloor()
+    {
+        for (const float power : ringPowers(cv::Mat(200, 200, CV_32F, cv::Scalar(0.2)), side))
+            QVERIFY(std::abs(power - std::log(ringFloorMm2)) < 1e-3);
+    }
+
+    void smallMapIsContinued()
+    {
+        for (const cv::Size size : {cv::Size(1, 1), cv::Size(3, 200), cv::Size(60, 60)})
+            for (const float power : ringPowers(noise(size, 0.05, 1, 5), side))
+                QVERIFY(std::isfinite(power));
+    }
+
+    void mapTakesTheSpectrumOfAnother()
+    {
+        const cv::Mat rough = noise({256, 256}, 0.4, 3, 7), fine = noise({256, 256}, 0.08, 1.5, 8);
+        const std::vector<float> wanted = ringPowers(fine, side);
+        QVERIFY(largestDifference(ringPowers(rough, side), wanted) > 1.5);
+        const cv::Mat made = withRingPowers(rough, wanted, side, 100);
+        const std::vector<float> reached = ringPowers(made, side);
+        for (std::size_t i = 3; i < reached.size(); ++i)  // the widest waves hardly fit into a window
+            QVERIFY2(std::abs(reached[i] - wanted[i]) < 0.35, qPrintable(QString("%1: %2 for %3").arg(i).arg(reached[i]).arg(wanted[i])));
+        QVERIFY(std::abs(deviation(made) / deviation(fine) - 1) < 0.15);
+        QVERIFY(std::abs(cv::mean(made)[0] - 0.5) < 0.01);
+    }
+
+    void periodAndPlaceOfWavesStay()
+    {
+        const cv::Mat before = waves({200, 168}, 0.02, 9);
+        std::vector<float> wanted = ringPowers(before, side);
+        for (float& power : wanted)
+            power += 1.4F;  // twice as high
+        const cv::Mat after = withRingPowers(before, wanted, side);
+        const cv::Mat inner = before({20, 20, 160, 128}), same = after({20, 20, 160, 128});
+        cv::Mat correlation;
+        cv::matchTemplate(same, inner, correlation, cv::TM_CCOEFF_NORMED);
+        QVERIFY2(correlation.at<float>(0, 0) > 0.995F, qPrintable(QString::number(correlation.at<float>(0, 0))));
+        QVERIFY(std::abs(deviation(same) / deviation(inner) - 2) < 0.1);
+    }
+
+    void gainIsBoundedAndHeightsStayAboveZero()
+    {
+        const cv::Mat map = noise({140, 150}, 0.02, 2, 11);
+        std::vector<float> absurd(ringCount, 12);
+        const cv::Mat made = withRingPowers(map, absurd, side, 4);
+        double low = 0, high = 0;
+        cv::minMaxLoc(made, &low, &high);
+        QVERIFY(low >= 0 && cv::checkRange(made));
+        QVERIFY(deviation(made) < 4.2 * deviation(map));
+    }
+
+    void anySizeIsAnswered()
+    {
+        for (const cv::Size size : {cv::Size(1, 1), cv::Size(1, 50), cv::Size(129, 17)}) {
+            const cv::Mat made = withRingPowers(noise(size, 0.05, 0, 13), std::vector<float>(ringCount, -6), side);
+            QCOMPARE(made.size(), size);
+            QVERIFY(cv::checkRange(made));
+        }
+    }
+};
+
+QTEST_APPLESS_MAIN(RingSpectrumTest)
+#include "ring_spectrum_test.moc"

@@ -206,8 +206,8 @@ void drawFrictionImage(QPainter& painter, const QRectF& place, const cv::Mat& im
     }
     const int width = image.cols / shownOfImage, height = image.rows / shownOfImage;
     const cv::Mat middle = image({(image.cols - width) / 2, (image.rows - height) / 2, width, height});
-    const QImage picture(middle.data, middle.cols, middle.rows, static_cast<qsizetype>(middle.step), QImage::Format_Grayscale8);
-    painter.drawImage(place, picture.scaled((place.size() * style.pixelRatio).toSize(), Qt::IgnoreAspectRatio, Qt::SmoothTransformation));
+    const QImage shown(middle.data, middle.cols, middle.rows, static_cast<qsizetype>(middle.step), QImage::Format_Grayscale8);
+    painter.drawImage(place, shown.scaled((place.size() * style.pixelRatio).toSize(), Qt::IgnoreAspectRatio, Qt::SmoothTransformation));
     painter.setFont(fontOf(style, 0.85));
     painter.setPen(style.quietText);
     painter.drawText(QRectF(place.left(), place.bottom() + 2, place.width(), below - 2), Qt::AlignLeft | Qt::AlignVCenter,

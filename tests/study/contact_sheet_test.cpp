@@ -55,7 +55,7 @@ bool hasPicture(const QImage& image, const QRect& part)
 }
 
 /// Where the sheet puts column `number` (from 0: photograph, measured, generated height) of a row.
-QRect mapCell(int row, int number) { return {182 + number * 204, 92 + row * 230, 190, 190}; }
+QRect mapCell(int row, int number) { return {152 + number * 204, 92 + row * 252, 190, 190}; }
 
 }  // namespace
 
@@ -100,7 +100,7 @@ private Q_SLOTS:
         const fs::path png = m_folder.filePath("sheet.png").toStdString();
         study::commands::writeContactSheet(png, sheet);
         const QImage image(m_folder.filePath("sheet.png"));
-        QCOMPARE(image.height(), 92 + 2 * 230 + 18);
+        QCOMPARE(image.height(), 92 + 2 * 252 + 18);
         QVERIFY(image.width() > 1800);
         for (int fabric = 0; fabric < 2; ++fabric)
             for (int map = 0; map < 3; ++map)

@@ -16,6 +16,7 @@ struct Architecture {
     double traceMmPerSample = 5.0 / 60.0;
     double heightScaleMm = 0.1;  ///< one unit of G_h's output
     double meanFrictionScale = 0.5;  ///< one unit of G_s's mean before its last non-linearity
+    bool imposesSpectrum = true;     ///< the relief is brought to the predicted radial spectrum (ring_spectrum.h)
     bool operator==(const Architecture&) const = default;
 };
 

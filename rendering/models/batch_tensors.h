@@ -3,29 +3,38 @@
 
 #include "rendering/models/batches.h"
 #include "rendering/models/losses.h"
+#include "rendering/models/ring_spectrum.h"
 
 namespace rendering::models {
 
 struct TensorBatch {
     torch::Tensor photograph;  ///< [N, 3, crop, crop]
-    Touch touch;
-    Touch other;               ///< validation only
+    torch::Tensor heights;     ///< [N, 1, crop + 2 margin, crop + 2 margin]
+    torch::Tensor rings;       ///< [N, ringCount]
+    FrictionGuess friction;
+    Touch other;  ///< validation only
+
+    /// The measured signals as they belong to a generated height map: shifted to where they fit best.
+    Touch measuredFor(const torch::Tensor& generatedHeight) const
+    {
+        return {registered(generatedHeight, heights).maps, rings, friction};
+    }
 };
 
 inline TensorBatch tensorsOf(Batch batch)
 {
     const auto tensor = [](std::vector<float>& values, std::vector<std::int64_t> shape) {
-        return torch::from_blob(values.data(), shape, torch::kFloat).clone();
+        return values.empty() ? torch::Tensor() : torch::from_blob(values.data(), shape, torch::kFloat).clone();
     };
-    const auto touch = [&](std::vector<float>& heights, std::vector<float>& logRatios, std::vector<float>& means) {
-        if (heights.empty())
-            return Touch{};
-        return Touch{tensor(heights, {batch.size, 1, batch.crop, batch.crop}),
-                     {tensor(logRatios, {batch.size, 1, batch.rows, batch.frames}), tensor(means, {batch.size, 1})}};
-    };
+    const std::vector<std::int64_t> spectrogram{batch.size, 1, batch.rows, batch.frames};
+    const int wide = batch.crop + 2 * batch.margin;
     return {tensor(batch.photographs, {batch.size, 3, batch.crop, batch.crop}),
-            touch(batch.heights, batch.logRatios, batch.means),
-            touch(batch.otherHeights, batch.otherLogRatios, batch.otherMeans)};
+            tensor(batch.heights, {batch.size, 1, wide, wide}),
+            tensor(batch.rings, {batch.size, ringCount}),
+            {tensor(batch.logRatios, spectrogram), tensor(batch.means, {batch.size, 1})},
+            {tensor(batch.otherHeights, {batch.size, 1, batch.crop, batch.crop}),
+             tensor(batch.otherRings, {batch.size, ringCount}),
+             {tensor(batch.otherLogRatios, spectrogram), tensor(batch.otherMeans, {batch.size, 1})}}};
 }
 
 }  // namespace rendering::models

@@ -18,7 +18,7 @@ cv::Mat turnedAsTaken(const cv::Mat& image, cv::Point2d centre, double angleDeg,
     turn.at<double>(0, 2) += (side - 1) / 2.0 - centre.x;
     turn.at<double>(1, 2) += (side - 1) / 2.0 - centre.y;
     cv::Mat crop;
-    cv::warpAffine(image, crop, turn, {side, side}, cv::INTER_LINEAR, cv::BORDER_REFLECT_101);
+    cv::warpAffine(image, crop, turn, {side, side}, image.type() == CV_32FC1 ? cv::INTER_CUBIC : cv::INTER_LINEAR, cv::BORDER_REFLECT_101);
     return crop;
 }
 
@@ -39,11 +39,16 @@ cv::Point2d drawCentre(const cv::Size& size, int side, double angleDeg, protocol
 struct Jitter {
     float gain[3] = {1, 1, 1};
     float noise = 0;
+    bool grey = false;
 };
+
+/// How many pictures lose their colour, so that fabrics are told apart by their texture too.
+constexpr std::uint64_t oneInSoManyGrey = 4;
 
 Jitter drawJitter(protocols::Random& random)
 {
     Jitter jitter;
+    jitter.grey = random.below(oneInSoManyGrey) == 0;
     const double brightness = random.uniform(0.85, 1.15);
     for (float& gain : jitter.gain)
         gain = static_cast<float>(brightness * random.uniform(0.95, 1.05));
@@ -56,7 +61,9 @@ void appendPhotograph(std::vector<float>& out, const cv::Mat& crop, const Jitter
     for (int channel = 0; channel < 3; ++channel)
         for (int row = 0; row < crop.rows; ++row)
             for (int column = 0; column < crop.cols; ++column) {
-                float value = static_cast<float>(crop.at<cv::Vec3b>(row, column)[channel]) / 255.0F * jitter.gain[channel];
+                const cv::Vec3b& pixel = crop.at<cv::Vec3b>(row, column);
+                const float shade = jitter.grey ? static_cast<float>(pixel[0] + pixel[1] + pixel[2]) / 3 : pixel[channel];
+                float value = shade / 255.0F * jitter.gain[channel];
                 if (jitter.noise > 0)
                     value += jitter.noise * static_cast<float>(random.normal());
                 out.push_back(std::clamp(value, 0.0F, 1.0F));
@@ -92,8 +99,19 @@ void flipJointly(cv::Mat& photograph, cv::Mat& height, protocols::Random& random
     for (const int axis : {0, 1})
         if (random.below(2) == 1) {
             cv::flip(photograph, photograph, axis);
-            cv::flip(height, height, axis);
+            if (!height.empty())
+                cv::flip(height, height, axis);
         }
+}
+
+/// Where both show one place, the crop keeps to what both show.
+cv::Point2d photographCentre(const TrainingData& data, const TrainingPhotograph& photograph, const TrainingHeight& height, int side,
+                             double angleDeg, protocols::Random& random)
+{
+    const cv::Size whole = photograph.rgb.size(), felt = height.heightMm.size();
+    const cv::Size shared = data.aligned ? cv::Size(std::min(whole.width, felt.width), std::min(whole.height, felt.height)) : whole;
+    return drawCentre(shared, side, angleDeg, random) +
+           cv::Point2d((whole.width - shared.width) / 2.0, (whole.height - shared.height) / 2.0);
 }
 
 /// Where the height map's crop lies: the place of the photograph's crop where both show one place.
@@ -120,29 +138,33 @@ void appendOther(Batch& batch, const TrainingData& data, const FabricSamples& fa
         turnedCrop(height.heightMm, drawCentre(height.heightMm.size(), batch.crop, heightAngle, random), heightAngle, batch.crop);
     appendMap(batch.otherHeights, felt, static_cast<float>(1 / data.architecture.heightScaleMm));
     appendMap(batch.otherLogRatios, stroke.target.logRatio, 1);
+    batch.otherRings.insert(batch.otherRings.end(), height.rings.begin(), height.rings.end());
     batch.otherMeans.push_back(stroke.target.mean);
 }
 
-void appendDrawn(Batch& batch, const TrainingData& data, const FabricSamples& fabric, bool augment, protocols::Random& random)
+void appendDrawn(Batch& batch, const TrainingData& data, const FabricSamples& fabric, const BatchWish& wish,
+                 protocols::Random& random)
 {
     const TrainingPhotograph& photograph = drawn(fabric.photographs, random);
     const TrainingHeight& height = partner(fabric.heights, photograph.index, data.aligned, random);
     const TrainingStroke& stroke = partner(fabric.strokes, photograph.index, data.aligned, random);
     // Half the pictures stay as taken, unblurred by interpolation; the height map turns with them.
-    const bool free = augment && random.below(2) == 1;
+    const bool free = wish.augment && random.below(2) == 1;
     const double angle = free ? random.uniform(-180, 180) : photograph.rotationDeg;
     const double photographAngle = angle - photograph.rotationDeg, heightAngle = angle - height.rotationDeg;
-    const cv::Point2d photographAt = drawCentre(photograph.rgb.size(), batch.crop, photographAngle, random);
-    const cv::Point2d heightAt = heightCentre(data, photograph, photographAt, height, heightAngle, random);
-    cv::Mat seen = turnedCrop(photograph.rgb, photographAt, photographAngle, batch.crop);
-    cv::Mat felt = turnedCrop(height.heightMm, heightAt, heightAngle, batch.crop);
-    if (augment)
+    const cv::Point2d photographAt = photographCentre(data, photograph, height, batch.crop, photographAngle, random);
+    cv::Mat seen = turnedCrop(photograph.rgb, photographAt, photographAngle, batch.crop), felt;
+    if (wish.heights)
+        felt = turnedCrop(height.heightMm, heightCentre(data, photograph, photographAt, height, heightAngle, random), heightAngle,
+                          batch.crop + 2 * batch.margin);
+    if (wish.augment)
         flipJointly(seen, felt, random);
-    appendPhotograph(batch.photographs, seen, augment ? drawJitter(random) : Jitter{}, random);
+    appendPhotograph(batch.photographs, seen, wish.augment ? drawJitter(random) : Jitter{}, random);
     appendMap(batch.heights, felt, static_cast<float>(1 / data.architecture.heightScaleMm));
     appendMap(batch.logRatios, stroke.target.logRatio, 1);
     batch.means.push_back(stroke.target.mean);
-    if (!augment)
+    batch.rings.insert(batch.rings.end(), height.rings.begin(), height.rings.end());
+    if (!wish.augment)
         appendOther(batch, data, fabric, angle, random);
 }
 
@@ -158,22 +180,22 @@ cv::Mat turnedCrop(const cv::Mat& image, cv::Point2d centre, double angleDeg, in
     return turnedAsTaken(image, centre, angleDeg, side);
 }
 
-Batch drawBatch(const TrainingData& data, const std::vector<FabricSamples>& part, int size, bool augment,
-                protocols::Random& random)
+Batch drawBatch(const TrainingData& data, const std::vector<FabricSamples>& part, const BatchWish& wish, protocols::Random& random)
 {
     Batch batch;
-    batch.size = size;
+    batch.size = wish.size;
     batch.crop = data.architecture.crop;
+    batch.margin = data.aligned ? 0 : wish.margin;
     batch.rows = data.architecture.rows;
     batch.frames = data.architecture.frames;
     std::vector<std::size_t> deck;
-    for (int i = 0; i < size; ++i) {
+    for (int i = 0; i < wish.size; ++i) {
         if (deck.empty()) {
             for (std::size_t fabric = 0; fabric < part.size(); ++fabric)
                 deck.push_back(fabric);
             random.shuffle(deck);
         }
-        appendDrawn(batch, data, part[deck.back()], augment, random);
+        appendDrawn(batch, data, part[deck.back()], wish, random);
         deck.pop_back();
     }
     return batch;

@@ -19,6 +19,9 @@ void writeCheckpoint(const std::filesystem::path& file, const Checkpoint& checkp
     archive.write("fingerprint", c10::IValue(checkpoint.fingerprint));
     archive.write("validation_before", c10::IValue(checkpoint.validationBefore));
     archive.write("step", c10::IValue(static_cast<std::int64_t>(checkpoint.step)));
+    archive.write("best_step", c10::IValue(static_cast<std::int64_t>(checkpoint.bestStep)));
+    archive.write("best_distance", c10::IValue(checkpoint.bestDistance));
+    archive.write("validations_without_better", c10::IValue(static_cast<std::int64_t>(checkpoint.validationsWithoutBetter)));
     archive.write("elapsed_s", c10::IValue(checkpoint.elapsedS));
     save(archive);
     writeArchive(file, archive);
@@ -45,6 +48,12 @@ Checkpoint readCheckpoint(const std::filesystem::path& file, const std::string& 
         checkpoint.validationBefore = value.toStringRef();
         archive.read("step", value);
         checkpoint.step = static_cast<int>(value.toInt());
+        archive.read("best_step", value);
+        checkpoint.bestStep = static_cast<int>(value.toInt());
+        archive.read("best_distance", value);
+        checkpoint.bestDistance = value.toDouble();
+        archive.read("validations_without_better", value);
+        checkpoint.validationsWithoutBetter = static_cast<int>(value.toInt());
         archive.read("elapsed_s", value);
         checkpoint.elapsedS = value.toDouble();
         load(archive);

@@ -17,9 +17,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* schema = "vis2hap.model/1";
+constexpr const char* schema = "vis2hap.model/2";
 /// Changes whenever networks.cpp or the meaning of what the networks speak does.
-constexpr const char* architectureKind = "unet+encoder/1";
+constexpr const char* architectureKind = "unet+summary/2";
 
 Json architectureJson(const Architecture& a)
 {
@@ -28,6 +28,7 @@ Json architectureJson(const Architecture& a)
             {"crop", a.crop},
             {"mm_per_pixel", a.mmPerPixel},
             {"height_scale_mm", a.heightScaleMm},
+            {"imposes_spectrum", a.imposesSpectrum},
             {"mean_friction_scale", a.meanFrictionScale},
             {"spectrogram",
              {{"window", a.window},
@@ -45,6 +46,7 @@ Architecture architectureFrom(const Json& json)
     a.crop = json.at("crop").get<int>();
     a.mmPerPixel = json.at("mm_per_pixel").get<double>();
     a.heightScaleMm = json.at("height_scale_mm").get<double>();
+    a.imposesSpectrum = json.at("imposes_spectrum").get<bool>();
     a.meanFrictionScale = json.at("mean_friction_scale").get<double>();
     const Json& spectrogram = json.at("spectrogram");
     a.window = spectrogram.at("window").get<int>();
@@ -111,10 +113,12 @@ std::string cardText(const ModelCardFields& card)
               {"training_command", card.told.trainingCommand},
               {"procedural", card.told.trainedOnProceduralSet},
               {"dataset", {{"name", card.datasetName}, {"sha256", card.datasetHash}}},
-              {"losses", card.reference ? "reference" : "default"},
+              {"losses", card.objective},
+              {"split", card.split},
               {"seed", card.seed},
               {"split_seed", card.splitSeed},
               {"steps", card.steps},
+              {"best_step", card.bestStep},
               {"training_minutes", card.trainingMinutes},
               {"held_out", card.heldOut},
               {"architecture", architectureJson(card.architecture)},
@@ -144,7 +148,9 @@ ModelCardFields readModelCardFields(const std::filesystem::path& model)
         card.told.trainingSampleHashes = json.at("training_sample_hashes").get<std::vector<std::string>>();
         card.datasetName = json.at("dataset").at("name").get<std::string>();
         card.datasetHash = json.at("dataset").at("sha256").get<std::string>();
-        card.reference = json.at("losses").get<std::string>() == "reference";
+        card.objective = json.at("losses").get<std::string>();
+        card.split = json.at("split").get<std::string>();
+        card.bestStep = json.at("best_step").get<int>();
         card.seed = json.at("seed").get<std::uint64_t>();
         card.splitSeed = json.at("split_seed").get<std::uint64_t>();
         card.steps = json.at("steps").get<int>();

@@ -22,7 +22,9 @@ struct ModelCardFields {
     std::uint64_t seed = 0, splitSeed = 0;
     int steps = 0;
     double trainingMinutes = 0;
-    bool reference = false;              ///< trained with the paper's losses to the letter
+    int bestStep = 0;                    ///< at which the weights were kept
+    std::string objective = "default";   ///< training.h
+    std::string split = "location";      ///< training_data.h
     std::vector<std::string> heldOut;
     std::string datasetName, datasetHash;
     nlohmann::ordered_json validation;   ///< figures before and after training

@@ -1,5 +1,10 @@
 #include "rendering/models/networks.h"
 
+#include "rendering/models/ring_spectrum.h"
+
+#include <algorithm>
+#include <cmath>
+
 namespace rendering::models {
 
 namespace {
@@ -37,15 +42,6 @@ nn::Sequential same(int in, int out)
 
 nn::Upsample doubling() { return nn::Upsample(nn::UpsampleOptions().scale_factor(std::vector<double>{2, 2}).mode(torch::kNearest)); }
 
-nn::Sequential photographEncoder(int c)
-{
-    nn::Sequential chain(convolution(3, c, 4, 2), leaky());
-    append(chain, c, 2 * c, 4);
-    append(chain, 2 * c, 4 * c, 4);
-    append(chain, 4 * c, 4 * c, 4);
-    return chain;
-}
-
 nn::Sequential spectrogramDecoder(int c)
 {
     nn::Sequential chain(doubling());
@@ -77,12 +73,47 @@ torch::Tensor contrast(const torch::Tensor& photograph)
 /// Zero-centred colours.
 torch::Tensor centred(const torch::Tensor& photograph) { return (photograph - 0.5) * 2.0; }
 
+/// What the encoders see, [N, 4, H, W]: colours, and the contrast, in which a dim photograph looks like a bright one.
+torch::Tensor seen(const torch::Tensor& photograph, const torch::Tensor& contrasted)
+{
+    return torch::cat({centred(photograph), contrasted * 4}, 1).contiguous(torch::MemoryFormat::ChannelsLast);
+}
+
+/// Mean and spread of every feature over the photograph: a texture's statistics, wherever it lies.
+torch::Tensor statistics(const torch::Tensor& features)
+{
+    const torch::Tensor flat = features.flatten(2);
+    return torch::cat({flat.mean(2), (flat.var(2, false) + 1e-5).sqrt()}, 1);
+}
+
 }  // namespace
+
+TextureSummaryImpl::TextureSummaryImpl(const Architecture& architecture)
+{
+    const int c = architecture.baseChannels;
+    m_half = register_module("half", nn::Sequential(convolution(4, c, 4, 2), leaky()));
+    m_quarter = register_module("quarter", halving(c, 2 * c));
+    m_eighth = register_module("eighth", halving(2 * c, 4 * c));
+    m_sixteenth = register_module("sixteenth", halving(4 * c, 4 * c));
+    m_hidden = register_module("hidden", nn::Linear(2 * (c + 2 * c + 4 * c + 4 * c), 4 * c));
+}
+
+torch::Tensor TextureSummaryImpl::forward(const torch::Tensor& photograph)
+{
+    const torch::Tensor half = m_half->forward(seen(photograph, contrast(photograph)));
+    const torch::Tensor quarter = m_quarter->forward(half);
+    const torch::Tensor eighth = m_eighth->forward(quarter);
+    const torch::Tensor sixteenth = m_sixteenth->forward(eighth);
+    const torch::Tensor all = torch::cat({statistics(half), statistics(quarter), statistics(eighth), statistics(sixteenth)}, 1);
+    return torch::leaky_relu(m_hidden->forward(all), 0.2);
+}
 
 HeightGeneratorImpl::HeightGeneratorImpl(const Architecture& architecture)
 {
     const int c = architecture.baseChannels;
-    m_full = register_module("full", nn::Sequential(convolution(3, c, 3, 1), leaky()));
+    m_summary = register_module("summary", TextureSummary(architecture));
+    m_rings = register_module("rings", nn::Linear(4 * c, ringCount));
+    m_full = register_module("full", nn::Sequential(convolution(4, c, 3, 1), leaky()));
     m_half = register_module("half", halving(c, 2 * c));
     m_quarter = register_module("quarter", halving(2 * c, 4 * c));
     m_eighth = register_module("eighth", halving(4 * c, 4 * c));
@@ -101,7 +132,8 @@ HeightGeneratorImpl::HeightGeneratorImpl(const Architecture& architecture)
 
 torch::Tensor HeightGeneratorImpl::forward(const torch::Tensor& photograph)
 {
-    const torch::Tensor full = m_full->forward(centred(photograph));
+    const torch::Tensor contrasted = contrast(photograph);
+    const torch::Tensor full = m_full->forward(seen(photograph, contrasted));
     const torch::Tensor half = m_half->forward(full);
     const torch::Tensor quarter = m_quarter->forward(half);
     const torch::Tensor eighth = m_eighth->forward(quarter);
@@ -109,52 +141,96 @@ torch::Tensor HeightGeneratorImpl::forward(const torch::Tensor& photograph)
     up = m_upQuarter->forward(torch::cat({doubled(up), quarter}, 1));
     up = m_upHalf->forward(torch::cat({doubled(up), half}, 1));
     up = m_upFull->forward(torch::cat({doubled(up), full}, 1));
-    return torch::softplus(m_out->forward(torch::cat({up, contrast(photograph)}, 1)));
+    return torch::softplus(m_out->forward(torch::cat({up, contrasted}, 1)));
+}
+
+torch::Tensor HeightGeneratorImpl::rings(const torch::Tensor& photograph)
+{
+    // Powers of fabrics lie between the sensor's noise and a millimetre: logarithms of -14 to 2.
+    return 2 * m_rings->forward(m_summary->forward(photograph)) - 8;
 }
 
 FrictionGeneratorImpl::FrictionGeneratorImpl(const Architecture& architecture)
     : m_architecture(architecture), m_seedRows((architecture.rows + 3) / 4), m_seedFrames((architecture.frames + 3) / 4)
 {
     const int c = architecture.baseChannels;
-    m_encoder = register_module("encoder", photographEncoder(c));
-    m_mean = register_module("mean", nn::Linear(8 * c, 1));
-    m_seed = register_module("seed", nn::Linear(8 * c, c * m_seedRows * m_seedFrames));
+    m_summary = register_module("summary", TextureSummary(architecture));
+    m_mean = register_module("mean", nn::Linear(4 * c, 1));
+    m_seed = register_module("seed", nn::Linear(4 * c, c * m_seedRows * m_seedFrames));
     m_decoder = register_module("decoder", spectrogramDecoder(c));
 }
 
 FrictionGuess FrictionGeneratorImpl::forward(const torch::Tensor& photograph)
 {
-    const torch::Tensor seen = m_encoder->forward(centred(photograph)).flatten(2);
-    // Mean and spread of every feature over the photograph: a texture's statistics, wherever it lies.
-    const torch::Tensor spread = (seen.var(2, false) + 1e-5).sqrt();
-    const torch::Tensor summary = torch::cat({seen.mean(2), spread}, 1);
+    const torch::Tensor summary = m_summary->forward(photograph);
     const torch::Tensor seed = m_seed->forward(summary).view({-1, m_architecture.baseChannels, m_seedRows, m_seedFrames});
     const torch::Tensor decoded = m_decoder->forward(seed);
+    // Slipperiness is a ratio: its logarithm is learnt. The clamp keeps an untrained network's answer finite.
     return {decoded.narrow(2, 0, m_architecture.rows).narrow(3, 0, m_architecture.frames),
-            torch::softplus(m_mean->forward(summary)) * m_architecture.meanFrictionScale};
+            torch::exp(m_mean->forward(summary).clamp(-8, 8)) * m_architecture.meanFrictionScale};
 }
 
-DiscriminatorImpl::DiscriminatorImpl(const Architecture& architecture)
+BoundedConvolutionImpl::BoundedConvolutionImpl(int in, int out, std::vector<std::int64_t> size, int stride, bool bounded)
+    : m_padding{stride == 0 ? 0 : (size[0] - 1) / 2, stride == 0 ? 0 : (size[1] - 1) / 2},
+      m_stride(std::max(1, stride)),
+      m_bounded(bounded)
+{
+    const nn::Conv2d plain(nn::Conv2dOptions(in, out, {size[0], size[1]}));
+    m_weight = register_parameter("weight", plain->weight.detach().clone());
+    m_bias = register_parameter("bias", plain->bias.detach().clone());
+    m_direction = register_buffer("direction", torch::ones({out}) / std::sqrt(static_cast<double>(out)));
+}
+
+torch::Tensor BoundedConvolutionImpl::boundedWeight()
+{
+    const torch::Tensor matrix = m_weight.flatten(1);
+    torch::Tensor input;
+    {
+        const torch::NoGradGuard still;
+        const auto unit = [](const torch::Tensor& vector) { return vector / (vector.norm() + 1e-12); };
+        input = unit(torch::mv(matrix.t(), m_direction));
+        if (is_training())
+            m_direction.copy_(unit(torch::mv(matrix, input)));
+    }
+    return m_weight / (torch::dot(m_direction.clone(), torch::mv(matrix, input)) + 1e-12);
+}
+
+torch::Tensor BoundedConvolutionImpl::forward(const torch::Tensor& input)
+{
+    return torch::conv2d(input, m_bounded ? boundedWeight() : m_weight, m_bias, m_stride, m_padding);
+}
+
+DiscriminatorImpl::DiscriminatorImpl(const Architecture& architecture, bool bounded)
 {
     const int c = architecture.baseChannels;
-    m_surface = register_module("surface", nn::Sequential(convolution(4, c, 4, 2), leaky(), convolution(c, 2 * c, 4, 2), leaky(),
-                                                          convolution(2 * c, 4 * c, 4, 2), leaky()));
-    m_friction = register_module("friction", nn::Sequential(convolution(2, c, 4, 2), leaky(), convolution(c, c, 4, 2), leaky()));
-    const int rows = architecture.rows / 2 / 2, frames = architecture.frames / 2 / 2;
-    m_frictionOut = register_module("friction_out", nn::Linear(c * rows * frames, 2 * c));
-    m_judge = register_module("judge", nn::Sequential(convolution(6 * c, 4 * c, 3, 1), leaky(), convolution(4 * c, 1, 1, 1)));
+    const auto layer = [bounded](int in, int out, int size, int stride) {
+        return BoundedConvolution(in, out, std::vector<std::int64_t>{size, size}, stride, bounded);
+    };
+    m_surface = register_module("surface", nn::Sequential(layer(4, c, 4, 2), leaky(), layer(c, 2 * c, 4, 2), leaky(),
+                                                          layer(2 * c, 4 * c, 4, 2), leaky()));
+    const std::int64_t rows = architecture.rows / 2 / 2, frames = architecture.frames / 2 / 2;
+    m_friction = register_module(
+        "friction", nn::Sequential(layer(2, c, 4, 2), leaky(), layer(c, c, 4, 2), leaky(),
+                                   BoundedConvolution(c, 2 * c, std::vector<std::int64_t>{rows, frames}, 0, bounded), leaky()));
+    m_judge = register_module("judge", nn::Sequential(layer(6 * c, 4 * c, 3, 1), leaky(), layer(4 * c, 1, 1, 1)));
 }
 
 torch::Tensor DiscriminatorImpl::forward(const torch::Tensor& photograph, const FrictionGuess& friction,
                                          const torch::Tensor& height)
 {
-    const torch::Tensor surface = m_surface->forward(torch::cat({centred(photograph), height}, 1));
+    const torch::Tensor shown = torch::cat({centred(photograph), height}, 1).contiguous(torch::MemoryFormat::ChannelsLast);
+    const torch::Tensor surface = m_surface->forward(shown);
     const torch::Tensor mean = friction.mean.view({-1, 1, 1, 1}).expand_as(friction.logRatio);
-    const torch::Tensor stroke =
-        torch::leaky_relu(m_frictionOut->forward(m_friction->forward(torch::cat({friction.logRatio, mean}, 1)).flatten(1)), 0.2);
-    const torch::Tensor everywhere = stroke.view({stroke.size(0), stroke.size(1), 1, 1})
-                                         .expand({-1, -1, surface.size(2), surface.size(3)});
-    return m_judge->forward(torch::cat({surface, everywhere}, 1));
+    const torch::Tensor stroke = m_friction->forward(torch::cat({friction.logRatio, mean}, 1));
+    return m_judge->forward(torch::cat({surface, stroke.expand({-1, -1, surface.size(2), surface.size(3)})}, 1));
+}
+
+void orderChannelsLast(torch::nn::Module& module)
+{
+    const torch::NoGradGuard still;
+    for (torch::Tensor& parameter : module.parameters())
+        if (parameter.dim() == 4)
+            parameter.set_data(parameter.contiguous(torch::MemoryFormat::ChannelsLast));
 }
 
 }  // namespace rendering::models

@@ -10,14 +10,32 @@
 
 namespace rendering::models {
 
+/// What a photograph's texture is like, wherever it lies: convolutions that halve it four times, mean
+/// and spread of the features of every scale, one hidden layer. [N, 3, H, W] (sides multiples of 16, at
+/// least 32) -> [N, 4 baseChannels].
+class TextureSummaryImpl : public torch::nn::Module {
+public:
+    explicit TextureSummaryImpl(const Architecture& architecture);
+    torch::Tensor forward(const torch::Tensor& photograph);
+
+private:
+    torch::nn::Sequential m_half, m_quarter, m_eighth, m_sixteenth;
+    torch::nn::Linear m_hidden{nullptr};
+};
+TORCH_MODULE(TextureSummary);
+
 /// U-Net, fully convolutional. Photograph [N, 3, H, W] in 0..1 with sides that are multiples of 16
 /// -> height [N, 1, H, W] >= 0 in units of Architecture::heightScaleMm.
 class HeightGeneratorImpl : public torch::nn::Module {
 public:
     explicit HeightGeneratorImpl(const Architecture& architecture);
     torch::Tensor forward(const torch::Tensor& photograph);
+    /// The radial power spectrum of the height map, [N, ringCount], as ringPowers() of ring_spectrum.h.
+    torch::Tensor rings(const torch::Tensor& photograph);
 
 private:
+    TextureSummary m_summary{nullptr};
+    torch::nn::Linear m_rings{nullptr};
     torch::nn::Sequential m_full, m_half, m_quarter, m_eighth, m_sixteenth;
     torch::nn::Sequential m_upEighth, m_upQuarter, m_upHalf, m_upFull;
     torch::nn::Conv2d m_out{nullptr};
@@ -30,8 +48,7 @@ struct FrictionGuess {
     torch::Tensor mean;      ///< [N, 1]: coefficient of friction, > 0
 };
 
-/// Convolutional encoder over a photograph [N, 3, crop, crop], then the spectrogram and, as a head of
-/// its own, the mean friction.
+/// From the photograph's texture the spectrogram and, as a head of its own, the mean friction.
 class FrictionGeneratorImpl : public torch::nn::Module {
 public:
     explicit FrictionGeneratorImpl(const Architecture& architecture);
@@ -40,22 +57,42 @@ public:
 private:
     Architecture m_architecture;
     int m_seedRows, m_seedFrames;
-    torch::nn::Sequential m_encoder, m_decoder;
+    TextureSummary m_summary{nullptr};
+    torch::nn::Sequential m_decoder;
     torch::nn::Linear m_mean{nullptr}, m_seed{nullptr};
 };
 TORCH_MODULE(FrictionGenerator);
+
+/// A convolution whose weight can be divided by its largest singular value (spectral normalisation,
+/// Miyato et al. 2018), followed by one power iteration a training pass; then its gain is at most 1.
+class BoundedConvolutionImpl : public torch::nn::Module {
+public:
+    BoundedConvolutionImpl(int in, int out, std::vector<std::int64_t> size, int stride, bool bounded);
+    torch::Tensor forward(const torch::Tensor& input);
+
+private:
+    torch::Tensor boundedWeight();
+    torch::Tensor m_weight, m_bias, m_direction;
+    std::vector<std::int64_t> m_padding;
+    int m_stride;
+    bool m_bounded;
+};
+TORCH_MODULE(BoundedConvolution);
 
 /// Logits [N, 1, h, w] of patches of the photograph and height map, each judged together with the
 /// whole spectrogram and mean friction.
 class DiscriminatorImpl : public torch::nn::Module {
 public:
-    explicit DiscriminatorImpl(const Architecture& architecture);
+    /// `bounded`: with spectral normalisation.
+    DiscriminatorImpl(const Architecture& architecture, bool bounded);
     torch::Tensor forward(const torch::Tensor& photograph, const FrictionGuess& friction, const torch::Tensor& height);
 
 private:
     torch::nn::Sequential m_surface, m_friction, m_judge;
-    torch::nn::Linear m_frictionOut{nullptr};
 };
 TORCH_MODULE(Discriminator);
+
+/// Puts the convolutions' weights into the memory order (channels last) in which they run about twice as fast here.
+void orderChannelsLast(torch::nn::Module& module);
 
 }  // namespace rendering::models

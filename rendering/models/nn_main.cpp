@@ -31,6 +31,7 @@ void offerTraining(CLI::App& app, const std::string& command)
         std::vector<std::string> heldOut;
         int steps = 0;
         double minutes = 0;
+        bool reference = false, l1Only = false;
     };
     auto wish = std::make_shared<Wish>();
     CLI::App* train = app.add_subcommand("train", "train the generators on a data set");
@@ -42,13 +43,20 @@ void offerTraining(CLI::App& app, const std::string& command)
     train->add_option("--seed", options.seed, "of the first weights, batches and augmentation (default 1)");
     train->add_option("--split-seed", options.splitSeed, "of the 8:1:1 split (default 1)");
     train->add_option("--hold-out", wish->heldOut, "fabrics to leave out, F03,F07")->delimiter(',');
-    train->add_flag("--reference", options.reference, "the paper's losses to the letter");
+    train->add_flag("--reference", wish->reference, "the paper's losses to the letter");
+    train->add_flag("--l1-only", wish->l1Only, "the paper's L1 loss alone, without a discriminator: a control for evaluate");
+    train->add_option("--split", options.split, "what the 8:1:1 split divides: location (default), sample, augmented (the paper's, with its leak)")
+        ->transform(CLI::CheckedTransformer(std::map<std::string, models::SplitBy>{{"location", models::SplitBy::Location},
+                                                                                   {"sample", models::SplitBy::Sample},
+                                                                                   {"augmented", models::SplitBy::Augmented}}));
     train->add_flag("--resume", options.resume, "go on from the last checkpoint of a broken-off run");
     train->add_option("--batch", options.batch, "photographs a step (default 8)");
     train->add_option("--crop", options.crop, "side of a crop, px (default 128)");
     train->add_option("--channels", options.baseChannels, "width of the networks (default 16)");
     train->add_option("--learning-rate", options.learningRate, "of the generators at the start (default 0.001)");
     train->add_option("--checkpoint-every", options.checkpointEvery, "steps (default 100)");
+    train->add_option("--validate-every", options.validateEvery, "steps (default 250)");
+    train->add_option("--patience", options.patience, "validations without a better one, after which training stops (default 6)");
     train->add_option("--validation-pairs", options.validationPairs, "pairs that the validation figures rest on (default 60)");
     train->add_option("--threads", options.threads, "default: all of the machine");
     train->callback([wish, steps, minutes, command] {
@@ -59,6 +67,11 @@ void offerTraining(CLI::App& app, const std::string& command)
             chosen.steps = steps->count() > 0 ? wish->steps : 2000;
         for (const std::string& id : wish->heldOut)
             chosen.heldOut.emplace_back(id);
+        if (wish->reference && wish->l1Only)
+            throw protocols::badInput({"both --reference and --l1-only", "train", "one of them", ""});
+        chosen.objective = wish->reference ? models::Objective::Reference
+                           : wish->l1Only  ? models::Objective::L1Only
+                                           : models::Objective::Default;
         chosen.command = command;
         models::train(fabrics::readDataset(wish->dataset), chosen, std::cout, isatty(STDOUT_FILENO) == 1);
     });

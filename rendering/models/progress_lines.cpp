@@ -24,7 +24,7 @@ std::string figure(double value)
 
 }  // namespace
 
-bool StepLosses::finite() const { return std::isfinite(discriminator) && std::isfinite(generators) && std::isfinite(l1); }
+bool StepLosses::finite() const { return std::isfinite(discriminator) && std::isfinite(generators) && std::isfinite(distance); }
 
 void ProgressLines::say(const std::string& line)
 {
@@ -48,9 +48,9 @@ void ProgressLines::step(int number, double fraction, const StepLosses& losses, 
     m_started = true;
     m_smooth.discriminator = keep * m_smooth.discriminator + (1 - keep) * losses.discriminator;
     m_smooth.generators = keep * m_smooth.generators + (1 - keep) * losses.generators;
-    m_smooth.l1 = keep * m_smooth.l1 + (1 - keep) * losses.l1;
+    m_smooth.distance = keep * m_smooth.distance + (1 - keep) * losses.distance;
     const std::string text = "step " + std::to_string(number) + "  D " + figure(m_smooth.discriminator) + "  G " +
-                             figure(m_smooth.generators) + "  L1 " + figure(m_smooth.l1) + "  " + minutes(remainingS) + " left";
+                             figure(m_smooth.generators) + "  distance " + figure(m_smooth.distance) + "  " + minutes(remainingS) + " left";
     const auto now = std::chrono::steady_clock::now();
     if (m_terminal) {
         bar(fraction, text);
@@ -58,6 +58,17 @@ void ProgressLines::step(int number, double fraction, const StepLosses& losses, 
         say(text);
         m_lastLine = now;
     }
+}
+
+void ProgressLines::validated(int number, const nlohmann::ordered_json& figures, bool better)
+{
+    if (figures.is_null())
+        return;
+    std::string text = "validation at step " + std::to_string(number) + (better ? " (the best so far)" : "") + ":";
+    for (const auto& [name, value] : figures.items())
+        if (value.is_object())
+            text += " " + name + " " + figure(value.at("generated").get<double>());
+    say(text);
 }
 
 void ProgressLines::finished(const ModelCardFields& card)

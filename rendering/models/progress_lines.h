@@ -12,7 +12,7 @@ namespace rendering::models {
 struct StepLosses {
     double discriminator = 0;  ///< eq. 1
     double generators = 0;     ///< eq. 2
-    double l1 = 0;             ///< the weighted distances
+    double distance = 0;       ///< the weighted distances
     bool finite() const;
 };
 
@@ -24,6 +24,8 @@ public:
     void reading(int done, int total);
     /// Smooths the losses; a plain line appears about every ten seconds and at the end.
     void step(int number, double fraction, const StepLosses& losses, double remainingS);
+    /// `better`: than at every validation before.
+    void validated(int number, const nlohmann::ordered_json& figures, bool better);
     void finished(const ModelCardFields& card);
 
 private:

@@ -1,16 +1,15 @@
 #include "rendering/models/training.h"
 
 #include "protocols/errors.h"
-#include "rendering/models/batch_tensors.h"
 #include "rendering/models/checkpoint.h"
-#include "rendering/models/losses.h"
+#include "rendering/models/contest.h"
+#include "rendering/models/photograph_features.h"
 #include "rendering/models/progress_lines.h"
 #include "rendering/models/validation.h"
 #include "rendering/models/weights.h"
 
 #include <chrono>
 #include <cmath>
-#include <numbers>
 #include <thread>
 
 namespace rendering::models {
@@ -18,138 +17,6 @@ namespace rendering::models {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-/// The discriminator learns at half the generators' rate; at the same rate it wins at once.
-constexpr double discriminatorPace = 0.5;
-
-torch::optim::Adam adam(std::vector<torch::Tensor> parameters, double learningRate)
-{
-    return torch::optim::Adam(std::move(parameters), torch::optim::AdamOptions(learningRate).betas(std::make_tuple(0.5, 0.999)));
-}
-
-std::vector<torch::Tensor> parametersOf(Generators& generators)
-{
-    std::vector<torch::Tensor> all = generators.height->parameters();
-    for (const torch::Tensor& parameter : generators.friction->parameters())
-        all.push_back(parameter);
-    return all;
-}
-
-void setRate(torch::optim::Adam& optimiser, double rate)
-{
-    for (torch::optim::OptimizerParamGroup& group : optimiser.param_groups())
-        static_cast<torch::optim::AdamOptions&>(group.options()).lr(rate);
-}
-
-void requireGradients(torch::nn::Module& module, bool wanted)
-{
-    for (torch::Tensor& parameter : module.parameters())
-        parameter.set_requires_grad(wanted);
-}
-
-/// Generators and discriminator on their way, and one step of both.
-class Contest {
-public:
-    Contest(const TrainingData& data, const TrainingOptions& options)
-        : m_data(data),
-          m_options(options),
-          m_weights(options.reference ? referenceWeights() : defaultWeights()),
-          m_generators(makeGenerators(data.architecture)),
-          m_discriminator(data.architecture),
-          m_generatorSteps(adam(parametersOf(m_generators), options.learningRate)),
-          m_discriminatorSteps(adam(m_discriminator->parameters(), options.learningRate * discriminatorPace))
-    {
-    }
-
-    /// `fraction` of the training done, for the falling rate. Each step's batch comes from its own
-    /// stream, so a resumed run draws what the unbroken one would have drawn.
-    StepLosses step(int number, double fraction)
-    {
-        const double fall = 0.05 + 0.95 * 0.5 * (1 + std::cos(std::numbers::pi * fraction));
-        setRate(m_generatorSteps, m_options.learningRate * fall);
-        setRate(m_discriminatorSteps, m_options.learningRate * discriminatorPace * fall);
-        protocols::Random random = protocols::Random::stream(m_options.seed, "step/" + std::to_string(number));
-        const TensorBatch batch = tensorsOf(drawBatch(m_data, m_data.training, m_options.batch, true, random));
-        const Touch generated{m_generators.height->forward(batch.photograph), m_generators.friction->forward(batch.photograph)};
-        StepLosses losses;
-        losses.discriminator = stepDiscriminator(batch, generated);
-        stepGenerators(batch, generated, losses);
-        return losses;
-    }
-
-    Generators& generators() { return m_generators; }
-
-    /// A finite loss may still be followed by a step out of all bounds.
-    bool finite()
-    {
-        for (const torch::Tensor& parameter : parametersOf(m_generators))
-            if (!torch::isfinite(parameter).all().item<bool>())
-                return false;
-        return true;
-    }
-
-    void save(torch::serialize::OutputArchive& archive)
-    {
-        const auto put = [&](const std::string& name, const auto& part) {
-            torch::serialize::OutputArchive inner(archive.compilation_unit());
-            part.save(inner);
-            archive.write(name, inner);
-        };
-        put("height", *m_generators.height);
-        put("friction", *m_generators.friction);
-        put("discriminator", *m_discriminator);
-        put("generator_steps", m_generatorSteps);
-        put("discriminator_steps", m_discriminatorSteps);
-    }
-
-    void load(torch::serialize::InputArchive& archive)
-    {
-        const auto take = [&](const std::string& name, auto& part) {
-            torch::serialize::InputArchive inner;
-            archive.read(name, inner);
-            part.load(inner);
-        };
-        take("height", *m_generators.height);
-        take("friction", *m_generators.friction);
-        take("discriminator", *m_discriminator);
-        take("generator_steps", m_generatorSteps);
-        take("discriminator_steps", m_discriminatorSteps);
-    }
-
-private:
-    double stepDiscriminator(const TensorBatch& batch, const Touch& generated)
-    {
-        m_discriminatorSteps.zero_grad();
-        const torch::Tensor real = m_discriminator->forward(batch.photograph, batch.touch.friction, batch.touch.height);
-        const FrictionGuess guess{generated.friction.logRatio.detach(), generated.friction.mean.detach()};
-        const torch::Tensor fake = m_discriminator->forward(batch.photograph, guess, generated.height.detach());
-        const torch::Tensor loss = discriminatorLoss(real, fake);
-        loss.backward();
-        m_discriminatorSteps.step();
-        return loss.item<double>();
-    }
-
-    void stepGenerators(const TensorBatch& batch, const Touch& generated, StepLosses& losses)
-    {
-        m_generatorSteps.zero_grad();
-        requireGradients(*m_discriminator, false);
-        const torch::Tensor verdict = m_discriminator->forward(batch.photograph, generated.friction, generated.height);
-        const torch::Tensor adversarial = adversarialLoss(verdict);
-        const torch::Tensor apart = distance(generated, batch.touch, m_weights, m_data.architecture.meanFrictionScale);
-        (m_weights.adversarial * adversarial + apart).backward();
-        m_generatorSteps.step();
-        requireGradients(*m_discriminator, true);
-        losses.generators = adversarial.item<double>();
-        losses.l1 = apart.item<double>();
-    }
-
-    const TrainingData& m_data;
-    const TrainingOptions& m_options;
-    LossWeights m_weights;
-    Generators m_generators;
-    Discriminator m_discriminator;
-    torch::optim::Adam m_generatorSteps, m_discriminatorSteps;
-};
 
 void checkOptions(const TrainingOptions& options)
 {
@@ -165,29 +32,37 @@ void checkOptions(const TrainingOptions& options)
     if (options.crop < 32 || options.crop % 16 != 0)
         refuse("--crop " + std::to_string(options.crop), "a multiple of 16, at least 32");
     if (options.batch < 1 || options.baseChannels < 1 || options.checkpointEvery < 1 || options.validationPairs < 1 ||
-        !(options.learningRate > 0))
+        options.validateEvery < 1 || options.patience < 1 || !(options.learningRate > 0))
         refuse("a count or rate is not positive", "positive numbers");
 }
 
 /// Settings by which a checkpoint is recognised as of this run.
 std::string fingerprint(const TrainingOptions& options, const TrainingData& data, const std::string& datasetHash)
 {
-    std::string text = datasetHash + "|" + std::to_string(options.seed) + "|" + std::to_string(options.splitSeed) + "|" +
-                       std::to_string(options.batch) + "|" + std::to_string(options.crop) + "|" +
-                       std::to_string(options.baseChannels) + "|" + std::to_string(options.learningRate) + "|" +
-                       (options.reference ? "reference" : "default") + "|" +
-                       (options.steps ? "steps " + std::to_string(*options.steps) : "minutes " + std::to_string(*options.minutes));
+    std::string text = datasetHash;
+    for (const auto number : {options.seed, options.splitSeed})
+        text += "|" + std::to_string(number);
+    for (const int number : {options.batch, options.crop, options.baseChannels, options.validateEvery, options.patience,
+                             options.validationPairs})
+        text += "|" + std::to_string(number);
+    text += "|" + std::to_string(options.learningRate) + "|" + nameOf(options.objective) + "|" + nameOf(options.split) + "|" +
+            (options.steps ? "steps " + std::to_string(*options.steps) : "minutes " + std::to_string(*options.minutes));
     for (const protocols::FabricId& id : options.heldOut)
         text += "|" + id.value;
     return text + "|" + std::to_string(data.trainingHashes.size());
 }
 
-nlohmann::ordered_json validated(const TrainingData& data, Generators& generators, const TrainingOptions& options)
+/// What the card says of photographs that the model knows.
+std::optional<Familiarity> familiarityOf(const TrainingData& data)
 {
-    if (data.validation.empty())
-        return nullptr;
-    protocols::Random random = protocols::Random::stream(options.seed, "validation");
-    return validationFigures(data, generators, options.validationPairs, random);
+    const auto features = [](const std::vector<FabricSamples>& part) {
+        std::vector<std::vector<float>> all;
+        for (const FabricSamples& fabric : part)
+            for (const TrainingPhotograph& photograph : fabric.photographs)
+                all.push_back(photographFeatures(photograph.rgb));
+        return all;
+    };
+    return fitFamiliarity(features(data.training), features(data.validation));
 }
 
 /// One whole run: the loop around Contest::step with its clock, checkpoints and model card.
@@ -198,10 +73,12 @@ public:
     {
         TrainingDataOptions reading;
         reading.splitSeed = options.splitSeed;
+        reading.split = options.split;
         reading.heldOut = options.heldOut;
         Architecture wanted;
         wanted.baseChannels = options.baseChannels;
         wanted.crop = options.crop;
+        wanted.imposesSpectrum = options.objective == Objective::Default && dataset.pairing == fabrics::Pairing::Weak;
         m_data = readTrainingData(dataset, wanted, reading, [&](int done, int total) { m_lines.reading(done, total); });
         for (const std::string& note : m_data.notes)
             m_lines.say(note);
@@ -221,22 +98,24 @@ public:
             state = readCheckpoint(checkpoint, state.fingerprint, [&](auto& archive) { contest.load(archive); });
             m_lines.say("resumed at step " + std::to_string(state.step));
         } else {
-            state.validationBefore = validated(m_data, contest.generators(), m_options).dump();
+            state.validationBefore = figures(contest.result()).dump();
         }
         const Clock::time_point started = Clock::now();
         const double before = state.elapsedS;
-        const auto save = [&](torch::serialize::OutputArchive& archive) { contest.save(archive); };
-        while (fractionDone(state) < 1) {
+        while (!ended(state)) {
             const StepLosses losses = contest.step(state.step, fractionDone(state));
             if (!losses.finite())
                 stopAt(state.step + 1);
             ++state.step;
             state.elapsedS = before + std::chrono::duration<double>(Clock::now() - started).count();
             m_lines.step(state.step, fractionDone(state), losses, remainingS(state));
-            if (state.step % m_options.checkpointEvery == 0 || fractionDone(state) >= 1) {
+            const bool last = fractionDone(state) >= 1;
+            if (last || state.step % m_options.validateEvery == 0)
+                validate(contest, state);
+            if (last || state.step % m_options.checkpointEvery == 0 || ended(state)) {
                 if (!contest.finite())
                     stopAt(state.step);
-                writeCheckpoint(checkpoint, state, save);
+                writeCheckpoint(checkpoint, state, [&](auto& archive) { contest.save(archive); });
             }
         }
         finish(contest, state);
@@ -254,6 +133,37 @@ private:
                                      "finite losses", kept + "train again with a smaller --learning-rate"});
     }
 
+    bool ended(const Checkpoint& state) const
+    {
+        return fractionDone(state) >= 1 || state.validationsWithoutBetter >= m_options.patience;
+    }
+
+    nlohmann::ordered_json figures(Generators& generators) const
+    {
+        if (m_data.validation.empty())
+            return nullptr;
+        protocols::Random random = protocols::Random::stream(m_options.seed, "validation");
+        return validationFigures(m_data, generators, weightsFor(m_options.objective), m_options.validationPairs, random);
+    }
+
+    /// Keeps the networks where they are better than at every validation before; the reference, whose
+    /// losses come from a contest, always.
+    void validate(Contest& contest, Checkpoint& state)
+    {
+        if (!contest.finite())
+            stopAt(state.step);
+        const nlohmann::ordered_json now = figures(contest.result());
+        const double distance = now.is_null() ? -state.step : now.at("distance").at("generated").get<double>();
+        const bool better = m_options.objective == Objective::Reference || distance < state.bestDistance;
+        state.validationsWithoutBetter = better ? 0 : state.validationsWithoutBetter + 1;
+        if (better) {
+            state.bestDistance = distance;
+            state.bestStep = state.step;
+            contest.keepAsBest();
+        }
+        m_lines.validated(state.step, now, better);
+    }
+
     double fractionDone(const Checkpoint& state) const
     {
         return m_options.steps ? static_cast<double>(state.step) / *m_options.steps : state.elapsedS / (*m_options.minutes * 60);
@@ -267,7 +177,8 @@ private:
 
     void finish(Contest& contest, const Checkpoint& state)
     {
-        roundToHalf(contest.generators());
+        Generators& best = contest.best();
+        roundToHalf(best);
         ModelCardFields card;
         card.told.name = m_options.out.stem().string();
         card.told.trainedOnProceduralSet = m_dataset.procedural;
@@ -277,15 +188,18 @@ private:
         card.seed = m_options.seed;
         card.splitSeed = m_options.splitSeed;
         card.steps = state.step;
+        card.bestStep = state.bestStep;
         card.trainingMinutes = std::round(state.elapsedS / 6) / 10;
-        card.reference = m_options.reference;
+        card.objective = nameOf(m_options.objective);
+        card.split = nameOf(m_options.split);
+        card.photographs = familiarityOf(m_data);
         for (const protocols::FabricId& id : m_options.heldOut)
             card.heldOut.push_back(id.value);
         card.datasetName = m_dataset.name;
         card.datasetHash = m_datasetHash;
         card.validation = {{"before", nlohmann::ordered_json::parse(state.validationBefore)},
-                           {"after", validated(m_data, contest.generators(), m_options)}};
-        writeModel(m_options.out, contest.generators(), card);
+                           {"after", figures(best)}};
+        writeModel(m_options.out, best, card);
         m_lines.finished(card);
     }
 
@@ -297,6 +211,16 @@ private:
 };
 
 }  // namespace
+
+std::string nameOf(Objective objective)
+{
+    switch (objective) {
+    case Objective::Default: return "default";
+    case Objective::Reference: return "reference";
+    case Objective::L1Only: return "l1-only";
+    }
+    return {};
+}
 
 void train(const fabrics::Dataset& dataset, const TrainingOptions& options, std::ostream& log, bool terminal)
 {

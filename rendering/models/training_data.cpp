@@ -2,6 +2,8 @@
 
 #include "protocols/errors.h"
 #include "protocols/sha256.h"
+#include "rendering/fabrics/location_split.h"
+#include "rendering/models/ring_spectrum.h"
 #include "rendering/signals/friction_trace.h"
 #include "rendering/signals/photometric_stereo.h"
 
@@ -78,7 +80,8 @@ void readSample(const Reading& reading, const SamplePlace& place, FabricSamples&
              place.rotationDeg.value_or(0)});
         return;
     case Modality::Tactile:
-        samples.heights.push_back({place.index, asFloat(heightAt(reading, place)), place.rotationDeg.value_or(0)});
+        samples.heights.push_back({place.index, asFloat(heightAt(reading, place)), place.rotationDeg.value_or(0), {}});
+        samples.heights.back().rings = ringPowers(samples.heights.back().heightMm, reading.data.architecture.crop);
         return;
     case Modality::Friction: {
         const fabrics::FrictionRecord record = fabrics::readFriction(dataset, place.fabric, place.index);
@@ -149,11 +152,16 @@ void checkCanBeTrained(const Dataset& dataset, const TrainingDataOptions& option
 void setScales(TrainingData& data)
 {
     std::vector<float> highest;
-    double means = 0;
+    double means = 0, low = 1e9, high = -1e9;
     int strokes = 0;
     for (const FabricSamples& fabric : data.training) {
-        for (const TrainingHeight& height : fabric.heights)
+        for (const TrainingHeight& height : fabric.heights) {
             highest.push_back(static_cast<float>(cv::mean(height.heightMm)[0]));
+            double least = 0, most = 0;
+            cv::minMaxLoc(height.heightMm, &least, &most);
+            low = std::min(low, least);
+            high = std::max(high, most);
+        }
         for (const TrainingStroke& stroke : fabric.strokes) {
             means += stroke.target.mean;
             ++strokes;
@@ -161,10 +169,42 @@ void setScales(TrainingData& data)
     }
     std::sort(highest.begin(), highest.end());
     data.architecture.heightScaleMm = std::max(1e-4, 2.0 * static_cast<double>(highest[highest.size() / 2]));
+    data.heightRangeMm = std::max(1e-4, high - low);
     data.architecture.meanFrictionScale = std::max(1e-3, means / strokes);
 }
 
+/// Augmented copies of every original lie in the training part and in the validation part alike.
+std::vector<std::pair<SamplePlace, Part>> everywhere(std::vector<std::pair<SamplePlace, Part>> split)
+{
+    const std::size_t originals = split.size();
+    for (std::size_t i = 0; i < originals; ++i) {
+        split[i].second = Part::Training;
+        split.emplace_back(split[i].first, Part::Validation);
+    }
+    return split;
+}
+
+std::vector<std::pair<SamplePlace, Part>> partsOf(const Dataset& dataset, const TrainingDataOptions& options)
+{
+    switch (options.split) {
+    case SplitBy::Sample: return fabrics::splitBySample(dataset, options.splitSeed);
+    case SplitBy::Location: return fabrics::splitByLocation(dataset, options.splitSeed);
+    case SplitBy::Augmented: return everywhere(fabrics::splitBySample(dataset, options.splitSeed));
+    }
+    return {};
+}
+
 }  // namespace
+
+std::string nameOf(SplitBy split)
+{
+    switch (split) {
+    case SplitBy::Sample: return "sample";
+    case SplitBy::Location: return "location";
+    case SplitBy::Augmented: return "augmented";
+    }
+    return {};
+}
 
 TrainingData readTrainingData(const Dataset& dataset, const Architecture& wanted, const TrainingDataOptions& options,
                               const std::function<void(int, int)>& progress)
@@ -187,7 +227,7 @@ TrainingData readTrainingData(const Dataset& dataset, const Architecture& wanted
     }
 
     std::map<FabricId, FabricSamples> training, validation;
-    std::vector<std::pair<SamplePlace, Part>> split = fabrics::splitBySample(dataset, options.splitSeed);
+    std::vector<std::pair<SamplePlace, Part>> split = partsOf(dataset, options);
     std::erase_if(split, [&](const auto& entry) { return !usable.contains(entry.first.fabric) || entry.second == Part::Testing; });
     const std::size_t share = options.memoryBytes / usable.size() / 2;  // photographs and heights fill it, strokes are small
     std::map<std::pair<FabricId, Modality>, std::size_t> used;

@@ -24,6 +24,7 @@ struct TrainingHeight {
     int index = 0;
     cv::Mat heightMm;  ///< CV_32FC1, >= 0, at Architecture::mmPerPixel
     double rotationDeg = 0;
+    std::vector<float> rings;  ///< ringPowers() of the map as pressed
 };
 
 struct TrainingStroke {
@@ -42,13 +43,23 @@ struct FabricSamples {
 struct TrainingData {
     Architecture architecture;  ///< pitch, spectrogram and scales as the data set has them
     bool aligned = false;
+    double heightRangeMm = 1;   ///< highest less lowest of the training maps
     std::vector<FabricSamples> training, validation;  ///< fabrics that have all three signals
     std::vector<std::string> trainingHashes;          ///< SHA-256 of every file trained on, sorted
     std::vector<std::string> notes;                   ///< what was left out and why, a line each
 };
 
+/// By which units a data set is divided 8:1:1.
+enum class SplitBy {
+    Sample,     ///< the paper's: places may overlap across the parts
+    Location,   ///< overlapping places stay together
+    Augmented   ///< the paper's after augmentation: every original has copies in every part, so nothing is unseen
+};
+std::string nameOf(SplitBy split);
+
 struct TrainingDataOptions {
     std::uint64_t splitSeed = 1;
+    SplitBy split = SplitBy::Location;
     std::vector<protocols::FabricId> heldOut;       ///< fabrics that training never sees
     std::size_t memoryBytes = std::size_t{3} << 30;  ///< budget of the cached samples
 };

@@ -1,9 +1,8 @@
 #include "rendering/models/validation.h"
 
 #include "rendering/models/batch_tensors.h"
-
-#include <opencv2/core.hpp>
-#include <opencv2/imgproc.hpp>
+#include "rendering/models/contest.h"
+#include "rendering/models/finished_relief.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,37 +15,24 @@ namespace {
 
 using Sums = std::map<std::string, double>;
 
-/// Best normalised correlation of the middle of `map` with any place of `other`.
-double registeredCorrelation(const torch::Tensor& map, const torch::Tensor& other)
-{
-    const auto mat = [](const torch::Tensor& tensor) {
-        const torch::Tensor flat = tensor.contiguous();
-        return cv::Mat(static_cast<int>(flat.size(0)), static_cast<int>(flat.size(1)), CV_32F, flat.data_ptr<float>()).clone();
-    };
-    const cv::Mat whole = mat(map), within = mat(other);
-    const cv::Mat middle = whole(cv::Rect(whole.cols / 4, whole.rows / 4, whole.cols / 2, whole.rows / 2));
-    cv::Mat correlation;
-    cv::matchTemplate(within, middle, correlation, cv::TM_CCOEFF_NORMED);
-    double best = 0;
-    cv::minMaxLoc(correlation, nullptr, &best);
-    return std::isfinite(best) ? best : 0;
-}
+constexpr double decibelsPerNeper = 4.342944819032518;  ///< of power
 
-void add(Sums& sums, const Touch& candidate, const Touch& measured, double heightScaleMm)
+/// `registeredHeight`: the measured map as it belongs to the candidate's.
+void add(Sums& sums, const Touch& candidate, const Touch& measured, const TrainingData& data, const torch::Tensor& correlation)
 {
     const auto count = static_cast<double>(measured.height.size(0));
     const auto put = [&](const char* name, const torch::Tensor& mean, double scale) {
         sums[name] += mean.item<double>() * scale * count;
     };
-    put("height_l1_mm", (candidate.height - measured.height).abs().mean(), heightScaleMm);
-    put("height_sorted_l1_mm", sortedDistance(candidate.height, measured.height), heightScaleMm);
-    put("height_spectrum_l1_mm", spectrumDistance(candidate.height, measured.height), heightScaleMm);
-    put("height_deviation_mm", candidate.height.flatten(1).std(1).mean(), heightScaleMm);
+    const torch::Tensor deviations = candidate.height.flatten(1).std(1) / measured.height.flatten(1).std(1).clamp_min(1e-6);
+    put("height_l1_mm", (candidate.height - measured.height).abs().mean(), data.architecture.heightScaleMm);
+    put("height_ssim", ssim(candidate.height, measured.height, scalesOf(data).heightRange).mean(), 1);
+    put("height_correlation", correlation.mean(), 1);
+    put("height_radial_spectrum_db", radialDistance(candidate.height, measured.height), decibelsPerNeper);
+    put("height_sq_ratio", deviations.clamp_min(1e-3).log().abs().mean(), 1);
     put("log_ratio_l1", (candidate.friction.logRatio - measured.friction.logRatio).abs().mean(), 1);
     put("mean_friction_relative_error",
         ((candidate.friction.mean - measured.friction.mean) / measured.friction.mean).abs().mean(), 1);
-    for (std::int64_t i = 0; i < measured.height.size(0); ++i)
-        sums["height_registered_correlation"] += registeredCorrelation(candidate.height[i][0], measured.height[i][0]);
 }
 
 /// Enough places to compare by.
@@ -54,25 +40,40 @@ double shortened(double value) { return std::round(value * 1e6) / 1e6; }
 
 }  // namespace
 
-nlohmann::ordered_json validationFigures(const TrainingData& data, Generators& generators, int pairs, protocols::Random& random)
+nlohmann::ordered_json validationFigures(const TrainingData& data, Generators& generators, const LossWeights& weights, int pairs,
+                                         protocols::Random& random)
 {
     const torch::NoGradGuard still;
     generators.height->eval();
     generators.friction->eval();
     Sums generated, measured;
-    const int step = 4;
+    double distances = 0;
+    BatchWish wish;
+    wish.size = 4;
+    wish.augment = false;
+    wish.margin = registrationMarginPx;
     int drawn = 0;
-    for (; drawn < pairs; drawn += step) {
-        const TensorBatch batch = tensorsOf(drawBatch(data, data.validation, step, false, random));
-        const Touch guess{generators.height->forward(batch.photograph), generators.friction->forward(batch.photograph)};
-        add(generated, guess, batch.touch, data.architecture.heightScaleMm);
-        add(measured, batch.other, batch.touch, data.architecture.heightScaleMm);
+    for (; drawn < pairs; drawn += wish.size) {
+        const TensorBatch batch = tensorsOf(drawBatch(data, data.validation, wish, random));
+        Touch guess{generators.height->forward(batch.photograph), generators.height->rings(batch.photograph),
+                    generators.friction->forward(batch.photograph)};
+        distances += distance(guess, batch.measuredFor(guess.height), weights, scalesOf(data)).item<double>() * wish.size;
+        guess.height = finishedRelief(guess.height, guess.rings, data.architecture);
+        const auto compare = [&](Sums& sums, const Touch& touch) {
+            const Registered fitted = registered(touch.height, batch.heights);
+            add(sums, touch, {fitted.maps, batch.rings, batch.friction}, data, fitted.correlation);
+        };
+        compare(generated, guess);
+        compare(measured, batch.other);
     }
     generators.height->train();
     generators.friction->train();
-    nlohmann::ordered_json figures{{"pairs", drawn}};
-    for (const auto& [name, sum] : generated)
-        figures[name] = {{"generated", shortened(sum / drawn)}, {"measured", shortened(measured[name] / drawn)}};
+    nlohmann::ordered_json figures{{"pairs", drawn}, {"distance", {{"generated", shortened(distances / drawn)}}}};
+    for (const auto& [name, sum] : generated) {
+        const bool ratio = name == "height_sq_ratio";
+        const auto figure = [&](double total) { return shortened(ratio ? std::exp(total / drawn) : total / drawn); };
+        figures[name] = {{"generated", figure(sum)}, {"measured", figure(measured[name])}};
+    }
     return figures;
 }
 

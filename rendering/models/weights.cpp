@@ -36,7 +36,10 @@ void eachTensor(Generators& generators, Visit visit)
 
 Generators makeGenerators(const Architecture& architecture)
 {
-    return {HeightGenerator(architecture), FrictionGenerator(architecture)};
+    Generators generators{HeightGenerator(architecture), FrictionGenerator(architecture)};
+    orderChannelsLast(*generators.height);
+    orderChannelsLast(*generators.friction);
+    return generators;
 }
 
 void roundToHalf(Generators& generators)

@@ -1,0 +1,14 @@
+// From what G_h says of a photograph to the height map. Included by this folder's torch sources only.
+#pragma once
+
+#include "rendering/models/architecture.h"
+
+#include <torch/torch.h>
+
+namespace rendering::models {
+
+/// `relief` [N, 1, H, W] in units of heightScaleMm brought to the predicted radial spectra `rings`
+/// [N, ringCount], where the architecture says so (ring_spectrum.h). Without gradient.
+torch::Tensor finishedRelief(const torch::Tensor& relief, const torch::Tensor& rings, const Architecture& architecture);
+
+}  // namespace rendering::models

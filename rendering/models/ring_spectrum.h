@@ -1,0 +1,27 @@
+// The radial power spectrum of a height map in rings of equal ratio, and maps brought to a wanted one.
+// A texture's power at every wavelength hardly differs from place to place: it is predicted from the
+// photograph as its own quantity (like the mean friction) and imposed on the generated relief, so that
+// heights and roughness do not depend on how sharp a network draws. No torch in this header.
+#pragma once
+
+#include <opencv2/core/mat.hpp>
+
+#include <vector>
+
+namespace rendering::models {
+
+inline constexpr int ringCount = 24;
+/// Added to every power before its logarithm: the noise of the sensor lies there.
+inline constexpr double ringFloorMm2 = 1e-6;
+
+/// Natural logarithms of the mean power of each ring, mm^2 (white noise of deviation s mm gives s^2);
+/// Welch's method over windows of `side` x `side` px (Hann, each without its mean, half shared with the
+/// next). Rings in equal ratios from 1.5 cycles a window to half a cycle a pixel. A map smaller than a
+/// window is continued by mirroring. `heightMm`: CV_32FC1, finite.
+std::vector<float> ringPowers(const cv::Mat& heightMm, int side);
+
+/// The map filtered so that ringPowers() are near `wanted`: phases are kept, the gain is smooth in
+/// frequency and bounded by a factor of `mostGain` either way, the mean is kept, heights stay >= 0.
+cv::Mat withRingPowers(const cv::Mat& heightMm, const std::vector<float>& wanted, int side, double mostGain = 4);
+
+}  // namespace rendering::models

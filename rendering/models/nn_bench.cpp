@@ -5,6 +5,7 @@
 #include "rendering/fabrics/procedural_fabrics.h"
 #include "rendering/models/exchange.h"
 #include "rendering/models/inference.h"
+#include "rendering/models/photograph_at_pitch.h"
 #include "rendering/models/temporary_folder.h"
 #include "rendering/signals/friction_trace.h"
 #include "rendering/signals/photometric_stereo.h"
@@ -16,7 +17,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
+#include <cstdlib>
+#include <fstream>
 #include <numeric>
 #include <optional>
 
@@ -80,6 +82,43 @@ std::vector<BenchCase> casesOf(const fabrics::Dataset& dataset)
     return cases;
 }
 
+/// Most memory that this process ever held, MB; 0 where the system does not tell.
+double peakMb()
+{
+    std::ifstream status("/proc/self/status");
+    for (std::string line; std::getline(status, line);)
+        if (line.starts_with("VmHWM:"))
+            return std::strtod(line.c_str() + 6, nullptr) * 1024 / 1e6;
+    return 0;
+}
+
+/// Before anything else is done, since the peak never falls.
+void measureMemory(const LoadedModel& model, BenchTable& table)
+{
+    GenerationOptions options;
+    const auto afterSquareOf = [&](int side) {
+        cv::Mat picture(side, side, CV_8UC3);
+        cv::RNG(7).fill(picture, cv::RNG::UNIFORM, 0, 256);
+        model.generate({picture, std::nullopt}, options);
+        return peakMb();
+    };
+    table.peakMbAt128 = afterSquareOf(128);
+    options.quality = Quality::Fast;
+    table.peakMbAtLargest = afterSquareOf(largestSidePx);
+}
+
+cv::Mat middle128(const cv::Mat& photograph)
+{
+    const int width = std::min(128, photograph.cols), height = std::min(128, photograph.rows);
+    return photograph({(photograph.cols - width) / 2, (photograph.rows - height) / 2, width, height});
+}
+
+double median(std::vector<double> values)
+{
+    std::sort(values.begin(), values.end());
+    return values[values.size() / 2];
+}
+
 double average(const std::vector<double>& values)
 {
     return values.empty() ? 0 : std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
@@ -91,11 +130,16 @@ BenchRow benchQuality(const LoadedModel& model, const std::vector<BenchCase>& ca
     using Clock = std::chrono::steady_clock;
     GenerationOptions options;
     options.quality = quality;
-    std::vector<double> milliseconds, height, friction, meanError, spreadError;
-    for (std::size_t i = 0; i < cases.size(); ++i) {
+    std::vector<double> milliseconds, at128, height, friction, meanError, spreadError;
+    const auto timed = [&](const PhotographToTouch& photograph, std::vector<double>& times) {
         const Clock::time_point started = Clock::now();
-        const GeneratedSignals signals = model.generate(cases[i].photograph, options);
-        milliseconds.push_back(std::chrono::duration<double, std::milli>(Clock::now() - started).count());
+        GeneratedSignals signals = model.generate(photograph, options);
+        times.push_back(std::chrono::duration<double, std::milli>(Clock::now() - started).count());
+        return signals;
+    };
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        timed({middle128(cases[i].photograph.photograph), cases[i].photograph.mmPerPixel}, at128);
+        const GeneratedSignals signals = timed(cases[i].photograph, milliseconds);
         cv::Mat apart;
         cv::absdiff(signals.heightMm, accurate[i].heightMm, apart);
         height.push_back(cv::mean(apart)[0]);
@@ -105,15 +149,18 @@ BenchRow benchQuality(const LoadedModel& model, const std::vector<BenchCase>& ca
         if (cases[i].heightSpreadMm && *cases[i].heightSpreadMm > 0)
             spreadError.push_back(std::abs(spread(signals.heightMm) / *cases[i].heightSpreadMm - 1));
     }
-    std::sort(milliseconds.begin(), milliseconds.end());
-    return {quality, milliseconds[milliseconds.size() / 2], average(height), average(friction), average(meanError),
-            average(spreadError)};
+    return {quality, median(milliseconds), median(at128), average(height), average(friction), average(meanError), average(spreadError)};
 }
 
 }  // namespace
 
 BenchTable benchGenerators(const std::filesystem::path& model, const std::filesystem::path& dataset)
 {
+    BenchTable table;
+    const std::filesystem::path weights = model.empty() ? shippedModel() : model;
+    table.model = weights.filename().string();
+    const LoadedModel loaded(weights);
+    measureMemory(loaded, table);
     std::optional<TemporaryFolder> made;
     std::filesystem::path folder = dataset;
     if (folder.empty()) {
@@ -125,11 +172,7 @@ BenchTable benchGenerators(const std::filesystem::path& model, const std::filesy
         fabrics::makeProceduralFabrics(folder, options);
     }
     const fabrics::Dataset read = fabrics::readDataset(folder);
-    BenchTable table;
-    const std::filesystem::path weights = model.empty() ? shippedModel() : model;
-    table.model = weights.filename().string();
     table.dataset = read.name;
-    const LoadedModel loaded(weights);
     const std::vector<BenchCase> cases = casesOf(read);
     table.photographs = static_cast<int>(cases.size());
     GenerationOptions accurate;
@@ -147,10 +190,13 @@ std::string asText(const BenchTable& table)
     const auto number = [](double value, double places) { return nlohmann::json(std::round(value * places) / places).dump(); };
     std::string text = "generators, " + std::to_string(table.photographs) + " photographs of " + table.dataset + "\n";
     for (const BenchRow& row : table.rows)
-        text += nameOf(row.quality) + ": " + number(row.millisecondsPerPhotograph, 10) + " ms a photograph, height " +
+        text += nameOf(row.quality) + ": " + number(row.millisecondsPerPhotograph, 10) + " ms a photograph (" +
+                number(row.millisecondsAt128, 10) + " ms of 128x128), height " +
                 number(row.heightDeviationFromAccurateMm, 1e5) + " mm from accurate, mean friction " +
                 number(100 * row.meanFrictionRelativeError, 100) + " % from measured, relief " +
                 number(100 * row.heightSpreadRelativeError, 100) + " % from measured\n";
+    text += "memory: " + number(table.peakMbAt128, 1) + " MB after a photograph of 128x128, " + number(table.peakMbAtLargest, 1) +
+            " MB after the largest, " + std::to_string(largestSidePx) + "x" + std::to_string(largestSidePx) + "\n";
     return text;
 }
 
@@ -160,12 +206,14 @@ std::string asJson(const BenchTable& table)
     for (const BenchRow& row : table.rows)
         rows.push_back({{"quality", nameOf(row.quality)},
                         {"ms_per_photograph", row.millisecondsPerPhotograph},
+                        {"ms_at_128", row.millisecondsAt128},
                         {"height_deviation_from_accurate_mm", row.heightDeviationFromAccurateMm},
                         {"mean_friction_deviation_from_accurate", row.frictionDeviationFromAccurate},
                         {"mean_friction_relative_error", row.meanFrictionRelativeError},
                         {"height_spread_relative_error", row.heightSpreadRelativeError}});
     const nlohmann::ordered_json json{{"schema", "vis2hap.bench-generation/1"}, {"model", table.model}, {"dataset", table.dataset},
-                                      {"photographs", table.photographs}, {"qualities", rows}};
+                                      {"photographs", table.photographs}, {"qualities", rows},
+                                      {"peak_mb_at_128", table.peakMbAt128}, {"peak_mb_at_largest", table.peakMbAtLargest}};
     return json.dump(1) + "\n";
 }
 

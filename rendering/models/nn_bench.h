@@ -1,5 +1,5 @@
 // The speed-accuracy table of the generators on this machine: milliseconds a photograph and the error
-// of every quality. No torch in this header.
+// of every quality, and the memory that inference takes. No torch in this header.
 #pragma once
 
 #include "rendering/models/generation.h"
@@ -13,6 +13,7 @@ namespace rendering::models {
 struct BenchRow {
     Quality quality = Quality::Fast;
     double millisecondsPerPhotograph = 0;       ///< median, height and friction
+    double millisecondsAt128 = 0;               ///< the same of the photographs' middle 128 x 128 px
     double heightDeviationFromAccurateMm = 0;   ///< mean absolute
     double frictionDeviationFromAccurate = 0;   ///< of the mean, relative
     double meanFrictionRelativeError = 0;       ///< against the fabric's measured mean
@@ -22,6 +23,8 @@ struct BenchRow {
 struct BenchTable {
     std::string model, dataset;
     int photographs = 0;
+    double peakMbAt128 = 0;      ///< most memory ever resident, weights loaded and one photograph of 128 x 128 px done
+    double peakMbAtLargest = 0;  ///< the same after the largest photograph that is taken, 2048 x 2048 px
     std::vector<BenchRow> rows;
 };
 

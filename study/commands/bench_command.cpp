@@ -69,13 +69,16 @@ ordered_json generatorRows()
     const auto bench = ordered_json::parse(outputOfSecondProgram({"bench", "--json"}));
     ordered_json rows = ordered_json::array();
     for (const auto& quality : bench["qualities"]) {
-        char note[120];
-        std::snprintf(note, sizeof note, "heights off by %.3f mm from accurate, photographs of 256x256",
-                      quality["height_deviation_from_accurate_mm"].get<double>());
+        char note[160];
+        std::snprintf(note, sizeof note, "heights off by %.3f mm from accurate, photographs of 256x256; %.1f ms of 128x128",
+                      quality["height_deviation_from_accurate_mm"].get<double>(), quality["ms_at_128"].get<double>());
         rows.push_back({{"stage", "photograph to height and friction"}, {"quality", quality["quality"]},
                         {"ms", quality["ms_per_photograph"]}, {"error", 100 * quality["mean_friction_relative_error"].get<double>()},
                         {"error_is", "% of mean friction, generated against measured"}, {"note", note}});
     }
+    for (const auto& [field, picture] : {std::pair{"peak_mb_at_128", "128x128"}, {"peak_mb_at_largest", "the largest, 2048x2048"}})
+        rows.push_back({{"stage", "memory of the generators"}, {"quality", ""}, {"ms", nullptr}, {"error", bench[field]},
+                        {"error_is", "MB held at most"}, {"note", std::string("after a photograph of ") + picture}});
     return rows;
 }
 

@@ -99,7 +99,9 @@ looking::ContactSheet contactSheetOf(const rendering::fabrics::Dataset& dataset,
         made = renderFabrics(dataset, render, progress);
     rendering::SignalWorkshop workshop(dataset, request.generation.quality);
     for (const FabricId& fabric : request.fabrics) {
-        looking::ContactRow row{.id = fabric.value, .name = dataset.fabric(fabric).name};
+        looking::ContactRow row;
+        row.id = fabric.value;
+        row.name = dataset.fabric(fabric).name;
         const auto samples = samplesOf(dataset, request, fabric);
         addMeasured(row, workshop.measured(fabric, samples, measuredOnes(dataset, fabric, samples), made));
         if (std::find(render.fabrics.begin(), render.fabrics.end(), fabric) != render.fabrics.end())

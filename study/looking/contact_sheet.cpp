@@ -17,7 +17,8 @@ namespace study::looking {
 
 namespace {
 
-constexpr double margin = 18, gap = 14, nameWidth = 150, picture = 190, below = 26, traceWidth = 330, headHeight = 92;
+constexpr double margin = 18, gap = 14, nameWidth = 120, picture = 190, below = 48, traceWidth = 330, headHeight = 92,
+                 lineHeight = 22;
 constexpr double imageWidth = picture * 1.6;  // the display's shape
 constexpr int shownOfImage = 2;               // its middle, so that threads can be seen: half of width and height
 
@@ -31,8 +32,8 @@ std::vector<Column> columnsOf(const ContactSheet& sheet)
 {
     std::vector<Column> columns{{QString(), QString(), nameWidth},
                                 {QStringLiteral("Photograph"), QString(), picture},
-                                {QStringLiteral("Measured height"), QStringLiteral("mm"), picture},
-                                {QStringLiteral("Generated height"), QStringLiteral("mm, same colours"), picture},
+                                {QStringLiteral("Measured height"), QString(), picture},
+                                {QStringLiteral("Generated height"), QStringLiteral("same colours"), picture},
                                 {QStringLiteral("Friction over the stroke"), QString(), traceWidth}};
     for (const std::string& name : sheet.frictionColumns)
         columns.push_back({QString::fromStdString(name), QStringLiteral("friction image, its middle"), imageWidth});
@@ -89,7 +90,7 @@ void drawMap(QPainter& painter, const QRectF& place, const ContactMap& map, std:
     const QImage image = imageOf(shown, range);
     const QSize target = (place.size() * style.pixelRatio).toSize();
     painter.drawImage(place, image.scaled(target, Qt::IgnoreAspectRatio, Qt::SmoothTransformation));
-    const QRectF under(place.left(), place.bottom() + 2, place.width(), below - 2);
+    const QRectF under(place.left(), place.bottom() + 2, place.width(), lineHeight);
     if (map.mmPerPixel)
         drawScaleBar(painter, under, place.width() / (shown.cols * *map.mmPerPixel), QStringLiteral("mm"), style);
     else {
@@ -115,10 +116,10 @@ Axis commonRange(const ContactRow& row)
     return {*low, *high, QStringLiteral("mm")};
 }
 
-/// A strip of the colours at the right of the generated height's scale bar, with both ends in mm.
+/// The colours between both ends, in mm.
 void drawColours(QPainter& painter, const QRectF& place, const Axis& range, const SheetStyle& style)
 {
-    const QString low = QString::fromStdString(roughFigure(range.low)), high = QString::fromStdString(roughFigure(range.high));
+    const QString low = QStringLiteral("%1 mm").arg(range.low, 0, 'f', 2), high = QStringLiteral("%1 mm").arg(range.high, 0, 'f', 2);
     painter.setFont(fontOf(style, 0.85));
     painter.setPen(style.text);
     const QFontMetricsF metrics(painter.font());
@@ -140,7 +141,7 @@ void drawHeight(QPainter& painter, const QRectF& place, const ContactMap& map, c
     }
     const Axis range = commonRange(row);
     drawMap(painter, place, map, commonSide(row), range, style);
-    drawColours(painter, QRectF(place.left() + place.width() * 0.52, place.bottom() + 2, place.width() * 0.48, below - 2), range, style);
+    drawColours(painter, QRectF(place.left(), place.bottom() + lineHeight + 1, place.width(), lineHeight), range, style);
 }
 
 std::vector<double> placesOf(const ContactTrace& trace)
@@ -179,7 +180,7 @@ void drawFriction(QPainter& painter, const QRectF& place, const ContactRow& row,
     const bool isCoefficient = row.measuredQuantity == "mu";
     const bool drawsMeasured = !measured.values.empty() && (isCoefficient || generated.values.empty());
     if (!drawsMeasured && generated.values.empty()) {
-        drawNote(painter, place.adjusted(0, 0, 0, -below), QStringLiteral("neither measured nor generated"), style);
+        drawNote(painter, place.adjusted(0, 0, 0, -lineHeight), QStringLiteral("neither measured nor generated"), style);
         return;
     }
     std::vector<double> all = generated.values;
@@ -206,11 +207,11 @@ void drawFrictionImage(QPainter& painter, const QRectF& place, const cv::Mat& im
     }
     const int width = image.cols / shownOfImage, height = image.rows / shownOfImage;
     const cv::Mat middle = image({(image.cols - width) / 2, (image.rows - height) / 2, width, height});
-    const QImage picture(middle.data, middle.cols, middle.rows, static_cast<qsizetype>(middle.step), QImage::Format_Grayscale8);
-    painter.drawImage(place, picture.scaled((place.size() * style.pixelRatio).toSize(), Qt::IgnoreAspectRatio, Qt::SmoothTransformation));
+    const QImage shown(middle.data, middle.cols, middle.rows, static_cast<qsizetype>(middle.step), QImage::Format_Grayscale8);
+    painter.drawImage(place, shown.scaled((place.size() * style.pixelRatio).toSize(), Qt::IgnoreAspectRatio, Qt::SmoothTransformation));
     painter.setFont(fontOf(style, 0.85));
     painter.setPen(style.quietText);
-    painter.drawText(QRectF(place.left(), place.bottom() + 2, place.width(), below - 2), Qt::AlignLeft | Qt::AlignVCenter,
+    painter.drawText(QRectF(place.left(), place.bottom() + 2, place.width(), lineHeight), Qt::AlignLeft | Qt::AlignVCenter,
                      QStringLiteral("%1 × %2 of %3 × %4 px").arg(width).arg(height).arg(image.cols).arg(image.rows));
 }
 
@@ -264,7 +265,7 @@ void drawRow(QPainter& painter, double top, const ContactRow& row, const std::ve
         drawMap(painter, photograph, row.photograph, commonSide(row), {}, style);
     drawHeight(painter, next(), row.measuredHeight, "not measured", row, style);
     drawHeight(painter, next(), row.generatedHeight, "not generated", row, style);
-    drawFriction(painter, next().adjusted(0, 0, 0, below), row, style);
+    drawFriction(painter, next().adjusted(0, 0, 0, lineHeight), row, style);
     for (const cv::Mat& image : row.frictionImages)
         drawFrictionImage(painter, next(), image, style);
 }

@@ -1,5 +1,6 @@
 // Photographs as a laboratory may feed them: very large, very long, grey, many at once, of unknown things.
 #include "rendering/fabrics/dataset.h"
+#include "rendering/fabrics/import.h"
 #include "rendering/fabrics/procedural_fabrics.h"
 #include "rendering/image_io.h"
 #include "rendering/models/generation.h"
@@ -121,11 +122,15 @@ private Q_SLOTS:
         const cv::Mat whole = large(width, height);
         const cv::Size shown(std::min(width, models::largestSidePx), std::min(height, models::largestSidePx));
         const cv::Mat middle = whole({(width - shown.width) / 2, (height - shown.height) / 2, shown.width, shown.height});
-        const auto answers = generated({{whole, std::nullopt}, {middle, std::nullopt}});
+        const bool isHuge = shown.area() > 1000000;  // once is slow enough
+        const auto answers = isHuge ? generated({{whole, std::nullopt}}) : generated({{whole, std::nullopt}, {middle, std::nullopt}});
         QCOMPARE(answers[0].heightMm.cols, shown.width);
         QCOMPARE(answers[0].heightMm.rows, shown.height);
-        QVERIFY(answers[0].photograph.middleOnly && !answers[1].photograph.middleOnly);
+        QVERIFY(answers[0].photograph.middleOnly);
         verifyFinite(answers[0]);
+        if (isHuge)
+            return;
+        QVERIFY(!answers[1].photograph.middleOnly);
         QCOMPARE(cv::norm(answers[0].heightMm, answers[1].heightMm, cv::NORM_INF), 0.0);
         QCOMPARE(answers[0].trace, answers[1].trace);
     }
@@ -150,12 +155,18 @@ private Q_SLOTS:
 
     void greyPhotographsAreTaken()
     {
+        const fs::path photos = m_folder.filePath("grey").toStdString();
+        fs::create_directories(photos);
         cv::Mat grey, colour;
         cv::cvtColor(photograph(1).photograph, grey, cv::COLOR_RGB2GRAY);
         cv::cvtColor(grey, colour, cv::COLOR_GRAY2RGB);
-        const fs::path file = fabrics::samplePath(m_dataset, m_dataset.fabrics[3].id, fabrics::Modality::Visual, 2);
-        writePng(file, grey);  // a file of one channel
-        const auto answers = generated({{colour, std::nullopt}, photograph(3, 2)});
+        writePng(photos / "drill_1.png", grey);  // a file of one channel
+        fabrics::ImportRequest request;
+        request.from = {photos};
+        request.out = m_folder.filePath("imported").toStdString();
+        fabrics::importRecordings(request);
+        const auto imported = fabrics::readDataset(request.out);
+        const auto answers = generated({{colour, std::nullopt}, {fabrics::readPhotograph(imported, imported.fabrics[0].id, 0), std::nullopt}});
         verifyFinite(answers[0]);
         QCOMPARE(cv::norm(answers[0].heightMm, answers[1].heightMm, cv::NORM_INF), 0.0);
         const auto coloured = generated({photograph(1)}).front();

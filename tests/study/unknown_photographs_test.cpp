@@ -95,7 +95,8 @@ private Q_SLOTS:
             QVERIFY2(countIn(made.err, "is unlike every photograph") >= 6, qPrintable(made.err));
             mustRun({"study", "status", path(study), "--json", path(study + ".json")});
             QString stamps;
-            for (const auto& stamp : readJson(path(study + ".json"))["stamps"])
+            const auto status = readJson(path(study + ".json"));
+            for (const auto& stamp : status["stamps"])
                 stamps += QString::fromStdString(stamp.get<std::string>()) + "\n";
             QVERIFY2(countIn(stamps, "is unlike every photograph that the model was trained on") >= 6, qPrintable(stamps));
         }

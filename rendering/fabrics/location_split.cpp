@@ -1,0 +1,208 @@
+#include "rendering/fabrics/location_split.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <numbers>
+#include <numeric>
+
+#include "protocols/random.h"
+
+namespace rendering::fabrics {
+
+namespace {
+
+constexpr double strokeWidthMm = 1;
+
+using Split = std::vector<std::pair<SamplePlace, Part>>;
+
+struct PixelSize {
+    double width = 0, height = 0;
+};
+
+/// From the file's first 24 bytes: decoding thousands of pictures for their size would take minutes.
+std::optional<PixelSize> pngSize(const std::filesystem::path& file)
+{
+    std::array<unsigned char, 24> head{};
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream.read(reinterpret_cast<char*>(head.data()), head.size()) || head[1] != 'P' || head[2] != 'N') return {};
+    const auto number = [&](std::size_t at) { return ((head[at] * 256.0 + head[at + 1]) * 256 + head[at + 2]) * 256 + head[at + 3]; };
+    return PixelSize{number(16), number(20)};
+}
+
+Footprint turnedAnyWay(Footprint footprint)
+{
+    footprint.widthMm = footprint.heightMm = std::hypot(footprint.widthMm, footprint.heightMm);
+    return footprint;
+}
+
+struct Axis {
+    double x, y;
+};
+
+std::array<Axis, 2> axesOf(const Footprint& footprint)
+{
+    const double angle = footprint.rotationDeg * std::numbers::pi / 180;
+    return {Axis{std::cos(angle), std::sin(angle)}, Axis{-std::sin(angle), std::cos(angle)}};
+}
+
+/// Half the length of a footprint's shadow on an axis.
+double reach(const Footprint& footprint, const Axis& axis)
+{
+    const auto own = axesOf(footprint);
+    const auto share = [&](std::size_t i) { return std::abs(own[i].x * axis.x + own[i].y * axis.y); };
+    return footprint.widthMm / 2 * share(0) + footprint.heightMm / 2 * share(1);
+}
+
+/// Sets that are joined one pair at a time.
+class JoinedSets {
+public:
+    explicit JoinedSets(std::size_t count) : m_parent(count) { std::iota(m_parent.begin(), m_parent.end(), std::size_t{0}); }
+
+    std::size_t rootOf(std::size_t item)
+    {
+        while (m_parent[item] != item) item = m_parent[item] = m_parent[m_parent[item]];
+        return item;
+    }
+    void join(std::size_t a, std::size_t b) { m_parent[std::max(rootOf(a), rootOf(b))] = std::min(rootOf(a), rootOf(b)); }
+
+private:
+    std::vector<std::size_t> m_parent;
+};
+
+/// Samples of one fabric that stay together, by their numbers in the split.
+using Cluster = std::vector<std::size_t>;
+
+std::vector<Cluster> clustersOf(const Dataset& dataset, const Split& split, const std::vector<std::size_t>& samples)
+{
+    JoinedSets sets(samples.size());
+    std::map<std::string, std::size_t> firstOfGroup;
+    std::vector<std::optional<Footprint>> footprints;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        const SamplePlace& place = split[samples[i]].first;
+        footprints.push_back(footprintOf(dataset, place));
+        sets.join(firstOfGroup.emplace(place.group, i).first->second, i);
+        for (std::size_t j = 0; j < i; ++j)
+            if (split[samples[j]].first.modality == place.modality && footprints[i] && footprints[j] &&
+                overlap(*footprints[i], *footprints[j]))
+                sets.join(i, j);
+    }
+    std::map<std::size_t, Cluster> clusters;
+    for (std::size_t i = 0; i < samples.size(); ++i) clusters[sets.rootOf(i)].push_back(samples[i]);
+    std::vector<Cluster> result;
+    for (auto& [root, cluster] : clusters) result.push_back(std::move(cluster));
+    return result;
+}
+
+using Counts = std::map<Modality, std::size_t>;
+
+Counts countsOf(const Split& split, const Cluster& cluster)
+{
+    Counts counts;
+    for (const std::size_t sample : cluster) ++counts[split[sample].first.modality];
+    return counts;
+}
+
+/// Samples that validation and testing each want of every signal; 0 where it has too few groups to be split.
+Counts wantedOf(const Split& split, const std::vector<Cluster>& clusters)
+{
+    Counts samples, groups, wanted;
+    for (const Cluster& cluster : clusters)
+        for (const auto& [modality, count] : countsOf(split, cluster)) {
+            samples[modality] += count;
+            ++groups[modality];
+        }
+    for (const auto& [modality, count] : samples)
+        wanted[modality] = groups[modality] < 3 ? 0 : std::max<std::size_t>(1, (count + 5) / 10);
+    return wanted;
+}
+
+/// Puts whole clusters into `part` while they fit into what it still wants.
+void fill(Split& split, const std::vector<Cluster>& clusters, Part part, Counts wanted)
+{
+    for (const Cluster& cluster : clusters) {
+        const Counts counts = countsOf(split, cluster);
+        const bool fits = split[cluster.front()].second == Part::Training &&
+                          std::all_of(counts.begin(), counts.end(), [&](const auto& entry) { return entry.second <= wanted[entry.first]; });
+        if (!fits) continue;
+        for (const std::size_t sample : cluster) split[sample].second = part;
+        for (const auto& [modality, count] : counts) wanted[modality] -= count;
+    }
+}
+
+/// Where no cluster was small enough, the smallest one serves: a part that is wanted is not left empty.
+void fillEmpty(Split& split, const std::vector<Cluster>& clusters, Part part, const Counts& wanted)
+{
+    for (const auto& [modality, count] : wanted) {
+        const auto holds = [&, modality = modality](const Cluster& cluster, Part where) {
+            return split[cluster.front()].second == where && countsOf(split, cluster).contains(modality);
+        };
+        const Cluster* smallest = nullptr;
+        const bool served = std::any_of(clusters.begin(), clusters.end(), [&](const Cluster& cluster) { return holds(cluster, part); });
+        for (const Cluster& cluster : clusters)
+            if (holds(cluster, Part::Training) && (smallest == nullptr || cluster.size() < smallest->size())) smallest = &cluster;
+        if (count == 0 || served || smallest == nullptr) continue;
+        for (const std::size_t sample : *smallest) split[sample].second = part;
+    }
+}
+
+}  // namespace
+
+std::optional<Footprint> footprintOf(const Dataset& dataset, const SamplePlace& place)
+{
+    if (!place.xMm || !place.yMm) return {};
+    const double rotation = place.rotationDeg.value_or(0);
+    Footprint footprint{*place.xMm, *place.yMm, 0, 0, rotation};
+    if (place.modality == Modality::Friction) {
+        footprint.widthMm = dataset.friction.lengthMm;
+        footprint.heightMm = strokeWidthMm;
+        if (!place.rotationDeg) {  // it ends somewhere on the circle about its start
+            footprint.widthMm = footprint.heightMm = 2 * dataset.friction.lengthMm;
+            return footprint;
+        }
+        footprint.xMm += dataset.friction.lengthMm / 2 * axesOf(footprint)[0].x;
+        footprint.yMm += dataset.friction.lengthMm / 2 * axesOf(footprint)[0].y;
+        return footprint;
+    }
+    const auto pitch = place.modality == Modality::Visual ? dataset.cameraMmPerPixel : dataset.tactileMmPerPixel;
+    const auto size = pngSize(samplePath(dataset, place.fabric, place.modality, place.index));
+    if (!pitch || !size) return {};
+    footprint.widthMm = size->width * *pitch;
+    footprint.heightMm = size->height * *pitch;
+    return place.rotationDeg ? footprint : turnedAnyWay(footprint);
+}
+
+bool overlap(const Footprint& a, const Footprint& b)
+{
+    const double mostReach = (std::hypot(a.widthMm, a.heightMm) + std::hypot(b.widthMm, b.heightMm)) / 2;
+    if (std::hypot(b.xMm - a.xMm, b.yMm - a.yMm) >= mostReach) return false;  // most pairs end here
+    for (const Footprint* of : {&a, &b})
+        for (const Axis& axis : axesOf(*of)) {
+            const double apart = std::abs((b.xMm - a.xMm) * axis.x + (b.yMm - a.yMm) * axis.y);
+            if (apart >= reach(a, axis) + reach(b, axis)) return false;
+        }
+    return true;
+}
+
+std::vector<std::pair<SamplePlace, Part>> splitByLocation(const Dataset& dataset, std::uint64_t seed)
+{
+    Split split = splitBySample(dataset, seed);
+    std::map<protocols::FabricId, std::vector<std::size_t>> samplesOf;
+    for (std::size_t i = 0; i < split.size(); ++i) {
+        split[i].second = Part::Training;
+        samplesOf[split[i].first.fabric].push_back(i);
+    }
+    for (const auto& [fabric, samples] : samplesOf) {
+        std::vector<Cluster> clusters = clustersOf(dataset, split, samples);
+        const Counts wanted = wantedOf(split, clusters);
+        protocols::Random random = protocols::Random::stream(seed, "location/" + fabric.value);
+        random.shuffle(clusters);
+        for (const Part part : {Part::Testing, Part::Validation}) fill(split, clusters, part, wanted);
+        for (const Part part : {Part::Testing, Part::Validation}) fillEmpty(split, clusters, part, wanted);
+    }
+    return split;
+}
+
+}  // namespace rendering::fabrics

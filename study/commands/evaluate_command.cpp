@@ -1,9 +1,11 @@
 // vis2hap evaluate DATASET: generated against measured signals, beside their controls.
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cstdio>
 #include <map>
 #include <memory>
+#include <thread>
 
 #include "study/commands/command_line.h"
 #include "study/commands/json_output.h"
@@ -59,6 +61,7 @@ int evaluate(const EvaluateCall& call)
     request.quality = qualities.at(call.quality);
     request.samplesPerFabric = call.samples;
     request.boundsFraction = call.bounds;
+    request.threads = static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1U, 16U));
     evaluation::Evaluation result;
     {
         StagesShown stages;

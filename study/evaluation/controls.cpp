@@ -120,7 +120,7 @@ int commonSide(const fabrics::Dataset& dataset, const MeasuredSignals& measured,
         }
     const Sample& first = plan.pairs.front().photograph;
     const cv::Mat photograph = fabrics::readPhotograph(dataset, first.fabric, first.index);
-    const double pitch = dataset.tactileMmPerPixel.value_or(1), ratio = dataset.cameraMmPerPixel.value_or(pitch) / pitch;
+    const double pitch = measured.pitchMm(), ratio = dataset.cameraMmPerPixel.value_or(pitch) / pitch;
     return std::min(side, static_cast<int>(std::lround(std::min(photograph.cols, photograph.rows) * ratio)));
 }
 
@@ -195,7 +195,7 @@ Controls learnControls(const fabrics::Dataset& dataset, const MeasuredSignals& m
 {
     Controls controls;
     std::vector<Heard> heights, frictions;
-    const double pitch = dataset.tactileMmPerPixel.value_or(1);
+    const double pitch = measured.pitchMm();
     if (measured.whyNoHeight().empty()) {
         const int side = commonSide(dataset, measured, plan);
         controls.featureSide = side;

@@ -123,7 +123,7 @@ std::vector<Speaker> speakersOf(const std::vector<OpenModel>& opened)
 {
     std::vector<Speaker> speakers;
     for (std::size_t i = 0; i < opened.size(); ++i) {
-        const std::string& name = opened[i].card.told.name;
+        const std::string name = opened[i].file.stem().string();
         speakers.push_back(i == 0 ? Speaker{SpeakerKind::Generated, "generated", "generated"}
                                   : Speaker{SpeakerKind::Against, "against:" + name, "against: " + name});
     }
@@ -182,7 +182,7 @@ void addFacts(const fabrics::Dataset& dataset, const std::vector<OpenModel>& ope
     });
     if (!turnsKnown) evaluation.notes.push_back("samples.csv does not tell every rotation: such maps are registered as they lie");
     if (!dataset.tactileMmPerPixel)
-        evaluation.notes.push_back("the data set does not state the sensor's pitch: lengths along the fabric are in pixels");
+        evaluation.notes.push_back("the data set does not state the sensor's pitch: that of the model is taken");
 }
 
 }  // namespace
@@ -198,9 +198,9 @@ Evaluation evaluate(const fabrics::Dataset& dataset, const EvaluationRequest& re
     const auto opened = openModels(request);
     const PlanRequest asked = planRequest(dataset, request, opened);
     const TestPlan plan = testPlan(dataset, asked, report);
-    const MeasuredSignals measured(dataset);
+    const MeasuredSignals measured(dataset, opened.front().card.architecture.mmPerPixel);
     const Controls controls = learnControls(dataset, measured, plan, asked, report);
-    const Setting setting{dataset, measured, plan, controls, dataset.tactileMmPerPixel.value_or(1)};
+    const Setting setting{dataset, measured, plan, controls};
     std::vector<MeasuredPair> pairs(plan.pairs.size());
     onThreads(plan.pairs.size(), request.threads, [&](std::size_t i) { pairs[i] = measurePair(setting, plan.pairs[i]); });
 

@@ -26,7 +26,8 @@ Json countsJson(const std::map<Modality, int>& counts)
 
 Json leaksJson(const Leaks& leaks)
 {
-    return {{"left_out_trained_on", countsJson(leaks.trainedOn)},
+    return {{"testing_part", countsJson(leaks.tested)},
+            {"left_out_trained_on", countsJson(leaks.trainedOn)},
             {"left_out_place_trained_on", countsJson(leaks.placeTrainedOn)},
             {"duplicates", countsJson(leaks.duplicates)},
             {"overlaps", countsJson(leaks.overlaps)},

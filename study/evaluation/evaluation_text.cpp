@@ -97,6 +97,8 @@ std::string sectionTable(const Evaluation& evaluation, const Titled& section)
     return text;
 }
 
+std::string shownP(const stats::Value& p) { return p.exists() && *p < 1e-4 ? "< 0.0001" : shownValue(p, Shown::Plain4); }
+
 std::string meansTable(const Evaluation& evaluation)
 {
     const int percent = static_cast<int>(std::lround(100 * evaluation.boundsFraction));
@@ -111,8 +113,8 @@ std::string meansTable(const Evaluation& evaluation)
                 return;
             }
             line.push_back(shownValue(means.equivalence.estimate, Shown::Plain4));
-            line.push_back(shownValue(means.equivalence.p, Shown::Plain4) + (means.equivalence.equivalent ? " *" : "  "));
-            line.push_back(shownValue(means.equivalence.pDifference, Shown::Plain4));
+            line.push_back(shownP(means.equivalence.p) + (means.equivalence.equivalent ? " *" : "  "));
+            line.push_back(shownP(means.equivalence.pDifference));
         };
         add(Measure::MeanFriction, speaker.friction);
         add(Measure::SqMm, speaker.sq);
@@ -125,24 +127,23 @@ std::string meansTable(const Evaluation& evaluation)
     return text;
 }
 
+/// Verdict, what, what was asked and what was found, all to the left.
 std::string criteriaTable(const Evaluation& evaluation)
 {
     const auto criteria = criteriaOf(evaluation);
     if (criteria.empty()) return {};
-    std::vector<Line> lines;
-    for (const Criterion& one : criteria) lines.push_back({one.what, one.asked, one.found, one.reached ? (*one.reached ? "yes" : "NO") : "cannot be told"});
-    std::string text = title(evaluation, "To be reached by the generated signals");
     std::size_t what = 0, asked = 0;
-    for (const Line& line : lines) {
-        what = std::max(what, line[0].size());
-        asked = std::max(asked, std::min<std::size_t>(line[1].size(), 36));
+    for (const Criterion& one : criteria) {
+        what = std::max(what, one.what.size());
+        asked = std::max(asked, one.asked.size());
     }
-    for (Line& line : lines) {
-        line[0].resize(what, ' ');
-        if (line[1].size() < asked) line[1].resize(asked, ' ');
-        line[3].resize(5 > line[3].size() ? 5 : line[3].size(), ' ');
-        text += "  " + line[3] + "  " + line[0] + "  " + line[1] + "  " + line[2] + "\n";
-    }
+    std::string text = title(evaluation, "To be reached by the generated signals");
+    const auto padded = [](std::string entry, std::size_t width) {
+        entry.resize(std::max(width, entry.size()), ' ');
+        return entry + "  ";
+    };
+    for (const Criterion& one : criteria)
+        text += "  " + padded(one.reached ? (*one.reached ? "yes" : "NO") : "?", 3) + padded(one.what, what) + padded(one.asked, asked) + one.found + "\n";
     return text;
 }
 
@@ -162,14 +163,14 @@ std::string bySignal(const std::map<Modality, int>& counts)
 
 std::string leaksText(const Leaks& leaks)
 {
-    std::string text;
+    std::string text = "  testing part: " + bySignal(leaks.tested) + "\n";
     const auto add = [&](const std::map<Modality, int>& counts, const std::string& what) {
         text += "  " + what + ": " + (sumOf(counts) == 0 ? "none" : bySignal(counts)) + "\n";
     };
-    add(leaks.trainedOn, "left out of the test, a model was trained on them");
-    if (sumOf(leaks.placeTrainedOn) > 0) add(leaks.placeTrainedOn, "left out of the test, a model was trained on fabric that they show");
-    add(leaks.duplicates, "test samples with the bytes of a sample outside the test");
-    add(leaks.overlaps, "test samples on fabric that a sample outside the test shows");
+    add(leaks.trainedOn, "  left out, a model was trained on the very files");
+    if (sumOf(leaks.placeTrainedOn) > 0) add(leaks.placeTrainedOn, "  left out, a model was trained on the piece of fabric that they show");
+    add(leaks.duplicates, "  same bytes as a sample outside the testing part");
+    add(leaks.overlaps, "  on fabric that a sample of the same signal outside it shows, too");
     return text;
 }
 
@@ -214,7 +215,7 @@ std::string evaluationText(const Evaluation& evaluation)
         if (any) text += sectionTable(evaluation, section);
         if (section.section == Section::Friction && evaluation.noiseFloor.exists())
             text += "    noise floor of MAE/mean: " + shownValue(evaluation.noiseFloor, Shown::Percent) +
-                    ", a constant at each stroke's own true mean; no constant does better\n";
+                    ", a constant at each stroke's own true mean: what is left when the mean is right and the texture unknown\n";
         if (!any)
             for (const MeasureRow& row : measureTable())
                 if (row.section == section.section) {

@@ -13,8 +13,8 @@ namespace study::evaluation {
 namespace {
 
 constexpr double longestMm = 6.4;
+constexpr double bandFloor = 1e-4;  // -40 dB of the strongest band: less power is neither seen nor felt
 constexpr int bandCount = 15;  // thirds of an octave down to 0.2 mm
-constexpr const char* flatWhy = "a flat map has no texture";
 
 cv::Mat middle(const cv::Mat& map, cv::Size size)
 {
@@ -79,7 +79,7 @@ std::vector<double> bandPowersOf(const cv::Mat& square, double pitchMm)
 
 stats::Value ratioOf(double generated, double measured)
 {
-    if (!(generated > 0 && measured > 0)) return stats::Value::undefined(flatWhy);
+    if (!(generated > 0 && measured > 0)) return stats::Value::undefined(flatMapWhy);
     return generated / measured;
 }
 
@@ -124,10 +124,11 @@ stats::Value bandDistance(const HeightFeatures& generated, const HeightFeatures&
 {
     if (measured.bandPowers.empty() || generated.bandPowers.size() != measured.bandPowers.size())
         return stats::Value::undefined("the maps are too small for a spectrum, or differ in size");
+    const double floor = bandFloor * *std::max_element(measured.bandPowers.begin(), measured.bandPowers.end());
+    if (!(floor > 0)) return stats::Value::undefined("the measured map is flat");
     double squares = 0;
     for (std::size_t band = 0; band < measured.bandPowers.size(); ++band) {
-        if (!(generated.bandPowers[band] > 0 && measured.bandPowers[band] > 0)) return stats::Value::undefined(flatWhy);
-        const double decibels = 10 * std::log10(generated.bandPowers[band] / measured.bandPowers[band]);
+        const double decibels = 10 * std::log10((generated.bandPowers[band] + floor) / (measured.bandPowers[band] + floor));
         squares += decibels * decibels;
     }
     return std::sqrt(squares / static_cast<double>(measured.bandPowers.size()));

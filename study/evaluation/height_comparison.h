@@ -9,6 +9,9 @@
 
 namespace study::evaluation {
 
+/// Why a constant map has no ratio of roughness.
+inline constexpr const char* flatMapWhy = "a flat map has no texture";
+
 /// A map at the pitch of the measured ones.
 struct HeightMap {
     cv::Mat heightMm;            ///< CV_32FC1
@@ -31,7 +34,8 @@ struct HeightFeatures {
 /// The middle square of `side` pixels, at most the map's shorter side.
 HeightFeatures heightFeatures(const HeightMap& map, int side);
 
-/// Root mean square over the bands of 10 log10 of the ratio. Undefined with its reason where a map is flat.
+/// Root mean square over the bands of 10 log10 of the ratio of powers, each at least -40 dB of the measured map's strongest
+/// band: a flat map has a distance, too. Undefined with its reason where the measured map is flat or a map is too small.
 stats::Value bandDistance(const HeightFeatures& generated, const HeightFeatures& measured);
 
 /// The fabric's own axes along rows and columns: turned by its rotation (cubic), middle square of `side` pixels.

@@ -29,7 +29,8 @@ bool hasPresses(const fabrics::Dataset& dataset)
 
 }  // namespace
 
-MeasuredSignals::MeasuredSignals(const fabrics::Dataset& dataset) : m_dataset(dataset), m_whyNoFriction(whyNoFrictionIn(dataset))
+MeasuredSignals::MeasuredSignals(const fabrics::Dataset& dataset, double pitchIfUnknownMm)
+    : m_dataset(dataset), m_pitchMm(dataset.tactileMmPerPixel.value_or(pitchIfUnknownMm)), m_whyNoFriction(whyNoFrictionIn(dataset))
 {
     if (!hasPresses(dataset)) {
         m_whyNoHeight = "the data set has no tactile frames";
@@ -56,8 +57,7 @@ cv::Mat MeasuredSignals::height(const protocols::FabricId& fabric, int index) co
             throw protocols::badInput({"the height of tactile sample " + std::to_string(index) + " is not there",
                                        fabrics::knownHeightPath(m_dataset, fabric, index).string(),
                                        "known heights, as dataset.json says (calibration \"known\")", ""});
-        const double pitch = m_dataset.tactileMmPerPixel.value_or(1);
-        height = signals::settled(*known, {pitch, pitch}, std::nullopt, signals::Calibration{}.zeroPercentile);
+        height = signals::settled(*known, {m_pitchMm, m_pitchMm}, std::nullopt, signals::Calibration{}.zeroPercentile);
     }
     height.convertTo(height, CV_32F);
     return height;

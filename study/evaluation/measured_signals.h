@@ -14,7 +14,10 @@ namespace study::evaluation {
 /// Reads; holds the sensor's calibration alone. May be asked from several threads.
 class MeasuredSignals {
 public:
-    explicit MeasuredSignals(const rendering::fabrics::Dataset& dataset);
+    /// `pitchIfUnknownMm`: of the presses, where the data set does not state it.
+    MeasuredSignals(const rendering::fabrics::Dataset& dataset, double pitchIfUnknownMm);
+
+    double pitchMm() const { return m_pitchMm; }  ///< of the height maps
 
     /// Why no height can be had from this data set's presses; empty where it can.
     const std::string& whyNoHeight() const { return m_whyNoHeight; }
@@ -30,6 +33,7 @@ public:
 
 private:
     const rendering::fabrics::Dataset& m_dataset;
+    double m_pitchMm;
     std::string m_whyNoHeight, m_whyNoFriction;
     cv::Mat m_reference;
     std::optional<rendering::signals::Calibration> m_calibration;  ///< none: heights are known

@@ -9,7 +9,7 @@ namespace {
 
 HeightMap mapOf(const Setting& setting, const Sample& press)
 {
-    return {setting.measured.height(press.fabric, press.index), setting.pitchMm, press.rotationDeg.value_or(0)};
+    return {setting.measured.height(press.fabric, press.index), setting.measured.pitchMm(), press.rotationDeg.value_or(0)};
 }
 
 Trace traceOf(const Setting& setting, const Sample& stroke)
@@ -116,8 +116,8 @@ HeightMap partnerMap(const Setting& setting, const TestPair& pair)
 Said saidByModel(const Setting& setting, const TestPair& pair, const rendering::models::GeneratedSignals& generated)
 {
     Said said;
-    const double pitch = setting.dataset.tactileMmPerPixel ? generated.heightMmPerPixel : setting.pitchMm;
-    said.height = atPitch({generated.heightMm, pitch, pair.photograph.rotationDeg.value_or(0)}, setting.pitchMm);
+    const double pitch = setting.dataset.tactileMmPerPixel ? generated.heightMmPerPixel : setting.measured.pitchMm();
+    said.height = atPitch({generated.heightMm, pitch, pair.photograph.rotationDeg.value_or(0)}, setting.measured.pitchMm());
     said.trace = Trace{generated.trace, generated.traceMmPerSample};
     return said;
 }

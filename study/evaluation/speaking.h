@@ -21,7 +21,6 @@ struct Setting {
     const MeasuredSignals& measured;
     const TestPlan& plan;
     const Controls& controls;
-    double pitchMm = 1;  ///< of the measured maps
 };
 
 MeasuredPair measurePair(const Setting& setting, const TestPair& pair);

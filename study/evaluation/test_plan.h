@@ -43,6 +43,7 @@ struct TestPair {
 
 /// Counts of test samples, by signal.
 struct Leaks {
+    std::map<Modality, int> tested;            ///< in the testing part, before any is left out
     std::map<Modality, int> trainedOn;         ///< a model was trained on the very file: left out
     std::map<Modality, int> placeTrainedOn;    ///< overlaps a place trained on: left out (by location)
     std::map<Modality, int> duplicates;        ///< same bytes as a file outside the test

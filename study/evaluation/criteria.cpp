@@ -95,17 +95,17 @@ Criterion againstSpeaker(const Row& row, const stats::Value& found, const Speake
             isBetter(row.measure, *found, *held)};
 }
 
-/// A trace with texture cannot be nearer, sample by sample, than another stroke of the same fabric is: the phase of the texture
-/// follows from no photograph of another place.
+/// A trace with the right texture lies, sample by sample, as far off as another stroke of the fabric does: the phase of the texture
+/// follows from no photograph of another place. That is its noise floor; below the fabric's mean, a constant, only less texture gets it.
 Criterion belowMeanOrAtFloor(const Row& row, const stats::Value& found, const Evaluation& evaluation)
 {
-    const std::string asked = "below the fabric's mean, or at the noise floor (another stroke of the fabric)";
+    const std::string asked = "below the fabric's mean, or another stroke's";
     if (!found.exists()) return undefined(row.measure, asked, found);
     const stats::Value &mean = at(evaluation.speaker(SpeakerKind::FabricMean)->mean, row.measure),
                        &stroke = at(evaluation.speaker(SpeakerKind::AnotherPlace)->mean, row.measure);
     const bool below = mean.exists() && *found < *mean, atFloor = stroke.exists() && *found <= *stroke;
     std::string text = shownBy(row.measure, found) + " to " + shownBy(row.measure, mean) + " and " + shownBy(row.measure, stroke);
-    text += below ? ": below the mean" : atFloor ? ": at the noise floor" : "";
+    text += below ? ": below the mean" : atFloor ? ": at the noise floor of a measured stroke" : "";
     return {whatOf(row.measure), asked, text, mean.exists() || stroke.exists() ? std::optional(below || atFloor) : std::nullopt};
 }
 

@@ -103,7 +103,7 @@ std::string meansTable(const Evaluation& evaluation)
 {
     const int percent = static_cast<int>(std::lround(100 * evaluation.boundsFraction));
     std::string text = title(evaluation, "Are the means over fabrics the same as the measured? Unit: fabric");
-    std::vector<Line> lines{{"", "mean friction", "difference", "p (equal)", "p (different)", "Sq, mm", "difference", "p (equal)", "p (different)"}};
+    std::vector<Line> lines{{"", "mean friction", "difference", "p (equal)  ", "p (different)", "Sq, mm", "difference", "p (equal)  ", "p (different)"}};
     for (const SpeakerResult& speaker : evaluation.speakers) {
         Line line{speaker.speaker.name};
         const auto add = [&](Measure measure, const MeanComparison& means) {

@@ -42,38 +42,52 @@ cv::Mat stretched(const cv::Mat& map)
     return result;
 }
 
-/// Power density of the map about its mean under a Hann window, mm^4, [side x side].
+/// A Hann window over the inscribed circle: one that is separable would weigh a texture by its direction.
+cv::Mat roundWindow(int side)
+{
+    cv::Mat window(side, side, CV_64F);
+    for (int i = 0; i < side; ++i)
+        for (int j = 0; j < side; ++j) {
+            const double radius = std::hypot(i - (side - 1) / 2.0, j - (side - 1) / 2.0) / (side / 2.0);
+            window.at<double>(i, j) = radius < 1 ? 0.5 + 0.5 * std::cos(std::numbers::pi * radius) : 0;
+        }
+    return window;
+}
+
+/// Power density of the map about its mean under the window, mm^4, [side x side].
 cv::Mat powerDensity(const cv::Mat& square, double pitchMm)
 {
-    cv::Mat window, values = asDouble(square), spectrum;
-    cv::createHanningWindow(window, square.size(), CV_64F);
-    values -= cv::mean(values)[0];
+    const cv::Mat window = roundWindow(square.cols);
+    cv::Mat values = asDouble(square), spectrum, parts[2];
+    values -= cv::sum(values.mul(window))[0] / cv::sum(window)[0];
     cv::dft(values.mul(window), spectrum, cv::DFT_COMPLEX_OUTPUT);
-    cv::Mat parts[2];
     cv::split(spectrum, parts);
     return (parts[0].mul(parts[0]) + parts[1].mul(parts[1])) * (pitchMm * pitchMm / cv::sum(window.mul(window))[0]);
 }
 
+/// Bands overlap by halves (triangles over the logarithm of the frequency), so that no line of a spectrum jumps from one to the next.
 std::vector<double> bandPowersOf(const cv::Mat& square, double pitchMm)
 {
     const int side = square.cols;
     if (side < 8) return {};
     const cv::Mat power = powerDensity(square, pitchMm);
-    std::vector<double> sums(bandCount), counts(bandCount);
+    std::vector<double> sums(bandCount), weights(bandCount);
     for (int i = 0; i < side; ++i)
         for (int j = 0; j < side; ++j) {
-            const int u = j <= side / 2 ? j : j - side, v = i <= side / 2 ? i : i - side;
-            const double cycles = std::hypot(u, v);
+            const double cycles = std::hypot(j <= side / 2 ? j : j - side, i <= side / 2 ? i : i - side);
             if (cycles < 1 || cycles > side / 2.0) continue;
-            const double octaves = std::log2(cycles / (side * pitchMm) * longestMm);
-            const int band = static_cast<int>(std::floor(3 * octaves + 1e-9));
-            if (band < 0 || band >= bandCount) continue;
-            sums[static_cast<std::size_t>(band)] += power.at<double>(i, j);
-            ++counts[static_cast<std::size_t>(band)];
+            const double place = 3 * std::log2(cycles / (side * pitchMm) * longestMm) - 0.5;  // 0: the middle of the first band
+            const int below = static_cast<int>(std::floor(place));
+            for (const int band : {below, below + 1}) {
+                if (band < 0 || band >= bandCount) continue;
+                const double weight = 1 - std::abs(place - band);
+                sums[static_cast<std::size_t>(band)] += weight * power.at<double>(i, j);
+                weights[static_cast<std::size_t>(band)] += weight;
+            }
         }
     std::vector<double> powers;
     for (std::size_t band = 0; band < sums.size(); ++band)
-        if (counts[band] > 0) powers.push_back(sums[band] / counts[band]);
+        if (weights[band] > 0) powers.push_back(sums[band] / weights[band]);
     return powers;
 }
 

@@ -19,3 +19,7 @@ vis2hap_test(study height_command_test LINK tests_program rendering_signals rend
 add_dependencies(height_command_test vis2hap)
 vis2hap_test(study evaluation_measures_test LINK study_evaluation)
 vis2hap_test(study evaluation_plan_test LINK study_evaluation)
+vis2hap_test(study evaluation_criteria_test LINK study_evaluation)
+vis2hap_test(study evaluation_test LINK study_evaluation)
+vis2hap_test(study evaluate_command_test LINK tests_program)
+add_dependencies(evaluate_command_test vis2hap vis2hap-nn)

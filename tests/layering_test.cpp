@@ -29,6 +29,7 @@ const QList<Room>& rooms()
          {"study/session/", "database/study_store.h", "rendering/display.h", "rendering/stimulus_bank.h", "protocols/"},
          true},
         {"study/looking/", {"study/looking/", "database/study_store.h", "rendering/", "protocols/"}, true},
+        {"study/evaluation/", {"study/evaluation/", "rendering/", "stats/", "protocols/"}},
         {"study/app/",
          {"study/app/", "study/session/", "database/study_store.h", "database/study_folder.h", "reports/",
           "rendering/display.h", "rendering/stimulus_bank.h", "protocols/"},
@@ -152,6 +153,8 @@ private Q_SLOTS:
         QTest::newRow("session without keys") << "study/session/a.cpp" << "#include \"database/keys.h\"\n";
         QTest::newRow("app without keys") << "study/app/a.cpp" << "#include \"database/keys.h\"\n";
         QTest::newRow("looking without keys") << "study/looking/a.cpp" << "#include \"database/keys.h\"\n";
+        QTest::newRow("evaluation without commands") << "study/evaluation/a.cpp" << "#include \"study/commands/progress.h\"\n";
+        QTest::newRow("evaluation without Qt") << "study/evaluation/a.cpp" << "#include <QString>\n";
         QTest::newRow("app without signals") << "study/app/a.cpp" << "#include \"study/looking/sheet.h\"\n";
         QTest::newRow("app without friction images") << "study/app/a.cpp" << "#include \"rendering/friction_image.h\"\n";
         QTest::newRow("torch outside the models") << "rendering/a.cpp" << "#include <torch/torch.h>\n";

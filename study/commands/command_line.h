@@ -29,6 +29,7 @@ void addImport(CLI::App& app, Action& action);
 void addCalibrate(CLI::App& app, Action& action);
 void addHeight(CLI::App& app, Action& action);
 void addTrain(CLI::App& app, Action& action);
+void addEvaluate(CLI::App& app, Action& action);
 void addRender(CLI::App& app, Action& action);
 void addStudy(CLI::App& app, Action& action);
 void addReplay(CLI::App& app, Action& action);

@@ -61,6 +61,7 @@ int run(int argc, char** argv)
     study::commands::addCalibrate(app, action);
     study::commands::addHeight(app, action);
     study::commands::addTrain(app, action);
+    study::commands::addEvaluate(app, action);
     study::commands::addRender(app, action);
     study::commands::addStudy(app, action);
     study::commands::addReplay(app, action);

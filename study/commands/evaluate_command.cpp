@@ -1,0 +1,97 @@
+// vis2hap evaluate DATASET: generated against measured signals, beside their controls.
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <map>
+#include <memory>
+#include <thread>
+
+#include "study/commands/command_line.h"
+#include "study/commands/json_output.h"
+#include "study/commands/number_checks.h"
+#include "study/commands/progress.h"
+#include "study/evaluation/evaluation_json.h"
+#include "study/evaluation/evaluation_text.h"
+
+namespace study::commands {
+
+namespace {
+
+namespace evaluation = study::evaluation;
+using rendering::models::Quality;
+
+struct EvaluateCall {
+    std::string dataset, model, split = "sample", quality = "balanced";
+    std::vector<std::string> against;
+    std::optional<std::uint64_t> splitSeed;
+    std::optional<int> samples;
+    double bounds = 0.10;
+    JsonTarget json;
+};
+
+const std::map<std::string, evaluation::SplitKind> splits{{"sample", evaluation::SplitKind::Sample},
+                                                          {"location", evaluation::SplitKind::Location},
+                                                          {"fabric", evaluation::SplitKind::Fabric}};
+const std::map<std::string, Quality> qualities{{"fast", Quality::Fast}, {"balanced", Quality::Balanced}, {"accurate", Quality::Accurate}};
+
+/// A bar for each stage of the work.
+class StagesShown {
+public:
+    void show(const std::string& stage, int done, int total)
+    {
+        if (!m_progress || stage != m_stage) m_progress = std::make_unique<Progress>(stage);
+        m_stage = stage;
+        m_progress->show(done, total);
+    }
+
+private:
+    std::string m_stage;
+    std::unique_ptr<Progress> m_progress;
+};
+
+int evaluate(const EvaluateCall& call)
+{
+    const auto dataset = rendering::fabrics::readDataset(call.dataset);
+    evaluation::EvaluationRequest request;
+    request.model = call.model;
+    request.against.assign(call.against.begin(), call.against.end());
+    request.split = splits.at(call.split);
+    request.splitSeed = call.splitSeed;
+    request.quality = qualities.at(call.quality);
+    request.samplesPerFabric = call.samples;
+    request.boundsFraction = call.bounds;
+    request.threads = static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1U, 16U));
+    evaluation::Evaluation result;
+    {
+        StagesShown stages;
+        result = evaluation::evaluate(dataset, request, [&](const std::string& stage, int done, int total) { stages.show(stage, done, total); });
+    }
+    if (call.json) writeJson(call.json, evaluation::evaluationJson(result));
+    if (!call.json || !call.json->empty()) std::fputs(evaluation::evaluationText(result).c_str(), stdout);
+    return 0;
+}
+
+}  // namespace
+
+void addEvaluate(CLI::App& app, Action& action)
+{
+    auto* command = app.add_subcommand("evaluate", "generated against measured signals, beside controls that give the figures meaning");
+    auto call = std::make_shared<EvaluateCall>();
+    command->add_option("DATASET", call->dataset, "the data set")->required();
+    command->add_option("--model", call->model, "weights (default: the shipped ones)");
+    command->add_option("--against", call->against, "further weights, measured beside it");
+    command->add_option("--split", call->split, "sample: the paper's; location: no fabric shown twice; fabric: those the model held out")
+        ->check(CLI::IsMember({"sample", "location", "fabric"}))
+        ->capture_default_str();
+    command->add_option("--split-seed", call->splitSeed, "of the split (default: the model's own)");
+    command->add_option("--quality", call->quality, "of the generators")
+        ->check(CLI::IsMember({"fast", "balanced", "accurate"}))
+        ->capture_default_str();
+    command->add_option("--samples", call->samples, "test photographs a fabric (default: all)")->check(CLI::Range(1, 100000));
+    command->add_option("--bounds", call->bounds, "of equal means, a fraction of the measured mean")->check(finiteIn(1e-6, 1))->capture_default_str();
+    addJsonOption(*command, call->json);
+    command->callback([call, &action] { action.work = [call] { return evaluate(*call); }; });
+}
+
+}  // namespace study::commands

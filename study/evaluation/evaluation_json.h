@@ -1,0 +1,12 @@
+// An evaluation as JSON, schema vis2hap.evaluation/1.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "study/evaluation/evaluation.h"
+
+namespace study::evaluation {
+
+nlohmann::ordered_json evaluationJson(const Evaluation& evaluation);
+
+}  // namespace study::evaluation

@@ -1,0 +1,229 @@
+#include "study/evaluation/evaluation_text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <set>
+
+#include "study/evaluation/criteria.h"
+
+namespace study::evaluation {
+
+namespace {
+
+using Line = std::vector<std::string>;
+
+std::string number(const char* format, double value)
+{
+    char text[40];
+    std::snprintf(text, sizeof text, format, value);  // never under a locale of a window: commands run in "C"
+    return text;
+}
+
+/// Columns as wide as their widest entry; the first to the left, the others to the right.
+std::string table(const std::vector<Line>& lines)
+{
+    std::vector<std::size_t> widths;
+    for (const Line& line : lines)
+        for (std::size_t i = 0; i < line.size(); ++i) {
+            if (i == widths.size()) widths.push_back(0);
+            widths[i] = std::max(widths[i], line[i].size());
+        }
+    std::string text;
+    for (const Line& line : lines) {
+        std::string row = "  ";
+        for (std::size_t i = 0; i < line.size(); ++i) {
+            const std::string gap(widths[i] - line[i].size(), ' ');
+            row += i == 0 ? line[i] + gap : "  " + gap + line[i];
+        }
+        row.erase(row.find_last_not_of(' ') + 1);
+        text += row + "\n";
+    }
+    return text;
+}
+
+std::string countOf(int count, const std::string& noun) { return std::to_string(count) + " " + noun + (count == 1 ? "" : "s"); }
+
+std::string splitName(const Evaluation& evaluation)
+{
+    return "by " + std::string(nameOf(evaluation.split)) + ", " + (evaluation.aligned ? "aligned pairs" : "weak pairs");
+}
+
+std::string title(const Evaluation& evaluation, const std::string& what) { return "\n" + what + " (" + splitName(evaluation) + ")\n"; }
+
+struct Titled {
+    Section section;
+    const char* title;
+};
+
+constexpr Titled sections[] = {
+    {Section::Friction, "Friction"},
+    {Section::Height, "Height"},
+    {Section::Roughness, "Roughness, generated over measured: 1 is right"},
+    {Section::Identification, "Fabrics recognised from their signals"},
+};
+
+bool hasAny(const SpeakerResult& speaker, Section section)
+{
+    return std::any_of(measureTable().begin(), measureTable().end(),
+                       [&](const MeasureRow& row) { return row.section == section && at(speaker.mean, row.measure).exists(); });
+}
+
+/// One row a speaker; those of whom nothing of the section is known say why below.
+std::string sectionTable(const Evaluation& evaluation, const Titled& section)
+{
+    std::vector<Line> lines{{""}};
+    std::string meanings;
+    std::set<std::string> reasons;
+    for (const MeasureRow& row : measureTable())
+        if (row.section == section.section) {
+            lines.front().push_back(std::string(row.heading));
+            meanings += "    " + std::string(row.heading) + ": " + std::string(row.meaning) + "\n";
+        }
+    for (const SpeakerResult& speaker : evaluation.speakers) {
+        const bool measured = speaker.speaker.kind == SpeakerKind::Measured;
+        if (measured && section.section != Section::Identification) continue;
+        Line line{speaker.speaker.name};
+        for (const MeasureRow& row : measureTable())
+            if (row.section == section.section) {
+                const stats::Value& value = at(speaker.mean, row.measure);
+                line.push_back(shownValue(value, row.shown));
+                if (!value.exists()) reasons.insert(value.why());
+            }
+        lines.push_back(line);
+    }
+    std::string text = title(evaluation, section.title) + table(lines) + meanings;
+    for (const std::string& reason : reasons) text += "    -: " + reason + "\n";
+    return text;
+}
+
+std::string shownP(const stats::Value& p) { return p.exists() && *p < 1e-4 ? "< 0.0001" : shownValue(p, Shown::Plain4); }
+
+std::string meansTable(const Evaluation& evaluation)
+{
+    const int percent = static_cast<int>(std::lround(100 * evaluation.boundsFraction));
+    std::string text = title(evaluation, "Are the means over fabrics the same as the measured? Unit: fabric");
+    std::vector<Line> lines{{"", "mean friction", "difference", "p (equal)  ", "p (different)", "Sq, mm", "difference", "p (equal)  ", "p (different)"}};
+    for (const SpeakerResult& speaker : evaluation.speakers) {
+        Line line{speaker.speaker.name};
+        const auto add = [&](Measure measure, const MeanComparison& means) {
+            line.push_back(shownValue(at(speaker.mean, measure), Shown::Plain4));
+            if (speaker.speaker.kind == SpeakerKind::Measured) {
+                line.insert(line.end(), {"", "", ""});
+                return;
+            }
+            line.push_back(shownValue(means.equivalence.estimate, Shown::Plain4));
+            line.push_back(shownP(means.equivalence.p) + (means.equivalence.equivalent ? " *" : "  "));
+            line.push_back(shownP(means.equivalence.pDifference));
+        };
+        add(Measure::MeanFriction, speaker.friction);
+        add(Measure::SqMm, speaker.sq);
+        lines.push_back(line);
+    }
+    text += table(lines);
+    text += "    p (equal): two one-sided tests against bounds of +-" + std::to_string(percent) +
+            " % of the measured mean; * marks those shown to be equal within them (p < 0.05)\n"
+            "    p (different): the paper's paired t test; a large p does not show that means are equal\n";
+    return text;
+}
+
+/// Verdict, what, what was asked and what was found, all to the left.
+std::string criteriaTable(const Evaluation& evaluation)
+{
+    const auto criteria = criteriaOf(evaluation);
+    if (criteria.empty()) return {};
+    std::size_t what = 0, asked = 0;
+    for (const Criterion& one : criteria) {
+        what = std::max(what, one.what.size());
+        asked = std::max(asked, one.asked.size());
+    }
+    std::string text = title(evaluation, "To be reached by the generated signals");
+    const auto padded = [](std::string entry, std::size_t width) {
+        entry.resize(std::max(width, entry.size()), ' ');
+        return entry + "  ";
+    };
+    for (const Criterion& one : criteria)
+        text += "  " + padded(one.reached ? (*one.reached ? "yes" : "NO") : "?", 3) + padded(one.what, what) + padded(one.asked, asked) + one.found + "\n";
+    return text;
+}
+
+int sumOf(const std::map<Modality, int>& counts)
+{
+    int sum = 0;
+    for (const auto& [modality, count] : counts) sum += count;
+    return sum;
+}
+
+std::string bySignal(const std::map<Modality, int>& counts)
+{
+    const auto count = [&](Modality modality) { return counts.contains(modality) ? counts.at(modality) : 0; };
+    return countOf(count(Modality::Visual), "photograph") + ", " + std::to_string(count(Modality::Tactile)) +
+           (count(Modality::Tactile) == 1 ? " press, " : " presses, ") + countOf(count(Modality::Friction), "stroke");
+}
+
+std::string leaksText(const Leaks& leaks)
+{
+    std::string text = "  testing part: " + bySignal(leaks.tested) + "\n";
+    const auto add = [&](const std::map<Modality, int>& counts, const std::string& what) {
+        text += "  " + what + ": " + (sumOf(counts) == 0 ? "none" : bySignal(counts)) + "\n";
+    };
+    add(leaks.trainedOn, "  left out, a model was trained on the very files");
+    if (sumOf(leaks.placeTrainedOn) > 0) add(leaks.placeTrainedOn, "  left out, a model was trained on the piece of fabric that they show");
+    add(leaks.duplicates, "  same bytes as a sample outside the testing part");
+    add(leaks.overlaps, "  on fabric that a sample of the same signal outside it shows, too");
+    return text;
+}
+
+std::string head(const Evaluation& evaluation)
+{
+    const ModelUsed& model = evaluation.models.front();
+    std::string text = "Generated against measured signals: model \"" + model.name + "\" on \"" + evaluation.dataset + "\"\n";
+    text += "  split " + splitName(evaluation) + ", seed " + std::to_string(evaluation.splitSeed) + ": " +
+            countOf(evaluation.pairs, "test photograph") + " of " + countOf(evaluation.fabrics, "fabric") +
+            (evaluation.aligned ? ", each beside the press and the stroke of its index\n"
+                                : ", each beside a press and a stroke of its fabric, drawn by seed\n");
+    text += "  the controls know " + countOf(evaluation.trainingPhotographs, "photograph") + ", " +
+            std::to_string(evaluation.trainingPresses) + " presses and " + countOf(evaluation.trainingStrokes, "stroke") +
+            " of the training part\n";
+    text += "  figures are means within a fabric, then over fabrics";
+    if (evaluation.rangeMm.exists()) text += "; SSIM: L = " + number("%.4f", *evaluation.rangeMm) + " mm, the range of all measured test maps";
+    text += "\n" + leaksText(evaluation.leaks);
+    for (const std::string& note : evaluation.notes) text += "  note: " + note + "\n";
+    return text;
+}
+
+}  // namespace
+
+std::string shownValue(const stats::Value& value, Shown shown)
+{
+    if (!value.exists()) return "-";
+    switch (shown) {
+        case Shown::Plain4: return number("%.4f", *value);
+        case Shown::Percent: return number("%.1f %%", 100 * *value);
+        case Shown::Decibels: return number("%.2f dB", *value);
+        case Shown::Ratio: return number("%.3f", *value);
+    }
+    return {};
+}
+
+std::string evaluationText(const Evaluation& evaluation)
+{
+    std::string text = head(evaluation);
+    for (const Titled& section : sections) {
+        const bool any = std::any_of(evaluation.speakers.begin(), evaluation.speakers.end(),
+                                     [&](const SpeakerResult& speaker) { return hasAny(speaker, section.section); });
+        if (any) text += sectionTable(evaluation, section);
+        if (section.section == Section::Friction && evaluation.noiseFloor.exists())
+            text += "    noise floor of MAE/mean: " + shownValue(evaluation.noiseFloor, Shown::Percent) +
+                    ", a constant at each stroke's own true mean: what is left when the mean is right and the texture unknown\n";
+        if (!any)
+            for (const MeasureRow& row : measureTable())
+                if (row.section == section.section) {
+                    text += title(evaluation, section.title) + "  not measured: " + at(evaluation.speakers.front().mean, row.measure).why() + "\n";
+                    break;
+                }
+    }
+    return text + meansTable(evaluation) + criteriaTable(evaluation);
+}
+
+}  // namespace study::evaluation

@@ -1,0 +1,85 @@
+#include "study/evaluation/leaks.h"
+
+#include <algorithm>
+#include <set>
+
+#include "protocols/sha256.h"
+
+namespace study::evaluation {
+
+namespace fabrics = rendering::fabrics;
+using fabrics::Part;
+
+namespace {
+
+bool sameSignal(const Placed& a, const Placed& b)
+{
+    return a.place.modality == b.place.modality && a.place.fabric == b.place.fabric;
+}
+
+bool overlapping(const Placed& a, const Placed& b)
+{
+    return a.footprint && b.footprint && fabrics::overlap(*a.footprint, *b.footprint);
+}
+
+}  // namespace
+
+std::vector<Placed> placedSamples(const fabrics::Dataset& dataset, const PlanRequest& request, const Report& report)
+{
+    const auto split = request.split == SplitKind::Location ? fabrics::splitByLocation(dataset, request.seed)
+                                                            : fabrics::splitBySample(dataset, request.seed);
+    std::vector<Placed> samples(split.size());
+    const auto tell = [&](int done) {
+        if (report) report("hashes of the samples", done, static_cast<int>(split.size()));
+    };
+    onThreads(
+        split.size(), request.threads,
+        [&](std::size_t i) {
+            const auto& place = split[i].first;
+            const auto file = fabrics::samplePath(dataset, place.fabric, place.modality, place.index);
+            samples[i] = {place, split[i].second, protocols::sha256OfFile(file), fabrics::footprintOf(dataset, place), false};
+        },
+        tell);
+    return samples;
+}
+
+bool isHeldOut(const PlanRequest& request, const protocols::FabricId& fabric)
+{
+    return request.split == SplitKind::Fabric &&
+           std::find(request.heldOut.begin(), request.heldOut.end(), fabric) != request.heldOut.end();
+}
+
+bool isTested(const PlanRequest& request, const Placed& sample)
+{
+    return sample.part == Part::Testing && (request.split != SplitKind::Fabric || isHeldOut(request, sample.place.fabric));
+}
+
+Leaks findLeaks(std::vector<Placed>& samples, const PlanRequest& request)
+{
+    Leaks leaks;
+    std::set<std::string> hashesElsewhere;
+    for (const Placed& sample : samples)
+        if (sample.part != Part::Testing) hashesElsewhere.insert(sample.sha256);
+    for (Placed& sample : samples) {
+        if (!isTested(request, sample)) continue;
+        const Modality modality = sample.place.modality;
+        const bool known = request.trainedOn.contains(sample.sha256);
+        ++leaks.tested[modality];
+        leaks.placesKnown = leaks.placesKnown && sample.footprint.has_value();
+        leaks.duplicates[modality] += hashesElsewhere.contains(sample.sha256);
+        bool overlaps = false, overlapsTraining = false;
+        for (const Placed& other : samples) {
+            if (&other == &sample || !sameSignal(sample, other) || !overlapping(sample, other)) continue;
+            overlaps = overlaps || other.part != Part::Testing;
+            overlapsTraining = overlapsTraining || request.trainedOn.contains(other.sha256);
+        }
+        leaks.overlaps[modality] += overlaps;
+        leaks.trainedOn[modality] += known;
+        const bool leftOutForPlace = !known && overlapsTraining && request.split == SplitKind::Location;
+        leaks.placeTrainedOn[modality] += leftOutForPlace;
+        sample.leftOut = known || leftOutForPlace;
+    }
+    return leaks;
+}
+
+}  // namespace study::evaluation

@@ -1,0 +1,76 @@
+#include "study/evaluation/measured_signals.h"
+
+#include "protocols/errors.h"
+
+namespace study::evaluation {
+
+namespace fabrics = rendering::fabrics;
+namespace signals = rendering::signals;
+
+namespace {
+
+/// The first record that there is.
+std::string whyNoFrictionIn(const fabrics::Dataset& dataset)
+{
+    for (const auto& fabric : dataset.fabrics)
+        if (const auto indices = fabrics::sampleIndices(dataset, fabric.id, fabrics::Modality::Friction); !indices.empty()) {
+            const auto record = fabrics::readFriction(dataset, fabric.id, indices.front());
+            return record.isCoefficient() ? "" : "the friction records hold " + record.quantity + ", not a coefficient of friction";
+        }
+    return "the data set has no friction records";
+}
+
+bool hasPresses(const fabrics::Dataset& dataset)
+{
+    for (const auto& fabric : dataset.fabrics)
+        if (!fabrics::sampleIndices(dataset, fabric.id, fabrics::Modality::Tactile).empty()) return true;
+    return false;
+}
+
+}  // namespace
+
+MeasuredSignals::MeasuredSignals(const fabrics::Dataset& dataset, double pitchIfUnknownMm)
+    : m_dataset(dataset), m_pitchMm(dataset.tactileMmPerPixel.value_or(pitchIfUnknownMm)), m_whyNoFriction(whyNoFrictionIn(dataset))
+{
+    if (!hasPresses(dataset)) {
+        m_whyNoHeight = "the data set has no tactile frames";
+        return;
+    }
+    if (dataset.tactileCalibration.empty()) {
+        m_whyNoHeight = "the data set names no calibration of its tactile sensor";
+        return;
+    }
+    if (dataset.tactileCalibration == "known") return;
+    m_reference = fabrics::readTactileReference(dataset);
+    m_calibration = signals::readCalibration(dataset.folder / dataset.tactileCalibration);
+}
+
+cv::Mat MeasuredSignals::height(const protocols::FabricId& fabric, int index) const
+{
+    cv::Mat height;
+    if (m_calibration) {
+        height = signals::heightFromFrame(fabrics::readTactileFrame(m_dataset, fabric, index), m_reference, *m_calibration,
+                                          signals::IntegrationQuality::Fast);
+    } else {
+        const auto known = fabrics::readKnownHeight(m_dataset, fabric, index);
+        if (!known)
+            throw protocols::badInput({"the height of tactile sample " + std::to_string(index) + " is not there",
+                                       fabrics::knownHeightPath(m_dataset, fabric, index).string(),
+                                       "known heights, as dataset.json says (calibration \"known\")", ""});
+        height = signals::settled(*known, {m_pitchMm, m_pitchMm}, std::nullopt, signals::Calibration{}.zeroPercentile);
+    }
+    height.convertTo(height, CV_32F);
+    return height;
+}
+
+signals::FrictionTrace MeasuredSignals::trace(const protocols::FabricId& fabric, int index) const
+{
+    const auto record = fabrics::readFriction(m_dataset, fabric, index);
+    const auto file = fabrics::samplePath(m_dataset, fabric, fabrics::Modality::Friction, index).string();
+    if (!record.isCoefficient())
+        throw protocols::badInput({"the friction record holds " + record.quantity + ", not a coefficient", file,
+                                   "columns t_s,normal_n,tangential_n or t_s,mu", ""});
+    return signals::frictionTrace(record, file);
+}
+
+}  // namespace study::evaluation

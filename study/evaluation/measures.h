@@ -1,0 +1,57 @@
+// What is measured of a pair of generated and measured signals, as one table: names, units, how it is averaged.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+
+#include "stats/value.h"
+
+namespace study::evaluation {
+
+enum class Measure {
+    FrictionMae,
+    FrictionMaeOverMean,
+    MeanFrictionError,
+    FrictionSpectrum,
+    Ssim,
+    SsimNormalised,
+    SsimRegistered,
+    HeightSpectrum,
+    SqRatio,
+    SdrRatio,
+    SalRatio,
+    IdentifiedByHeight,
+    IdentifiedByFriction,
+    IdentifiedByBoth,
+    MeanFriction,
+    SqMm,
+};
+inline constexpr std::size_t measureCount = 16;
+
+enum class Section { Friction, Height, Roughness, Identification, Level };
+enum class Averaging { Arithmetic, Geometric };
+enum class Better { Smaller, Larger, NearOne, Neither };
+enum class Shown { Plain4, Percent, Decibels, Ratio };
+
+struct MeasureRow {
+    Measure measure;
+    Section section;
+    std::string_view field;    ///< in JSON
+    std::string_view heading;  ///< in tables
+    Shown shown;
+    Averaging averaging;
+    Better better;
+    std::string_view meaning;  ///< one line for people
+};
+
+/// In the order of the enumeration.
+const std::array<MeasureRow, measureCount>& measureTable();
+const MeasureRow& rowOf(Measure measure);
+
+using Values = std::array<stats::Value, measureCount>;
+
+inline stats::Value& at(Values& values, Measure measure) { return values[static_cast<std::size_t>(measure)]; }
+inline const stats::Value& at(const Values& values, Measure measure) { return values[static_cast<std::size_t>(measure)]; }
+
+}  // namespace study::evaluation

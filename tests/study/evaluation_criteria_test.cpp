@@ -1,0 +1,183 @@
+// What must be reached, and how an evaluation is told to people and to scripts.
+#include <QtTest>
+
+#include <algorithm>
+
+#include "study/evaluation/criteria.h"
+#include "study/evaluation/evaluation_json.h"
+#include "study/evaluation/evaluation_text.h"
+
+using namespace study::evaluation;
+
+namespace {
+
+SpeakerResult speaker(SpeakerKind kind, const std::string& name, double badness)
+{
+    SpeakerResult result{{kind, name, name}, {}, {}, {}, {}};
+    for (int i = 1; i <= 3; ++i) result.fabrics.push_back({protocols::FabricId("F0" + std::to_string(i)), 4, {}});
+    for (const MeasureRow& row : measureTable()) {
+        const bool larger = row.better == Better::Larger;
+        at(result.mean, row.measure) = larger ? 1 - badness : badness;
+        for (FabricValues& fabric : result.fabrics) at(fabric.values, row.measure) = at(result.mean, row.measure);
+    }
+    for (FabricValues& fabric : result.fabrics) at(fabric.values, Measure::SqRatio) = 1.1;
+    at(result.mean, Measure::SqRatio) = 1.1;
+    return result;
+}
+
+/// A generator that reaches everything.
+Evaluation good(SplitKind split = SplitKind::Sample, bool aligned = false)
+{
+    Evaluation evaluation;
+    evaluation.dataset = "cloths";
+    evaluation.split = split;
+    evaluation.aligned = aligned;
+    evaluation.models = {{"ours", "ours.pt", "00", false, {}}};
+    evaluation.pairs = 12;
+    evaluation.fabrics = 3;
+    evaluation.rangeMm = 0.5;
+    evaluation.noiseFloor = 0.06;
+    evaluation.speakers = {speaker(SpeakerKind::Generated, "generated", 0.04),   speaker(SpeakerKind::Against, "against: l1", 0.06),
+                           speaker(SpeakerKind::GlobalConstant, "one constant for all", 0.3),
+                           speaker(SpeakerKind::FabricMean, "the fabric's mean", 0.05),
+                           speaker(SpeakerKind::Retrieval, "nearest photograph", 0.08),
+                           speaker(SpeakerKind::AnotherPlace, "fabric, another place", 0.07),
+                           speaker(SpeakerKind::Measured, "measured itself", 0.01)};
+    return evaluation;
+}
+
+SpeakerResult& of(Evaluation& evaluation, SpeakerKind kind)
+{
+    return *std::find_if(evaluation.speakers.begin(), evaluation.speakers.end(), [&](const auto& one) { return one.speaker.kind == kind; });
+}
+
+int countOf(const std::vector<Criterion>& criteria, std::optional<bool> reached)
+{
+    return static_cast<int>(std::count_if(criteria.begin(), criteria.end(), [&](const Criterion& one) { return one.reached == reached; }));
+}
+
+Criterion named(const std::vector<Criterion>& criteria, const std::string& what, const std::string& asked)
+{
+    const auto found = std::find_if(criteria.begin(), criteria.end(), [&](const Criterion& one) {
+        return one.what.find(what) != std::string::npos && one.asked.find(asked) != std::string::npos;
+    });
+    if (found == criteria.end()) qFatal("no such criterion: %s, %s", what.c_str(), asked.c_str());
+    return *found;
+}
+
+}  // namespace
+
+class EvaluationCriteriaTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void goodGeneratorReachesEverythingThatApplies_data()
+    {
+        QTest::addColumn<int>("split");
+        QTest::addColumn<bool>("aligned");
+        QTest::addColumn<int>("count");
+        QTest::newRow("by sample") << int(SplitKind::Sample) << false << 11;
+        QTest::newRow("by location") << int(SplitKind::Location) << false << 11;
+        QTest::newRow("by sample, aligned") << int(SplitKind::Sample) << true << 12;
+        QTest::newRow("by fabric") << int(SplitKind::Fabric) << false << 9;
+    }
+
+    void goodGeneratorReachesEverythingThatApplies()
+    {
+        QFETCH(int, split);
+        QFETCH(bool, aligned);
+        QFETCH(int, count);
+        const auto criteria = criteriaOf(good(SplitKind(split), aligned));
+        QCOMPARE(int(criteria.size()), count);
+        QCOMPARE(countOf(criteria, true), count);
+    }
+
+    void eachShortcomingIsNamed_data()
+    {
+        QTest::addColumn<int>("split");
+        QTest::addColumn<int>("measure");
+        QTest::addColumn<double>("found");
+        QTest::addColumn<QString>("asked");
+        const auto row = [](const char* name, SplitKind split, Measure measure, double found, const char* asked) {
+            QTest::newRow(name) << int(split) << int(measure) << found << asked;
+        };
+        row("mean friction", SplitKind::Sample, Measure::MeanFrictionError, 0.051, "at most 5.0 %");
+        row("friction error", SplitKind::Sample, Measure::FrictionMaeOverMean, 0.081, "at most 8.0 %");
+        row("friction above the mean and the floor", SplitKind::Sample, Measure::FrictionMaeOverMean, 0.072, "below the fabric's mean");
+        row("similarity below the mean", SplitKind::Location, Measure::SsimRegistered, 0.949, "the fabric's mean");
+        row("similarity below retrieval", SplitKind::Location, Measure::SsimRegistered, 0.919, "nearest photograph");
+        row("similarity below the other model", SplitKind::Location, Measure::SsimRegistered, 0.939, "against: l1");
+        row("spectrum above retrieval", SplitKind::Sample, Measure::HeightSpectrum, 0.081, "nearest photograph");
+        row("not recognised", SplitKind::Sample, Measure::IdentifiedByBoth, 0.899, "at least 90.0 %");
+        row("unknown fabric's friction", SplitKind::Fabric, Measure::MeanFrictionError, 0.151, "at most 15.0 %");
+        row("no better than a constant", SplitKind::Fabric, Measure::FrictionMaeOverMean, 0.31, "one constant");
+    }
+
+    void eachShortcomingIsNamed()
+    {
+        QFETCH(int, split);
+        QFETCH(int, measure);
+        QFETCH(double, found);
+        QFETCH(QString, asked);
+        Evaluation evaluation = good(SplitKind(split));
+        at(of(evaluation, SpeakerKind::Generated).mean, Measure(measure)) = found;
+        const auto criteria = criteriaOf(evaluation);
+        QCOMPARE(named(criteria, std::string(rowOf(Measure(measure)).heading), asked.toStdString()).reached, std::optional(false));
+    }
+
+    void frictionAtTheFloorOfAnotherStrokeIsSaidToBe()
+    {
+        Evaluation evaluation = good();
+        at(of(evaluation, SpeakerKind::Generated).mean, Measure::FrictionMaeOverMean) = 0.065;
+        const auto one = named(criteriaOf(evaluation), "MAE/mean", "below the fabric's mean");
+        QCOMPARE(one.reached, std::optional(true));
+        QVERIFY(one.found.find("noise floor") != std::string::npos);
+    }
+
+    void worstFabricDecidesTheRoughness()
+    {
+        Evaluation evaluation = good();
+        at(of(evaluation, SpeakerKind::Generated).fabrics[1].values, Measure::SqRatio) = 0.79;
+        const auto one = named(criteriaOf(evaluation), "Sq", "every fabric");
+        QCOMPARE(one.reached, std::optional(false));
+        QVERIFY(one.found.find("F02: 0.790") != std::string::npos);
+    }
+
+    void whatDoesNotExistCannotBeTold()
+    {
+        Evaluation evaluation = good();
+        at(of(evaluation, SpeakerKind::Generated).mean, Measure::MeanFrictionError) = stats::Value::undefined("no friction here");
+        at(of(evaluation, SpeakerKind::Retrieval).mean, Measure::SsimRegistered) = stats::Value::undefined("nothing retrieved");
+        const auto criteria = criteriaOf(evaluation);
+        QCOMPARE(countOf(criteria, std::nullopt), 2);
+        QVERIFY(named(criteria, "mean off by", "at most").found.find("no friction here") != std::string::npos);
+    }
+
+    void tablesNameSplitAndPairing()
+    {
+        const std::string text = evaluationText(good(SplitKind::Location));
+        const QString shown = QString::fromStdString(text);
+        QCOMPARE(shown.count("(by location, weak pairs)"), 6);  // four sections, equal means, what must be reached
+        QVERIFY(shown.contains("model \"ours\" on \"cloths\""));
+        for (const QString& line : shown.split('\n')) QVERIFY2(line.size() < 200, qPrintable(line));
+    }
+
+    void jsonHasEveryMeasureAndSaysWhyOneIsMissing()
+    {
+        Evaluation evaluation = good();
+        at(of(evaluation, SpeakerKind::Retrieval).mean, Measure::Ssim) = stats::Value::undefined("nothing retrieved");
+        const auto json = evaluationJson(evaluation);
+        QCOMPARE(json.begin().key(), std::string("schema"));
+        QCOMPARE(json["schema"].get<std::string>(), std::string("vis2hap.evaluation/1"));
+        QCOMPARE(json["speakers"].size(), std::size_t(7));
+        for (const MeasureRow& row : measureTable()) QVERIFY(json["speakers"][0].contains(std::string(row.field)));
+        QVERIFY(json["speakers"][4]["ssim"].is_null());
+        QCOMPARE(json["speakers"][4]["why"]["ssim"].get<std::string>(), std::string("nothing retrieved"));
+        QCOMPARE(json["speakers"][0]["fabrics"][2]["fabric"].get<std::string>(), std::string("F03"));
+        QCOMPARE(json["criteria"].size(), criteriaOf(evaluation).size());
+        QCOMPARE(json["split"]["by"].get<std::string>(), std::string("sample"));
+    }
+};
+
+QTEST_GUILESS_MAIN(EvaluationCriteriaTest)
+#include "evaluation_criteria_test.moc"

@@ -8,6 +8,8 @@
 #include "rendering/models/photograph_features.h"
 #include "rendering/models/temporary_folder.h"
 
+#include <opencv2/imgproc.hpp>
+
 namespace rendering::models {
 
 namespace {
@@ -33,6 +35,16 @@ PhotographFacts factsOf(const SeenPhotograph& seen, const ModelCardFields& card)
     return facts;
 }
 
+/// Nothing is known of millimetres there, so the height lies on the photograph's own pixels.
+void backToPixels(GeneratedSignals& signals, const cv::Size& size, double mmPerPixel)
+{
+    if (signals.heightMm.empty())
+        return;
+    if (signals.heightMm.size() != size)
+        cv::resize(signals.heightMm, signals.heightMm, size, 0, 0, cv::INTER_AREA);
+    signals.heightMmPerPixel = mmPerPixel;
+}
+
 }  // namespace
 
 std::vector<GeneratedSignals> generate(std::span<const PhotographToTouch> photographs, const GenerationOptions& options)
@@ -49,10 +61,15 @@ std::vector<GeneratedSignals> generate(std::span<const PhotographToTouch> photog
     const TemporaryFolder folder;
     RequestWriter request(folder.path(), wish);
     std::vector<PhotographFacts> facts;
+    std::vector<cv::Size> shown;
     for (const PhotographToTouch& photograph : photographs) {
-        const SeenPhotograph seen = photographAtPitch(photograph, card.architecture.mmPerPixel);
+        const double pitch = photograph.mmPerPixel.value_or(assumedMmPerPixel(photograph.photograph, card.architecture.mmPerPixel));
+        const SeenPhotograph seen = photographAtPitch({photograph.photograph, pitch}, card.architecture.mmPerPixel);
         request.add({seen.rgb, card.architecture.mmPerPixel});
         facts.push_back(factsOf(seen, card));
+        if (!photograph.mmPerPixel)
+            facts.back().assumedMmPerPixel = pitch;
+        shown.push_back(seen.part.size());
     }
     request.finish();
     runGeneratorProgram({"generate", folder.path().string()}, folder.path() / "messages");
@@ -62,6 +79,8 @@ std::vector<GeneratedSignals> generate(std::span<const PhotographToTouch> photog
                                          std::to_string(photographs.size()) + " photographs", "generators", "", ""});
     for (std::size_t i = 0; i < answers.size(); ++i)
         answers[i].photograph = facts[i];
+        if (facts[i].assumedMmPerPixel)
+            backToPixels(answers[i], shown[i], *facts[i].assumedMmPerPixel);
     return answers;
 }
 

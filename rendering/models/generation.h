@@ -26,7 +26,7 @@ struct GenerationOptions {
 
 struct PhotographToTouch {
     cv::Mat photograph;                   ///< CV_8UC3, RGB, any size
-    std::optional<double> mmPerPixel;     ///< unknown: taken as the pitch the model was trained at
+    std::optional<double> mmPerPixel;     ///< unknown: assumedMmPerPixel() of photograph_at_pitch.h is taken
 };
 
 /// What is known of a photograph before anything is generated from it.
@@ -34,6 +34,7 @@ struct PhotographFacts {
     std::optional<double> distance;  ///< to the nearest photograph trained on (see familiarity.h); none: the card does not tell
     double usualDistance = 0;        ///< 99 % of photographs of known fabrics lie below it
     bool middleOnly = false;         ///< larger than a model takes: its edges were cut off (see photograph_at_pitch.h)
+    std::optional<double> assumedMmPerPixel;  ///< where the scale is not known: the pitch that it was taken to have
     bool unfamiliar() const { return distance && *distance > usualDistance; }  ///< what is generated is a guess
     bool operator==(const PhotographFacts&) const = default;
 };

@@ -4,6 +4,7 @@
 #include "rendering/models/exchange.h"
 #include "rendering/models/inference.h"
 #include "rendering/models/nn_bench.h"
+#include "rendering/models/peer_step.h"
 #include "rendering/models/training.h"
 
 #include <CLI/CLI.hpp>
@@ -113,6 +114,14 @@ void offerBench(CLI::App& app)
     });
 }
 
+void offerPeerSteps(CLI::App& app)
+{
+    auto folder = std::make_shared<std::string>();
+    CLI::App* steps = app.add_subcommand("peer-steps", "training steps and inference to be timed in turns with others (see peer_step.h)");
+    steps->add_option("FOLDER", *folder, "peer.pt is written into it")->required();
+    steps->callback([folder] { models::servePeerSteps(*folder, std::cin, std::cout); });
+}
+
 /// As the model card tells it: without --resume, since a resumed run gives what an unbroken one gives.
 std::string commandLine(int argc, char** argv)
 {
@@ -149,6 +158,7 @@ int run(int argc, char** argv)
     offerTraining(app, commandLine(argc, argv));
     offerGeneration(app);
     offerBench(app);
+    offerPeerSteps(app);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& fault) {

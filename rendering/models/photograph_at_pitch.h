@@ -10,10 +10,16 @@ inline constexpr int largestSidePx = 2048;
 
 struct SeenPhotograph {
     cv::Mat rgb;              ///< CV_8UC3, own memory
+    cv::Rect part;            ///< what of the photograph is shown, its own pixels
     bool middleOnly = false;  ///< what lies outside of the middle largestSidePx was cut off
 };
 
-/// `mmPerPixel`: of the model. Only what is shown is brought to it, so that large photographs cost little.
+/// The pitch that a photograph of unknown scale is taken to have, mm a pixel: the model's, but where its weave (dominant_wave.h)
+/// would then be finer than any the model was trained on, the one at which the weave has an ordinary period. So the networks
+/// see threads, not noise; period and direction stay those of the photograph.
+double assumedMmPerPixel(const cv::Mat& rgb, double modelMmPerPixel);
+
+/// `mmPerPixel`: of the model; the photograph's own pitch must be known. Only what is shown is brought to it, so that large photographs cost little.
 SeenPhotograph photographAtPitch(const PhotographToTouch& photograph, double mmPerPixel);
 
 }  // namespace rendering::models

@@ -5,6 +5,7 @@
 #include "study/commands/bench_session.h"
 #include "study/commands/bench_statistics.h"
 #include "study/commands/command_line.h"
+#include "study/commands/generator_peer.h"
 #include "study/commands/json_output.h"
 #include "study/commands/peer_programs.h"
 #include "study/commands/picture_decoder.h"
@@ -64,7 +65,26 @@ ordered_json signalRows(const BenchCall& call)
     return rows;
 }
 
-ordered_json generatorRows()
+/// Two rows a peer, and ours as it ran in the same turns.
+void addGeneratorPeers(ordered_json& rows)
+{
+    const auto add = [&](const char* stage, const PeerComparison& peer, const std::optional<double>& ours, const std::optional<double>& theirs,
+                         const std::optional<double>& ratio) {
+        const auto number = [](const std::optional<double>& value) { return value ? ordered_json(*value) : ordered_json(); };
+        char note[160];
+        std::snprintf(note, sizeof note, "ours in the same turns: %.2f ms; median of ten pairs", ours.value_or(0));
+        rows.push_back({{"stage", stage}, {"quality", peer.peer}, {"ms", number(theirs)}, {"error", number(ratio)},
+                        {"error_is", ratio ? "ours over theirs" : ""}, {"note", ratio ? std::string(note) : peer.whyNot}});
+    };
+    for (const PeerComparison& peer : compareGeneratorPeers()) {
+        add("training step, 8 of 128x128", peer, peer.oursTrainMs, peer.theirsTrainMs, peer.trainRatio);
+        add("networks alone, 1 of 128x128", peer, peer.oursInferMs, peer.theirsInferMs, peer.inferRatio);
+        if (peer.answersApart)
+            rows.back()["note"] = rows.back()["note"].get<std::string>() + "; same parameters, answers apart by " + numberText(*peer.answersApart);
+    }
+}
+
+ordered_json generatorRows(bool peers)
 {
     const auto bench = ordered_json::parse(outputOfSecondProgram({"bench", "--json"}));
     ordered_json rows = ordered_json::array();
@@ -79,6 +99,8 @@ ordered_json generatorRows()
     for (const auto& [field, picture] : {std::pair{"peak_mb_at_128", "128x128"}, {"peak_mb_at_largest", "the largest, 2048x2048"}})
         rows.push_back({{"stage", "memory of the generators"}, {"quality", ""}, {"ms", nullptr}, {"error", bench[field]},
                         {"error_is", "MB held at most"}, {"note", std::string("after a photograph of ") + picture}});
+    if (peers)
+        addGeneratorPeers(rows);
     return rows;
 }
 
@@ -108,7 +130,7 @@ ordered_json rowsOf(const std::string& stage, const BenchCall& call)
         return signalRows(call);
     if (stage == "session")
         return sessionRows();
-    return stage == "statistics" ? statisticsRows(call.peers) : generatorRows();
+    return stage == "statistics" ? statisticsRows(call.peers) : generatorRows(call.peers);
 }
 
 int bench(const BenchCall& call)

@@ -84,6 +84,8 @@ looking::ContactSheet contactSheetOf(const rendering::fabrics::Dataset& dataset,
 {
     looking::ContactSheet sheet;
     sheet.title = dataset.name + ": photographs, and what is measured and generated of each fabric";
+    if (dataset.pairing == rendering::fabrics::Pairing::Weak)
+        sheet.title += "; measured at other places than photographed";
     rendering::RenderRequest render = request;
     render.conditions.clear();
     render.mapping = {};  // as the display takes it

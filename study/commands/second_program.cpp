@@ -15,25 +15,25 @@ extern char** environ;
 
 namespace study::commands {
 
-namespace {
-
-std::string path()
+std::string secondProgram()
 {
     if (const char* chosen = std::getenv("VIS2HAP_NN"))
         return chosen;
     return (std::filesystem::read_symlink("/proc/self/exe").parent_path() / "vis2hap-nn").string();
 }
 
+namespace {
+
 protocols::Error cannotStart()
 {
-    return protocols::environmentFault({"the neural-network part cannot be started", path(), "vis2hap-nn and libtorch",
+    return protocols::environmentFault({"the neural-network part cannot be started", secondProgram(), "vis2hap-nn and libtorch",
                                         "install libtorch (apt-get install libtorch-dev) or run ./run again"});
 }
 
 /// A child whose standard output and error go where `actions` say.
 pid_t start(const std::vector<std::string>& arguments, const posix_spawn_file_actions_t* actions)
 {
-    const std::string program = path();
+    const std::string program = secondProgram();
     std::vector<char*> argv{const_cast<char*>(program.c_str())};
     for (const auto& argument : arguments)
         argv.push_back(const_cast<char*>(argument.c_str()));
@@ -91,7 +91,7 @@ std::string outputOfSecondProgram(const std::vector<std::string>& arguments)
         text.append(chunk.data(), static_cast<size_t>(n));
     close(ends[0]);
     if (exitCodeOf(child) != 0)
-        throw protocols::workFailed({"the neural-network part failed", path(), "", "see the line above"});
+        throw protocols::workFailed({"the neural-network part failed", secondProgram(), "", "see the line above"});
     return text;
 }
 

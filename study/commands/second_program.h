@@ -6,6 +6,9 @@
 
 namespace study::commands {
 
+/// Its path: beside this program, or what VIS2HAP_NN names.
+std::string secondProgram();
+
 /// Runs `vis2hap-nn ARGUMENTS...` on this terminal and returns its exit code. Throws environmentFault
 /// where it, or the libtorch that it needs, is not there.
 int runSecondProgram(const std::vector<std::string>& arguments);

@@ -1,4 +1,4 @@
-foreach(test grey_test height_gradient_test surface_integration_test photometric_stereo_test shape_from_shading_test
+foreach(test grey_test dominant_wave_test height_gradient_test surface_integration_test photometric_stereo_test shape_from_shading_test
         spectrogram_test spectrogram_file_test)
   vis2hap_test(rendering ${test} LINK rendering_signals rendering_fabrics)
 endforeach()

@@ -141,6 +141,8 @@ private Q_SLOTS:
         const auto one = named(criteriaOf(evaluation), "Sq", "every fabric");
         QCOMPARE(one.reached, std::optional(false));
         QVERIFY(one.found.find("F02: 0.790") != std::string::npos);
+        at(of(evaluation, SpeakerKind::Generated).fabrics[1].values, Measure::SqRatio) = 1.26;
+        QCOMPARE(named(criteriaOf(evaluation), "Sq", "every fabric").reached, std::optional(false));
     }
 
     void whatDoesNotExistCannotBeTold()

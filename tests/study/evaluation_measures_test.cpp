@@ -194,8 +194,10 @@ private Q_SLOTS:
                 samples[side < 0 ? 0 : 1].push_back({wide + narrow, wide - narrow});
             }
         const Identifier identifier(samples);
-        QCOMPARE(identifier.classOf({20 + 0.5, 20 - 0.5}), std::optional<std::size_t>(1));
-        QCOMPARE(identifier.classOf({-20 - 0.5, -20 + 0.5}), std::optional<std::size_t>(0));
+        for (const double far : {-20.0, 0.0, 20.0}) {
+            QCOMPARE(identifier.classOf({far + 0.5, far - 0.5}), std::optional<std::size_t>(1));
+            QCOMPARE(identifier.classOf({far - 0.5, far + 0.5}), std::optional<std::size_t>(0));
+        }
     }
 
     void oneFabricOrOneSampleCannotBeToldApartOrIsStillDefined()

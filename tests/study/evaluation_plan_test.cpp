@@ -94,13 +94,19 @@ private Q_SLOTS:
 
     void alignedPairsTakeTheSameIndex()
     {
-        const TestPlan plan = testPlan(scattered(pathOf(*m_folder) / "aligned", 30, Pairing::Aligned), {});
+        const Dataset aligned = scattered(pathOf(*m_folder) / "aligned", 30, Pairing::Aligned);
+        const TestPlan plan = testPlan(aligned, {});
         QCOMPARE(plan.pairs.size(), std::size_t(6));
         for (const TestPair& pair : plan.pairs) {
             QCOMPARE(pair.press->index, pair.photograph.index);
             QCOMPARE(pair.stroke->index, pair.photograph.index);
             QVERIFY(pair.otherPress->index != pair.photograph.index);
         }
+        PlanRequest request;
+        request.trainedOn = {plan.pairs[0].press->sha256};
+        const TestPlan without = testPlan(aligned, request);
+        QVERIFY(!without.pairs[0].press && without.pairs[0].stroke);  // no other press takes its place
+        QCOMPARE(without.pairs[1].press->index, without.pairs[1].photograph.index);
     }
 
     void samplesTrainedOnAreLeftOutAndCounted()

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double longestMm = 6.4;
 constexpr double bandFloor = 1e-4;  // -40 dB of the strongest band: less power is neither seen nor felt
-constexpr int bandCount = 15;  // thirds of an octave down to 0.2 mm
+constexpr int bandCount = 15;       // thirds of an octave down to 0.2 mm
 
 cv::Mat middle(const cv::Mat& map, cv::Size size)
 {
@@ -65,7 +65,8 @@ cv::Mat powerDensity(const cv::Mat& square, double pitchMm)
     return (parts[0].mul(parts[0]) + parts[1].mul(parts[1])) * (pitchMm * pitchMm / cv::sum(window.mul(window))[0]);
 }
 
-/// Bands overlap by halves (triangles over the logarithm of the frequency), so that no line of a spectrum jumps from one to the next.
+/// Bands overlap by halves (triangles over the logarithm of the frequency), so that no line of a spectrum jumps from one to the
+/// next.
 std::vector<double> bandPowersOf(const cv::Mat& square, double pitchMm)
 {
     const int side = square.cols;
@@ -164,7 +165,8 @@ cv::Mat alongFabric(const HeightMap& map, int side)
     // A fabric anticlockwise by the angle in the picture, whose y points down: where its axes' point (u, v) lies there.
     const cv::Mat fromFabric = (cv::Mat_<double>(2, 3) << c, s, x - c * to - s * to, -s, c, y + s * to - c * to);
     cv::Mat turned;
-    cv::warpAffine(map.heightMm, turned, fromFabric, {side, side}, cv::INTER_CUBIC | cv::WARP_INVERSE_MAP, cv::BORDER_REFLECT_101);
+    cv::warpAffine(map.heightMm, turned, fromFabric, {side, side}, cv::INTER_CUBIC | cv::WARP_INVERSE_MAP,
+                   cv::BORDER_REFLECT_101);
     return asDouble(turned);
 }
 

@@ -14,9 +14,9 @@ inline constexpr const char* flatMapWhy = "a flat map has no texture";
 
 /// A map at the pitch of the measured ones.
 struct HeightMap {
-    cv::Mat heightMm;            ///< CV_32FC1
-    double pitchMm = 1;          ///< mm a pixel
-    double rotationDeg = 0;      ///< of the fabric in it, anticlockwise; 0 where unknown
+    cv::Mat heightMm;        ///< CV_32FC1
+    double pitchMm = 1;      ///< mm a pixel
+    double rotationDeg = 0;  ///< of the fabric in it, anticlockwise; 0 where unknown
     bool isFlat() const;
 };
 
@@ -25,7 +25,8 @@ HeightMap atPitch(HeightMap map, double pitchMm);
 
 /// What tells heights apart whatever their place and direction; of a middle square.
 struct HeightFeatures {
-    std::vector<double> bandPowers;  ///< mean power in thirds of an octave from 6.4 to 0.2 mm wavelength, mm^4; the empty ones left out
+    std::vector<double>
+        bandPowers;  ///< mean power in thirds of an octave from 6.4 to 0.2 mm wavelength, mm^4; the empty ones left out
     double sqMm = 0;
     double sdr = 0;
     double salMm = 0;

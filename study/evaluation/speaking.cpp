@@ -74,7 +74,8 @@ std::string whyNo(const std::string& dataset, const char* partner)
 }
 
 /// What another sample of the data set says.
-Said saidBySamples(const Setting& setting, const std::optional<Sample>& press, const std::optional<Sample>& stroke, const std::string& why)
+Said saidBySamples(const Setting& setting, const std::optional<Sample>& press, const std::optional<Sample>& stroke,
+                   const std::string& why)
 {
     Said said;
     said.whyNoHeight = said.whyNoTrace = why;
@@ -130,7 +131,8 @@ Said saidByControl(const Setting& setting, SpeakerKind kind, std::size_t number,
         case SpeakerKind::GlobalConstant:
             return saidByConstants(setting, pair, measured, controls.heightMm, controls.friction);
         case SpeakerKind::FabricMean:
-            return saidByConstants(setting, pair, measured, controls.heightMmOfFabric[pair.fabric], controls.frictionOfFabric[pair.fabric]);
+            return saidByConstants(setting, pair, measured, controls.heightMmOfFabric[pair.fabric],
+                                   controls.frictionOfFabric[pair.fabric]);
         case SpeakerKind::Retrieval:
             if (controls.retrieved.empty()) return saidBySamples(setting, {}, {}, controls.whyNothingRetrieved);
             return saidBySamples(setting, controls.retrieved[number].press, controls.retrieved[number].stroke,
@@ -139,13 +141,14 @@ Said saidByControl(const Setting& setting, SpeakerKind kind, std::size_t number,
             return saidBySamples(setting, pair.otherPress, pair.otherStroke, "the fabric has no second sample of the signal");
         case SpeakerKind::Generated:
         case SpeakerKind::Against:
-        case SpeakerKind::Measured: break;
+        case SpeakerKind::Measured:
+            break;
     }
     return {};
 }
 
-Values compare(const Setting& setting, const TestPair& pair, const MeasuredPair& measured, const HeightMap& partner, const Said& said,
-               double rangeMm)
+Values compare(const Setting& setting, const TestPair& pair, const MeasuredPair& measured, const HeightMap& partner,
+               const Said& said, double rangeMm)
 {
     Values values;
     std::optional<HeightFeatures> height;
@@ -160,8 +163,10 @@ Values compare(const Setting& setting, const TestPair& pair, const MeasuredPair&
         compareTraces(trace, *measured.trace, values);
     }
     identify(setting, pair, height, friction, values);
-    if (!height) setUndefinedHeight(values, measured.heightFeatures ? said.whyNoHeight : whyNo(setting.measured.whyNoHeight(), "press"));
-    if (!friction) setUndefinedFriction(values, measured.trace ? said.whyNoTrace : whyNo(setting.measured.whyNoFriction(), "stroke"));
+    if (!height)
+        setUndefinedHeight(values, measured.heightFeatures ? said.whyNoHeight : whyNo(setting.measured.whyNoHeight(), "press"));
+    if (!friction)
+        setUndefinedFriction(values, measured.trace ? said.whyNoTrace : whyNo(setting.measured.whyNoFriction(), "stroke"));
     return values;
 }
 

@@ -30,9 +30,12 @@ Dataset scattered(const fs::path& folder, int count, Pairing pairing = Pairing::
                 const fs::path file = samplePath(dataset, fabric.id, modality, i);
                 fs::create_directories(file.parent_path());
                 if (modality == Modality::Friction)
-                    write(file, "t_s,mu\n0,0." + std::to_string(i + 1) + "\n1,0." + std::to_string(fabric.id == FabricId("F01")) + "\n");
+                    write(file, "t_s,mu\n0,0." + std::to_string(i + 1) + "\n1,0." + std::to_string(fabric.id == FabricId("F01")) +
+                                    "\n");
                 else
-                    rendering::writePng(file, speckled(10, 10, CV_8UC3, i * 4 + (modality == Modality::Tactile) * 2 + (fabric.id == FabricId("F01"))));
+                    rendering::writePng(
+                        file,
+                        speckled(10, 10, CV_8UC3, i * 4 + (modality == Modality::Tactile) * 2 + (fabric.id == FabricId("F01"))));
                 const std::string group = pairing == Pairing::Aligned ? fabric.id.value + "-" + std::to_string(i) : "";
                 places.push_back({fabric.id, modality, i, 100.0 * i, 0.0, 0.0, group});
             }
@@ -129,7 +132,8 @@ private Q_SLOTS:
         const TestPlan before = testPlan(m_dataset, {});
         QCOMPARE(before.leaks.duplicates.at(Modality::Visual), 0);
         fs::copy_file(samplePath(m_dataset, FabricId("F01"), Modality::Visual, testedPhotographs(before).front()),
-                      samplePath(m_dataset, FabricId("F01"), Modality::Visual, notTested(before)), fs::copy_options::overwrite_existing);
+                      samplePath(m_dataset, FabricId("F01"), Modality::Visual, notTested(before)),
+                      fs::copy_options::overwrite_existing);
         const TestPlan after = testPlan(m_dataset, {});
         QCOMPARE(after.leaks.duplicates.at(Modality::Visual), 1);
         QCOMPARE(after.leaks.duplicates.at(Modality::Tactile), 0);

@@ -28,7 +28,9 @@ std::optional<PixelSize> pngSize(const std::filesystem::path& file)
     std::array<unsigned char, 24> head{};
     std::ifstream stream(file, std::ios::binary);
     if (!stream.read(reinterpret_cast<char*>(head.data()), head.size()) || head[1] != 'P' || head[2] != 'N') return {};
-    const auto number = [&](std::size_t at) { return ((head[at] * 256.0 + head[at + 1]) * 256 + head[at + 2]) * 256 + head[at + 3]; };
+    const auto number = [&](std::size_t at) {
+        return ((head[at] * 256.0 + head[at + 1]) * 256 + head[at + 2]) * 256 + head[at + 3];
+    };
     return PixelSize{number(16), number(20)};
 }
 
@@ -124,8 +126,9 @@ void fill(Split& split, const std::vector<Cluster>& clusters, Part part, Counts 
 {
     for (const Cluster& cluster : clusters) {
         const Counts counts = countsOf(split, cluster);
-        const bool fits = split[cluster.front()].second == Part::Training &&
-                          std::all_of(counts.begin(), counts.end(), [&](const auto& entry) { return entry.second <= wanted[entry.first]; });
+        const bool fits =
+            split[cluster.front()].second == Part::Training &&
+            std::all_of(counts.begin(), counts.end(), [&](const auto& entry) { return entry.second <= wanted[entry.first]; });
         if (!fits) continue;
         for (const std::size_t sample : cluster) split[sample].second = part;
         for (const auto& [modality, count] : counts) wanted[modality] -= count;
@@ -140,7 +143,8 @@ void fillEmpty(Split& split, const std::vector<Cluster>& clusters, Part part, co
             return split[cluster.front()].second == where && countsOf(split, cluster).contains(modality);
         };
         const Cluster* smallest = nullptr;
-        const bool served = std::any_of(clusters.begin(), clusters.end(), [&](const Cluster& cluster) { return holds(cluster, part); });
+        const bool served =
+            std::any_of(clusters.begin(), clusters.end(), [&](const Cluster& cluster) { return holds(cluster, part); });
         for (const Cluster& cluster : clusters)
             if (holds(cluster, Part::Training) && (smallest == nullptr || cluster.size() < smallest->size())) smallest = &cluster;
         if (count == 0 || served || smallest == nullptr) continue;

@@ -1,6 +1,5 @@
 // vis2hap evaluate DATASET: generated against measured signals, beside their controls.
 #include <CLI/CLI.hpp>
-
 #include <algorithm>
 #include <cstdio>
 #include <map>
@@ -32,8 +31,10 @@ struct EvaluateCall {
 
 const std::map<std::string, evaluation::SplitKind> splits{{"sample", evaluation::SplitKind::Sample},
                                                           {"location", evaluation::SplitKind::Location},
-                                                          {"fabric", evaluation::SplitKind::Fabric}};
-const std::map<std::string, Quality> qualities{{"fast", Quality::Fast}, {"balanced", Quality::Balanced}, {"accurate", Quality::Accurate}};
+                                                          {"fabric", evaluation::SplitKind::Fabric},
+                                                          {"augmented", evaluation::SplitKind::Augmented}};
+const std::map<std::string, Quality> qualities{
+    {"fast", Quality::Fast}, {"balanced", Quality::Balanced}, {"accurate", Quality::Accurate}};
 
 /// A bar for each stage of the work.
 class StagesShown {
@@ -65,7 +66,8 @@ int evaluate(const EvaluateCall& call)
     evaluation::Evaluation result;
     {
         StagesShown stages;
-        result = evaluation::evaluate(dataset, request, [&](const std::string& stage, int done, int total) { stages.show(stage, done, total); });
+        result = evaluation::evaluate(dataset, request,
+                                      [&](const std::string& stage, int done, int total) { stages.show(stage, done, total); });
     }
     if (call.json) writeJson(call.json, evaluation::evaluationJson(result));
     if (!call.json || !call.json->empty()) std::fputs(evaluation::evaluationText(result).c_str(), stdout);
@@ -76,20 +78,25 @@ int evaluate(const EvaluateCall& call)
 
 void addEvaluate(CLI::App& app, Action& action)
 {
-    auto* command = app.add_subcommand("evaluate", "generated against measured signals, beside controls that give the figures meaning");
+    auto* command =
+        app.add_subcommand("evaluate", "generated against measured signals, beside controls that give the figures meaning");
     auto call = std::make_shared<EvaluateCall>();
     command->add_option("DATASET", call->dataset, "the data set")->required();
     command->add_option("--model", call->model, "weights (default: the shipped ones)");
     command->add_option("--against", call->against, "further weights, measured beside it");
-    command->add_option("--split", call->split, "sample: the paper's; location: no fabric shown twice; fabric: those the model held out")
-        ->check(CLI::IsMember({"sample", "location", "fabric"}))
+    command
+        ->add_option("--split", call->split,
+                     "sample: the paper's; location: no fabric shown twice; fabric: those the model held out")
+        ->check(CLI::IsMember({"sample", "location", "fabric", "augmented"}))
         ->capture_default_str();
     command->add_option("--split-seed", call->splitSeed, "of the split (default: the model's own)");
     command->add_option("--quality", call->quality, "of the generators")
         ->check(CLI::IsMember({"fast", "balanced", "accurate"}))
         ->capture_default_str();
     command->add_option("--samples", call->samples, "test photographs a fabric (default: all)")->check(CLI::Range(1, 100000));
-    command->add_option("--bounds", call->bounds, "of equal means, a fraction of the measured mean")->check(finiteIn(1e-6, 1))->capture_default_str();
+    command->add_option("--bounds", call->bounds, "of equal means, a fraction of the measured mean")
+        ->check(finiteIn(1e-6, 1))
+        ->capture_default_str();
     addJsonOption(*command, call->json);
     command->callback([call, &action] { action.work = [call] { return evaluate(*call); }; });
 }

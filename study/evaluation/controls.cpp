@@ -131,14 +131,15 @@ double squaredDistance(const std::vector<float>& a, const std::vector<float>& b)
     return sum;
 }
 
-std::vector<std::vector<float>> photographFeaturesOf(const fabrics::Dataset& dataset, const std::vector<Sample>& photographs, int threads,
-                                                     const Report& report)
+std::vector<std::vector<float>> photographFeaturesOf(const fabrics::Dataset& dataset, const std::vector<Sample>& photographs,
+                                                     int threads, const Report& report)
 {
     std::vector<std::vector<float>> features(photographs.size());
     onThreads(
         photographs.size(), threads,
         [&](std::size_t i) {
-            features[i] = rendering::models::photographFeatures(fabrics::readPhotograph(dataset, photographs[i].fabric, photographs[i].index));
+            features[i] = rendering::models::photographFeatures(
+                fabrics::readPhotograph(dataset, photographs[i].fabric, photographs[i].index));
         },
         [&](int done) {
             if (report) report("photographs to retrieve from", done, static_cast<int>(photographs.size()));
@@ -147,8 +148,8 @@ std::vector<std::vector<float>> photographFeaturesOf(const fabrics::Dataset& dat
 }
 
 /// A training sample of the retrieved photograph's fabric.
-std::optional<Sample> partnerOf(const TestPlan& plan, std::size_t fabric, const Sample& photograph, Modality modality, bool aligned,
-                                protocols::Random& random)
+std::optional<Sample> partnerOf(const TestPlan& plan, std::size_t fabric, const Sample& photograph, Modality modality,
+                                bool aligned, protocols::Random& random)
 {
     const auto found = plan.fabrics[fabric].training.find(modality);
     if (found == plan.fabrics[fabric].training.end() || found->second.empty()) return {};
@@ -158,7 +159,8 @@ std::optional<Sample> partnerOf(const TestPlan& plan, std::size_t fabric, const 
     return {};
 }
 
-void retrieve(const fabrics::Dataset& dataset, const TestPlan& plan, const PlanRequest& request, const Report& report, Controls& controls)
+void retrieve(const fabrics::Dataset& dataset, const TestPlan& plan, const PlanRequest& request, const Report& report,
+              Controls& controls)
 {
     auto known = trainingSamples(plan, visual);
     std::erase_if(known, [&](const auto& entry) { return plan.fabrics[entry.first].heldOut; });
@@ -174,12 +176,13 @@ void retrieve(const fabrics::Dataset& dataset, const TestPlan& plan, const PlanR
     for (std::size_t i = 0; i < plan.pairs.size(); ++i) {
         std::size_t nearest = 0;
         for (std::size_t k = 1; k < known.size(); ++k)
-            if (squaredDistance(features[k], features[known.size() + i]) < squaredDistance(features[nearest], features[known.size() + i]))
+            if (squaredDistance(features[k], features[known.size() + i]) <
+                squaredDistance(features[nearest], features[known.size() + i]))
                 nearest = k;
         const auto& [fabric, photograph] = known[nearest];
         const Sample& asked = plan.pairs[i].photograph;
-        protocols::Random random =
-            protocols::Random::stream(request.seed, "evaluate/retrieved/" + asked.fabric.value + "/" + std::to_string(asked.index));
+        protocols::Random random = protocols::Random::stream(
+            request.seed, "evaluate/retrieved/" + asked.fabric.value + "/" + std::to_string(asked.index));
         const bool aligned = dataset.pairing == fabrics::Pairing::Aligned;
         Retrieved retrieved{photograph, {}, {}};
         retrieved.press = partnerOf(plan, fabric, photograph, tactile, aligned, random);
@@ -190,8 +193,8 @@ void retrieve(const fabrics::Dataset& dataset, const TestPlan& plan, const PlanR
 
 }  // namespace
 
-Controls learnControls(const fabrics::Dataset& dataset, const MeasuredSignals& measured, const TestPlan& plan, const PlanRequest& request,
-                       const Report& report)
+Controls learnControls(const fabrics::Dataset& dataset, const MeasuredSignals& measured, const TestPlan& plan,
+                       const PlanRequest& request, const Report& report)
 {
     Controls controls;
     std::vector<Heard> heights, frictions;
@@ -199,16 +202,18 @@ Controls learnControls(const fabrics::Dataset& dataset, const MeasuredSignals& m
     if (measured.whyNoHeight().empty()) {
         const int side = commonSide(dataset, measured, plan);
         controls.featureSide = side;
-        heights = hear(drawnPresses(plan, request), request.threads, "presses of the training part", report, [&](const Sample& sample) {
-            const HeightMap map{measured.height(sample.fabric, sample.index), pitch, 0};
-            return Heard{0, featureVector(heightFeatures(map, side)), cv::mean(map.heightMm)[0]};
-        });
+        heights =
+            hear(drawnPresses(plan, request), request.threads, "presses of the training part", report, [&](const Sample& sample) {
+                const HeightMap map{measured.height(sample.fabric, sample.index), pitch, 0};
+                return Heard{0, featureVector(heightFeatures(map, side)), cv::mean(map.heightMm)[0]};
+            });
     }
     if (measured.whyNoFriction().empty())
-        frictions = hear(trainingSamples(plan, friction), request.threads, "strokes of the training part", report, [&](const Sample& sample) {
-            const auto trace = measured.trace(sample.fabric, sample.index);
-            return Heard{0, featureVector(frictionFeatures({trace.values, trace.mmPerSample})), trace.mean};
-        });
+        frictions = hear(trainingSamples(plan, friction), request.threads, "strokes of the training part", report,
+                         [&](const Sample& sample) {
+                             const auto trace = measured.trace(sample.fabric, sample.index);
+                             return Heard{0, featureVector(frictionFeatures({trace.values, trace.mmPerSample})), trace.mean};
+                         });
     controls.presses = static_cast<int>(heights.size());
     controls.strokes = static_cast<int>(frictions.size());
     setMeans(plan, heights, "press", controls.heightMm, controls.heightMmOfFabric);

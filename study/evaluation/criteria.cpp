@@ -11,9 +11,9 @@ namespace study::evaluation {
 namespace {
 
 enum class Asked {
-    AtMost,          ///< a number
-    AtLeast,         ///< a number
-    BetterThan,      ///< a control
+    AtMost,      ///< a number
+    AtLeast,     ///< a number
+    BetterThan,  ///< a control
     BetterThanAgainst,
     BelowMeanOrAtFloor,
     EveryFabricWithin,
@@ -23,8 +23,8 @@ struct Row {
     bool bySampleOrLocation, byFabric, onlyAligned;
     Measure measure;
     Asked asked;
-    double low = 0, high = 0;                            ///< EveryFabricWithin; low alone: AtMost, AtLeast
-    SpeakerKind than = SpeakerKind::GlobalConstant;      ///< BetterThan
+    double low = 0, high = 0;                        ///< EveryFabricWithin; low alone: AtMost, AtLeast
+    SpeakerKind than = SpeakerKind::GlobalConstant;  ///< BetterThan
 };
 
 constexpr Row rows[] = {
@@ -53,17 +53,23 @@ constexpr Row rows[] = {
 
 bool applies(const Row& row, const Evaluation& evaluation)
 {
-    return (evaluation.split == SplitKind::Fabric ? row.byFabric : row.bySampleOrLocation) && (!row.onlyAligned || evaluation.aligned);
+    return (evaluation.split == SplitKind::Fabric ? row.byFabric : row.bySampleOrLocation) &&
+           (!row.onlyAligned || evaluation.aligned);
 }
 
 std::string whatOf(Measure measure)
 {
     switch (rowOf(measure).section) {
-        case Section::Friction: return "friction: " + std::string(rowOf(measure).heading);
-        case Section::Height: return "height: " + std::string(rowOf(measure).heading);
-        case Section::Roughness: return "roughness: ratio of " + std::string(rowOf(measure).heading);
-        case Section::Identification: return "identified " + std::string(rowOf(measure).heading);
-        case Section::Level: break;
+        case Section::Friction:
+            return "friction: " + std::string(rowOf(measure).heading);
+        case Section::Height:
+            return "height: " + std::string(rowOf(measure).heading);
+        case Section::Roughness:
+            return "roughness: ratio of " + std::string(rowOf(measure).heading);
+        case Section::Identification:
+            return "identified " + std::string(rowOf(measure).heading);
+        case Section::Level:
+            break;
     }
     return std::string(rowOf(measure).heading);
 }
@@ -90,13 +96,15 @@ Criterion againstSpeaker(const Row& row, const stats::Value& found, const Speake
     const std::string asked = "better than: " + other.speaker.name;
     const stats::Value& held = at(other.mean, row.measure);
     if (!found.exists()) return undefined(row.measure, asked, found);
-    if (!held.exists()) return {whatOf(row.measure), asked, shownBy(row.measure, found) + "; the other has none: " + held.why(), std::nullopt};
+    if (!held.exists())
+        return {whatOf(row.measure), asked, shownBy(row.measure, found) + "; the other has none: " + held.why(), std::nullopt};
     return {whatOf(row.measure), asked, shownBy(row.measure, found) + " to " + shownBy(row.measure, held),
             isBetter(row.measure, *found, *held)};
 }
 
-/// A trace with the right texture lies, sample by sample, as far off as another stroke of the fabric does: the phase of the texture
-/// follows from no photograph of another place. That is its noise floor; below the fabric's mean, a constant, only less texture gets it.
+/// A trace with the right texture lies, sample by sample, as far off as another stroke of the fabric does: the phase of the
+/// texture follows from no photograph of another place. That is its noise floor; below the fabric's mean, a constant, only less
+/// texture gets it.
 Criterion belowMeanOrAtFloor(const Row& row, const stats::Value& found, const Evaluation& evaluation)
 {
     const std::string asked = "below the fabric's mean, or another stroke's";
@@ -122,7 +130,8 @@ Criterion everyFabricWithin(const Row& row, const SpeakerResult& generated)
         if (worst == nullptr || off(fabric) > off(*worst)) worst = &fabric;
     }
     if (worst == nullptr) return undefined(row.measure, asked, stats::Value::undefined("there is no fabric"));
-    return {whatOf(row.measure), asked, "worst " + worst->fabric.value + ": " + shownBy(row.measure, at(worst->values, row.measure)), within};
+    return {whatOf(row.measure), asked,
+            "worst " + worst->fabric.value + ": " + shownBy(row.measure, at(worst->values, row.measure)), within};
 }
 
 void addTo(std::vector<Criterion>& criteria, const Row& row, const Evaluation& evaluation)
@@ -131,14 +140,22 @@ void addTo(std::vector<Criterion>& criteria, const Row& row, const Evaluation& e
     const stats::Value& found = at(generated.mean, row.measure);
     switch (row.asked) {
         case Asked::AtMost:
-        case Asked::AtLeast: criteria.push_back(againstNumber(row, found)); return;
-        case Asked::BetterThan: criteria.push_back(againstSpeaker(row, found, *evaluation.speaker(row.than))); return;
+        case Asked::AtLeast:
+            criteria.push_back(againstNumber(row, found));
+            return;
+        case Asked::BetterThan:
+            criteria.push_back(againstSpeaker(row, found, *evaluation.speaker(row.than)));
+            return;
         case Asked::BetterThanAgainst:
             for (const SpeakerResult& other : evaluation.speakers)
                 if (other.speaker.kind == SpeakerKind::Against) criteria.push_back(againstSpeaker(row, found, other));
             return;
-        case Asked::BelowMeanOrAtFloor: criteria.push_back(belowMeanOrAtFloor(row, found, evaluation)); return;
-        case Asked::EveryFabricWithin: criteria.push_back(everyFabricWithin(row, generated)); return;
+        case Asked::BelowMeanOrAtFloor:
+            criteria.push_back(belowMeanOrAtFloor(row, found, evaluation));
+            return;
+        case Asked::EveryFabricWithin:
+            criteria.push_back(everyFabricWithin(row, generated));
+            return;
     }
 }
 

@@ -17,18 +17,27 @@ namespace models = rendering::models;
 /// So many photographs go to the second program at once: enough to outweigh its start, few enough to show progress.
 constexpr std::size_t photographsAtOnce = 30;
 
-constexpr SpeakerKind controlKinds[] = {SpeakerKind::GlobalConstant, SpeakerKind::FabricMean, SpeakerKind::Retrieval, SpeakerKind::AnotherPlace};
+constexpr SpeakerKind controlKinds[] = {SpeakerKind::GlobalConstant, SpeakerKind::FabricMean, SpeakerKind::Retrieval,
+                                        SpeakerKind::AnotherPlace};
 
 Speaker speakerOf(SpeakerKind kind)
 {
     switch (kind) {
-        case SpeakerKind::GlobalConstant: return {kind, "global_constant", "one constant for all"};
-        case SpeakerKind::FabricMean: return {kind, "fabric_mean", "the fabric's mean"};
-        case SpeakerKind::Retrieval: return {kind, "retrieval", "nearest photograph"};
-        case SpeakerKind::AnotherPlace: return {kind, "another_place", "fabric, another place"};
-        case SpeakerKind::Measured: return {kind, "measured", "measured itself"};
+        case SpeakerKind::GlobalConstant:
+            return {kind, "global_constant", "one constant for all"};
+        case SpeakerKind::FabricMean:
+            return {kind, "fabric_mean", "the fabric's mean"};
+        case SpeakerKind::Retrieval:
+            return {kind, "retrieval", "nearest photograph"};
+        case SpeakerKind::AnotherPlace:
+            return {kind, "another_place", "fabric, another place"};
+        case SpeakerKind::Measured:
+            return {kind, "measured", "measured itself"};
+        case SpeakerKind::GeneratedMean:
+            return {kind, "generated_mean", "generated, mean alone"};
         case SpeakerKind::Generated:
-        case SpeakerKind::Against: break;
+        case SpeakerKind::Against:
+            break;
     }
     return {kind, "generated", "generated"};
 }
@@ -52,10 +61,12 @@ std::vector<protocols::FabricId> heldOutFabrics(const fabrics::Dataset& dataset,
 {
     std::vector<protocols::FabricId> found;
     for (const auto& fabric : dataset.fabrics)
-        if (std::find(model.card.heldOut.begin(), model.card.heldOut.end(), fabric.id.value) != model.card.heldOut.end()) found.push_back(fabric.id);
+        if (std::find(model.card.heldOut.begin(), model.card.heldOut.end(), fabric.id.value) != model.card.heldOut.end())
+            found.push_back(fabric.id);
     if (found.empty())
-        throw protocols::badInput({model.card.heldOut.empty() ? "the model was trained without holding a fabric out, so it cannot be tested by fabric"
-                                                              : "none of the fabrics that the model held out is in the data set",
+        throw protocols::badInput({model.card.heldOut.empty()
+                                       ? "the model was trained without holding a fabric out, so it cannot be tested by fabric"
+                                       : "none of the fabrics that the model held out is in the data set",
                                    models::cardOf(model.file).string(), "held_out naming fabrics of " + dataset.folder.string(),
                                    "train one with `vis2hap train ... --hold-out F02,F09,F13`, or use --split location"});
     return found;
@@ -101,13 +112,14 @@ stats::Value noiseFloorOf(const TestPlan& plan, const std::vector<MeasuredPair>&
 
 /// Asks every model for the photographs of the pairs from `first` on. [model][pair]
 std::vector<std::vector<models::GeneratedSignals>> generatedFor(const Setting& setting, const EvaluationRequest& request,
-                                                                const std::vector<OpenModel>& opened, std::size_t first, std::size_t count,
-                                                                const Generate& generate)
+                                                                const std::vector<OpenModel>& opened, std::size_t first,
+                                                                std::size_t count, const Generate& generate)
 {
     std::vector<models::PhotographToTouch> photographs;
     for (std::size_t i = first; i < first + count; ++i) {
         const Sample& photograph = setting.plan.pairs[i].photograph;
-        photographs.push_back({fabrics::readPhotograph(setting.dataset, photograph.fabric, photograph.index), setting.dataset.cameraMmPerPixel});
+        photographs.push_back(
+            {fabrics::readPhotograph(setting.dataset, photograph.fabric, photograph.index), setting.dataset.cameraMmPerPixel});
     }
     std::vector<std::vector<models::GeneratedSignals>> answers;
     for (const OpenModel& model : opened) {
@@ -127,14 +139,16 @@ std::vector<Speaker> speakersOf(const std::vector<OpenModel>& opened)
         speakers.push_back(i == 0 ? Speaker{SpeakerKind::Generated, "generated", "generated"}
                                   : Speaker{SpeakerKind::Against, "against:" + name, "against: " + name});
     }
+    speakers.push_back(speakerOf(SpeakerKind::GeneratedMean));
     for (const SpeakerKind kind : controlKinds) speakers.push_back(speakerOf(kind));
     speakers.push_back(speakerOf(SpeakerKind::Measured));
     return speakers;
 }
 
 /// [speaker][pair], in the order of speakersOf().
-std::vector<std::vector<Values>> hearAll(const Setting& setting, const EvaluationRequest& request, const std::vector<OpenModel>& opened,
-                                         const std::vector<MeasuredPair>& measured, double rangeMm, const Generate& generate, const Report& report)
+std::vector<std::vector<Values>> hearAll(const Setting& setting, const EvaluationRequest& request,
+                                         const std::vector<OpenModel>& opened, const std::vector<MeasuredPair>& measured,
+                                         double rangeMm, const Generate& generate, const Report& report)
 {
     const std::vector<Speaker> speakers = speakersOf(opened);
     const std::size_t total = setting.plan.pairs.size();
@@ -148,15 +162,15 @@ std::vector<std::vector<Values>> hearAll(const Setting& setting, const Evaluatio
                 const std::size_t i = first + k;
                 const TestPair& pair = setting.plan.pairs[i];
                 const HeightMap partner = partnerMap(setting, pair);
-                for (std::size_t s = 0; s < speakers.size(); ++s) {
-                    if (speakers[s].kind == SpeakerKind::Measured)
-                        heard[s][i] = measuredItself(setting, pair, measured[i]);
-                    else
-                        heard[s][i] = compare(setting, pair, measured[i], partner,
-                                              s < opened.size() ? saidByModel(setting, pair, answers[s][k])
-                                                                : saidByControl(setting, speakers[s].kind, i, measured[i]),
-                                              rangeMm);
-                }
+                const auto said = [&](std::size_t s) {
+                    if (s < opened.size()) return saidByModel(setting, pair, answers[s][k]);
+                    if (speakers[s].kind == SpeakerKind::GeneratedMean) return saidByMean(answers.front()[k], measured[i]);
+                    return saidByControl(setting, speakers[s].kind, i, measured[i]);
+                };
+                for (std::size_t s = 0; s < speakers.size(); ++s)
+                    heard[s][i] = speakers[s].kind == SpeakerKind::Measured
+                                      ? measuredItself(setting, pair, measured[i])
+                                      : compare(setting, pair, measured[i], partner, said(s), rangeMm);
             },
             [&](int done) {
                 if (report) report("generated against measured", static_cast<int>(first) + done, static_cast<int>(total));
@@ -165,12 +179,14 @@ std::vector<std::vector<Values>> hearAll(const Setting& setting, const Evaluatio
     return heard;
 }
 
-void addFacts(const fabrics::Dataset& dataset, const std::vector<OpenModel>& opened, const Setting& setting, Evaluation& evaluation)
+void addFacts(const fabrics::Dataset& dataset, const std::vector<OpenModel>& opened, const Setting& setting,
+              Evaluation& evaluation)
 {
     evaluation.dataset = dataset.name;
     evaluation.aligned = dataset.pairing == fabrics::Pairing::Aligned;
     for (const OpenModel& model : opened)
-        evaluation.models.push_back({model.card.told.name, model.file.string(), model.card.told.sha256, model.card.objective, model.card.heldOut});
+        evaluation.models.push_back(
+            {model.card.told.name, model.file.string(), model.card.told.sha256, model.card.objective, model.card.heldOut});
     evaluation.leaks = setting.plan.leaks;
     evaluation.notes = setting.plan.notes;
     evaluation.pairs = static_cast<int>(setting.plan.pairs.size());
@@ -189,11 +205,13 @@ void addFacts(const fabrics::Dataset& dataset, const std::vector<OpenModel>& ope
 
 const SpeakerResult* Evaluation::speaker(SpeakerKind kind) const
 {
-    const auto found = std::find_if(speakers.begin(), speakers.end(), [&](const SpeakerResult& one) { return one.speaker.kind == kind; });
+    const auto found =
+        std::find_if(speakers.begin(), speakers.end(), [&](const SpeakerResult& one) { return one.speaker.kind == kind; });
     return found == speakers.end() ? nullptr : &*found;
 }
 
-Evaluation evaluate(const fabrics::Dataset& dataset, const EvaluationRequest& request, const Report& report, const Generate& generate)
+Evaluation evaluate(const fabrics::Dataset& dataset, const EvaluationRequest& request, const Report& report,
+                    const Generate& generate)
 {
     const auto opened = openModels(request);
     const PlanRequest asked = planRequest(dataset, request, opened);

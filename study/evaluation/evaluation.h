@@ -15,7 +15,8 @@
 
 namespace study::evaluation {
 
-enum class SpeakerKind { Generated, Against, GlobalConstant, FabricMean, Retrieval, AnotherPlace, Measured };
+/// GeneratedMean: the generated mean friction alone, a constant trace: what the condition h_g&f_g shows of friction.
+enum class SpeakerKind { Generated, GeneratedMean, Against, GlobalConstant, FabricMean, Retrieval, AnotherPlace, Measured };
 
 struct Speaker {
     SpeakerKind kind = SpeakerKind::Generated;
@@ -31,15 +32,15 @@ struct FabricValues {
 
 /// Are the means over fabrics of what was generated and measured the same? Unit: fabric.
 struct MeanComparison {
-    double bound = 0;  ///< of the equivalence test, in the measure's unit
+    double bound = 0;                    ///< of the equivalence test, in the measure's unit
     stats::EquivalenceTest equivalence;  ///< with the paper's t test beside it (tDifference)
 };
 
 struct SpeakerResult {
     Speaker speaker;
     std::vector<FabricValues> fabrics;
-    Values mean;                          ///< over fabrics
-    MeanComparison friction, sq;          ///< against the measured means
+    Values mean;                  ///< over fabrics
+    MeanComparison friction, sq;  ///< against the measured means
 };
 
 struct ModelUsed {
@@ -52,10 +53,10 @@ struct EvaluationRequest {
     std::filesystem::path model;                 ///< empty: the shipped weights
     std::vector<std::filesystem::path> against;  ///< further models, beside it
     SplitKind split = SplitKind::Sample;
-    std::optional<std::uint64_t> splitSeed;      ///< none: the model's own
+    std::optional<std::uint64_t> splitSeed;  ///< none: the model's own
     rendering::models::Quality quality = rendering::models::Quality::Balanced;
     std::optional<int> samplesPerFabric;
-    double boundsFraction = 0.10;                ///< of the measured grand mean: equivalence bounds
+    double boundsFraction = 0.10;  ///< of the measured grand mean: equivalence bounds
     int threads = 2;
 };
 
@@ -65,13 +66,13 @@ struct Evaluation {
     SplitKind split = SplitKind::Sample;
     std::uint64_t splitSeed = 1;
     double boundsFraction = 0.10;
-    std::vector<ModelUsed> models;  ///< the model, then those against it
-    int pairs = 0, fabrics = 0;     ///< tested
+    std::vector<ModelUsed> models;                                          ///< the model, then those against it
+    int pairs = 0, fabrics = 0;                                             ///< tested
     int trainingPhotographs = 0, trainingPresses = 0, trainingStrokes = 0;  ///< that the controls know
     Leaks leaks;
-    stats::Value rangeMm;                  ///< L of SSIM: from the lowest to the highest point of all measured test maps
-    stats::Value noiseFloor;               ///< friction MAE/mean of a constant at each stroke's own mean
-    std::vector<SpeakerResult> speakers;   ///< generated, against, the controls, measured
+    stats::Value rangeMm;                 ///< L of SSIM: from the lowest to the highest point of all measured test maps
+    stats::Value noiseFloor;              ///< friction MAE/mean of a constant at each stroke's own mean
+    std::vector<SpeakerResult> speakers;  ///< generated, against, the controls, measured
     std::vector<std::string> notes;
 
     const SpeakerResult* speaker(SpeakerKind kind) const;  ///< the first of its kind

@@ -71,7 +71,10 @@ Json speakerJson(const SpeakerResult& speaker)
 
 Json modelJson(const ModelUsed& model)
 {
-    return {{"name", model.name}, {"sha256", model.sha256}, {"losses", model.losses}, {"held_out", model.heldOut}};
+    return {{"name", model.name},
+            {"sha256", model.sha256},
+            {"losses", model.losses},
+            {"held_out", model.heldOut}};
 }
 
 Json criteriaJson(const Evaluation& evaluation)
@@ -99,7 +102,9 @@ nlohmann::ordered_json evaluationJson(const Evaluation& evaluation)
               {"pairs", evaluation.pairs},
               {"fabrics", evaluation.fabrics},
               {"controls_know",
-               {{"photographs", evaluation.trainingPhotographs}, {"presses", evaluation.trainingPresses}, {"strokes", evaluation.trainingStrokes}}},
+               {{"photographs", evaluation.trainingPhotographs},
+                {"presses", evaluation.trainingPresses},
+                {"strokes", evaluation.trainingStrokes}}},
               {"leaks", leaksJson(evaluation.leaks)},
               {"bounds_fraction", evaluation.boundsFraction},
               {"notes", evaluation.notes}};

@@ -49,7 +49,10 @@ std::string splitName(const Evaluation& evaluation)
     return "by " + std::string(nameOf(evaluation.split)) + ", " + (evaluation.aligned ? "aligned pairs" : "weak pairs");
 }
 
-std::string title(const Evaluation& evaluation, const std::string& what) { return "\n" + what + " (" + splitName(evaluation) + ")\n"; }
+std::string title(const Evaluation& evaluation, const std::string& what)
+{
+    return "\n" + what + " (" + splitName(evaluation) + ")\n";
+}
 
 struct Titled {
     Section section;
@@ -103,7 +106,8 @@ std::string meansTable(const Evaluation& evaluation)
 {
     const int percent = static_cast<int>(std::lround(100 * evaluation.boundsFraction));
     std::string text = title(evaluation, "Are the means over fabrics the same as the measured? Unit: fabric");
-    std::vector<Line> lines{{"", "mean friction", "difference", "p (equal)  ", "p (different)", "Sq, mm", "difference", "p (equal)  ", "p (different)"}};
+    std::vector<Line> lines{{"", "mean friction", "difference", "p (equal)  ", "p (different)", "Sq, mm", "difference",
+                             "p (equal)  ", "p (different)"}};
     for (const SpeakerResult& speaker : evaluation.speakers) {
         Line line{speaker.speaker.name};
         const auto add = [&](Measure measure, const MeanComparison& means) {
@@ -143,7 +147,8 @@ std::string criteriaTable(const Evaluation& evaluation)
         return entry + "  ";
     };
     for (const Criterion& one : criteria)
-        text += "  " + padded(one.reached ? (*one.reached ? "yes" : "NO") : "?", 3) + padded(one.what, what) + padded(one.asked, asked) + one.found + "\n";
+        text += "  " + padded(one.reached ? (*one.reached ? "yes" : "NO") : "?", 3) + padded(one.what, what) +
+                padded(one.asked, asked) + one.found + "\n";
     return text;
 }
 
@@ -161,14 +166,17 @@ std::string bySignal(const std::map<Modality, int>& counts)
            (count(Modality::Tactile) == 1 ? " press, " : " presses, ") + countOf(count(Modality::Friction), "stroke");
 }
 
-std::string leaksText(const Leaks& leaks)
+std::string leaksText(const Leaks& leaks, SplitKind split)
 {
     std::string text = "  testing part: " + bySignal(leaks.tested) + "\n";
     const auto add = [&](const std::map<Modality, int>& counts, const std::string& what) {
         text += "  " + what + ": " + (sumOf(counts) == 0 ? "none" : bySignal(counts)) + "\n";
     };
-    add(leaks.trainedOn, "  left out, a model was trained on the very files");
-    if (sumOf(leaks.placeTrainedOn) > 0) add(leaks.placeTrainedOn, "  left out, a model was trained on the piece of fabric that they show");
+    const bool leak = split == SplitKind::Augmented;
+    add(leaks.trainedOn, leak ? "  LEAK: a model was trained on the very files; the figures below measure memory, too"
+                              : "  left out, a model was trained on the very files");
+    if (sumOf(leaks.placeTrainedOn) > 0)
+        add(leaks.placeTrainedOn, "  left out, a model was trained on the piece of fabric that they show");
     add(leaks.duplicates, "  same bytes as a sample outside the testing part");
     add(leaks.overlaps, "  on fabric that a sample of the same signal outside it shows, too");
     return text;
@@ -186,8 +194,9 @@ std::string head(const Evaluation& evaluation)
             std::to_string(evaluation.trainingPresses) + " presses and " + countOf(evaluation.trainingStrokes, "stroke") +
             " of the training part\n";
     text += "  figures are means within a fabric, then over fabrics";
-    if (evaluation.rangeMm.exists()) text += "; SSIM: L = " + number("%.4f", *evaluation.rangeMm) + " mm, the range of all measured test maps";
-    text += "\n" + leaksText(evaluation.leaks);
+    if (evaluation.rangeMm.exists())
+        text += "; SSIM: L = " + number("%.4f", *evaluation.rangeMm) + " mm, the range of all measured test maps";
+    text += "\n" + leaksText(evaluation.leaks, evaluation.split);
     for (const std::string& note : evaluation.notes) text += "  note: " + note + "\n";
     return text;
 }
@@ -198,10 +207,14 @@ std::string shownValue(const stats::Value& value, Shown shown)
 {
     if (!value.exists()) return "-";
     switch (shown) {
-        case Shown::Plain4: return number("%.4f", *value);
-        case Shown::Percent: return number("%.1f %%", 100 * *value);
-        case Shown::Decibels: return number("%.2f dB", *value);
-        case Shown::Ratio: return number("%.3f", *value);
+        case Shown::Plain4:
+            return number("%.4f", *value);
+        case Shown::Percent:
+            return number("%.1f %%", 100 * *value);
+        case Shown::Decibels:
+            return number("%.2f dB", *value);
+        case Shown::Ratio:
+            return number("%.3f", *value);
     }
     return {};
 }
@@ -219,7 +232,8 @@ std::string evaluationText(const Evaluation& evaluation)
         if (!any)
             for (const MeasureRow& row : measureTable())
                 if (row.section == section.section) {
-                    text += title(evaluation, section.title) + "  not measured: " + at(evaluation.speakers.front().mean, row.measure).why() + "\n";
+                    text += title(evaluation, section.title) +
+                            "  not measured: " + at(evaluation.speakers.front().mean, row.measure).why() + "\n";
                     break;
                 }
     }

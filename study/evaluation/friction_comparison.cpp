@@ -56,7 +56,8 @@ Trace constantTrace(double value, std::size_t length) { return {std::vector<doub
 
 Trace atSpacing(Trace trace, double mmPerSample)
 {
-    if (!(trace.mmPerSample > 0 && mmPerSample > 0) || std::abs(trace.mmPerSample / mmPerSample - 1) < 0.01 || trace.values.size() < 2)
+    if (!(trace.mmPerSample > 0 && mmPerSample > 0) || std::abs(trace.mmPerSample / mmPerSample - 1) < 0.01 ||
+        trace.values.size() < 2)
         return trace;
     const double last = static_cast<double>(trace.values.size() - 1), step = mmPerSample / trace.mmPerSample;
     Trace result{{}, mmPerSample};
@@ -94,8 +95,8 @@ void compareTraces(const Trace& generated, const Trace& measured, Values& values
     at(values, Measure::FrictionMae) = error.mae;
     at(values, Measure::FrictionMaeOverMean) = error.maeOverMean;
     const double mean = meanOf(generated.values), truth = meanOf(measured.values);
-    at(values, Measure::MeanFrictionError) = truth > 0 ? stats::Value(std::abs(mean - truth) / truth)
-                                                       : stats::Value::undefined("the measured mean is not above 0");
+    at(values, Measure::MeanFrictionError) =
+        truth > 0 ? stats::Value(std::abs(mean - truth) / truth) : stats::Value::undefined("the measured mean is not above 0");
     at(values, Measure::FrictionSpectrum) = envelopeDistance(generated.values, measured.values);
     at(values, Measure::MeanFriction) = mean;
 }

@@ -20,7 +20,8 @@ Trace atSpacing(Trace trace, double mmPerSample);
 
 struct FrictionFeatures {
     double mean = 0;
-    std::vector<double> bandPowers;  ///< of the trace over its mean, in eight bands of frequency: 0 for a constant, empty for a trace below 64 samples
+    std::vector<double> bandPowers;  ///< of the trace over its mean, in eight bands of frequency: 0 for a constant, empty for a
+                                     ///< trace below 64 samples
 };
 FrictionFeatures frictionFeatures(const Trace& trace);
 

@@ -6,7 +6,6 @@
 #include <opencv2/imgproc.hpp>
 
 #include "rendering/signals/roughness.h"
-#include "stats/registered_ssim.h"
 
 namespace study::evaluation {
 
@@ -14,7 +13,7 @@ namespace {
 
 constexpr double longestMm = 6.4;
 constexpr double bandFloor = 1e-4;  // -40 dB of the strongest band: less power is neither seen nor felt
-constexpr int bandCount = 15;  // thirds of an octave down to 0.2 mm
+constexpr int bandCount = 15;       // thirds of an octave down to 0.2 mm
 
 cv::Mat middle(const cv::Mat& map, cv::Size size)
 {
@@ -65,7 +64,8 @@ cv::Mat powerDensity(const cv::Mat& square, double pitchMm)
     return (parts[0].mul(parts[0]) + parts[1].mul(parts[1])) * (pitchMm * pitchMm / cv::sum(window.mul(window))[0]);
 }
 
-/// Bands overlap by halves (triangles over the logarithm of the frequency), so that no line of a spectrum jumps from one to the next.
+/// Bands overlap by halves (triangles over the logarithm of the frequency), so that no line of a spectrum jumps from one to the
+/// next.
 std::vector<double> bandPowersOf(const cv::Mat& square, double pitchMm)
 {
     const int side = square.cols;
@@ -97,13 +97,28 @@ stats::Value ratioOf(double generated, double measured)
     return generated / measured;
 }
 
+/// The corner within `window` at which `part` correlates best; the middle where `part` does not vary.
+cv::Point bestPlace(const cv::Mat& part, const cv::Mat& window)
+{
+    cv::Mat partFloat, windowFloat, correlation;
+    cv::Mat(part - cv::mean(part)[0]).convertTo(partFloat, CV_32F);
+    cv::Mat(window - cv::mean(window)[0]).convertTo(windowFloat, CV_32F);
+    cv::Point best((window.cols - part.cols) / 2, (window.rows - part.rows) / 2);
+    if (cv::norm(partFloat, cv::NORM_INF) > 0) {
+        cv::matchTemplate(windowFloat, partFloat, correlation, cv::TM_CCOEFF_NORMED);
+        cv::minMaxLoc(correlation, nullptr, nullptr, nullptr, &best);
+    }
+    return best;
+}
+
 stats::Value registered(const HeightMap& generated, const HeightMap& measured, double rangeMm)
 {
-    const int side = std::min({largestSideAlongFabric(generated), largestSideAlongFabric(measured), registeredSidePx});
+    const int wide = largestSideAlongFabric(measured);
+    const int side = std::min({largestSideAlongFabric(generated), wide, registeredSidePx});
     if (side < 16) return stats::Value::undefined("the maps are too small to be brought into register");
-    const cv::Mat a = alongFabric(generated, side), b = alongFabric(measured, side);
-    if (generated.isFlat()) return stats::ssim(viewOf(a), viewOf(b), rangeMm).mean;  // no shift changes it
-    return stats::registeredSsim(viewOf(b), viewOf(a), rangeMm, std::min(mostShiftPx, (side - 12) / 2)).ssim;
+    const cv::Mat part = alongFabric(generated, side), window = alongFabric(measured, wide);
+    const cv::Mat fitted = window(cv::Rect(bestPlace(part, window), part.size())).clone();
+    return stats::ssim(viewOf(part), viewOf(fitted), rangeMm).mean;
 }
 
 }  // namespace
@@ -164,7 +179,8 @@ cv::Mat alongFabric(const HeightMap& map, int side)
     // A fabric anticlockwise by the angle in the picture, whose y points down: where its axes' point (u, v) lies there.
     const cv::Mat fromFabric = (cv::Mat_<double>(2, 3) << c, s, x - c * to - s * to, -s, c, y + s * to - c * to);
     cv::Mat turned;
-    cv::warpAffine(map.heightMm, turned, fromFabric, {side, side}, cv::INTER_CUBIC | cv::WARP_INVERSE_MAP, cv::BORDER_REFLECT_101);
+    cv::warpAffine(map.heightMm, turned, fromFabric, {side, side}, cv::INTER_CUBIC | cv::WARP_INVERSE_MAP,
+                   cv::BORDER_REFLECT_101);
     return asDouble(turned);
 }
 

@@ -14,9 +14,9 @@ inline constexpr const char* flatMapWhy = "a flat map has no texture";
 
 /// A map at the pitch of the measured ones.
 struct HeightMap {
-    cv::Mat heightMm;            ///< CV_32FC1
-    double pitchMm = 1;          ///< mm a pixel
-    double rotationDeg = 0;      ///< of the fabric in it, anticlockwise; 0 where unknown
+    cv::Mat heightMm;        ///< CV_32FC1
+    double pitchMm = 1;      ///< mm a pixel
+    double rotationDeg = 0;  ///< of the fabric in it, anticlockwise; 0 where unknown
     bool isFlat() const;
 };
 
@@ -25,7 +25,8 @@ HeightMap atPitch(HeightMap map, double pitchMm);
 
 /// What tells heights apart whatever their place and direction; of a middle square.
 struct HeightFeatures {
-    std::vector<double> bandPowers;  ///< mean power in thirds of an octave from 6.4 to 0.2 mm wavelength, mm^4; the empty ones left out
+    std::vector<double>
+        bandPowers;  ///< mean power in thirds of an octave from 6.4 to 0.2 mm wavelength, mm^4; the empty ones left out
     double sqMm = 0;
     double sdr = 0;
     double salMm = 0;
@@ -47,8 +48,8 @@ int largestSideAlongFabric(const HeightMap& map);
 void compareHeights(const HeightMap& generated, const HeightFeatures& generatedFeatures, const HeightMap& measured,
                     const HeightFeatures& measuredFeatures, double rangeMm, Values& values);
 
-/// Searched in each direction by the registered similarity, px, where the maps are large enough.
-inline constexpr int mostShiftPx = 16;
-inline constexpr int registeredSidePx = 160;
+/// The registered similarity looks for the middle of the generated map, so many px wide, all over the measured one: 3.4 mm
+/// of search for presses of 12 x 16 mm, a repeat of the coarsest fabrics.
+inline constexpr int registeredSidePx = 128;
 
 }  // namespace study::evaluation

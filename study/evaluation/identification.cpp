@@ -9,7 +9,8 @@ namespace study::evaluation {
 namespace {
 
 // Far below any fabric, far above rounding.
-constexpr double powerFloor = 1e-12, sqFloorMm = 1e-6, sdrFloor = 1e-9, salFloorMm = 1e-4, meanFloor = 1e-4, texturePowerFloor = 1e-10;
+constexpr double powerFloor = 1e-12, sqFloorMm = 1e-6, sdrFloor = 1e-9, salFloorMm = 1e-4, meanFloor = 1e-4,
+                 texturePowerFloor = 1e-10;
 
 FeatureVector meanOf(const std::vector<FeatureVector>& samples)
 {

@@ -77,7 +77,7 @@ Leaks findLeaks(std::vector<Placed>& samples, const PlanRequest& request)
         leaks.trainedOn[modality] += known;
         const bool leftOutForPlace = !known && overlapsTraining && request.split == SplitKind::Location;
         leaks.placeTrainedOn[modality] += leftOutForPlace;
-        sample.leftOut = known || leftOutForPlace;
+        sample.leftOut = request.split != SplitKind::Augmented && (known || leftOutForPlace);
     }
     return leaks;
 }

@@ -15,7 +15,8 @@ std::string whyNoFrictionIn(const fabrics::Dataset& dataset)
     for (const auto& fabric : dataset.fabrics)
         if (const auto indices = fabrics::sampleIndices(dataset, fabric.id, fabrics::Modality::Friction); !indices.empty()) {
             const auto record = fabrics::readFriction(dataset, fabric.id, indices.front());
-            return record.isCoefficient() ? "" : "the friction records hold " + record.quantity + ", not a coefficient of friction";
+            return record.isCoefficient() ? ""
+                                          : "the friction records hold " + record.quantity + ", not a coefficient of friction";
         }
     return "the data set has no friction records";
 }
@@ -30,7 +31,9 @@ bool hasPresses(const fabrics::Dataset& dataset)
 }  // namespace
 
 MeasuredSignals::MeasuredSignals(const fabrics::Dataset& dataset, double pitchIfUnknownMm)
-    : m_dataset(dataset), m_pitchMm(dataset.tactileMmPerPixel.value_or(pitchIfUnknownMm)), m_whyNoFriction(whyNoFrictionIn(dataset))
+    : m_dataset(dataset),
+      m_pitchMm(dataset.tactileMmPerPixel.value_or(pitchIfUnknownMm)),
+      m_whyNoFriction(whyNoFrictionIn(dataset))
 {
     if (!hasPresses(dataset)) {
         m_whyNoHeight = "the data set has no tactile frames";

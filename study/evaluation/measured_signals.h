@@ -1,8 +1,8 @@
 // What the instruments said: height of a press and trace of a stroke, as the generators are trained on them.
 #pragma once
 
-#include <optional>
 #include <opencv2/core/mat.hpp>
+#include <optional>
 #include <string>
 
 #include "rendering/fabrics/dataset.h"

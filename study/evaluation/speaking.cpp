@@ -74,12 +74,23 @@ std::string whyNo(const std::string& dataset, const char* partner)
 }
 
 /// What another sample of the data set says.
-Said saidBySamples(const Setting& setting, const std::optional<Sample>& press, const std::optional<Sample>& stroke, const std::string& why)
+Said saidBySamples(const Setting& setting, const std::optional<Sample>& press, const std::optional<Sample>& stroke,
+                   const std::string& why)
 {
     Said said;
     said.whyNoHeight = said.whyNoTrace = why;
     if (press && setting.measured.whyNoHeight().empty()) said.height = mapOf(setting, *press);
     if (stroke && setting.measured.whyNoFriction().empty()) said.trace = traceOf(setting, *stroke);
+    return said;
+}
+
+/// The retrieved press, laid as the retrieved photograph lies: which way the fabric lies in a photograph that it is asked
+/// for, retrieval does not know. So it is off by as much as the two photographs are turned against each other.
+Said saidByNeighbour(const Setting& setting, const Sample& asked, const Retrieved& found)
+{
+    Said said = saidBySamples(setting, found.press, found.stroke, "the training part holds no such sample of the retrieved fabric");
+    if (said.height && asked.rotationDeg && found.photograph.rotationDeg)
+        said.height->rotationDeg += *asked.rotationDeg - *found.photograph.rotationDeg;
     return said;
 }
 
@@ -122,6 +133,14 @@ Said saidByModel(const Setting& setting, const TestPair& pair, const rendering::
     return said;
 }
 
+Said saidByMean(const rendering::models::GeneratedSignals& generated, const MeasuredPair& measured)
+{
+    Said said;
+    said.whyNoHeight = "it speaks of friction alone";
+    if (measured.trace) said.trace = constantTrace(generated.meanFriction, measured.trace->values.size());
+    return said;
+}
+
 Said saidByControl(const Setting& setting, SpeakerKind kind, std::size_t number, const MeasuredPair& measured)
 {
     const TestPair& pair = setting.plan.pairs[number];
@@ -130,22 +149,24 @@ Said saidByControl(const Setting& setting, SpeakerKind kind, std::size_t number,
         case SpeakerKind::GlobalConstant:
             return saidByConstants(setting, pair, measured, controls.heightMm, controls.friction);
         case SpeakerKind::FabricMean:
-            return saidByConstants(setting, pair, measured, controls.heightMmOfFabric[pair.fabric], controls.frictionOfFabric[pair.fabric]);
+            return saidByConstants(setting, pair, measured, controls.heightMmOfFabric[pair.fabric],
+                                   controls.frictionOfFabric[pair.fabric]);
         case SpeakerKind::Retrieval:
             if (controls.retrieved.empty()) return saidBySamples(setting, {}, {}, controls.whyNothingRetrieved);
-            return saidBySamples(setting, controls.retrieved[number].press, controls.retrieved[number].stroke,
-                                 "the training part holds no such sample of the retrieved fabric");
+            return saidByNeighbour(setting, pair.photograph, controls.retrieved[number]);
         case SpeakerKind::AnotherPlace:
             return saidBySamples(setting, pair.otherPress, pair.otherStroke, "the fabric has no second sample of the signal");
         case SpeakerKind::Generated:
+        case SpeakerKind::GeneratedMean:
         case SpeakerKind::Against:
-        case SpeakerKind::Measured: break;
+        case SpeakerKind::Measured:
+            break;
     }
     return {};
 }
 
-Values compare(const Setting& setting, const TestPair& pair, const MeasuredPair& measured, const HeightMap& partner, const Said& said,
-               double rangeMm)
+Values compare(const Setting& setting, const TestPair& pair, const MeasuredPair& measured, const HeightMap& partner,
+               const Said& said, double rangeMm)
 {
     Values values;
     std::optional<HeightFeatures> height;
@@ -160,8 +181,10 @@ Values compare(const Setting& setting, const TestPair& pair, const MeasuredPair&
         compareTraces(trace, *measured.trace, values);
     }
     identify(setting, pair, height, friction, values);
-    if (!height) setUndefinedHeight(values, measured.heightFeatures ? said.whyNoHeight : whyNo(setting.measured.whyNoHeight(), "press"));
-    if (!friction) setUndefinedFriction(values, measured.trace ? said.whyNoTrace : whyNo(setting.measured.whyNoFriction(), "stroke"));
+    if (!height)
+        setUndefinedHeight(values, measured.heightFeatures ? said.whyNoHeight : whyNo(setting.measured.whyNoHeight(), "press"));
+    if (!friction)
+        setUndefinedFriction(values, measured.trace ? said.whyNoTrace : whyNo(setting.measured.whyNoFriction(), "stroke"));
     return values;
 }
 

@@ -33,11 +33,13 @@ struct Said {
 };
 
 Said saidByModel(const Setting& setting, const TestPair& pair, const rendering::models::GeneratedSignals& generated);
+/// The generated mean friction, as a constant.
+Said saidByMean(const rendering::models::GeneratedSignals& generated, const MeasuredPair& measured);
 Said saidByControl(const Setting& setting, SpeakerKind kind, std::size_t pair, const MeasuredPair& measured);
 
 /// All measures of one speaker on one pair. `partner`: the measured map, empty where there is none.
-Values compare(const Setting& setting, const TestPair& pair, const MeasuredPair& measured, const HeightMap& partner, const Said& said,
-               double rangeMm);
+Values compare(const Setting& setting, const TestPair& pair, const MeasuredPair& measured, const HeightMap& partner,
+               const Said& said, double rangeMm);
 /// The measured pair itself before the judge: the ceiling of identification, and the measured means.
 Values measuredItself(const Setting& setting, const TestPair& pair, const MeasuredPair& measured);
 

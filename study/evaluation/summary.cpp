@@ -58,7 +58,8 @@ MeanComparison compareMeans(const SpeakerResult& speaker, const SpeakerResult& m
     std::string why = "there is no fabric to compare";
     double sum = 0;
     for (std::size_t i = 0; i < measured.fabrics.size(); ++i) {
-        const stats::Value &said = at(speaker.fabrics[i].values, measure), &measuredMean = at(measured.fabrics[i].values, measure);
+        const stats::Value &said = at(speaker.fabrics[i].values, measure),
+                           &measuredMean = at(measured.fabrics[i].values, measure);
         if (!said.exists() || !measuredMean.exists()) {
             why = said.exists() ? measuredMean.why() : said.why();
             continue;

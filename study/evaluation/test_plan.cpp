@@ -13,13 +13,15 @@ namespace {
 namespace fabrics = rendering::fabrics;
 using fabrics::Part;
 
-std::vector<FabricSamples> byFabric(const fabrics::Dataset& dataset, const std::vector<Placed>& samples, const PlanRequest& request)
+std::vector<FabricSamples> byFabric(const fabrics::Dataset& dataset, const std::vector<Placed>& samples,
+                                    const PlanRequest& request)
 {
     std::vector<FabricSamples> result;
     for (const auto& info : dataset.fabrics) result.push_back({info.id, isHeldOut(request, info.id), {}, {}});
     for (const Placed& sample : samples) {
         const auto& place = sample.place;
-        const auto fabric = std::find_if(result.begin(), result.end(), [&](const auto& one) { return one.fabric == place.fabric; });
+        const auto fabric =
+            std::find_if(result.begin(), result.end(), [&](const auto& one) { return one.fabric == place.fabric; });
         const Sample plain{place.fabric, place.modality, place.index, place.rotationDeg, sample.sha256};
         if (isTested(request, sample) && !sample.leftOut) fabric->testing[place.modality].push_back(plain);
         if (sample.part == Part::Training) fabric->training[place.modality].push_back(plain);
@@ -49,7 +51,8 @@ public:
     std::optional<Sample> of(const Sample& photograph, std::size_t turn) const
     {
         if (!m_aligned) return m_testing.empty() ? std::nullopt : std::optional(m_testing[turn % m_testing.size()]);
-        const auto found = std::find_if(m_testing.begin(), m_testing.end(), [&](const Sample& sample) { return sample.index == photograph.index; });
+        const auto found = std::find_if(m_testing.begin(), m_testing.end(),
+                                        [&](const Sample& sample) { return sample.index == photograph.index; });
         return found == m_testing.end() ? std::nullopt : std::optional(*found);
     }
 
@@ -57,7 +60,8 @@ public:
     std::optional<Sample> otherThan(const std::optional<Sample>& partner) const
     {
         if (!partner) return {};
-        const auto self = std::find_if(m_testing.begin(), m_testing.end(), [&](const Sample& sample) { return sample.index == partner->index; });
+        const auto self = std::find_if(m_testing.begin(), m_testing.end(),
+                                       [&](const Sample& sample) { return sample.index == partner->index; });
         for (std::size_t k = 1; k < m_testing.size(); ++k) {
             const Sample& next = m_testing[(static_cast<std::size_t>(self - m_testing.begin()) + k) % m_testing.size()];
             if (next.sha256 != partner->sha256) return next;
@@ -118,9 +122,10 @@ void requireSomethingLeft(const fabrics::Dataset& dataset, const TestPlan& plan,
     const std::string left = trainedOn > 0 ? "the model was trained on every photograph of the testing part, or on its place (" +
                                                  std::to_string(trainedOn) + " samples were left out)"
                                            : "the testing part holds no photograph: a tenth of fewer than three places is none";
-    throw protocols::badInput({"nothing is left to test on: " + left, dataset.folder.string(), "photographs that the model was not trained on",
-                               request.split == SplitKind::Location ? "use the --split-seed the model was trained with, or --split sample"
-                                                                    : "use the --split-seed the model was trained with, or another data set"});
+    throw protocols::badInput(
+        {"nothing is left to test on: " + left, dataset.folder.string(), "photographs that the model was not trained on",
+         request.split == SplitKind::Location ? "use the --split-seed the model was trained with, or --split sample"
+                                              : "use the --split-seed the model was trained with, or another data set"});
 }
 
 }  // namespace
@@ -128,9 +133,14 @@ void requireSomethingLeft(const fabrics::Dataset& dataset, const TestPlan& plan,
 std::string_view nameOf(SplitKind kind)
 {
     switch (kind) {
-        case SplitKind::Sample: return "sample";
-        case SplitKind::Location: return "location";
-        case SplitKind::Fabric: return "fabric";
+        case SplitKind::Sample:
+            return "sample";
+        case SplitKind::Location:
+            return "location";
+        case SplitKind::Fabric:
+            return "fabric";
+        case SplitKind::Augmented:
+            return "augmented";
     }
     return {};
 }
@@ -150,7 +160,8 @@ TestPlan testPlan(const fabrics::Dataset& dataset, const PlanRequest& request, c
                                  ? "samples.csv does not tell every place: such a sample counts as a place of its own"
                                  : "samples.csv does not tell every place, so overlapping samples are not all found");
     for (const FabricSamples& fabric : plan.fabrics)
-        if (const bool tested = request.split != SplitKind::Fabric || fabric.heldOut; tested && !fabric.testing.contains(Modality::Visual))
+        if (const bool tested = request.split != SplitKind::Fabric || fabric.heldOut;
+            tested && !fabric.testing.contains(Modality::Visual))
             plan.notes.push_back("fabric " + fabric.fabric.value + " is left out: no photograph of it is left to test on");
     return plan;
 }

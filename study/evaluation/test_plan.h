@@ -16,8 +16,10 @@ namespace study::evaluation {
 
 using rendering::fabrics::Modality;
 
-enum class SplitKind { Sample, Location, Fabric };
-std::string_view nameOf(SplitKind kind);  ///< "sample", "location", "fabric"
+/// Augmented: the paper's split after augmentation, in which every original has copies in every part; nothing is left out
+/// of the test, and what a model was trained on is counted: such figures measure memory.
+enum class SplitKind { Sample, Location, Fabric, Augmented };
+std::string_view nameOf(SplitKind kind);  ///< "sample", "location", "fabric", "augmented"
 
 struct Sample {
     protocols::FabricId fabric;
@@ -43,12 +45,12 @@ struct TestPair {
 
 /// Counts of test samples, by signal.
 struct Leaks {
-    std::map<Modality, int> tested;            ///< in the testing part, before any is left out
-    std::map<Modality, int> trainedOn;         ///< a model was trained on the very file: left out
-    std::map<Modality, int> placeTrainedOn;    ///< overlaps a place trained on: left out (by location)
-    std::map<Modality, int> duplicates;        ///< same bytes as a file outside the test
-    std::map<Modality, int> overlaps;          ///< its place overlaps one outside the test
-    bool placesKnown = true;                   ///< else overlaps could not be looked for
+    std::map<Modality, int> tested;          ///< in the testing part, before any is left out
+    std::map<Modality, int> trainedOn;       ///< a model was trained on the very file: left out
+    std::map<Modality, int> placeTrainedOn;  ///< overlaps a place trained on: left out (by location)
+    std::map<Modality, int> duplicates;      ///< same bytes as a file outside the test
+    std::map<Modality, int> overlaps;        ///< its place overlaps one outside the test
+    bool placesKnown = true;                 ///< else overlaps could not be looked for
 };
 
 struct TestPlan {
@@ -61,9 +63,9 @@ struct TestPlan {
 struct PlanRequest {
     SplitKind split = SplitKind::Sample;
     std::uint64_t seed = 1;
-    std::set<std::string> trainedOn;               ///< SHA-256 of every file a model was trained on
-    std::vector<protocols::FabricId> heldOut;      ///< by fabric: those tested on
-    std::optional<int> samplesPerFabric;           ///< test photographs; none: all
+    std::set<std::string> trainedOn;           ///< SHA-256 of every file a model was trained on
+    std::vector<protocols::FabricId> heldOut;  ///< by fabric: those tested on
+    std::optional<int> samplesPerFabric;       ///< test photographs; none: all
     int threads = 2;
 };
 

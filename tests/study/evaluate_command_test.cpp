@@ -1,12 +1,11 @@
 // vis2hap evaluate with the shipped weights, as typed.
-#include "tests/support/program.h"
-
 #include <QDir>
 #include <QFile>
 #include <QTemporaryDir>
 #include <QtTest>
-
 #include <nlohmann/json.hpp>
+
+#include "tests/support/program.h"
 
 using nlohmann::json;
 
@@ -24,7 +23,8 @@ private Q_SLOTS:
     {
         const QString file = m_folder.filePath("evaluation.json");
         const auto ended = support::mustRun({"evaluate", m_data, "--split", "location", "--quality", "fast", "--json", file});
-        for (const char* wanted : {"Friction (by location, weak pairs)", "nearest photograph", "fabric, another place", "noise floor", "To be reached"})
+        for (const char* wanted : {"Friction (by location, weak pairs)", "nearest photograph", "fabric, another place",
+                                   "noise floor", "To be reached"})
             QVERIFY2(ended.out.contains(wanted), wanted);
         QFile written(file);
         QVERIFY(written.open(QIODevice::ReadOnly));
@@ -51,7 +51,9 @@ private Q_SLOTS:
     {
         QTest::addColumn<QStringList>("arguments");
         QTest::addColumn<QString>("named");
-        const auto row = [](const char* name, const QStringList& arguments, const char* named) { QTest::newRow(name) << arguments << named; };
+        const auto row = [](const char* name, const QStringList& arguments, const char* named) {
+            QTest::newRow(name) << arguments << named;
+        };
         row("no data set", {"evaluate", "/nowhere"}, "/nowhere");
         row("no such split", {"evaluate", "DATA", "--split", "person"}, "person");
         row("no samples", {"evaluate", "DATA", "--samples", "0"}, "samples");

@@ -1,6 +1,6 @@
-// What `vis2hap evaluate` measures of a pair of signals: height maps, friction traces, whether the fabric is recognised, averages.
+// What `vis2hap evaluate` measures of a pair of signals: height maps, friction traces, whether the fabric is recognised,
+// averages.
 #include <QtTest>
-
 #include <cmath>
 #include <numbers>
 #include <opencv2/imgproc.hpp>
@@ -22,7 +22,8 @@ HeightMap weave(double depthMm, double rotationDeg = 0, double shiftMm = 0, cv::
         for (int column = 0; column < size.width; ++column) {
             const double x = (column - (size.width - 1) / 2.0) * 0.05, y = (row - (size.height - 1) / 2.0) * 0.05;
             const double u = std::cos(angle) * x - std::sin(angle) * y + shiftMm, v = std::sin(angle) * x + std::cos(angle) * y;
-            const double relief = std::sin(turn * u / 1.7) + 0.6 * std::sin(turn * v / 2.3) + 0.3 * std::sin(turn * (u + v) / 0.6);
+            const double relief =
+                std::sin(turn * u / 1.7) + 0.6 * std::sin(turn * v / 2.3) + 0.3 * std::sin(turn * (u + v) / 0.6);
             map.heightMm.at<float>(row, column) = static_cast<float>(depthMm * (2 + relief));
         }
     return map;
@@ -84,7 +85,8 @@ private Q_SLOTS:
         const Values values = compared(weave(0.1, rotation, 0.4, {256, 256}), weave(0.1, 2));
         QVERIFY2(at_(values, Measure::SsimRegistered) > 0.97, qPrintable(QString::number(at_(values, Measure::SsimRegistered))));
         QVERIFY(at_(values, Measure::Ssim) < 0.5);
-        QVERIFY2(at_(values, Measure::HeightSpectrum) < 2.5, qPrintable(QString::number(at_(values, Measure::HeightSpectrum))));  // whatever the direction
+        QVERIFY2(at_(values, Measure::HeightSpectrum) < 2.5,
+                 qPrintable(QString::number(at_(values, Measure::HeightSpectrum))));  // whatever the direction
     }
 
     void unknownTurnStaysAsItLies()
@@ -165,7 +167,8 @@ private Q_SLOTS:
         std::vector<std::vector<FeatureVector>> heights(3), frictions(3);
         const auto height = [](int k, std::uint64_t salt) {
             protocols::Random random(salt + 100 * static_cast<std::uint64_t>(k));
-            return featureVector(heightFeatures(weave(0.05 * (k + 1) * random.uniform(0.9, 1.1), 0, random.uniform(0, 2), {120, 120}), 120));
+            return featureVector(
+                heightFeatures(weave(0.05 * (k + 1) * random.uniform(0.9, 1.1), 0, random.uniform(0, 2), {120, 120}), 120));
         };
         const auto friction = [](int k, std::uint64_t salt) {
             return featureVector(frictionFeatures(stroke(0.3, 0.02, salt + 100 * static_cast<std::uint64_t>(k), 0.9 - 0.4 * k)));
@@ -194,8 +197,10 @@ private Q_SLOTS:
                 samples[side < 0 ? 0 : 1].push_back({wide + narrow, wide - narrow});
             }
         const Identifier identifier(samples);
-        QCOMPARE(identifier.classOf({20 + 0.5, 20 - 0.5}), std::optional<std::size_t>(1));
-        QCOMPARE(identifier.classOf({-20 - 0.5, -20 + 0.5}), std::optional<std::size_t>(0));
+        for (const double far : {-20.0, 0.0, 20.0}) {
+            QCOMPARE(identifier.classOf({far + 0.5, far - 0.5}), std::optional<std::size_t>(1));
+            QCOMPARE(identifier.classOf({far - 0.5, far + 0.5}), std::optional<std::size_t>(0));
+        }
     }
 
     void oneFabricOrOneSampleCannotBeToldApartOrIsStillDefined()

@@ -30,9 +30,12 @@ Dataset scattered(const fs::path& folder, int count, Pairing pairing = Pairing::
                 const fs::path file = samplePath(dataset, fabric.id, modality, i);
                 fs::create_directories(file.parent_path());
                 if (modality == Modality::Friction)
-                    write(file, "t_s,mu\n0,0." + std::to_string(i + 1) + "\n1,0." + std::to_string(fabric.id == FabricId("F01")) + "\n");
+                    write(file, "t_s,mu\n0,0." + std::to_string(i + 1) + "\n1,0." + std::to_string(fabric.id == FabricId("F01")) +
+                                    "\n");
                 else
-                    rendering::writePng(file, speckled(10, 10, CV_8UC3, i * 4 + (modality == Modality::Tactile) * 2 + (fabric.id == FabricId("F01"))));
+                    rendering::writePng(
+                        file,
+                        speckled(10, 10, CV_8UC3, i * 4 + (modality == Modality::Tactile) * 2 + (fabric.id == FabricId("F01"))));
                 const std::string group = pairing == Pairing::Aligned ? fabric.id.value + "-" + std::to_string(i) : "";
                 places.push_back({fabric.id, modality, i, 100.0 * i, 0.0, 0.0, group});
             }
@@ -94,13 +97,19 @@ private Q_SLOTS:
 
     void alignedPairsTakeTheSameIndex()
     {
-        const TestPlan plan = testPlan(scattered(pathOf(*m_folder) / "aligned", 30, Pairing::Aligned), {});
+        const Dataset aligned = scattered(pathOf(*m_folder) / "aligned", 30, Pairing::Aligned);
+        const TestPlan plan = testPlan(aligned, {});
         QCOMPARE(plan.pairs.size(), std::size_t(6));
         for (const TestPair& pair : plan.pairs) {
             QCOMPARE(pair.press->index, pair.photograph.index);
             QCOMPARE(pair.stroke->index, pair.photograph.index);
             QVERIFY(pair.otherPress->index != pair.photograph.index);
         }
+        PlanRequest request;
+        request.trainedOn = {plan.pairs[0].press->sha256};
+        const TestPlan without = testPlan(aligned, request);
+        QVERIFY(!without.pairs[0].press && without.pairs[0].stroke);  // no other press takes its place
+        QCOMPARE(without.pairs[1].press->index, without.pairs[1].photograph.index);
     }
 
     void samplesTrainedOnAreLeftOutAndCounted()
@@ -123,7 +132,8 @@ private Q_SLOTS:
         const TestPlan before = testPlan(m_dataset, {});
         QCOMPARE(before.leaks.duplicates.at(Modality::Visual), 0);
         fs::copy_file(samplePath(m_dataset, FabricId("F01"), Modality::Visual, testedPhotographs(before).front()),
-                      samplePath(m_dataset, FabricId("F01"), Modality::Visual, notTested(before)), fs::copy_options::overwrite_existing);
+                      samplePath(m_dataset, FabricId("F01"), Modality::Visual, notTested(before)),
+                      fs::copy_options::overwrite_existing);
         const TestPlan after = testPlan(m_dataset, {});
         QCOMPARE(after.leaks.duplicates.at(Modality::Visual), 1);
         QCOMPARE(after.leaks.duplicates.at(Modality::Tactile), 0);

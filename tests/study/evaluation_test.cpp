@@ -1,6 +1,5 @@
 // A whole evaluation with generators that are made up: a perfect one, a constant one; extremes of the data set. No libtorch.
 #include <QtTest>
-
 #include <atomic>
 #include <fstream>
 #include <map>
@@ -24,7 +23,10 @@ using rendering::models::PhotographToTouch;
 
 namespace {
 
-std::string bytesOf(const cv::Mat& image) { return protocols::sha256({reinterpret_cast<const char*>(image.data), image.total() * image.elemSize()}); }
+std::string bytesOf(const cv::Mat& image)
+{
+    return protocols::sha256({reinterpret_cast<const char*>(image.data), image.total() * image.elemSize()});
+}
 
 /// Says of a photograph what was measured at its index: right where the data set is aligned.
 class PerfectGenerator {
@@ -55,12 +57,18 @@ private:
     std::map<std::string, std::pair<FabricId, int>> m_known;
 };
 
-std::vector<GeneratedSignals> flatAnswers(std::span<const PhotographToTouch> photographs, const rendering::models::GenerationOptions&)
+std::vector<GeneratedSignals> flatAnswers(std::span<const PhotographToTouch> photographs,
+                                          const rendering::models::GenerationOptions&)
 {
-    return std::vector<GeneratedSignals>(photographs.size(), {cv::Mat(256, 256, CV_32FC1, cv::Scalar(0.1)), 0.05, {}, std::vector<double>(480, 0.3), 1.0 / 12, 0.3, {}});
+    return std::vector<GeneratedSignals>(
+        photographs.size(),
+        {cv::Mat(256, 256, CV_32FC1, cv::Scalar(0.1)), 0.05, {}, std::vector<double>(480, 0.3), 1.0 / 12, 0.3, {}});
 }
 
-double mean(const Evaluation& evaluation, SpeakerKind kind, Measure measure) { return *at(evaluation.speaker(kind)->mean, measure); }
+double mean(const Evaluation& evaluation, SpeakerKind kind, Measure measure)
+{
+    return *at(evaluation.speaker(kind)->mean, measure);
+}
 
 }  // namespace
 
@@ -92,9 +100,11 @@ private Q_SLOTS:
         QVERIFY(std::abs(mean(evaluation, generated, Measure::Ssim) - 1) < 1e-9);
         QVERIFY(std::abs(mean(evaluation, generated, Measure::SsimRegistered) - 1) < 1e-9);
         QCOMPARE(mean(evaluation, generated, Measure::FrictionMae), 0.0);
-        QCOMPARE(mean(evaluation, generated, Measure::IdentifiedByBoth), mean(evaluation, SpeakerKind::Measured, Measure::IdentifiedByBoth));
+        QCOMPARE(mean(evaluation, generated, Measure::IdentifiedByBoth),
+                 mean(evaluation, SpeakerKind::Measured, Measure::IdentifiedByBoth));
         QVERIFY(mean(evaluation, SpeakerKind::AnotherPlace, Measure::SsimRegistered) < 0.98);
-        for (const FabricValues& fabric : evaluation.speaker(generated)->fabrics) QCOMPARE(*at(fabric.values, Measure::MeanFrictionError), 0.0);
+        for (const FabricValues& fabric : evaluation.speaker(generated)->fabrics)
+            QCOMPARE(*at(fabric.values, Measure::MeanFrictionError), 0.0);
         for (const Criterion& one : criteriaOf(evaluation)) QVERIFY2(one.reached.value_or(false), one.what.c_str());
     }
 
@@ -112,10 +122,12 @@ private Q_SLOTS:
     {
         const Evaluation evaluation = evaluate(m_dataset, m_request, {}, flatAnswers);
         // A fabric's mean lies nearer than one constant for all; the nearest photograph is of the right fabric most times.
-        QVERIFY(mean(evaluation, SpeakerKind::FabricMean, Measure::MeanFrictionError) < mean(evaluation, SpeakerKind::GlobalConstant, Measure::MeanFrictionError));
+        QVERIFY(mean(evaluation, SpeakerKind::FabricMean, Measure::MeanFrictionError) <
+                mean(evaluation, SpeakerKind::GlobalConstant, Measure::MeanFrictionError));
         QVERIFY(mean(evaluation, SpeakerKind::Retrieval, Measure::IdentifiedByHeight) > 0.6);
         QCOMPARE(evaluation.trainingPhotographs, 30);
-        QCOMPARE(at(evaluation.speaker(SpeakerKind::FabricMean)->mean, Measure::FrictionSpectrum).why(), std::string("a constant has no texture"));
+        QCOMPARE(at(evaluation.speaker(SpeakerKind::FabricMean)->mean, Measure::FrictionSpectrum).why(),
+                 std::string("a constant has no texture"));
         QVERIFY(*evaluation.noiseFloor <= mean(evaluation, SpeakerKind::FabricMean, Measure::FrictionMaeOverMean));
     }
 
@@ -135,7 +147,8 @@ private Q_SLOTS:
         const Evaluation evaluation = evaluate(m_dataset, request, {}, flatAnswers);
         QCOMPARE(evaluation.fabrics, 1);
         QCOMPARE(evaluation.speakers.front().fabrics.front().fabric, FabricId("F02"));
-        QVERIFY(at(evaluation.speaker(SpeakerKind::FabricMean)->mean, Measure::FrictionMae).why().find("held out") != std::string::npos);
+        QVERIFY(at(evaluation.speaker(SpeakerKind::FabricMean)->mean, Measure::FrictionMae).why().find("held out") !=
+                std::string::npos);
         QCOMPARE(mean(evaluation, SpeakerKind::Retrieval, Measure::IdentifiedByBoth), 0.0);  // always another fabric
         QVERIFY(mean(evaluation, SpeakerKind::Measured, Measure::IdentifiedByBoth) > 0.5);   // the judge does know it
         QCOMPARE(evaluation.trainingPhotographs, 20);
@@ -180,7 +193,8 @@ private Q_SLOTS:
         const Evaluation evaluation = evaluate(m_dataset, m_request, {}, flatAnswers);
         QVERIFY(at(evaluation.speakers[0].mean, Measure::Ssim).exists());
         m_dataset.tactileCalibration.clear();
-        QVERIFY(contains(at(evaluate(m_dataset, m_request, {}, flatAnswers).speakers[0].mean, Measure::Ssim).why(), "calibration"));
+        QVERIFY(
+            contains(at(evaluate(m_dataset, m_request, {}, flatAnswers).speakers[0].mean, Measure::Ssim).why(), "calibration"));
     }
 
     void oneFabricInTheDarkIsDefined()

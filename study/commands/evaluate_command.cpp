@@ -12,6 +12,7 @@
 #include "study/commands/progress.h"
 #include "study/evaluation/evaluation_json.h"
 #include "study/evaluation/evaluation_text.h"
+#include "study/evaluation/weaves.h"
 
 namespace study::commands {
 
@@ -51,6 +52,15 @@ private:
     std::unique_ptr<Progress> m_progress;
 };
 
+bool hasMeasurements(const rendering::fabrics::Dataset& dataset)
+{
+    using rendering::fabrics::Modality;
+    return std::ranges::any_of(dataset.fabrics, [&](const auto& fabric) {
+        return !rendering::fabrics::sampleIndices(dataset, fabric.id, Modality::Tactile).empty() ||
+               !rendering::fabrics::sampleIndices(dataset, fabric.id, Modality::Friction).empty();
+    });
+}
+
 int evaluate(const EvaluateCall& call)
 {
     const auto dataset = rendering::fabrics::readDataset(call.dataset);
@@ -63,6 +73,15 @@ int evaluate(const EvaluateCall& call)
     request.samplesPerFabric = call.samples;
     request.boundsFraction = call.bounds;
     request.threads = static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1U, 16U));
+    if (!hasMeasurements(dataset)) {
+        StagesShown stages;
+        const auto weaves = evaluation::weavesKept(dataset, request, [&](const std::string& stage, int done, int total) {
+            stages.show(stage, done, total);
+        });
+        if (call.json) writeJson(call.json, evaluation::weavesJson(weaves));
+        if (!call.json || !call.json->empty()) std::fputs(evaluation::weavesText(weaves).c_str(), stdout);
+        return 0;
+    }
     evaluation::Evaluation result;
     {
         StagesShown stages;

@@ -13,6 +13,7 @@ namespace {
 enum class Asked {
     AtMost,      ///< a number
     AtLeast,     ///< a number
+    MeanAloneAtMost,  ///< a number; of the generated mean as a constant
     BetterThan,  ///< a control
     BetterThanAgainst,
     BelowMeanOrAtFloor,
@@ -30,6 +31,7 @@ struct Row {
 constexpr Row rows[] = {
     {true, false, false, Measure::MeanFrictionError, Asked::AtMost, 0.05, 0, {}},
     {true, false, false, Measure::FrictionMaeOverMean, Asked::AtMost, 0.08, 0, {}},
+    {true, false, false, Measure::FrictionMaeOverMean, Asked::MeanAloneAtMost, 0.08, 0, {}},
     {true, false, false, Measure::FrictionMaeOverMean, Asked::BelowMeanOrAtFloor, 0, 0, {}},
     {true, false, false, Measure::SsimRegistered, Asked::BetterThan, 0, 0, SpeakerKind::FabricMean},
     {true, false, false, Measure::SsimRegistered, Asked::BetterThan, 0, 0, SpeakerKind::Retrieval},
@@ -91,6 +93,18 @@ Criterion againstNumber(const Row& row, const stats::Value& found)
     return {whatOf(row.measure), asked, shownBy(row.measure, found), most ? *found <= row.low : *found >= row.low};
 }
 
+/// The condition h_g&f_g shows the mean alone; a trace with texture lies farther off, sample by sample, the better its texture.
+Criterion meanAlone(const Row& row, const Evaluation& evaluation)
+{
+    const SpeakerResult* mean = evaluation.speaker(SpeakerKind::GeneratedMean);
+    Row number = row;
+    number.asked = Asked::AtMost;
+    Criterion criterion =
+        againstNumber(number, mean != nullptr ? at(mean->mean, row.measure) : stats::Value::undefined("there is no mean alone"));
+    criterion.what += ", mean alone";
+    return criterion;
+}
+
 Criterion againstSpeaker(const Row& row, const stats::Value& found, const SpeakerResult& other)
 {
     const std::string asked = "better than: " + other.speaker.name;
@@ -142,6 +156,9 @@ void addTo(std::vector<Criterion>& criteria, const Row& row, const Evaluation& e
         case Asked::AtMost:
         case Asked::AtLeast:
             criteria.push_back(againstNumber(row, found));
+            return;
+        case Asked::MeanAloneAtMost:
+            criteria.push_back(meanAlone(row, evaluation));
             return;
         case Asked::BetterThan:
             criteria.push_back(againstSpeaker(row, found, *evaluation.speaker(row.than)));

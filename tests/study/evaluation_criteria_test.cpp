@@ -78,9 +78,9 @@ private Q_SLOTS:
         QTest::addColumn<int>("split");
         QTest::addColumn<bool>("aligned");
         QTest::addColumn<int>("count");
-        QTest::newRow("by sample") << int(SplitKind::Sample) << false << 11;
-        QTest::newRow("by location") << int(SplitKind::Location) << false << 11;
-        QTest::newRow("by sample, aligned") << int(SplitKind::Sample) << true << 12;
+        QTest::newRow("by sample") << int(SplitKind::Sample) << false << 12;
+        QTest::newRow("by location") << int(SplitKind::Location) << false << 12;
+        QTest::newRow("by sample, aligned") << int(SplitKind::Sample) << true << 13;
         QTest::newRow("by fabric") << int(SplitKind::Fabric) << false << 9;
     }
 

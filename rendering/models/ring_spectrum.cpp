@@ -71,6 +71,8 @@ cv::Mat atLeastAWindow(const cv::Mat& map, int side)
     return wide;
 }
 
+bool firstRingIsEmpty(int side) { return cv::countNonZero(ringsOfWindow(side) == 0) == 0; }
+
 constexpr int gainsPerCycle = 4096;
 
 /// Gains between the rings' middles, by frequency in 1 / gainsPerCycle cycles a pixel up to a picture's corner.
@@ -109,7 +111,6 @@ std::vector<float> ringPowers(const cv::Mat& heightMm, int side)
                 count[static_cast<std::size_t>(ring)] += 1;
             }
     std::vector<float> powers(ringCount);
-    // A narrow ring of low frequency may hold no frequency at all: it takes its lower neighbour's value.
     for (std::size_t i = 0; i < powers.size(); ++i)
         powers[i] = count[i] > 0 ? static_cast<float>(std::log(total[i] / count[i] / (energy * windows) + ringFloorMm2))
                                  : powers[i > 0 ? i - 1 : 0];
@@ -122,6 +123,8 @@ cv::Mat withRingPowers(const cv::Mat& heightMm, const std::vector<float>& wanted
     std::vector<double> logGain(ringCount);
     for (std::size_t i = 0; i < logGain.size(); ++i)
         logGain[i] = std::clamp(0.5 * static_cast<double>(wanted[i] - present[i]), -std::log(mostGain), std::log(mostGain));
+    if (firstRingIsEmpty(side))
+        logGain[0] = logGain[1];
     const double mean = cv::mean(heightMm)[0];
     cv::Mat padded, transform;
     const int border = std::min({side / 2, heightMm.rows - 1, heightMm.cols - 1});

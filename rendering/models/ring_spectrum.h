@@ -16,8 +16,9 @@ inline constexpr double ringFloorMm2 = 1e-6;
 
 /// Natural logarithms of the mean power of each ring, mm^2 (white noise of deviation s mm gives s^2);
 /// Welch's method over windows of `side` x `side` px (Hann, each without its mean, half shared with the
-/// next). Rings in equal ratios from 1.5 cycles a window to half a cycle a pixel. A map smaller than a
-/// window is continued by mirroring. `heightMm`: CV_32FC1, finite.
+/// next). Rings in equal ratios from 1.5 cycles a window to half a cycle a pixel; a narrow ring that holds
+/// no frequency of the window takes its lower neighbour's value, the first is 0 then and never used. A map
+/// smaller than a window is continued by mirroring. `heightMm`: CV_32FC1, finite.
 std::vector<float> ringPowers(const cv::Mat& heightMm, int side);
 
 /// The map filtered so that ringPowers() are near `wanted`: phases are kept, the gain is smooth in

@@ -59,6 +59,8 @@ Json jsonOf(const models::PhotographFacts& photograph)
 {
     Json json{{"distance", nullptr}, {"usual_distance", nullptr}, {"unfamiliar", photograph.unfamiliar()},
               {"middle_only", photograph.middleOnly}};
+    if (photograph.assumedMmPerPixel)
+        json["assumed_mm_per_pixel"] = *photograph.assumedMmPerPixel;
     if (photograph.distance) {
         json["distance"] = *photograph.distance;
         json["usual_distance"] = photograph.usualDistance;

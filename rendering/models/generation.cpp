@@ -77,10 +77,11 @@ std::vector<GeneratedSignals> generate(std::span<const PhotographToTouch> photog
     if (answers.size() != photographs.size())
         throw protocols::workFailed({"vis2hap-nn answered " + std::to_string(answers.size()) + " of " +
                                          std::to_string(photographs.size()) + " photographs", "generators", "", ""});
-    for (std::size_t i = 0; i < answers.size(); ++i)
+    for (std::size_t i = 0; i < answers.size(); ++i) {
         answers[i].photograph = facts[i];
         if (facts[i].assumedMmPerPixel)
             backToPixels(answers[i], shown[i], *facts[i].assumedMmPerPixel);
+    }
     return answers;
 }
 

@@ -18,6 +18,7 @@ namespace rendering::models {
 
 namespace {
 
+constexpr double mostGain = 8;  ///< of the filter that imposes the predicted spectrum
 constexpr int tileSide = 256;   ///< px of a height map that one pass of G_h makes
 constexpr int tileMargin = 32;  ///< px around it that G_h sees beyond; a multiple of 16 with the tile
 
@@ -89,6 +90,17 @@ int iterationsOf(Quality quality)
     return 0;
 }
 
+/// Of the filter that imposes the predicted spectrum.
+int passesOf(Quality quality)
+{
+    switch (quality) {
+    case Quality::Fast: return 1;
+    case Quality::Balanced: return 3;
+    case Quality::Accurate: return 6;
+    }
+    return 1;
+}
+
 void requireFinite(const cv::Mat& values)
 {
     if (!cv::checkRange(values))
@@ -115,7 +127,7 @@ struct LoadedModel::Parts {
                     .copyTo(result(tile));
             }
         const cv::Mat relief = result({0, 0, rgb.cols, rgb.rows}) * architecture.heightScaleMm;
-        return architecture.imposesSpectrum ? withRingPowers(relief, rings(rgb, quality), architecture.crop) : relief;
+        return architecture.imposesSpectrum ? withRingPowers(relief, rings(rgb, quality), architecture.crop, mostGain, passesOf(quality)) : relief;
     }
 
     /// The radial spectrum that G_h predicts, averaged over crops.

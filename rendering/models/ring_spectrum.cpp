@@ -84,9 +84,29 @@ std::vector<float> gainTable(const std::vector<double>& logGain, int side)
         const double place = std::clamp(ringAt(frequency, side) - 0.5, 0.0, ringCount - 1.0);
         const auto ring = std::min(static_cast<std::size_t>(place), logGain.size() - 2);
         const double share = place - static_cast<double>(ring);
-        gains.push_back(static_cast<float>(std::exp((1 - share) * logGain[ring] + share * logGain[ring + 1])));
+        // Longer waves than the first ring's are no part of a press (there the sensor's low frequencies are removed) and fade out.
+        const double fourth = std::pow(1.5 * frequency / lowestFrequency(side), 4);
+        gains.push_back(static_cast<float>(fourth / (1 + fourth) * std::exp((1 - share) * logGain[ring] + share * logGain[ring + 1])));
     }
     return gains;
+}
+
+/// About its mean, mirrored by `border` px around, cut at 0.
+cv::Mat filtered(const cv::Mat& heightMm, const std::vector<float>& gains, int mostBorder)
+{
+    const double mean = cv::mean(heightMm)[0];
+    cv::Mat padded, transform;
+    const int border = std::min({mostBorder, heightMm.rows - 1, heightMm.cols - 1});
+    const auto beyond = [&](int length) { return cv::getOptimalDFTSize(length + 2 * border) - length - border; };
+    cv::copyMakeBorder(heightMm - mean, padded, border, beyond(heightMm.rows), border, beyond(heightMm.cols), cv::BORDER_REFLECT_101);
+    cv::dft(padded, transform, cv::DFT_COMPLEX_OUTPUT);
+    for (int row = 0; row < transform.rows; ++row)
+        for (int column = 0; column < transform.cols; ++column)
+            transform.at<cv::Vec2f>(row, column) *=
+                gains[static_cast<std::size_t>(frequencyAt(row, column, transform.size()) * gainsPerCycle)];
+    cv::Mat result;
+    cv::dft(transform, result, cv::DFT_INVERSE | cv::DFT_REAL_OUTPUT | cv::DFT_SCALE);
+    return cv::max(result({border, border, heightMm.cols, heightMm.rows}) + mean, 0);
 }
 
 }  // namespace
@@ -117,28 +137,19 @@ std::vector<float> ringPowers(const cv::Mat& heightMm, int side)
     return powers;
 }
 
-cv::Mat withRingPowers(const cv::Mat& heightMm, const std::vector<float>& wanted, int side, double mostGain)
+cv::Mat withRingPowers(const cv::Mat& heightMm, const std::vector<float>& wanted, int side, double mostGain, int passes)
 {
-    const std::vector<float> present = ringPowers(heightMm, side);
-    std::vector<double> logGain(ringCount);
-    for (std::size_t i = 0; i < logGain.size(); ++i)
-        logGain[i] = std::clamp(0.5 * static_cast<double>(wanted[i] - present[i]), -std::log(mostGain), std::log(mostGain));
-    if (firstRingIsEmpty(side))
-        logGain[0] = logGain[1];
-    const double mean = cv::mean(heightMm)[0];
-    cv::Mat padded, transform;
-    const int border = std::min({side / 2, heightMm.rows - 1, heightMm.cols - 1});
-    const auto beyond = [&](int length) { return cv::getOptimalDFTSize(length + 2 * border) - length - border; };
-    cv::copyMakeBorder(heightMm - mean, padded, border, beyond(heightMm.rows), border, beyond(heightMm.cols), cv::BORDER_REFLECT_101);
-    cv::dft(padded, transform, cv::DFT_COMPLEX_OUTPUT);
-    const std::vector<float> gains = gainTable(logGain, side);
-    for (int row = 0; row < transform.rows; ++row)
-        for (int column = 0; column < transform.cols; ++column)
-            transform.at<cv::Vec2f>(row, column) *=
-                gains[static_cast<std::size_t>(frequencyAt(row, column, transform.size()) * gainsPerCycle)];
-    cv::Mat filtered;
-    cv::dft(transform, filtered, cv::DFT_INVERSE | cv::DFT_REAL_OUTPUT | cv::DFT_SCALE);
-    return cv::max(filtered({border, border, heightMm.cols, heightMm.rows}) + mean, 0);
+    std::vector<double> logGain(ringCount, 0);
+    cv::Mat made = heightMm;
+    for (int pass = 0; pass < passes; ++pass) {
+        const std::vector<float> present = ringPowers(made, side);
+        for (std::size_t i = 0; i < logGain.size(); ++i)
+            logGain[i] = std::clamp(logGain[i] + 0.5 * static_cast<double>(wanted[i] - present[i]), -std::log(mostGain), std::log(mostGain));
+        if (firstRingIsEmpty(side))
+            logGain[0] = logGain[1];
+        made = filtered(heightMm, gainTable(logGain, side), side / 2);
+    }
+    return made;
 }
 
 }  // namespace rendering::models

@@ -21,8 +21,10 @@ inline constexpr double ringFloorMm2 = 1e-6;
 /// smaller than a window is continued by mirroring. `heightMm`: CV_32FC1, finite.
 std::vector<float> ringPowers(const cv::Mat& heightMm, int side);
 
-/// The map filtered so that ringPowers() are near `wanted`: phases are kept, the gain is smooth in
-/// frequency and bounded by a factor of `mostGain` either way, the mean is kept, heights stay >= 0.
-cv::Mat withRingPowers(const cv::Mat& heightMm, const std::vector<float>& wanted, int side, double mostGain = 4);
+/// The map filtered so that ringPowers() are near `wanted`; waves longer than the rings', which no press
+/// has, fade out (half their height at one cycle a window). Phases are kept, the gain is smooth in
+/// frequency and bounded by a factor of `mostGain` either way, the mean is kept, heights stay >= 0. What
+/// cutting at 0 and smooth gains leave apart, further `passes` bring nearer.
+cv::Mat withRingPowers(const cv::Mat& heightMm, const std::vector<float>& wanted, int side, double mostGain = 4, int passes = 1);
 
 }  // namespace rendering::models

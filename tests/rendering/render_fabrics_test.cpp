@@ -398,8 +398,8 @@ private Q_SLOTS:
         auto request = requestFor(small, "h_g", asked);
         request.generate = [inner = request.generate](auto photographs, const auto& options) {
             auto generated = inner(photographs, options);
-            generated[0].photograph = {9.14, 3.2, true};
-            generated[1].photograph = {3.19, 3.2, false};
+            generated[0].photograph = {9.14, 3.2, true, {}};
+            generated[1].photograph = {3.19, 3.2, false, {}};
             return generated;
         };
         const auto rendering = renderFabrics(small.dataset, request);

@@ -97,7 +97,7 @@ private Q_SLOTS:
         const cv::Mat rough = noise({256, 256}, 0.4, 3, 7), fine = noise({256, 256}, 0.08, 1.5, 8);
         const std::vector<float> wanted = ringPowers(fine, side);
         QVERIFY(largestDifference(ringPowers(rough, side), wanted) > 1.5);
-        const cv::Mat made = withRingPowers(rough, wanted, side, 100);
+        const cv::Mat made = withRingPowers(rough, wanted, side, 100, 5);
         const std::vector<float> reached = ringPowers(made, side);
         for (std::size_t i = 6; i < reached.size(); ++i)  // the widest waves hardly fit into a window
             QVERIFY2(std::abs(reached[i] - wanted[i]) < 0.5, qPrintable(QString("%1: %2 for %3").arg(i).arg(reached[i]).arg(wanted[i])));

@@ -127,7 +127,7 @@ private Q_SLOTS:
         else if (harm == "card no JSON")
             write(models::cardOf(model()), card.substr(0, card.size() / 3));
         else if (harm == "card with nonsense on photographs")
-            write(models::cardOf(model()), "{\"photographs\": {\"threshold\": 1}," + card.substr(card.find('{') + 1));
+            write(models::cardOf(model()), std::string(card).replace(card.find("\"threshold\""), 11, "\"nonsense_\""));
         else if (harm.startsWith("card"))
             alterCard(harm, card);
         const QString fault = faultOfGenerating();
@@ -145,7 +145,7 @@ private:
             card.replace(at, what.size(), with);
         };
         if (harm == "card of another schema")
-            replace("vis2hap.model/1", "vis2hap.model/9");
+            replace("vis2hap.model/2", "vis2hap.model/9");
         else if (harm == "card of other networks")
             replace("\"base_channels\": 16", "\"base_channels\": 24");
         else

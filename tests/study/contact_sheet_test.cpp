@@ -30,7 +30,7 @@ std::vector<models::GeneratedSignals> generated(std::span<const models::Photogra
         for (int k = 0; k < 200; ++k)
             answers[i].trace.push_back(0.3 + 0.05 * std::sin(k * 0.4));
         answers[i].traceMmPerSample = 5.0 / 60;
-        answers[i].photograph = {i + 1 == answers.size() ? 9.0 : 1.0, 3.0, false};
+        answers[i].photograph = {i + 1 == answers.size() ? 9.0 : 1.0, 3.0, false, {}};
     }
     return answers;
 }

@@ -31,7 +31,7 @@ Evaluation good(SplitKind split = SplitKind::Sample, bool aligned = false)
     evaluation.dataset = "cloths";
     evaluation.split = split;
     evaluation.aligned = aligned;
-    evaluation.models = {{"ours", "ours.pt", "00", false, {}}};
+    evaluation.models = {{"ours", "ours.pt", "00", "default", {}}};
     evaluation.pairs = 12;
     evaluation.fabrics = 3;
     evaluation.rangeMm = 0.5;

@@ -45,7 +45,7 @@ public:
             for (const PhotographToTouch& one : photographs) {
                 const auto& [fabric, index] = m_known.at(bytesOf(one.photograph));
                 const auto trace = m_measured.trace(fabric, index);
-                answers.push_back({m_measured.height(fabric, index), 0.05, {}, trace.values, trace.mmPerSample, trace.mean, {}});
+                answers.push_back({m_measured.height(fabric, index), 0.05, {}, trace.values, trace.mmPerSample, trace.mean, {}, {}});
             }
             return answers;
         };
@@ -62,7 +62,7 @@ std::vector<GeneratedSignals> flatAnswers(std::span<const PhotographToTouch> pho
 {
     return std::vector<GeneratedSignals>(
         photographs.size(),
-        {cv::Mat(256, 256, CV_32FC1, cv::Scalar(0.1)), 0.05, {}, std::vector<double>(480, 0.3), 1.0 / 12, 0.3, {}});
+        {cv::Mat(256, 256, CV_32FC1, cv::Scalar(0.1)), 0.05, {}, std::vector<double>(480, 0.3), 1.0 / 12, 0.3, {}, {}});
 }
 
 double mean(const Evaluation& evaluation, SpeakerKind kind, Measure measure)

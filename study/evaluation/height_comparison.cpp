@@ -117,7 +117,8 @@ stats::Value registered(const HeightMap& generated, const HeightMap& measured, d
     const int wide = largestSideAlongFabric(measured);
     const int side = std::min({largestSideAlongFabric(generated), wide, registeredSidePx});
     if (side < 16) return stats::Value::undefined("the maps are too small to be brought into register");
-    const cv::Mat part = alongFabric(generated, side), window = alongFabric(measured, wide);
+    // Of equal parity, so that the pixels of both lie on one lattice about the middle.
+    const cv::Mat part = alongFabric(generated, side), window = alongFabric(measured, wide - (wide - side) % 2);
     const cv::Mat fitted = window(cv::Rect(bestPlace(part, window), part.size())).clone();
     return stats::ssim(viewOf(part), viewOf(fitted), rangeMm).mean;
 }

@@ -38,6 +38,7 @@ Evaluation good(SplitKind split = SplitKind::Sample, bool aligned = false)
     evaluation.noiseFloor = 0.06;
     evaluation.speakers = {speaker(SpeakerKind::Generated, "generated", 0.04),
                            speaker(SpeakerKind::Against, "against: l1", 0.06),
+                           speaker(SpeakerKind::GeneratedMean, "generated, mean alone", 0.045),
                            speaker(SpeakerKind::GlobalConstant, "one constant for all", 0.3),
                            speaker(SpeakerKind::FabricMean, "the fabric's mean", 0.05),
                            speaker(SpeakerKind::Retrieval, "nearest photograph", 0.08),
@@ -175,7 +176,7 @@ private Q_SLOTS:
         const auto json = evaluationJson(evaluation);
         QCOMPARE(json.begin().key(), std::string("schema"));
         QCOMPARE(json["schema"].get<std::string>(), std::string("vis2hap.evaluation/1"));
-        QCOMPARE(json["speakers"].size(), std::size_t(7));
+        QCOMPARE(json["speakers"].size(), std::size_t(8));
         for (const MeasureRow& row : measureTable()) QVERIFY(json["speakers"][0].contains(std::string(row.field)));
         QVERIFY(json["speakers"][4]["ssim"].is_null());
         QCOMPARE(json["speakers"][4]["why"]["ssim"].get<std::string>(), std::string("nothing retrieved"));

@@ -98,7 +98,7 @@ private Q_SLOTS:
         QCOMPARE(evaluation.pairs, 3);
         const auto generated = SpeakerKind::Generated;
         QVERIFY(std::abs(mean(evaluation, generated, Measure::Ssim) - 1) < 1e-9);
-        QVERIFY(std::abs(mean(evaluation, generated, Measure::SsimRegistered) - 1) < 1e-9);
+        QVERIFY(mean(evaluation, generated, Measure::SsimRegistered) > 0.999);  // places are rounded to 1/32 px
         QCOMPARE(mean(evaluation, generated, Measure::FrictionMae), 0.0);
         QCOMPARE(mean(evaluation, generated, Measure::IdentifiedByBoth),
                  mean(evaluation, SpeakerKind::Measured, Measure::IdentifiedByBoth));
@@ -168,7 +168,7 @@ private Q_SLOTS:
         EvaluationRequest request = m_request;
         request.against = {card("l1", {})};
         const Evaluation evaluation = evaluate(m_dataset, request, {}, flatAnswers);
-        QCOMPARE(evaluation.speakers.size(), std::size_t(7));
+        QCOMPARE(evaluation.speakers.size(), std::size_t(8));
         QCOMPARE(evaluation.speakers[1].speaker.id, std::string("against:l1"));
         QVERIFY(contains(evaluationText(evaluation), "against: l1"));
     }

@@ -32,7 +32,7 @@ FrictionTarget frictionTarget(std::span<const double> trace, const Architecture&
 /// CV_32FC1 [rows x frames] magnitudes, the DC row scaled so that its average is that of `mean`.
 cv::Mat magnitudes(const FrictionTarget& target, const Architecture& architecture);
 
-/// Griffin-Lim of magnitudes(target); its mean is exactly the target's.
+/// Griffin-Lim of the texture in magnitudes(target), the rows that the mean does not reach; its mean is exactly the target's.
 std::vector<double> traceOf(const FrictionTarget& target, const Architecture& architecture, int iterations);
 
 }  // namespace rendering::models

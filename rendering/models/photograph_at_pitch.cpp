@@ -28,13 +28,16 @@ Side shownOf(int length, double factor)
 
 /// Of the procedural fabrics at 0.05 mm a pixel: the finest (a silk satin) has a period of 5 px, most have 7 to 11.
 constexpr double finestPeriodPx = 5, ordinaryPeriodPx = 9;
+/// Finer waves than 2.3 px are hardly resolved; more enlargement would show nothing new.
+constexpr double mostEnlargement = 4;
 
 }  // namespace
 
 double assumedMmPerPixel(const cv::Mat& rgb, double modelMmPerPixel)
 {
     const auto wave = signals::dominantWave(rgb);
-    return wave && wave->periodPx < finestPeriodPx ? modelMmPerPixel * ordinaryPeriodPx / wave->periodPx : modelMmPerPixel;
+    return wave && wave->periodPx < finestPeriodPx ? modelMmPerPixel * std::min(mostEnlargement, ordinaryPeriodPx / wave->periodPx)
+                                                    : modelMmPerPixel;
 }
 
 SeenPhotograph photographAtPitch(const PhotographToTouch& photograph, double mmPerPixel)

@@ -6,6 +6,7 @@
 #include <memory>
 #include <thread>
 
+#include "rendering/models/exchange.h"
 #include "study/commands/command_line.h"
 #include "study/commands/json_output.h"
 #include "study/commands/number_checks.h"
@@ -19,7 +20,6 @@ namespace study::commands {
 namespace {
 
 namespace evaluation = study::evaluation;
-using rendering::models::Quality;
 
 struct EvaluateCall {
     std::string dataset, model, split = "sample", quality = "balanced";
@@ -34,9 +34,6 @@ const std::map<std::string, evaluation::SplitKind> splits{{"sample", evaluation:
                                                           {"location", evaluation::SplitKind::Location},
                                                           {"fabric", evaluation::SplitKind::Fabric},
                                                           {"augmented", evaluation::SplitKind::Augmented}};
-const std::map<std::string, Quality> qualities{
-    {"fast", Quality::Fast}, {"balanced", Quality::Balanced}, {"accurate", Quality::Accurate}};
-
 /// A bar for each stage of the work.
 class StagesShown {
 public:
@@ -69,7 +66,7 @@ int evaluate(const EvaluateCall& call)
     request.against.assign(call.against.begin(), call.against.end());
     request.split = splits.at(call.split);
     request.splitSeed = call.splitSeed;
-    request.quality = qualities.at(call.quality);
+    request.quality = rendering::models::qualityNamed(call.quality);
     request.samplesPerFabric = call.samples;
     request.boundsFraction = call.bounds;
     request.threads = static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1U, 16U));

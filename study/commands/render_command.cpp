@@ -3,6 +3,7 @@
 #include "rendering/earlier_render.h"
 #include "rendering/fabrics/csv_table.h"
 #include "rendering/image_io.h"
+#include "rendering/models/exchange.h"
 #include "rendering/render_fabrics.h"
 #include "study/commands/command_line.h"
 #include "study/commands/json_output.h"
@@ -31,10 +32,6 @@ struct RenderCall {
     std::uint64_t ditherSeed = 1;
     std::string sheet;
 };
-
-const std::map<std::string, rendering::models::Quality> qualities{{"fast", rendering::models::Quality::Fast},
-                                                                  {"balanced", rendering::models::Quality::Balanced},
-                                                                  {"accurate", rendering::models::Quality::Accurate}};
 
 std::vector<protocols::FabricId> fabricList(const rendering::fabrics::Dataset& dataset, const std::string& text)
 {
@@ -111,7 +108,7 @@ int render(const RenderCall& call)
     request.shading.method = call.shading == "bumps" ? rendering::signals::ShadingMethod::GaussianBumps : rendering::signals::ShadingMethod::Linear;
     request.shading.lightFromBelow = call.lightFrom == "below";
     request.generation.model = call.model;
-    request.generation.quality = qualities.at(call.quality);
+    request.generation.quality = rendering::models::qualityNamed(call.quality);
     if (call.explain)
         std::fputs(rendering::explain(request.conditions).c_str(), stdout);
     // Drawn before anything is written: where it cannot be, nothing is left behind.

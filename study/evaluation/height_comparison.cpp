@@ -98,6 +98,7 @@ stats::Value ratioOf(double generated, double measured)
     return generated / measured;
 }
 
+/// All places are searched by transform; stats::registeredSsim goes through its shifts one by one, too slow for whole repeats.
 /// The corner within `window` at which `part` correlates best; the middle where `part` does not vary.
 cv::Point bestPlace(const cv::Mat& part, const cv::Mat& window)
 {

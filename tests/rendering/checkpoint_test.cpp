@@ -28,7 +28,7 @@ private:
                 "--batch", "2", "--checkpoint-every", "1", "--validate-every", "1000000", "--validation-pairs", "2", "--threads", "1"};
     }
 
-    /// Kills the run in the very moment in which a checkpoint is being written, if `lucky` as soon as it is seen.
+    /// Kills the run so many microseconds after its first checkpoint has begun to be written; what it had said.
     QString killedWhileWriting(bool resume, int delayUs) const
     {
         QProcess run;

@@ -17,6 +17,7 @@ struct Architecture {
     double heightScaleMm = 0.1;  ///< one unit of G_h's output
     double meanFrictionScale = 0.5;  ///< one unit of G_s's mean before its last non-linearity
     bool imposesSpectrum = true;     ///< the relief is brought to the predicted radial spectrum (ring_spectrum.h)
+    double zeroPercentile = 1;       ///< percent of a measured map that lies at 0; a relief's, too, where the spectrum is imposed
     bool operator==(const Architecture&) const = default;
 };
 

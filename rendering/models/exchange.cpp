@@ -120,7 +120,9 @@ void AnswerWriter::add(const GeneratedSignals& answer)
                            {"samples_per_mm", parameters.sampleRateHz}}},
                          {"trace", written(m_folder, "trace" + number + ".npy", trace)},
                          {"trace_mm_per_sample", answer.traceMmPerSample},
-                         {"mean_friction", answer.meanFriction}});
+                         {"mean_friction", answer.meanFriction},
+                         {"distance", answer.photograph.distance ? Json(*answer.photograph.distance) : Json(nullptr)},
+                         {"usual_distance", answer.photograph.usualDistance}});
 }
 
 void AnswerWriter::finish() const
@@ -147,6 +149,9 @@ std::vector<GeneratedSignals> readAnswers(const fs::path& folder)
                 answer.trace.assign(trace.ptr<double>(), trace.ptr<double>() + trace.total());
             answer.traceMmPerSample = item.at("trace_mm_per_sample").get<double>();
             answer.meanFriction = item.at("mean_friction").get<double>();
+            if (const Json& distance = item.at("distance"); !distance.is_null())
+                answer.photograph.distance = distance.get<double>();
+            answer.photograph.usualDistance = item.at("usual_distance").get<double>();
             answers.push_back(answer);
         }
     } catch (const std::exception& fault) {

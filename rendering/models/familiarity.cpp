@@ -2,6 +2,7 @@
 
 #include "protocols/errors.h"
 #include "rendering/models/photograph_features.h"
+#include "rendering/models/ring_spectrum.h"
 
 #include <algorithm>
 #include <charconv>
@@ -28,6 +29,12 @@ double fourDigits(double value)
     return rounded;
 }
 
+std::vector<double> rounded(std::vector<double> numbers)
+{
+    std::transform(numbers.begin(), numbers.end(), numbers.begin(), fourDigits);
+    return numbers;
+}
+
 double squaredDistance(const Standardised& a, const Standardised& b)
 {
     double sum = 0;
@@ -42,6 +49,30 @@ double distanceToNearest(const std::vector<Standardised>& kept, const Standardis
     for (const Standardised& one : kept)
         least = std::min(least, squaredDistance(one, point));
     return std::sqrt(least);
+}
+
+/// Each fabric counts by a Gaussian of the distance to its nearest photograph; within a fabric that distance is about half the usual.
+constexpr double kernelOfUsual = 1.0 / 3;
+
+std::vector<double> remembered(const Familiarity& familiarity, const Standardised& point, double distance)
+{
+    std::vector<double> least(familiarity.rings.size(), std::numeric_limits<double>::max());
+    for (std::size_t i = 0; i < familiarity.nearest.size(); ++i) {
+        double& fabric = least[static_cast<std::size_t>(familiarity.fabricOf[i])];
+        fabric = std::min(fabric, squaredDistance(familiarity.nearest[i], point));
+    }
+    const double width = kernelOfUsual * familiarity.threshold;
+    std::vector<double> rings(familiarity.rings.front().size(), 0);
+    double total = 0;
+    for (std::size_t fabric = 0; fabric < least.size(); ++fabric) {
+        const double weight = std::exp((distance * distance - least[fabric]) / (2 * width * width));
+        total += weight;
+        for (std::size_t i = 0; i < rings.size(); ++i)
+            rings[i] += weight * familiarity.rings[fabric][i];
+    }
+    for (double& ring : rings)
+        ring /= total;
+    return rings;
 }
 
 void requireFeatures(std::span<const std::vector<float>> photographs)
@@ -75,14 +106,14 @@ Standardised standardised(const Familiarity& familiarity, const std::vector<floa
     return point;
 }
 
-/// Beginning with the first, always the one farthest from those taken (the first of equals).
-std::vector<Standardised> spreadChoice(const std::vector<Standardised>& points)
+/// Beginning with the first, always the one farthest from those taken (the first of equals); their numbers.
+std::vector<std::size_t> spreadChoice(const std::vector<Standardised>& points)
 {
     std::vector<double> apart(points.size(), std::numeric_limits<double>::max());
-    std::vector<Standardised> chosen;
+    std::vector<std::size_t> chosen;
     std::size_t next = 0;
     while (chosen.size() < static_cast<std::size_t>(mostPhotographsKept) && apart[next] > 0) {
-        chosen.push_back(points[next]);
+        chosen.push_back(next);
         for (std::size_t i = 0; i < points.size(); ++i)
             apart[i] = std::min(apart[i], squaredDistance(points[next], points[i]));
         next = static_cast<std::size_t>(std::max_element(apart.begin(), apart.end()) - apart.begin());
@@ -117,7 +148,16 @@ bool sensible(const Familiarity& familiarity)
         return numbers.size() == static_cast<std::size_t>(photographFeatureCount) &&
                std::all_of(numbers.begin(), numbers.end(), [](double number) { return std::isfinite(number); });
     };
-    return sound(familiarity.mean) && sound(familiarity.deviation) && !familiarity.nearest.empty() &&
+    const auto ofAFabric = [&](int fabric) { return fabric >= 0 && static_cast<std::size_t>(fabric) < familiarity.rings.size(); };
+    const auto soundRings = [](const std::vector<double>& rings) {
+        return rings.size() == static_cast<std::size_t>(ringCount) &&
+               std::all_of(rings.begin(), rings.end(), [](double ring) { return std::abs(ring) < 50; });
+    };
+    const bool soundMemory = familiarity.fabricOf.empty() ? familiarity.rings.empty()
+                                                          : familiarity.fabricOf.size() == familiarity.nearest.size() &&
+                                                                std::ranges::all_of(familiarity.fabricOf, ofAFabric) &&
+                                                                std::ranges::all_of(familiarity.rings, soundRings);
+    return soundMemory && sound(familiarity.mean) && sound(familiarity.deviation) && !familiarity.nearest.empty() &&
            std::all_of(familiarity.deviation.begin(), familiarity.deviation.end(), [](double sd) { return sd > 0; }) &&
            std::all_of(familiarity.nearest.begin(), familiarity.nearest.end(), sound) && std::isfinite(familiarity.threshold) &&
            familiarity.threshold > 0;
@@ -125,7 +165,8 @@ bool sensible(const Familiarity& familiarity)
 
 }  // namespace
 
-Familiarity fitFamiliarity(std::span<const std::vector<float>> training, std::span<const std::vector<float>> validation)
+Familiarity fitFamiliarity(std::span<const std::vector<float>> training, std::span<const std::vector<float>> validation,
+                           const KnownFabrics& known)
 {
     if (training.empty())
         throw protocols::badInput({"no training photographs", "familiarity", "at least one", ""});
@@ -136,9 +177,13 @@ Familiarity fitFamiliarity(std::span<const std::vector<float>> training, std::sp
     std::vector<Standardised> points;
     for (const std::vector<float>& features : training)
         points.push_back(standardised(familiarity, features));
-    familiarity.nearest = spreadChoice(points);
-    for (Standardised& point : familiarity.nearest)
-        std::transform(point.begin(), point.end(), point.begin(), fourDigits);
+    for (const std::size_t chosen : spreadChoice(points)) {
+        familiarity.nearest.push_back(rounded(points[chosen]));
+        if (!known.fabricOf.empty())
+            familiarity.fabricOf.push_back(known.fabricOf[chosen]);
+    }
+    for (const std::vector<double>& rings : known.rings)
+        familiarity.rings.push_back(rounded(rings));
     std::vector<double> distances;
     for (const std::vector<float>& features : validation)
         distances.push_back(distanceTo(familiarity, features));
@@ -152,12 +197,26 @@ double distanceTo(const Familiarity& familiarity, const std::vector<float>& feat
     return distanceToNearest(familiarity.nearest, standardised(familiarity, features));
 }
 
+Recognised recognised(const Familiarity& familiarity, const std::vector<float>& features)
+{
+    requireFeatures(std::span(&features, 1));
+    const Standardised point = standardised(familiarity, features);
+    const double distance = distanceToNearest(familiarity.nearest, point);
+    return {distance, std::clamp(distance / familiarity.threshold - 1, 0.0, 1.0),
+            familiarity.fabricOf.empty() ? std::vector<double>() : remembered(familiarity, point, distance)};
+}
+
 nlohmann::ordered_json familiarityJson(const Familiarity& familiarity)
 {
-    return {{"features_mean", familiarity.mean},
-            {"features_sd", familiarity.deviation},
-            {"nearest", familiarity.nearest},
-            {"threshold", familiarity.threshold}};
+    nlohmann::ordered_json json{{"features_mean", familiarity.mean},
+                                {"features_sd", familiarity.deviation},
+                                {"nearest", familiarity.nearest},
+                                {"threshold", familiarity.threshold}};
+    if (!familiarity.fabricOf.empty()) {
+        json["fabric_of"] = familiarity.fabricOf;
+        json["fabric_rings"] = familiarity.rings;
+    }
+    return json;
 }
 
 Familiarity familiarityFrom(const nlohmann::ordered_json& json)
@@ -167,6 +226,10 @@ Familiarity familiarityFrom(const nlohmann::ordered_json& json)
     familiarity.deviation = json.at("features_sd").get<std::vector<double>>();
     familiarity.nearest = json.at("nearest").get<std::vector<std::vector<double>>>();
     familiarity.threshold = json.at("threshold").get<double>();
+    if (json.contains("fabric_of")) {
+        familiarity.fabricOf = json.at("fabric_of").get<std::vector<int>>();
+        familiarity.rings = json.at("fabric_rings").get<std::vector<std::vector<double>>>();
+    }
     if (!sensible(familiarity))
         throw protocols::badInput({"the numbers on known photographs cannot be right", "photographs",
                                    std::to_string(photographFeatureCount) + " finite features of each", ""});

@@ -1,13 +1,21 @@
 #include "rendering/models/finished_relief.h"
 
-#include "rendering/models/ring_spectrum.h"
-
 #include <opencv2/core.hpp>
 
 namespace rendering::models {
 
+RingFilter ringFilter(const Architecture& architecture, int passes)
+{
+    RingFilter filter;
+    filter.side = architecture.crop;
+    filter.passes = passes;
+    filter.zeroPercentile = architecture.zeroPercentile;
+    return filter;
+}
+
 torch::Tensor finishedRelief(const torch::Tensor& relief, const torch::Tensor& rings, const Architecture& architecture)
 {
+    constexpr int passes = 2;
     if (!architecture.imposesSpectrum)
         return relief;
     torch::Tensor finished = relief.detach().contiguous().clone();
@@ -15,7 +23,7 @@ torch::Tensor finishedRelief(const torch::Tensor& relief, const torch::Tensor& r
     for (std::int64_t i = 0; i < finished.size(0); ++i) {
         cv::Mat map(static_cast<int>(finished.size(2)), static_cast<int>(finished.size(3)), CV_32F, finished[i].data_ptr<float>());
         const float* first = wanted[i].data_ptr<float>();
-        const cv::Mat heightMm = withRingPowers(map * architecture.heightScaleMm, {first, first + ringCount}, architecture.crop);
+        const cv::Mat heightMm = withRingPowers(map * architecture.heightScaleMm, {first, first + ringCount}, ringFilter(architecture, passes));
         heightMm.convertTo(map, CV_32F, 1 / architecture.heightScaleMm);
     }
     return finished;

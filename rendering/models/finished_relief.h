@@ -2,10 +2,14 @@
 #pragma once
 
 #include "rendering/models/architecture.h"
+#include "rendering/models/ring_spectrum.h"
 
 #include <torch/torch.h>
 
 namespace rendering::models {
+
+/// How a relief of these networks is brought to its spectrum.
+RingFilter ringFilter(const Architecture& architecture, int passes);
 
 /// `relief` [N, 1, H, W] in units of heightScaleMm brought to the predicted radial spectra `rings`
 /// [N, ringCount], where the architecture says so (ring_spectrum.h). Without gradient.

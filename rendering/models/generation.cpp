@@ -5,7 +5,6 @@
 #include "rendering/models/exchange.h"
 #include "rendering/models/model_card.h"
 #include "rendering/models/photograph_at_pitch.h"
-#include "rendering/models/photograph_features.h"
 #include "rendering/models/temporary_folder.h"
 
 #include <opencv2/imgproc.hpp>
@@ -22,17 +21,6 @@ void checkPhotographs(std::span<const PhotographToTouch> photographs)
         if (photograph.mmPerPixel && !(*photograph.mmPerPixel > 1e-5 && *photograph.mmPerPixel < 100))
             throw protocols::badInput({"a photograph's pitch is out of range", "generators", "millimetres a pixel", ""});
     }
-}
-
-PhotographFacts factsOf(const SeenPhotograph& seen, const ModelCardFields& card)
-{
-    PhotographFacts facts;
-    facts.middleOnly = seen.middleOnly;
-    if (!card.photographs)
-        return facts;
-    facts.distance = distanceTo(*card.photographs, photographFeatures(seen.rgb));
-    facts.usualDistance = card.photographs->threshold;
-    return facts;
 }
 
 /// Nothing is known of millimetres there, so the height lies on the photograph's own pixels.
@@ -66,9 +54,8 @@ std::vector<GeneratedSignals> generate(std::span<const PhotographToTouch> photog
         const double pitch = photograph.mmPerPixel.value_or(assumedMmPerPixel(photograph.photograph, card.architecture.mmPerPixel));
         const SeenPhotograph seen = photographAtPitch({photograph.photograph, pitch}, card.architecture.mmPerPixel);
         request.add({seen.rgb, card.architecture.mmPerPixel});
-        facts.push_back(factsOf(seen, card));
-        if (!photograph.mmPerPixel)
-            facts.back().assumedMmPerPixel = pitch;
+        facts.push_back({.distance = {}, .usualDistance = 0, .middleOnly = seen.middleOnly,
+                         .assumedMmPerPixel = photograph.mmPerPixel ? std::nullopt : std::optional(pitch)});
         shown.push_back(seen.part.size());
     }
     request.finish();
@@ -78,7 +65,8 @@ std::vector<GeneratedSignals> generate(std::span<const PhotographToTouch> photog
         throw protocols::workFailed({"vis2hap-nn answered " + std::to_string(answers.size()) + " of " +
                                          std::to_string(photographs.size()) + " photographs", "generators", "", ""});
     for (std::size_t i = 0; i < answers.size(); ++i) {
-        answers[i].photograph = facts[i];
+        answers[i].photograph.middleOnly = facts[i].middleOnly;
+        answers[i].photograph.assumedMmPerPixel = facts[i].assumedMmPerPixel;
         if (facts[i].assumedMmPerPixel)
             backToPixels(answers[i], shown[i], *facts[i].assumedMmPerPixel);
     }

@@ -1,8 +1,10 @@
 #include "rendering/models/inference.h"
 
 #include "protocols/errors.h"
+#include "rendering/models/finished_relief.h"
 #include "rendering/models/friction_target.h"
 #include "rendering/models/photograph_at_pitch.h"
+#include "rendering/models/photograph_features.h"
 #include "rendering/models/ring_spectrum.h"
 #include "rendering/models/weights.h"
 #include "rendering/signals/spectrogram.h"
@@ -12,15 +14,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <thread>
 
 namespace rendering::models {
 
 namespace {
 
-constexpr double mostGain = 8;  ///< of the filter that imposes the predicted spectrum
 constexpr int tileSide = 256;   ///< px of a height map that one pass of G_h makes
-constexpr int tileMargin = 32;  ///< px around it that G_h sees beyond; a multiple of 16 with the tile
 
 int roundedUpTo16(int length) { return (length + 15) / 16 * 16; }
 
@@ -80,6 +81,9 @@ std::vector<cv::Point> cropCorners(const cv::Size& size, int side, Quality quali
     return corners;
 }
 
+/// px around a tile that G_h sees beyond; a multiple of 16 with the tile.
+int marginOf(Quality quality) { return quality == Quality::Fast ? 16 : 32; }
+
 int iterationsOf(Quality quality)
 {
     switch (quality) {
@@ -111,23 +115,48 @@ void requireFinite(const cv::Mat& values)
 }  // namespace
 
 struct LoadedModel::Parts {
+    ModelCardFields card;
     Architecture architecture;
     mutable Generators generators;
 
-    cv::Mat height(const cv::Mat& rgb, Quality quality) const
+    /// What is known of the photograph, where the card tells.
+    std::optional<Recognised> recognise(const cv::Mat& rgb) const
+    {
+        return card.photographs ? std::optional(recognised(*card.photographs, photographFeatures(rgb))) : std::nullopt;
+    }
+
+    cv::Mat height(const cv::Mat& rgb, const std::optional<Recognised>& seenBefore, Quality quality) const
     {
         cv::Mat padded;
+        const int margin = marginOf(quality);
         const int right = roundedUpTo16(rgb.cols) - rgb.cols, below = roundedUpTo16(rgb.rows) - rgb.rows;
-        cv::copyMakeBorder(rgb, padded, tileMargin, tileMargin + below, tileMargin, tileMargin + right, cv::BORDER_REFLECT_101);
+        cv::copyMakeBorder(rgb, padded, margin, margin + below, margin, margin + right, cv::BORDER_REFLECT_101);
         cv::Mat result(rgb.rows + below, rgb.cols + right, CV_32F);
         for (int y = 0; y < result.rows; y += tileSide)
             for (int x = 0; x < result.cols; x += tileSide) {
                 const cv::Rect tile(x, y, std::min(tileSide, result.cols - x), std::min(tileSide, result.rows - y));
-                heightOfTile(padded({x, y, tile.width + 2 * tileMargin, tile.height + 2 * tileMargin}), quality)
+                heightOfTile(padded({x, y, tile.width + 2 * margin, tile.height + 2 * margin}), quality)
                     .copyTo(result(tile));
             }
         const cv::Mat relief = result({0, 0, rgb.cols, rgb.rows}) * architecture.heightScaleMm;
-        return architecture.imposesSpectrum ? withRingPowers(relief, rings(rgb, quality), architecture.crop, mostGain, passesOf(quality)) : relief;
+        if (!architecture.imposesSpectrum)
+            return relief;
+        return withRingPowers(relief, rings(rgb, seenBefore, quality), ringFilter(architecture, passesOf(quality)));
+    }
+
+    /// As remembered of the fabrics that look like it; the stranger the photograph, the more G_h is asked.
+    std::vector<float> rings(const cv::Mat& rgb, const std::optional<Recognised>& seenBefore, Quality quality) const
+    {
+        const bool remembered = seenBefore && !seenBefore->rings.empty();
+        if (!remembered)
+            return rings(rgb, quality);
+        std::vector<float> all(seenBefore->rings.begin(), seenBefore->rings.end());
+        if (const auto strange = static_cast<float>(seenBefore->strangeness); strange > 0) {
+            const std::vector<float> predicted = rings(rgb, quality);
+            for (std::size_t i = 0; i < all.size(); ++i)
+                all[i] += strange * (predicted[i] - all[i]);
+        }
+        return all;
     }
 
     /// The radial spectrum that G_h predicts, averaged over crops.
@@ -161,16 +190,22 @@ struct LoadedModel::Parts {
             sum += turnedBack(generators.height->forward(turned(photograph, turn)), turn);
         sum /= static_cast<double>(turns.size());
         const cv::Mat whole(seen.rows, seen.cols, CV_32F, sum.data_ptr<float>());
-        return whole({tileMargin, tileMargin, seen.cols - 2 * tileMargin, seen.rows - 2 * tileMargin}).clone();
+        const int margin = marginOf(quality);
+        return whole({margin, margin, seen.cols - 2 * margin, seen.rows - 2 * margin}).clone();
     }
 
-    FrictionTarget friction(const cv::Mat& rgb, Quality quality) const
+    /// Of a strange photograph the mean is rather what its texture lets expect.
+    FrictionTarget friction(const cv::Mat& rgb, const std::optional<Recognised>& seenBefore, Quality quality) const
     {
         const FrictionGuess guess = generators.friction->forward(crops(rgb, quality));
         const torch::Tensor logRatio = guess.logRatio.mean(0).contiguous();
         FrictionTarget target;
         target.logRatio = cv::Mat(architecture.rows, architecture.frames, CV_32F, logRatio.data_ptr<float>()).clone();
         target.mean = guess.mean.mean().item<float>();
+        if (card.frictionByTexture && seenBefore && seenBefore->strangeness > 0) {
+            const double expected = expectedFriction(*card.frictionByTexture, textureCoefficients(rgb, architecture.crop));
+            target.mean *= static_cast<float>(std::pow(expected / static_cast<double>(target.mean), seenBefore->strangeness));
+        }
         return target;
     }
 };
@@ -178,9 +213,9 @@ struct LoadedModel::Parts {
 LoadedModel::LoadedModel(const std::filesystem::path& model, int threads) : m_parts(std::make_unique<Parts>())
 {
     torch::set_num_threads(threads > 0 ? threads : static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
-    const ModelCardFields card = readModelCardFields(model);
-    m_parts->architecture = card.architecture;
-    m_parts->generators = readModel(model, card);
+    m_parts->card = readModelCardFields(model);
+    m_parts->architecture = m_parts->card.architecture;
+    m_parts->generators = readModel(model, m_parts->card);
 }
 
 LoadedModel::~LoadedModel() = default;
@@ -190,14 +225,19 @@ GeneratedSignals LoadedModel::generate(const PhotographToTouch& photograph, cons
     const torch::NoGradGuard still;
     const Architecture& architecture = m_parts->architecture;
     const cv::Mat rgb = photographAtPitch(photograph, architecture.mmPerPixel).rgb;
+    const std::optional<Recognised> seenBefore = m_parts->recognise(rgb);
     GeneratedSignals signals;
+    if (seenBefore) {
+        signals.photograph.distance = seenBefore->distance;
+        signals.photograph.usualDistance = m_parts->card.photographs->threshold;
+    }
     if (options.height) {
-        signals.heightMm = m_parts->height(rgb, options.quality);
+        signals.heightMm = m_parts->height(rgb, seenBefore, options.quality);
         signals.heightMmPerPixel = architecture.mmPerPixel;
         requireFinite(signals.heightMm);
     }
     if (options.friction) {
-        const FrictionTarget target = m_parts->friction(rgb, options.quality);
+        const FrictionTarget target = m_parts->friction(rgb, seenBefore, options.quality);
         requireFinite(target.logRatio);
         signals.spectrogram = magnitudes(target, architecture);
         signals.spectrogramParameters = spectrogramParameters(architecture);

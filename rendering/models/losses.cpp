@@ -1,6 +1,6 @@
 #include "rendering/models/losses.h"
 
-#include "rendering/models/ring_spectrum.h"
+#include "rendering/models/ring_tensors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,43 +11,15 @@ namespace {
 
 namespace functional = torch::nn::functional;
 
-/// Power spectrum of each map without its mean, under a Hann window. Scaled so that white noise of
-/// deviation s gives about s squared.
-torch::Tensor powers(const torch::Tensor& maps)
-{
-    const auto side = maps.size(3);
-    const torch::Tensor hann = torch::hann_window(side);
-    const torch::Tensor centred = maps - maps.mean({2, 3}, true);
-    const torch::Tensor transform = torch::fft::rfft2(centred * hann.view({1, 1, side, 1}) * hann.view({1, 1, 1, side}));
-    return (torch::real(transform).square() + torch::imag(transform).square()) / (0.14 * static_cast<double>(side * side));
-}
-
 torch::Tensor amplitudes(const torch::Tensor& maps)
 {
     return (functional::avg_pool2d(powers(maps), functional::AvgPool2dFuncOptions(3).stride(1).padding(1)) + 1e-6).sqrt();
 }
 
-/// [frequencies of rfft2, rings]: each column averages one ring of ring_spectrum.h.
-torch::Tensor ringAverages(std::int64_t side)
-{
-    const torch::Tensor rows = torch::fft::fftfreq(side).view({-1, 1}), columns = (torch::arange(side / 2 + 1) / static_cast<double>(side)).view({1, -1});
-    const torch::Tensor frequency = (rows.square() + columns.square()).sqrt().flatten();
-    const double lowest = 1.5 / static_cast<double>(side), ratio = std::pow(0.5 / lowest, 1.0 / ringCount);
-    std::vector<torch::Tensor> columnsOfRings;
-    for (int ring = 0; ring < ringCount; ++ring) {
-        const double from = lowest * std::pow(ratio, ring);
-        const torch::Tensor inside = torch::logical_and(frequency >= from, frequency < from * ratio).to(torch::kFloat);
-        const double count = inside.sum().item<double>();
-        if (count > 0)
-            columnsOfRings.push_back(inside / count);
-    }
-    return torch::stack(columnsOfRings, 1);
-}
-
 torch::Tensor logRings(const torch::Tensor& maps)
 {
     // The floor is a hundredth of a unit's deviation spread over all frequencies: below lies the sensor's noise.
-    return torch::log(torch::matmul(powers(maps).flatten(1), ringAverages(maps.size(3))) + 1e-5);
+    return torch::log(ringMeans(maps) + 1e-5);
 }
 
 torch::Tensor l1(const torch::Tensor& a, const torch::Tensor& b) { return (a - b).abs().mean(); }

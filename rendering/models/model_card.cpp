@@ -19,7 +19,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* schema = "vis2hap.model/2";
 /// Changes whenever networks.cpp or the meaning of what the networks speak does.
-constexpr const char* architectureKind = "unet+summary/2";
+constexpr const char* architectureKind = "unet+summary/3";
 
 Json architectureJson(const Architecture& a)
 {
@@ -29,6 +29,7 @@ Json architectureJson(const Architecture& a)
             {"mm_per_pixel", a.mmPerPixel},
             {"height_scale_mm", a.heightScaleMm},
             {"imposes_spectrum", a.imposesSpectrum},
+            {"zero_percentile", a.zeroPercentile},
             {"mean_friction_scale", a.meanFrictionScale},
             {"spectrogram",
              {{"window", a.window},
@@ -47,6 +48,7 @@ Architecture architectureFrom(const Json& json)
     a.mmPerPixel = json.at("mm_per_pixel").get<double>();
     a.heightScaleMm = json.at("height_scale_mm").get<double>();
     a.imposesSpectrum = json.at("imposes_spectrum").get<bool>();
+    a.zeroPercentile = json.at("zero_percentile").get<double>();
     a.meanFrictionScale = json.at("mean_friction_scale").get<double>();
     const Json& spectrogram = json.at("spectrogram");
     a.window = spectrogram.at("window").get<int>();
@@ -65,7 +67,7 @@ bool sensible(const Architecture& a)
     return within(a.baseChannels, 1, 256) && within(a.crop, 16, 1024) && a.crop % 16 == 0 && within(a.mmPerPixel, 1e-5, 100) &&
            within(a.heightScaleMm, 1e-9, 1e3) && within(a.meanFrictionScale, 1e-9, 1e3) && within(a.window, 4, 4096) &&
            within(a.hop, 1, a.window) && within(a.traceSamples, 4, 1 << 20) && within(a.rows, 2, 2049) &&
-           within(a.frames, 1, 1 << 16) && within(a.traceMmPerSample, 1e-9, 1e3);
+           within(a.frames, 1, 1 << 16) && within(a.traceMmPerSample, 1e-9, 1e3) && within(a.zeroPercentile, 0, 50);
 }
 
 protocols::Error unreadable(const std::filesystem::path& card, const std::string& why)
@@ -74,10 +76,12 @@ protocols::Error unreadable(const std::filesystem::path& card, const std::string
                                 "take the weights together with the .json that `vis2hap train` wrote beside them"});
 }
 
-Familiarity familiarityOf(const Json& json, const std::filesystem::path& card)
+/// What one of the card's blocks says.
+template <class Read>
+auto blockOf(const Json& json, const std::filesystem::path& card, Read read)
 {
     try {
-        return familiarityFrom(json);
+        return read(json);
     } catch (const protocols::Error& fault) {
         throw unreadable(card, fault.what());
     }
@@ -125,6 +129,8 @@ std::string cardText(const ModelCardFields& card)
               {"validation", card.validation}};
     if (card.photographs)
         json["photographs"] = familiarityJson(*card.photographs);
+    if (card.frictionByTexture)
+        json["friction_by_texture"] = frictionPriorJson(*card.frictionByTexture);
     json["training_sample_hashes"] = card.told.trainingSampleHashes;
     return json.dump(1) + "\n";
 }
@@ -161,7 +167,9 @@ ModelCardFields readModelCardFields(const std::filesystem::path& model)
         card.architecture = architectureFrom(json.at("architecture"));
         card.validation = json.at("validation");
         if (json.contains("photographs"))
-            card.photographs = familiarityOf(json.at("photographs"), file);
+            card.photographs = blockOf(json.at("photographs"), file, familiarityFrom);
+        if (json.contains("friction_by_texture"))
+            card.frictionByTexture = blockOf(json.at("friction_by_texture"), file, frictionPriorFrom);
     } catch (const Json::exception& fault) {
         throw unreadable(file, fault.what());
     }

@@ -1,9 +1,10 @@
 // The model card: what a weights file says of itself, in JSON beside it (`<weights>.json`), read
-// without libtorch. Schema vis2hap.model/1.
+// without libtorch. Schema vis2hap.model/2.
 #pragma once
 
 #include "rendering/models/architecture.h"
 #include "rendering/models/familiarity.h"
+#include "rendering/models/friction_prior.h"
 #include "rendering/models/generation.h"
 
 #include <nlohmann/json.hpp>
@@ -28,7 +29,8 @@ struct ModelCardFields {
     std::vector<std::string> heldOut;
     std::string datasetName, datasetHash;
     nlohmann::ordered_json validation;   ///< figures before and after training
-    std::optional<Familiarity> photographs;  ///< of training; older cards do not tell
+    std::optional<Familiarity> photographs;  ///< of training; absent: not told
+    std::optional<FrictionPrior> frictionByTexture;  ///< absent: the networks alone speak of unfamiliar photographs, too
 };
 
 std::filesystem::path cardOf(const std::filesystem::path& model);

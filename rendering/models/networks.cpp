@@ -1,6 +1,7 @@
 #include "rendering/models/networks.h"
 
 #include "rendering/models/ring_spectrum.h"
+#include "rendering/models/ring_tensors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -79,6 +80,15 @@ torch::Tensor seen(const torch::Tensor& photograph, const torch::Tensor& contras
     return torch::cat({centred(photograph), contrasted * 4}, 1).contiguous(torch::MemoryFormat::ChannelsLast);
 }
 
+/// Logarithms of the power of a square photograph's brightness over its mean in the rings in which heights are described, about
+/// -1..1: waves of the weave are waves of the relief, and no chain of convolutions tells neighbouring wavelengths apart as well.
+torch::Tensor ringsSeen(const torch::Tensor& photograph)
+{
+    const torch::Tensor grey = photograph.mean(1, true);
+    const torch::Tensor texture = grey / grey.mean({2, 3}, true).clamp_min(0.02);
+    return (torch::log(ringMeans(texture) + 1e-5) + 4) / 2;
+}
+
 /// Mean and spread of every feature over the photograph: a texture's statistics, wherever it lies.
 torch::Tensor statistics(const torch::Tensor& features)
 {
@@ -95,24 +105,28 @@ TextureSummaryImpl::TextureSummaryImpl(const Architecture& architecture)
     m_quarter = register_module("quarter", halving(c, 2 * c));
     m_eighth = register_module("eighth", halving(2 * c, 4 * c));
     m_sixteenth = register_module("sixteenth", halving(4 * c, 4 * c));
-    m_hidden = register_module("hidden", nn::Linear(2 * (c + 2 * c + 4 * c + 4 * c), 4 * c));
+    m_hidden = register_module("hidden", nn::Linear(2 * (c + 2 * c + 4 * c + 4 * c) + ringCount, 8 * c));
+    m_summary = register_module("summary", nn::Linear(8 * c, 4 * c));
 }
 
-torch::Tensor TextureSummaryImpl::forward(const torch::Tensor& photograph)
+Texture TextureSummaryImpl::forward(const torch::Tensor& photograph)
 {
     const torch::Tensor half = m_half->forward(seen(photograph, contrast(photograph)));
     const torch::Tensor quarter = m_quarter->forward(half);
     const torch::Tensor eighth = m_eighth->forward(quarter);
     const torch::Tensor sixteenth = m_sixteenth->forward(eighth);
-    const torch::Tensor all = torch::cat({statistics(half), statistics(quarter), statistics(eighth), statistics(sixteenth)}, 1);
-    return torch::leaky_relu(m_hidden->forward(all), 0.2);
+    const torch::Tensor rings = ringsSeen(photograph);
+    const torch::Tensor all =
+        torch::cat({statistics(half), statistics(quarter), statistics(eighth), statistics(sixteenth), rings}, 1);
+    const torch::Tensor hidden = torch::leaky_relu(m_hidden->forward(all), 0.2);
+    return {torch::leaky_relu(m_summary->forward(hidden), 0.2), rings};
 }
 
 HeightGeneratorImpl::HeightGeneratorImpl(const Architecture& architecture)
 {
     const int c = architecture.baseChannels;
     m_summary = register_module("summary", TextureSummary(architecture));
-    m_rings = register_module("rings", nn::Linear(4 * c, ringCount));
+    m_rings = register_module("rings", nn::Linear(4 * c + ringCount, ringCount));
     m_full = register_module("full", nn::Sequential(convolution(4, c, 3, 1), leaky()));
     m_half = register_module("half", halving(c, 2 * c));
     m_quarter = register_module("quarter", halving(2 * c, 4 * c));
@@ -147,7 +161,8 @@ torch::Tensor HeightGeneratorImpl::forward(const torch::Tensor& photograph)
 torch::Tensor HeightGeneratorImpl::rings(const torch::Tensor& photograph)
 {
     // Powers of fabrics lie between the sensor's noise and a millimetre: logarithms of -14 to 2.
-    return 2 * m_rings->forward(m_summary->forward(photograph)) - 8;
+    const Texture texture = m_summary->forward(photograph);
+    return 2 * m_rings->forward(torch::cat({texture.summary, texture.rings}, 1)) - 8;
 }
 
 FrictionGeneratorImpl::FrictionGeneratorImpl(const Architecture& architecture)
@@ -162,7 +177,7 @@ FrictionGeneratorImpl::FrictionGeneratorImpl(const Architecture& architecture)
 
 FrictionGuess FrictionGeneratorImpl::forward(const torch::Tensor& photograph)
 {
-    const torch::Tensor summary = m_summary->forward(photograph);
+    const torch::Tensor summary = m_summary->forward(photograph).summary;
     const torch::Tensor seed = m_seed->forward(summary).view({-1, m_architecture.baseChannels, m_seedRows, m_seedFrames});
     const torch::Tensor decoded = m_decoder->forward(seed);
     // Slipperiness is a ratio: its logarithm is learnt. The clamp keeps an untrained network's answer finite.

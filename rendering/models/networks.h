@@ -10,17 +10,22 @@
 
 namespace rendering::models {
 
-/// What a photograph's texture is like, wherever it lies: convolutions that halve it four times, mean
-/// and spread of the features of every scale, one hidden layer. [N, 3, H, W] (sides multiples of 16, at
-/// least 32) -> [N, 4 baseChannels].
+/// What a photograph's texture is like, wherever it lies.
+struct Texture {
+    torch::Tensor summary;  ///< [N, 4 baseChannels]
+    torch::Tensor rings;    ///< [N, ringCount]: its brightness in the rings in which heights are described (ring_spectrum.h)
+};
+
+/// Convolutions that halve the photograph four times, mean and spread of the features of every scale,
+/// its radial spectrum, two layers over all. [N, 3, side, side] (a multiple of 16, at least 32).
 class TextureSummaryImpl : public torch::nn::Module {
 public:
     explicit TextureSummaryImpl(const Architecture& architecture);
-    torch::Tensor forward(const torch::Tensor& photograph);
+    Texture forward(const torch::Tensor& photograph);
 
 private:
     torch::nn::Sequential m_half, m_quarter, m_eighth, m_sixteenth;
-    torch::nn::Linear m_hidden{nullptr};
+    torch::nn::Linear m_hidden{nullptr}, m_summary{nullptr};
 };
 TORCH_MODULE(TextureSummary);
 

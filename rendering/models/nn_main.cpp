@@ -39,7 +39,7 @@ void offerTraining(CLI::App& app, const std::string& command)
     models::TrainingOptions& options = wish->options;
     train->add_option("DATASET", wish->dataset, "folder with photographs, GelSight frames and friction records")->required();
     train->add_option("--out", options.out, "weights file; its model card is written to MODEL.json")->required();
-    CLI::Option* steps = train->add_option("--steps", wish->steps, "optimisation steps (default 2000)");
+    CLI::Option* steps = train->add_option("--steps", wish->steps, "optimisation steps (default 6000)");
     CLI::Option* minutes = train->add_option("--minutes", wish->minutes, "wall time instead of steps")->excludes(steps);
     train->add_option("--seed", options.seed, "of the first weights, batches and augmentation (default 1)");
     train->add_option("--split-seed", options.splitSeed, "of the 8:1:1 split (default 1)");
@@ -57,7 +57,7 @@ void offerTraining(CLI::App& app, const std::string& command)
     train->add_option("--learning-rate", options.learningRate, "of the generators at the start (default 0.001)");
     train->add_option("--checkpoint-every", options.checkpointEvery, "steps (default 100)");
     train->add_option("--validate-every", options.validateEvery, "steps (default 250)");
-    train->add_option("--patience", options.patience, "validations without a better one, after which training stops (default 6)");
+    train->add_option("--patience", options.patience, "validations without a better one, after which training stops (default 12)");
     train->add_option("--validation-pairs", options.validationPairs, "pairs that the validation figures rest on (default 60)");
     train->add_option("--threads", options.threads, "default: all of the machine");
     train->callback([wish, steps, minutes, command] {
@@ -65,7 +65,7 @@ void offerTraining(CLI::App& app, const std::string& command)
         if (minutes->count() > 0)
             chosen.minutes = wish->minutes;
         else
-            chosen.steps = steps->count() > 0 ? wish->steps : 2000;
+            chosen.steps = steps->count() > 0 ? wish->steps : 6000;
         for (const std::string& id : wish->heldOut)
             chosen.heldOut.emplace_back(id);
         if (wish->reference && wish->l1Only)

@@ -3,6 +3,8 @@
 #include "rendering/models/ring_spectrum.h"
 #include "rendering/models/weights.h"
 
+#include <opencv2/core.hpp>
+
 #include <algorithm>
 #include <chrono>
 #include <functional>
@@ -95,7 +97,9 @@ void PeerStep::write(const std::filesystem::path& file)
     setTraining(false);
     const FrictionGuess friction = m_generators.friction->forward(m_photograph);
     const torch::Tensor height = m_generators.height->forward(m_photograph);
+    cv::Mat averages = ringAverages(m_architecture.crop, m_architecture.crop);
     const std::pair<const char*, torch::Tensor> named[] = {
+        {"ring_averages", torch::from_blob(averages.data, {averages.rows, averages.cols})},
         {"photograph", m_photograph},      {"target_height", m_height},
         {"target_rings", m_rings},         {"target_ratio", m_friction.logRatio},
         {"target_mean", m_friction.mean},  {"answer_height", height},

@@ -1,20 +1,38 @@
 #include "rendering/models/ring_spectrum.h"
 
+#include "rendering/signals/photometric_stereo.h"
+
 #include <opencv2/core.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <mutex>
 #include <numbers>
+#include <optional>
 
 namespace rendering::models {
 
 namespace {
 
-double lowestFrequency(int side) { return 1.5 / side; }
-double ringRatio(int side) { return std::pow(0.5 / lowestFrequency(side), 1.0 / ringCount); }
+/// Which ring has its middle below a frequency, and how near the next one is.
+struct RingPair {
+    int lower = -1;  ///< -1: outside all
+    float share = 0;  ///< of the ring above
+};
 
-/// Which ring a frequency in cycles a pixel lies in; fractional, 0 is the lower edge of the first.
-double ringAt(double frequency, int side) { return std::log(frequency / lowestFrequency(side)) / std::log(ringRatio(side)); }
+/// A window's frequencies, one quarter of them: the others mirror it.
+struct Rings {
+    int width = 0;
+    std::vector<RingPair> pairs;  ///< [(width / 2 + 1) x (width / 2 + 1)], row-major, cycles a window down and right
+    cv::Mat window;               ///< Hann
+    double sum = 0, energy = 0;   ///< of the window and of its square
+
+    const RingPair& at(int row, int column) const
+    {
+        return pairs[static_cast<std::size_t>(std::min(row, width - row) * (width / 2 + 1) + std::min(column, width - column))];
+    }
+};
 
 cv::Mat hannWindow(int side)
 {
@@ -24,41 +42,53 @@ cv::Mat hannWindow(int side)
     return line.t() * line;
 }
 
-double frequencyAt(int row, int column, const cv::Size& size)
+RingPair ringPair(double frequency, int side)
 {
-    const double down = std::min(row, size.height - row) / static_cast<double>(size.height);
-    const double right = std::min(column, size.width - column) / static_cast<double>(size.width);
-    return std::hypot(down, right);
+    // A wave that fills the window but once is told apart from none badly enough; a longer one is not at all.
+    if (frequency * side < 0.9 || frequency > 0.5)
+        return {};
+    const double place = ringPlace(frequency, side);
+    const int lower = std::min(static_cast<int>(place), ringCount - 2);
+    return {lower, static_cast<float>(place - lower)};
 }
 
-/// For every frequency of a window its ring, -1 outside all.
-cv::Mat ringsOfWindow(int side)
+Rings makeRings(int width, int side)
 {
-    cv::Mat rings(side, side, CV_32S, cv::Scalar(-1));
-    for (int row = 0; row < side; ++row)
-        for (int column = 0; column < side; ++column) {
-            const double frequency = frequencyAt(row, column, {side, side});
-            if (frequency >= lowestFrequency(side) && frequency < 0.5)
-                rings.at<int>(row, column) = std::min(ringCount - 1, static_cast<int>(ringAt(frequency, side)));
-        }
+    Rings rings{width, {}, hannWindow(width)};
+    rings.sum = cv::sum(rings.window)[0];
+    rings.energy = rings.window.dot(rings.window);
+    for (int row = 0; row <= width / 2; ++row)
+        for (int column = 0; column <= width / 2; ++column)
+            rings.pairs.push_back(ringPair(std::hypot(row, column) / width, side));
     return rings;
 }
 
-void addPowers(const cv::Mat& part, const cv::Mat& window, cv::Mat& sums)
+/// Made once for each size that is asked for.
+const Rings& ringsOf(int width, int side)
 {
-    cv::Mat centred = (part - cv::mean(part)[0]).mul(window), transform, planes[2];
+    static std::mutex guard;
+    static std::map<std::pair<int, int>, Rings> made;
+    const std::lock_guard<std::mutex> lock(guard);
+    const auto found = made.find({width, side});
+    return found != made.end() ? found->second : made.emplace(std::pair(width, side), makeRings(width, side)).first->second;
+}
+
+void addPowers(const cv::Mat& part, const Rings& rings, cv::Mat& sums)
+{
+    const double mean = part.dot(rings.window) / rings.sum;
+    cv::Mat centred = (part - mean).mul(rings.window), transform, planes[2];
     cv::dft(centred, transform, cv::DFT_COMPLEX_OUTPUT);
     cv::split(transform, planes);
     sums += planes[0].mul(planes[0]) + planes[1].mul(planes[1]);
 }
 
 /// Corners of windows that lie half over each other, the last one flush with the end.
-std::vector<int> cornersAlong(int length, int side)
+std::vector<int> cornersAlong(int length, int width)
 {
     std::vector<int> corners;
-    for (int at = 0; at + side < length; at += side / 2)
+    for (int at = 0; at + width < length; at += width / 2)
         corners.push_back(at);
-    corners.push_back(length - side);
+    corners.push_back(length - width);
     return corners;
 }
 
@@ -71,7 +101,26 @@ cv::Mat atLeastAWindow(const cv::Mat& map, int side)
     return wide;
 }
 
-bool firstRingIsEmpty(int side) { return cv::countNonZero(ringsOfWindow(side) == 0) == 0; }
+/// Means of the powers over each ring; an empty ring takes its lower neighbour's.
+std::vector<double> averaged(const cv::Mat& powers, const Rings& rings)
+{
+    std::vector<double> total(ringCount), weight(ringCount);
+    for (int row = 0; row < powers.rows; ++row)
+        for (int column = 0; column < powers.cols; ++column) {
+            const RingPair& pair = rings.at(row, column);
+            if (pair.lower < 0)
+                continue;
+            const auto lower = static_cast<std::size_t>(pair.lower);
+            const double power = static_cast<double>(powers.at<float>(row, column)), share = static_cast<double>(pair.share);
+            total[lower] += (1 - share) * power;
+            weight[lower] += 1 - share;
+            total[lower + 1] += share * power;
+            weight[lower + 1] += share;
+        }
+    for (std::size_t i = 0; i < total.size(); ++i)
+        total[i] = weight[i] > 0 ? total[i] / weight[i] : total[i > 0 ? i - 1 : 0];
+    return total;
+}
 
 constexpr int gainsPerCycle = 4096;
 
@@ -80,74 +129,111 @@ std::vector<float> gainTable(const std::vector<double>& logGain, int side)
 {
     std::vector<float> gains;
     for (int i = 0; i <= static_cast<int>(0.72 * gainsPerCycle); ++i) {
-        const double frequency = (i + 0.5) / gainsPerCycle;
-        const double place = std::clamp(ringAt(frequency, side) - 0.5, 0.0, ringCount - 1.0);
+        const double frequency = (i + 0.5) / gainsPerCycle, place = ringPlace(frequency, side);
         const auto ring = std::min(static_cast<std::size_t>(place), logGain.size() - 2);
         const double share = place - static_cast<double>(ring);
-        // Longer waves than the first ring's are no part of a press (there the sensor's low frequencies are removed) and fade out.
-        const double fourth = std::pow(1.5 * frequency / lowestFrequency(side), 4);
+        const double fourth = std::pow(frequency * side, 4);
         gains.push_back(static_cast<float>(fourth / (1 + fourth) * std::exp((1 - share) * logGain[ring] + share * logGain[ring + 1])));
     }
     return gains;
 }
 
-/// About its mean, mirrored by `border` px around, cut at 0.
-cv::Mat filtered(const cv::Mat& heightMm, const std::vector<float>& gains, int mostBorder)
-{
-    const double mean = cv::mean(heightMm)[0];
-    cv::Mat padded, transform;
-    const int border = std::min({mostBorder, heightMm.rows - 1, heightMm.cols - 1});
-    const auto beyond = [&](int length) { return cv::getOptimalDFTSize(length + 2 * border) - length - border; };
-    cv::copyMakeBorder(heightMm - mean, padded, border, beyond(heightMm.rows), border, beyond(heightMm.cols), cv::BORDER_REFLECT_101);
-    cv::dft(padded, transform, cv::DFT_COMPLEX_OUTPUT);
-    for (int row = 0; row < transform.rows; ++row)
-        for (int column = 0; column < transform.cols; ++column)
-            transform.at<cv::Vec2f>(row, column) *=
-                gains[static_cast<std::size_t>(frequencyAt(row, column, transform.size()) * gainsPerCycle)];
-    cv::Mat result;
-    cv::dft(transform, result, cv::DFT_INVERSE | cv::DFT_REAL_OUTPUT | cv::DFT_SCALE);
-    return cv::max(result({border, border, heightMm.cols, heightMm.rows}) + mean, 0);
-}
+/// A map's transform, which every pass of a filter begins from.
+class Spectrum {
+public:
+    /// Of the map about its mean, mirrored by at most `mostBorder` px around.
+    Spectrum(const cv::Mat& heightMm, int mostBorder)
+        : m_inner(0, 0, heightMm.cols, heightMm.rows)
+    {
+        const int border = std::min({mostBorder, heightMm.rows - 1, heightMm.cols - 1});
+        m_inner.x = m_inner.y = border;
+        const auto beyond = [&](int length) { return cv::getOptimalDFTSize(length + 2 * border) - length - border; };
+        cv::Mat padded;
+        cv::copyMakeBorder(heightMm - cv::mean(heightMm)[0], padded, border, beyond(heightMm.rows), border, beyond(heightMm.cols),
+                           cv::BORDER_REFLECT_101);
+        cv::dft(padded, m_transform, cv::DFT_COMPLEX_OUTPUT);
+    }
+
+    cv::Mat times(const std::vector<float>& gains) const
+    {
+        cv::Mat changed(m_transform.size(), m_transform.type()), result;
+        const int rows = changed.rows, columns = changed.cols;
+        for (int row = 0; row < rows; ++row) {
+            const float down = static_cast<float>(std::min(row, rows - row)) / static_cast<float>(rows) * gainsPerCycle;
+            const cv::Vec2f* from = m_transform.ptr<cv::Vec2f>(row);
+            cv::Vec2f* to = changed.ptr<cv::Vec2f>(row);
+            for (int column = 0; column < columns; ++column) {
+                const float right = static_cast<float>(std::min(column, columns - column)) / static_cast<float>(columns) * gainsPerCycle;
+                to[column] = from[column] * gains[static_cast<std::size_t>(std::sqrt(down * down + right * right))];
+            }
+        }
+        cv::dft(changed, result, cv::DFT_INVERSE | cv::DFT_REAL_OUTPUT | cv::DFT_SCALE);
+        return result(m_inner).clone();
+    }
+
+private:
+    cv::Rect m_inner;
+    cv::Mat m_transform;
+};
 
 }  // namespace
 
+double ringPlace(double frequency, int side)
+{
+    // The scale bends at a sixteenth of the highest frequency.
+    const double highest = side / 2.0, bend = side / 16.0;
+    const double cycles = std::clamp(frequency * side, 1.0, highest);
+    return (ringCount - 1) * std::log((cycles + bend) / (1 + bend)) / std::log((highest + bend) / (1 + bend));
+}
+
+cv::Mat ringAverages(int width, int side)
+{
+    const Rings& rings = ringsOf(width, side);
+    cv::Mat rows = cv::Mat::zeros(ringCount, width * width, CV_32F);
+    for (int i = 0; i < width * width; ++i)
+        if (const RingPair& pair = rings.at(i / width, i % width); pair.lower >= 0) {
+            rows.at<float>(pair.lower, i) = 1 - pair.share;
+            rows.at<float>(pair.lower + 1, i) = pair.share;
+        }
+    for (int ring = 0; ring < ringCount; ++ring) {
+        const double weight = cv::sum(rows.row(ring))[0];
+        if (weight > 0)
+            rows.row(ring) /= weight;
+        else if (ring > 0)
+            rows.row(ring - 1).copyTo(rows.row(ring));
+    }
+    return rows;
+}
+
 std::vector<float> ringPowers(const cv::Mat& heightMm, int side)
 {
-    const cv::Mat map = atLeastAWindow(heightMm, side), window = hannWindow(side);
-    cv::Mat sums = cv::Mat::zeros(side, side, CV_32F);
+    const cv::Mat map = atLeastAWindow(heightMm, side);
+    const int width = std::min({map.rows, map.cols, 2 * side}) / 2 * 2;
+    const Rings& rings = ringsOf(width, side);
+    cv::Mat sums = cv::Mat::zeros(width, width, CV_32F);
     int windows = 0;
-    for (const int row : cornersAlong(map.rows, side))
-        for (const int column : cornersAlong(map.cols, side)) {
-            addPowers(map({column, row, side, side}), window, sums);
+    for (const int row : cornersAlong(map.rows, width))
+        for (const int column : cornersAlong(map.cols, width)) {
+            addPowers(map({column, row, width, width}), rings, sums);
             ++windows;
         }
-    const double energy = cv::sum(window.mul(window))[0];
-    const cv::Mat rings = ringsOfWindow(side);
-    std::vector<double> total(ringCount), count(ringCount);
-    for (int row = 0; row < side; ++row)
-        for (int column = 0; column < side; ++column)
-            if (const int ring = rings.at<int>(row, column); ring >= 0) {
-                total[static_cast<std::size_t>(ring)] += sums.at<float>(row, column);
-                count[static_cast<std::size_t>(ring)] += 1;
-            }
-    std::vector<float> powers(ringCount);
-    for (std::size_t i = 0; i < powers.size(); ++i)
-        powers[i] = count[i] > 0 ? static_cast<float>(std::log(total[i] / count[i] / (energy * windows) + ringFloorMm2))
-                                 : powers[i > 0 ? i - 1 : 0];
+    std::vector<float> powers;
+    for (const double mean : averaged(sums, rings))
+        powers.push_back(static_cast<float>(std::log(mean / (rings.energy * windows) + ringFloorMm2)));
     return powers;
 }
 
-cv::Mat withRingPowers(const cv::Mat& heightMm, const std::vector<float>& wanted, int side, double mostGain, int passes)
+cv::Mat withRingPowers(const cv::Mat& heightMm, const std::vector<float>& wanted, const RingFilter& filter)
 {
     std::vector<double> logGain(ringCount, 0);
+    const double bound = std::log(filter.mostGain);
+    const Spectrum spectrum(heightMm, filter.side / 2);
     cv::Mat made = heightMm;
-    for (int pass = 0; pass < passes; ++pass) {
-        const std::vector<float> present = ringPowers(made, side);
+    for (int pass = 0; pass < filter.passes; ++pass) {
+        const std::vector<float> present = ringPowers(made, filter.side);
         for (std::size_t i = 0; i < logGain.size(); ++i)
-            logGain[i] = std::clamp(logGain[i] + 0.5 * static_cast<double>(wanted[i] - present[i]), -std::log(mostGain), std::log(mostGain));
-        if (firstRingIsEmpty(side))
-            logGain[0] = logGain[1];
-        made = filtered(heightMm, gainTable(logGain, side), side / 2);
+            logGain[i] = std::clamp(logGain[i] + 0.5 * static_cast<double>(wanted[i] - present[i]), -bound, bound);
+        made = signals::settled(spectrum.times(gainTable(logGain, filter.side)), {1, 1}, std::nullopt, filter.zeroPercentile);
     }
     return made;
 }

@@ -1,4 +1,4 @@
-// The radial power spectrum of a height map in rings of equal ratio, and maps brought to a wanted one.
+// The radial power spectrum of a height map in overlapping rings, and maps brought to a wanted one.
 // A texture's power at every wavelength hardly differs from place to place: it is predicted from the
 // photograph as its own quantity (like the mean friction) and imposed on the generated relief, so that
 // heights and roughness do not depend on how sharp a network draws. No torch in this header.
@@ -14,17 +14,34 @@ inline constexpr int ringCount = 24;
 /// Added to every power before its logarithm: the noise of the sensor lies there.
 inline constexpr double ringFloorMm2 = 1e-6;
 
-/// Natural logarithms of the mean power of each ring, mm^2 (white noise of deviation s mm gives s^2);
-/// Welch's method over windows of `side` x `side` px (Hann, each without its mean, half shared with the
-/// next). Rings in equal ratios from 1.5 cycles a window to half a cycle a pixel; a narrow ring that holds
-/// no frequency of the window takes its lower neighbour's value, the first is 0 then and never used. A map
-/// smaller than a window is continued by mirroring. `heightMm`: CV_32FC1, finite.
+/// Where a frequency in cycles a pixel lies among the rings: 0 at one cycle in `side` px (or below), ringCount - 1
+/// at half a cycle a pixel (or above); in between near-linear for long waves and logarithmic for short ones, so
+/// that the narrowest ring is about as wide as a window of `side` px can tell apart. A ring weighs the
+/// frequencies around its middle by a triangle that reaches to its neighbours' middles: a line of the spectrum
+/// never jumps from one to the next.
+double ringPlace(double frequency, int side);
+
+/// [ringCount][width x width] rows that average the powers of a window's frequencies (the order of a complex
+/// transform) into rings; a narrow ring that holds no frequency has its lower neighbour's row.
+cv::Mat ringAverages(int width, int side);
+
+/// Natural logarithms of the mean power of each ring, mm^2 (white noise of deviation s mm gives s^2):
+/// Welch's method (Hann windows, each without its mean, half shared with the next) with the widest windows that
+/// fit, `side` to twice `side` px, since few long waves fit into a narrow one. A map smaller than a window of
+/// `side` px is continued by mirroring. `heightMm`: CV_32FC1, finite.
 std::vector<float> ringPowers(const cv::Mat& heightMm, int side);
 
-/// The map filtered so that ringPowers() are near `wanted`; waves longer than the rings', which no press
-/// has, fade out (half their height at one cycle a window). Phases are kept, the gain is smooth in
-/// frequency and bounded by a factor of `mostGain` either way, the mean is kept, heights stay >= 0. What
-/// cutting at 0 and smooth gains leave apart, further `passes` bring nearer.
-cv::Mat withRingPowers(const cv::Mat& heightMm, const std::vector<float>& wanted, int side, double mostGain = 4, int passes = 1);
+/// How a map is brought to a wanted spectrum.
+struct RingFilter {
+    int side = 128;             ///< of the rings, px
+    double mostGain = 8;        ///< of any frequency, either way
+    int passes = 1;             ///< what smooth gains and cutting at 0 leave apart, further passes bring nearer
+    double zeroPercentile = 1;  ///< percent of the result that lies at 0, as measured maps are settled
+};
+
+/// The map filtered so that ringPowers() are near `wanted`, then settled as a measured one (photometric_stereo.h).
+/// Waves longer than `side`, which no press has, fade out (half their height at one cycle a side). Phases are kept,
+/// the gain is smooth in frequency.
+cv::Mat withRingPowers(const cv::Mat& heightMm, const std::vector<float>& wanted, const RingFilter& filter);
 
 }  // namespace rendering::models

@@ -5,6 +5,7 @@
 #include "rendering/models/contest.h"
 #include "rendering/models/photograph_features.h"
 #include "rendering/models/progress_lines.h"
+#include "rendering/models/ring_spectrum.h"
 #include "rendering/models/training_log.h"
 #include "rendering/models/validation.h"
 #include "rendering/models/weights.h"
@@ -55,8 +56,28 @@ std::string fingerprint(const TrainingOptions& options, const TrainingData& data
 
 constexpr int stepsALogRow = 10;
 
+/// Of all its presses.
+std::vector<double> meanRings(const FabricSamples& fabric)
+{
+    std::vector<double> mean(ringCount);
+    for (const TrainingHeight& height : fabric.heights)
+        for (std::size_t i = 0; i < mean.size(); ++i)
+            mean[i] += static_cast<double>(height.rings[i]) / static_cast<double>(fabric.heights.size());
+    return mean;
+}
+
+KnownFabrics knownFabrics(const TrainingData& data)
+{
+    KnownFabrics known;
+    for (const FabricSamples& fabric : data.training) {
+        known.fabricOf.insert(known.fabricOf.end(), fabric.photographs.size(), static_cast<int>(known.rings.size()));
+        known.rings.push_back(meanRings(fabric));
+    }
+    return known;
+}
+
 /// What the card says of photographs that the model knows.
-std::optional<Familiarity> familiarityOf(const TrainingData& data)
+std::optional<Familiarity> familiarityOf(const TrainingData& data, Objective objective)
 {
     const auto features = [](const std::vector<FabricSamples>& part) {
         std::vector<std::vector<float>> all;
@@ -65,7 +86,22 @@ std::optional<Familiarity> familiarityOf(const TrainingData& data)
                 all.push_back(photographFeatures(photograph.rgb));
         return all;
     };
-    return fitFamiliarity(features(data.training), features(data.validation));
+    return fitFamiliarity(features(data.training), features(data.validation),
+                          objective == Objective::Default ? knownFabrics(data) : KnownFabrics{});
+}
+
+/// How friction goes with texture over the fabrics trained on.
+FrictionPrior frictionByTexture(const TrainingData& data)
+{
+    std::vector<KnownTexture> textures;
+    for (const FabricSamples& fabric : data.training) {
+        double logFriction = 0;
+        for (const TrainingStroke& stroke : fabric.strokes)
+            logFriction += std::log(static_cast<double>(stroke.target.mean)) / static_cast<double>(fabric.strokes.size());
+        for (const TrainingPhotograph& photograph : fabric.photographs)
+            textures.push_back({textureCoefficients(photograph.rgb, data.architecture.crop), logFriction});
+    }
+    return fitFrictionPrior(textures);
 }
 
 /// One whole run: the loop around Contest::step with its clock, checkpoints and model card.
@@ -209,7 +245,9 @@ private:
         card.trainingMinutes = std::round(state.elapsedS / 6) / 10;
         card.objective = nameOf(m_options.objective);
         card.split = nameOf(m_options.split);
-        card.photographs = familiarityOf(m_data);
+        card.photographs = familiarityOf(m_data, m_options.objective);
+        if (m_options.objective == Objective::Default)
+            card.frictionByTexture = frictionByTexture(m_data);
         for (const protocols::FabricId& id : m_options.heldOut)
             card.heldOut.push_back(id.value);
         card.datasetName = m_dataset.name;

@@ -43,7 +43,7 @@ struct TrainingOptions {
     double learningRate = 1e-3;               ///< of the generators, falling to a fiftieth along a cosine
     int checkpointEvery = 100;                ///< steps
     int validateEvery = 250;                  ///< steps
-    int patience = 6;                         ///< validations without a better one, after which training stops
+    int patience = 12;                        ///< validations without a better one, after which training stops
     int validationPairs = 60;
     int threads = 0;                          ///< 0: as many as the machine has
     std::string command;                      ///< as typed, for the model card

@@ -225,6 +225,7 @@ TrainingData readTrainingData(const Dataset& dataset, const Architecture& wanted
         reading.reference = fabrics::readTactileReference(dataset);
         reading.calibration = signals::readCalibration(dataset.folder / dataset.tactileCalibration);
     }
+    data.architecture.zeroPercentile = reading.calibration.value_or(signals::Calibration{}).zeroPercentile;
 
     std::map<FabricId, FabricSamples> training, validation;
     std::vector<std::pair<SamplePlace, Part>> split = partsOf(dataset, options);

@@ -24,6 +24,13 @@ def contrast(x):
     wide = F.avg_pool2d(grey, (31, 1), 1, (15, 0), count_include_pad=False)
     return grey - F.avg_pool2d(wide, (1, 31), 1, (0, 15), count_include_pad=False)
 def seen(x, contrasted): return torch.cat([(x - 0.5) * 2, contrasted * 4], 1).contiguous(memory_format=last)
+def rings_seen(x):
+    grey = x.mean(1)
+    side, line = grey.size(2), torch.hann_window(grey.size(2))
+    texture, window = grey / grey.mean((1, 2), keepdim=True).clamp_min(0.02), line.view(-1, 1) * line
+    centred = texture - (texture * window).sum((1, 2), keepdim=True) / window.sum()
+    powers = torch.fft.rfft2(centred * window).abs().square() / window.square().sum()
+    return (torch.log(powers.flatten(1) @ half_averages + 1e-5) + 4) / 2
 def statistics(x):
     flat = x.flatten(2)
     return torch.cat([flat.mean(2), (flat.var(2, False) + 1e-5).sqrt()], 1)
@@ -33,18 +40,20 @@ class Summary(nn.Module):
         super().__init__()
         self.half = nn.Sequential(conv(4, c, 4, 2), nn.LeakyReLU(0.2))
         self.quarter, self.eighth, self.sixteenth = halving(c, 2 * c), halving(2 * c, 4 * c), halving(4 * c, 4 * c)
-        self.hidden = nn.Linear(22 * c, 4 * c)
+        self.hidden, self.summary = nn.Linear(22 * c + rings, 8 * c), nn.Linear(8 * c, 4 * c)
     def forward(self, x):
         half = self._modules['half'](seen(x, contrast(x)))
         quarter = self.quarter(half)
         eighth = self.eighth(quarter)
         every = [statistics(f) for f in (half, quarter, eighth, self.sixteenth(eighth))]
-        return F.leaky_relu(self.hidden(torch.cat(every, 1)), 0.2)
+        spectrum = rings_seen(x)
+        hidden = F.leaky_relu(self.hidden(torch.cat(every + [spectrum], 1)), 0.2)
+        return F.leaky_relu(self.summary(hidden), 0.2), spectrum
 
 class Height(nn.Module):
     def __init__(self):
         super().__init__()
-        self.summary, self.rings = Summary(), nn.Linear(4 * c, rings)
+        self.summary, self.rings = Summary(), nn.Linear(4 * c + rings, rings)
         self.full = nn.Sequential(conv(4, c, 3, 1), nn.LeakyReLU(0.2))
         self.half, self.quarter, self.eighth = halving(c, 2 * c), halving(2 * c, 4 * c), halving(4 * c, 4 * c)
         self.sixteenth = halving(4 * c, 6 * c)
@@ -62,7 +71,7 @@ class Height(nn.Module):
         up = self.up_half(torch.cat([doubled(up), half], 1))
         up = self.up_full(torch.cat([doubled(up), full], 1))
         return F.softplus(self.out(torch.cat([up, contrasted], 1)))
-    def spectrum(self, x): return 2 * self.rings(self.summary(x)) - 8
+    def spectrum(self, x): return 2 * self.rings(torch.cat(self.summary(x), 1)) - 8
 
 class Friction(nn.Module):
     def __init__(self):
@@ -73,7 +82,7 @@ class Friction(nn.Module):
         doubling = lambda: nn.Upsample(scale_factor=2, mode='nearest')
         self.decoder = nn.Sequential(doubling(), *block(c, c, 3), doubling(), *block(c, c, 3), conv(c, 1, 3, 1))
     def forward(self, x):
-        summary = self.summary(x)
+        summary, _ = self.summary(x)
         decoded = self.decoder(self.seed(summary).view(self.seed_shape))
         return decoded[:, :, :rows, :frames], torch.exp(self.mean(summary).clamp(-8, 8)) * mean_scale
 
@@ -109,6 +118,10 @@ class Judge(nn.Module):
 
 given = dict(torch.jit.load(folder + '/peer.pt').named_parameters())
 given.update(torch.jit.load(folder + '/peer.pt').named_buffers())
+side = given['photograph'].size(3)
+half_averages = given['ring_averages'].detach().view(rings, side, side)[:, :, :side // 2 + 1].clone()
+half_averages[:, :, 1:-1] *= 2
+half_averages = half_averages.flatten(1).t().contiguous()
 height, friction, judge = Height(), Friction(), Judge()
 parts = {'height.': height, 'friction.': friction, 'discriminator.': judge}
 for prefix, part in parts.items():

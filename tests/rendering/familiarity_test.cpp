@@ -5,6 +5,7 @@
 #include "rendering/image_io.h"
 #include "rendering/models/familiarity.h"
 #include "rendering/models/photograph_features.h"
+#include "rendering/models/ring_spectrum.h"
 #include "tests/rendering/shared_data.h"
 
 #include <opencv2/core.hpp>
@@ -122,6 +123,57 @@ private Q_SLOTS:
         QVERIFY(familiarity.threshold > 0);
         QCOMPARE(models::distanceTo(familiarity, one[0]), 0.0);
         QVERIFY(std::isfinite(models::distanceTo(familiarity, plain(7))));
+    }
+
+    void ringsOfTheFabricThatAPhotographIsLikeAreRemembered()
+    {
+        // Two fabrics far apart; the second was photographed twice.
+        const std::vector<Features> training{plain(-1), plain(1), plain(1.02F)};
+        const models::KnownFabrics fabrics{{0, 1, 1}, {std::vector<double>(models::ringCount, -4), std::vector<double>(models::ringCount, -9)}};
+        const Familiarity familiarity = models::fitFamiliarity(training, training, fabrics);
+        const models::Recognised first = models::recognised(familiarity, plain(-0.99F)), second = models::recognised(familiarity, plain(1.01F));
+        QCOMPARE(first.strangeness, 0.0);
+        QCOMPARE(first.rings.size(), std::size_t{models::ringCount});
+        for (int ring = 0; ring < models::ringCount; ++ring) {
+            QVERIFY(std::abs(first.rings[static_cast<std::size_t>(ring)] + 4) < 1e-3);
+            QVERIFY(std::abs(second.rings[static_cast<std::size_t>(ring)] + 9) < 1e-3);
+        }
+        // Whatever lies as far from both is like both.
+        const models::Recognised neither = models::recognised(familiarity, plain(0));
+        QVERIFY(neither.rings[0] < -4 && neither.rings[0] > -9);
+        QVERIFY(models::recognised(models::fitFamiliarity(training, {}), plain(1)).rings.empty());
+    }
+
+    void strangenessGrowsFromTheUsualDistanceToTwiceIt()
+    {
+        const std::vector<Features> training{plain(-1), plain(1)};
+        const Familiarity familiarity = models::fitFamiliarity(training, training);  // the threshold is its least, 1
+        const auto strangenessAt = [&](double distance) {
+            Features features = plain(1);
+            features[4] += static_cast<float>(distance);
+            return models::recognised(familiarity, features).strangeness;
+        };
+        QCOMPARE(familiarity.threshold, 1.0);
+        QCOMPARE(strangenessAt(0.9), 0.0);
+        QVERIFY(std::abs(strangenessAt(1.5) - 0.5) < 0.01);
+        QCOMPARE(strangenessAt(2.5), 1.0);
+    }
+
+    void memoryIsReadBackAndNonsenseInItRefused()
+    {
+        const std::vector<Features> training{plain(-1), plain(1)};
+        const models::KnownFabrics fabrics{{0, 1}, {std::vector<double>(models::ringCount, -4), std::vector<double>(models::ringCount, -9)}};
+        const Familiarity familiarity = models::fitFamiliarity(training, {}, fabrics);
+        auto json = models::familiarityJson(familiarity);
+        QCOMPARE(models::familiarityFrom(json), familiarity);
+        const auto harmed = [&](const char* key, const nlohmann::ordered_json& value) {
+            auto other = json;
+            other[key] = value;
+            return other;
+        };
+        QVERIFY_THROWS_EXCEPTION(protocols::Error, models::familiarityFrom(harmed("fabric_of", {0, 2})));
+        QVERIFY_THROWS_EXCEPTION(protocols::Error, models::familiarityFrom(harmed("fabric_of", {0})));
+        QVERIFY_THROWS_EXCEPTION(protocols::Error, models::familiarityFrom(harmed("fabric_rings", {{1, 2}, {3, 4}})));
     }
 
     void writtenIsReadBack()

@@ -1,9 +1,11 @@
 // What the networks are told: distances against known answers, and losses at the extremes.
 #include "rendering/models/losses.h"
 #include "rendering/models/ring_spectrum.h"
+#include "rendering/models/ring_tensors.h"
 #include "stats/image_metrics.h"
 
 #include <QTest>
+#include <opencv2/core.hpp>
 
 #include <cmath>
 #include <vector>
@@ -95,6 +97,16 @@ private Q_SLOTS:
         const double generators = -(std::log(probability(0.2)) + std::log(probability(2.0))) / 2;
         QVERIFY(std::abs(number(discriminatorLoss(real, fake, Adversary::Paper)) - discriminator) < 1e-6);
         QVERIFY(std::abs(number(adversarialLoss(fake, Adversary::Paper)) - generators) < 1e-6);
+    }
+
+    void ringsOfTensorsAreThoseOfMaps()
+    {
+        const torch::Tensor map = texture(128, 8).view({1, 1, 128, 128}).contiguous();
+        const cv::Mat same(128, 128, CV_32F, map.data_ptr<float>());
+        const torch::Tensor means = ringMeans(map);
+        const std::vector<float> powers = ringPowers(same, 128);
+        for (int ring = 0; ring < ringCount; ++ring)
+            QVERIFY(std::abs(std::log(means[0][ring].item<double>() + ringFloorMm2) - static_cast<double>(powers[static_cast<std::size_t>(ring)])) < 1e-3);
     }
 
     void distancesAreFiniteAndLearnableAtZeroAndFullHeight()

@@ -2,7 +2,7 @@ foreach(test training_test checkpoint_test generation_test weights_test inferenc
   vis2hap_test(rendering ${test} LINK rendering_generation rendering_fabrics protocols)
   add_dependencies(${test} vis2hap-nn)
 endforeach()
-foreach(test photograph_features_test familiarity_test ring_spectrum_test training_log_test)
+foreach(test photograph_features_test familiarity_test friction_prior_test ring_spectrum_test training_log_test)
   vis2hap_test(rendering ${test} LINK rendering_generation rendering_fabrics protocols)
 endforeach()
 foreach(test losses_test batches_test)

@@ -1,0 +1,137 @@
+#include "rendering/models/friction_prior.h"
+
+#include "protocols/errors.h"
+#include "rendering/models/ring_spectrum.h"
+
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace rendering::models {
+
+namespace {
+
+/// Of each photograph's unit of evidence; fabrics of one kind are few, so the slope is held back a little.
+constexpr double ridge = 0.01;
+constexpr double leastDeviation = 0.02;
+constexpr double leastBrightness = 5;  ///< grey levels: below it a camera's noise decides
+constexpr double noisePower = 1e-4;    ///< of brightness over its mean: what a dim photograph's rounding to 8 bits leaves
+
+constexpr auto count = static_cast<std::size_t>(textureCoefficientCount);
+
+void fitScale(FrictionPrior& prior, std::span<const KnownTexture> textures)
+{
+    const auto number = static_cast<double>(textures.size());
+    prior.mean.assign(count, 0);
+    prior.deviation.assign(count, 0);
+    for (const KnownTexture& texture : textures)
+        for (std::size_t i = 0; i < count; ++i)
+            prior.mean[i] += texture.coefficients[i] / number;
+    for (const KnownTexture& texture : textures)
+        for (std::size_t i = 0; i < count; ++i)
+            prior.deviation[i] += std::pow(texture.coefficients[i] - prior.mean[i], 2) / number;
+    for (double& deviation : prior.deviation)
+        deviation = std::max(leastDeviation, std::sqrt(deviation));
+}
+
+std::vector<double> standardised(const FrictionPrior& prior, const std::vector<double>& coefficients)
+{
+    std::vector<double> result;
+    for (std::size_t i = 0; i < count; ++i)
+        result.push_back((coefficients[i] - prior.mean[i]) / prior.deviation[i]);
+    return result;
+}
+
+/// (X'X + n ridge) slope = X'y
+void fitSlope(FrictionPrior& prior, std::span<const KnownTexture> textures)
+{
+    cv::Mat left = cv::Mat::eye(textureCoefficientCount, textureCoefficientCount, CV_64F) * (ridge * static_cast<double>(textures.size()));
+    cv::Mat right = cv::Mat::zeros(textureCoefficientCount, 1, CV_64F), slope;
+    for (const KnownTexture& texture : textures) {
+        const cv::Mat row(standardised(prior, texture.coefficients), true);
+        left += row * row.t();
+        right += row * (texture.logFriction - prior.logFriction);
+    }
+    cv::solve(left, right, slope, cv::DECOMP_CHOLESKY);
+    prior.slope.assign(slope.begin<double>(), slope.end<double>());
+}
+
+bool sensible(const FrictionPrior& prior)
+{
+    const auto sound = [](const std::vector<double>& numbers) {
+        return numbers.size() == count && std::all_of(numbers.begin(), numbers.end(), [](double number) { return std::isfinite(number); });
+    };
+    return sound(prior.mean) && sound(prior.deviation) && sound(prior.slope) &&
+           std::all_of(prior.deviation.begin(), prior.deviation.end(), [](double deviation) { return deviation > 0; }) &&
+           std::isfinite(prior.logFriction) && prior.lowest >= -20 && prior.highest <= 20 && prior.lowest <= prior.highest;
+}
+
+}  // namespace
+
+std::vector<double> textureCoefficients(const cv::Mat& rgb, int side)
+{
+    cv::Mat grey;
+    cv::cvtColor(rgb, grey, cv::COLOR_RGB2GRAY);
+    grey.convertTo(grey, CV_32F);
+    const std::vector<float> rings = ringPowers(grey / std::max(leastBrightness, cv::mean(grey)[0]), side);
+    std::vector<double> coefficients;
+    for (int k = 0; k < textureCoefficientCount; ++k) {
+        double sum = 0;
+        for (int ring = 0; ring < ringCount; ++ring)
+            sum += std::log(std::exp(static_cast<double>(rings[static_cast<std::size_t>(ring)])) + noisePower) *
+                   std::cos(std::numbers::pi * k * (ring + 0.5) / ringCount);
+        coefficients.push_back(sum / ringCount);
+    }
+    return coefficients;
+}
+
+FrictionPrior fitFrictionPrior(std::span<const KnownTexture> textures)
+{
+    if (textures.empty())
+        throw protocols::badInput({"no training photographs", "friction by texture", "at least one", ""});
+    FrictionPrior prior;
+    fitScale(prior, textures);
+    prior.lowest = prior.highest = textures.front().logFriction;
+    for (const KnownTexture& texture : textures) {
+        prior.logFriction += texture.logFriction / static_cast<double>(textures.size());
+        prior.lowest = std::min(prior.lowest, texture.logFriction);
+        prior.highest = std::max(prior.highest, texture.logFriction);
+    }
+    fitSlope(prior, textures);
+    return prior;
+}
+
+double expectedFriction(const FrictionPrior& prior, const std::vector<double>& coefficients)
+{
+    double logFriction = prior.logFriction;
+    const std::vector<double> point = standardised(prior, coefficients);
+    for (std::size_t i = 0; i < count; ++i)
+        logFriction += prior.slope[i] * point[i];
+    return std::exp(std::clamp(logFriction, prior.lowest, prior.highest));
+}
+
+nlohmann::ordered_json frictionPriorJson(const FrictionPrior& prior)
+{
+    return {{"coefficients_mean", prior.mean},  {"coefficients_sd", prior.deviation}, {"slope", prior.slope},
+            {"log_friction", prior.logFriction}, {"lowest", prior.lowest},             {"highest", prior.highest}};
+}
+
+FrictionPrior frictionPriorFrom(const nlohmann::ordered_json& json)
+{
+    FrictionPrior prior;
+    prior.mean = json.at("coefficients_mean").get<std::vector<double>>();
+    prior.deviation = json.at("coefficients_sd").get<std::vector<double>>();
+    prior.slope = json.at("slope").get<std::vector<double>>();
+    prior.logFriction = json.at("log_friction").get<double>();
+    prior.lowest = json.at("lowest").get<double>();
+    prior.highest = json.at("highest").get<double>();
+    if (!sensible(prior))
+        throw protocols::badInput({"the numbers on friction by texture cannot be right", "friction_by_texture",
+                                   std::to_string(textureCoefficientCount) + " finite coefficients", ""});
+    return prior;
+}
+
+}  // namespace rendering::models

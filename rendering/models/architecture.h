@@ -4,6 +4,9 @@
 
 namespace rendering::models {
 
+/// Beyond them neither the memory of a training nor that of a card's reader is answered for.
+inline constexpr int largestCrop = 512, mostChannels = 256;
+
 struct Architecture {
     int baseChannels = 16;       ///< channels of G_h at full resolution; the others are multiples
     int crop = 128;              ///< side of a training crop and of the photograph that G_s takes, px, multiple of 16
@@ -16,8 +19,8 @@ struct Architecture {
     double traceMmPerSample = 5.0 / 60.0;
     double heightScaleMm = 0.1;  ///< one unit of G_h's output
     double meanFrictionScale = 0.5;  ///< one unit of G_s's mean before its last non-linearity
-    bool imposesSpectrum = true;     ///< the relief is brought to the predicted radial spectrum (ring_spectrum.h)
-    double zeroPercentile = 1;       ///< percent of a measured map that lies at 0; a relief's, too, where the spectrum is imposed
+    bool imposesSpectrum = true;     ///< the relief is brought to the predicted or remembered radial spectrum (ring_spectrum.h)
+    double zeroPercentile = 2;       ///< percent of a measured map that lies at 0; a relief's, too, where the spectrum is imposed
     bool operator==(const Architecture&) const = default;
 };
 

@@ -56,19 +56,19 @@ constexpr double kernelOfUsual = 1.0 / 3;
 
 std::vector<double> remembered(const Familiarity& familiarity, const Standardised& point, double distance)
 {
-    std::vector<double> least(familiarity.rings.size(), std::numeric_limits<double>::max());
+    std::vector<double> least(familiarity.fabricRings.size(), std::numeric_limits<double>::max());
     for (std::size_t i = 0; i < familiarity.nearest.size(); ++i) {
         double& fabric = least[static_cast<std::size_t>(familiarity.fabricOf[i])];
         fabric = std::min(fabric, squaredDistance(familiarity.nearest[i], point));
     }
     const double width = kernelOfUsual * familiarity.threshold;
-    std::vector<double> rings(familiarity.rings.front().size(), 0);
+    std::vector<double> rings(familiarity.fabricRings.front().size(), 0);
     double total = 0;
     for (std::size_t fabric = 0; fabric < least.size(); ++fabric) {
         const double weight = std::exp((distance * distance - least[fabric]) / (2 * width * width));
         total += weight;
         for (std::size_t i = 0; i < rings.size(); ++i)
-            rings[i] += weight * familiarity.rings[fabric][i];
+            rings[i] += weight * familiarity.fabricRings[fabric][i];
     }
     for (double& ring : rings)
         ring /= total;
@@ -81,6 +81,13 @@ void requireFeatures(std::span<const std::vector<float>> photographs)
         if (features.size() != static_cast<std::size_t>(photographFeatureCount))
             throw protocols::badInput({std::to_string(features.size()) + " features of a photograph", "familiarity",
                                        std::to_string(photographFeatureCount), "take those of photographFeatures"});
+}
+
+void requireFabrics(const KnownFabrics& known, std::size_t photographs)
+{
+    const auto isThere = [&](int fabric) { return fabric >= 0 && static_cast<std::size_t>(fabric) < known.rings.size(); };
+    if (!known.fabricOf.empty() && (known.fabricOf.size() != photographs || !std::ranges::all_of(known.fabricOf, isThere)))
+        throw protocols::badInput({"photographs without a fabric", "familiarity", "the fabric of each photograph", ""});
 }
 
 void fitScale(Familiarity& familiarity, std::span<const std::vector<float>> training)
@@ -148,15 +155,15 @@ bool sensible(const Familiarity& familiarity)
         return numbers.size() == static_cast<std::size_t>(photographFeatureCount) &&
                std::all_of(numbers.begin(), numbers.end(), [](double number) { return std::isfinite(number); });
     };
-    const auto ofAFabric = [&](int fabric) { return fabric >= 0 && static_cast<std::size_t>(fabric) < familiarity.rings.size(); };
+    const auto ofAFabric = [&](int fabric) { return fabric >= 0 && static_cast<std::size_t>(fabric) < familiarity.fabricRings.size(); };
     const auto soundRings = [](const std::vector<double>& rings) {
         return rings.size() == static_cast<std::size_t>(ringCount) &&
                std::all_of(rings.begin(), rings.end(), [](double ring) { return std::abs(ring) < 50; });
     };
-    const bool soundMemory = familiarity.fabricOf.empty() ? familiarity.rings.empty()
+    const bool soundMemory = familiarity.fabricOf.empty() ? familiarity.fabricRings.empty()
                                                           : familiarity.fabricOf.size() == familiarity.nearest.size() &&
                                                                 std::ranges::all_of(familiarity.fabricOf, ofAFabric) &&
-                                                                std::ranges::all_of(familiarity.rings, soundRings);
+                                                                std::ranges::all_of(familiarity.fabricRings, soundRings);
     return soundMemory && sound(familiarity.mean) && sound(familiarity.deviation) && !familiarity.nearest.empty() &&
            std::all_of(familiarity.deviation.begin(), familiarity.deviation.end(), [](double sd) { return sd > 0; }) &&
            std::all_of(familiarity.nearest.begin(), familiarity.nearest.end(), sound) && std::isfinite(familiarity.threshold) &&
@@ -172,6 +179,7 @@ Familiarity fitFamiliarity(std::span<const std::vector<float>> training, std::sp
         throw protocols::badInput({"no training photographs", "familiarity", "at least one", ""});
     requireFeatures(training);
     requireFeatures(validation);
+    requireFabrics(known, training.size());
     Familiarity familiarity;
     fitScale(familiarity, training);
     std::vector<Standardised> points;
@@ -183,18 +191,12 @@ Familiarity fitFamiliarity(std::span<const std::vector<float>> training, std::sp
             familiarity.fabricOf.push_back(known.fabricOf[chosen]);
     }
     for (const std::vector<double>& rings : known.rings)
-        familiarity.rings.push_back(rounded(rings));
+        familiarity.fabricRings.push_back(rounded(rings));
     std::vector<double> distances;
     for (const std::vector<float>& features : validation)
-        distances.push_back(distanceTo(familiarity, features));
+        distances.push_back(distanceToNearest(familiarity.nearest, standardised(familiarity, features)));
     familiarity.threshold = fourDigits(thresholdOf(validation.empty() ? distancesAmong(familiarity.nearest) : distances));
     return familiarity;
-}
-
-double distanceTo(const Familiarity& familiarity, const std::vector<float>& features)
-{
-    requireFeatures(std::span(&features, 1));
-    return distanceToNearest(familiarity.nearest, standardised(familiarity, features));
 }
 
 Recognised recognised(const Familiarity& familiarity, const std::vector<float>& features)
@@ -214,7 +216,7 @@ nlohmann::ordered_json familiarityJson(const Familiarity& familiarity)
                                 {"threshold", familiarity.threshold}};
     if (!familiarity.fabricOf.empty()) {
         json["fabric_of"] = familiarity.fabricOf;
-        json["fabric_rings"] = familiarity.rings;
+        json["fabric_rings"] = familiarity.fabricRings;
     }
     return json;
 }
@@ -228,7 +230,7 @@ Familiarity familiarityFrom(const nlohmann::ordered_json& json)
     familiarity.threshold = json.at("threshold").get<double>();
     if (json.contains("fabric_of")) {
         familiarity.fabricOf = json.at("fabric_of").get<std::vector<int>>();
-        familiarity.rings = json.at("fabric_rings").get<std::vector<std::vector<double>>>();
+        familiarity.fabricRings = json.at("fabric_rings").get<std::vector<std::vector<double>>>();
     }
     if (!sensible(familiarity))
         throw protocols::badInput({"the numbers on known photographs cannot be right", "photographs",

@@ -16,7 +16,7 @@ struct Familiarity {
     std::vector<std::vector<double>> nearest;   ///< chosen training photographs, standardised
     double threshold = 0;                       ///< 99 % of the validation photographs lie below it
     std::vector<int> fabricOf;                  ///< of each of `nearest`, counted from 0; empty: nothing is remembered
-    std::vector<std::vector<double>> rings;     ///< of each fabric: mean of ringPowers() over its presses (ring_spectrum.h)
+    std::vector<std::vector<double>> fabricRings;  ///< of each fabric: mean of ringPowers() over its presses (ring_spectrum.h)
     bool operator==(const Familiarity&) const = default;
 };
 
@@ -36,16 +36,13 @@ struct KnownFabrics {
 Familiarity fitFamiliarity(std::span<const std::vector<float>> training, std::span<const std::vector<float>> validation,
                            const KnownFabrics& known = {});
 
-/// To the nearest photograph kept, in standard deviations of the training photographs' features.
-/// Throws badInput for another number of features.
-double distanceTo(const Familiarity& familiarity, const std::vector<float>& features);
-
 /// A photograph among those known.
 struct Recognised {
-    double distance = 0;          ///< as distanceTo()
+    double distance = 0;          ///< to the nearest photograph kept, in standard deviations of the training photographs' features
     double strangeness = 0;       ///< 0 up to the usual distance, 1 from twice that on
     std::vector<double> rings;    ///< of the fabrics that look like it, the nearest counting most; empty where nothing is remembered
 };
+/// Throws badInput for another number of features.
 Recognised recognised(const Familiarity& familiarity, const std::vector<float>& features);
 
 /// {"features_mean":[..],"features_sd":[..],"nearest":[[..],..],"threshold":X}, with {"fabric_of":[..],"fabric_rings":[[..],..]} where something is remembered

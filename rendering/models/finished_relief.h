@@ -8,7 +8,7 @@
 
 namespace rendering::models {
 
-/// How a relief of these networks is brought to its spectrum.
+/// How a relief of these networks is brought to its spectrum; the more passes, the nearer.
 RingFilter ringFilter(const Architecture& architecture, int passes);
 
 /// `relief` [N, 1, H, W] in units of heightScaleMm brought to the predicted radial spectra `rings`

@@ -9,30 +9,36 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 namespace rendering::models {
 
 namespace {
 
-/// Of each photograph's unit of evidence; fabrics of one kind are few, so the slope is held back a little.
+/// Share of the weights added to each square sum: the coefficients of a few fabrics hang together, and slopes would run off.
 constexpr double ridge = 0.01;
 constexpr double leastDeviation = 0.02;
 constexpr double leastBrightness = 5;  ///< grey levels: below it a camera's noise decides
 constexpr double noisePower = 1e-4;    ///< of brightness over its mean: what a dim photograph's rounding to 8 bits leaves
 
-constexpr auto count = static_cast<std::size_t>(textureCoefficientCount);
+constexpr auto coefficientCount = static_cast<std::size_t>(textureCoefficientCount);
+
+double totalWeight(std::span<const KnownTexture> textures)
+{
+    return std::accumulate(textures.begin(), textures.end(), 0.0, [](double sum, const KnownTexture& texture) { return sum + texture.weight; });
+}
 
 void fitScale(FrictionPrior& prior, std::span<const KnownTexture> textures)
 {
-    const auto number = static_cast<double>(textures.size());
-    prior.mean.assign(count, 0);
-    prior.deviation.assign(count, 0);
+    const double all = totalWeight(textures);
+    prior.mean.assign(coefficientCount, 0);
+    prior.deviation.assign(coefficientCount, 0);
     for (const KnownTexture& texture : textures)
-        for (std::size_t i = 0; i < count; ++i)
-            prior.mean[i] += texture.coefficients[i] / number;
+        for (std::size_t i = 0; i < coefficientCount; ++i)
+            prior.mean[i] += texture.weight / all * texture.coefficients[i];
     for (const KnownTexture& texture : textures)
-        for (std::size_t i = 0; i < count; ++i)
-            prior.deviation[i] += std::pow(texture.coefficients[i] - prior.mean[i], 2) / number;
+        for (std::size_t i = 0; i < coefficientCount; ++i)
+            prior.deviation[i] += texture.weight / all * std::pow(texture.coefficients[i] - prior.mean[i], 2);
     for (double& deviation : prior.deviation)
         deviation = std::max(leastDeviation, std::sqrt(deviation));
 }
@@ -40,20 +46,21 @@ void fitScale(FrictionPrior& prior, std::span<const KnownTexture> textures)
 std::vector<double> standardised(const FrictionPrior& prior, const std::vector<double>& coefficients)
 {
     std::vector<double> result;
-    for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t i = 0; i < coefficientCount; ++i)
         result.push_back((coefficients[i] - prior.mean[i]) / prior.deviation[i]);
     return result;
 }
 
-/// (X'X + n ridge) slope = X'y
+/// (X'WX + ridge) slope = X'Wy, the weights' sum 1
 void fitSlope(FrictionPrior& prior, std::span<const KnownTexture> textures)
 {
-    cv::Mat left = cv::Mat::eye(textureCoefficientCount, textureCoefficientCount, CV_64F) * (ridge * static_cast<double>(textures.size()));
+    const double all = totalWeight(textures);
+    cv::Mat left = cv::Mat::eye(textureCoefficientCount, textureCoefficientCount, CV_64F) * ridge;
     cv::Mat right = cv::Mat::zeros(textureCoefficientCount, 1, CV_64F), slope;
     for (const KnownTexture& texture : textures) {
         const cv::Mat row(standardised(prior, texture.coefficients), true);
-        left += row * row.t();
-        right += row * (texture.logFriction - prior.logFriction);
+        left += row * row.t() * (texture.weight / all);
+        right += row * ((texture.logFriction - prior.logFriction) * texture.weight / all);
     }
     cv::solve(left, right, slope, cv::DECOMP_CHOLESKY);
     prior.slope.assign(slope.begin<double>(), slope.end<double>());
@@ -62,7 +69,7 @@ void fitSlope(FrictionPrior& prior, std::span<const KnownTexture> textures)
 bool sensible(const FrictionPrior& prior)
 {
     const auto sound = [](const std::vector<double>& numbers) {
-        return numbers.size() == count && std::all_of(numbers.begin(), numbers.end(), [](double number) { return std::isfinite(number); });
+        return numbers.size() == coefficientCount && std::all_of(numbers.begin(), numbers.end(), [](double number) { return std::isfinite(number); });
     };
     return sound(prior.mean) && sound(prior.deviation) && sound(prior.slope) &&
            std::all_of(prior.deviation.begin(), prior.deviation.end(), [](double deviation) { return deviation > 0; }) &&
@@ -96,7 +103,7 @@ FrictionPrior fitFrictionPrior(std::span<const KnownTexture> textures)
     fitScale(prior, textures);
     prior.lowest = prior.highest = textures.front().logFriction;
     for (const KnownTexture& texture : textures) {
-        prior.logFriction += texture.logFriction / static_cast<double>(textures.size());
+        prior.logFriction += texture.weight / totalWeight(textures) * texture.logFriction;
         prior.lowest = std::min(prior.lowest, texture.logFriction);
         prior.highest = std::max(prior.highest, texture.logFriction);
     }
@@ -108,7 +115,7 @@ double expectedFriction(const FrictionPrior& prior, const std::vector<double>& c
 {
     double logFriction = prior.logFriction;
     const std::vector<double> point = standardised(prior, coefficients);
-    for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t i = 0; i < coefficientCount; ++i)
         logFriction += prior.slope[i] * point[i];
     return std::exp(std::clamp(logFriction, prior.lowest, prior.highest));
 }

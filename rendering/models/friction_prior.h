@@ -21,6 +21,7 @@ std::vector<double> textureCoefficients(const cv::Mat& rgb, int side);
 struct KnownTexture {
     std::vector<double> coefficients;
     double logFriction = 0;
+    double weight = 1;  ///< of this one; one over the photographs of its fabric makes fabrics equal
 };
 
 struct FrictionPrior {

@@ -23,6 +23,13 @@ void checkPhotographs(std::span<const PhotographToTouch> photographs)
     }
 }
 
+/// How a photograph was brought before the networks.
+struct Shown {
+    cv::Size size;  ///< of its part, its own pixels
+    bool middleOnly = false;
+    std::optional<double> assumedMmPerPixel;
+};
+
 /// Nothing is known of millimetres there, so the height lies on the photograph's own pixels.
 void backToPixels(GeneratedSignals& signals, const cv::Size& size, double mmPerPixel)
 {
@@ -48,15 +55,12 @@ std::vector<GeneratedSignals> generate(std::span<const PhotographToTouch> photog
     checkWeightsFile(wish.model, card);
     const TemporaryFolder folder;
     RequestWriter request(folder.path(), wish);
-    std::vector<PhotographFacts> facts;
-    std::vector<cv::Size> shown;
+    std::vector<Shown> shown;
     for (const PhotographToTouch& photograph : photographs) {
         const double pitch = photograph.mmPerPixel.value_or(assumedMmPerPixel(photograph.photograph, card.architecture.mmPerPixel));
         const SeenPhotograph seen = photographAtPitch({photograph.photograph, pitch}, card.architecture.mmPerPixel);
         request.add({seen.rgb, card.architecture.mmPerPixel});
-        facts.push_back({.distance = {}, .usualDistance = 0, .middleOnly = seen.middleOnly,
-                         .assumedMmPerPixel = photograph.mmPerPixel ? std::nullopt : std::optional(pitch)});
-        shown.push_back(seen.part.size());
+        shown.push_back({seen.part.size(), seen.middleOnly, photograph.mmPerPixel ? std::nullopt : std::optional(pitch)});
     }
     request.finish();
     runGeneratorProgram({"generate", folder.path().string()}, folder.path() / "messages");
@@ -65,10 +69,10 @@ std::vector<GeneratedSignals> generate(std::span<const PhotographToTouch> photog
         throw protocols::workFailed({"vis2hap-nn answered " + std::to_string(answers.size()) + " of " +
                                          std::to_string(photographs.size()) + " photographs", "generators", "", ""});
     for (std::size_t i = 0; i < answers.size(); ++i) {
-        answers[i].photograph.middleOnly = facts[i].middleOnly;
-        answers[i].photograph.assumedMmPerPixel = facts[i].assumedMmPerPixel;
-        if (facts[i].assumedMmPerPixel)
-            backToPixels(answers[i], shown[i], *facts[i].assumedMmPerPixel);
+        answers[i].photograph.middleOnly = shown[i].middleOnly;
+        answers[i].photograph.assumedMmPerPixel = shown[i].assumedMmPerPixel;
+        if (shown[i].assumedMmPerPixel)
+            backToPixels(answers[i], shown[i].size, *shown[i].assumedMmPerPixel);
     }
     return answers;
 }

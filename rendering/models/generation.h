@@ -29,7 +29,7 @@ struct PhotographToTouch {
     std::optional<double> mmPerPixel;     ///< unknown: assumedMmPerPixel() of photograph_at_pitch.h is taken
 };
 
-/// What is known of a photograph before anything is generated from it.
+/// What is told of a photograph beside its signals.
 struct PhotographFacts {
     std::optional<double> distance;  ///< to the nearest photograph trained on (see familiarity.h); none: the card does not tell
     double usualDistance = 0;        ///< 99 % of photographs of known fabrics lie below it

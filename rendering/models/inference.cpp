@@ -21,7 +21,7 @@ namespace rendering::models {
 
 namespace {
 
-constexpr int tileSide = 256;   ///< px of a height map that one pass of G_h makes
+constexpr int tileSide = 256;  ///< px of a height map that one pass of G_h makes
 
 int roundedUpTo16(int length) { return (length + 15) / 16 * 16; }
 
@@ -81,20 +81,26 @@ std::vector<cv::Point> cropCorners(const cv::Size& size, int side, Quality quali
     return corners;
 }
 
-/// px around a tile that G_h sees beyond; a multiple of 16 with the tile.
-int marginOf(Quality quality) { return quality == Quality::Fast ? 16 : 32; }
+/// px around a tile that G_h sees beyond; a multiple of 16 with the tile. A single tile goes without where time counts: its
+/// edges are the photograph's, as those of the crops trained on were.
+int marginOf(const cv::Size& photograph, Quality quality)
+{
+    const bool single = photograph.width <= tileSide && photograph.height <= tileSide;
+    return quality != Quality::Fast ? 32 : single ? 0 : 16;
+}
 
 int iterationsOf(Quality quality)
 {
     switch (quality) {
-    case Quality::Fast: return signals::GriffinLimOptions::of(signals::InversionQuality::Fast).iterations;
-    case Quality::Balanced: return signals::GriffinLimOptions{}.iterations;
+    // A quarter of balanced's: the mean is exact all the same, the texture's magnitudes within its own scatter.
+    case Quality::Fast: return 8;
+    case Quality::Balanced: return signals::GriffinLimOptions::of(signals::InversionQuality::Fast).iterations;
     case Quality::Accurate: return signals::GriffinLimOptions::of(signals::InversionQuality::Accurate).iterations;
     }
     return 0;
 }
 
-/// Of the filter that imposes the predicted spectrum.
+/// Of the filter that imposes the spectrum.
 int passesOf(Quality quality)
 {
     switch (quality) {
@@ -125,34 +131,34 @@ struct LoadedModel::Parts {
         return card.photographs ? std::optional(recognised(*card.photographs, photographFeatures(rgb))) : std::nullopt;
     }
 
-    cv::Mat height(const cv::Mat& rgb, const std::optional<Recognised>& seenBefore, Quality quality) const
+    cv::Mat height(const cv::Mat& rgb, const std::optional<Recognised>& recognition, Quality quality) const
     {
         cv::Mat padded;
-        const int margin = marginOf(quality);
+        const int margin = marginOf(rgb.size(), quality);
         const int right = roundedUpTo16(rgb.cols) - rgb.cols, below = roundedUpTo16(rgb.rows) - rgb.rows;
         cv::copyMakeBorder(rgb, padded, margin, margin + below, margin, margin + right, cv::BORDER_REFLECT_101);
         cv::Mat result(rgb.rows + below, rgb.cols + right, CV_32F);
         for (int y = 0; y < result.rows; y += tileSide)
             for (int x = 0; x < result.cols; x += tileSide) {
                 const cv::Rect tile(x, y, std::min(tileSide, result.cols - x), std::min(tileSide, result.rows - y));
-                heightOfTile(padded({x, y, tile.width + 2 * margin, tile.height + 2 * margin}), quality)
+                heightOfTile(padded({x, y, tile.width + 2 * margin, tile.height + 2 * margin}), margin, quality)
                     .copyTo(result(tile));
             }
         const cv::Mat relief = result({0, 0, rgb.cols, rgb.rows}) * architecture.heightScaleMm;
+        requireFinite(relief);  // a filter would spread one bad number over the whole map
         if (!architecture.imposesSpectrum)
             return relief;
-        return withRingPowers(relief, rings(rgb, seenBefore, quality), ringFilter(architecture, passesOf(quality)));
+        return withRingPowers(relief, wantedRings(rgb, recognition, quality), ringFilter(architecture, passesOf(quality)));
     }
 
     /// As remembered of the fabrics that look like it; the stranger the photograph, the more G_h is asked.
-    std::vector<float> rings(const cv::Mat& rgb, const std::optional<Recognised>& seenBefore, Quality quality) const
+    std::vector<float> wantedRings(const cv::Mat& rgb, const std::optional<Recognised>& recognition, Quality quality) const
     {
-        const bool remembered = seenBefore && !seenBefore->rings.empty();
-        if (!remembered)
-            return rings(rgb, quality);
-        std::vector<float> all(seenBefore->rings.begin(), seenBefore->rings.end());
-        if (const auto strange = static_cast<float>(seenBefore->strangeness); strange > 0) {
-            const std::vector<float> predicted = rings(rgb, quality);
+        if (!recognition || recognition->rings.empty())
+            return predictedRings(rgb, quality);
+        std::vector<float> all(recognition->rings.begin(), recognition->rings.end());
+        if (const auto strange = static_cast<float>(recognition->strangeness); strange > 0) {
+            const std::vector<float> predicted = predictedRings(rgb, quality);
             for (std::size_t i = 0; i < all.size(); ++i)
                 all[i] += strange * (predicted[i] - all[i]);
         }
@@ -160,7 +166,7 @@ struct LoadedModel::Parts {
     }
 
     /// The radial spectrum that G_h predicts, averaged over crops.
-    std::vector<float> rings(const cv::Mat& rgb, Quality quality) const
+    std::vector<float> predictedRings(const cv::Mat& rgb, Quality quality) const
     {
         const torch::Tensor mean = generators.height->rings(crops(rgb, quality)).mean(0).contiguous();
         return {mean.data_ptr<float>(), mean.data_ptr<float>() + ringCount};
@@ -181,7 +187,7 @@ struct LoadedModel::Parts {
     }
 
     /// `seen`: the tile with its margin; the margin is cut off again.
-    cv::Mat heightOfTile(const cv::Mat& seen, Quality quality) const
+    cv::Mat heightOfTile(const cv::Mat& seen, int margin, Quality quality) const
     {
         const torch::Tensor photograph = tensorOf(seen);
         torch::Tensor sum = torch::zeros({1, 1, seen.rows, seen.cols});
@@ -190,21 +196,20 @@ struct LoadedModel::Parts {
             sum += turnedBack(generators.height->forward(turned(photograph, turn)), turn);
         sum /= static_cast<double>(turns.size());
         const cv::Mat whole(seen.rows, seen.cols, CV_32F, sum.data_ptr<float>());
-        const int margin = marginOf(quality);
         return whole({margin, margin, seen.cols - 2 * margin, seen.rows - 2 * margin}).clone();
     }
 
     /// Of a strange photograph the mean is rather what its texture lets expect.
-    FrictionTarget friction(const cv::Mat& rgb, const std::optional<Recognised>& seenBefore, Quality quality) const
+    FrictionTarget friction(const cv::Mat& rgb, const std::optional<Recognised>& recognition, Quality quality) const
     {
         const FrictionGuess guess = generators.friction->forward(crops(rgb, quality));
         const torch::Tensor logRatio = guess.logRatio.mean(0).contiguous();
         FrictionTarget target;
         target.logRatio = cv::Mat(architecture.rows, architecture.frames, CV_32F, logRatio.data_ptr<float>()).clone();
         target.mean = guess.mean.mean().item<float>();
-        if (card.frictionByTexture && seenBefore && seenBefore->strangeness > 0) {
+        if (card.frictionByTexture && recognition && recognition->strangeness > 0) {
             const double expected = expectedFriction(*card.frictionByTexture, textureCoefficients(rgb, architecture.crop));
-            target.mean *= static_cast<float>(std::pow(expected / static_cast<double>(target.mean), seenBefore->strangeness));
+            target.mean *= static_cast<float>(std::pow(expected / static_cast<double>(target.mean), recognition->strangeness));
         }
         return target;
     }
@@ -225,20 +230,21 @@ GeneratedSignals LoadedModel::generate(const PhotographToTouch& photograph, cons
     const torch::NoGradGuard still;
     const Architecture& architecture = m_parts->architecture;
     const cv::Mat rgb = photographAtPitch(photograph, architecture.mmPerPixel).rgb;
-    const std::optional<Recognised> seenBefore = m_parts->recognise(rgb);
+    const std::optional<Recognised> recognition = m_parts->recognise(rgb);
     GeneratedSignals signals;
-    if (seenBefore) {
-        signals.photograph.distance = seenBefore->distance;
+    if (recognition) {
+        signals.photograph.distance = recognition->distance;
         signals.photograph.usualDistance = m_parts->card.photographs->threshold;
     }
     if (options.height) {
-        signals.heightMm = m_parts->height(rgb, seenBefore, options.quality);
+        signals.heightMm = m_parts->height(rgb, recognition, options.quality);
         signals.heightMmPerPixel = architecture.mmPerPixel;
         requireFinite(signals.heightMm);
     }
     if (options.friction) {
-        const FrictionTarget target = m_parts->friction(rgb, seenBefore, options.quality);
+        const FrictionTarget target = m_parts->friction(rgb, recognition, options.quality);
         requireFinite(target.logRatio);
+        requireFinite(cv::Mat(1, 1, CV_32F, cv::Scalar(static_cast<double>(target.mean))));
         signals.spectrogram = magnitudes(target, architecture);
         signals.spectrogramParameters = spectrogramParameters(architecture);
         signals.trace = traceOf(target, architecture, iterationsOf(options.quality));

@@ -64,7 +64,7 @@ Architecture architectureFrom(const Json& json)
 bool sensible(const Architecture& a)
 {
     const auto within = [](double value, double low, double high) { return value >= low && value <= high; };
-    return within(a.baseChannels, 1, 256) && within(a.crop, 16, 1024) && a.crop % 16 == 0 && within(a.mmPerPixel, 1e-5, 100) &&
+    return within(a.baseChannels, 1, mostChannels) && within(a.crop, 16, largestCrop) && a.crop % 16 == 0 && within(a.mmPerPixel, 1e-5, 100) &&
            within(a.heightScaleMm, 1e-9, 1e3) && within(a.meanFrictionScale, 1e-9, 1e3) && within(a.window, 4, 4096) &&
            within(a.hop, 1, a.window) && within(a.traceSamples, 4, 1 << 20) && within(a.rows, 2, 2049) &&
            within(a.frames, 1, 1 << 16) && within(a.traceMmPerSample, 1e-9, 1e3) && within(a.zeroPercentile, 0, 50);

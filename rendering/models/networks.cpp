@@ -162,7 +162,7 @@ torch::Tensor HeightGeneratorImpl::rings(const torch::Tensor& photograph)
 {
     // Powers of fabrics lie between the sensor's noise and a millimetre: logarithms of -14 to 2.
     const Texture texture = m_summary->forward(photograph);
-    return 2 * m_rings->forward(torch::cat({texture.summary, texture.rings}, 1)) - 8;
+    return 2 * m_rings->forward(torch::cat({texture.summary, texture.brightnessRings}, 1)) - 8;
 }
 
 FrictionGeneratorImpl::FrictionGeneratorImpl(const Architecture& architecture)

@@ -12,8 +12,8 @@ namespace rendering::models {
 
 /// What a photograph's texture is like, wherever it lies.
 struct Texture {
-    torch::Tensor summary;  ///< [N, 4 baseChannels]
-    torch::Tensor rings;    ///< [N, ringCount]: its brightness in the rings in which heights are described (ring_spectrum.h)
+    torch::Tensor summary;          ///< [N, 4 baseChannels]
+    torch::Tensor brightnessRings;  ///< [N, ringCount]: in the rings in which heights are described (ring_spectrum.h)
 };
 
 /// Convolutions that halve the photograph four times, mean and spread of the features of every scale,
@@ -35,7 +35,7 @@ class HeightGeneratorImpl : public torch::nn::Module {
 public:
     explicit HeightGeneratorImpl(const Architecture& architecture);
     torch::Tensor forward(const torch::Tensor& photograph);
-    /// The radial power spectrum of the height map, [N, ringCount], as ringPowers() of ring_spectrum.h.
+    /// The radial power spectrum of the height map, [N, ringCount], as ringPowers() of ring_spectrum.h. Of a square photograph.
     torch::Tensor rings(const torch::Tensor& photograph);
 
 private:
@@ -53,7 +53,7 @@ struct FrictionGuess {
     torch::Tensor mean;      ///< [N, 1]: coefficient of friction, > 0
 };
 
-/// From the photograph's texture the spectrogram and, as a head of its own, the mean friction.
+/// From a square photograph's texture the spectrogram and, as a head of its own, the mean friction.
 class FrictionGeneratorImpl : public torch::nn::Module {
 public:
     explicit FrictionGeneratorImpl(const Architecture& architecture);

@@ -39,7 +39,7 @@ void offerTraining(CLI::App& app, const std::string& command)
     models::TrainingOptions& options = wish->options;
     train->add_option("DATASET", wish->dataset, "folder with photographs, GelSight frames and friction records")->required();
     train->add_option("--out", options.out, "weights file; its model card is written to MODEL.json")->required();
-    CLI::Option* steps = train->add_option("--steps", wish->steps, "optimisation steps (default 6000)");
+    CLI::Option* steps = train->add_option("--steps", wish->steps, "optimisation steps (default 5000)");
     CLI::Option* minutes = train->add_option("--minutes", wish->minutes, "wall time instead of steps")->excludes(steps);
     train->add_option("--seed", options.seed, "of the first weights, batches and augmentation (default 1)");
     train->add_option("--split-seed", options.splitSeed, "of the 8:1:1 split (default 1)");
@@ -65,7 +65,7 @@ void offerTraining(CLI::App& app, const std::string& command)
         if (minutes->count() > 0)
             chosen.minutes = wish->minutes;
         else
-            chosen.steps = steps->count() > 0 ? wish->steps : 6000;
+            chosen.steps = steps->count() > 0 ? wish->steps : 5000;
         for (const std::string& id : wish->heldOut)
             chosen.heldOut.emplace_back(id);
         if (wish->reference && wish->l1Only)

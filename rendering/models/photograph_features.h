@@ -1,6 +1,6 @@
 // What a photograph of a fabric looks like, in a few numbers: colour, contrast, spectrum and
 // direction of its texture. Two photographs of one fabric lie near each other, whatever the place,
-// the turn and the size; used for finding the nearest known photograph, never for generating.
+// the turn and the size; used for finding known photographs like it, and so what is remembered of their fabrics.
 #pragma once
 
 #include <opencv2/core/mat.hpp>

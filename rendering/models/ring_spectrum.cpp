@@ -92,6 +92,9 @@ std::vector<int> cornersAlong(int length, int width)
     return corners;
 }
 
+/// In steps of eight: transforms stay fast, and few tables are kept.
+int widthOfWindows(const cv::Size& size, int side) { return std::max(side, std::min({size.width, size.height, 2 * side}) / 8 * 8); }
+
 cv::Mat atLeastAWindow(const cv::Mat& map, int side)
 {
     if (map.rows >= side && map.cols >= side)
@@ -101,7 +104,7 @@ cv::Mat atLeastAWindow(const cv::Mat& map, int side)
     return wide;
 }
 
-/// Means of the powers over each ring; an empty ring takes its lower neighbour's.
+/// Means of the powers over each ring; an empty ring takes its lower neighbour's, the longest wave that of the first that is not.
 std::vector<double> averaged(const cv::Mat& powers, const Rings& rings)
 {
     std::vector<double> total(ringCount), weight(ringCount);
@@ -119,6 +122,8 @@ std::vector<double> averaged(const cv::Mat& powers, const Rings& rings)
         }
     for (std::size_t i = 0; i < total.size(); ++i)
         total[i] = weight[i] > 0 ? total[i] / weight[i] : total[i > 0 ? i - 1 : 0];
+    const auto first = std::find_if(weight.begin(), weight.end(), [](double sum) { return sum > 0; }) - weight.begin();
+    std::fill_n(total.begin(), first, total[static_cast<std::size_t>(std::min<std::ptrdiff_t>(first, ringCount - 1))]);
     return total;
 }
 
@@ -143,14 +148,12 @@ class Spectrum {
 public:
     /// Of the map about its mean, mirrored by at most `mostBorder` px around.
     Spectrum(const cv::Mat& heightMm, int mostBorder)
-        : m_inner(0, 0, heightMm.cols, heightMm.rows)
+        : m_inner(std::min(mostBorder, heightMm.cols - 1), std::min(mostBorder, heightMm.rows - 1), heightMm.cols, heightMm.rows)
     {
-        const int border = std::min({mostBorder, heightMm.rows - 1, heightMm.cols - 1});
-        m_inner.x = m_inner.y = border;
-        const auto beyond = [&](int length) { return cv::getOptimalDFTSize(length + 2 * border) - length - border; };
+        const auto beyond = [](int length, int border) { return cv::getOptimalDFTSize(length + 2 * border) - length - border; };
         cv::Mat padded;
-        cv::copyMakeBorder(heightMm - cv::mean(heightMm)[0], padded, border, beyond(heightMm.rows), border, beyond(heightMm.cols),
-                           cv::BORDER_REFLECT_101);
+        cv::copyMakeBorder(heightMm - cv::mean(heightMm)[0], padded, m_inner.y, beyond(m_inner.height, m_inner.y), m_inner.x,
+                           beyond(m_inner.width, m_inner.x), cv::BORDER_REFLECT_101);
         cv::dft(padded, m_transform, cv::DFT_COMPLEX_OUTPUT);
     }
 
@@ -202,13 +205,16 @@ cv::Mat ringAverages(int width, int side)
         else if (ring > 0)
             rows.row(ring - 1).copyTo(rows.row(ring));
     }
+    for (int ring = ringCount - 2; ring >= 0; --ring)
+        if (cv::countNonZero(rows.row(ring)) == 0)
+            rows.row(ring + 1).copyTo(rows.row(ring));
     return rows;
 }
 
 std::vector<float> ringPowers(const cv::Mat& heightMm, int side)
 {
     const cv::Mat map = atLeastAWindow(heightMm, side);
-    const int width = std::min({map.rows, map.cols, 2 * side}) / 2 * 2;
+    const int width = widthOfWindows(map.size(), side);
     const Rings& rings = ringsOf(width, side);
     cv::Mat sums = cv::Mat::zeros(width, width, CV_32F);
     int windows = 0;

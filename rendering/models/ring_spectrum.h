@@ -1,8 +1,10 @@
 // The radial power spectrum of a height map in overlapping rings, and maps brought to a wanted one.
 // A texture's power at every wavelength hardly differs from place to place: it is predicted from the
-// photograph as its own quantity (like the mean friction) and imposed on the generated relief, so that
+// photograph as its own quantity (like the mean friction), or remembered of its fabric, and imposed on the generated relief, so that
 // heights and roughness do not depend on how sharp a network draws. No torch in this header.
 #pragma once
+
+#include "rendering/signals/calibration.h"
 
 #include <opencv2/core/mat.hpp>
 
@@ -11,7 +13,7 @@
 namespace rendering::models {
 
 inline constexpr int ringCount = 24;
-/// Added to every power before its logarithm: the noise of the sensor lies there.
+/// Added to every power before its logarithm: the noise of the sensor lies there. Of brightness over its mean: the same number.
 inline constexpr double ringFloorMm2 = 1e-6;
 
 /// Where a frequency in cycles a pixel lies among the rings: 0 at one cycle in `side` px (or below), ringCount - 1
@@ -22,10 +24,10 @@ inline constexpr double ringFloorMm2 = 1e-6;
 double ringPlace(double frequency, int side);
 
 /// [ringCount][width x width] rows that average the powers of a window's frequencies (the order of a complex
-/// transform) into rings; a narrow ring that holds no frequency has its lower neighbour's row.
+/// transform) into rings; a narrow ring that holds no frequency has its neighbour's row.
 cv::Mat ringAverages(int width, int side);
 
-/// Natural logarithms of the mean power of each ring, mm^2 (white noise of deviation s mm gives s^2):
+/// Natural logarithms of the mean power of each ring, mm^2 or the square of the map's unit (white noise of deviation s gives s^2):
 /// Welch's method (Hann windows, each without its mean, half shared with the next) with the widest windows that
 /// fit, `side` to twice `side` px, since few long waves fit into a narrow one. A map smaller than a window of
 /// `side` px is continued by mirroring. `heightMm`: CV_32FC1, finite.
@@ -36,7 +38,7 @@ struct RingFilter {
     int side = 128;             ///< of the rings, px
     double mostGain = 8;        ///< of any frequency, either way
     int passes = 1;             ///< what smooth gains and cutting at 0 leave apart, further passes bring nearer
-    double zeroPercentile = 1;  ///< percent of the result that lies at 0, as measured maps are settled
+    double zeroPercentile = signals::Calibration{}.zeroPercentile;  ///< percent of the result that lies at 0, as measured maps are settled
 };
 
 /// The map filtered so that ringPowers() are near `wanted`, then settled as a measured one (photometric_stereo.h).

@@ -36,6 +36,7 @@ torch::Tensor averagesOf(int side)
 torch::Tensor powers(const torch::Tensor& maps)
 {
     const auto side = maps.size(3);
+    TORCH_CHECK(maps.dim() == 4 && maps.size(1) == 1 && maps.size(2) == side, "square maps of one channel are asked for");
     const torch::Tensor line = torch::hann_window(side);
     const torch::Tensor window = line.view({-1, 1}) * line;
     const torch::Tensor mean = (maps * window).sum({2, 3}, true) / window.sum();

@@ -31,8 +31,10 @@ void checkOptions(const TrainingOptions& options)
         refuse("--steps " + std::to_string(*options.steps), "at least 1");
     if (options.minutes && !(*options.minutes > 0))
         refuse("--minutes is not positive", "minutes of wall time");
-    if (options.crop < 32 || options.crop % 16 != 0)
-        refuse("--crop " + std::to_string(options.crop), "a multiple of 16, at least 32");
+    if (options.crop < 32 || options.crop > largestCrop || options.crop % 16 != 0)
+        refuse("--crop " + std::to_string(options.crop), "a multiple of 16 from 32 to " + std::to_string(largestCrop));
+    if (options.baseChannels > mostChannels)
+        refuse(std::to_string(options.baseChannels) + " channels", "at most " + std::to_string(mostChannels));
     if (options.batch < 1 || options.baseChannels < 1 || options.checkpointEvery < 1 || options.validationPairs < 1 ||
         options.validateEvery < 1 || options.patience < 1 || !(options.learningRate > 0))
         refuse("a count or rate is not positive", "positive numbers");
@@ -77,7 +79,7 @@ KnownFabrics knownFabrics(const TrainingData& data)
 }
 
 /// What the card says of photographs that the model knows.
-std::optional<Familiarity> familiarityOf(const TrainingData& data, Objective objective)
+Familiarity familiarityOf(const TrainingData& data)
 {
     const auto features = [](const std::vector<FabricSamples>& part) {
         std::vector<std::vector<float>> all;
@@ -87,7 +89,7 @@ std::optional<Familiarity> familiarityOf(const TrainingData& data, Objective obj
         return all;
     };
     return fitFamiliarity(features(data.training), features(data.validation),
-                          objective == Objective::Default ? knownFabrics(data) : KnownFabrics{});
+                          data.architecture.imposesSpectrum ? knownFabrics(data) : KnownFabrics{});
 }
 
 /// How friction goes with texture over the fabrics trained on.
@@ -99,7 +101,8 @@ FrictionPrior frictionByTexture(const TrainingData& data)
         for (const TrainingStroke& stroke : fabric.strokes)
             logFriction += std::log(static_cast<double>(stroke.target.mean)) / static_cast<double>(fabric.strokes.size());
         for (const TrainingPhotograph& photograph : fabric.photographs)
-            textures.push_back({textureCoefficients(photograph.rgb, data.architecture.crop), logFriction});
+            textures.push_back({textureCoefficients(photograph.rgb, data.architecture.crop), logFriction,
+                                1 / static_cast<double>(fabric.photographs.size())});
     }
     return fitFrictionPrior(textures);
 }
@@ -245,7 +248,7 @@ private:
         card.trainingMinutes = std::round(state.elapsedS / 6) / 10;
         card.objective = nameOf(m_options.objective);
         card.split = nameOf(m_options.split);
-        card.photographs = familiarityOf(m_data, m_options.objective);
+        card.photographs = familiarityOf(m_data);
         if (m_options.objective == Objective::Default)
             card.frictionByTexture = frictionByTexture(m_data);
         for (const protocols::FabricId& id : m_options.heldOut)

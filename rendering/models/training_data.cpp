@@ -256,7 +256,13 @@ TrainingData readTrainingData(const Dataset& dataset, const Architecture& wanted
     if (leftOut > 0)
         data.notes.push_back(std::to_string(leftOut) + " samples were left out to stay within the memory budget");
     for (auto& [id, samples] : training)
-        data.training.push_back(std::move(samples));
+        if (samples.complete())
+            data.training.push_back(std::move(samples));
+        else
+            data.notes.push_back(id.value + ": left out, the split left it without one of its signals");
+    if (data.training.empty())
+        throw protocols::badInput({"no fabric is left to train on", dataset.folder.string(),
+                                   "a fabric with samples of all three signals in the training part", ""});
     for (auto& [id, samples] : validation)
         if (samples.complete())
             data.validation.push_back(std::move(samples));

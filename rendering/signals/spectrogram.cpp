@@ -30,6 +30,7 @@ std::vector<double> windowOf(const SpectrogramParameters& parameters)
 int mirrored(int place, int length)
 {
     if (length == 1) return 0;
+    if (place >= 0 && place < length) return place;
     const int period = 2 * (length - 1);
     const int inPeriod = ((place % period) + period) % period;
     return inPeriod < length ? inPeriod : period - inPeriod;
@@ -106,9 +107,12 @@ void requireSize(const cv::Mat& values, const SpectrogramParameters& parameters,
              .nextStep = ""});
 }
 
+/// Larger values are refused, so squares do not overflow; hypot would be half of an inversion's time.
+double magnitudeOf(const Bin& bin) { return std::sqrt(bin[0] * bin[0] + bin[1] * bin[1]); }
+
 Bin unit(const Bin& bin)
 {
-    const double size = std::hypot(bin[0], bin[1]);
+    const double size = magnitudeOf(bin);
     return size > 0 ? bin * (1 / size) : Bin{1, 0};
 }
 
@@ -156,7 +160,8 @@ double convergence(const cv::Mat& spectrum, const cv::Mat& magnitude)
             all += target * target;
             if (k < 2) continue;
             const Bin bin = spectrum.at<Bin>(frame, k);
-            wrong += std::pow(std::hypot(bin[0], bin[1]) - target, 2);
+            const double apart = magnitudeOf(bin) - target;
+            wrong += apart * apart;
             wanted += target * target;
         }
     // A constant trace has nothing above the mean but rounding.
@@ -268,10 +273,10 @@ Inversion griffinLim(const MagnitudeSpectrogram& spectrogram, const GriffinLimOp
     requireSize(spectrogram.values, parameters, spectrogram.traceLength);
     cv::Mat wanted;
     cv::Mat(spectrogram.values.t()).convertTo(wanted, CV_64F);
-    double least = 0;
-    cv::minMaxLoc(wanted, &least);
-    if (!cv::checkRange(wanted) || least < 0 || !std::isfinite(spectrogram.mean))
-        throw protocols::badInput({.what = "the spectrogram's magnitude holds negative values or values that are not finite",
+    double least = 0, most = 0;
+    cv::minMaxLoc(wanted, &least, &most);
+    if (!cv::checkRange(wanted) || least < 0 || most > 1e100 || !std::isfinite(spectrogram.mean))
+        throw protocols::badInput({.what = "the spectrogram's magnitude holds negative values, values above 1e100 or values that are not finite",
                                    .where = "",
                                    .expected = "magnitudes >= 0 and a finite mean",
                                    .nextStep = ""});

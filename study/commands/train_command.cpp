@@ -50,7 +50,7 @@ void addTrain(CLI::App& app, Action& action)
     auto* command = app.add_subcommand("train", "train the generators on a data set (uses libtorch)");
     command->add_option("DATASET", call->dataset, "the data set")->required();
     command->add_option("--out", call->out, "weights file to write; MODEL.json and the folder MODEL.log beside it")->required();
-    auto* steps = command->add_option("--steps", call->steps, "training steps (default 6000); the same number gives the same weights");
+    auto* steps = command->add_option("--steps", call->steps, "training steps (default 5000); the same number gives the same weights");
     command->add_option("--minutes", call->minutes, "stop after so many minutes instead")->excludes(steps);
     for (Wish& wish : call->wishes)
         command->add_option(wish.name, wish.value, wish.meaning);

@@ -52,17 +52,17 @@ private Q_SLOTS:
     void photographsTrainedOnLieAtNoDistance()
     {
         for (const Features& features : m_training)
-            QVERIFY(models::distanceTo(m_familiarity, features) < 0.01);  // four digits are kept
+            QVERIFY(models::recognised(m_familiarity, features).distance < 0.01);  // four digits are kept
     }
 
     void otherPlacesOnKnownFabricsAreFamiliar()
     {
         int strange = 0;
         for (const Features& features : m_elsewhere)
-            strange += models::distanceTo(m_familiarity, features) > m_familiarity.threshold ? 1 : 0;
+            strange += models::recognised(m_familiarity, features).distance > m_familiarity.threshold ? 1 : 0;
         QVERIFY2(strange <= 1, qPrintable(QString::number(strange)));
         for (const Features& features : m_validation)
-            QVERIFY(models::distanceTo(m_familiarity, features) <= m_familiarity.threshold * 1.001);
+            QVERIFY(models::recognised(m_familiarity, features).distance <= m_familiarity.threshold * 1.001);
     }
 
     void picturesOfOtherThingsAreNot()
@@ -72,7 +72,7 @@ private Q_SLOTS:
         cv::randu(noise, 0, 256);
         halves.colRange(128, 256).setTo(cv::Scalar::all(220));
         for (const cv::Mat& picture : {noise, halves, cv::Mat(256, 256, CV_8UC3, cv::Scalar::all(0))}) {
-            const double distance = models::distanceTo(m_familiarity, models::photographFeatures(picture));
+            const double distance = models::recognised(m_familiarity, models::photographFeatures(picture)).distance;
             QVERIFY2(std::isfinite(distance) && distance > 1.5 * m_familiarity.threshold, qPrintable(QString::number(distance)));
         }
     }
@@ -83,7 +83,7 @@ private Q_SLOTS:
         if (!std::filesystem::exists(folder))
             QSKIP("the shared data are not here");
         for (const char* name : {"twill1_R.png", "twill3_R.png", "satin1_R.png", "satin2_R.png"})
-            QVERIFY(models::distanceTo(m_familiarity, models::photographFeatures(readPng(folder / name))) > m_familiarity.threshold);
+            QVERIFY(models::recognised(m_familiarity, models::photographFeatures(readPng(folder / name))).distance > m_familiarity.threshold);
     }
 
     void aFewHundredAreKeptAndTheRareAmongThem()
@@ -99,7 +99,7 @@ private Q_SLOTS:
         many[777] = rare;
         const Familiarity kept = models::fitFamiliarity(many, {});
         QCOMPARE(static_cast<int>(kept.nearest.size()), models::mostPhotographsKept);
-        QVERIFY(models::distanceTo(kept, rare) < 0.01);
+        QVERIFY(models::recognised(kept, rare).distance < 0.01);
         QCOMPARE(models::fitFamiliarity(many, {}), kept);
         QCOMPARE(models::fitFamiliarity(many, std::span(many).first(1)).nearest, kept.nearest);
     }
@@ -121,8 +121,8 @@ private Q_SLOTS:
         const Familiarity familiarity = models::fitFamiliarity(one, {});
         QCOMPARE(familiarity.nearest.size(), std::size_t{1});
         QVERIFY(familiarity.threshold > 0);
-        QCOMPARE(models::distanceTo(familiarity, one[0]), 0.0);
-        QVERIFY(std::isfinite(models::distanceTo(familiarity, plain(7))));
+        QCOMPARE(models::recognised(familiarity, one[0]).distance, 0.0);
+        QVERIFY(std::isfinite(models::recognised(familiarity, plain(7)).distance));
     }
 
     void ringsOfTheFabricThatAPhotographIsLikeAreRemembered()
@@ -205,7 +205,7 @@ private Q_SLOTS:
     void wrongFeaturesAreRefused()
     {
         QVERIFY_THROWS_EXCEPTION(protocols::Error, models::fitFamiliarity({}, {}));
-        QVERIFY_THROWS_EXCEPTION(protocols::Error, models::distanceTo(m_familiarity, Features(3)));
+        QVERIFY_THROWS_EXCEPTION(protocols::Error, models::recognised(m_familiarity, Features(3)).distance);
     }
 };
 

@@ -87,10 +87,24 @@ private Q_SLOTS:
                 QVERIFY(std::isfinite(coefficient));
     }
 
+    void fabricPhotographedTenTimesCountsAsMuchAsOneOfOnePhotograph()
+    {
+        const std::vector<double> coarse = textureCoefficients(cloth(9, 0.2, 1), side), fine = textureCoefficients(cloth(4, 0.05, 2), side);
+        std::vector<KnownTexture> textures(10, {coarse, std::log(0.4), 0.1});
+        textures.push_back({fine, std::log(0.2), 1});
+        const FrictionPrior equal = fitFrictionPrior(std::vector<KnownTexture>{{coarse, std::log(0.4)}, {fine, std::log(0.2)}});
+        const FrictionPrior many = fitFrictionPrior(textures);
+        QVERIFY(std::abs(many.logFriction - equal.logFriction) < 1e-9);
+        for (std::size_t i = 0; i < equal.slope.size(); ++i)
+            QVERIFY(std::abs(many.slope[i] - equal.slope[i]) < 1e-9);
+    }
+
     void oneFabricAnswersWithItsOwnFriction()
     {
         const FrictionPrior prior = fitFrictionPrior(std::vector<KnownTexture>{{textureCoefficients(cloth(6, 0.1, 6), side), std::log(0.33)}});
         QVERIFY(std::abs(expectedFriction(prior, textureCoefficients(cloth(9, 0.2, 7), side)) - 0.33) < 1e-9);
+        for (const double slope : prior.slope)
+            QCOMPARE(slope, 0.0);
         QVERIFY_THROWS_EXCEPTION(protocols::Error, fitFrictionPrior({}));
     }
 
@@ -102,6 +116,10 @@ private Q_SLOTS:
         const std::vector<double> texture = textureCoefficients(cloth(5, 0.1, 8), side);
         QCOMPARE(expectedFriction(again, texture), expectedFriction(prior, texture));
         json["slope"].erase(0);
+        QVERIFY_THROWS_EXCEPTION(protocols::Error, frictionPriorFrom(json));
+        json = frictionPriorJson(prior);
+        json["lowest"] = 1;
+        json["highest"] = -1;
         QVERIFY_THROWS_EXCEPTION(protocols::Error, frictionPriorFrom(json));
         json = frictionPriorJson(prior);
         json["coefficients_sd"][1] = 0;

@@ -7,6 +7,7 @@
 #include "rendering/models/model_card.h"
 #include "rendering/models/photograph_at_pitch.h"
 #include "rendering/models/photograph_features.h"
+#include "rendering/models/ring_spectrum.h"
 #include "rendering/whole_file.h"
 
 #include <opencv2/core.hpp>
@@ -17,6 +18,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <functional>
 
 using namespace rendering;
 using models::GeneratedSignals;
@@ -82,6 +84,17 @@ private:
                 cv::Mat(tile({0, 0, part.width, part.height}) * (0.5 + 0.5 * x / width)).copyTo(picture(part));
             }
         return picture;
+    }
+
+    /// The shipped weights with a card of which something is changed.
+    fs::path withCard(const char* name, const std::function<void(models::ModelCardFields&)>& change) const
+    {
+        const fs::path model = m_folder.filePath(name).toStdString();
+        fs::copy_file(models::shippedModel(), model, fs::copy_options::overwrite_existing);
+        auto card = models::readModelCardFields(models::shippedModel());
+        change(card);
+        writeWholeFile(models::cardOf(model), models::cardText(card));
+        return model;
     }
 
 private Q_SLOTS:
@@ -193,6 +206,81 @@ private Q_SLOTS:
         QVERIFY(!answers[0].photograph.unfamiliar() && *answers[0].photograph.distance < 0.1);
         QVERIFY(answers[1].photograph.unfamiliar());
         QCOMPARE(answers[1].photograph.usualDistance, card.photographs->threshold);
+        const cv::Mat seen = models::photographAtPitch(photograph(0), card.architecture.mmPerPixel).rgb;
+        QCOMPARE(*answers[0].photograph.distance, models::recognised(*card.photographs, models::photographFeatures(seen)).distance);
+    }
+
+    void rememberedFabricDecidesHowRoughAKnownPhotographFeels()
+    {
+        // One fabric is known, with waves a hundred times as strong in one card (ten times as high) as in the other.
+        const auto reliefAt = [&](double ring) {
+            GenerationOptions options = fast();
+            options.model = withCard("remembering.pt", [&](models::ModelCardFields& card) {
+                const std::vector<std::vector<float>> known{models::photographFeatures(photograph(0).photograph)};
+                card.photographs = models::fitFamiliarity(known, {}, {{0}, {std::vector<double>(models::ringCount, ring)}});
+            });
+            cv::Scalar mean, deviation;
+            cv::meanStdDev(generated({photograph(0)}, options).front().heightMm, mean, deviation);
+            return deviation[0];
+        };
+        const double ratio = reliefAt(-6) / reliefAt(-6 - std::log(100));
+        QVERIFY2(ratio > 5 && ratio < 12, qPrintable(QString::number(ratio)));
+    }
+
+    void frictionOfAStrangePhotographIsWhatItsTextureLetsExpect()
+    {
+        models::FrictionPrior always;  // whatever the texture, 0.77
+        const auto count = static_cast<std::size_t>(models::textureCoefficientCount);
+        always.mean = always.slope = std::vector<double>(count, 0);
+        always.deviation = std::vector<double>(count, 1);
+        always.logFriction = always.lowest = always.highest = std::log(0.77);
+        GenerationOptions options = fast();
+        options.model = withCard("expecting.pt", [&](models::ModelCardFields& card) {
+            card.photographs = models::fitFamiliarity(std::vector<std::vector<float>>{models::photographFeatures(photograph(0).photograph)}, {});
+            card.frictionByTexture = always;
+        });
+        cv::Mat noise(256, 256, CV_8UC3);
+        cv::theRNG().state = 8;
+        cv::randu(noise, 0, 256);
+        const auto answers = generated({photograph(0), {noise, photograph(0).mmPerPixel}}, options);
+        QVERIFY(*answers[1].photograph.distance > 2 * answers[1].photograph.usualDistance);
+        QVERIFY(std::abs(answers[1].meanFriction - 0.77) < 1e-5);
+        QVERIFY2(std::abs(answers[0].meanFriction - 0.77) > 0.1, "a known photograph is left to the network");
+        // Left to itself the network says something else; half-way to strange, the answer lies half-way between.
+        const double farAway = *answers[1].photograph.distance;
+        const auto meanAt = [&](double strangeness) {
+            options.model = withCard("half-way.pt", [&](models::ModelCardFields& card) {
+                card.photographs = models::fitFamiliarity(std::vector<std::vector<float>>{models::photographFeatures(photograph(0).photograph)}, {});
+                card.photographs->threshold = farAway / (1 + strangeness);
+                card.frictionByTexture = always;
+            });
+            return generated({{noise, photograph(0).mmPerPixel}}, options).front().meanFriction;
+        };
+        const double alone = meanAt(0);
+        QVERIFY(std::abs(std::log(alone / 0.77)) > 0.1);
+        QVERIFY(std::abs(meanAt(0.5) / std::sqrt(alone * 0.77) - 1) < 1e-3);
+    }
+
+    void rememberedFabricsSayNothingOfAStrangePhotograph()
+    {
+        cv::Mat noise(256, 256, CV_8UC3);
+        cv::theRNG().state = 8;
+        cv::randu(noise, 0, 256);
+        const auto deviationWith = [&](double strangeness, bool remembering) {
+            GenerationOptions options = fast();
+            options.model = withCard("stranger.pt", [&](models::ModelCardFields& card) {
+                const std::vector<std::vector<float>> known{models::photographFeatures(photograph(0).photograph)};
+                const models::KnownFabrics flat{{0}, {std::vector<double>(models::ringCount, -13)}};
+                card.photographs = models::fitFamiliarity(known, {}, remembering ? flat : models::KnownFabrics{});
+                card.photographs->threshold = models::recognised(*card.photographs, models::photographFeatures(noise)).distance / (1 + strangeness);
+            });
+            cv::Scalar mean, deviation;
+            cv::meanStdDev(generated({{noise, photograph(0).mmPerPixel}}, options).front().heightMm, mean, deviation);
+            return deviation[0];
+        };
+        const double network = deviationWith(1, false), half = deviationWith(0.5, true), memory = deviationWith(0, true);
+        QCOMPARE(deviationWith(1, true), network);
+        QVERIFY2(memory < 0.8 * half && half < 0.8 * network, qPrintable(QString("%1 %2 %3").arg(memory).arg(half).arg(network)));
     }
 
     void unknownThingsAreSeenAtTheModelsPitch()
@@ -204,8 +292,8 @@ private Q_SLOTS:
         const auto familiarity = models::fitFamiliarity(
             std::vector<std::vector<float>>{models::photographFeatures(photograph(0).photograph), models::photographFeatures(photograph(1).photograph)}, {});
         const auto distance = [&](std::optional<double> mmPerPixel) {
-            return models::distanceTo(familiarity,
-                                      models::photographFeatures(models::photographAtPitch({fine, mmPerPixel}, card.architecture.mmPerPixel).rgb));
+            return models::recognised(familiarity,
+                                      models::photographFeatures(models::photographAtPitch({fine, mmPerPixel}, card.architecture.mmPerPixel).rgb)).distance;
         };
         QVERIFY(distance(card.architecture.mmPerPixel / 2) < 0.5 * distance(std::nullopt));
     }

@@ -101,12 +101,15 @@ private Q_SLOTS:
 
     void ringsOfTensorsAreThoseOfMaps()
     {
-        const torch::Tensor map = texture(128, 8).view({1, 1, 128, 128}).contiguous();
-        const cv::Mat same(128, 128, CV_32F, map.data_ptr<float>());
-        const torch::Tensor means = ringMeans(map);
-        const std::vector<float> powers = ringPowers(same, 128);
-        for (int ring = 0; ring < ringCount; ++ring)
-            QVERIFY(std::abs(std::log(means[0][ring].item<double>() + ringFloorMm2) - static_cast<double>(powers[static_cast<std::size_t>(ring)])) < 1e-3);
+        for (const int side : {32, 48, 128}) {
+            const torch::Tensor maps = torch::cat({texture(side, 8), texture(side, 9)}, 0).contiguous();
+            const torch::Tensor means = ringMeans(maps);
+            for (int i = 0; i < 2; ++i) {
+                const std::vector<float> powers = ringPowers(cv::Mat(side, side, CV_32F, maps[i].data_ptr<float>()), side);
+                for (int ring = 0; ring < ringCount; ++ring)
+                    QVERIFY(std::abs(std::log(means[i][ring].item<double>() + ringFloorMm2) - static_cast<double>(powers[static_cast<std::size_t>(ring)])) < 1e-3);
+            }
+        }
     }
 
     void distancesAreFiniteAndLearnableAtZeroAndFullHeight()

@@ -125,6 +125,24 @@ private Q_SLOTS:
                 QVERIFY(std::isfinite(power));
     }
 
+    void narrowRingsOfSmallCropsHaveTheirNeighboursPower()
+    {
+        for (const cv::Size size : {cv::Size(36, 36), cv::Size(37, 300), cv::Size(33, 48), cv::Size(64, 64)}) {
+            std::vector<double> sums(ringCount, 0);
+            constexpr int maps = 40;
+            for (int map = 0; map < maps; ++map) {
+                const std::vector<float> powers = ringPowers(noise(size, 0.1, 0, 100 + static_cast<std::uint64_t>(map)), 32);
+                for (std::size_t ring = 0; ring < sums.size(); ++ring)
+                    sums[ring] += std::exp(static_cast<double>(powers[ring])) / maps;
+            }
+            for (std::size_t ring = 0; ring < sums.size(); ++ring)
+                QVERIFY2(sums[ring] > 0.005 && sums[ring] < 0.02, qPrintable(QString("ring %1: %2").arg(ring).arg(sums[ring])));
+        }
+        for (const int crop : {32, 48, 64})
+            for (int ring = 0; ring < ringCount; ++ring)
+                QVERIFY(std::abs(cv::sum(ringAverages(crop, crop).row(ring))[0] - 1) < 1e-4);
+    }
+
     void mapTakesTheSpectrumOfAnother()
     {
         const cv::Mat rough = noise({256, 256}, 0.4, 3, 7), fine = noise({256, 256}, 0.08, 1.5, 8);
@@ -175,7 +193,7 @@ private Q_SLOTS:
 
     void anySizeIsAnswered()
     {
-        for (const cv::Size size : {cv::Size(1, 1), cv::Size(1, 50), cv::Size(129, 17)}) {
+        for (const cv::Size size : {cv::Size(1, 1), cv::Size(1, 50), cv::Size(129, 17), cv::Size(300, 17)}) {
             const cv::Mat made = withRingPowers(noise(size, 0.05, 0, 13), std::vector<float>(ringCount, -6), {.side = side, .passes = 3});
             QCOMPARE(made.size(), size);
             QVERIFY(cv::checkRange(made));

@@ -5,6 +5,7 @@
 #include "rendering/fabrics/procedural_fabrics.h"
 #include "rendering/models/child_process.h"
 #include "rendering/models/model_card.h"
+#include "rendering/signals/calibration.h"
 #include "tests/rendering/spoilt_archive.h"
 
 #include <QDir>
@@ -103,6 +104,12 @@ private Q_SLOTS:
             const double after = card.validation.at("after").at(figure).at("generated").get<double>();
             QVERIFY2(after < share * before, qPrintable(QString("%1: %2 -> %3").arg(figure).arg(before).arg(after)));
         }
+        // What is remembered for use: the rings of three fabrics, and how friction goes with texture.
+        QCOMPARE(card.photographs->fabricRings.size(), std::size_t{3});
+        QCOMPARE(card.photographs->fabricOf.size(), card.photographs->nearest.size());
+        QVERIFY(card.frictionByTexture && card.frictionByTexture->lowest < card.frictionByTexture->highest);
+        const fabrics::Dataset dataset = fabrics::readDataset(at("fabrics"));
+        QCOMPARE(card.architecture.zeroPercentile, signals::readCalibration(dataset.folder / dataset.tactileCalibration).zeroPercentile);
         QVERIFY(!std::filesystem::exists(at("model.pt.checkpoint")));
         QVERIFY(std::filesystem::file_size(at("model.pt")) < (4U << 20U));
     }
@@ -136,6 +143,7 @@ private Q_SLOTS:
         QVERIFY2(outcome.exitCode == 0, qPrintable(outcome.errors));
         const models::ModelCardFields card = models::readModelCardFields(at("held.pt"));
         QCOMPARE(card.heldOut, (std::vector<std::string>{"F02", "F03"}));
+        QCOMPARE(card.photographs->fabricRings.size(), std::size_t{1});
         const fabrics::Dataset dataset = fabrics::readDataset(at("fabrics"));
         for (const char* fabric : {"F02", "F03"})
             for (const fabrics::Modality modality :
@@ -196,7 +204,9 @@ private Q_SLOTS:
     void referenceLossesTrainToo()
     {
         QCOMPARE(run(smallRun("reference.pt", 2) << "--reference").exitCode, 0);
-        QCOMPARE(models::readModelCardFields(at("reference.pt")).objective, std::string("reference"));
+        const models::ModelCardFields card = models::readModelCardFields(at("reference.pt"));
+        QCOMPARE(card.objective, std::string("reference"));
+        QVERIFY(card.photographs->fabricRings.empty() && !card.frictionByTexture);  // the paper's networks stand alone
     }
 
     void controlByL1TrainsWithoutADiscriminator()

@@ -82,8 +82,18 @@ private Q_SLOTS:
         QVERIFY(std::ranges::is_sorted(card.told.trainingSampleHashes));
         for (const std::string& hash : card.told.trainingSampleHashes)
             QCOMPARE(hash.size(), std::size_t{64});
+        QVERIFY(card.photographs && card.photographs->fabricRings.size() == 15 && card.frictionByTexture);
         const auto& after = card.validation.at("after");
         QVERIFY(after.at("mean_friction_relative_error").at("generated").get<double>() < 0.1);
+    }
+
+    void cardsWithoutMemoryAreEnough()
+    {
+        models::ModelCardFields card = models::readModelCardFields(models::shippedModel());
+        card.photographs.reset();
+        card.frictionByTexture.reset();
+        write(models::cardOf(model()), models::cardText(card));
+        QCOMPARE(faultOfGenerating(), "0");
     }
 
     void cardIsReadBackAsWritten()
@@ -98,7 +108,7 @@ private Q_SLOTS:
         for (const char* harm : {"truncated", "truncated, card fits", "empty, card fits", "no archive, card fits", "not finite",
                                  "altered byte", "missing", "card missing", "card of another schema", "card no JSON",
                                  "card of other networks", "card with absurd sizes",
-                                 "card with nonsense on photographs"})
+                                 "card with nonsense on photographs", "card with nonsense on friction", "card with a hollow zero"})
             QTest::newRow(harm) << harm;
     }
 
@@ -146,6 +156,10 @@ private:
         };
         if (harm == "card of another schema")
             replace("vis2hap.model/2", "vis2hap.model/9");
+        else if (harm == "card with nonsense on friction")
+            replace("\"coefficients_sd\"", "\"coefficients_xx\"");
+        else if (harm == "card with a hollow zero")
+            replace("\"zero_percentile\": 1.0", "\"zero_percentile\": 80.0");
         else if (harm == "card of other networks")
             replace("\"base_channels\": 16", "\"base_channels\": 24");
         else

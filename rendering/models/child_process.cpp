@@ -34,14 +34,13 @@ std::string lastLine(const fs::path& messages)
     return last.starts_with(prefix) ? last.substr(prefix.size()) : last;
 }
 
-/// OpenMP's threads are told to wait without spinning (see nn_main), unless the user chose otherwise.
 std::vector<std::string> environmentForThreads()
 {
     std::vector<std::string> variables;
     for (char** variable = environ; *variable != nullptr; ++variable)
         variables.emplace_back(*variable);
-    if (std::getenv("OMP_WAIT_POLICY") == nullptr)
-        variables.emplace_back("OMP_WAIT_POLICY=passive");
+    for (const auto& [name, value] : missingThreadSettings())
+        variables.push_back(name + "=" + value);
     return variables;
 }
 
@@ -97,6 +96,16 @@ protocols::Error told(int exitStatus, const std::string& line, const fs::path& p
 }
 
 }  // namespace
+
+std::vector<std::pair<std::string, std::string>> missingThreadSettings()
+{
+    std::vector<std::pair<std::string, std::string>> missing;
+    if (std::getenv("OMP_WAIT_POLICY") == nullptr && std::getenv("GOMP_SPINCOUNT") == nullptr)
+        missing.emplace_back("GOMP_SPINCOUNT", "10000");  // some ten microseconds
+    if (std::getenv("OPENBLAS_NUM_THREADS") == nullptr)
+        missing.emplace_back("OPENBLAS_NUM_THREADS", "1");
+    return missing;
+}
 
 fs::path generatorProgram()
 {

@@ -3,9 +3,16 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace rendering::models {
+
+/// What libtorch's libraries read from the environment when they load, as name and value, where the user has not chosen
+/// otherwise. OpenMP's threads wait by spinning for milliseconds unless told otherwise, which on a busy machine makes two
+/// threads many times slower than one; without any spinning, waking them takes as long as the small steps of one photograph.
+/// OpenBLAS's own threads would spin beside them and have next to nothing to do.
+std::vector<std::pair<std::string, std::string>> missingThreadSettings();
 
 /// Beside the running executable, or one folder above it (tests); the environment variable VIS2HAP_NN
 /// overrides. Throws environmentFault where it is not there.

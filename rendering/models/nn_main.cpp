@@ -1,6 +1,7 @@
 // vis2hap-nn: the second executable, the only one that loads libtorch. `vis2hap train` and the first
 // generated signal start it; it can be called by hand too.
 #include "protocols/errors.h"
+#include "rendering/models/child_process.h"
 #include "rendering/models/exchange.h"
 #include "rendering/models/inference.h"
 #include "rendering/models/nn_bench.h"
@@ -138,13 +139,15 @@ int failed(const std::string& what, protocols::ExitCode code)
     return static_cast<int>(code);
 }
 
-/// OpenMP's threads wait by spinning unless told otherwise before the library loads, which on a busy
-/// machine makes two threads many times slower than one. So this program starts itself anew, once.
-void waitWithoutSpinning(char** argv)
+/// The libraries have read their environment when main() begins, so where something is missing this program starts itself
+/// anew, once.
+void setUpThreads(char** argv)
 {
-    if (std::getenv("OMP_WAIT_POLICY") != nullptr)
+    const auto missing = models::missingThreadSettings();
+    if (missing.empty())
         return;
-    ::setenv("OMP_WAIT_POLICY", "passive", 1);
+    for (const auto& [name, value] : missing)
+        ::setenv(name.c_str(), value.c_str(), 1);
     std::error_code none;
     const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", none);
     if (!none)
@@ -174,7 +177,7 @@ int run(int argc, char** argv)
 int main(int argc, char** argv)
 {
     using protocols::ExitCode;
-    waitWithoutSpinning(argv);
+    setUpThreads(argv);
     try {
         return run(argc, argv);
     } catch (const protocols::Error& fault) {

@@ -10,6 +10,8 @@
 #include "rendering/models/validation.h"
 #include "rendering/models/weights.h"
 
+#include <malloc.h>
+
 #include <chrono>
 #include <cmath>
 #include <thread>
@@ -57,6 +59,14 @@ std::string fingerprint(const TrainingOptions& options, const TrainingData& data
 }
 
 constexpr int stepsALogRow = 10;
+
+/// Each step needs the same large tensors again; given back to the system and asked for anew, they cost a fifth of the time in
+/// page faults.
+void keepFreedMemory()
+{
+    ::mallopt(M_MMAP_THRESHOLD, 32 << 20);
+    ::mallopt(M_TRIM_THRESHOLD, 1 << 30);
+}
 
 /// Of all its presses.
 std::vector<double> meanRings(const FabricSamples& fabric)
@@ -291,6 +301,7 @@ void train(const fabrics::Dataset& dataset, const TrainingOptions& options, std:
 {
     checkOptions(options);
     requireWritable(options.out);
+    keepFreedMemory();
     torch::set_num_threads(options.threads > 0 ? options.threads : static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
     Run(dataset, options, log, terminal).go();
 }

@@ -1,6 +1,7 @@
 #include "study/commands/generator_peer.h"
 
 #include "protocols/errors.h"
+#include "rendering/models/child_process.h"
 #include "rendering/models/temporary_folder.h"
 #include "study/commands/second_program.h"
 
@@ -62,8 +63,10 @@ Partner::Partner(std::vector<std::string> command, const std::string& libraries)
     posix_spawn_file_actions_adddup2(&actions, to[0], STDIN_FILENO);
     posix_spawn_file_actions_adddup2(&actions, from[1], STDOUT_FILENO);
     posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
-    // Threads that wait by spinning would slow the other partner.
-    std::vector<std::string> surroundings{"OMP_WAIT_POLICY=passive"};
+    // As our program sets itself up; threads that wait by spinning would slow the other partner.
+    std::vector<std::string> surroundings;
+    for (const auto& [name, value] : rendering::models::missingThreadSettings())
+        surroundings.push_back(name + "=" + value);
     if (!libraries.empty())
         surroundings.push_back("LD_LIBRARY_PATH=" + libraries);
     std::vector<char*> variables, words;

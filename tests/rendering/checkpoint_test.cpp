@@ -47,7 +47,8 @@ private:
 private Q_SLOTS:
     void initTestCase()
     {
-        qputenv("OMP_WAIT_POLICY", "passive");
+        for (const auto& [name, value] : models::missingThreadSettings())
+            qputenv(name.c_str(), QByteArray::fromStdString(value));
         fabrics::ProceduralOptions options;
         options.fabrics = 1;
         options.samples = 4;

@@ -81,7 +81,8 @@ private:
 private Q_SLOTS:
     void initTestCase()
     {
-        qputenv("OMP_WAIT_POLICY", "passive");  // else each run starts twice, to set it
+        for (const auto& [name, value] : models::missingThreadSettings())
+            qputenv(name.c_str(), QByteArray::fromStdString(value));  // else each run starts twice, to set it
         fabrics::ProceduralOptions options;
         options.fabrics = 3;
         options.samples = 10;

@@ -85,7 +85,8 @@ cv::Mat settled(const cv::Mat& heightMm, const Pitch& pitch, std::optional<doubl
     cv::Mat height;
     relief.convertTo(height, CV_32F);
     height -= percentile(height, zeroPercentile);
-    return cv::max(height, 0);
+    height.setTo(0, height <= 0);  // a maximum would let -0 pass
+    return height;
 }
 
 cv::Mat heightFromFrame(const cv::Mat& frame, const cv::Mat& reference, const Calibration& calibration,

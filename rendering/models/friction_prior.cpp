@@ -18,6 +18,7 @@ namespace {
 /// Share of the weights added to each square sum: the coefficients of a few fabrics hang together, and slopes would run off.
 constexpr double ridge = 0.01;
 constexpr double leastDeviation = 0.02;
+constexpr double mostDeviations = 2.5;  ///< of a coefficient that counts: beyond lies nothing that was seen
 constexpr double leastBrightness = 5;  ///< grey levels: below it a camera's noise decides
 constexpr double noisePower = 1e-4;    ///< of brightness over its mean: what a dim photograph's rounding to 8 bits leaves
 
@@ -111,12 +112,14 @@ FrictionPrior fitFrictionPrior(std::span<const KnownTexture> textures)
     return prior;
 }
 
-double expectedFriction(const FrictionPrior& prior, const std::vector<double>& coefficients)
+double reachOfRegression(double distance, double usualDistance) { return std::clamp(3 - distance / usualDistance / 2, 0.0, 1.0); }
+
+double expectedFriction(const FrictionPrior& prior, const std::vector<double>& coefficients, double reach)
 {
     double logFriction = prior.logFriction;
     const std::vector<double> point = standardised(prior, coefficients);
     for (std::size_t i = 0; i < coefficientCount; ++i)
-        logFriction += prior.slope[i] * point[i];
+        logFriction += reach * prior.slope[i] * std::clamp(point[i], -mostDeviations, mostDeviations);
     return std::exp(std::clamp(logFriction, prior.lowest, prior.highest));
 }
 

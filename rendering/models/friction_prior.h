@@ -34,8 +34,12 @@ struct FrictionPrior {
 /// Throws badInput for no texture.
 FrictionPrior fitFrictionPrior(std::span<const KnownTexture> textures);
 
-/// Coefficient of friction.
-double expectedFriction(const FrictionPrior& prior, const std::vector<double>& coefficients);
+/// How far a regression carries, 1 to 0: wholly up to four times the usual distance to known photographs, from six times on
+/// not at all.
+double reachOfRegression(double distance, double usualDistance);
+
+/// Coefficient of friction; with less `reach` nearer to the typical one of all fabrics trained on.
+double expectedFriction(const FrictionPrior& prior, const std::vector<double>& coefficients, double reach = 1);
 
 nlohmann::ordered_json frictionPriorJson(const FrictionPrior& prior);
 /// Throws badInput for numbers that cannot be.

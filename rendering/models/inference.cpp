@@ -208,7 +208,8 @@ struct LoadedModel::Parts {
         target.logRatio = cv::Mat(architecture.rows, architecture.frames, CV_32F, logRatio.data_ptr<float>()).clone();
         target.mean = guess.mean.mean().item<float>();
         if (card.frictionByTexture && recognition && recognition->strangeness > 0) {
-            const double expected = expectedFriction(*card.frictionByTexture, textureCoefficients(rgb, architecture.crop));
+            const double reach = reachOfRegression(recognition->distance, card.photographs->threshold);
+            const double expected = expectedFriction(*card.frictionByTexture, textureCoefficients(rgb, architecture.crop), reach);
             target.mean *= static_cast<float>(std::pow(expected / static_cast<double>(target.mean), recognition->strangeness));
         }
         return target;
@@ -229,8 +230,11 @@ GeneratedSignals LoadedModel::generate(const PhotographToTouch& photograph, cons
 {
     const torch::NoGradGuard still;
     const Architecture& architecture = m_parts->architecture;
-    const cv::Mat rgb = photographAtPitch(photograph, architecture.mmPerPixel).rgb;
+    cv::Mat rgb = photographAtPitch(photograph, architecture.mmPerPixel).rgb;
     const std::optional<Recognised> recognition = m_parts->recognise(rgb);
+    // A lamp that the networks have never seen must not pass for the long waves of a fabric.
+    if (recognition && recognition->strangeness > 0)
+        rgb = evenlyLit(rgb);
     GeneratedSignals signals;
     if (recognition) {
         signals.photograph.distance = recognition->distance;

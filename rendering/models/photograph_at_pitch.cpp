@@ -40,6 +40,23 @@ double assumedMmPerPixel(const cv::Mat& rgb, double modelMmPerPixel)
                                                     : modelMmPerPixel;
 }
 
+cv::Mat evenlyLit(const cv::Mat& rgb)
+{
+    // Blurred on a small copy: a falling off has no details.
+    constexpr double sigmaPx = 64, shrink = 8;
+    cv::Mat grey, small, light, lit;
+    cv::cvtColor(rgb, grey, cv::COLOR_RGB2GRAY);
+    const cv::Size size(std::max(1, static_cast<int>(rgb.cols / shrink)), std::max(1, static_cast<int>(rgb.rows / shrink)));
+    cv::resize(grey, small, size, 0, 0, cv::INTER_AREA);
+    small.convertTo(small, CV_32F);
+    cv::GaussianBlur(small, small, {}, sigmaPx / shrink);
+    cv::resize(cv::max(small, 1), light, rgb.size(), 0, 0, cv::INTER_CUBIC);
+    cv::Mat share = cv::mean(grey)[0] / cv::max(light, 1), shares;
+    cv::merge(std::vector<cv::Mat>{share, share, share}, shares);
+    cv::multiply(rgb, shares, lit, 1, CV_8U);
+    return lit;
+}
+
 SeenPhotograph photographAtPitch(const PhotographToTouch& photograph, double mmPerPixel)
 {
     const double factor = photograph.mmPerPixel.value_or(mmPerPixel) / mmPerPixel;

@@ -72,6 +72,20 @@ private Q_SLOTS:
         }
     }
 
+    void beyondAllKnownThingsTheTypicalFrictionIsExpected()
+    {
+        QCOMPARE(reachOfRegression(3.9, 1), 1.0);
+        QVERIFY(std::abs(reachOfRegression(10, 2) - 0.5) < 1e-12);
+        QCOMPARE(reachOfRegression(7, 1), 0.0);
+        const FrictionPrior prior = learnt();
+        const std::vector<double> smooth = textureCoefficients(cloth(5, 0.06, 11), side);
+        const double typical = std::exp(prior.logFriction);
+        QVERIFY(expectedFriction(prior, smooth) < 0.9 * typical);
+        QVERIFY(std::abs(expectedFriction(prior, smooth, 0) - typical) < 1e-12);
+        const double half = expectedFriction(prior, smooth, 0.5);
+        QVERIFY(half > expectedFriction(prior, smooth) && half < typical);
+    }
+
     void brightnessOfTheLampDoesNotCount()
     {
         const std::vector<double> bright = textureCoefficients(cloth(6, 0.1, 4), side);

@@ -288,6 +288,27 @@ private Q_SLOTS:
         QVERIFY2(memory < 0.8 * half && half < 0.8 * network, qPrintable(QString("%1 %2 %3").arg(memory).arg(half).arg(network)));
     }
 
+    void fallingOffOfALampIsDividedOut()
+    {
+        cv::Mat even(400, 600, CV_8UC3), lamp(400, 600, CV_8UC3);
+        cv::theRNG().state = 3;
+        cv::randu(even, 90, 150);
+        for (int row = 0; row < lamp.rows; ++row)
+            for (int column = 0; column < lamp.cols; ++column)
+                for (int channel = 0; channel < 3; ++channel)
+                    lamp.at<cv::Vec3b>(row, column)[channel] = cv::saturate_cast<uchar>(
+                        even.at<cv::Vec3b>(row, column)[channel] * (1.2 - 0.8 * std::hypot(column - 300.0, row - 200.0) / 360));
+        const auto edgeOverMiddle = [](const cv::Mat& rgb) {
+            return cv::mean(rgb({0, 0, 100, 100}))[1] / cv::mean(rgb({250, 150, 100, 100}))[1];
+        };
+        QVERIFY(edgeOverMiddle(lamp) < 0.6);
+        const cv::Mat lit = models::evenlyLit(lamp);
+        QVERIFY2(edgeOverMiddle(lit) > 0.75 && edgeOverMiddle(lit) < 1.1, qPrintable(QString::number(edgeOverMiddle(lit))));
+        QVERIFY(std::abs(cv::mean(lit)[0] / cv::mean(lamp)[0] - 1) < 0.1);
+        cv::absdiff(models::evenlyLit(even), even, even);
+        QVERIFY(cv::mean(even)[0] < 3);
+    }
+
     void unknownThingsAreSeenAtTheModelsPitch()
     {
         // The same cloth, photographed twice as finely, is as familiar once its pitch is told.

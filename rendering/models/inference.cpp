@@ -92,7 +92,7 @@ int marginOf(const cv::Size& photograph, Quality quality)
 int iterationsOf(Quality quality)
 {
     switch (quality) {
-    // A quarter of balanced's: the mean is exact all the same, the texture's magnitudes within its own scatter.
+    // A quarter of balanced's: the mean is exact all the same; what the texture loses is not measured apart.
     case Quality::Fast: return 8;
     case Quality::Balanced: return signals::GriffinLimOptions::of(signals::InversionQuality::Fast).iterations;
     case Quality::Accurate: return signals::GriffinLimOptions::of(signals::InversionQuality::Accurate).iterations;

@@ -60,8 +60,7 @@ std::string fingerprint(const TrainingOptions& options, const TrainingData& data
 
 constexpr int stepsALogRow = 10;
 
-/// Each step needs the same large tensors again; given back to the system and asked for anew, they cost a fifth of the time in
-/// page faults.
+/// Each step needs the same large tensors again; given back to the system and asked for anew, every page of them is a fault.
 void keepFreedMemory()
 {
     ::mallopt(M_MMAP_THRESHOLD, 32 << 20);

@@ -6,7 +6,7 @@
 
 #include "database/event_chain.h"
 #include "database/store_connection.h"
-#include "protocols/sha256.h"
+#include "protocols/files/sha256.h"
 #include "database/study_store.h"
 
 namespace database {

@@ -3,7 +3,7 @@
 #include "database/event_chain.h"
 #include "database/schema.h"
 #include "database/store_connection.h"
-#include "protocols/errors.h"
+#include "protocols/files/errors.h"
 
 namespace database {
 

@@ -2,7 +2,7 @@
 
 #include <QSqlRecord>
 
-#include "protocols/sha256.h"
+#include "protocols/files/sha256.h"
 
 namespace database {
 

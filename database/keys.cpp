@@ -9,8 +9,8 @@
 #include <fstream>
 #include <iterator>
 
-#include "protocols/errors.h"
-#include "protocols/sha256.h"
+#include "protocols/files/errors.h"
+#include "protocols/files/sha256.h"
 
 namespace database {
 

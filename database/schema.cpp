@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "protocols/errors.h"
+#include "protocols/files/errors.h"
 
 namespace database {
 

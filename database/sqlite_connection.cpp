@@ -4,7 +4,7 @@
 #include <atomic>
 #include <system_error>
 
-#include "protocols/errors.h"
+#include "protocols/files/errors.h"
 
 namespace database {
 

@@ -5,8 +5,8 @@
 #include "database/event_chain.h"
 #include "database/store_connection.h"
 #include "database/study_store.h"
-#include "protocols/errors.h"
-#include "protocols/sha256.h"
+#include "protocols/files/errors.h"
+#include "protocols/files/sha256.h"
 
 namespace database {
 

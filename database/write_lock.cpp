@@ -9,7 +9,7 @@
 #include <cstring>
 #include <string>
 
-#include "protocols/errors.h"
+#include "protocols/files/errors.h"
 
 namespace database {
 

@@ -1,6 +1,6 @@
 #include "protocols/condition.h"
 
-#include "protocols/errors.h"
+#include "protocols/files/errors.h"
 
 #include <algorithm>
 #include <array>

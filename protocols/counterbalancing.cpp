@@ -1,6 +1,6 @@
 #include "protocols/counterbalancing.h"
 
-#include "protocols/errors.h"
+#include "protocols/files/errors.h"
 #include "protocols/extra_trials.h"
 #include "protocols/running_orders.h"
 #include "protocols/trays.h"

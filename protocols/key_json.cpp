@@ -1,8 +1,8 @@
 // The texts of the two keys (allocation.h).
 #include "protocols/allocation.h"
 #include "protocols/condition.h"
-#include "protocols/errors.h"
-#include "protocols/strict_json.h"
+#include "protocols/files/errors.h"
+#include "protocols/files/strict_json.h"
 
 #include <map>
 #include <set>

@@ -1,10 +1,10 @@
 #include "protocols/protocol_json.h"
 
 #include "protocols/condition.h"
-#include "protocols/errors.h"
+#include "protocols/files/errors.h"
 #include "protocols/protocol_schema.h"
 #include "protocols/shipped_texts.h"
-#include "protocols/strict_json.h"
+#include "protocols/files/strict_json.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "protocols/random.h"
 
-#include "protocols/errors.h"
+#include "protocols/files/errors.h"
 
 #include <sys/random.h>
 

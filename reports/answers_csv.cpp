@@ -5,7 +5,7 @@
 #include <set>
 
 #include "protocols/condition.h"
-#include "protocols/errors.h"
+#include "protocols/files/errors.h"
 #include "reports/csv_table.h"
 
 namespace reports {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "protocols/errors.h"
-#include "stats/decimal_grid.h"
+#include "protocols/files/errors.h"
+#include "stats/kernels/decimal_grid.h"
 
 namespace reports {
 namespace {

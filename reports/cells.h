@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "reports/study_data.h"
-#include "stats/block_table.h"
-#include "stats/value.h"
+#include "stats/kernels/block_table.h"
+#include "stats/kernels/value.h"
 
 namespace reports {
 

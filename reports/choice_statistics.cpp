@@ -3,12 +3,12 @@
 
 #include "reports/analysis.h"
 #include "reports/statistic_parts.h"
-#include "stats/binomial.h"
-#include "stats/forced_choice.h"
-#include "stats/decimal_grid.h"
-#include "stats/multiplicity.h"
-#include "stats/rank_tests.h"
-#include "stats/t_tests.h"
+#include "stats/tests/binomial.h"
+#include "stats/tests/forced_choice.h"
+#include "stats/kernels/decimal_grid.h"
+#include "stats/tests/multiplicity.h"
+#include "stats/tests/rank_tests.h"
+#include "stats/tests/t_tests.h"
 
 namespace reports {
 namespace {

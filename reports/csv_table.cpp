@@ -7,7 +7,7 @@
 #include <set>
 #include <sstream>
 
-#include "protocols/errors.h"
+#include "protocols/files/errors.h"
 
 namespace reports {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "reports/statistic_parts.h"
-#include "stats/crossed_study.h"
+#include "stats/models/crossed_study.h"
 
 namespace reports {
 namespace {

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "stats/value.h"
+#include "stats/kernels/value.h"
 
 namespace reports {
 

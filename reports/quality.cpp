@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <map>
 
-#include "stats/binomial.h"
-#include "stats/decimal_grid.h"
+#include "stats/tests/binomial.h"
+#include "stats/kernels/decimal_grid.h"
 
 namespace reports {
 namespace {

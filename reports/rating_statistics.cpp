@@ -3,12 +3,12 @@
 #include <set>
 
 #include "reports/statistic_parts.h"
-#include "stats/decimal_grid.h"
-#include "stats/equivalence.h"
-#include "stats/multiplicity.h"
-#include "stats/rank_tests.h"
-#include "stats/repeated_measures.h"
-#include "stats/t_tests.h"
+#include "stats/kernels/decimal_grid.h"
+#include "stats/tests/equivalence.h"
+#include "stats/tests/multiplicity.h"
+#include "stats/tests/rank_tests.h"
+#include "stats/tests/repeated_measures.h"
+#include "stats/tests/t_tests.h"
 
 namespace reports {
 namespace {

@@ -1,7 +1,7 @@
 #include "reports/result_tables.h"
 
 #include "reports/report.h"
-#include "stats/measured_size.h"
+#include "stats/power/measured_size.h"
 
 namespace reports {
 namespace {

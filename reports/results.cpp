@@ -7,13 +7,13 @@
 #include "reports/numbers.h"
 #include "reports/quality.h"
 #include "reports/report.h"
-#include "stats/binomial.h"
-#include "stats/decimal_grid.h"
-#include "stats/descriptive.h"
-#include "stats/equivalence.h"
-#include "stats/multiplicity.h"
-#include "stats/speed_accuracy.h"
-#include "stats/t_tests.h"
+#include "stats/tests/binomial.h"
+#include "stats/kernels/decimal_grid.h"
+#include "stats/kernels/descriptive.h"
+#include "stats/tests/equivalence.h"
+#include "stats/tests/multiplicity.h"
+#include "stats/tests/speed_accuracy.h"
+#include "stats/tests/t_tests.h"
 
 namespace reports {
 namespace {

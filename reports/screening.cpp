@@ -5,7 +5,7 @@
 #include <set>
 
 #include "reports/quality.h"
-#include "stats/decimal_grid.h"
+#include "stats/kernels/decimal_grid.h"
 
 namespace reports {
 namespace {

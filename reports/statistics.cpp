@@ -5,7 +5,7 @@
 #include "reports/report.h"
 #include "reports/screening.h"
 #include "reports/statistic_parts.h"
-#include "stats/speed_accuracy.h"
+#include "stats/tests/speed_accuracy.h"
 
 namespace reports {
 namespace {

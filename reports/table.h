@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "stats/value.h"
+#include "stats/kernels/value.h"
 
 namespace reports {
 

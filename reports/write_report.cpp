@@ -5,7 +5,7 @@
 #include <fstream>
 #include <system_error>
 
-#include "protocols/errors.h"
+#include "protocols/files/errors.h"
 #include "reports/figures.h"
 #include "reports/page.h"
 #include "reports/report.h"

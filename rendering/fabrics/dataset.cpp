@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <charconv>
 
-#include "protocols/errors.h"
-#include "protocols/sha256.h"
+#include "protocols/files/errors.h"
+#include "protocols/files/sha256.h"
 #include "rendering/fabrics/dataset_json.h"
-#include "rendering/image_io.h"
-#include "rendering/whole_file.h"
+#include "rendering/images/image_io.h"
+#include "protocols/files/whole_file.h"
 
 namespace rendering::fabrics {
 

@@ -7,12 +7,12 @@
 #include <set>
 #include <tuple>
 
-#include "protocols/errors.h"
-#include "protocols/strict_json.h"
+#include "protocols/files/errors.h"
+#include "protocols/files/strict_json.h"
 #include "rendering/fabrics/dataset.h"
 #include "rendering/fabrics/dataset_json.h"
-#include "rendering/image_io.h"
-#include "rendering/whole_file.h"
+#include "rendering/images/image_io.h"
+#include "protocols/files/whole_file.h"
 
 namespace rendering::fabrics {
 

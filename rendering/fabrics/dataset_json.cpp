@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "protocols/errors.h"
-#include "protocols/strict_json.h"
+#include "protocols/files/errors.h"
+#include "protocols/files/strict_json.h"
 
 namespace rendering::fabrics {
 

@@ -1,6 +1,6 @@
 #include "rendering/models/child_process.h"
 
-#include "protocols/errors.h"
+#include "protocols/files/errors.h"
 
 #include <fcntl.h>
 #include <spawn.h>

@@ -1,8 +1,8 @@
 #include "rendering/models/exchange.h"
 
-#include "protocols/errors.h"
-#include "rendering/image_io.h"
-#include "rendering/whole_file.h"
+#include "protocols/files/errors.h"
+#include "rendering/images/image_io.h"
+#include "protocols/files/whole_file.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,6 +1,6 @@
 #include "rendering/models/familiarity.h"
 
-#include "protocols/errors.h"
+#include "protocols/files/errors.h"
 #include "rendering/models/photograph_features.h"
 #include "rendering/models/ring_spectrum.h"
 

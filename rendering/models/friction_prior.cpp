@@ -1,6 +1,6 @@
 #include "rendering/models/friction_prior.h"
 
-#include "protocols/errors.h"
+#include "protocols/files/errors.h"
 #include "rendering/models/ring_spectrum.h"
 
 #include <opencv2/core.hpp>

@@ -1,6 +1,6 @@
 #include "rendering/models/generation.h"
 
-#include "protocols/errors.h"
+#include "protocols/files/errors.h"
 #include "rendering/models/child_process.h"
 #include "rendering/models/exchange.h"
 #include "rendering/models/model_card.h"

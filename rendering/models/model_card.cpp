@@ -1,7 +1,7 @@
 #include "rendering/models/model_card.h"
 
-#include "protocols/errors.h"
-#include "protocols/sha256.h"
+#include "protocols/files/errors.h"
+#include "protocols/files/sha256.h"
 
 #include <fcntl.h>
 #include <unistd.h>

@@ -1,6 +1,6 @@
 #include "rendering/models/photograph_features.h"
 
-#include "protocols/errors.h"
+#include "protocols/files/errors.h"
 
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>

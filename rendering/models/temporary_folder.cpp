@@ -1,6 +1,6 @@
 #include "rendering/models/temporary_folder.h"
 
-#include "protocols/errors.h"
+#include "protocols/files/errors.h"
 
 #include <cerrno>
 #include <cstdlib>

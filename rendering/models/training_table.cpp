@@ -1,7 +1,7 @@
 #include "rendering/models/training_table.h"
 
-#include "protocols/errors.h"
-#include "rendering/whole_file.h"
+#include "protocols/files/errors.h"
+#include "protocols/files/whole_file.h"
 
 #include <algorithm>
 #include <charconv>

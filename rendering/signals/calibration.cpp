@@ -1,6 +1,6 @@
 #include "rendering/signals/calibration.h"
 
-#include "protocols/errors.h"
+#include "protocols/files/errors.h"
 
 #include <nlohmann/json.hpp>
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "protocols/errors.h"
+#include "protocols/files/errors.h"
 
 namespace rendering::signals {
 

@@ -3,7 +3,7 @@
 #include <opencv2/core.hpp>
 #include <string>
 
-#include "protocols/errors.h"
+#include "protocols/files/errors.h"
 
 namespace rendering::signals {
 

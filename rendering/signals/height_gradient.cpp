@@ -4,7 +4,7 @@
 #include <cmath>
 #include <opencv2/core.hpp>
 
-#include "protocols/errors.h"
+#include "protocols/files/errors.h"
 
 namespace rendering::signals {
 

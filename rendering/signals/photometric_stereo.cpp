@@ -1,6 +1,6 @@
 #include "rendering/signals/photometric_stereo.h"
 
-#include "protocols/errors.h"
+#include "protocols/files/errors.h"
 
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>

@@ -1,5 +1,5 @@
 // locate(): the circles of all presses and the light's model, in turn (a bundle adjustment).
-#include "protocols/errors.h"
+#include "protocols/files/errors.h"
 #include "rendering/signals/ball_presses.h"
 
 #include <opencv2/core.hpp>

@@ -1,6 +1,6 @@
 #include "rendering/signals/roughness.h"
 
-#include "protocols/errors.h"
+#include "protocols/files/errors.h"
 
 #include <opencv2/core.hpp>
 

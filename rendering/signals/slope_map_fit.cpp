@@ -1,6 +1,6 @@
 // fitSlopeMap: linear and polynomial maps by ridge least squares, the network by resilient propagation (Igel & Huesken
 // 2000, iRprop-), which needs no step size.
-#include "protocols/errors.h"
+#include "protocols/files/errors.h"
 #include "protocols/random.h"
 #include "rendering/signals/slope_map.h"
 

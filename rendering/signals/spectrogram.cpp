@@ -7,7 +7,7 @@
 #include <opencv2/core.hpp>
 #include <string>
 
-#include "protocols/errors.h"
+#include "protocols/files/errors.h"
 #include "protocols/random.h"
 
 namespace rendering::signals {

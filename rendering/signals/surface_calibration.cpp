@@ -1,6 +1,6 @@
 #include "rendering/signals/surface_calibration.h"
 
-#include "protocols/errors.h"
+#include "protocols/files/errors.h"
 #include "rendering/signals/photometric_stereo.h"
 
 #include <opencv2/core.hpp>

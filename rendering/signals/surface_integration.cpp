@@ -1,6 +1,6 @@
 #include "rendering/signals/surface_integration.h"
 
-#include "protocols/errors.h"
+#include "protocols/files/errors.h"
 #include "rendering/signals/cosine_transform.h"
 #include "rendering/signals/slope_differences.h"
 

@@ -1,8 +1,8 @@
 #include "study/app/app.h"
 
 #include "study/app/main_window.h"
-#include "study/app/monitor_window.h"
-#include "study/app/start_page.h"
+#include "study/app/pages/monitor_window.h"
+#include "study/app/pages/start_page.h"
 
 #include <QApplication>
 

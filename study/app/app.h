@@ -1,7 +1,7 @@
 // The window program: one call for main. A QApplication must exist.
 #pragma once
 
-#include "study/app/app_options.h"
+#include "study/app/state/app_options.h"
 
 namespace study::app {
 

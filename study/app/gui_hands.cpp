@@ -1,7 +1,7 @@
 #include "study/app/gui_hands.h"
 
 #include "study/app/gui_movements.h"
-#include "study/app/session_page.h"
+#include "study/app/pages/session_page.h"
 
 #include <QApplication>
 #include <QKeyEvent>

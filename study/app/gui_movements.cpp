@@ -1,8 +1,8 @@
 #include "study/app/gui_movements.h"
 
-#include "study/app/answer_form.h"
-#include "study/app/rating_text.h"
-#include "study/app/stage_page.h"
+#include "study/app/state/answer_form.h"
+#include "study/app/state/rating_text.h"
+#include "study/app/pages/stage_page.h"
 
 #include <QCheckBox>
 

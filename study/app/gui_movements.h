@@ -1,7 +1,7 @@
 // The movements of the hands that lead to each kind of event in the window.
 #pragma once
 
-#include "protocols/errors.h"
+#include "protocols/files/errors.h"
 #include "study/app/gui_hands.h"
 
 namespace study::app {

@@ -1,13 +1,13 @@
 #include "study/app/main_window.h"
 
-#include "protocols/errors.h"
-#include "study/app/data_page.h"
-#include "study/app/new_study_page.h"
-#include "study/app/pieces.h"
-#include "study/app/recent_studies.h"
-#include "study/app/session_page.h"
-#include "study/app/start_page.h"
-#include "study/app/study_page.h"
+#include "protocols/files/errors.h"
+#include "study/app/pages/data_page.h"
+#include "study/app/pages/new_study_page.h"
+#include "study/app/pieces/pieces.h"
+#include "study/app/state/recent_studies.h"
+#include "study/app/pages/session_page.h"
+#include "study/app/pages/start_page.h"
+#include "study/app/pages/study_page.h"
 
 #include <QCloseEvent>
 #include <QKeyEvent>

@@ -2,10 +2,10 @@
 // looks. It decides nothing about a session; it joins pages to the controller.
 #pragma once
 
-#include "study/app/app_options.h"
-#include "study/app/looks.h"
-#include "study/app/open_study.h"
-#include "study/app/session_controller.h"
+#include "study/app/state/app_options.h"
+#include "study/app/pieces/looks.h"
+#include "study/app/state/open_study.h"
+#include "study/app/state/session_controller.h"
 
 #include <QWidget>
 

@@ -3,8 +3,8 @@
 #include <memory>
 #include <set>
 
-#include "protocols/errors.h"
-#include "study/commands/analyse.h"
+#include "protocols/files/errors.h"
+#include "study/analyse/analyse.h"
 #include "study/commands/command_line.h"
 #include "study/commands/json_output.h"
 

@@ -1,12 +1,12 @@
 // vis2hap [STUDY]: the app; vis2hap --monitor STUDY: the live monitor.
-#include "protocols/errors.h"
+#include "protocols/files/errors.h"
 #include "reports/cells.h"
 #include "reports/quality.h"
 #include "study/app/app.h"
 #include "study/commands/command_line.h"
 #include "study/commands/look_at_data.h"
-#include "study/commands/new_study.h"
-#include "study/commands/stored_study.h"
+#include "study/making/new_study.h"
+#include "study/records/stored_study.h"
 
 #include <CLI/CLI.hpp>
 

@@ -1,15 +1,15 @@
 // vis2hap bench: speed and error of every stage that has a fast and an accurate way.
-#include "protocols/errors.h"
-#include "rendering/bench.h"
-#include "rendering/bench_recordings.h"
-#include "study/commands/bench_session.h"
-#include "study/commands/bench_statistics.h"
+#include "protocols/files/errors.h"
+#include "study/bench/bench.h"
+#include "study/bench/bench_recordings.h"
+#include "study/bench/bench_session.h"
+#include "study/bench/bench_statistics.h"
 #include "study/commands/command_line.h"
-#include "study/commands/generator_peer.h"
+#include "study/bench/generator_peer.h"
 #include "study/commands/json_output.h"
-#include "study/commands/peer_programs.h"
-#include "study/commands/picture_decoder.h"
-#include "study/commands/second_program.h"
+#include "study/bench/peer_programs.h"
+#include "study/looking/picture_decoder.h"
+#include "rendering/models/second_program.h"
 
 #include <CLI/CLI.hpp>
 

@@ -1,14 +1,14 @@
 // vis2hap calibrate PRESSES --ball-radius MM --mm-per-pixel X --out FILE, or FRAME... --surface HEIGHT --out FILE
-#include "protocols/errors.h"
-#include "rendering/calibration_report.h"
-#include "rendering/image_io.h"
-#include "rendering/press_folder.h"
+#include "protocols/files/errors.h"
+#include "study/looking/calibration_report.h"
+#include "rendering/images/image_io.h"
+#include "rendering/signals/press_folder.h"
 #include "rendering/signals/surface_calibration.h"
-#include "rendering/true_map.h"
+#include "rendering/images/true_map.h"
 #include "study/commands/command_line.h"
 #include "study/commands/json_output.h"
 #include "study/commands/number_checks.h"
-#include "study/commands/picture_decoder.h"
+#include "study/looking/picture_decoder.h"
 
 #include <CLI/CLI.hpp>
 #include <opencv2/core.hpp>

@@ -1,7 +1,7 @@
 #include "study/commands/csv_column.h"
 
-#include "protocols/errors.h"
-#include "rendering/fabrics/csv_table.h"
+#include "protocols/files/errors.h"
+#include "protocols/files/csv_table.h"
 
 #include <cmath>
 #include <limits>

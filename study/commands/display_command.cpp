@@ -1,6 +1,6 @@
 // vis2hap display check SPEC
-#include "protocols/errors.h"
-#include "rendering/display_check.h"
+#include "protocols/files/errors.h"
+#include "rendering/display/display_check.h"
 #include "study/commands/command_line.h"
 #include "study/commands/number_checks.h"
 

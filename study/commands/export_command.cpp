@@ -1,9 +1,9 @@
 // vis2hap export STUDY --out DIR [--format csv|json|script]
-#include "protocols/errors.h"
+#include "protocols/files/errors.h"
 #include "study/commands/command_line.h"
 #include "study/commands/json_output.h"
-#include "study/commands/session_script.h"
-#include "study/commands/stored_study.h"
+#include "study/players/session_script.h"
+#include "study/records/stored_study.h"
 
 #include <CLI/CLI.hpp>
 

@@ -1,7 +1,7 @@
 // vis2hap fabrics make|check
-#include "protocols/errors.h"
+#include "protocols/files/errors.h"
 #include "rendering/fabrics/dataset_check.h"
-#include "rendering/fabrics/procedural_fabrics.h"
+#include "rendering/fabrics/procedural/procedural_fabrics.h"
 #include "study/commands/command_line.h"
 #include "study/commands/progress.h"
 

@@ -1,12 +1,12 @@
 // vis2hap height FRAME... --calibration FILE | --gradients GX GY | --normals IMAGE, --out DIR
-#include "protocols/errors.h"
-#include "rendering/image_io.h"
-#include "rendering/press_folder.h"
+#include "protocols/files/errors.h"
+#include "rendering/images/image_io.h"
+#include "rendering/signals/press_folder.h"
 #include "rendering/signals/photometric_stereo.h"
 #include "study/commands/command_line.h"
 #include "study/commands/json_output.h"
 #include "study/commands/number_checks.h"
-#include "study/commands/picture_decoder.h"
+#include "study/looking/picture_decoder.h"
 
 #include <CLI/CLI.hpp>
 #include <opencv2/core.hpp>

@@ -1,15 +1,15 @@
 // vis2hap import KIND FROM... --out DIR [--fabric ID]; friction records: [--normal COLUMN] [--tangential COLUMNS]
 // [--force-unit UNIT] [--zero WHEN] [--trim WHEN] [--rate HZ] [--plots DIR]
-#include "protocols/errors.h"
-#include "rendering/fabrics/import.h"
-#include "rendering/image_io.h"
+#include "protocols/files/errors.h"
+#include "rendering/fabrics/recordings/import.h"
+#include "rendering/images/image_io.h"
 #include "rendering/signals/calibration.h"
 #include "rendering/signals/friction_trace.h"
-#include "rendering/spectrogram_file.h"
+#include "rendering/signals/spectrogram_file.h"
 #include "study/commands/command_line.h"
 #include "study/commands/number_checks.h"
 #include "study/commands/json_output.h"
-#include "study/commands/picture_decoder.h"
+#include "study/looking/picture_decoder.h"
 
 #include <CLI/CLI.hpp>
 

@@ -1,6 +1,6 @@
 #include "study/commands/json_output.h"
 
-#include "protocols/errors.h"
+#include "protocols/files/errors.h"
 
 #include <CLI/CLI.hpp>
 

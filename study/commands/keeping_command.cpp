@@ -1,8 +1,8 @@
 // vis2hap erase STUDY --participant ID, and vis2hap backup STUDY --out FILE
 #include "database/study_store.h"
-#include "protocols/errors.h"
+#include "protocols/files/errors.h"
 #include "study/commands/command_line.h"
-#include "study/commands/stored_study.h"
+#include "study/records/stored_study.h"
 
 #include <CLI/CLI.hpp>
 #include <QProcess>

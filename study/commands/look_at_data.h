@@ -1,7 +1,7 @@
 // What the app's page for looking at a data set is fed from.
 #pragma once
 
-#include "study/app/data_look.h"
+#include "study/app/state/data_look.h"
 
 namespace study::commands {
 

@@ -1,6 +1,6 @@
 // The program `vis2hap`: understands the command line, makes the surroundings that the command needs,
 // runs it, and turns every fault into one line and an exit code.
-#include "protocols/errors.h"
+#include "protocols/files/errors.h"
 #include "study/commands/command_line.h"
 
 #include <CLI/CLI.hpp>

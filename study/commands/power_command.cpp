@@ -1,8 +1,8 @@
 // vis2hap power: what a planned study can and cannot detect, before anyone is tested; with --calibrate,
 // how often each test of the report rejects when there is nothing to find.
 #include "protocols/protocol_json.h"
-#include "stats/calibration.h"
-#include "stats/power_plan.h"
+#include "stats/power/calibration.h"
+#include "stats/power/power_plan.h"
 #include "study/commands/command_line.h"
 #include "study/commands/json_output.h"
 #include "study/commands/power_tables.h"

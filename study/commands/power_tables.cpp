@@ -1,6 +1,6 @@
 #include "study/commands/power_tables.h"
 
-#include "study/commands/statistic_json.h"
+#include "study/analyse/statistic_json.h"
 
 #include <cmath>
 #include <cstdio>

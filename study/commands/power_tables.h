@@ -1,8 +1,8 @@
 // What `vis2hap power` says, as text and as JSON.
 #pragma once
 
-#include "stats/calibration.h"
-#include "stats/power_plan.h"
+#include "stats/power/calibration.h"
+#include "stats/power/power_plan.h"
 
 #include <nlohmann/json.hpp>
 

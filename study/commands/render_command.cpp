@@ -1,14 +1,14 @@
 // vis2hap render DATASET --fabric ID|all --condition ID|all --out DIR
-#include "protocols/errors.h"
-#include "rendering/earlier_render.h"
-#include "rendering/fabrics/csv_table.h"
-#include "rendering/image_io.h"
+#include "protocols/files/errors.h"
+#include "rendering/composition/earlier_render.h"
+#include "protocols/files/csv_table.h"
+#include "rendering/images/image_io.h"
 #include "rendering/models/exchange.h"
-#include "rendering/render_fabrics.h"
+#include "rendering/composition/render_fabrics.h"
 #include "study/commands/command_line.h"
 #include "study/commands/json_output.h"
 #include "study/commands/progress.h"
-#include "study/commands/render_sheet.h"
+#include "study/looking/render_sheet.h"
 
 #include <CLI/CLI.hpp>
 

@@ -1,16 +1,16 @@
 // vis2hap replay STUDY SCRIPT... [--gui]: scripted participants through the session engine, or through
 // the window's own widgets.
 #include "database/keys.h"
-#include "protocols/errors.h"
-#include "rendering/display.h"
-#include "rendering/stimulus_bank.h"
+#include "protocols/files/errors.h"
+#include "rendering/display/display.h"
+#include "rendering/display/stimulus_bank.h"
 #include "study/app/gui_hands.h"
 #include "study/app/main_window.h"
 #include "study/commands/command_line.h"
 #include "study/commands/json_output.h"
 #include "study/commands/progress.h"
-#include "study/commands/scripted_participant.h"
-#include "study/commands/stored_study.h"
+#include "study/players/scripted_participant.h"
+#include "study/records/stored_study.h"
 
 #include <CLI/CLI.hpp>
 

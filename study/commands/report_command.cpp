@@ -1,12 +1,12 @@
 // vis2hap report STUDY --out DIR, and report --from ANSWERS.csv --out DIR
-#include "protocols/errors.h"
+#include "protocols/files/errors.h"
 #include "protocols/protocol_json.h"
-#include "protocols/sha256.h"
+#include "protocols/files/sha256.h"
 #include "reports/answers_csv.h"
 #include "reports/report.h"
 #include "study/commands/command_line.h"
 #include "study/commands/json_output.h"
-#include "study/commands/stored_study.h"
+#include "study/records/stored_study.h"
 
 #include <CLI/CLI.hpp>
 

@@ -1,15 +1,15 @@
 // vis2hap simulate STUDY: simulated participants feel the friction images and answer through the
 // session engine, like everybody else.
 #include "database/keys.h"
-#include "protocols/errors.h"
-#include "protocols/sha256.h"
-#include "rendering/display.h"
-#include "rendering/stimulus_bank.h"
+#include "protocols/files/errors.h"
+#include "protocols/files/sha256.h"
+#include "rendering/display/display.h"
+#include "rendering/display/stimulus_bank.h"
 #include "study/commands/command_line.h"
-#include "study/commands/expected_touch.h"
+#include "study/players/expected_touch.h"
 #include "study/commands/progress.h"
-#include "study/commands/simulated_participant.h"
-#include "study/commands/stored_study.h"
+#include "study/players/simulated_participant.h"
+#include "study/records/stored_study.h"
 
 #include <CLI/CLI.hpp>
 

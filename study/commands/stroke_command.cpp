@@ -1,7 +1,7 @@
 // vis2hap stroke IMAGE --csv FILE
-#include "protocols/errors.h"
-#include "rendering/image_io.h"
-#include "rendering/stroke.h"
+#include "protocols/files/errors.h"
+#include "rendering/images/image_io.h"
+#include "rendering/display/stroke.h"
 #include "study/commands/command_line.h"
 #include "study/commands/json_output.h"
 #include "study/looking/open_study.h"

@@ -1,16 +1,16 @@
 // vis2hap study new|status|plan|amend|sheets
 #include "database/study_store.h"
 #include "protocols/counterbalancing.h"
-#include "protocols/errors.h"
+#include "protocols/files/errors.h"
 #include "protocols/protocol_json.h"
-#include "protocols/sha256.h"
+#include "protocols/files/sha256.h"
 #include "study/commands/command_line.h"
 #include "study/commands/json_output.h"
-#include "study/commands/new_study.h"
+#include "study/making/new_study.h"
 #include "study/commands/progress.h"
-#include "study/commands/stored_study.h"
-#include "study/commands/study_sheets.h"
-#include "study/commands/study_status.h"
+#include "study/records/stored_study.h"
+#include "study/making/study_sheets.h"
+#include "study/records/study_status.h"
 
 #include <CLI/CLI.hpp>
 

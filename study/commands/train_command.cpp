@@ -1,6 +1,6 @@
 // vis2hap train DATASET --out MODEL ...: the second program does the work; the options are its own.
 #include "study/commands/command_line.h"
-#include "study/commands/second_program.h"
+#include "rendering/models/second_program.h"
 
 #include <CLI/CLI.hpp>
 

@@ -1,11 +1,11 @@
 // vis2hap verify STUDY, and vis2hap unblind STUDY --who NAME --why TEXT
 #include "database/keys.h"
-#include "protocols/errors.h"
-#include "protocols/sha256.h"
-#include "rendering/stimulus_bank.h"
+#include "protocols/files/errors.h"
+#include "protocols/files/sha256.h"
+#include "rendering/display/stimulus_bank.h"
 #include "study/commands/command_line.h"
 #include "study/commands/json_output.h"
-#include "study/commands/stored_study.h"
+#include "study/records/stored_study.h"
 #include "study/session/clock.h"
 
 #include <CLI/CLI.hpp>

@@ -1,9 +1,9 @@
 // vis2hap view FILE… --out PNG
-#include "protocols/errors.h"
+#include "protocols/files/errors.h"
 #include "study/commands/command_line.h"
 #include "study/commands/number_checks.h"
 #include "study/commands/json_output.h"
-#include "study/commands/picture_decoder.h"
+#include "study/looking/picture_decoder.h"
 #include "study/looking/read_signal.h"
 #include "study/looking/sheet.h"
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "protocols/errors.h"
+#include "protocols/files/errors.h"
 #include "rendering/models/model_card.h"
 #include "study/evaluation/speaking.h"
 #include "study/evaluation/summary.h"

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "rendering/models/generation.h"
-#include "stats/equivalence.h"
+#include "stats/tests/equivalence.h"
 #include "study/evaluation/measures.h"
 #include "study/evaluation/test_plan.h"
 

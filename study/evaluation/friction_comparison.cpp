@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "stats/spectrum_distance.h"
-#include "stats/trace_error.h"
+#include "stats/metrics/spectrum_distance.h"
+#include "stats/metrics/trace_error.h"
 
 namespace study::evaluation {
 

@@ -6,7 +6,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "rendering/signals/roughness.h"
-#include "stats/image_metrics.h"
+#include "stats/metrics/image_metrics.h"
 
 namespace study::evaluation {
 

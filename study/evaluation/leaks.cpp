@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "protocols/sha256.h"
+#include "protocols/files/sha256.h"
 
 namespace study::evaluation {
 

@@ -1,6 +1,6 @@
 #include "study/evaluation/measured_signals.h"
 
-#include "protocols/errors.h"
+#include "protocols/files/errors.h"
 
 namespace study::evaluation {
 

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <string_view>
 
-#include "stats/value.h"
+#include "stats/kernels/value.h"
 
 namespace study::evaluation {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "protocols/errors.h"
+#include "protocols/files/errors.h"
 #include "protocols/random.h"
 #include "study/evaluation/leaks.h"
 

@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <opencv2/imgproc.hpp>
 
-#include "protocols/errors.h"
+#include "protocols/files/errors.h"
 #include "rendering/models/model_card.h"
 
 namespace study::evaluation {

@@ -1,6 +1,6 @@
 #include "study/looking/contact_sheet.h"
 
-#include "protocols/errors.h"
+#include "protocols/files/errors.h"
 #include "study/looking/relief_picture.h"
 #include "study/looking/seen_signal.h"
 

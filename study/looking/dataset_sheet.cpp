@@ -1,7 +1,7 @@
 #include "study/looking/dataset_sheet.h"
 
-#include "protocols/errors.h"
-#include "rendering/fabric_signals.h"
+#include "protocols/files/errors.h"
+#include "rendering/composition/fabric_signals.h"
 #include "study/looking/open_study.h"
 #include "study/looking/read_signal.h"
 

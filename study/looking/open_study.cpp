@@ -1,7 +1,7 @@
 #include "study/looking/open_study.h"
 
 #include "database/study_store.h"
-#include "protocols/errors.h"
+#include "protocols/files/errors.h"
 
 namespace study::looking {
 

@@ -1,9 +1,9 @@
 #include "study/looking/read_signal.h"
 
-#include "protocols/errors.h"
-#include "rendering/friction_image.h"
-#include "rendering/image_io.h"
-#include "rendering/true_map.h"
+#include "protocols/files/errors.h"
+#include "rendering/composition/friction_image.h"
+#include "rendering/images/image_io.h"
+#include "rendering/images/true_map.h"
 #include "study/looking/open_study.h"
 #include "study/looking/place_in_dataset.h"
 #include "study/looking/read_trace.h"

@@ -1,7 +1,7 @@
 #include "study/looking/read_trace.h"
 
-#include "protocols/errors.h"
-#include "rendering/fabrics/csv_table.h"
+#include "protocols/files/errors.h"
+#include "protocols/files/csv_table.h"
 #include "study/looking/place_in_dataset.h"
 
 #include <cmath>

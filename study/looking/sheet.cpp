@@ -1,6 +1,6 @@
 #include "study/looking/sheet.h"
 
-#include "protocols/errors.h"
+#include "protocols/files/errors.h"
 #include "study/looking/sheet_panels.h"
 
 #include <QFontMetricsF>

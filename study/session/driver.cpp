@@ -3,9 +3,9 @@
 #include <fstream>
 #include <iterator>
 
-#include "protocols/errors.h"
+#include "protocols/files/errors.h"
 #include "protocols/protocol_json.h"
-#include "protocols/sha256.h"
+#include "protocols/files/sha256.h"
 #include "study/session/session_moves.h"
 
 namespace study::session {

@@ -4,8 +4,8 @@
 #pragma once
 
 #include "database/study_store.h"
-#include "rendering/display.h"
-#include "rendering/stimulus_bank.h"
+#include "rendering/display/display.h"
+#include "rendering/display/stimulus_bank.h"
 #include "study/session/clock.h"
 #include "study/session/session.h"
 

@@ -1,7 +1,7 @@
 // Events as text for the log, and back.
 #include <nlohmann/json.hpp>
 
-#include "protocols/errors.h"
+#include "protocols/files/errors.h"
 #include "study/session/session.h"
 
 namespace study::session {

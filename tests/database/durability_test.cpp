@@ -3,7 +3,7 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
-#include "protocols/errors.h"
+#include "protocols/files/errors.h"
 #include "tests/support/counting_vfs.h"
 #include "tests/support/played_session.h"
 #include "tests/support/raw_sqlite.h"

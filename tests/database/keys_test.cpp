@@ -7,7 +7,7 @@
 #include <QtTest>
 #include <fstream>
 
-#include "protocols/errors.h"
+#include "protocols/files/errors.h"
 #include "tests/support/study_builder.h"
 
 using namespace database;

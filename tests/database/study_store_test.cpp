@@ -9,7 +9,7 @@
 #include <QtTest>
 #include <fstream>
 
-#include "protocols/errors.h"
+#include "protocols/files/errors.h"
 #include "tests/support/played_session.h"
 #include "tests/support/raw_sqlite.h"
 #include "tests/support/study_builder.h"

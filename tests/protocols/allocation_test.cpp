@@ -1,5 +1,5 @@
 #include "protocols/allocation.h"
-#include "protocols/errors.h"
+#include "protocols/files/errors.h"
 #include "protocols/protocol_json.h"
 
 #include <QtTest>

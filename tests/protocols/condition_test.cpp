@@ -1,5 +1,5 @@
 #include "protocols/condition.h"
-#include "protocols/errors.h"
+#include "protocols/files/errors.h"
 
 #include <QtTest>
 

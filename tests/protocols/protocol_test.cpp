@@ -1,4 +1,4 @@
-#include "protocols/errors.h"
+#include "protocols/files/errors.h"
 #include "protocols/protocol_json.h"
 
 #include <QTemporaryDir>

@@ -1,5 +1,5 @@
-#include "protocols/errors.h"
-#include "protocols/sha256.h"
+#include "protocols/files/errors.h"
+#include "protocols/files/sha256.h"
 
 #include <QTemporaryDir>
 #include <QtTest>

@@ -12,9 +12,9 @@
 #include <opencv2/core.hpp>
 #include <string>
 
-#include "protocols/errors.h"
+#include "protocols/files/errors.h"
 #include "rendering/fabrics/dataset.h"
-#include "rendering/image_io.h"
+#include "rendering/images/image_io.h"
 
 namespace fabric_files {
 

@@ -4,7 +4,7 @@
 #include <QString>
 #include <string>
 
-#include "protocols/errors.h"
+#include "protocols/files/errors.h"
 
 template <class Work>
 QString refusalOf(Work work)

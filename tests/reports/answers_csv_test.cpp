@@ -4,7 +4,7 @@
 #include <QtTest>
 #include <fstream>
 
-#include "protocols/errors.h"
+#include "protocols/files/errors.h"
 #include "reports/csv_table.h"
 
 namespace {

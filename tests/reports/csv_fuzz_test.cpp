@@ -3,7 +3,7 @@
 #include <QTest>
 #include <cmath>
 
-#include "protocols/errors.h"
+#include "protocols/files/errors.h"
 #include "protocols/random.h"
 #include "reports/csv_table.h"
 #include "tests/support/mutated_files.h"

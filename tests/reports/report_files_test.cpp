@@ -4,7 +4,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "protocols/errors.h"
+#include "protocols/files/errors.h"
 #include "reports/csv_table.h"
 #include "reports/report.h"
 #include "tests/reports/study_builder.h"

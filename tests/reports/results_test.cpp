@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "protocols/errors.h"
+#include "protocols/files/errors.h"
 #include "reports/report.h"
 #include "tests/reports/study_builder.h"
 

@@ -1,12 +1,12 @@
 // How often the tests of the report reject where there is nothing to find. Short by default;
 // VIS2HAP_ALL_SEEDS=1 takes the 10,000 studies that the report's methods quote.
-#include "stats/calibration.h"
+#include "stats/power/calibration.h"
 
 #include <QtTest>
 #include <cstdlib>
 #include <string>
 
-#include "stats/measured_size.h"
+#include "stats/power/measured_size.h"
 
 class CalibrationTest : public QObject {
     Q_OBJECT

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "stats/binomial.h"
-#include "stats/forced_choice.h"
-#include "stats/mcnemar.h"
+#include "stats/tests/binomial.h"
+#include "stats/tests/forced_choice.h"
+#include "stats/tests/mcnemar.h"
 #include "tests/stats/stream.h"
 
 class CountsTest : public QObject {

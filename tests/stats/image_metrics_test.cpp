@@ -1,5 +1,5 @@
 // SSIM and its variants against long-double truth and scikit-image, and its invariants.
-#include "stats/image_metrics.h"
+#include "stats/metrics/image_metrics.h"
 
 #include <QtTest>
 #include <array>
@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "stats/registered_ssim.h"
+#include "stats/metrics/registered_ssim.h"
 #include "tests/stats/stream.h"
 
 namespace {

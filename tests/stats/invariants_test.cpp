@@ -2,17 +2,17 @@
 // that are the same test.
 #include <QtTest>
 
-#include "stats/bootstrap.h"
-#include "stats/equivalence.h"
-#include "stats/friedman_exact.h"
-#include "stats/intraclass.h"
-#include "stats/multiplicity.h"
-#include "stats/one_way_anova.h"
-#include "stats/rank_tests.h"
-#include "stats/repeated_measures.h"
-#include "stats/sign_flip.h"
-#include "stats/t_tests.h"
-#include "stats/wilcoxon.h"
+#include "stats/tests/bootstrap.h"
+#include "stats/tests/equivalence.h"
+#include "stats/tests/friedman_exact.h"
+#include "stats/tests/intraclass.h"
+#include "stats/tests/multiplicity.h"
+#include "stats/tests/one_way_anova.h"
+#include "stats/tests/rank_tests.h"
+#include "stats/tests/repeated_measures.h"
+#include "stats/tests/sign_flip.h"
+#include "stats/tests/t_tests.h"
+#include "stats/tests/wilcoxon.h"
 #include "tests/stats/stream.h"
 
 namespace {

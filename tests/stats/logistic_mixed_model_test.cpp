@@ -1,5 +1,5 @@
 // The logistic mixed model against R, closed forms, and where the likelihood has no maximum.
-#include "stats/logistic_mixed_model.h"
+#include "stats/models/logistic_mixed_model.h"
 
 #include <QtTest>
 #include <algorithm>
@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "stats/crossed_study.h"
-#include "stats/simulated_study.h"
+#include "stats/models/crossed_study.h"
+#include "stats/power/simulated_study.h"
 #include "tests/stats/shared_study.h"
 
 namespace {

@@ -1,5 +1,5 @@
 // The linear mixed model against closed forms of balanced data, against R, and at its edges.
-#include "stats/mixed_model.h"
+#include "stats/models/mixed_model.h"
 
 #include <QtTest>
 #include <algorithm>
@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "stats/crossed_study.h"
-#include "stats/distributions.h"
-#include "stats/simulated_study.h"
+#include "stats/models/crossed_study.h"
+#include "stats/kernels/distributions.h"
+#include "stats/power/simulated_study.h"
 #include "tests/stats/shared_study.h"
 
 namespace {

@@ -4,8 +4,8 @@
 #include <QtTest>
 #include <algorithm>
 
-#include "stats/descriptive.h"
-#include "stats/one_way_anova.h"
+#include "stats/kernels/descriptive.h"
+#include "stats/tests/one_way_anova.h"
 #include "tests/stats/oracle_cases.h"
 
 namespace {

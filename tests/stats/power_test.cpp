@@ -1,14 +1,14 @@
 // Power by formula against R, and the simulation that stands beside it.
-#include "stats/power.h"
+#include "stats/power/power.h"
 
 #include <QtTest>
 #include <cmath>
 #include <vector>
 
-#include "stats/moments.h"
-#include "stats/noncentral.h"
-#include "stats/power_plan.h"
-#include "stats/t_tests.h"
+#include "stats/kernels/moments.h"
+#include "stats/kernels/noncentral.h"
+#include "stats/power/power_plan.h"
+#include "stats/tests/t_tests.h"
 
 namespace {
 

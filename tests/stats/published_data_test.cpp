@@ -1,9 +1,9 @@
 // Published studies, small enough to stand here, come out as published.
 #include <QtTest>
 
-#include "stats/rank_tests.h"
-#include "stats/t_tests.h"
-#include "stats/wilcoxon.h"
+#include "stats/tests/rank_tests.h"
+#include "stats/tests/t_tests.h"
+#include "stats/tests/wilcoxon.h"
 
 class PublishedDataTest : public QObject {
     Q_OBJECT

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "stats/bayes_factor.h"
-#include "stats/bootstrap.h"
-#include "stats/sign_flip.h"
+#include "stats/tests/bayes_factor.h"
+#include "stats/tests/bootstrap.h"
+#include "stats/tests/sign_flip.h"
 #include "tests/stats/stream.h"
 
 namespace {

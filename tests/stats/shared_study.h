@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "stats/crossed_study.h"
+#include "stats/models/crossed_study.h"
 #include "tests/stats/oracle_cases.h"
 
 namespace shared {

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <limits>
 
-#include "stats/spectrum_distance.h"
-#include "stats/speed_accuracy.h"
+#include "stats/metrics/spectrum_distance.h"
+#include "stats/tests/speed_accuracy.h"
 #include "tests/stats/stream.h"
 
 class SignalsTest : public QObject {

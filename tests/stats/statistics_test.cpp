@@ -6,17 +6,17 @@
 #include <limits>
 #include <vector>
 
-#include "stats/binomial.h"
-#include "stats/decimal_grid.h"
-#include "stats/descriptive.h"
-#include "stats/distributions.h"
-#include "stats/equivalence.h"
-#include "stats/multiplicity.h"
-#include "stats/rank_tests.h"
-#include "stats/repeated_measures.h"
-#include "stats/speed_accuracy.h"
-#include "stats/t_tests.h"
-#include "stats/wilcoxon.h"
+#include "stats/tests/binomial.h"
+#include "stats/kernels/decimal_grid.h"
+#include "stats/kernels/descriptive.h"
+#include "stats/kernels/distributions.h"
+#include "stats/tests/equivalence.h"
+#include "stats/tests/multiplicity.h"
+#include "stats/tests/rank_tests.h"
+#include "stats/tests/repeated_measures.h"
+#include "stats/tests/speed_accuracy.h"
+#include "stats/tests/t_tests.h"
+#include "stats/tests/wilcoxon.h"
 #include "tests/stats/stream.h"
 
 class StatisticsTest : public QObject {

@@ -1,11 +1,11 @@
 // One-way ANOVA, sphericity, intraclass correlations, exact Friedman: published and independent numbers.
 #include <QtTest>
 
-#include "stats/friedman_exact.h"
-#include "stats/intraclass.h"
-#include "stats/one_way_anova.h"
-#include "stats/rank_tests.h"
-#include "stats/repeated_measures.h"
+#include "stats/tests/friedman_exact.h"
+#include "stats/tests/intraclass.h"
+#include "stats/tests/one_way_anova.h"
+#include "stats/tests/rank_tests.h"
+#include "stats/tests/repeated_measures.h"
 #include "tests/stats/stream.h"
 
 namespace {

@@ -1,6 +1,6 @@
 #include "tests/support/open_window.h"
 
-#include "protocols/errors.h"
+#include "protocols/files/errors.h"
 #include "tests/support/played_session.h"
 
 #include <QAbstractButton>

@@ -3,7 +3,7 @@
 #include <map>
 #include <stdexcept>
 
-#include "protocols/errors.h"
+#include "protocols/files/errors.h"
 #include "study/session/preparation.h"
 
 namespace tests::support {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "rendering/display.h"
+#include "rendering/display/display.h"
 #include "study/session/driver.h"
 
 namespace tests::support {

@@ -8,7 +8,7 @@
 #include <iostream>
 #include <string>
 
-#include "protocols/errors.h"
+#include "protocols/files/errors.h"
 #include "tests/support/played_session.h"
 
 using namespace tests::support;

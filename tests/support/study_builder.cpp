@@ -8,8 +8,8 @@
 #include "protocols/allocation.h"
 #include "protocols/counterbalancing.h"
 #include "protocols/protocol_json.h"
-#include "protocols/sha256.h"
-#include "rendering/stimulus_bank.h"
+#include "protocols/files/sha256.h"
+#include "rendering/display/stimulus_bank.h"
 
 namespace tests::support {
 

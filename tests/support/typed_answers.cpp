@@ -1,6 +1,6 @@
 #include "tests/support/typed_answers.h"
 
-#include "study/app/rating_text.h"
+#include "study/app/state/rating_text.h"
 
 #include <QTest>
 

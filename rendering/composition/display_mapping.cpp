@@ -1,0 +1,116 @@
+// The range law of friction_image.h: from m' to the levels of the display.
+#include <algorithm>
+#include <cmath>
+#include <opencv2/core.hpp>
+
+#include "rendering/composition/friction_image.h"
+
+namespace rendering {
+
+namespace {
+
+constexpr std::size_t bins = 65536;
+
+/// Noise of a place, the same for every image: uniform in [0, 1) (splitmix64 of seed and place).
+double noiseAt(std::uint64_t seed, std::uint64_t place)
+{
+    std::uint64_t z = (seed << 32U) + place * 0x9E3779B97F4A7C15U + 0x9E3779B97F4A7C15U;
+    z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9U;
+    z = (z ^ (z >> 27U)) * 0x94D049BB133111EBU;
+    return static_cast<double>((z ^ (z >> 31U)) >> 11U) * 0x1.0p-53;
+}
+
+/// Rounded where `offset` is 0.5, dithered where it is noise.
+template <class Level, class Offset>
+cv::Mat levelsOf(const cv::Mat& values, int type, const MapRange& range, double highest, Offset offset)
+{
+    cv::Mat image(values.size(), type);
+    const double gain = highest / (range.max - range.min);
+    for (int i = 0; i < values.rows; ++i) {
+        const float* value = values.ptr<float>(i);
+        Level* level = image.ptr<Level>(i);
+        for (int j = 0; j < values.cols; ++j) {
+            // Subtracted before scaling: a narrow range far from 0 would lose its last digits otherwise.
+            const double exact = (static_cast<double>(value[j]) - range.min) * gain + offset(i, j);
+            level[j] = static_cast<Level>(std::min(std::max(exact, 0.0), highest));
+        }
+    }
+    return image;
+}
+
+template <class Level>
+cv::Mat levelsOf(const cv::Mat& values, int type, const MapRange& range, const DisplayMapping& mapping)
+{
+    const double highest = std::pow(2, mapping.bits) - 1;
+    if (!mapping.dither) return levelsOf<Level>(values, type, range, highest, [](int, int) { return 0.5; });
+    const auto columns = static_cast<std::uint64_t>(values.cols);
+    return levelsOf<Level>(values, type, range, highest, [&](int i, int j) {
+        return noiseAt(mapping.seed, static_cast<std::uint64_t>(i) * columns + static_cast<std::uint64_t>(j));
+    });
+}
+
+}  // namespace
+
+void MapRange::include(const ScaledMap& map)
+{
+    double low = 0, high = 0;
+    cv::minMaxLoc(map.values, &low, &high);
+    min = empty ? low : std::min(min, low);
+    max = empty ? high : std::max(max, high);
+    empty = false;
+}
+
+RobustRange::RobustRange(const MapRange& whole) : m_whole(whole), m_counts(bins, 0) {}
+
+void RobustRange::include(const ScaledMap& map)
+{
+    if (m_whole.constant()) return;
+    const double gain = static_cast<double>(bins) / (m_whole.max - m_whole.min);
+    for (int i = 0; i < map.values.rows; ++i)
+        for (int j = 0; j < map.values.cols; ++j) {
+            const double bin = (static_cast<double>(map.values.at<float>(i, j)) - m_whole.min) * gain;
+            ++m_counts[static_cast<std::size_t>(std::clamp(bin, 0.0, static_cast<double>(bins - 1)))];
+        }
+}
+
+MapRange RobustRange::between(double lowPercentile, double highPercentile) const
+{
+    double all = 0;
+    for (const auto count : m_counts) all += static_cast<double>(count);
+    const double width = (m_whole.max - m_whole.min) / static_cast<double>(bins);
+    MapRange range = m_whole;
+    double below = 0;
+    bool lowFound = false;
+    for (std::size_t bin = 0; bin < bins && all > 0; ++bin) {
+        below += static_cast<double>(m_counts[bin]);
+        if (!lowFound && below > all * lowPercentile / 100) {
+            range.min = lowPercentile > 0 ? m_whole.min + static_cast<double>(bin) * width : m_whole.min;
+            lowFound = true;
+        }
+        if (below >= all * highPercentile / 100) {
+            range.max = highPercentile < 100 ? m_whole.min + static_cast<double>(bin + 1) * width : m_whole.max;
+            break;
+        }
+    }
+    return range.constant() ? m_whole : range;
+}
+
+double shareOutside(const ScaledMap& map, const MapRange& range)
+{
+    const auto outside = [&](int comparison, double bound) {
+        return cv::countNonZero(comparison == cv::CMP_LT ? map.values < bound : map.values > bound);
+    };
+    // In the map's own 32 bits: its least value is the range's least value, rounded alike.
+    return static_cast<double>(outside(cv::CMP_LT, range.min) + outside(cv::CMP_GT, range.max)) /
+           static_cast<double>(map.values.total());
+}
+
+cv::Mat mapToDisplay(const ScaledMap& map, const MapRange& range, const DisplayMapping& mapping)
+{
+    const int type = mapping.bits == 16 ? CV_16UC1 : CV_8UC1;
+    if (range.constant()) return cv::Mat::zeros(map.values.size(), type);
+    if (mapping.bits == 16) return levelsOf<std::uint16_t>(map.values, type, range, mapping);
+    return levelsOf<std::uint8_t>(map.values, type, range, mapping);
+}
+
+}  // namespace rendering

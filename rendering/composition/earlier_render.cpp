@@ -1,0 +1,122 @@
+#include "rendering/composition/earlier_render.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <set>
+
+namespace rendering {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Names = std::set<std::string>;
+
+/// The texts of an array; throws nlohmann's exceptions for anything else.
+Names namesIn(const Json& condition, const char* field)
+{
+    Names names;
+    if (condition.contains(field))
+        for (const auto& name : condition.at(field)) names.insert(name.get<std::string>());
+    return names;
+}
+
+std::string listed(const Names& names)
+{
+    std::string text;
+    for (const auto& name : names) text += (text.empty() ? "" : ", ") + name;
+    return text;
+}
+
+Names without(const Names& names, const Names& others)
+{
+    Names rest;
+    std::set_difference(names.begin(), names.end(), others.begin(), others.end(), std::inserter(rest, rest.end()));
+    return rest;
+}
+
+std::string rangeText(const Json& condition)
+{
+    const Json& range = condition.at("range");
+    return range.at("min").dump() + " to " + range.at("max").dump();
+}
+
+/// What differs between two renderings of a condition, in words; empty where images of both can be compared.
+std::string difference(const Json& now, const Json& before)
+{
+    const Names over = namesIn(now, "range_over"), wasOver = namesIn(before, "range_over");
+    const Names added = without(over, wasOver), gone = without(wasOver, over);
+    std::string text;
+    const auto say = [&](const std::string& what) { text += (text.empty() ? "" : "; ") + what; };
+    if (!added.empty()) say("its range is now also over " + listed(added));
+    if (!gone.empty()) say("its range is no longer over " + listed(gone));
+    if (now.at("range") != before.at("range") || now.value("ranges", Json()) != before.value("ranges", Json()))
+        say("the range was " + rangeText(before) + " and is " + rangeText(now));
+    if (now.at("mapping") != before.value("mapping", Json()))
+        say("the mapping was " + before.value("mapping", Json()).dump() + " and is " + now.at("mapping").dump());
+    return text;
+}
+
+/// What is said of each fabric, taken over for images that are not made anew.
+void keepFacts(Json& now, const Json& before, const Names& fabrics)
+{
+    for (const char* field : {"extension", "agreement", "variance_lost", "outside_range"})
+        for (const auto& fabric : fabrics)
+            if (before.contains(field) && before.at(field).contains(fabric)) now[field][fabric] = before.at(field).at(fabric);
+}
+
+void joinCondition(const std::string& id, Json& now, const Json& before, const std::string& otherData, const std::string& where,
+                   std::vector<std::string>& warnings)
+{
+    const Names images = namesIn(now, "images");
+    const Names kept = without(namesIn(before, "images"), images);
+    Names otherwise = without(namesIn(before, "mapped_otherwise"), images);
+    std::string changed = difference(now, before);
+    if (!otherData.empty()) changed += (changed.empty() ? "" : "; ") + otherData;
+    if (changed.empty()) {
+        for (const auto& fabric : kept) now["images"].push_back(fabric);
+        keepFacts(now, before, kept);
+    } else {
+        otherwise.insert(kept.begin(), kept.end());
+        warnings.push_back(
+            where + ": " + id + ": " + changed +
+            (kept.empty() ? "" : "; the images of " + listed(kept) + " there keep the old one: render them again"));
+    }
+    if (!otherwise.empty()) now["mapped_otherwise"] = otherwise;
+}
+
+JoinedRender joinedOrThrow(const std::string& json, std::string_view earlier, const std::string& where)
+{
+    Json now = Json::parse(json);
+    const Json before = Json::parse(earlier);
+    JoinedRender result;
+    const std::string data = before.at("dataset").get<std::string>();
+    const std::string otherData =
+        data == now.at("dataset") ? "" : "the data set was " + data + " and is " + now.at("dataset").get<std::string>();
+    for (const auto& [id, condition] : before.at("conditions").items()) {
+        if (now.at("conditions").contains(id))
+            joinCondition(id, now["conditions"][id], condition, otherData, where, result.warnings);
+        else
+            now["conditions"][id] = condition;
+    }
+    for (const auto& [fabric, samples] : before.at("samples").items())
+        if (!now.at("samples").contains(fabric)) now["samples"][fabric] = samples;
+    if (before.contains("photographs"))
+        for (const auto& [fabric, facts] : before.at("photographs").items())
+            if (!now.contains("photographs") || !now.at("photographs").contains(fabric)) now["photographs"][fabric] = facts;
+    result.json = now.dump(2) + "\n";
+    return result;
+}
+
+}  // namespace
+
+JoinedRender joined(const std::string& json, std::string_view earlier, const std::string& where)
+{
+    try {
+        return joinedOrThrow(json, earlier, where);
+    } catch (const nlohmann::json::exception&) {
+        return {json,
+                {where + ": cannot be read and is replaced; ranges of images that lie there are unknown: render them again"}};
+    }
+}
+
+}  // namespace rendering

@@ -1,0 +1,210 @@
+#include "rendering/composition/fabric_signals.h"
+
+#include <algorithm>
+#include <chrono>
+#include <opencv2/core.hpp>
+#include <utility>
+
+#include "rendering/signals/friction_trace.h"
+#include "rendering/signals/grey.h"
+#include "rendering/signals/height_gradient.h"
+#include "rendering/signals/shape_from_shading.h"
+
+namespace rendering {
+
+namespace {
+
+using fabrics::Modality;
+
+struct Reading {
+    Signal signal;
+    Modality modality;
+    int SampleChoice::*index;
+    const char* plural;
+};
+
+constexpr Reading readings[] = {
+    {Signal::Photograph, Modality::Visual, &SampleChoice::visual, "photographs"},
+    {Signal::TactileFrame, Modality::Tactile, &SampleChoice::tactile, "tactile frames"},
+    {Signal::FrictionRecord, Modality::Friction, &SampleChoice::friction, "friction records"},
+};
+
+std::string forWhom(const protocols::FabricId& fabric, const protocols::Condition& condition)
+{
+    return " of fabric " + fabric.value + ", which condition " + std::string(condition.id) + " needs";
+}
+
+std::optional<protocols::Fault> lackOfSample(const fabrics::Dataset& dataset, const protocols::FabricId& fabric,
+                                             const SampleChoice& samples, const protocols::Condition& condition,
+                                             const Reading& reading)
+{
+    const auto indices = fabrics::sampleIndices(dataset, fabric, reading.modality);
+    const int wanted = samples.*(reading.index);
+    const auto folder = dataset.folder / fabric.value / fabrics::nameOf(reading.modality);
+    if (indices.empty())
+        return protocols::Fault{std::string("the data set has no ") + reading.plural + forWhom(fabric, condition),
+                                folder.string(), "at least one sample", "import some, or leave the condition out"};
+    if (!std::binary_search(indices.begin(), indices.end(), wanted))
+        return protocols::Fault{
+            "sample " + std::to_string(wanted) + " is not among the " + reading.plural + forWhom(fabric, condition),
+            folder.string(), "an index from " + std::to_string(indices.front()) + " to " + std::to_string(indices.back()),
+            "choose another --sample"};
+    return {};
+}
+
+std::optional<protocols::Fault> lackOfHeight(const fabrics::Dataset& dataset, const protocols::FabricId& fabric,
+                                             const SampleChoice& samples, const protocols::Condition& condition)
+{
+    const auto heights = "the height" + forWhom(fabric, condition) + ", cannot be had: ";
+    const auto where = (dataset.folder / "dataset.json").string();
+    if (dataset.tactileCalibration.empty())
+        return protocols::Fault{heights + "the tactile frames have no calibration", where, "tactile.calibration",
+                                "make one with vis2hap calibrate and name it there"};
+    if (dataset.tactileCalibration != "known") return {};
+    if (fabrics::readKnownHeight(dataset, fabric, samples.tactile)) return {};
+    return protocols::Fault{heights + "the data set calls heights known but has none for this sample", where,
+                            fabric.value + "/height/*.tiff", "add it, or name a calibration"};
+}
+
+/// The pitch of what a recording shows, as the data set states it.
+std::optional<double> statedPitch(const fabrics::Dataset& dataset, Signal signal)
+{
+    return recordingBelow(signal) == Signal::Photograph ? dataset.cameraMmPerPixel : dataset.tactileMmPerPixel;
+}
+
+protocols::Fault lackOfPitch(const fabrics::Dataset& dataset, const std::string& what)
+{
+    return {what + ", is unknown", (dataset.folder / "dataset.json").string(), "mm_per_pixel",
+            "state it there, or use --scale pixels"};
+}
+
+/// Runs one computation, counted and timed.
+template <class Work>
+void computed(Rendering& counts, Signal signal, Work work)
+{
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    counts.milliseconds[signal] += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    ++counts.computed[signal];
+}
+
+const cv::Mat& imageOf(const FabricSignals& signals, Signal signal) { return signals.images.at(signal); }
+
+}  // namespace
+
+SampleChoice firstSamples(const fabrics::Dataset& dataset, const protocols::FabricId& fabric)
+{
+    SampleChoice choice;
+    for (const auto& reading : readings)
+        if (const auto indices = fabrics::sampleIndices(dataset, fabric, reading.modality); !indices.empty())
+            choice.*(reading.index) = indices.front();
+    return choice;
+}
+
+std::optional<protocols::Fault> lackOf(const fabrics::Dataset& dataset, const protocols::FabricId& fabric,
+                                       const SampleChoice& samples, const protocols::Condition& condition, Scale scale)
+{
+    const auto needed = signalsFor(condition);
+    const auto needs = [&](Signal signal) { return std::find(needed.begin(), needed.end(), signal) != needed.end(); };
+    for (const auto& reading : readings)
+        if (needs(reading.signal))
+            if (auto fault = lackOfSample(dataset, fabric, samples, condition, reading)) return fault;
+    if (needs(Signal::PhotometricHeight))
+        if (auto fault = lackOfHeight(dataset, fabric, samples, condition)) return fault;
+    const auto relief = reliefSignal(condition);
+    if (scale == Scale::Physical && relief && !statedPitch(dataset, *relief))
+        return lackOfPitch(dataset, "the physical scale of the images" + forWhom(fabric, condition));
+    if (needs(Signal::HeightGradient) && !dataset.tactileMmPerPixel) {
+        auto fault = lackOfPitch(dataset, "the pitch of the tactile frames" + forWhom(fabric, condition));
+        fault.nextStep = "state it there, or leave the condition out";
+        return fault;
+    }
+    return {};
+}
+
+cv::Mat SignalWorkshop::tactileHeight(const protocols::FabricId& fabric, int index, const cv::Mat& frame)
+{
+    if (m_dataset.tactileCalibration == "known") return fabrics::readKnownHeight(m_dataset, fabric, index).value();
+    if (!m_calibration) {
+        m_calibration = signals::readCalibration(m_dataset.folder / m_dataset.tactileCalibration);
+        m_reference = fabrics::readTactileReference(m_dataset);
+    }
+    const auto quality =
+        m_quality == models::Quality::Fast ? signals::IntegrationQuality::Fast : signals::IntegrationQuality::Full;
+    return signals::heightFromFrame(frame, m_reference, *m_calibration, quality);
+}
+
+FabricSignals SignalWorkshop::measured(const protocols::FabricId& fabric, const SampleChoice& samples,
+                                       const std::set<Signal>& needed, Rendering& counts)
+{
+    FabricSignals result;
+    result.photographMmPerPixel = m_dataset.cameraMmPerPixel;
+    result.tactileMmPerPixel = m_dataset.tactileMmPerPixel;
+    const auto compute = [&](Signal signal, const auto& work) {
+        if (needed.contains(signal)) computed(counts, signal, [&] { result.images[signal] = work(); });
+    };
+    compute(Signal::Photograph, [&] { return fabrics::readPhotograph(m_dataset, fabric, samples.visual); });
+    compute(Signal::TactileFrame, [&] { return fabrics::readTactileFrame(m_dataset, fabric, samples.tactile); });
+    compute(Signal::GreyPhotograph, [&] { return signals::grey(imageOf(result, Signal::Photograph)); });
+    compute(Signal::ShapeFromShading, [&] {
+        const cv::Mat& photograph = imageOf(result, Signal::Photograph);
+        result.light = signals::estimateLight(photograph, m_shading.highPassPx);
+        result.colourVariation = signals::colourVariation(photograph, m_shading.highPassPx);
+        return signals::shapeFromShading(photograph, m_shading);
+    });
+    compute(Signal::GreyTactile, [&] { return signals::grey(imageOf(result, Signal::TactileFrame)); });
+    compute(Signal::PhotometricHeight,
+            [&] { return tactileHeight(fabric, samples.tactile, imageOf(result, Signal::TactileFrame)); });
+
+    compute(Signal::HeightGradient,
+            [&] { return signals::heightGradient(imageOf(result, Signal::PhotometricHeight), *m_dataset.tactileMmPerPixel); });
+
+    fabrics::FrictionRecord record;
+    if (needed.contains(Signal::FrictionRecord))
+        computed(counts, Signal::FrictionRecord, [&] { record = fabrics::readFriction(m_dataset, fabric, samples.friction); });
+    if (needed.contains(Signal::MeasuredTrace))
+        computed(counts, Signal::MeasuredTrace, [&] {
+            const auto where = fabrics::samplePath(m_dataset, fabric, Modality::Friction, samples.friction).string();
+            auto trace = signals::frictionTrace(record, where);
+            result.traces[Signal::MeasuredTrace] = std::move(trace.values);
+            result.measuredMeanFriction = trace.mean;
+            result.measuredQuantity = trace.quantity;
+            result.traceMmPerSample = trace.mmPerSample;
+        });
+    return result;
+}
+
+void addGenerated(FabricSignals& signals, models::GeneratedSignals generated, const std::set<Signal>& needed)
+{
+    signals.photograph = generated.photograph;
+    if (needed.contains(Signal::GeneratedHeight)) {
+        signals.images[Signal::GeneratedHeight] = generated.heightMm;
+        signals.generatedMmPerPixel = generated.heightMmPerPixel;
+    }
+    if (needed.contains(Signal::GeneratedSpectrogram)) {
+        signals.images[Signal::GeneratedSpectrogram] = generated.spectrogram;
+        signals.traces[Signal::GeneratedTrace] = std::move(generated.trace);
+        signals.generatedMeanFriction = generated.meanFriction;
+        signals.generatedTraceMmPerSample = generated.traceMmPerSample;
+    }
+}
+
+Sources sourcesOf(const protocols::Condition& condition, const FabricSignals& signals)
+{
+    Sources sources;
+    if (const auto relief = reliefSignal(condition)) {
+        sources.relief = imageOf(signals, *relief);
+        sources.reliefMmPerPixel = byGenerator(*relief)                            ? signals.generatedMmPerPixel
+                                   : recordingBelow(*relief) == Signal::Photograph ? signals.photographMmPerPixel
+                                                                                   : signals.tactileMmPerPixel;
+    }
+    if (const auto friction = frictionSignal(condition)) {
+        const bool generated = *friction == Signal::GeneratedTrace;
+        sources.trace = signals.traces.at(*friction);
+        sources.traceMmPerSample = (generated ? signals.generatedTraceMmPerSample : signals.traceMmPerSample).value_or(0);
+        sources.meanFriction = generated ? signals.generatedMeanFriction : signals.measuredMeanFriction;
+    }
+    return sources;
+}
+
+}  // namespace rendering

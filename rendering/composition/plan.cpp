@@ -1,0 +1,153 @@
+#include "rendering/composition/plan.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+
+namespace rendering {
+
+namespace {
+
+using protocols::FrictionSource;
+using protocols::ReliefSource;
+
+/// One signal: its name, what it is computed from, and which source of a condition it is. Below: every
+/// signal after those it rests on, so the order of this table is an order of computing.
+struct SignalRow {
+    Signal signal;
+    const char* name;
+    std::vector<Signal> from;
+    ReliefSource relief = ReliefSource::None;
+    FrictionSource friction = FrictionSource::None;
+    bool byGenerator = false;
+};
+
+const std::vector<SignalRow>& signalTable()
+{
+    static const std::vector<SignalRow> rows{
+        {Signal::Photograph, "photograph", {}},
+        {Signal::TactileFrame, "tactile frame", {}},
+        {Signal::FrictionRecord, "friction record", {}},
+        {Signal::GreyPhotograph, "grey photograph", {Signal::Photograph}, ReliefSource::GreyPhotograph},
+        {Signal::ShapeFromShading, "shape from shading", {Signal::Photograph}, ReliefSource::ShapeFromShading},
+        {Signal::GreyTactile, "grey tactile frame", {Signal::TactileFrame}, ReliefSource::GreyTactile},
+        {Signal::PhotometricHeight, "photometric height", {Signal::TactileFrame}, ReliefSource::PhotometricHeight},
+        {Signal::HeightGradient, "gradient of the height", {Signal::PhotometricHeight}, ReliefSource::HeightGradient},
+        {Signal::GeneratedHeight,
+         "generated height",
+         {Signal::Photograph},
+         ReliefSource::GeneratedHeight,
+         FrictionSource::None,
+         true},
+        {Signal::MeasuredTrace, "measured trace", {Signal::FrictionRecord}, ReliefSource::None, FrictionSource::MeasuredTrace},
+        {Signal::GeneratedSpectrogram,
+         "generated spectrogram",
+         {Signal::Photograph},
+         ReliefSource::None,
+         FrictionSource::None,
+         true},
+        {Signal::GeneratedTrace,
+         "generated trace",
+         {Signal::GeneratedSpectrogram},
+         ReliefSource::None,
+         FrictionSource::GeneratedTrace},
+    };
+    return rows;
+}
+
+const SignalRow& rowOf(Signal signal)
+{
+    const auto& rows = signalTable();
+    const auto found = std::find_if(rows.begin(), rows.end(), [&](const auto& row) { return row.signal == signal; });
+    assert(found != rows.end() && "every signal has a row in the table");
+    return *found;
+}
+
+void addWithGround(std::set<Signal>& needed, Signal signal)
+{
+    needed.insert(signal);
+    for (const Signal ground : rowOf(signal).from) addWithGround(needed, ground);
+}
+
+std::vector<Signal> inOrder(const std::set<Signal>& needed)
+{
+    std::vector<Signal> signals;
+    for (const auto& row : signalTable())
+        if (needed.contains(row.signal)) signals.push_back(row.signal);
+    return signals;
+}
+
+std::string joined(std::span<const Signal> signals)
+{
+    std::string text;
+    for (const Signal signal : signals) text += (text.empty() ? "" : ", ") + nameOf(signal);
+    return text;
+}
+
+}  // namespace
+
+std::string nameOf(Signal signal) { return rowOf(signal).name; }
+
+std::optional<Signal> reliefSignal(const protocols::Condition& condition)
+{
+    if (condition.relief == ReliefSource::None) return {};
+    const auto& rows = signalTable();
+    const auto found = std::find_if(rows.begin(), rows.end(), [&](const auto& row) { return row.relief == condition.relief; });
+    assert(found != rows.end() && "every source of relief is a signal of the table");
+    return found->signal;
+}
+
+std::optional<Signal> frictionSignal(const protocols::Condition& condition)
+{
+    if (condition.friction == FrictionSource::None) return {};
+    const auto& rows = signalTable();
+    const auto found =
+        std::find_if(rows.begin(), rows.end(), [&](const auto& row) { return row.friction == condition.friction; });
+    assert(found != rows.end() && "every source of friction is a signal of the table");
+    return found->signal;
+}
+
+std::vector<Signal> signalsFor(const protocols::Condition& condition)
+{
+    std::set<Signal> needed;
+    for (const auto& source : {reliefSignal(condition), frictionSignal(condition)})
+        if (source) addWithGround(needed, *source);
+    return inOrder(needed);
+}
+
+std::vector<Signal> signalsFor(std::span<const protocols::ConditionId> conditions)
+{
+    std::set<Signal> needed;
+    for (const auto& id : conditions)
+        for (const Signal signal : signalsFor(protocols::conditionNamed(id.value))) needed.insert(signal);
+    return inOrder(needed);
+}
+
+bool byGenerator(Signal signal) { return rowOf(signal).byGenerator; }
+
+Signal recordingBelow(Signal signal)
+{
+    const auto& from = rowOf(signal).from;
+    return from.empty() ? signal : recordingBelow(from.front());
+}
+
+bool needsGenerators(std::span<const Signal> signals)
+{
+    return std::any_of(signals.begin(), signals.end(), [](Signal signal) { return rowOf(signal).byGenerator; });
+}
+
+std::string explain(std::span<const protocols::ConditionId> conditions)
+{
+    std::string text;
+    for (const auto& id : conditions) {
+        const auto signals = signalsFor(protocols::conditionNamed(id.value));
+        text += id.value + std::string(id.value.size() < 9 ? 9 - id.value.size() : 0, ' ') + "  " + joined(signals) +
+                (needsGenerators(signals) ? "  [generators, libtorch]" : "  [no libtorch]") + "\n";
+    }
+    const auto all = signalsFor(conditions);
+    text += "computed once a fabric: " + joined(all) + "\n";
+    text += needsGenerators(all) ? "libtorch is needed (vis2hap-nn is started)\n" : "libtorch is not needed\n";
+    return text;
+}
+
+}  // namespace rendering

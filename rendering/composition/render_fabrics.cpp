@@ -1,0 +1,182 @@
+#include "rendering/composition/render_fabrics.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "protocols/files/errors.h"
+#include "rendering/composition/fabric_signals.h"
+
+namespace rendering {
+
+namespace {
+
+using protocols::ConditionId;
+using protocols::FabricId;
+
+/// What is to be done, settled before anything is computed.
+struct Job {
+    std::map<FabricId, std::set<Signal>> needed;           ///< of every fabric that takes part
+    std::map<ConditionId, std::vector<FabricId>> rangeOf;  ///< whose maps a condition's range is over
+};
+
+std::vector<FabricId> rangeFabrics(const fabrics::Dataset& dataset, const RenderRequest& request)
+{
+    std::vector<FabricId> ids = request.rangeOver;
+    if (ids.empty())
+        for (const auto& fabric : dataset.fabrics) ids.push_back(fabric.id);
+    for (const auto& id : request.fabrics)
+        if (std::find(ids.begin(), ids.end(), id) == ids.end()) ids.push_back(id);
+    return ids;
+}
+
+Job settle(const fabrics::Dataset& dataset, const RenderRequest& request, Rendering& rendering)
+{
+    Job job;
+    for (const auto& fabric : rangeFabrics(dataset, request)) {
+        dataset.fabric(fabric);  // refuses an unknown one by name
+        const bool written = std::find(request.fabrics.begin(), request.fabrics.end(), fabric) != request.fabrics.end();
+        const auto chosen = request.samples.find(fabric);
+        const auto samples = chosen != request.samples.end() ? chosen->second : firstSamples(dataset, fabric);
+        for (const auto& id : request.conditions) {
+            const auto& condition = protocols::conditionNamed(id.value);
+            if (const auto fault = lackOf(dataset, fabric, samples, condition, request.scale)) {
+                if (written) throw protocols::badInput(*fault);
+                continue;
+            }
+            for (const Signal signal : signalsFor(condition)) job.needed[fabric].insert(signal);
+            job.rangeOf[id].push_back(fabric);
+            rendering.samples[fabric] = samples;
+        }
+    }
+    return job;
+}
+
+std::set<Signal> generatedOnes(const std::set<Signal>& needed)
+{
+    std::set<Signal> result;
+    for (const Signal signal : {Signal::GeneratedHeight, Signal::GeneratedSpectrogram, Signal::GeneratedTrace})
+        if (needed.contains(signal)) result.insert(signal);
+    return result;
+}
+
+/// All photographs in one call: starting the generators costs more than running them.
+void generate(const Job& job, const RenderRequest& request, Rendering& rendering)
+{
+    std::vector<FabricId> fabrics;
+    std::vector<models::PhotographToTouch> photographs;
+    std::set<Signal> wanted;
+    for (const auto& [fabric, needed] : job.needed) {
+        const auto generated = generatedOnes(needed);
+        if (generated.empty()) continue;
+        wanted.insert(generated.begin(), generated.end());
+        const auto& signals = rendering.signals.at(fabric);
+        fabrics.push_back(fabric);
+        photographs.push_back({signals.images.at(Signal::Photograph), signals.photographMmPerPixel});
+    }
+    if (fabrics.empty()) return;
+    auto options = request.generation;
+    options.height = wanted.contains(Signal::GeneratedHeight);
+    options.friction = wanted.contains(Signal::GeneratedSpectrogram);
+    const auto start = std::chrono::steady_clock::now();
+    auto generated = request.generate(photographs, options);
+    rendering.milliseconds[*wanted.begin()] +=
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    if (generated.size() != fabrics.size())
+        throw protocols::workFailed({.what = "the generators answered " + std::to_string(generated.size()) + " of " +
+                                             std::to_string(fabrics.size()) + " photographs",
+                                     .where = "",
+                                     .expected = "signals for each",
+                                     .nextStep = ""});
+    for (std::size_t i = 0; i < fabrics.size(); ++i) {
+        addGenerated(rendering.signals[fabrics[i]], std::move(generated[i]), wanted);
+        for (const Signal signal : wanted) ++rendering.computed[signal];
+    }
+}
+
+/// Which range a map belongs to: that of its measured friction's quantity, where it has one.
+std::string rangeKey(const protocols::Condition& condition, const FabricSignals& signals)
+{
+    return condition.friction == protocols::FrictionSource::MeasuredTrace ? signals.measuredQuantity : "";
+}
+
+/// Ranges between percentiles of all pixels: another pass over the maps, since their whole range must be known.
+template <class KeyOf, class MapOf>
+void makeRobust(std::map<std::string, MapRange>& ranges, const KeyOf& keyOf, const MapOf& mapOf,
+                const std::vector<FabricId>& rangeOver, const Percentiles& percentiles)
+{
+    std::map<std::string, RobustRange> robust;
+    for (const auto& [key, range] : ranges) robust.emplace(key, range);
+    for (const auto& fabric : rangeOver) robust.at(keyOf(fabric)).include(mapOf(fabric));
+    for (auto& [key, range] : ranges) range = robust.at(key).between(percentiles.low, percentiles.high);
+}
+
+void requirePercentiles(const Percentiles& percentiles)
+{
+    if (percentiles.low >= 0 && percentiles.low < percentiles.high && percentiles.high <= 100) return;
+    throw protocols::badInput({.what = "the percentiles of the range are no range",
+                               .where = "--range-percentiles",
+                               .expected = "0 <= LO < HI <= 100, e.g. 0.1,99.9",
+                               .nextStep = ""});
+}
+
+RenderedCondition renderCondition(const ConditionId& id, const std::vector<FabricId>& rangeOver, const RenderRequest& request,
+                                  const Rendering& rendering)
+{
+    const auto start = std::chrono::steady_clock::now();
+    const auto& condition = protocols::conditionNamed(id.value);
+    const auto mapOf = [&](const FabricId& fabric) {
+        return compose(condition, sourcesOf(condition, rendering.signals.at(fabric)), request.scale, request.extension);
+    };
+    RenderedCondition result;
+    result.condition = id;
+    result.rangeOver = rangeOver;
+    // Two passes: composing again is quick, keeping the maps of all fabrics is 4 MB each.
+    const auto keyOf = [&](const FabricId& fabric) { return rangeKey(condition, rendering.signals.at(fabric)); };
+    for (const auto& fabric : rangeOver) result.ranges[keyOf(fabric)].include(mapOf(fabric));
+    if (!request.percentiles.whole()) makeRobust(result.ranges, keyOf, mapOf, rangeOver, request.percentiles);
+    for (const auto& fabric : request.fabrics) {
+        const auto map = mapOf(fabric);
+        const auto& range = result.ranges.at(keyOf(fabric));
+        if (result.images.empty()) result.range = range;
+        result.images[fabric] = mapToDisplay(map, range, request.mapping);
+        result.maps[fabric] = {map.extension, map.agreement, map.varianceLost,
+                               request.percentiles.whole() ? 0 : shareOutside(map, range)};
+    }
+    result.milliseconds = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    return result;
+}
+
+}  // namespace
+
+Rendering renderFabrics(const fabrics::Dataset& dataset, const RenderRequest& request,
+                        const std::function<void(int, int, const std::string&)>& progress)
+{
+    requirePercentiles(request.percentiles);
+    Rendering rendering;
+    const Job job = settle(dataset, request, rendering);
+    const int total = static_cast<int>(job.needed.size() + request.conditions.size()) + 1;
+    int done = 0;
+    const auto report = [&](const std::string& what) {
+        if (progress) progress(done, total, what);
+        ++done;
+    };
+    SignalWorkshop workshop(dataset, request.generation.quality, request.shading);
+    for (const auto& [fabric, needed] : job.needed) {
+        report("signals of " + fabric.value);
+        rendering.signals[fabric] = workshop.measured(fabric, rendering.samples.at(fabric), needed, rendering);
+    }
+    const auto wanted = signalsFor(request.conditions);
+    report(needsGenerators(wanted) ? "generating" : "composing");
+    generate(job, request, rendering);
+    for (const auto& id : request.conditions) {
+        report(id.value);
+        const auto rangeOver = job.rangeOf.find(id);
+        if (rangeOver != job.rangeOf.end())
+            rendering.conditions.push_back(renderCondition(id, rangeOver->second, request, rendering));
+    }
+    if (progress) progress(total, total, "done");
+    return rendering;
+}
+
+}  // namespace rendering

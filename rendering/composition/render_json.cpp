@@ -1,0 +1,177 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "rendering/composition/render_fabrics.h"
+
+namespace rendering {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Microseconds are enough of a time.
+double rounded(double milliseconds) { return std::round(milliseconds * 1000) / 1000; }
+
+Json jsonOf(const MapRange& range) { return {{"min", range.min}, {"max", range.max}, {"constant", range.constant()}}; }
+
+const char* nameOf(Scale scale) { return scale == Scale::Pixels ? "pixels" : "physical"; }
+const char* nameOf(Extension extension) { return extension == Extension::Tile ? "tile" : "mirror"; }
+
+/// All that decides how a value becomes a level, beside the range itself.
+Json mappingOf(const RenderRequest& request)
+{
+    Json json{{"scale", nameOf(request.scale)},
+              {"extension", nameOf(request.extension)},
+              {"percentiles", {request.percentiles.low, request.percentiles.high}},
+              {"bits", request.mapping.bits},
+              {"dither", request.mapping.dither}};
+    if (request.mapping.dither) json["dither_seed"] = request.mapping.seed;
+    return json;
+}
+
+Json jsonOf(const RenderedCondition& rendered, const RenderRequest& request)
+{
+    Json json{{"range", jsonOf(rendered.range)}, {"range_over", Json::array()}, {"signals", Json::array()}};
+    for (const auto& fabric : rendered.rangeOver) json["range_over"].push_back(fabric.value);
+    if (rendered.ranges.size() > 1)
+        for (const auto& [quantity, range] : rendered.ranges) json["ranges"][quantity] = jsonOf(range);
+    for (const Signal signal : signalsFor(protocols::conditionNamed(rendered.condition.value)))
+        json["signals"].push_back(nameOf(signal));
+    json["mapping"] = mappingOf(request);
+    json["stroke_axis"] = std::string(1, strokeAxis);
+    json["images"] = Json::array();
+    for (const auto& [fabric, facts] : rendered.maps) {
+        json["images"].push_back(fabric.value);
+        json["extension"][fabric.value] = facts.extension;
+        json["agreement"][fabric.value] = facts.agreement;
+        json["variance_lost"][fabric.value] = facts.varianceLost ? Json(*facts.varianceLost) : Json();
+        if (!facts.varianceLost) json["why"]["variance_lost"] = "a constant source has no variance";
+        if (!request.percentiles.whole()) json["outside_range"][fabric.value] = facts.outsideRange;
+    }
+    json["ms"] = rounded(rendered.milliseconds);
+    return json;
+}
+
+/// How like the photographs trained on; see rendering/models/familiarity.h.
+Json jsonOf(const models::PhotographFacts& photograph)
+{
+    Json json{{"distance", nullptr}, {"usual_distance", nullptr}, {"unfamiliar", photograph.unfamiliar()},
+              {"middle_only", photograph.middleOnly}};
+    if (photograph.assumedMmPerPixel)
+        json["assumed_mm_per_pixel"] = *photograph.assumedMmPerPixel;
+    if (photograph.distance) {
+        json["distance"] = *photograph.distance;
+        json["usual_distance"] = photograph.usualDistance;
+    } else {
+        json["unfamiliar"] = nullptr;
+        json["why"] = {{"distance", "the weights do not tell which photographs they know"}};
+    }
+    return json;
+}
+
+/// Only the signals that the fabric's images rest on.
+Json samplesOf(const SampleChoice& samples, const Rendering& rendering)
+{
+    Json json = Json::object();
+    if (rendering.computed.contains(Signal::Photograph)) json["visual"] = samples.visual;
+    if (rendering.computed.contains(Signal::TactileFrame)) json["tactile"] = samples.tactile;
+    if (rendering.computed.contains(Signal::FrictionRecord)) json["friction"] = samples.friction;
+    return json;
+}
+
+const char* nameOf(models::Quality quality)
+{
+    switch (quality) {
+        case models::Quality::Fast:
+            return "fast";
+        case models::Quality::Balanced:
+            return "balanced";
+        case models::Quality::Accurate:
+            return "accurate";
+    }
+    return "";
+}
+
+}  // namespace
+
+namespace {
+
+std::string percent(double share)
+{
+    char text[16];
+    std::snprintf(text, sizeof text, "%d.%d %%", static_cast<int>(share * 1000 + 0.5) / 10,
+                  static_cast<int>(share * 1000 + 0.5) % 10);
+    return text;
+}
+
+std::string inWords(const MapFacts& facts)
+{
+    return facts.extension + (facts.varianceLost ? ", " + percent(*facts.varianceLost) + " of its variance lost" : ", constant") +
+           (facts.outsideRange > 0 ? ", " + percent(facts.outsideRange) + " of its pixels beyond the range" : "");
+}
+
+}  // namespace
+
+std::vector<std::string> describeMaps(const Rendering& rendering)
+{
+    // Conditions of one source share its fate: named together.
+    std::map<protocols::FabricId, std::vector<std::pair<std::string, std::string>>> fates;
+    for (const auto& rendered : rendering.conditions)
+        for (const auto& [fabric, facts] : rendered.maps) {
+            auto& known = fates[fabric];
+            const auto words = inWords(facts);
+            const auto same = std::find_if(known.begin(), known.end(), [&](const auto& fate) { return fate.first == words; });
+            if (same == known.end())
+                known.emplace_back(words, rendered.condition.value);
+            else
+                same->second += ", " + rendered.condition.value;
+        }
+    std::vector<std::string> lines;
+    for (const auto& [fabric, known] : fates) {
+        std::string line;
+        for (const auto& [words, conditions] : known)
+            line += (line.empty() ? fabric.value + ": " : "; ") + conditions + ": " + words;
+        lines.push_back(line);
+    }
+    return lines;
+}
+
+std::vector<std::string> shadingWarnings(const Rendering& rendering)
+{
+    std::vector<std::string> lines;
+    for (const auto& [fabric, ready] : rendering.signals)
+        if (ready.colourVariation && *ready.colourVariation > signals::coloursSpoilShading)
+            lines.push_back(fabric.value + ": its photograph varies in colour by " + percent(*ready.colourVariation) +
+                            " of its brightness; v_shape may take dye for relief");
+    return lines;
+}
+
+std::string renderJson(const fabrics::Dataset& dataset, const RenderRequest& request, const Rendering& rendering)
+{
+    Json json{{"schema", "vis2hap.render/1"},       {"dataset", dataset.name},
+              {"scale", nameOf(request.scale)},     {"quality", nameOf(request.generation.quality)},
+              {"conditions", Json::object()},       {"samples", Json::object()},
+              {"signals_computed", Json::object()}, {"signals_ms", Json::object()}};
+    for (const auto& rendered : rendering.conditions) json["conditions"][rendered.condition.value] = jsonOf(rendered, request);
+    for (const auto& [fabric, samples] : rendering.samples) json["samples"][fabric.value] = samplesOf(samples, rendering);
+    for (const auto& [signal, count] : rendering.computed) json["signals_computed"][nameOf(signal)] = count;
+    for (const auto& [signal, milliseconds] : rendering.milliseconds) json["signals_ms"][nameOf(signal)] = rounded(milliseconds);
+    for (const auto& [fabric, ready] : rendering.signals)
+        if (ready.measuredMeanFriction)
+            json["measured_friction"][fabric.value] = {{"quantity", ready.measuredQuantity},
+                                                       {"mean", *ready.measuredMeanFriction}};
+    for (const auto& [fabric, ready] : rendering.signals)
+        if (ready.light)
+            json["shading"][fabric.value] = {{"method", request.shading.method == signals::ShadingMethod::Linear ? "linear" : "bumps"},
+                                             {"light_from", request.shading.lightFromBelow ? "below" : "above"},
+                                             {"light_azimuth_deg", ready.light->azimuthDeg},
+                                             {"light_coherence", ready.light->coherence},
+                                             {"colour_variation", *ready.colourVariation}};
+    for (const auto& [fabric, ready] : rendering.signals)
+        if (ready.photograph) json["photographs"][fabric.value] = jsonOf(*ready.photograph);
+    return json.dump(2) + "\n";
+}
+
+}  // namespace rendering

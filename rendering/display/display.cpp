@@ -1,0 +1,76 @@
+#include "rendering/display/display.h"
+
+#include <system_error>
+#include <utility>
+
+#include "protocols/files/errors.h"
+#include "rendering/display/external_display.h"
+#include "rendering/composition/friction_image.h"
+#include "rendering/images/image_io.h"
+
+namespace rendering {
+
+namespace {
+
+class NoDisplay : public HapticDisplay {
+public:
+    void show(const cv::Mat&) override {}
+    void clear() override {}
+    std::string name() const override { return "none"; }
+};
+
+class FolderDisplay : public HapticDisplay {
+public:
+    explicit FolderDisplay(std::filesystem::path folder) : m_folder(std::move(folder)) {}
+
+    void show(const cv::Mat& frictionImage) override
+    {
+        const auto current = m_folder / "current.pgm", next = m_folder / "next.pgm.part";
+        try {
+            writePgm(next, frictionImage);
+            std::filesystem::rename(next, current);
+        } catch (const std::exception& fault) {
+            throw protocols::workFailed({.what = std::string("the display's folder takes no image (") + fault.what() + ")",
+                                         .where = current.string(),
+                                         .expected = "a writable folder",
+                                         .nextStep = "make room or correct the permissions, then show it again"});
+        }
+    }
+
+    void clear() override { show(cv::Mat::zeros(displayHeightPx, displayWidthPx, CV_8UC1)); }
+    std::string name() const override { return "folder:" + m_folder.string(); }
+
+private:
+    std::filesystem::path m_folder;
+};
+
+std::unique_ptr<HapticDisplay> openFolder(const std::filesystem::path& folder)
+{
+    std::error_code failed;
+    std::filesystem::create_directories(folder, failed);
+    if (failed)
+        throw protocols::environmentFault({.what = "the display's folder cannot be made (" + failed.message() + ")",
+                                           .where = folder.string(),
+                                           .expected = "a place that can be written to",
+                                           .nextStep = "choose another folder"});
+    auto display = std::make_unique<FolderDisplay>(folder);
+    display->clear();  // what an earlier session left there must not be felt
+    return display;
+}
+
+}  // namespace
+
+std::unique_ptr<HapticDisplay> openDisplay(const std::string& specification)
+{
+    const std::string folderKind = "folder:";
+    if (specification == "none") return std::make_unique<NoDisplay>();
+    if (specification.starts_with(folderKind) && specification.size() > folderKind.size())
+        return openFolder(specification.substr(folderKind.size()));
+    if (const auto address = driverAddressFrom(specification)) return std::make_unique<ExternalDisplay>(*address);
+    throw protocols::badInput({.what = "unknown display '" + specification + "'",
+                               .where = "",
+                               .expected = "none, folder:DIR, exec:COMMAND or tcp:HOST:PORT",
+                               .nextStep = ""});
+}
+
+}  // namespace rendering

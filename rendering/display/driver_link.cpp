@@ -1,0 +1,303 @@
+#include "rendering/display/driver_link.h"
+
+#include <fcntl.h>
+#include <netdb.h>
+#include <netinet/in.h>
+#include <netinet/tcp.h>
+#include <poll.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <thread>
+
+#include "protocols/files/errors.h"
+
+extern char** environ;  // NOLINT: the C library's own
+
+namespace rendering {
+
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::steady_clock;
+
+constexpr std::size_t mostWaiting = std::size_t{1} << 22;  // bytes of lines that nobody has asked for yet
+constexpr std::size_t errorTextKept = 2000;
+
+std::string systemText() { return std::strerror(errno); }
+
+void closeBoth(const std::array<int, 2>& ends)
+{
+    for (const int end : ends) ::close(end);
+}
+
+int millisecondsTo(Instant deadline)
+{
+    const auto left = std::chrono::ceil<milliseconds>(deadline - steady_clock::now()).count();
+    return static_cast<int>(std::max<long long>(0, left));
+}
+
+void setOption(int socket, int level, int option, int value) { ::setsockopt(socket, level, option, &value, sizeof value); }
+
+/// Small requests go out at once, and a computer that is gone is noticed within seconds.
+void tuneConnection(int socket)
+{
+    setOption(socket, IPPROTO_TCP, TCP_NODELAY, 1);
+    setOption(socket, SOL_SOCKET, SO_KEEPALIVE, 1);
+    setOption(socket, IPPROTO_TCP, TCP_KEEPIDLE, 1);
+    setOption(socket, IPPROTO_TCP, TCP_KEEPINTVL, 1);
+    setOption(socket, IPPROTO_TCP, TCP_KEEPCNT, 3);
+}
+
+/// The error number of the attempt; 0 where it is connected.
+int connectBefore(int socket, const addrinfo& place, Instant deadline)
+{
+    if (::connect(socket, place.ai_addr, place.ai_addrlen) == 0) return 0;
+    if (errno != EINPROGRESS) return errno;
+    pollfd waiting{socket, POLLOUT, 0};
+    if (::poll(&waiting, 1, millisecondsTo(deadline)) <= 0) return ETIMEDOUT;
+    int fault = 0;
+    socklen_t size = sizeof fault;
+    ::getsockopt(socket, SOL_SOCKET, SO_ERROR, &fault, &size);
+    return fault;
+}
+
+std::string lastLineOf(const std::string& text)
+{
+    const auto end = text.find_last_not_of(" \t\r\n");
+    if (end == std::string::npos) return {};
+    const auto begin = text.rfind('\n', end);
+    return text.substr(begin == std::string::npos ? 0 : begin + 1, end - (begin == std::string::npos ? 0 : begin + 1) + 1);
+}
+
+std::string endingText(int status)
+{
+    if (WIFSIGNALED(status)) return "was ended by signal " + std::to_string(WTERMSIG(status));
+    constexpr int shellsSignal = 128;  // the shell between us ends with 128 + signal
+    if (WEXITSTATUS(status) > shellsSignal) return "was ended by signal " + std::to_string(WEXITSTATUS(status) - shellsSignal);
+    return "ended with exit code " + std::to_string(WEXITSTATUS(status));
+}
+
+}  // namespace
+
+std::string DriverAddress::text() const
+{
+    return isProgram() ? "exec:" + command
+                       : "tcp:" + (host.find(':') == std::string::npos ? host : "[" + host + "]") + ":" + port;
+}
+
+std::optional<DriverAddress> driverAddressFrom(const std::string& specification)
+{
+    const std::string exec = "exec:", tcp = "tcp:";
+    const auto refusal = [&](const std::string& expected) {
+        return protocols::badInput(
+            {.what = "display '" + specification + "' names no driver", .where = "", .expected = expected, .nextStep = ""});
+    };
+    if (specification.starts_with(exec)) {
+        if (specification.find_first_not_of(' ', exec.size()) == std::string::npos) throw refusal("exec:COMMAND");
+        return DriverAddress{specification.substr(exec.size()), {}, {}};
+    }
+    if (!specification.starts_with(tcp)) return std::nullopt;
+    const std::string place = specification.substr(tcp.size());
+    const auto colon = place.rfind(':');
+    if (colon == std::string::npos || colon == 0 || colon + 1 == place.size()) throw refusal("tcp:HOST:PORT");
+    std::string host = place.substr(0, colon);
+    if (host.starts_with('[') && host.ends_with(']')) host = host.substr(1, host.size() - 2);
+    return DriverAddress{{}, host, place.substr(colon + 1)};
+}
+
+DriverLink::DriverLink(const DriverAddress& address, Instant deadline)
+{
+    if (address.isProgram())
+        startProgram(address.command);
+    else
+        connectTo(address, deadline);
+}
+
+DriverLink::~DriverLink() { close(steady_clock::now() + milliseconds(500)); }
+
+/// Its standard input and output are one socket: writing to a dead driver then fails instead of raising SIGPIPE.
+void DriverLink::startProgram(const std::string& command)
+{
+    std::array<int, 2> streams{}, errors{};
+    const bool hasStreams = ::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, streams.data()) == 0;
+    if (!hasStreams || ::pipe2(errors.data(), O_CLOEXEC) != 0) {
+        m_trouble = "cannot be started (" + systemText() + ")";
+        if (hasStreams) closeBoth(streams);
+        return;
+    }
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_adddup2(&actions, streams[1], STDIN_FILENO);
+    posix_spawn_file_actions_adddup2(&actions, streams[1], STDOUT_FILENO);
+    posix_spawn_file_actions_adddup2(&actions, errors[1], STDERR_FILENO);
+    // A group of its own: Ctrl-C in the terminal is ours alone, and all that the command starts can be ended.
+    posix_spawnattr_t attributes;
+    posix_spawnattr_init(&attributes);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+    std::string words = command, shell = "sh", option = "-c";
+    std::array<char*, 4> arguments{shell.data(), option.data(), words.data(), nullptr};
+    const int fault = ::posix_spawn(&m_program, "/bin/sh", &actions, &attributes, arguments.data(), environ);
+    posix_spawnattr_destroy(&attributes);
+    posix_spawn_file_actions_destroy(&actions);
+    ::close(streams[1]);
+    ::close(errors[1]);
+    m_socket = streams[0];
+    m_errors = errors[0];
+    ::fcntl(m_socket, F_SETFL, O_NONBLOCK);
+    ::fcntl(m_errors, F_SETFL, O_NONBLOCK);
+    if (fault == 0) return;
+    m_program = -1;
+    m_trouble = std::string("cannot be started (") + std::strerror(fault) + ")";
+}
+
+void DriverLink::connectTo(const DriverAddress& address, Instant deadline)
+{
+    addrinfo wanted{}, *places = nullptr;
+    wanted.ai_socktype = SOCK_STREAM;
+    if (const int fault = ::getaddrinfo(address.host.c_str(), address.port.c_str(), &wanted, &places); fault != 0) {
+        m_trouble = std::string("cannot be reached (") + ::gai_strerror(fault) + ")";
+        return;
+    }
+    const std::unique_ptr<addrinfo, decltype(&::freeaddrinfo)> owned(places, &::freeaddrinfo);
+    int fault = EADDRNOTAVAIL;
+    for (const addrinfo* place = places; place != nullptr; place = place->ai_next) {
+        m_socket = ::socket(place->ai_family, place->ai_socktype | SOCK_CLOEXEC | SOCK_NONBLOCK, place->ai_protocol);
+        fault = m_socket < 0 ? errno : connectBefore(m_socket, *place, deadline);
+        if (fault == 0) return tuneConnection(m_socket);
+        if (m_socket >= 0) ::close(m_socket);
+        m_socket = -1;
+    }
+    m_trouble = std::string("cannot be reached (") + std::strerror(fault) + ")";
+}
+
+bool DriverLink::send(std::string_view bytes, Instant deadline)
+{
+    while (!bytes.empty() && !isLost()) {
+        const ssize_t sent = ::send(m_socket, bytes.data(), bytes.size(), MSG_NOSIGNAL);
+        if (sent > 0)
+            bytes.remove_prefix(static_cast<std::size_t>(sent));
+        else if (errno == EAGAIN || errno == EWOULDBLOCK)
+            // It may be waiting for us to read before it reads on.
+            pump(POLLIN | POLLOUT, deadline);
+        else if (errno != EINTR)
+            takeIn();  // tells why
+        if (sent <= 0 && !isLost() && steady_clock::now() >= deadline) return false;
+    }
+    return bytes.empty();
+}
+
+std::optional<std::string> DriverLink::receive(Instant deadline)
+{
+    while (true) {
+        if (auto line = nextLine()) return line;
+        if (isLost()) return std::nullopt;
+        pump(POLLIN, deadline);
+        if (steady_clock::now() >= deadline) return nextLine();
+    }
+}
+
+/// Waits until something can be read (or sent, where asked for) and takes in what there is.
+void DriverLink::pump(short events, Instant deadline)
+{
+    std::array<pollfd, 2> waiting{pollfd{m_socket, events, 0}, pollfd{m_errors, POLLIN, 0}};
+    if (::poll(waiting.data(), waiting.size(), millisecondsTo(deadline)) <= 0) return;
+    if (waiting[1].revents != 0) takeErrors();
+    if (waiting[0].revents & (POLLIN | POLLHUP | POLLERR)) takeIn();
+}
+
+void DriverLink::takeIn()
+{
+    std::array<char, 65536> chunk{};
+    ssize_t got = 0;
+    while (m_incoming.size() < mostWaiting && (got = ::recv(m_socket, chunk.data(), chunk.size(), 0)) > 0)
+        m_incoming.append(chunk.data(), static_cast<std::size_t>(got));
+    const bool isOpen = got > 0 || (got < 0 && (errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR));
+    if (m_incoming.size() >= mostWaiting)
+        m_trouble = "says more than anybody asked for";
+    else if (!isOpen)
+        m_trouble = m_program > 0 ? "closed its standard output" : "closed the connection";
+}
+
+void DriverLink::takeErrors()
+{
+    std::array<char, 4096> chunk{};
+    ssize_t got = 0;
+    while ((got = ::read(m_errors, chunk.data(), chunk.size())) > 0) {
+        m_errorText.append(chunk.data(), static_cast<std::size_t>(got));
+        if (m_errorText.size() > errorTextKept) m_errorText.erase(0, m_errorText.size() - errorTextKept);
+    }
+    if (got == 0) {  // closed: it would be readable for ever
+        ::close(m_errors);
+        m_errors = -1;
+    }
+}
+
+std::optional<std::string> DriverLink::nextLine()
+{
+    const auto end = m_incoming.find('\n', m_searched);
+    m_searched = end == std::string::npos ? m_incoming.size() : 0;
+    const bool isTooLong = std::min(end, m_incoming.size()) > longestLine;
+    if (isTooLong) {
+        m_trouble = "sent a line longer than " + std::to_string(longestLine) + " bytes";
+        m_incoming.clear();
+    }
+    if (end == std::string::npos || isTooLong) return std::nullopt;
+    std::string line = m_incoming.substr(0, end);
+    m_incoming.erase(0, end + 1);
+    if (line.ends_with('\r')) line.pop_back();
+    return line;
+}
+
+std::string DriverLink::trouble()
+{
+    if (!isLost()) return {};
+    std::string text = m_trouble;
+    if (m_program > 0 && !m_ending) waitForEnd(steady_clock::now() + milliseconds(200));
+    if (m_ending) text = endingText(*m_ending);
+    if (m_errors >= 0) takeErrors();
+    const std::string words = lastLineOf(m_errorText);
+    return words.empty() ? text : text + "; it said: " + words;
+}
+
+bool DriverLink::waitForEnd(Instant deadline)
+{
+    while (!m_ending) {
+        int status = 0;
+        if (::waitpid(m_program, &status, WNOHANG) == m_program)
+            m_ending = status;
+        else if (steady_clock::now() >= deadline)
+            return false;
+        else
+            std::this_thread::sleep_for(milliseconds(2));
+        if (!m_ending && m_errors >= 0) takeErrors();
+    }
+    return true;
+}
+
+bool DriverLink::close(Instant deadline)
+{
+    if (m_socket >= 0) ::close(m_socket);
+    m_socket = -1;
+    if (m_trouble.empty()) m_trouble = "was closed";
+    if (m_program <= 0) return true;
+    const bool hasEnded = waitForEnd(deadline);
+    if (!hasEnded) {
+        ::kill(-m_program, SIGTERM);
+        if (!waitForEnd(steady_clock::now() + milliseconds(300))) ::kill(-m_program, SIGKILL);
+        waitForEnd(Instant::max());
+    }
+    if (m_errors >= 0) ::close(m_errors);
+    m_errors = -1;
+    m_program = -1;
+    return hasEnded;
+}
+
+}  // namespace rendering

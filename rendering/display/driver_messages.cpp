@@ -1,0 +1,106 @@
+#include "rendering/display/driver_messages.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace rendering {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Kind = DriverMessage::Kind;
+
+struct KindRow {
+    Kind kind;
+    const char* name;
+};
+constexpr KindRow kinds[] = {{Kind::Hello, "hello"},   {Kind::Shown, "shown"},     {Kind::Cleared, "cleared"},
+                             {Kind::Status, "status"}, {Kind::Touched, "touched"}, {Kind::Failed, "failed"}};
+
+std::optional<Kind> kindNamed(const Json& name)
+{
+    for (const KindRow& row : kinds)
+        if (name == row.name) return row.kind;
+    return std::nullopt;
+}
+
+/// A field that is missing or null leaves `target`; one of another kind than asked for spoils the message.
+template <class Value>
+bool take(const Json& message, const char* field, bool (Json::*isRight)() const noexcept, Value& target)
+{
+    const auto found = message.find(field);
+    if (found == message.end() || found->is_null()) return true;
+    if (!((*found).*isRight)()) return false;
+    target = found->template get<std::decay_t<decltype(target)>>();
+    return true;
+}
+
+/// A number that counts; drivers in languages without integers write 7.0.
+bool takeCount(const Json& message, const char* field, std::optional<std::int64_t>& target)
+{
+    constexpr double most = 9e15;
+    double value = -1;
+    if (!take(message, field, &Json::is_number, value)) return false;
+    const bool isThere = message.contains(field) && !message.at(field).is_null();
+    if (!isThere) return true;
+    if (!(value >= 0 && value <= most) || value != std::floor(value)) return false;
+    target = static_cast<std::int64_t>(value);
+    return true;
+}
+
+bool takeFields(const Json& message, DriverMessage& said)
+{
+    std::optional<std::int64_t> id, width, height;
+    double deviceS = std::nan("");
+    const bool isWhole =
+        takeCount(message, "id", id) && takeCount(message, "width", width) && takeCount(message, "height", height) &&
+        takeCount(message, "showing", said.showing) && take(message, "at_s", &Json::is_number, deviceS) &&
+        take(message, "schema", &Json::is_string, said.schema) && take(message, "name", &Json::is_string, said.name) &&
+        take(message, "why", &Json::is_string, said.why) && take(message, "touches", &Json::is_boolean, said.touches);
+    if (!isWhole || !id) return false;
+    said.id = *id;
+    constexpr std::int64_t widest = 1 << 14;
+    said.widthPx = static_cast<int>(std::min(width.value_or(0), widest));
+    said.heightPx = static_cast<int>(std::min(height.value_or(0), widest));
+    constexpr double latest = 4e9;  // beyond any clock's seconds, and differences still fit into nanoseconds
+    if (std::abs(deviceS) <= latest) said.deviceS = deviceS;
+    return true;
+}
+
+std::string lineOf(const Json& request) { return request.dump() + "\n"; }
+
+}  // namespace
+
+const char* nameOf(Kind kind)
+{
+    for (const KindRow& row : kinds)
+        if (row.kind == kind) return row.name;
+    return "";
+}
+
+std::optional<DriverMessage> driverMessageFrom(std::string_view line)
+{
+    const Json message = Json::parse(line, nullptr, false);
+    if (!message.is_object() || !message.contains("type")) return std::nullopt;
+    const auto kind = kindNamed(message.at("type"));
+    DriverMessage said;
+    if (!kind || !takeFields(message, said)) return std::nullopt;
+    said.kind = *kind;
+    return said;
+}
+
+std::string helloLine(std::int64_t id, std::string_view schema)
+{
+    return lineOf({{"type", "hello"}, {"id", id}, {"schema", schema}});
+}
+
+std::string showLine(std::int64_t id, int widthPx, int heightPx, std::size_t bytes)
+{
+    return lineOf({{"type", "show"}, {"id", id}, {"width", widthPx}, {"height", heightPx}, {"bytes", bytes}});
+}
+
+std::string clearLine(std::int64_t id) { return lineOf({{"type", "clear"}, {"id", id}}); }
+
+std::string statusLine(std::int64_t id) { return lineOf({{"type", "status"}, {"id", id}}); }
+
+}  // namespace rendering

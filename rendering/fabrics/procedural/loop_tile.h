@@ -1,0 +1,19 @@
+// One repeat of a weft knit as a height map.
+#pragma once
+
+#include <opencv2/core/mat.hpp>
+
+#include "rendering/fabrics/procedural/structures.h"
+
+namespace rendering::fabrics {
+
+struct LoopTile {
+    cv::Mat heightMm;  ///< CV_32FC1, periodic in both directions; the floor lies where no yarn is
+    double widthMm = 1;
+    double lengthMm = 1;
+};
+
+/// Jersey: one face wale. Rib: two face wales and two back wales.
+LoopTile drawLoops(const Structure& structure);
+
+}  // namespace rendering::fabrics

@@ -1,0 +1,143 @@
+// samples.csv and the split over its groups.
+#include "rendering/fabrics/procedural/sample_places.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <tuple>
+
+#include "protocols/files/errors.h"
+#include "protocols/random.h"
+#include "protocols/files/csv_table.h"
+#include "rendering/fabrics/dataset.h"
+#include "protocols/files/whole_file.h"
+
+namespace rendering::fabrics {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr Modality modalities[] = {Modality::Visual, Modality::Tactile, Modality::Friction};
+constexpr const char* header = "fabric,signal,index,x_mm,y_mm,rotation_deg,group";
+
+std::string cellOf(const std::optional<double>& value) { return value ? shortest(*value) : std::string(); }
+
+Modality modalityAt(const CsvTable& table, std::size_t row, std::size_t column)
+{
+    for (const Modality modality : modalities)
+        if (table.rows[row][column] == nameOf(modality)) return modality;
+    throw protocols::badInput({"\"" + table.rows[row][column] + "\" is no signal", rowName(table, row) + ", column signal",
+                               "visual, tactile or friction", ""});
+}
+
+int indexAt(const CsvTable& table, std::size_t row, std::size_t column)
+{
+    const double value = numberAt(table, row, column);
+    if (value < 0 || value > 1e6 || value != std::floor(value))
+        throw protocols::badInput({"\"" + table.rows[row][column] + "\" is no sample number",
+                                   rowName(table, row) + ", column index", "a whole number from 0", ""});
+    return int(value);
+}
+
+/// A group has one part wherever it occurs, so that no split divides it.
+using PartOfGroup = std::map<std::string, Part>;
+
+/// Shares the groups of one fabric and signal out 8:1:1; those already placed by another signal count.
+void shareOut(std::vector<std::string> groups, PartOfGroup& parts, protocols::Random random)
+{
+    const std::size_t tenth = groups.size() < 3 ? 0 : std::max<std::size_t>(1, (groups.size() + 5) / 10);
+    std::map<Part, std::size_t> wanted{{Part::Validation, tenth}, {Part::Testing, tenth}};
+    std::vector<std::string> open;
+    for (const std::string& group : groups) {
+        const auto placed = parts.find(group);
+        if (placed == parts.end())
+            open.push_back(group);
+        else if (placed->second != Part::Training && wanted[placed->second] > 0)
+            --wanted[placed->second];
+    }
+    random.shuffle(open);
+    for (const std::string& group : open) {
+        Part part = Part::Training;
+        for (const Part small : {Part::Testing, Part::Validation})
+            if (part == Part::Training && wanted[small] > 0) {
+                part = small;
+                --wanted[small];
+            }
+        parts[group] = part;
+    }
+}
+
+}  // namespace
+
+std::string ownGroup(const protocols::FabricId& fabric, Modality modality, int index)
+{
+    return fabric.value + "/" + nameOf(modality) + "/" + std::to_string(index);
+}
+
+std::vector<SamplePlace> readSamplePlaces(const Dataset& dataset)
+{
+    const fs::path file = dataset.folder / "samples.csv";
+    if (!fs::exists(file)) return {};
+    const CsvTable table = readCsvTable(file);
+    const auto column = [&](const char* name) {
+        if (const auto found = table.column(name)) return *found;
+        throw protocols::badInput({std::string("has no column ") + name, table.where, header, ""});
+    };
+    const std::size_t fabric = column("fabric"), signal = column("signal"), index = column("index"), x = column("x_mm"),
+                      y = column("y_mm"), rotation = column("rotation_deg"), group = column("group");
+    std::vector<SamplePlace> places;
+    for (std::size_t row = 0; row < table.rows.size(); ++row) {
+        const auto optional = [&](std::size_t at) {
+            return table.rows[row][at].empty() ? std::nullopt : std::optional(numberAt(table, row, at));
+        };
+        SamplePlace place{protocols::FabricId(table.rows[row][fabric]),
+                          modalityAt(table, row, signal),
+                          indexAt(table, row, index),
+                          optional(x),
+                          optional(y),
+                          optional(rotation),
+                          table.rows[row][group]};
+        if (place.group.empty()) place.group = ownGroup(place.fabric, place.modality, place.index);
+        places.push_back(std::move(place));
+    }
+    return places;
+}
+
+void writeSamplePlaces(const Dataset& dataset, const std::vector<SamplePlace>& places)
+{
+    std::string text = std::string(header) + "\n";
+    for (const SamplePlace& place : places)
+        text += csvCell(place.fabric.value) + "," + nameOf(place.modality) + "," + std::to_string(place.index) + "," +
+                cellOf(place.xMm) + "," + cellOf(place.yMm) + "," + cellOf(place.rotationDeg) + "," + csvCell(place.group) + "\n";
+    writeWholeFile(dataset.folder / "samples.csv", text);
+}
+
+std::vector<std::pair<SamplePlace, Part>> splitBySample(const Dataset& dataset, std::uint64_t seed)
+{
+    std::map<std::tuple<protocols::FabricId, Modality, int>, SamplePlace> known;
+    for (const SamplePlace& place : readSamplePlaces(dataset)) known[{place.fabric, place.modality, place.index}] = place;
+    std::vector<std::pair<SamplePlace, Part>> split;
+    PartOfGroup parts;
+    for (const FabricInfo& fabric : dataset.fabrics)
+        for (const Modality modality : modalities) {
+            std::vector<std::string> groups;
+            std::set<std::string> seen;
+            for (const int index : sampleIndices(dataset, fabric.id, modality)) {
+                const auto found = known.find({fabric.id, modality, index});
+                SamplePlace place =
+                    found != known.end()
+                        ? found->second
+                        : SamplePlace{fabric.id, modality, index, {}, {}, {}, ownGroup(fabric.id, modality, index)};
+                if (seen.insert(place.group).second) groups.push_back(place.group);
+                split.emplace_back(std::move(place), Part::Training);
+            }
+            shareOut(std::move(groups), parts,
+                     protocols::Random::stream(seed, "split/" + fabric.id.value + "/" + nameOf(modality)));
+        }
+    for (auto& [place, part] : split) part = parts.at(place.group);
+    return split;
+}
+
+}  // namespace rendering::fabrics

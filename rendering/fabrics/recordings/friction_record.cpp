@@ -1,0 +1,79 @@
+// The friction part of dataset.h: records as CSV, whose header says what they are.
+#include <cmath>
+
+#include "protocols/files/errors.h"
+#include "protocols/files/csv_table.h"
+#include "rendering/fabrics/dataset.h"
+#include "protocols/files/whole_file.h"
+
+namespace rendering::fabrics {
+
+namespace {
+
+constexpr double leastNormalN = 0.05;  // below it a coefficient is noise over noise
+
+std::string joined(const std::vector<std::string>& names)
+{
+    std::string line;
+    for (const std::string& name : names) line += (line.empty() ? "" : ",") + name;
+    return line;
+}
+
+protocols::Error unknownColumns(const CsvReader& reader)
+{
+    return protocols::badInput({"has the columns " + joined(reader.columns()), reader.where(),
+                                "t_s,normal_n,tangential_n or t_s,mu or t_s and one named quantity", ""});
+}
+
+std::string rowOf(const CsvReader& reader) { return reader.where() + ", row " + std::to_string(reader.rows()); }
+
+void addTime(FrictionRecord& record, const CsvReader& reader, std::size_t column)
+{
+    const double time = reader.number(column);
+    if (!record.timeS.empty() && !(time > record.timeS.back()))
+        throw protocols::badInput({"time does not increase", rowOf(reader) + ", column t_s", "rows in order of time", ""});
+    record.timeS.push_back(time);
+}
+
+double coefficientIn(const CsvReader& reader, std::size_t normal, std::size_t tangential)
+{
+    const double force = reader.number(normal);
+    if (force <= leastNormalN)
+        throw protocols::badInput({"the normal force is " + shortest(force) + " N", rowOf(reader) + ", column normal_n",
+                                   "more than 0.05 N: the probe must be in contact", "cut the record to the stroke"});
+    const double coefficient = reader.number(tangential) / force;
+    if (!std::isfinite(coefficient))
+        throw protocols::badInput({"the forces have no finite ratio", rowOf(reader), "forces in N", ""});
+    return coefficient;
+}
+
+}  // namespace
+
+FrictionRecord readFriction(const Dataset& dataset, const protocols::FabricId& fabric, int index)
+{
+    const FabricInfo& info = dataset.fabric(fabric);
+    const std::filesystem::path file = samplePath(dataset, fabric, Modality::Friction, index);
+    if (!std::filesystem::exists(file))
+        throw protocols::badInput(
+            {"fabric " + fabric.value + " (" + info.name + ") has no friction sample " + std::to_string(index),
+             dataset.folder.string(), "", "import friction records, or choose a condition that does not need them"});
+    const std::string bytes = readWholeFile(file);
+    CsvReader reader(bytes, file.string());
+    const auto time = reader.column("t_s"), normal = reader.column("normal_n"), tangential = reader.column("tangential_n");
+    const bool forces = normal && tangential;
+    if (!time || (!forces && (reader.columns().size() != 2 || normal || tangential))) throw unknownColumns(reader);
+    const std::size_t value = *time == 0 ? 1 : 0;
+    FrictionRecord record;
+    if (!forces) record.quantity = reader.columns()[value];
+    while (reader.next()) {
+        addTime(record, reader, *time);
+        record.values.push_back(forces ? coefficientIn(reader, *normal, *tangential) : reader.number(value));
+    }
+    if (record.values.size() < 2)
+        throw protocols::badInput({"has " + std::to_string(record.values.size()) + " rows", reader.where(), "at least 2", ""});
+    record.sampleRateHz = double(record.timeS.size() - 1) / (record.timeS.back() - record.timeS.front());
+    record.speedMmPerS = dataset.friction.speedMmPerS;
+    return record;
+}
+
+}  // namespace rendering::fabrics

@@ -1,0 +1,109 @@
+// What was done to a friction record, in words and as the file beside it.
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "rendering/fabrics/recordings/friction_preparation.h"
+
+namespace rendering::fabrics {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Where row `row` begins; the end of the record after its last one.
+double timeAt(const PreparedRecord& prepared, std::size_t row)
+{
+    return prepared.timeS[std::min(row, prepared.timeS.size() - 1)];
+}
+
+struct Cut {
+    const char* name;
+    Rows rows;
+};
+
+/// The parts around the steady slide, empty ones included.
+std::vector<Cut> cutsOf(const PreparedRecord& prepared)
+{
+    const auto& [contact, steady, why] = prepared.slide;
+    return {{"approach", {0, contact.begin}},
+            {"breakaway", {contact.begin, steady.begin}},
+            {"stop", {steady.end, contact.end}},
+            {"after contact", {contact.end, prepared.timeS.size()}}};
+}
+
+Json jsonOf(const PreparedRecord& prepared, Rows rows)
+{
+    return {{"from_s", timeAt(prepared, rows.begin)}, {"to_s", timeAt(prepared, rows.end)}, {"samples", rows.count()}};
+}
+
+Json jsonOf(const std::optional<Axis>& axis)
+{
+    return axis ? Json((axis->sign < 0 ? "-" : "") + axis->column) : Json("found by name");
+}
+
+}  // namespace
+
+std::string describeCuts(const PreparedRecord& prepared)
+{
+    std::string text;
+    if (prepared.zeroRows)
+        text += ", zero from " + std::to_string(prepared.zeroRows->count()) + " unloaded samples (normal " +
+                inShort(prepared.zeroNormalN) + " N)";
+    if (prepared.normalTurned) text += ", normal force turned round";
+    std::string cuts;
+    for (const auto& [name, rows] : cutsOf(prepared))
+        if (rows.count() > 0)
+            cuts += (cuts.empty() ? "" : ", ") + std::string(name) + " " +
+                    inShort(timeAt(prepared, rows.end) - timeAt(prepared, rows.begin)) + " s";
+    if (!cuts.empty())
+        text += ", slide " + inShort(timeAt(prepared, prepared.slide.steady.begin)) + " to " +
+                inShort(timeAt(prepared, prepared.slide.steady.end - 1)) + " s of " + inShort(prepared.timeS.back()) + " s (" +
+                cuts + " cut)";
+    else
+        text += prepared.slide.why.empty() ? ", all of it slides" : ", nothing cut (" + prepared.slide.why + ")";
+    if (prepared.leftOut > 0) text += ", " + std::to_string(prepared.leftOut) + " samples of too little normal force left out";
+    for (const auto& warning : prepared.warnings) text += "; warning: " + warning;
+    return text;
+}
+
+std::string preparationJson(const RawRecord& record, const FrictionOptions& options, const PreparedRecord& prepared)
+{
+    Json json{{"schema", "vis2hap.friction-import/1"},
+              {"from", record.where},
+              {"instrument", record.instrument},
+              {"rows", record.timeS.size()},
+              {"quantity", record.normalN.empty() ? record.quantity : "mu"},
+              {"meaning", record.meaning}};
+    if (!record.normalN.empty()) {
+        json["axes"] = {{"normal", jsonOf(options.normal)}, {"tangential", Json::array()}};
+        for (const auto& axis : options.tangential) json["axes"]["tangential"].push_back(jsonOf(std::optional(axis)));
+        if (options.tangential.empty()) json["axes"]["tangential"] = "found by name";
+        json["axes"]["normal_turned"] = prepared.normalTurned;
+        json["axes"]["joined"] = !record.secondTangentialN.empty();
+        json["zero"] = prepared.zeroRows ? jsonOf(prepared, *prepared.zeroRows) : Json();
+        if (prepared.zeroRows) {
+            json["zero"]["normal_n"] = prepared.zeroNormalN;
+            json["zero"]["tangential_n"] = prepared.zeroTangentialN;
+        } else {
+            json["why"]["zero"] = options.zero == Found::Not ? "as asked for" : "no unloaded samples";
+        }
+    }
+    json["slide"] = jsonOf(prepared, prepared.slide.steady);
+    json["cut"] = Json::object();
+    for (const auto& [name, rows] : cutsOf(prepared))
+        if (rows.count() > 0) json["cut"][name] = jsonOf(prepared, rows);
+    if (json["cut"].empty() && !prepared.slide.why.empty()) json["why"]["cut"] = prepared.slide.why;
+    json["left_out"] = {{"samples", prepared.leftOut}, {"below_share_of_median_load", leastShareOfLoad}};
+    json["resampling"] = {
+        {"method", prepared.resampling},
+        {"rate_hz", 1 / prepared.stepS},
+        {"own_step_s",
+         {{"median", prepared.base.stepS}, {"smallest", prepared.base.smallestS}, {"largest", prepared.base.largestS}}}};
+    json["samples"] = prepared.values.size();
+    json["mean"] = prepared.mean;
+    json["sd"] = prepared.sd;
+    json["warnings"] = prepared.warnings;
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";  // file names may be any bytes
+}
+
+}  // namespace rendering::fabrics

@@ -1,0 +1,116 @@
+// Friction records of every instrument: reading is each instrument's; what follows is the same.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "protocols/files/errors.h"
+#include "protocols/files/csv_table.h"
+#include "rendering/fabrics/recordings/friction_plot.h"
+#include "rendering/fabrics/recordings/friction_preparation.h"
+#include "rendering/fabrics/recordings/import_kinds.h"
+#include "rendering/fabrics/recordings/import_sources.h"
+#include "protocols/files/whole_file.h"
+
+namespace rendering::fabrics {
+
+namespace {
+
+struct Instrument {
+    ImportKind kind;
+    std::array<std::string_view, 2> endings;
+    FabricNaming naming;
+    std::vector<RawRecord> (*read)(const std::filesystem::path&, const FrictionOptions&);
+};
+
+constexpr Instrument instruments[] = {
+    {ImportKind::FrictionCsv, {".csv", ".csv"}, FabricNaming::FolderOrFile, readFrictionCsv},
+    {ImportKind::Tribometer, {".txt", ".mtm"}, FabricNaming::FolderOrFile, readTribometer},
+    {ImportKind::Labview, {".txt", ".lvm"}, FabricNaming::FolderOrFile, readLabview},
+    {ImportKind::Slide, {".csv", ".csv"}, FabricNaming::BeforeForce, readSlide},
+};
+
+const Instrument& instrumentOf(ImportKind kind)
+{
+    return *std::find_if(std::begin(instruments), std::end(instruments), [&](const Instrument& one) { return one.kind == kind; });
+}
+
+std::string toCsv(const PreparedRecord& prepared, const std::string& quantity)
+{
+    const bool forces = !prepared.evenNormalN.empty();
+    std::string text = forces ? "t_s,normal_n,tangential_n\n" : "t_s," + csvCell(quantity) + "\n";
+    for (std::size_t i = 0; i < prepared.values.size(); ++i) {
+        text += shortest(std::round(double(i) * prepared.stepS * 1e9) / 1e9) + ",";
+        if (forces) text += shortest(prepared.evenNormalN[i]) + ",";
+        text += shortest(prepared.values[i]) + "\n";
+    }
+    return text;
+}
+
+std::string describe(const RawRecord& record, const PreparedRecord& prepared)
+{
+    const bool coefficient = !record.normalN.empty() || record.quantity == "mu";
+    std::string line = record.instrument + ", " + std::to_string(record.values.size()) + " rows, " + record.meaning + ", mean " +
+                       inShort(prepared.mean) + (coefficient ? "" : " (not a coefficient)") + ", " + inShort(1 / prepared.stepS) +
+                       " Hz";
+    if (prepared.resampling != "none")
+        line += " (own steps " + inShort(prepared.base.smallestS * 1000) + " to " + inShort(prepared.base.largestS * 1000) +
+                " ms; resampled, " + prepared.resampling + ", to " + std::to_string(prepared.values.size()) + " samples)";
+    return line;
+}
+
+/// Whether the data set's friction section may still be set from a record.
+bool hasFriction(const Dataset& dataset)
+{
+    return std::any_of(dataset.fabrics.begin(), dataset.fabrics.end(),
+                       [&](const FabricInfo& fabric) { return !sampleIndices(dataset, fabric.id, Modality::Friction).empty(); });
+}
+
+void describeRecording(Dataset& dataset, const RawRecord& record, const PreparedRecord& even)
+{
+    dataset.friction.sampleRateHz = std::round(1 / even.stepS * 1e6) / 1e6;
+    if (!record.speedMmPerS) return;
+    dataset.friction.speedMmPerS = *record.speedMmPerS;
+    dataset.friction.lengthMm = std::round(*record.speedMmPerS * even.stepS * double(even.values.size()) * 1e3) / 1e3;
+}
+
+std::string remarkOnSpeed(const RawRecord& record, const Dataset& dataset)
+{
+    const std::string known = inShort(dataset.friction.speedMmPerS) + " mm/s";
+    if (!record.speedMmPerS) return ", speed not stated (the data set's " + known + " is assumed)";
+    const std::string own = inShort(*record.speedMmPerS) + " mm/s";
+    if (std::abs(*record.speedMmPerS / dataset.friction.speedMmPerS - 1) < 0.01) return ", " + own;
+    return ", " + own + " (the data set states " + known + ")";
+}
+
+std::string titleOf(const FabricInfo& fabric, int sample)
+{
+    return fabric.id.value + (fabric.name == fabric.id.value ? "" : " " + fabric.name) + ", sample " + std::to_string(sample);
+}
+
+}  // namespace
+
+Lines importFrictionFiles(const ImportRequest& request, ImportStage& stage)
+{
+    const Instrument& instrument = instrumentOf(request.kind);
+    const auto files = sourceFiles(request.from, instrument.endings, instrument.naming);
+    Dataset& dataset = stage.dataset();
+    bool first = stage.isNew() || !hasFriction(dataset);
+    Lines lines;
+    for (const SourceFile& source : files)
+        for (const RawRecord& record : instrument.read(source.file, request.friction)) {
+            const PreparedRecord done = prepared(record, request.friction);
+            if (first) describeRecording(dataset, record, done);
+            first = false;
+            const auto fabric = stage.fabricFor(source.fabricName, request.fabric);
+            const auto slot = stage.addSample(fabric, Modality::Friction);
+            writeWholeFile(slot.file, toCsv(done, record.quantity));
+            writeWholeFile(stage.beside(slot, ".json"), preparationJson(record, request.friction, done));
+            const std::string title = titleOf(dataset.fabric(fabric), slot.index);
+            if (!request.plots.empty())
+                stage.keepPlot({fabric.value + "-" + slot.file.stem().string() + ".svg", frictionPlot(title, record, done)});
+            lines.push_back(title + ": " + describe(record, done) + remarkOnSpeed(record, dataset) + describeCuts(done));
+        }
+    return lines;
+}
+
+}  // namespace rendering::fabrics

@@ -1,0 +1,206 @@
+// Photographs and GelSight frames.
+#include <algorithm>
+#include <map>
+#include <opencv2/imgproc.hpp>
+
+#include "protocols/files/errors.h"
+#include "protocols/files/csv_table.h"
+#include "rendering/fabrics/recordings/import_kinds.h"
+#include "rendering/fabrics/recordings/import_sources.h"
+#include "rendering/images/image_io.h"
+#include "protocols/files/whole_file.h"
+
+namespace rendering::fabrics {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::string_view imageEndings[] = {".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff", ".webp"};
+constexpr int smallestSidePx = 16;
+
+/// 8 bits, RGB.
+cv::Mat readPicture(const fs::path& file, const ImportRequest& request)
+{
+    cv::Mat image;
+    if (lowerCase(file.extension().string()) == ".png")
+        image = readPng(file);
+    else if (request.decodeOther)
+        image = request.decodeOther(file);
+    else
+        throw protocols::badInput(
+            {"is no PNG, and no decoder for other pictures is at hand", file.string(), "a PNG image", "convert it to PNG"});
+    if (image.empty() || std::min(image.rows, image.cols) < smallestSidePx)
+        throw protocols::badInput({"is " + std::to_string(image.cols) + " x " + std::to_string(image.rows) + " pixels",
+                                   file.string(), "at least 16 x 16", ""});
+    if (image.depth() == CV_16U) image.convertTo(image, CV_8U, 1.0 / 257);
+    if (image.channels() == 1) cv::cvtColor(image, image, cv::COLOR_GRAY2RGB);
+    return image;
+}
+
+std::string sizeOf(const cv::Mat& image) { return std::to_string(image.cols) + " x " + std::to_string(image.rows) + " px"; }
+
+std::string headOf(const Dataset& dataset, const protocols::FabricId& id)
+{
+    const FabricInfo& info = dataset.fabric(id);
+    return id.value + (info.name == id.value ? "" : " " + info.name);
+}
+
+/// "3 photographs (000 to 002), 512 x 512 px" per fabric, in the order of the data set.
+struct Count {
+    int samples = 0, first = 0, last = 0;
+    std::string size;
+};
+using Counts = std::map<protocols::FabricId, Count>;
+
+void countSample(Counts& counts, const protocols::FabricId& fabric, int index, const cv::Mat& image)
+{
+    Count& count = counts[fabric];
+    if (count.samples++ == 0) {
+        count.first = index;
+        count.size = sizeOf(image);
+    } else if (count.size != sizeOf(image)) {
+        count.size = "of differing sizes";
+    }
+    count.last = index;
+}
+
+Lines linesFor(const Counts& counts, const Dataset& dataset, const std::string& what, const std::string& remark)
+{
+    Lines lines;
+    for (const auto& [fabric, count] : counts)
+        lines.push_back(headOf(dataset, fabric) + ": " + std::to_string(count.samples) + " " + what +
+                        (count.samples == 1 ? "" : "s") + " (samples " + std::to_string(count.first) + " to " +
+                        std::to_string(count.last) + "), " + count.size + ", " + remark);
+    return lines;
+}
+
+bool isReference(const fs::path& file)
+{
+    const std::string stem = lowerCase(file.stem().string());
+    return stem.starts_with("background") || stem.starts_with("reference");
+}
+
+bool samePixels(const cv::Mat& a, const cv::Mat& b)
+{
+    return a.size() == b.size() && a.type() == b.type() && cv::norm(a, b, cv::NORM_INF) == 0;
+}
+
+bool hasSamples(const Dataset& dataset, Modality modality)
+{
+    return std::any_of(dataset.fabrics.begin(), dataset.fabrics.end(),
+                       [&](const FabricInfo& fabric) { return !sampleIndices(dataset, fabric.id, modality).empty(); });
+}
+
+/// The reference frame among the files, if any; all that are there must show the same sensor.
+cv::Mat referenceAmong(const std::vector<SourceFile>& files, const ImportRequest& request, const Dataset& dataset,
+                       bool datasetIsNew)
+{
+    cv::Mat reference;
+    fs::path from;
+    if (!datasetIsNew && fs::exists(dataset.folder / "tactile-reference.png")) {
+        reference = readTactileReference(dataset);
+        from = dataset.folder / "tactile-reference.png";
+    }
+    for (const SourceFile& source : files) {
+        if (!isReference(source.file)) continue;
+        const cv::Mat picture = readPicture(source.file, request);
+        if (!reference.empty() && !samePixels(picture, reference))
+            throw protocols::badInput({"differs from the reference frame " + from.string(), source.file.string(),
+                                       "one untouched sensor a data set",
+                                       "import the frames of another sensor into another data set"});
+        reference = picture;
+        from = source.file;
+    }
+    return reference;
+}
+
+bool isGrey(const cv::Mat& picture)
+{
+    cv::Mat channels[3];
+    cv::split(picture, channels);
+    return cv::norm(channels[0], channels[1], cv::NORM_INF) == 0 && cv::norm(channels[1], channels[2], cv::NORM_INF) == 0;
+}
+
+constexpr const char* calibrationName = "tactile-calibration.json";
+
+/// The sensor's own untouched frame where none was among the files.
+void takeSensor(const ImportedSensor& sensor, const Dataset& dataset, cv::Mat& reference)
+{
+    const fs::path known = dataset.folder / dataset.tactileCalibration;
+    if (!dataset.tactileCalibration.empty() && (dataset.tactileCalibration == "known" || readWholeFile(known) != sensor.calibration))
+        throw protocols::badInput({"its tactile frames are read by another calibration", known.string(), "one sensor a data set",
+                                   "import the frames of another sensor into another data set"});
+    if (reference.empty())
+        reference = sensor.untouched;
+    else
+        sensor.requireSame(reference, "the reference frame");
+}
+
+}  // namespace
+
+Lines importPhotos(const ImportRequest& request, ImportStage& stage)
+{
+    Dataset& dataset = stage.dataset();
+    const auto files = sourceFiles(request.from, imageEndings, FabricNaming::FolderOrFile);
+    Counts counts;
+    for (const SourceFile& source : files) {
+        const cv::Mat picture = readPicture(source.file, request);
+        const auto fabric = stage.fabricFor(source.fabricName, request.fabric);
+        const auto slot = stage.addSample(fabric, Modality::Visual);
+        writePng(slot.file, picture);
+        countSample(counts, fabric, slot.index, picture);
+    }
+    Lines lines = linesFor(counts, dataset, "photograph", "scale unknown");
+    if (dataset.cameraMmPerPixel) {
+        lines.push_back("the camera's scale was " + shortest(*dataset.cameraMmPerPixel) +
+                        " mm per pixel; with photographs of unknown scale it is no longer stated");
+        dataset.cameraMmPerPixel.reset();
+    }
+    return lines;
+}
+
+Lines importGelsight(const ImportRequest& request, ImportStage& stage)
+{
+    Dataset& dataset = stage.dataset();
+    const auto files = sourceFiles(request.from, imageEndings, FabricNaming::FolderOrFile);
+    cv::Mat reference = referenceAmong(files, request, dataset, stage.isNew());
+    if (request.sensor) takeSensor(*request.sensor, dataset, reference);
+    if (reference.empty() && !stage.isNew() && hasSamples(dataset, Modality::Tactile))
+        throw protocols::badInput({"already holds tactile frames but no reference frame", dataset.folder.string(),
+                                   "frames of the same sensor", "import into a new data set"});
+    cv::Size size = reference.size();
+    Counts counts;
+    for (const SourceFile& source : files) {
+        if (isReference(source.file)) continue;
+        const cv::Mat frame = readPicture(source.file, request);
+        if (size.area() == 0) size = frame.size();
+        if (request.sensor && isGrey(frame))
+            throw protocols::badInput({"is grey", source.file.string(), "a colour frame, as the sensor was calibrated with", ""});
+        if (frame.size() != size)
+            throw protocols::badInput(
+                {"is " + sizeOf(frame), source.file.string(),
+                 std::to_string(size.width) + " x " + std::to_string(size.height) + " px, as the sensor's other frames", ""});
+        const auto fabric = stage.fabricFor(source.fabricName, request.fabric);
+        const auto slot = stage.addSample(fabric, Modality::Tactile);
+        writePng(slot.file, frame);
+        countSample(counts, fabric, slot.index, frame);
+    }
+    if (counts.empty())
+        throw protocols::badInput(
+            {"only reference frames were given", request.from.front().string(), "at least one frame of a press", ""});
+    if (!reference.empty() && (stage.isNew() || !fs::exists(dataset.folder / "tactile-reference.png")))
+        writePng(stage.addFile("tactile-reference.png"), reference);
+    if (request.sensor && dataset.tactileCalibration.empty()) {
+        writeWholeFile(stage.addFile(calibrationName), request.sensor->calibration);
+        dataset.tactileCalibration = calibrationName;
+        dataset.tactileMmPerPixel = request.sensor->mmPerPixel;
+    }
+    Lines lines =
+        linesFor(counts, dataset, "tactile frame", dataset.tactileCalibration.empty() ? "sensor not calibrated" : "calibrated");
+    if (reference.empty())
+        lines.emplace_back("no reference frame (background.png or reference.png) was among the files: heights cannot be had");
+    return lines;
+}
+
+}  // namespace rendering::fabrics

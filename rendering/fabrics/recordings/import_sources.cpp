@@ -1,0 +1,98 @@
+#include "rendering/fabrics/recordings/import_sources.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "protocols/files/errors.h"
+
+namespace rendering::fabrics {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string nameUpToLastUnderscore(const std::string& stem)
+{
+    const auto at = stem.rfind('_');
+    return at == std::string::npos || at == 0 ? stem : stem.substr(0, at);
+}
+
+std::string nameBeforeForce(const std::string& stem)
+{
+    for (auto at = stem.find("_F"); at != std::string::npos && at + 2 < stem.size(); at = stem.find("_F", at + 1))
+        if (at > 0 && stem[at + 2] >= '0' && stem[at + 2] <= '9') return stem.substr(0, at);
+    return nameUpToLastUnderscore(stem);
+}
+
+bool hasEnding(const fs::path& file, std::span<const std::string_view> endings)
+{
+    const std::string ending = lowerCase(file.extension().string());
+    return std::find(endings.begin(), endings.end(), ending) != endings.end();
+}
+
+std::string listed(std::span<const std::string_view> endings)
+{
+    std::string list;
+    for (const std::string_view ending : endings) list += (list.empty() ? "" : ", ") + std::string(ending);
+    return list;
+}
+
+void takeFolder(const fs::path& folder, std::span<const std::string_view> endings, FabricNaming naming,
+                std::vector<SourceFile>& taken)
+{
+    const std::size_t before = taken.size();
+    for (const auto& entry : fs::recursive_directory_iterator(folder, fs::directory_options::skip_permission_denied)) {
+        const fs::path& file = entry.path();
+        if (!entry.is_regular_file() || file.filename().string().starts_with('.') || !hasEnding(file, endings)) continue;
+        const fs::path inside = file.lexically_relative(folder);
+        const std::string stem = file.stem().string();
+        std::string name = nameUpToLastUnderscore(stem);
+        if (naming == FabricNaming::BeforeForce)
+            name = nameBeforeForce(stem);
+        else if (inside.has_parent_path())
+            name = inside.begin()->string();
+        taken.push_back({file, name});
+    }
+    if (taken.size() == before)
+        throw protocols::badInput({"holds no file to import", folder.string(), "files ending in " + listed(endings), ""});
+}
+
+}  // namespace
+
+std::string lowerCase(std::string text)
+{
+    for (char& c : text)
+        if (c >= 'A' && c <= 'Z') c = char(c + 32);
+    return text;
+}
+
+std::vector<SourceFile> sourceFiles(std::span<const fs::path> from, std::span<const std::string_view> endings,
+                                    FabricNaming naming)
+{
+    if (from.empty()) throw protocols::badInput({"nothing to import is named", "FROM", "files or folders", ""});
+    std::vector<SourceFile> taken;
+    for (const fs::path& source : from) {
+        std::error_code problem;
+        if (fs::is_directory(source, problem)) {
+            try {
+                takeFolder(source, endings, naming, taken);
+            } catch (const fs::filesystem_error& error) {
+                throw protocols::badInput(
+                    {"cannot be read (" + error.code().message() + ")", source.string(), "a readable folder", ""});
+            }
+        } else if (!fs::is_regular_file(source, problem)) {
+            throw protocols::badInput({"does not exist", source.string(), "a file or folder to import", "check the path"});
+        } else if (!hasEnding(source, endings)) {
+            throw protocols::badInput({"has an ending that this import does not read", source.string(), listed(endings), ""});
+        } else {
+            const std::string stem = source.stem().string();
+            taken.push_back({source, naming == FabricNaming::BeforeForce ? nameBeforeForce(stem) : nameUpToLastUnderscore(stem)});
+        }
+    }
+    std::sort(taken.begin(), taken.end(), [](const SourceFile& a, const SourceFile& b) {
+        return std::tie(a.fabricName, a.file) < std::tie(b.fabricName, b.file);
+    });
+    return taken;
+}
+
+}  // namespace rendering::fabrics

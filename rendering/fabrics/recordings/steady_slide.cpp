@@ -1,0 +1,163 @@
+#include "rendering/fabrics/recordings/steady_slide.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rendering::fabrics {
+
+namespace {
+
+double quantile(std::vector<double> values, double share)
+{
+    const auto place = values.begin() + std::ptrdiff_t(share * double(values.size() - 1));
+    std::nth_element(values.begin(), place, values.end());
+    return *place;
+}
+
+std::vector<double> magnitudes(std::span<const double> values)
+{
+    std::vector<double> result(values.size());
+    std::transform(values.begin(), values.end(), result.begin(), [](double v) { return std::abs(v); });
+    return result;
+}
+
+/// The longest run above `least`; gaps of up to `bridged` samples do not end it.
+Rows longestRun(std::span<const double> values, double least, std::size_t bridged)
+{
+    Rows best, run;
+    std::size_t last = 0;
+    bool inRun = false;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (!(values[i] >= least)) continue;
+        if (!inRun || i - last > bridged + 1) run.begin = i;
+        inRun = true;
+        last = i;
+        run.end = i + 1;
+        if (run.count() > best.count()) best = run;
+    }
+    return best;
+}
+
+/// Means over `width` samples about each; sums taken anew now and then, so that rounding does not pile up.
+std::vector<double> smoothed(std::span<const double> values, std::size_t width)
+{
+    std::vector<double> sums(values.size() + 1, 0.0);
+    for (std::size_t i = 0; i < values.size(); ++i) sums[i + 1] = sums[i] + values[i];
+    std::vector<double> result(values.size());
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const std::size_t from = i - std::min(i, width / 2), to = std::min(values.size(), i + width / 2 + 1);
+        result[i] = (sums[to] - sums[from]) / double(to - from);
+    }
+    return result;
+}
+
+/// What the middle half of a stroke says of all of it: a line, and how far the samples stray from it.
+struct Band {
+    double level = 0, slope = 0, centre = 0, width = 0;
+    bool holds(double value, std::size_t at) const { return std::abs(value - level - slope * (double(at) - centre)) <= width; }
+};
+
+Band bandOf(const std::vector<double>& values, double leastShare)
+{
+    const std::size_t quarter = values.size() / 4, half = values.size() / 2;
+    const auto part = [&](std::size_t from, std::size_t to) {
+        return std::vector<double>(values.begin() + std::ptrdiff_t(from), values.begin() + std::ptrdiff_t(to));
+    };
+    const double early = quantile(part(quarter, half), 0.5), late = quantile(part(half, values.size() - quarter), 0.5);
+    Band band{(early + late) / 2, (late - early) / double(quarter), double(half), 0};
+    std::vector<double> strays;
+    for (std::size_t i = quarter; i < values.size() - quarter; ++i)
+        strays.push_back(std::abs(values[i] - band.level - band.slope * (double(i) - band.centre)));
+    band.width = std::max(1.25 * quantile(std::move(strays), 0.99), leastShare * std::abs(band.level));
+    return band;
+}
+
+/// First sample from which `holds` stays true for `settled` samples.
+template <class Holds>
+std::optional<std::size_t> settledAt(std::size_t count, std::size_t settled, const Holds& holds)
+{
+    std::size_t run = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        run = holds(i) ? run + 1 : 0;
+        if (run == settled) return i + 1 - settled;
+    }
+    return std::nullopt;
+}
+
+/// The steady part of samples in contact, relative to them.
+std::optional<Rows> steadyPart(const std::vector<double>& coefficient, const std::vector<double>& load)
+{
+    const std::size_t count = coefficient.size(), settled = std::max<std::size_t>(count / 20, 5);
+    const std::size_t width = std::max<std::size_t>(count / 200, 1);
+    const auto values = smoothed(coefficient, width), forces = smoothed(load, width);
+    const Band band = bandOf(values, 0.1), forceBand = load.empty() ? Band{} : bandOf(forces, 0.2);
+    const auto holds = [&](std::size_t i) {
+        return band.holds(values[i], i) && (forces.empty() || forceBand.holds(forces[i], i));
+    };
+    const auto begin = settledAt(count, settled, holds);
+    const auto end = settledAt(count, settled, [&](std::size_t i) { return holds(count - 1 - i); });
+    if (!begin || !end || double(*begin) > 0.4 * double(count) || double(*end) > 0.4 * double(count)) return std::nullopt;
+    return Rows{*begin, count - *end};
+}
+
+}  // namespace
+
+double loadedLevel(std::span<const double> normalN)
+{
+    auto loads = magnitudes(normalN);
+    if (loads.empty()) return 0;
+    const double high = quantile(loads, 0.95);
+    std::erase_if(loads, [&](double load) { return load < high / 2; });
+    return quantile(std::move(loads), 0.5);
+}
+
+std::optional<Rows> unloadedRows(std::span<const double> normalN)
+{
+    if (normalN.size() < fewestToJudge) return std::nullopt;
+    const std::vector<double> all(normalN.begin(), normalN.end());
+    const double low = quantile(all, 0.02), high = quantile(all, 0.98), load = loadedLevel(normalN);
+    // Compression may be negative: rest is whichever end of the range lies nearer to 0.
+    const double rest = std::abs(low) < std::abs(high) ? low : high, full = rest == low ? high : low;
+    if (!(std::abs(rest) < leastShareOfLoad * load)) return std::nullopt;
+    const auto atRest = [&](double force) { return std::abs(force - rest) < 0.1 * std::abs(full - rest); };
+    const auto first = std::find_if_not(normalN.begin(), normalN.end(), atRest);
+    const auto last = std::find_if_not(normalN.rbegin(), normalN.rend(), atRest);
+    const auto before = std::size_t(first - normalN.begin()), after = std::size_t(last - normalN.rbegin());
+    if (std::max(before, after) < 10 || std::max(before, after) == normalN.size()) return std::nullopt;
+    // Not the last tenth before the contact, nor the first after it: there the probe is on its way.
+    return before >= after ? Rows{0, before - before / 10} : Rows{normalN.size() - after + after / 10, normalN.size()};
+}
+
+Slide steadySlide(std::span<const double> normalN, std::span<const double> tangentialN)
+{
+    const std::size_t count = tangentialN.size();
+    Slide slide{{0, count}, {0, count}, ""};
+    if (count < fewestToJudge) {
+        slide.why = "too short to judge";
+        return slide;
+    }
+    std::vector<double> coefficient, load;
+    if (!normalN.empty()) {
+        const auto loads = magnitudes(normalN);
+        const double least = leastShareOfLoad * loadedLevel(normalN);
+        slide.contact = slide.steady = longestRun(loads, least, count / 100);
+        for (std::size_t i = slide.contact.begin; i < slide.contact.end; ++i) {
+            load.push_back(loads[i]);
+            const double last = coefficient.empty() ? 0 : coefficient.back();
+            coefficient.push_back(loads[i] >= least && loads[i] > 0 ? tangentialN[i] / loads[i] : last);
+        }
+    } else {
+        coefficient.assign(tangentialN.begin(), tangentialN.end());
+    }
+    if (coefficient.size() < fewestToJudge) {
+        slide.why = "contact too short to judge";
+        return slide;
+    }
+    if (const auto steady = steadyPart(coefficient, load))
+        slide.steady = {slide.contact.begin + steady->begin, slide.contact.begin + steady->end};
+    else
+        slide.why = "no steady part was found";
+    return slide;
+}
+
+}  // namespace rendering::fabrics

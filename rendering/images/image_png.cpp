@@ -1,0 +1,185 @@
+// PNG through libpng. libpng reports errors by longjmp, so the functions that call setjmp hold no
+// object with a destructor; buffers live in the callers.
+#include <png.h>
+
+#include <csetjmp>
+#include <cstdint>
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include "protocols/files/errors.h"
+#include "rendering/images/image_io.h"
+#include "protocols/files/whole_file.h"
+
+namespace rendering {
+
+namespace {
+
+constexpr std::uint64_t largestPixelCount = 1ull << 28;
+constexpr int compressionLevel = 3;  // levels above it cost several times the time for a few percent of size
+
+struct ByteSource {
+    const unsigned char* bytes;
+    std::size_t size;
+    std::size_t position;
+};
+
+struct Decoding {
+    png_structp png = nullptr;
+    png_infop info = nullptr;
+    ByteSource source{};
+    char message[120] = {};
+    png_uint_32 width = 0, height = 0;
+    int bitDepth = 0, channels = 0;
+};
+
+void keepMessage(char* to, const char* text) { std::strncpy(to, text, 119); }
+
+void onReadError(png_structp png, png_const_charp text)
+{
+    keepMessage(static_cast<Decoding*>(png_get_error_ptr(png))->message, text);
+    png_longjmp(png, 1);
+}
+
+void onWarning(png_structp, png_const_charp) {}
+
+void takeBytes(png_structp png, png_bytep to, png_size_t count)
+{
+    auto* source = static_cast<ByteSource*>(png_get_io_ptr(png));
+    if (count > source->size - source->position) png_error(png, "the file is truncated");
+    std::memcpy(to, source->bytes + source->position, count);
+    source->position += count;
+}
+
+bool readHeader(Decoding& decoding)
+{
+    if (setjmp(png_jmpbuf(decoding.png))) return false;
+    png_set_read_fn(decoding.png, &decoding.source, takeBytes);
+    png_set_user_limits(decoding.png, 1u << 20, 1u << 20);
+    png_read_info(decoding.png, decoding.info);
+    const int type = png_get_color_type(decoding.png, decoding.info);
+    if (type == PNG_COLOR_TYPE_PALETTE || png_get_bit_depth(decoding.png, decoding.info) < 8) png_set_expand(decoding.png);
+    if ((type & PNG_COLOR_MASK_ALPHA) != 0 || png_get_valid(decoding.png, decoding.info, PNG_INFO_tRNS) != 0)
+        png_set_strip_alpha(decoding.png);
+    png_set_swap(decoding.png);  // 16-bit samples are big-endian in the file
+    png_set_interlace_handling(decoding.png);
+    png_read_update_info(decoding.png, decoding.info);
+    decoding.width = png_get_image_width(decoding.png, decoding.info);
+    decoding.height = png_get_image_height(decoding.png, decoding.info);
+    decoding.bitDepth = png_get_bit_depth(decoding.png, decoding.info);
+    decoding.channels = png_get_channels(decoding.png, decoding.info);
+    return true;
+}
+
+bool readRows(Decoding& decoding, png_bytepp rows)
+{
+    if (setjmp(png_jmpbuf(decoding.png))) return false;
+    png_read_image(decoding.png, rows);
+    png_read_end(decoding.png, nullptr);
+    return true;
+}
+
+struct Encoding {
+    std::string* bytes = nullptr;
+    char message[120] = {};
+};
+
+void onWriteError(png_structp png, png_const_charp text)
+{
+    keepMessage(static_cast<Encoding*>(png_get_error_ptr(png))->message, text);
+    png_longjmp(png, 1);
+}
+
+void giveBytes(png_structp png, png_bytep from, png_size_t count)
+{
+    static_cast<Encoding*>(png_get_io_ptr(png))->bytes->append(reinterpret_cast<const char*>(from), count);
+}
+
+bool encodeRows(png_structp png, png_infop info, const cv::Mat& image, Encoding& encoding)
+{
+    if (setjmp(png_jmpbuf(png))) return false;
+    png_set_write_fn(png, &encoding, giveBytes, nullptr);
+    const int colour = image.channels() == 3 ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_GRAY;
+    const bool deep = image.depth() == CV_16U;
+    png_set_IHDR(png, info, static_cast<png_uint_32>(image.cols), static_cast<png_uint_32>(image.rows), deep ? 16 : 8, colour,
+                 PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    png_set_compression_level(png, compressionLevel);
+    png_set_filter(png, 0, PNG_FILTER_SUB);
+    png_write_info(png, info);
+    if (deep) png_set_swap(png);
+    for (int row = 0; row < image.rows; ++row) png_write_row(png, image.ptr(row));
+    png_write_end(png, nullptr);
+    return true;
+}
+
+protocols::Error notReadable(const std::filesystem::path& file, const std::string& why)
+{
+    return protocols::badInput({"is not a readable PNG (" + why + ")", file.string(), "a complete PNG image", "export it again"});
+}
+
+struct ReadHandle {
+    Decoding decoding;
+    ReadHandle()
+    {
+        decoding.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &decoding, onReadError, onWarning);
+        decoding.info = decoding.png ? png_create_info_struct(decoding.png) : nullptr;
+    }
+    ~ReadHandle() { png_destroy_read_struct(&decoding.png, &decoding.info, nullptr); }
+    ReadHandle(const ReadHandle&) = delete;
+    ReadHandle& operator=(const ReadHandle&) = delete;
+};
+
+struct WriteHandle {
+    png_structp png;
+    png_infop info;
+    explicit WriteHandle(Encoding& encoding)
+        : png(png_create_write_struct(PNG_LIBPNG_VER_STRING, &encoding, onWriteError, onWarning)),
+          info(png ? png_create_info_struct(png) : nullptr)
+    {
+    }
+    ~WriteHandle() { png_destroy_write_struct(&png, &info); }
+    WriteHandle(const WriteHandle&) = delete;
+    WriteHandle& operator=(const WriteHandle&) = delete;
+};
+
+}  // namespace
+
+cv::Mat readPng(const std::filesystem::path& file)
+{
+    const std::string bytes = readWholeFile(file);
+    if (bytes.size() < 8 || png_sig_cmp(reinterpret_cast<png_const_bytep>(bytes.data()), 0, 8) != 0)
+        throw notReadable(file, "no PNG signature");
+    ReadHandle handle;
+    Decoding& decoding = handle.decoding;
+    if (!decoding.info) throw protocols::environmentFault({"not enough memory to decode", file.string(), "", ""});
+    decoding.source = {reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size(), 0};
+    if (!readHeader(decoding)) throw notReadable(file, decoding.message);
+    const std::uint64_t pixels = std::uint64_t(decoding.width) * decoding.height;
+    if (pixels > largestPixelCount)
+        throw notReadable(file,
+                          std::to_string(decoding.width) + " x " + std::to_string(decoding.height) + " pixels are too many");
+    // Deflate cannot shrink more than about 1032:1, so a larger promise is a lie that need not be allocated.
+    if (pixels * unsigned(decoding.channels) > bytes.size() * 1100ull + (1u << 20))
+        throw notReadable(file, "the file is truncated");
+    const int depth = decoding.bitDepth == 16 ? CV_16U : CV_8U;
+    cv::Mat image(int(decoding.height), int(decoding.width), CV_MAKETYPE(depth, decoding.channels));
+    std::vector<png_bytep> rows(decoding.height);
+    for (int row = 0; row < image.rows; ++row) rows[std::size_t(row)] = image.ptr(row);
+    if (!readRows(decoding, rows.data())) throw notReadable(file, decoding.message);
+    return image;
+}
+
+void writePng(const std::filesystem::path& file, const cv::Mat& image)
+{
+    CV_Assert(!image.empty() && (image.channels() == 1 || image.channels() == 3) &&
+              (image.depth() == CV_8U || image.depth() == CV_16U));
+    std::string bytes;
+    Encoding encoding{&bytes, {}};
+    WriteHandle handle(encoding);
+    if (!handle.info || !encodeRows(handle.png, handle.info, image, encoding))
+        throw protocols::environmentFault({std::string("cannot be encoded (") + encoding.message + ")", file.string(), "", ""});
+    writeWholeFile(file, bytes);
+}
+
+}  // namespace rendering

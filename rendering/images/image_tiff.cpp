@@ -1,0 +1,164 @@
+// TIFF through libtiff, from and to memory, with the error text of the handle at hand (libtiff's
+// global handlers would mix up threads).
+#include <tiffio.h>
+
+#include <algorithm>
+#include <cstdarg>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <string>
+
+#include "protocols/files/errors.h"
+#include "rendering/images/image_io.h"
+#include "protocols/files/whole_file.h"
+
+namespace rendering {
+
+namespace {
+
+constexpr std::uint64_t largestPixelCount = 1ull << 28;
+
+struct Memory {
+    std::string bytes;
+    std::uint64_t position = 0;
+    std::string message;
+};
+
+Memory& memoryOf(thandle_t handle) { return *static_cast<Memory*>(handle); }
+
+tmsize_t readFrom(thandle_t handle, void* to, tmsize_t count)
+{
+    Memory& memory = memoryOf(handle);
+    if (memory.position >= memory.bytes.size()) return 0;
+    const auto left = memory.bytes.size() - memory.position;
+    const auto taken = std::min<std::uint64_t>(left, std::uint64_t(count));
+    std::memcpy(to, memory.bytes.data() + memory.position, taken);
+    memory.position += taken;
+    return tmsize_t(taken);
+}
+
+tmsize_t writeTo(thandle_t handle, void* from, tmsize_t count)
+{
+    Memory& memory = memoryOf(handle);
+    if (memory.bytes.size() < memory.position + std::uint64_t(count)) memory.bytes.resize(memory.position + std::uint64_t(count));
+    std::memcpy(memory.bytes.data() + memory.position, from, std::size_t(count));
+    memory.position += std::uint64_t(count);
+    return count;
+}
+
+toff_t seekIn(thandle_t handle, toff_t offset, int whence)
+{
+    Memory& memory = memoryOf(handle);
+    const std::uint64_t base = whence == SEEK_SET ? 0 : whence == SEEK_CUR ? memory.position : memory.bytes.size();
+    return memory.position = base + offset;
+}
+
+int closeNothing(thandle_t) { return 0; }
+toff_t sizeOf(thandle_t handle) { return memoryOf(handle).bytes.size(); }
+int mapNothing(thandle_t, void**, toff_t*) { return 0; }
+void unmapNothing(thandle_t, void*, toff_t) {}
+
+int keepError(TIFF*, void* user, const char*, const char* format, va_list arguments)
+{
+    char text[160];
+    std::vsnprintf(text, sizeof text, format, arguments);
+    static_cast<Memory*>(user)->message = text;
+    return 1;
+}
+
+int ignoreWarning(TIFF*, void*, const char*, const char*, va_list) { return 1; }
+
+struct CloseTiff {
+    void operator()(TIFF* tiff) const { TIFFClose(tiff); }
+};
+using OpenTiff = std::unique_ptr<TIFF, CloseTiff>;
+
+OpenTiff open(Memory& memory, const std::filesystem::path& file, const char* mode)
+{
+    const std::unique_ptr<TIFFOpenOptions, decltype(&TIFFOpenOptionsFree)> options(TIFFOpenOptionsAlloc(), TIFFOpenOptionsFree);
+    TIFFOpenOptionsSetErrorHandlerExtR(options.get(), keepError, &memory);
+    TIFFOpenOptionsSetWarningHandlerExtR(options.get(), ignoreWarning, &memory);
+    return OpenTiff(TIFFClientOpenExt(file.c_str(), mode, &memory, readFrom, writeTo, seekIn, closeNothing, sizeOf, mapNothing,
+                                      unmapNothing, options.get()));
+}
+
+protocols::Error notReadable(const std::filesystem::path& file, const std::string& why)
+{
+    return protocols::badInput({"is not a readable TIFF (" + why + ")", file.string(),
+                                "one channel of 32-bit float, 16-bit or 8-bit samples in strips", "export it again"});
+}
+
+int typeOf(TIFF* tiff, const std::filesystem::path& file)
+{
+    std::uint16_t bits = 1, samples = 1, format = SAMPLEFORMAT_UINT;
+    TIFFGetFieldDefaulted(tiff, TIFFTAG_BITSPERSAMPLE, &bits);
+    TIFFGetFieldDefaulted(tiff, TIFFTAG_SAMPLESPERPIXEL, &samples);
+    TIFFGetFieldDefaulted(tiff, TIFFTAG_SAMPLEFORMAT, &format);
+    if (samples != 1) throw notReadable(file, std::to_string(samples) + " channels");
+    if (format == SAMPLEFORMAT_IEEEFP && bits == 32) return CV_32FC1;
+    if (format == SAMPLEFORMAT_UINT && (bits == 8 || bits == 16)) return bits == 8 ? CV_8UC1 : CV_16UC1;
+    throw notReadable(file, std::to_string(bits) + " bits of sample format " + std::to_string(format));
+}
+
+}  // namespace
+
+cv::Mat readTiff(const std::filesystem::path& file)
+{
+    Memory memory{readWholeFile(file), 0, {}};
+    const OpenTiff tiff = open(memory, file, "rm");
+    if (!tiff) throw notReadable(file, memory.message.empty() ? "no TIFF header" : memory.message);
+    std::uint32_t width = 0, height = 0;
+    TIFFGetField(tiff.get(), TIFFTAG_IMAGEWIDTH, &width);
+    TIFFGetField(tiff.get(), TIFFTAG_IMAGELENGTH, &height);
+    const int type = typeOf(tiff.get(), file);
+    const std::uint64_t pixels = std::uint64_t(width) * height;
+    if (pixels == 0 || pixels > largestPixelCount)
+        throw notReadable(file, std::to_string(width) + " x " + std::to_string(height) + " pixels");
+    if (TIFFIsTiled(tiff.get())) throw notReadable(file, "tiled");
+    if (pixels * CV_ELEM_SIZE(type) > memory.bytes.size() * 1100ull + (1u << 20))
+        throw notReadable(file, "the file is truncated");
+    cv::Mat image(int(height), int(width), type);
+    if (TIFFScanlineSize64(tiff.get()) != std::uint64_t(width) * CV_ELEM_SIZE(type))
+        throw notReadable(file, "its rows have another length than its width says");
+    for (int row = 0; row < image.rows; ++row)
+        if (TIFFReadScanline(tiff.get(), image.ptr(row), std::uint32_t(row)) < 0)
+            throw notReadable(file, memory.message.empty() ? "truncated" : memory.message);
+    return image;
+}
+
+void writeTiff(const std::filesystem::path& file, const cv::Mat& image)
+{
+    CV_Assert(!image.empty() && image.type() == CV_32FC1);
+    Memory memory;
+    bool good = true;
+    {
+        const OpenTiff tiff = open(memory, file, "wl");
+        good = tiff != nullptr;
+        if (good) {
+            TIFFSetField(tiff.get(), TIFFTAG_IMAGEWIDTH, std::uint32_t(image.cols));
+            TIFFSetField(tiff.get(), TIFFTAG_IMAGELENGTH, std::uint32_t(image.rows));
+            TIFFSetField(tiff.get(), TIFFTAG_SAMPLESPERPIXEL, 1);
+            TIFFSetField(tiff.get(), TIFFTAG_BITSPERSAMPLE, 32);
+            TIFFSetField(tiff.get(), TIFFTAG_SAMPLEFORMAT, SAMPLEFORMAT_IEEEFP);
+            TIFFSetField(tiff.get(), TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISBLACK);
+            TIFFSetField(tiff.get(), TIFFTAG_PLANARCONFIG, PLANARCONFIG_CONTIG);
+            TIFFSetField(tiff.get(), TIFFTAG_COMPRESSION, COMPRESSION_ADOBE_DEFLATE);
+            TIFFSetField(tiff.get(), TIFFTAG_PREDICTOR, PREDICTOR_FLOATINGPOINT);
+            TIFFSetField(tiff.get(), TIFFTAG_ZIPQUALITY, 4);
+            TIFFSetField(tiff.get(), TIFFTAG_ROWSPERSTRIP, std::uint32_t(image.rows));
+        }
+        // libtiff scrambles the buffer it is given when a predictor is set, so each row is handed over as a copy.
+        std::string row(std::size_t(image.cols) * sizeof(float), '\0');
+        for (int y = 0; good && y < image.rows; ++y) {
+            std::memcpy(row.data(), image.ptr(y), row.size());
+            good = TIFFWriteScanline(tiff.get(), row.data(), std::uint32_t(y)) >= 0;
+        }
+        good = good && TIFFFlush(tiff.get()) != 0;
+    }
+    if (!good) throw protocols::environmentFault({"cannot be encoded (" + memory.message + ")", file.string(), "", ""});
+    writeWholeFile(file, memory.bytes);
+}
+
+}  // namespace rendering

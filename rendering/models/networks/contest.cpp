@@ -1,0 +1,232 @@
+#include "rendering/models/networks/contest.h"
+
+#include "rendering/models/networks/batch_tensors.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace rendering::models {
+
+namespace {
+
+/// The discriminator learns at half the generators' rate; at the same rate it wins at once.
+constexpr double discriminatorPace = 0.5;
+constexpr int warmUpSteps = 50;
+/// Share of the average that each step keeps.
+constexpr double averageKeeps = 0.995;
+
+torch::optim::Adam adam(std::vector<torch::Tensor> parameters, double learningRate)
+{
+    return torch::optim::Adam(std::move(parameters), torch::optim::AdamOptions(learningRate).betas(std::make_tuple(0.5, 0.999)));
+}
+
+std::vector<torch::Tensor> parametersOf(const Generators& generators)
+{
+    std::vector<torch::Tensor> all = generators.height->parameters();
+    for (const torch::Tensor& parameter : generators.friction->parameters())
+        all.push_back(parameter);
+    return all;
+}
+
+/// Parameters and running statistics, in a fixed order.
+std::vector<torch::Tensor> stateOf(const Generators& generators)
+{
+    std::vector<torch::Tensor> all = parametersOf(generators);
+    for (const torch::nn::Module* module : {static_cast<const torch::nn::Module*>(generators.height.get()),
+                                            static_cast<const torch::nn::Module*>(generators.friction.get())})
+        for (const torch::Tensor& buffer : module->buffers())
+            all.push_back(buffer);
+    return all;
+}
+
+/// `to` moves towards `from` by `share`; 1 copies.
+void approach(const Generators& to, const Generators& from, double share)
+{
+    const torch::NoGradGuard still;
+    const std::vector<torch::Tensor> targets = stateOf(to), sources = stateOf(from);
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+        torch::Tensor target = targets[i];
+        if (share >= 1 || !target.is_floating_point())
+            target.copy_(sources[i]);
+        else
+            target.lerp_(sources[i], share);
+    }
+}
+
+void setRate(torch::optim::Adam& optimiser, double rate)
+{
+    for (torch::optim::OptimizerParamGroup& group : optimiser.param_groups())
+        static_cast<torch::optim::AdamOptions&>(group.options()).lr(rate);
+}
+
+void requireGradients(torch::nn::Module& module, bool wanted)
+{
+    for (torch::Tensor& parameter : module.parameters())
+        parameter.set_requires_grad(wanted);
+}
+
+}  // namespace
+
+LossWeights weightsFor(Objective objective)
+{
+    switch (objective) {
+    case Objective::Default: return defaultWeights();
+    case Objective::Reference: return referenceWeights();
+    case Objective::L1Only: return l1OnlyWeights();
+    }
+    return {};
+}
+
+DistanceScales scalesOf(const TrainingData& data)
+{
+    return {data.architecture.meanFrictionScale, data.heightRangeMm / data.architecture.heightScaleMm};
+}
+
+Contest::Contest(const TrainingData& data, const TrainingOptions& options)
+    : m_data(data),
+      m_options(options),
+      m_weights(weightsFor(options.objective)),
+      m_generators(makeGenerators(data.architecture)),
+      m_average(makeGenerators(data.architecture)),
+      m_best(makeGenerators(data.architecture)),
+      m_discriminator(data.architecture, m_weights.adversary == Adversary::Hinge),
+      m_generatorSteps(adam(parametersOf(m_generators), options.learningRate)),
+      m_discriminatorSteps(adam(m_discriminator->parameters(), options.learningRate * discriminatorPace))
+{
+    orderChannelsLast(*m_discriminator);
+    approach(m_average, m_generators, 1);
+    approach(m_best, m_generators, 1);
+}
+
+Contest::Drawn Contest::drawn(int number) const
+{
+    protocols::Random random = protocols::Random::stream(m_options.seed, "step/" + std::to_string(number));
+    BatchWish pairs;
+    pairs.size = m_options.batch;
+    pairs.margin = weightsFor(m_options.objective).adversary == Adversary::Hinge ? registrationMarginPx : 0;
+    BatchWish strokes = pairs;
+    strokes.heights = false;
+    return {drawBatch(m_data, m_data.training, pairs, random), drawBatch(m_data, m_data.training, strokes, random)};
+}
+
+Contest::Drawn Contest::takeDrawn(int number)
+{
+    Drawn now = m_next.valid() && m_nextNumber == number ? m_next.get() : drawn(number);
+    m_nextNumber = number + 1;
+    m_next = std::async(std::launch::async, [this, next = m_nextNumber] { return drawn(next); });
+    return now;
+}
+
+void Contest::setRates(int number, double fraction)
+{
+    const double fall = 0.02 + 0.98 * 0.5 * (1 + std::cos(std::numbers::pi * fraction));
+    const double rate = m_options.learningRate * fall * std::min(1.0, (number + 1.0) / warmUpSteps);
+    setRate(m_generatorSteps, rate);
+    setRate(m_discriminatorSteps, rate * discriminatorPace);
+}
+
+StepLosses Contest::step(int number, double fraction)
+{
+    setRates(number, fraction);
+    Drawn both = takeDrawn(number);
+    const TensorBatch pairs = tensorsOf(std::move(both.pairs)), strokes = tensorsOf(std::move(both.strokes));
+    // G_s is cheap and its target noisy: it sees as many photographs and strokes again.
+    const FrictionGuess all = m_generators.friction->forward(torch::cat({pairs.photograph, strokes.photograph}, 0));
+    const std::int64_t size = pairs.photograph.size(0);
+    // In a reference training the spectrum is not asked for, and the summary not computed.
+    const torch::Tensor rings = m_weights.rings > 0 ? m_generators.height->rings(pairs.photograph) : torch::Tensor();
+    const Touch generated{m_generators.height->forward(pairs.photograph), rings,
+                          {all.logRatio.narrow(0, 0, size), all.mean.narrow(0, 0, size)}};
+    const Touch measured = pairs.measuredFor(generated.height);
+    StepLosses losses;
+    if (m_weights.adversarial > 0)
+        losses.discriminator = stepDiscriminator(pairs.photograph, measured, generated);
+
+    m_generatorSteps.zero_grad();
+    const Touch compared{generated.height, rings, all};
+    const Touch truth{measured.height, measured.rings,
+                      {torch::cat({measured.friction.logRatio, strokes.friction.logRatio}, 0),
+                       torch::cat({measured.friction.mean, strokes.friction.mean}, 0)}};
+    const torch::Tensor apart = distance(compared, truth, m_weights, scalesOf(m_data));
+    torch::Tensor sum = apart;
+    if (m_weights.adversarial > 0) {
+        requireGradients(*m_discriminator, false);
+        const torch::Tensor adversarial =
+            adversarialLoss(m_discriminator->forward(pairs.photograph, generated.friction, generated.height), m_weights.adversary);
+        losses.generators = adversarial.item<double>();
+        sum = sum + m_weights.adversarial * adversarial;
+    }
+    sum.backward();
+    m_generatorSteps.step();
+    requireGradients(*m_discriminator, true);
+    losses.distance = apart.item<double>();
+    follow(number);
+    return losses;
+}
+
+double Contest::stepDiscriminator(const torch::Tensor& photograph, const Touch& measured, const Touch& generated)
+{
+    m_discriminatorSteps.zero_grad();
+    const torch::Tensor real = m_discriminator->forward(photograph, measured.friction, measured.height);
+    const FrictionGuess guess{generated.friction.logRatio.detach(), generated.friction.mean.detach()};
+    const torch::Tensor fake = m_discriminator->forward(photograph, guess, generated.height.detach());
+    const torch::Tensor loss = discriminatorLoss(real, fake, m_weights.adversary);
+    loss.backward();
+    m_discriminatorSteps.step();
+    return loss.item<double>();
+}
+
+/// The average follows faster at first, when the networks are still raw.
+void Contest::follow(int number)
+{
+    if (averages())
+        approach(m_average, m_generators, 1 - std::min(averageKeeps, (number + 1.0) / (number + 10.0)));
+}
+
+bool Contest::finite()
+{
+    for (const torch::Tensor& parameter : parametersOf(m_generators))
+        if (!torch::isfinite(parameter).all().item<bool>())
+            return false;
+    return true;
+}
+
+void Contest::keepAsBest() { approach(m_best, result(), 1); }
+
+template <class Visit>
+void Contest::eachPart(Visit visit)
+{
+    visit("height", *m_generators.height);
+    visit("friction", *m_generators.friction);
+    visit("average_height", *m_average.height);
+    visit("average_friction", *m_average.friction);
+    visit("best_height", *m_best.height);
+    visit("best_friction", *m_best.friction);
+    visit("discriminator", *m_discriminator);
+    visit("generator_steps", m_generatorSteps);
+    visit("discriminator_steps", m_discriminatorSteps);
+}
+
+void Contest::save(torch::serialize::OutputArchive& archive)
+{
+    eachPart([&](const std::string& name, auto& part) {
+        torch::serialize::OutputArchive inner(archive.compilation_unit());
+        part.save(inner);
+        archive.write(name, inner);
+    });
+}
+
+void Contest::load(torch::serialize::InputArchive& archive)
+{
+    eachPart([&](const std::string& name, auto& part) {
+        torch::serialize::InputArchive inner;
+        archive.read(name, inner);
+        part.load(inner);
+    });
+    orderChannelsLast(*m_generators.height);
+    orderChannelsLast(*m_generators.friction);
+    orderChannelsLast(*m_discriminator);
+}
+
+}  // namespace rendering::models

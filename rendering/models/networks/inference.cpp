@@ -1,0 +1,261 @@
+#include "rendering/models/networks/inference.h"
+
+#include "protocols/files/errors.h"
+#include "rendering/models/networks/finished_relief.h"
+#include "rendering/models/networks/friction_target.h"
+#include "rendering/models/photograph_at_pitch.h"
+#include "rendering/models/photograph_features.h"
+#include "rendering/models/ring_spectrum.h"
+#include "rendering/models/networks/weights.h"
+#include "rendering/signals/spectrogram.h"
+
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <thread>
+
+namespace rendering::models {
+
+namespace {
+
+constexpr int tileSide = 256;  ///< px of a height map that one pass of G_h makes
+
+int roundedUpTo16(int length) { return (length + 15) / 16 * 16; }
+
+/// [1, 3, H, W] in 0..1.
+torch::Tensor tensorOf(const cv::Mat& rgb)
+{
+    const cv::Mat whole = rgb.isContinuous() ? rgb : rgb.clone();
+    const torch::Tensor bytes = torch::from_blob(whole.data, {whole.rows, whole.cols, 3}, torch::kByte);
+    return (bytes.permute({2, 0, 1}).to(torch::kFloat) / 255).unsqueeze(0).contiguous();
+}
+
+/// The turns and mirrorings of the square: bit 0 mirrors columns, bit 1 rows, bit 2 swaps both axes.
+torch::Tensor turned(torch::Tensor image, int turn)
+{
+    if ((turn & 4) != 0)
+        image = image.transpose(2, 3);
+    if ((turn & 1) != 0)
+        image = image.flip({3});
+    if ((turn & 2) != 0)
+        image = image.flip({2});
+    return image.contiguous();
+}
+
+torch::Tensor turnedBack(torch::Tensor image, int turn)
+{
+    if ((turn & 1) != 0)
+        image = image.flip({3});
+    if ((turn & 2) != 0)
+        image = image.flip({2});
+    if ((turn & 4) != 0)
+        image = image.transpose(2, 3);
+    return image.contiguous();
+}
+
+std::vector<int> turnsOf(Quality quality)
+{
+    switch (quality) {
+    case Quality::Fast: return {0};
+    case Quality::Balanced: return {0, 3};
+    case Quality::Accurate: return {0, 1, 2, 3, 4, 5, 6, 7};
+    }
+    return {};
+}
+
+/// Corners of the crops that G_s sees, spread evenly over the photograph.
+std::vector<cv::Point> cropCorners(const cv::Size& size, int side, Quality quality)
+{
+    const int across = quality == Quality::Fast ? 1 : quality == Quality::Balanced ? 2 : 3;
+    const auto along = [&](int length, int i) {
+        const int room = std::max(0, length - side);
+        return across == 1 ? room / 2 : room * i / (across - 1);
+    };
+    std::vector<cv::Point> corners;
+    for (int row = 0; row < across; ++row)
+        for (int column = 0; column < across; ++column)
+            corners.emplace_back(along(size.width, column), along(size.height, row));
+    return corners;
+}
+
+/// px around a tile that G_h sees beyond; a multiple of 16 with the tile. A single tile goes without where time counts: its
+/// edges are the photograph's, as those of the crops trained on were.
+int marginOf(const cv::Size& photograph, Quality quality)
+{
+    const bool single = photograph.width <= tileSide && photograph.height <= tileSide;
+    return quality != Quality::Fast ? 32 : single ? 0 : 16;
+}
+
+int iterationsOf(Quality quality)
+{
+    switch (quality) {
+    // A quarter of balanced's: the mean is exact all the same; what the texture loses is not measured apart.
+    case Quality::Fast: return 8;
+    case Quality::Balanced: return signals::GriffinLimOptions::of(signals::InversionQuality::Fast).iterations;
+    case Quality::Accurate: return signals::GriffinLimOptions::of(signals::InversionQuality::Accurate).iterations;
+    }
+    return 0;
+}
+
+/// Of the filter that imposes the spectrum.
+int passesOf(Quality quality)
+{
+    switch (quality) {
+    case Quality::Fast: return 1;
+    case Quality::Balanced: return 3;
+    case Quality::Accurate: return 6;
+    }
+    return 1;
+}
+
+void requireFinite(const cv::Mat& values)
+{
+    if (!cv::checkRange(values))
+        throw protocols::badInput({"the model gives numbers that are not finite", "weights", "a model that was trained to its end",
+                                   "train again or take the shipped weights"});
+}
+
+}  // namespace
+
+struct LoadedModel::Parts {
+    ModelCardFields card;
+    Architecture architecture;
+    mutable Generators generators;
+
+    /// What is known of the photograph, where the card tells.
+    std::optional<Recognised> recognise(const cv::Mat& rgb) const
+    {
+        return card.photographs ? std::optional(recognised(*card.photographs, photographFeatures(rgb))) : std::nullopt;
+    }
+
+    cv::Mat height(const cv::Mat& rgb, const std::optional<Recognised>& recognition, Quality quality) const
+    {
+        cv::Mat padded;
+        const int margin = marginOf(rgb.size(), quality);
+        const int right = roundedUpTo16(rgb.cols) - rgb.cols, below = roundedUpTo16(rgb.rows) - rgb.rows;
+        cv::copyMakeBorder(rgb, padded, margin, margin + below, margin, margin + right, cv::BORDER_REFLECT_101);
+        cv::Mat result(rgb.rows + below, rgb.cols + right, CV_32F);
+        for (int y = 0; y < result.rows; y += tileSide)
+            for (int x = 0; x < result.cols; x += tileSide) {
+                const cv::Rect tile(x, y, std::min(tileSide, result.cols - x), std::min(tileSide, result.rows - y));
+                heightOfTile(padded({x, y, tile.width + 2 * margin, tile.height + 2 * margin}), margin, quality)
+                    .copyTo(result(tile));
+            }
+        const cv::Mat relief = result({0, 0, rgb.cols, rgb.rows}) * architecture.heightScaleMm;
+        requireFinite(relief);  // a filter would spread one bad number over the whole map
+        if (!architecture.imposesSpectrum)
+            return relief;
+        return withRingPowers(relief, wantedRings(rgb, recognition, quality), ringFilter(architecture, passesOf(quality)));
+    }
+
+    /// As remembered of the fabrics that look like it; the stranger the photograph, the more G_h is asked.
+    std::vector<float> wantedRings(const cv::Mat& rgb, const std::optional<Recognised>& recognition, Quality quality) const
+    {
+        if (!recognition || recognition->rings.empty())
+            return predictedRings(rgb, quality);
+        std::vector<float> all(recognition->rings.begin(), recognition->rings.end());
+        if (const auto strange = static_cast<float>(recognition->strangeness); strange > 0) {
+            const std::vector<float> predicted = predictedRings(rgb, quality);
+            for (std::size_t i = 0; i < all.size(); ++i)
+                all[i] += strange * (predicted[i] - all[i]);
+        }
+        return all;
+    }
+
+    /// The radial spectrum that G_h predicts, averaged over crops.
+    std::vector<float> predictedRings(const cv::Mat& rgb, Quality quality) const
+    {
+        const torch::Tensor mean = generators.height->rings(crops(rgb, quality)).mean(0).contiguous();
+        return {mean.data_ptr<float>(), mean.data_ptr<float>() + ringCount};
+    }
+
+    /// [N, 3, crop, crop]: what is asked once of a whole photograph is asked of these.
+    torch::Tensor crops(const cv::Mat& rgb, Quality quality) const
+    {
+        const int side = architecture.crop;
+        cv::Mat wide;
+        cv::copyMakeBorder(rgb, wide, 0, std::max(0, side - rgb.rows), 0, std::max(0, side - rgb.cols), cv::BORDER_REFLECT_101);
+        const int turns = quality == Quality::Accurate ? 4 : 1;
+        std::vector<torch::Tensor> all;
+        for (const cv::Point& corner : cropCorners(wide.size(), side, quality))
+            for (int turn = 0; turn < turns; ++turn)
+                all.push_back(turned(tensorOf(wide({corner.x, corner.y, side, side})), turn));
+        return torch::cat(all, 0);
+    }
+
+    /// `seen`: the tile with its margin; the margin is cut off again.
+    cv::Mat heightOfTile(const cv::Mat& seen, int margin, Quality quality) const
+    {
+        const torch::Tensor photograph = tensorOf(seen);
+        torch::Tensor sum = torch::zeros({1, 1, seen.rows, seen.cols});
+        const std::vector<int> turns = turnsOf(quality);
+        for (const int turn : turns)
+            sum += turnedBack(generators.height->forward(turned(photograph, turn)), turn);
+        sum /= static_cast<double>(turns.size());
+        const cv::Mat whole(seen.rows, seen.cols, CV_32F, sum.data_ptr<float>());
+        return whole({margin, margin, seen.cols - 2 * margin, seen.rows - 2 * margin}).clone();
+    }
+
+    /// Of a strange photograph the mean is rather what its texture lets expect.
+    FrictionTarget friction(const cv::Mat& rgb, const std::optional<Recognised>& recognition, Quality quality) const
+    {
+        const FrictionGuess guess = generators.friction->forward(crops(rgb, quality));
+        const torch::Tensor logRatio = guess.logRatio.mean(0).contiguous();
+        FrictionTarget target;
+        target.logRatio = cv::Mat(architecture.rows, architecture.frames, CV_32F, logRatio.data_ptr<float>()).clone();
+        target.mean = guess.mean.mean().item<float>();
+        if (card.frictionByTexture && recognition && recognition->strangeness > 0) {
+            const double reach = reachOfRegression(recognition->distance, card.photographs->threshold);
+            const double expected = expectedFriction(*card.frictionByTexture, textureCoefficients(rgb, architecture.crop), reach);
+            target.mean *= static_cast<float>(std::pow(expected / static_cast<double>(target.mean), recognition->strangeness));
+        }
+        return target;
+    }
+};
+
+LoadedModel::LoadedModel(const std::filesystem::path& model, int threads) : m_parts(std::make_unique<Parts>())
+{
+    torch::set_num_threads(threads > 0 ? threads : static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
+    m_parts->card = readModelCardFields(model);
+    m_parts->architecture = m_parts->card.architecture;
+    m_parts->generators = readModel(model, m_parts->card);
+}
+
+LoadedModel::~LoadedModel() = default;
+
+GeneratedSignals LoadedModel::generate(const PhotographToTouch& photograph, const GenerationOptions& options) const
+{
+    const torch::NoGradGuard still;
+    const Architecture& architecture = m_parts->architecture;
+    cv::Mat rgb = photographAtPitch(photograph, architecture.mmPerPixel).rgb;
+    const std::optional<Recognised> recognition = m_parts->recognise(rgb);
+    // A lamp that the networks have never seen must not pass for the long waves of a fabric.
+    if (recognition && recognition->strangeness > 0)
+        rgb = evenlyLit(rgb);
+    GeneratedSignals signals;
+    if (recognition) {
+        signals.photograph.distance = recognition->distance;
+        signals.photograph.usualDistance = m_parts->card.photographs->threshold;
+    }
+    if (options.height) {
+        signals.heightMm = m_parts->height(rgb, recognition, options.quality);
+        signals.heightMmPerPixel = architecture.mmPerPixel;
+        requireFinite(signals.heightMm);
+    }
+    if (options.friction) {
+        const FrictionTarget target = m_parts->friction(rgb, recognition, options.quality);
+        requireFinite(target.logRatio);
+        requireFinite(cv::Mat(1, 1, CV_32F, cv::Scalar(static_cast<double>(target.mean))));
+        signals.spectrogram = magnitudes(target, architecture);
+        signals.spectrogramParameters = spectrogramParameters(architecture);
+        signals.trace = traceOf(target, architecture, iterationsOf(options.quality));
+        signals.traceMmPerSample = architecture.traceMmPerSample;
+        signals.meanFriction = target.mean;
+    }
+    return signals;
+}
+
+}  // namespace rendering::models

@@ -1,0 +1,222 @@
+#include "rendering/models/networks/nn_bench.h"
+
+#include "protocols/files/errors.h"
+#include "rendering/fabrics/dataset.h"
+#include "rendering/fabrics/procedural/procedural_fabrics.h"
+#include "rendering/models/exchange.h"
+#include "rendering/models/networks/inference.h"
+#include "rendering/models/photograph_at_pitch.h"
+#include "rendering/models/temporary_folder.h"
+#include "rendering/signals/friction_trace.h"
+#include "rendering/signals/photometric_stereo.h"
+#include "protocols/files/whole_file.h"
+
+#include <nlohmann/json.hpp>
+#include <opencv2/core.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <numeric>
+#include <optional>
+
+namespace rendering::models {
+
+namespace {
+
+using fabrics::Modality;
+
+/// A photograph and what was measured on its fabric.
+struct BenchCase {
+    PhotographToTouch photograph;
+    std::optional<double> meanFriction, heightSpreadMm;
+};
+
+double spread(const cv::Mat& map)
+{
+    cv::Scalar mean, deviation;
+    cv::meanStdDev(map, mean, deviation);
+    return deviation[0];
+}
+
+std::optional<double> measuredSpread(const fabrics::Dataset& dataset, const protocols::FabricId& fabric)
+{
+    const std::vector<int> indices = fabrics::sampleIndices(dataset, fabric, Modality::Tactile);
+    if (indices.empty() || dataset.tactileCalibration.empty())
+        return std::nullopt;
+    if (dataset.tactileCalibration == "known") {
+        const std::optional<cv::Mat> known = fabrics::readKnownHeight(dataset, fabric, indices.front());
+        return known ? std::optional(spread(*known)) : std::nullopt;
+    }
+    return spread(signals::heightFromFrame(fabrics::readTactileFrame(dataset, fabric, indices.front()),
+                                           fabrics::readTactileReference(dataset),
+                                           signals::readCalibration(dataset.folder / dataset.tactileCalibration)));
+}
+
+std::optional<double> measuredMean(const fabrics::Dataset& dataset, const protocols::FabricId& fabric)
+{
+    const std::vector<int> indices = fabrics::sampleIndices(dataset, fabric, Modality::Friction);
+    if (indices.empty())
+        return std::nullopt;
+    const fabrics::FrictionRecord record = fabrics::readFriction(dataset, fabric, indices.front());
+    if (!record.isCoefficient())
+        return std::nullopt;
+    return signals::frictionTrace(record, fabric.value).mean;
+}
+
+std::vector<BenchCase> casesOf(const fabrics::Dataset& dataset)
+{
+    std::vector<BenchCase> cases;
+    for (const fabrics::FabricInfo& fabric : dataset.fabrics) {
+        const std::vector<int> indices = fabrics::sampleIndices(dataset, fabric.id, Modality::Visual);
+        if (indices.empty())
+            continue;
+        cases.push_back({{fabrics::readPhotograph(dataset, fabric.id, indices.front()), dataset.cameraMmPerPixel},
+                         measuredMean(dataset, fabric.id),
+                         measuredSpread(dataset, fabric.id)});
+    }
+    if (cases.empty())
+        throw protocols::badInput({"there are no photographs", dataset.folder.string(), "a data set with the visual signal", ""});
+    return cases;
+}
+
+/// Most memory that this process ever held, MB; 0 where the system does not tell.
+double peakMb()
+{
+    std::ifstream status("/proc/self/status");
+    for (std::string line; std::getline(status, line);)
+        if (line.starts_with("VmHWM:"))
+            return std::strtod(line.c_str() + 6, nullptr) * 1024 / 1e6;
+    return 0;
+}
+
+/// Before anything else is done, since the peak never falls.
+void measureMemory(const LoadedModel& model, BenchTable& table)
+{
+    GenerationOptions options;
+    const auto afterSquareOf = [&](int side) {
+        cv::Mat picture(side, side, CV_8UC3);
+        cv::RNG(7).fill(picture, cv::RNG::UNIFORM, 0, 256);
+        model.generate({picture, std::nullopt}, options);
+        return peakMb();
+    };
+    table.peakMbAt128 = afterSquareOf(128);
+    options.quality = Quality::Fast;
+    table.peakMbAtLargest = afterSquareOf(largestSidePx);
+}
+
+cv::Mat middle128(const cv::Mat& photograph)
+{
+    const int width = std::min(128, photograph.cols), height = std::min(128, photograph.rows);
+    return photograph({(photograph.cols - width) / 2, (photograph.rows - height) / 2, width, height});
+}
+
+double median(std::vector<double> values)
+{
+    std::sort(values.begin(), values.end());
+    return values[values.size() / 2];
+}
+
+double average(const std::vector<double>& values)
+{
+    return values.empty() ? 0 : std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+BenchRow benchQuality(const LoadedModel& model, const std::vector<BenchCase>& cases, const std::vector<GeneratedSignals>& accurate,
+                      Quality quality)
+{
+    using Clock = std::chrono::steady_clock;
+    GenerationOptions options;
+    options.quality = quality;
+    std::vector<double> milliseconds, at128, height, friction, meanError, spreadError;
+    const auto timed = [&](const PhotographToTouch& photograph, std::vector<double>& times) {
+        const Clock::time_point started = Clock::now();
+        GeneratedSignals signals = model.generate(photograph, options);
+        times.push_back(std::chrono::duration<double, std::milli>(Clock::now() - started).count());
+        return signals;
+    };
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        timed({middle128(cases[i].photograph.photograph), cases[i].photograph.mmPerPixel}, at128);
+        const GeneratedSignals signals = timed(cases[i].photograph, milliseconds);
+        cv::Mat apart;
+        cv::absdiff(signals.heightMm, accurate[i].heightMm, apart);
+        height.push_back(cv::mean(apart)[0]);
+        friction.push_back(std::abs(signals.meanFriction / accurate[i].meanFriction - 1));
+        if (cases[i].meanFriction)
+            meanError.push_back(std::abs(signals.meanFriction / *cases[i].meanFriction - 1));
+        if (cases[i].heightSpreadMm && *cases[i].heightSpreadMm > 0)
+            spreadError.push_back(std::abs(spread(signals.heightMm) / *cases[i].heightSpreadMm - 1));
+    }
+    return {quality, median(milliseconds), median(at128), average(height), average(friction), average(meanError), average(spreadError)};
+}
+
+}  // namespace
+
+BenchTable benchGenerators(const std::filesystem::path& model, const std::filesystem::path& dataset)
+{
+    BenchTable table;
+    const std::filesystem::path weights = model.empty() ? shippedModel() : model;
+    table.model = weights.filename().string();
+    const LoadedModel loaded(weights);
+    measureMemory(loaded, table);
+    std::optional<TemporaryFolder> made;
+    std::filesystem::path folder = dataset;
+    if (folder.empty()) {
+        made.emplace();
+        folder = made->path() / "fabrics";
+        fabrics::ProceduralOptions options;
+        options.samples = 1;
+        options.seed = 91;
+        fabrics::makeProceduralFabrics(folder, options);
+    }
+    const fabrics::Dataset read = fabrics::readDataset(folder);
+    table.dataset = read.name;
+    const std::vector<BenchCase> cases = casesOf(read);
+    table.photographs = static_cast<int>(cases.size());
+    GenerationOptions accurate;
+    accurate.quality = Quality::Accurate;
+    std::vector<GeneratedSignals> best;
+    for (const BenchCase& one : cases)
+        best.push_back(loaded.generate(one.photograph, accurate));
+    for (const Quality quality : {Quality::Fast, Quality::Balanced, Quality::Accurate})
+        table.rows.push_back(benchQuality(loaded, cases, best, quality));
+    return table;
+}
+
+std::string asText(const BenchTable& table)
+{
+    const auto number = [](double value, double places) { return nlohmann::json(std::round(value * places) / places).dump(); };
+    std::string text = "generators, " + std::to_string(table.photographs) + " photographs of " + table.dataset + "\n";
+    for (const BenchRow& row : table.rows)
+        text += nameOf(row.quality) + ": " + number(row.millisecondsPerPhotograph, 10) + " ms a photograph (" +
+                number(row.millisecondsAt128, 10) + " ms of 128x128), height " +
+                number(row.heightDeviationFromAccurateMm, 1e5) + " mm from accurate, mean friction " +
+                number(100 * row.meanFrictionRelativeError, 100) + " % from measured, relief " +
+                number(100 * row.heightSpreadRelativeError, 100) + " % from measured\n";
+    text += "memory: " + number(table.peakMbAt128, 1) + " MB after a photograph of 128x128, " + number(table.peakMbAtLargest, 1) +
+            " MB after the largest, " + std::to_string(largestSidePx) + "x" + std::to_string(largestSidePx) + "\n";
+    return text;
+}
+
+std::string asJson(const BenchTable& table)
+{
+    nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+    for (const BenchRow& row : table.rows)
+        rows.push_back({{"quality", nameOf(row.quality)},
+                        {"ms_per_photograph", row.millisecondsPerPhotograph},
+                        {"ms_at_128", row.millisecondsAt128},
+                        {"height_deviation_from_accurate_mm", row.heightDeviationFromAccurateMm},
+                        {"mean_friction_deviation_from_accurate", row.frictionDeviationFromAccurate},
+                        {"mean_friction_relative_error", row.meanFrictionRelativeError},
+                        {"height_spread_relative_error", row.heightSpreadRelativeError}});
+    const nlohmann::ordered_json json{{"schema", "vis2hap.bench-generation/1"}, {"model", table.model}, {"dataset", table.dataset},
+                                      {"photographs", table.photographs}, {"qualities", rows},
+                                      {"peak_mb_at_128", table.peakMbAt128}, {"peak_mb_at_largest", table.peakMbAtLargest}};
+    return json.dump(1) + "\n";
+}
+
+void writeBench(const std::filesystem::path& file, const BenchTable& table) { writeWholeFile(file, asJson(table)); }
+
+}  // namespace rendering::models

@@ -1,0 +1,308 @@
+#include "rendering/models/networks/training.h"
+
+#include "protocols/files/errors.h"
+#include "rendering/models/networks/checkpoint.h"
+#include "rendering/models/networks/contest.h"
+#include "rendering/models/photograph_features.h"
+#include "rendering/models/networks/progress_lines.h"
+#include "rendering/models/ring_spectrum.h"
+#include "rendering/models/training_log.h"
+#include "rendering/models/networks/validation.h"
+#include "rendering/models/networks/weights.h"
+
+#include <malloc.h>
+
+#include <chrono>
+#include <cmath>
+#include <thread>
+
+namespace rendering::models {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+void checkOptions(const TrainingOptions& options)
+{
+    const auto refuse = [](const std::string& what, const std::string& expected) {
+        throw protocols::badInput({what, "train", expected, ""});
+    };
+    if (options.steps.has_value() == options.minutes.has_value())
+        refuse("both or neither of --steps and --minutes", "one of them");
+    if (options.steps && *options.steps < 1)
+        refuse("--steps " + std::to_string(*options.steps), "at least 1");
+    if (options.minutes && !(*options.minutes > 0))
+        refuse("--minutes is not positive", "minutes of wall time");
+    if (options.crop < 32 || options.crop > largestCrop || options.crop % 16 != 0)
+        refuse("--crop " + std::to_string(options.crop), "a multiple of 16 from 32 to " + std::to_string(largestCrop));
+    if (options.baseChannels > mostChannels)
+        refuse(std::to_string(options.baseChannels) + " channels", "at most " + std::to_string(mostChannels));
+    if (options.batch < 1 || options.baseChannels < 1 || options.checkpointEvery < 1 || options.validationPairs < 1 ||
+        options.validateEvery < 1 || options.patience < 1 || !(options.learningRate > 0))
+        refuse("a count or rate is not positive", "positive numbers");
+}
+
+/// Settings by which a checkpoint is recognised as of this run.
+std::string fingerprint(const TrainingOptions& options, const TrainingData& data, const std::string& datasetHash)
+{
+    std::string text = datasetHash;
+    for (const auto number : {options.seed, options.splitSeed})
+        text += "|" + std::to_string(number);
+    for (const int number : {options.batch, options.crop, options.baseChannels, options.validateEvery, options.patience,
+                             options.validationPairs})
+        text += "|" + std::to_string(number);
+    text += "|" + std::to_string(options.learningRate) + "|" + nameOf(options.objective) + "|" + nameOf(options.split) + "|" +
+            (options.steps ? "steps " + std::to_string(*options.steps) : "minutes " + std::to_string(*options.minutes));
+    for (const protocols::FabricId& id : options.heldOut)
+        text += "|" + id.value;
+    return text + "|" + std::to_string(data.trainingHashes.size());
+}
+
+constexpr int stepsALogRow = 10;
+
+/// Each step needs the same large tensors again; given back to the system and asked for anew, every page of them is a fault.
+void keepFreedMemory()
+{
+    ::mallopt(M_MMAP_THRESHOLD, 32 << 20);
+    ::mallopt(M_TRIM_THRESHOLD, 1 << 30);
+}
+
+/// Of all its presses.
+std::vector<double> meanRings(const FabricSamples& fabric)
+{
+    std::vector<double> mean(ringCount);
+    for (const TrainingHeight& height : fabric.heights)
+        for (std::size_t i = 0; i < mean.size(); ++i)
+            mean[i] += static_cast<double>(height.rings[i]) / static_cast<double>(fabric.heights.size());
+    return mean;
+}
+
+KnownFabrics knownFabrics(const TrainingData& data)
+{
+    KnownFabrics known;
+    for (const FabricSamples& fabric : data.training) {
+        known.fabricOf.insert(known.fabricOf.end(), fabric.photographs.size(), static_cast<int>(known.rings.size()));
+        known.rings.push_back(meanRings(fabric));
+    }
+    return known;
+}
+
+/// What the card says of photographs that the model knows.
+Familiarity familiarityOf(const TrainingData& data)
+{
+    const auto features = [](const std::vector<FabricSamples>& part) {
+        std::vector<std::vector<float>> all;
+        for (const FabricSamples& fabric : part)
+            for (const TrainingPhotograph& photograph : fabric.photographs)
+                all.push_back(photographFeatures(photograph.rgb));
+        return all;
+    };
+    return fitFamiliarity(features(data.training), features(data.validation),
+                          data.architecture.imposesSpectrum ? knownFabrics(data) : KnownFabrics{});
+}
+
+/// How friction goes with texture over the fabrics trained on.
+FrictionPrior frictionByTexture(const TrainingData& data)
+{
+    std::vector<KnownTexture> textures;
+    for (const FabricSamples& fabric : data.training) {
+        double logFriction = 0;
+        for (const TrainingStroke& stroke : fabric.strokes)
+            logFriction += std::log(static_cast<double>(stroke.target.mean)) / static_cast<double>(fabric.strokes.size());
+        for (const TrainingPhotograph& photograph : fabric.photographs)
+            textures.push_back({textureCoefficients(photograph.rgb, data.architecture.crop), logFriction,
+                                1 / static_cast<double>(fabric.photographs.size())});
+    }
+    return fitFrictionPrior(textures);
+}
+
+/// One whole run: the loop around Contest::step with its clock, checkpoints and model card.
+class Run {
+public:
+    Run(const fabrics::Dataset& dataset, const TrainingOptions& options, std::ostream& log, bool terminal)
+        : m_dataset(dataset), m_options(options), m_lines(log, terminal)
+    {
+        TrainingDataOptions reading;
+        reading.splitSeed = options.splitSeed;
+        reading.split = options.split;
+        reading.heldOut = options.heldOut;
+        Architecture wanted;
+        wanted.baseChannels = options.baseChannels;
+        wanted.crop = options.crop;
+        wanted.imposesSpectrum = options.objective == Objective::Default && dataset.pairing == fabrics::Pairing::Weak;
+        m_data = readTrainingData(dataset, wanted, reading, [&](int done, int total) { m_lines.reading(done, total); });
+        for (const std::string& note : m_data.notes)
+            m_lines.say(note);
+        m_datasetHash = fabrics::hashOf(dataset);
+        m_lines.say("training on " + std::to_string(m_data.trainingHashes.size()) + " files of " +
+                    std::to_string(m_data.training.size()) + " fabrics");
+    }
+
+    void go()
+    {
+        torch::manual_seed(m_options.seed);
+        Contest contest(m_data, m_options);
+        Checkpoint state;
+        state.fingerprint = fingerprint(m_options, m_data, m_datasetHash);
+        const std::filesystem::path checkpoint = checkpointOf(m_options.out);
+        if (m_options.resume) {
+            state = readCheckpoint(checkpoint, state.fingerprint, [&](auto& archive) { contest.load(archive); });
+            m_lines.say("resumed at step " + std::to_string(state.step));
+        } else {
+            state.validationBefore = figures(contest.result()).dump();
+        }
+        TrainingLog log(logOf(m_options.out), m_options.resume ? std::optional(state.step) : std::nullopt);
+        const Clock::time_point started = Clock::now();
+        const double before = state.elapsedS;
+        while (!ended(state)) {
+            const StepLosses losses = contest.step(state.step, fractionDone(state));
+            if (!losses.finite())
+                stopAt(state.step + 1);
+            ++state.step;
+            state.elapsedS = before + std::chrono::duration<double>(Clock::now() - started).count();
+            m_lines.step(state.step, fractionDone(state), losses, remainingS(state));
+            const bool last = fractionDone(state) >= 1;
+            if (state.step % stepsALogRow == 0)
+                log.losses(state.step, std::vector<NamedValue>{{"discriminator", losses.discriminator},
+                                                               {"generators", losses.generators},
+                                                               {"distance", losses.distance}});
+            if (last || state.step % m_options.validateEvery == 0)
+                validate(contest, state, log);
+            if (last || state.step % m_options.checkpointEvery == 0 || ended(state)) {
+                if (!contest.finite())
+                    stopAt(state.step);
+                writeCheckpoint(checkpoint, state, [&](auto& archive) { contest.save(archive); });
+            }
+        }
+        finish(contest, state);
+        std::filesystem::remove(checkpoint);
+    }
+
+private:
+    [[noreturn]] void stopAt(int step) const
+    {
+        const std::filesystem::path checkpoint = checkpointOf(m_options.out);
+        const std::string kept = std::filesystem::exists(checkpoint)
+                                     ? "the last checkpoint before it is kept in " + checkpoint.string() + "; "
+                                     : std::string();
+        throw protocols::workFailed({"the loss is no longer a number at step " + std::to_string(step), m_options.out.string(),
+                                     "finite losses", kept + "train again with a smaller --learning-rate"});
+    }
+
+    bool ended(const Checkpoint& state) const
+    {
+        return fractionDone(state) >= 1 || state.validationsWithoutBetter >= m_options.patience;
+    }
+
+    nlohmann::ordered_json figures(Generators& generators) const
+    {
+        if (m_data.validation.empty())
+            return nullptr;
+        protocols::Random random = protocols::Random::stream(m_options.seed, "validation");
+        return validationFigures(m_data, generators, weightsFor(m_options.objective), m_options.validationPairs, random);
+    }
+
+    /// Keeps the networks where they are better than at every validation before; the reference, whose
+    /// losses come from a contest, always.
+    void validate(Contest& contest, Checkpoint& state, TrainingLog& log)
+    {
+        if (!contest.finite())
+            stopAt(state.step);
+        const nlohmann::ordered_json now = figures(contest.result());
+        const double distance = now.is_null() ? -state.step : now.at("distance").at("generated").get<double>();
+        const bool better = m_options.objective == Objective::Reference || distance < state.bestDistance;
+        state.validationsWithoutBetter = better ? 0 : state.validationsWithoutBetter + 1;
+        if (better) {
+            state.bestDistance = distance;
+            state.bestStep = state.step;
+            contest.keepAsBest();
+        }
+        m_lines.validated(state.step, now, better);
+        if (now.is_null())
+            return;
+        std::vector<NamedValue> values;
+        for (const auto& [name, value] : now.items())
+            if (value.is_object())
+                values.push_back({name, value.at("generated").get<double>()});
+        log.validation(state.step, values);
+        log.pictures(state.step, sampleRows(m_data, contest.result(), m_options.seed));
+        m_lines.say("distance " + sparkline(log.valuesOf("distance")));
+    }
+
+    double fractionDone(const Checkpoint& state) const
+    {
+        return m_options.steps ? static_cast<double>(state.step) / *m_options.steps : state.elapsedS / (*m_options.minutes * 60);
+    }
+
+    double remainingS(const Checkpoint& state) const
+    {
+        const double fraction = fractionDone(state);
+        return m_options.steps ? state.elapsedS / fraction * (1 - fraction) : *m_options.minutes * 60 - state.elapsedS;
+    }
+
+    void finish(Contest& contest, const Checkpoint& state)
+    {
+        Generators& best = contest.best();
+        roundToHalf(best);
+        ModelCardFields card;
+        card.told.name = m_options.out.stem().string();
+        card.told.trainedOnProceduralSet = m_dataset.procedural;
+        card.told.trainingSampleHashes = m_data.trainingHashes;
+        card.told.trainingCommand = m_options.command;
+        card.architecture = m_data.architecture;
+        card.seed = m_options.seed;
+        card.splitSeed = m_options.splitSeed;
+        card.steps = state.step;
+        card.bestStep = state.bestStep;
+        card.trainingMinutes = std::round(state.elapsedS / 6) / 10;
+        card.objective = nameOf(m_options.objective);
+        card.split = nameOf(m_options.split);
+        card.photographs = familiarityOf(m_data);
+        if (m_options.objective == Objective::Default)
+            card.frictionByTexture = frictionByTexture(m_data);
+        for (const protocols::FabricId& id : m_options.heldOut)
+            card.heldOut.push_back(id.value);
+        card.datasetName = m_dataset.name;
+        card.datasetHash = m_datasetHash;
+        card.validation = {{"before", nlohmann::ordered_json::parse(state.validationBefore)},
+                           {"after", figures(best)}};
+        writeModel(m_options.out, best, card);
+        m_lines.finished(card);
+    }
+
+    const fabrics::Dataset& m_dataset;
+    const TrainingOptions& m_options;
+    ProgressLines m_lines;
+    TrainingData m_data;
+    std::string m_datasetHash;
+};
+
+}  // namespace
+
+std::string nameOf(Objective objective)
+{
+    switch (objective) {
+    case Objective::Default: return "default";
+    case Objective::Reference: return "reference";
+    case Objective::L1Only: return "l1-only";
+    }
+    return {};
+}
+
+std::filesystem::path logOf(const std::filesystem::path& model)
+{
+    std::filesystem::path folder = model;
+    folder += ".log";
+    return folder;
+}
+
+void train(const fabrics::Dataset& dataset, const TrainingOptions& options, std::ostream& log, bool terminal)
+{
+    checkOptions(options);
+    requireWritable(options.out);
+    keepFreedMemory();
+    torch::set_num_threads(options.threads > 0 ? options.threads : static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
+    Run(dataset, options, log, terminal).go();
+}
+
+}  // namespace rendering::models

@@ -1,0 +1,105 @@
+#include "rendering/models/networks/weights.h"
+
+#include "protocols/files/errors.h"
+#include "protocols/files/sha256.h"
+
+#include <fstream>
+#include <sstream>
+
+namespace rendering::models {
+
+namespace {
+
+protocols::Error notAModel(const std::filesystem::path& model, const std::string& why)
+{
+    return protocols::badInput({"no weights of this program: " + why, model.string(), "a weights file written by `vis2hap train`",
+                                "train again or take the shipped weights"});
+}
+
+/// torch's messages carry a stack trace; its first line says it.
+std::string firstLine(const std::string& message) { return message.substr(0, message.find('\n')); }
+
+template <class Visit>
+void eachTensor(Generators& generators, Visit visit)
+{
+    const auto visitAll = [&](const std::string& prefix, torch::nn::Module& module) {
+        for (auto& item : module.named_parameters())
+            visit(prefix + item.key(), item.value(), true);
+        for (auto& item : module.named_buffers())
+            visit(prefix + item.key(), item.value(), false);
+    };
+    visitAll("height.", *generators.height);
+    visitAll("friction.", *generators.friction);
+}
+
+}  // namespace
+
+Generators makeGenerators(const Architecture& architecture)
+{
+    Generators generators{HeightGenerator(architecture), FrictionGenerator(architecture)};
+    orderChannelsLast(*generators.height);
+    orderChannelsLast(*generators.friction);
+    return generators;
+}
+
+void roundToHalf(Generators& generators)
+{
+    const torch::NoGradGuard still;
+    eachTensor(generators, [](const std::string&, torch::Tensor& tensor, bool parameter) {
+        if (parameter)
+            tensor.copy_(tensor.to(torch::kHalf).to(torch::kFloat));
+    });
+}
+
+void writeArchive(const std::filesystem::path& file, torch::serialize::OutputArchive& archive)
+{
+    std::ostringstream stream;
+    archive.save_to(stream);
+    writeSynced(file, stream.str());
+}
+
+torch::serialize::InputArchive readArchive(const std::filesystem::path& file)
+{
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream)
+        throw notAModel(file, "it cannot be read");
+    torch::serialize::InputArchive archive;
+    try {
+        archive.load_from(stream);
+    } catch (const std::exception& fault) {
+        throw notAModel(file, firstLine(fault.what()));
+    }
+    return archive;
+}
+
+void writeModel(const std::filesystem::path& model, Generators& generators, ModelCardFields card)
+{
+    torch::serialize::OutputArchive archive;
+    eachTensor(generators, [&](const std::string& name, torch::Tensor& tensor, bool parameter) {
+        archive.write(name, parameter ? tensor.detach().to(torch::kHalf) : tensor.detach());
+    });
+    writeArchive(model, archive);
+    card.told.sha256 = protocols::sha256OfFile(model);
+    writeSynced(cardOf(model), cardText(card));
+}
+
+Generators readModel(const std::filesystem::path& model, const ModelCardFields& card)
+{
+    checkWeightsFile(model, card);
+    torch::serialize::InputArchive archive = readArchive(model);
+    Generators generators = makeGenerators(card.architecture);
+    const torch::NoGradGuard still;
+    eachTensor(generators, [&](const std::string& name, torch::Tensor& tensor, bool) {
+        torch::Tensor stored;
+        if (!archive.try_read(name, stored) || stored.sizes() != tensor.sizes())
+            throw notAModel(model, "the tensor " + name + " is missing or has another shape");
+        if (stored.is_floating_point() && !torch::isfinite(stored.to(torch::kFloat)).all().item<bool>())
+            throw notAModel(model, "the tensor " + name + " holds numbers that are not finite");
+        tensor.copy_(stored.to(tensor.scalar_type()));
+    });
+    generators.height->eval();
+    generators.friction->eval();
+    return generators;
+}
+
+}  // namespace rendering::models

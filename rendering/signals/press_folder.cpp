@@ -1,0 +1,86 @@
+#include "rendering/signals/press_folder.h"
+
+#include "protocols/files/errors.h"
+#include "rendering/images/image_io.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <string_view>
+#include <vector>
+
+namespace rendering {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string endingOf(const fs::path& file)
+{
+    std::string ending = file.extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return ending;
+}
+
+bool isPicture(const fs::path& file)
+{
+    constexpr std::array<std::string_view, 6> endings{".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff"};
+    return std::find(endings.begin(), endings.end(), endingOf(file)) != endings.end();
+}
+
+bool isBackground(const fs::path& file)
+{
+    return file.stem() == "background" || file.stem() == "reference" || file.stem() == "tactile-reference";
+}
+
+std::vector<fs::path> picturesIn(const fs::path& folder)
+{
+    std::error_code failed;
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::directory_iterator(folder, failed))
+        if (entry.is_regular_file() && isPicture(entry.path())) files.push_back(entry.path());
+    if (failed)
+        throw protocols::badInput({.what = "the folder of presses cannot be read (" + failed.message() + ")",
+                                   .where = folder.string(),
+                                   .expected = "a folder with background.png and one picture a press",
+                                   .nextStep = ""});
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+}  // namespace
+
+cv::Mat readPicture(const fs::path& file, const Decode& decodeOther)
+{
+    const std::string ending = endingOf(file);
+    const bool own = ending == ".png" || ending == ".tif" || ending == ".tiff" || ending == ".npy" || ending == ".pgm";
+    return own || !decodeOther ? readImage(file) : decodeOther(file);
+}
+
+signals::BallPresses readBallPresses(const fs::path& folder, double ballRadiusMm, double mmPerPixel, const Decode& decodeOther)
+{
+    signals::BallPresses presses;
+    presses.ballRadiusMm = ballRadiusMm;
+    presses.mmPerPixel = mmPerPixel;
+    for (const auto& file : picturesIn(folder)) {
+        if (isBackground(file))
+            presses.background = readPicture(file, decodeOther);
+        else
+            presses.presses.push_back({file.filename().string(), readPicture(file, decodeOther)});
+    }
+    if (presses.background.empty() || presses.presses.empty())
+        throw protocols::badInput({.what = presses.background.empty() ? "there is no frame of the untouched sensor" : "there is no press",
+                                   .where = folder.string(),
+                                   .expected = "background.png and one picture a press",
+                                   .nextStep = ""});
+    for (const auto& press : presses.presses)
+        if (press.frame.size() != presses.background.size() || press.frame.type() != presses.background.type())
+            throw protocols::badInput({.what = "is of another size or kind than the background",
+                                       .where = (folder / press.name).string(),
+                                       .expected = std::to_string(presses.background.cols) + " x " + std::to_string(presses.background.rows) +
+                                                   " pixels, colour, as many bits",
+                                       .nextStep = "take it out, or save it as the others"});
+    return presses;
+}
+
+}  // namespace rendering

@@ -1,0 +1,57 @@
+#include "stats/kernels/decimal_grid.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "stats/kernels/moments.h"
+
+namespace stats {
+namespace {
+
+constexpr std::array<double, 10> powersOfTen{1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9};
+constexpr double mostUnits = 1e15;
+
+bool liesOn(double x, double unitsPerOne)
+{
+    const double units = std::nearbyint(x * unitsPerOne);
+    // Both are whole or exact powers of ten below 2^53, so the division is the nearest double.
+    return std::fabs(units) <= mostUnits && units / unitsPerOne == x;
+}
+
+}  // namespace
+
+double DecimalGrid::unitsPerOne() const { return powersOfTen[static_cast<std::size_t>(places)]; }
+
+std::optional<DecimalGrid> decimalGridOf(std::span<const double> x)
+{
+    int places = 0;
+    for (const double value : x)
+        while (!liesOn(value, powersOfTen[static_cast<std::size_t>(places)]))
+            if (++places == static_cast<int>(powersOfTen.size())) return std::nullopt;
+    DecimalGrid grid;
+    grid.places = places;
+    grid.units.reserve(x.size());
+    for (const double value : x) {
+        // A finer grid than the value's own may be too fine for its size.
+        if (!liesOn(value, grid.unitsPerOne())) return std::nullopt;
+        grid.units.push_back(static_cast<std::int64_t>(std::nearbyint(value * grid.unitsPerOne())));
+    }
+    return grid;
+}
+
+Value meanOf(std::span<const double> x)
+{
+    if (x.empty()) return Value::undefined("there are no values");
+    if (const std::string fault = nonFiniteFault(x, "the sample"); !fault.empty()) return Value::undefined(fault);
+    if (const auto grid = decimalGridOf(x); grid && x.size() < 1000) {
+        std::int64_t sum = 0;
+        for (const std::int64_t units : grid->units) sum += units;
+        const double divisor = grid->unitsPerOne() * static_cast<double>(x.size());
+        if (std::fabs(static_cast<double>(sum)) < 9e15) return static_cast<double>(sum) / divisor;
+    }
+    const ScaledSamples scaled({x});
+    return scaled.unscaled(momentsOf(scaled.sample(0)).mean());
+}
+
+}  // namespace stats

@@ -1,0 +1,49 @@
+// Tail probabilities with their logarithms, so that a p below the smallest double still has a size.
+#pragma once
+
+#include <string>
+
+#include "stats/kernels/value.h"
+
+namespace stats {
+
+struct TailProbability {
+    double p = 1;     ///< rounds to 0 below 1e-308: then read logP
+    double logP = 0;  ///< natural logarithm
+};
+
+/// P(T >= t), Student's t with `df` > 0 degrees of freedom (not necessarily whole).
+TailProbability studentUpper(double t, double df);
+/// P(|T| >= |t|).
+TailProbability studentTwoSided(double t, double df);
+/// The t that is exceeded with probability `upperTail`, 0 < upperTail < 1.
+double studentQuantile(double upperTail, double df);
+
+/// P(F >= f), f >= 0.
+TailProbability fisherUpper(double f, double df1, double df2);
+/// P(X >= x), chi-squared, x >= 0.
+TailProbability chiSquaredUpper(double x, double df);
+/// P(Z >= z).
+TailProbability normalUpper(double z);
+/// The z that is exceeded with probability `upperTail`.
+double normalQuantile(double upperTail);
+
+/// P(a <= x) of the beta distribution, its complement, and the inverse of the former.
+double betaLower(double a, double b, double x);
+double betaUpper(double a, double b, double x);
+double betaQuantile(double a, double b, double p);
+
+/// Twice a tail (at most 1) and 1 minus a tail, with their logarithms.
+TailProbability twice(const TailProbability& tail);
+TailProbability complementOf(const TailProbability& tail);
+
+/// e^logarithm; beyond the range of double a decimal.
+Value exponential(double logarithm);
+
+/// e^logarithm as a decimal, "4.2000000000e-398", for numbers that no double holds.
+std::string decimalOfLogarithm(double logarithm);
+
+/// Hedges' correction of a standardised difference on m degrees of freedom, exact gamma form; m >= 2.
+double hedgesCorrection(double m);
+
+}  // namespace stats

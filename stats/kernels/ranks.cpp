@@ -1,0 +1,29 @@
+#include "stats/kernels/ranks.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace stats {
+
+template <typename T>
+MidRanks midRanks(std::span<const T> x)
+{
+    std::vector<std::size_t> order(x.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::sort(order.begin(), order.end(), [x](std::size_t a, std::size_t b) { return x[a] < x[b]; });
+    MidRanks ranks;
+    ranks.doubled.resize(x.size());
+    for (std::size_t begin = 0; begin < order.size();) {
+        std::size_t end = begin + 1;
+        while (end < order.size() && x[order[end]] == x[order[begin]]) ++end;
+        for (std::size_t i = begin; i < end; ++i) ranks.doubled[order[i]] = static_cast<long long>(begin + 1 + end);
+        ranks.ties.push_back(end - begin);
+        begin = end;
+    }
+    return ranks;
+}
+
+template MidRanks midRanks<double>(std::span<const double>);
+template MidRanks midRanks<long long>(std::span<const long long>);
+
+}  // namespace stats

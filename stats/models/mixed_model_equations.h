@@ -1,0 +1,116 @@
+// Henderson's mixed-model equations of a linear mixed model, for many values of theta, the relative
+// covariance parameters (Bates et al. 2015, J. Stat. Softw. 67(1)):
+//
+//     | Lambda'Z'Z Lambda + I   Lambda'Z'X |
+//     | X'Z Lambda              X'X        |      V = sigma^2 (Z Lambda Lambda' Z' + I)
+//
+// Cross-products are taken once. The term with most levels makes a diagonal block, which is eliminated
+// row by row; only the rest, bordered by y, is factorised as a dense matrix.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "stats/models/factor.h"
+#include "stats/kernels/matrix.h"
+
+namespace stats {
+
+/// An intercept for each level of a group and, where there is a slope, its coefficient as well,
+/// correlated with the intercept.
+struct RandomTerm {
+    Factor group;
+    std::vector<double> slope;  ///< the covariate of each row; empty: intercepts only
+    std::string slopeName;
+};
+
+/// Where a term lies among the random columns (level by level) and in theta: (sd) of an intercept,
+/// (l00, l10, l11) of the lower triangular factor of an intercept with slope.
+struct TermPlace {
+    std::size_t components = 1;
+    std::size_t levels = 0;
+    std::size_t firstColumn = 0;
+    std::size_t firstTheta = 0;
+};
+
+/// The equations factorised for one theta; all that the criterion needs.
+struct Factorised {
+    bool exists = false;      ///< false: singular up to rounding
+    double logDetRandom = 0;  ///< log |Lambda'Z'Z Lambda + I|
+    double logDetFixed = 0;   ///< log |X'V^-1 X|, sigma = 1
+    double residual = 0;      ///< y'Py, sigma = 1: the penalised residual sum of squares
+    std::vector<double> theta;
+    std::vector<double> pivots;     ///< of the eliminated columns
+    std::vector<double> bordering;  ///< their scaled rows, in the order of the sparse cross-products
+    Matrix upper;                   ///< of the rest, the fixed effects and y
+};
+
+/// The equations solved, sigma = 1. P = V^-1 - V^-1 X (X'V^-1 X)^-1 X'V^-1.
+struct Solved {
+    std::vector<double> fixed;  ///< estimates
+    Matrix fixedCovariance;     ///< C = (X'V^-1 X)^-1
+    Matrix fixedOnRandom;       ///< C X'V^-1 Z  [fixed x random]
+    Matrix projected;           ///< Z'PZ
+    Matrix weighted;            ///< Z'V^-1 Z; only where asked for
+    std::vector<double> score;  ///< Z'Py
+};
+
+class MixedModelEquations {
+public:
+    /// All columns of one length, all numbers finite; slopes of a size near 1.
+    MixedModelEquations(std::span<const double> y, const FixedEffects& fixed, std::span<const RandomTerm> terms);
+
+    const std::vector<TermPlace>& terms() const { return m_terms; }
+    std::size_t rows() const { return m_rows; }
+    std::size_t fixedCount() const { return m_fixed; }
+    std::size_t thetaCount() const;
+
+    Factorised factorised(std::span<const double> theta) const;
+    /// Every diagonal element of theta must be positive.
+    Solved solved(const Factorised& factorised, bool withWeighted) const;
+
+private:
+    struct SparseRows {
+        std::vector<std::size_t> starts{0};
+        std::vector<std::uint32_t> columns;
+        std::vector<double> values;
+    };
+    /// Lambda' applied to a matrix: row c becomes diagonal[c] row c + below[c] row c+1.
+    struct Scaling {
+        std::vector<double> diagonal;
+        std::vector<double> below;
+    };
+    struct Columns {
+        std::span<const double> y;
+        const FixedEffects& fixed;
+        std::span<const RandomTerm> terms;
+    };
+    struct Nonzero {
+        std::size_t column;
+        double value;
+    };
+    void place(std::span<const RandomTerm> terms);
+    std::size_t nonzerosOf(std::size_t i, const Columns& data, std::vector<Nonzero>& row) const;
+    void sumProducts(const Columns& data);
+    Scaling scaling(std::span<const double> theta) const;
+    Scaling inverseScaling(std::span<const double> theta) const;
+    void scaleBorder(std::span<double> values, std::size_t level, const Scaling& scale) const;
+    void eliminate(Factorised& result, const Scaling& scale) const;
+    Matrix bordered(const Factorised& factorised, const Matrix& inverse) const;
+    Matrix whitened(const Factorised& factorised, const Matrix& inverse, const Matrix& bordering) const;
+    std::vector<double> scoreOf(const Factorised& factorised, std::span<const double> solution) const;
+    void putFixedParts(Solved& result, const Factorised& factorised, const Matrix& inverse, const Matrix& bordering) const;
+
+    std::size_t m_rows = 0;
+    std::size_t m_fixed = 0;
+    std::size_t m_eliminated = 0;  ///< columns of the term eliminated, which are the first
+    std::size_t m_rest = 0;        ///< other random columns
+    std::vector<TermPlace> m_terms;
+    std::vector<double> m_counts;  ///< diagonal of the eliminated block
+    SparseRows m_borders;          ///< its products with [rest, X, y]
+    Matrix m_products;             ///< of [rest, X, y] with itself, upper triangle
+};
+
+}  // namespace stats

@@ -1,0 +1,176 @@
+#include "stats/models/mixed_model_fit.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stats {
+namespace {
+
+constexpr int mostSteps = 200;
+constexpr double largestTheta = 1e5;      // beyond: nothing is left for the residual
+constexpr double closeEnough = 1e-9;      // expected further decrease; the step taken then squares the error
+constexpr double smallestFraction = 0.1;  // of a standard deviation that one step may leave,
+constexpr double small = 0.02;            // unless it was small already: then it may go to the floor
+
+std::vector<bool> diagonalOf(const MixedModelEquations& equations)
+{
+    std::vector<bool> diagonal(equations.thetaCount(), true);
+    for (const TermPlace& term : equations.terms())
+        if (term.components == 2) diagonal[term.firstTheta + 1] = false;
+    return diagonal;
+}
+
+/// Variances whose quadratic forms equal their expectations (minimum norm quadratic unbiased estimation at
+/// the present theta), as theta. Balanced data are fitted by this alone. Terms of intercepts only.
+std::vector<double> momentTheta(const MixedModelEquations& equations, const Factorised& at, const VarianceDerivatives& d)
+{
+    const std::size_t n = at.theta.size();
+    Matrix expected(n + 1, n + 1);  // the last is the residual, V = I
+    std::vector<double> found = d.forms;
+    found.push_back(at.residual);
+    expected(n, n) = residualDegrees(equations, true);
+    for (std::size_t k = 0; k < n; ++k) {
+        expected(k, n) = d.traces[k];
+        for (std::size_t l = 0; l < n; ++l) {
+            expected(k, l) = d.traceProducts(k, l);
+            expected(k, n) -= at.theta[l] * at.theta[l] * d.traceProducts(k, l);
+        }
+        expected(n, k) = expected(k, n);
+    }
+    for (std::size_t k = 0; k < n; ++k) {
+        const double gamma = at.theta[k] * at.theta[k];
+        expected(n, n) -= gamma * (d.traces[k] + expected(k, n));
+        found[n] -= gamma * d.forms[k];
+    }
+    const auto variances = solved(expected, found);
+    std::vector<double> theta;
+    for (std::size_t k = 0; k < n && !variances.empty(); ++k)
+        theta.push_back(variances[n] > 0 ? std::max(small, std::sqrt(std::max(0.0, variances[k] / variances[n]))) : at.theta[k]);
+    return theta;
+}
+
+/// Newton's step in the free directions; a direction in which the criterion is concave is followed downhill.
+std::vector<double> newtonStep(const ThetaDerivatives& at, const std::vector<bool>& free)
+{
+    Matrix hessian = at.hessian;
+    std::vector<double> gradient = at.gradient;
+    for (std::size_t i = 0; i < free.size(); ++i) {
+        if (free[i]) continue;
+        gradient[i] = 0;
+        for (std::size_t j = 0; j < free.size(); ++j) hessian(i, j) = hessian(j, i) = i == j ? 1 : 0;
+    }
+    const Eigen eigen = eigenOf(hessian);
+    double largest = 0;
+    for (const double value : eigen.values) largest = std::max(largest, std::fabs(value));
+    std::vector<double> step(free.size());
+    for (std::size_t k = 0; k < free.size(); ++k) {
+        const auto direction = eigen.vectors.row(k);
+        const double curvature = std::max(std::fabs(eigen.values[k]), 1e-10 * largest);
+        const double length = -dot(direction, gradient) / curvature;
+        for (std::size_t i = 0; i < free.size(); ++i) step[i] += length * direction[i];
+    }
+    return step;
+}
+
+/// One fit on its way down.
+class Descent {
+public:
+    Descent(const MixedModelEquations& equations, bool reml)
+        : m_equations(equations), m_reml(reml), m_diagonal(diagonalOf(equations))
+    {
+        std::vector<double> start(m_diagonal.size());
+        for (std::size_t i = 0; i < start.size(); ++i) start[i] = m_diagonal[i] ? 1 : 0;
+        m_at = equations.factorised(start);
+    }
+
+    ThetaFit run()
+    {
+        ThetaFit fit;
+        if (!m_at.exists) return refused("the random effects reproduce every value: no residual variation is left");
+        startFromMoments();
+        for (; fit.steps < mostSteps; ++fit.steps) {
+            fit.solved = m_equations.solved(m_at, !m_reml);
+            fit.derivatives = varianceDerivatives(m_equations, fit.solved, m_reml);
+            const auto here = profiledDerivatives(m_equations, m_at, fit.derivatives, m_reml);
+            fit.free = freeAt(here);
+            const auto step = newtonStep(here, fit.free);
+            const double decrease = -dot(here.gradient, step) / 2;
+            if (m_close || !(decrease > 0) || !descend(step, decrease)) {
+                fit.factorised = m_at;
+                return fit;
+            }
+            m_close = decrease < closeEnough;
+            if (*std::max_element(m_at.theta.begin(), m_at.theta.end()) > largestTheta)
+                return refused("the random effects reproduce every value: no residual variation is left");
+        }
+        return refused("the fit did not converge in " + std::to_string(mostSteps) + " steps");
+    }
+
+private:
+    static ThetaFit refused(const char* why) { return refused(std::string(why)); }
+    static ThetaFit refused(std::string why)
+    {
+        ThetaFit fit;
+        fit.why = std::move(why);
+        return fit;
+    }
+
+    void startFromMoments()
+    {
+        if (std::find(m_diagonal.begin(), m_diagonal.end(), false) != m_diagonal.end()) return;
+        for (int pass = 0; pass < 2; ++pass) {
+            const auto derivatives = varianceDerivatives(m_equations, m_equations.solved(m_at, false), true);
+            const auto theta = momentTheta(m_equations, m_at, derivatives);
+            Factorised next = theta.empty() ? Factorised{} : m_equations.factorised(theta);
+            if (!next.exists || profiledCriterion(m_equations, next, m_reml) > profiledCriterion(m_equations, m_at, m_reml))
+                return;
+            m_at = std::move(next);
+        }
+    }
+
+    std::vector<bool> freeAt(const ThetaDerivatives& here) const
+    {
+        std::vector<bool> free(m_diagonal.size(), true);
+        for (std::size_t i = 0; i < free.size(); ++i)
+            free[i] = !(m_diagonal[i] && m_at.theta[i] <= thetaFloor && here.gradient[i] >= 0);
+        return free;
+    }
+
+    std::vector<double> moved(const std::vector<double>& step, double fraction) const
+    {
+        std::vector<double> theta = m_at.theta;
+        for (std::size_t i = 0; i < theta.size(); ++i) {
+            const double least = !m_diagonal[i] ? -HUGE_VAL : theta[i] > small ? smallestFraction * theta[i] : thetaFloor;
+            theta[i] = std::max(theta[i] + fraction * step[i], least);
+        }
+        return theta;
+    }
+
+    /// Halves the step until the criterion falls; false where no step does.
+    bool descend(const std::vector<double>& step, double decrease)
+    {
+        const double before = profiledCriterion(m_equations, m_at, m_reml);
+        const double noise = 1e-13 * std::fabs(before);
+        for (double fraction = 1; fraction > 1e-9; fraction /= 2) {
+            Factorised next = m_equations.factorised(moved(step, fraction));
+            if (!next.exists) continue;
+            const double after = profiledCriterion(m_equations, next, m_reml);
+            if (!(after <= before - 1e-4 * fraction * decrease + noise)) continue;
+            m_at = std::move(next);
+            return true;
+        }
+        return false;
+    }
+
+    const MixedModelEquations& m_equations;
+    bool m_reml;
+    std::vector<bool> m_diagonal;
+    Factorised m_at;
+    bool m_close = false;
+};
+
+}  // namespace
+
+ThetaFit fitTheta(const MixedModelEquations& equations, bool reml) { return Descent(equations, reml).run(); }
+
+}  // namespace stats

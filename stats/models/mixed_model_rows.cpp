@@ -1,0 +1,129 @@
+#include "stats/models/mixed_model_rows.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stats {
+namespace {
+
+int exponentOf(std::span<const double> x)
+{
+    double largest = 0;
+    for (const double value : x) largest = std::max(largest, std::fabs(value));
+    return largest > 0 ? std::ilogb(largest) : 0;
+}
+
+void scale(std::vector<double>& x, int exponent)
+{
+    for (double& value : x) value = std::ldexp(value, -exponent);
+}
+
+std::vector<double> rowsOf(std::span<const double> column, std::span<const std::size_t> rows)
+{
+    std::vector<double> result;
+    for (const std::size_t row : rows) result.push_back(column[row]);
+    return result;
+}
+
+std::string groupFault(const Factor& group, std::size_t rows)
+{
+    if (group.levels.size() < 2) return "all values belong to one " + group.name + ", which has then no variance of its own";
+    if (group.levels.size() >= rows)
+        return "every value has its own level of " + group.name + ", which cannot be told from the residual";
+    return {};
+}
+
+/// Row k: what column k adds to those before it, as a contrast of the fixed effects.
+Matrix sequentialContrasts(const Matrix& upper)
+{
+    const std::size_t p = upper.rows();
+    Matrix contrasts(p, p);
+    for (std::size_t k = 0; k < p; ++k)
+        for (std::size_t j = k; j < p; ++j) contrasts(k, j) = upper(k, j) / upper(k, k);
+    return contrasts;
+}
+
+/// Two groups that divide the rows alike cannot be told apart.
+bool divideAlike(const Factor& a, const Factor& b)
+{
+    if (a.levels.size() != b.levels.size()) return false;
+    return interactionOf(a, b).levels.size() == a.levels.size();
+}
+
+std::string groupsFault(const std::vector<RandomTerm>& terms, std::size_t rows)
+{
+    for (std::size_t i = 0; i < terms.size(); ++i) {
+        if (const std::string fault = groupFault(terms[i].group, rows); !fault.empty()) return fault;
+        for (std::size_t j = 0; j < i; ++j)
+            if (divideAlike(terms[j].group, terms[i].group))
+                return terms[j].group.name + " and " + terms[i].group.name + " divide the values alike and cannot be told apart";
+    }
+    return {};
+}
+
+/// Takes what least squares explains from y; why not, where the columns determine each other. Twice: the
+/// second pass finds the digits that the first lost to a large common offset.
+std::string removeFixed(MixedModelRows& data)
+{
+    const std::size_t p = data.fixed.columns.size();
+    Matrix products(p, p);
+    for (std::size_t i = 0; i < p; ++i)
+        for (std::size_t j = 0; j < p; ++j) products(i, j) = dot(data.fixed.columns[i], data.fixed.columns[j]);
+    Matrix upper = products;
+    if (const std::size_t done = factorise(upper); done < p)
+        return "the fixed effect " + data.fixed.names[done] + " is determined by those before it, or has no values";
+    data.sequential = sequentialContrasts(upper);
+    data.leastSquares.assign(p, 0);
+    for (int pass = 0; pass < 2; ++pass) {
+        std::vector<double> right(p);
+        for (std::size_t i = 0; i < p; ++i) right[i] = dot(data.fixed.columns[i], data.y);
+        const auto more = solved(products, right);
+        for (std::size_t i = 0; i < p; ++i) {
+            data.leastSquares[i] += more[i];
+            for (std::size_t row = 0; row < data.y.size(); ++row) data.y[row] -= more[i] * data.fixed.columns[i][row];
+        }
+    }
+    // y was near 1: what lies below this is rounding.
+    const bool nothingLeft = !(dot(data.y, data.y) > 1e-24 * static_cast<double>(data.y.size()));
+    return nothingLeft ? "the fixed effects reproduce every value: there is no variation left" : "";
+}
+
+bool allFinite(std::span<const double> x)
+{
+    return std::all_of(x.begin(), x.end(), [](double value) { return std::isfinite(value); });
+}
+
+}  // namespace
+
+MixedModelRows mixedModelRows(const MixedModelData& data)
+{
+    MixedModelRows result;
+    std::vector<std::size_t> rows;
+    for (std::size_t row = 0; row < data.y.size(); ++row) std::isnan(data.y[row]) ? void(++result.missing) : rows.push_back(row);
+    result.y = rowsOf(data.y, rows);
+    result.fixed.names = data.fixed.names;
+    for (const auto& column : data.fixed.columns) result.fixed.columns.push_back(rowsOf(column, rows));
+    for (const RandomTerm& term : data.random) {
+        result.random.push_back({rowsOf(term.group, rows), {}, term.slopeName});
+        if (!term.slope.empty()) result.random.back().slope = rowsOf(term.slope, rows);
+    }
+    if (rows.size() <= data.fixed.columns.size()) {
+        result.why = "needs more values than fixed effects; there are " + std::to_string(rows.size());
+        return result;
+    }
+    bool finite = allFinite(result.y);
+    for (const auto& column : result.fixed.columns) finite = finite && allFinite(column);
+    for (RandomTerm& term : result.random) {
+        finite = finite && allFinite(term.slope);
+        result.slopeExponents.push_back(exponentOf(term.slope));
+        scale(term.slope, result.slopeExponents.back());
+    }
+    result.why = finite ? groupsFault(result.random, rows.size()) : "a value is not finite";
+    if (!result.why.empty()) return result;
+    result.exponent = exponentOf(result.y);
+    scale(result.y, result.exponent);
+    result.why = removeFixed(result);
+    return result;
+}
+
+}  // namespace stats

@@ -1,0 +1,22 @@
+// The studies without anything to find that calibrate the tests, and the tests tried on each.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "stats/power/calibration.h"
+
+namespace stats {
+
+struct CalibrationFamily {
+    std::string truth;  ///< what the studies are drawn from
+    std::vector<CalibrationRow> tests;
+    StudyAnalysis analysis;
+    std::size_t studies = 0;
+};
+
+/// Those that the design allows.
+std::vector<CalibrationFamily> calibrationFamilies(const CalibrationOptions& options);
+
+}  // namespace stats

@@ -1,0 +1,76 @@
+#include "stats/power/power_plan.h"
+
+#include "stats/power/power.h"
+#include "stats/power/power_groups.h"
+
+namespace stats {
+namespace {
+
+constexpr double wanted = 0.8;
+
+Value participantsFor(const GroupedTest& test, StudyDesign design, double effect, const std::string& question)
+{
+    if (question == "signals") return Value::undefined("the fabrics are the unit");
+    if (const Value here = test.formula(design, effect); !here.exists()) return here;
+    return participantsNeeded(
+        [&](double n) {
+            design.participants = static_cast<std::size_t>(n);
+            return *test.formula(design, effect);
+        },
+        1000, wanted);
+}
+
+/// The narrowest bounds about 0 within which no difference at all would be shown equivalent.
+Value narrowestBounds(const PowerOptions& options)
+{
+    const auto n = static_cast<double>(options.design.participants);
+    const double sd = ofTheseFabrics(options.ratings).sdOfDifference(options.design);
+    const auto power = [&](double bound) { return bound > 0 ? equivalencePower({n, sd, -bound, bound, 0.05}, 0) : 0.0; };
+    return smallestDetectable(power, options.ratings.scaleMax - options.ratings.scaleMin, wanted);
+}
+
+Value detectableBy(const GroupedTest& test, const StudyDesign& design)
+{
+    if (const Value here = test.formula(design, test.most); !here.exists()) return here;
+    return smallestDetectable([&](double effect) { return *test.formula(design, effect); }, test.most, wanted);
+}
+
+PlannedTest plannedTest(const PowerGroup& group, const GroupedTest& test, const PowerOptions& options)
+{
+    if (test.most == 0)
+        return {
+            group.question, test.name, group.effect, narrowestBounds(options), "bounds about no difference, scale points", {}};
+    return {group.question, test.name, group.effect, detectableBy(test, options.design), group.effect, {}};
+}
+
+void addTests(std::vector<PlannedTest>& planned, const PowerGroup& group, const PowerOptions& options)
+{
+    std::vector<PlannedTest> tests;
+    for (const GroupedTest& test : group.tests) tests.push_back(plannedTest(group, test, options));
+    for (const double effect : group.effects) {
+        const StudyAnalysis analysis = [&](Draws& draws, std::span<Value> p) { group.analysis(effect, draws, p); };
+        const auto simulated = simulateTests(tests.size(), analysis, options.simulation);
+        for (std::size_t t = 0; t < tests.size(); ++t)
+            tests[t].points.push_back({effect, group.tests[t].formula(options.design, effect), simulated[t],
+                                       participantsFor(group.tests[t], options.design, effect, group.question)});
+    }
+    planned.insert(planned.end(), tests.begin(), tests.end());
+}
+
+}  // namespace
+
+std::vector<PlannedTest> plannedTests(const PowerOptions& options)
+{
+    std::vector<PlannedTest> planned;
+    for (const PowerGroup& group : powerGroups(options)) addTests(planned, group, options);
+    return planned;
+}
+
+std::size_t plannedStudies(const PowerOptions& options)
+{
+    std::size_t studies = 0;
+    for (const PowerGroup& group : powerGroups(options)) studies += group.effects.size() * options.simulation.studies;
+    return studies;
+}
+
+}  // namespace stats

@@ -1,0 +1,38 @@
+// Tests of more than two conditions on complete blocks without a normal distribution: Friedman's
+// on ranks, Cochran's Q on successes.
+#pragma once
+
+#include "stats/kernels/block_table.h"
+
+namespace stats {
+
+struct FriedmanTest {
+    std::string why;  ///< empty when the test exists
+    std::size_t blocks = 0;
+    Value q;  ///< corrected for ties
+    Value df;
+    Value p;  ///< chi-squared approximation
+    Value logP;
+    Value kendallW;        ///< agreement of the blocks, 0 to 1
+    Value imanDavenportF;  ///< undefined at perfect agreement
+    Value fDf1;
+    Value fDf2;
+    Value fP;
+    Value fLogP;
+};
+
+FriedmanTest friedmanTest(const BlockTable& table);
+
+struct CochranTest {
+    std::string why;
+    std::size_t blocks = 0;
+    Value q;
+    Value df;
+    Value p;
+    Value logP;
+};
+
+/// Of a table of 0 and 1.
+CochranTest cochranTest(const BlockTable& table);
+
+}  // namespace stats

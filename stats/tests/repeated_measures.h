@@ -1,0 +1,43 @@
+// One-way repeated-measures analysis of variance on complete blocks, with the Greenhouse-Geisser
+// correction always beside the uncorrected p, within-subject intervals and intraclass correlations.
+#pragma once
+
+#include "stats/kernels/block_table.h"
+#include "stats/tests/sphericity.h"
+
+namespace stats {
+
+struct RepeatedMeasuresAnova {
+    std::string why;  ///< empty when F exists
+    std::size_t blocks = 0;
+    Value ssCondition;
+    Value ssSubject;
+    Value ssError;
+    Value f;
+    Value df1;
+    Value df2;
+    Value p;  ///< assumes sphericity
+    Value logP;
+    Value epsilonGg;  ///< Greenhouse and Geisser 1959, from the double-centred covariance
+    Value pGg;
+    Value logPGg;
+    MauchlyTest mauchly;
+    Value epsilonHf;  ///< Huynh and Feldt 1976; may exceed 1, the test then uses 1
+    Value pHf;
+    Value logPHf;
+    Value partialEtaSquared;
+    Value generalizedEtaSquared;
+    std::vector<Value> moreyHalfWidths;  ///< by condition
+    Value icc2;                          ///< ICC(2,1): conditions as targets, blocks as raters (Shrout and Fleiss 1979)
+    Value icc2k;
+    Value icc3;
+    Value icc3k;
+};
+
+RepeatedMeasuresAnova repeatedMeasuresAnova(const BlockTable& table);
+
+/// Half-widths of within-subject intervals (Morey 2008) for each condition, without the between-block
+/// differences: t quantile x SD of the normalised values / sqrt(n) x sqrt(k / (k - 1)).
+std::vector<Value> moreyHalfWidths(const BlockTable& table, double confidence = 0.95);
+
+}  // namespace stats

@@ -1,0 +1,149 @@
+#include "study/analyse/analyse_inputs.h"
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+#include "study/analyse/analyse_recipe.h"
+
+namespace study::commands {
+
+namespace {
+
+using nlohmann::json;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// "nan", "-inf" and their spellings.
+std::optional<double> specialNumber(std::string text)
+{
+    std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    if (text == "nan" || text == "na") return std::numeric_limits<double>::quiet_NaN();
+    if (text == "inf" || text == "+inf" || text == "infinity") return infinity;
+    if (text == "-inf" || text == "-infinity") return -infinity;
+    return std::nullopt;
+}
+
+/// A decimal, also beyond the doubles: then infinity, or 0 where its exponent is negative.
+std::optional<double> decimal(const std::string& text)
+{
+    double number = 0;
+    const char* begin = text.data() + (text.starts_with('+') ? 1 : 0);
+    const char* end = text.data() + text.size();
+    const auto parsed = std::from_chars(begin, end, number);
+    if (parsed.ptr != end || begin == end) return std::nullopt;
+    if (parsed.ec == std::errc{}) return number;
+    if (parsed.ec != std::errc::result_out_of_range) return std::nullopt;
+    const bool isTiny = text.find("e-") != std::string::npos || text.find("E-") != std::string::npos;
+    return (isTiny ? 0.0 : infinity) * (text.starts_with('-') ? -1 : 1);
+}
+
+double numberOfText(const std::string& text, const std::string& where)
+{
+    if (const auto special = specialNumber(text)) return *special;
+    if (const auto number = decimal(text)) return *number;
+    try {
+        return valueOfFormula(text);
+    } catch (const RequestFault&) {
+        throw RequestFault(where + " is \"" + text + "\"; expected a number");
+    }
+}
+
+const json& fieldOf(const json& object, const std::string& field)
+{
+    if (!object.is_object() || !object.contains(field)) throw RequestFault("no " + field + " among the inputs");
+    return object.at(field);
+}
+
+bool has(const json& object, const std::string& field)
+{
+    return object.is_object() && object.contains(field) && !object.at(field).is_null();
+}
+
+/// The array of a recipe that bears the field's name, else its last.
+std::vector<double> madeByRecipe(const json& object, const std::string& field, bool onlyByName)
+{
+    if (!object.at("recipe").is_string()) throw RequestFault("the recipe of " + field + " is not a text");
+    std::map<std::string, double> constants;
+    for (const auto& [name, value] : object.items())
+        if (value.is_number()) constants[name] = value.get<double>();
+    RecipeArrays made = arraysOfRecipe(object.at("recipe").get<std::string>(), constants);
+    if (const auto found = made.arrays.find(field); found != made.arrays.end()) return std::move(found->second);
+    if (onlyByName) throw RequestFault("the recipe makes no " + field);
+    return std::move(made.arrays.at(made.last));
+}
+
+std::vector<double> numbersOf(const json& value, const std::string& field)
+{
+    if (value.is_object() && value.contains("recipe")) return madeByRecipe(value, field, false);
+    if (!value.is_array()) throw RequestFault(field + " is not an array of numbers");
+    std::vector<double> numbers;
+    numbers.reserve(value.size());
+    for (const json& entry : value)
+        numbers.push_back(numberOf(entry, "value " + std::to_string(numbers.size() + 1) + " of " + field));
+    return numbers;
+}
+
+long long wholeOf(const json& value, const std::string& field)
+{
+    const double number = numberOf(value, field);
+    if (!(std::floor(number) == number && std::fabs(number) <= 9007199254740992.0))
+        throw RequestFault(field + " is not a whole number");
+    return static_cast<long long>(number);
+}
+
+}  // namespace
+
+double numberOf(const json& value, const std::string& where)
+{
+    if (value.is_number()) return value.get<double>();
+    if (value.is_boolean()) return value.get<bool>() ? 1 : 0;
+    if (value.is_null()) return std::numeric_limits<double>::quiet_NaN();
+    if (value.is_string()) return numberOfText(value.get<std::string>(), where);
+    throw RequestFault(where + " is not a number");
+}
+
+double numberAt(const json& object, const std::string& field) { return numberOf(fieldOf(object, field), field); }
+
+double numberOr(const json& object, const std::string& field, double otherwise)
+{
+    return has(object, field) ? numberOf(object.at(field), field) : otherwise;
+}
+
+long long wholeAt(const json& object, const std::string& field) { return wholeOf(fieldOf(object, field), field); }
+
+long long wholeOr(const json& object, const std::string& field, long long otherwise)
+{
+    return has(object, field) ? wholeOf(object.at(field), field) : otherwise;
+}
+
+std::string textOr(const json& object, const std::string& field, const std::string& otherwise)
+{
+    if (!has(object, field)) return otherwise;
+    if (!object.at(field).is_string()) throw RequestFault(field + " is not a text");
+    return object.at(field).get<std::string>();
+}
+
+std::vector<double> numbersAt(const json& inputs, const std::string& field)
+{
+    if (!has(inputs, field) && has(inputs, "recipe")) return madeByRecipe(inputs, field, true);
+    return numbersOf(fieldOf(inputs, field), field);
+}
+
+std::vector<double> numbersOrNone(const json& inputs, const std::string& field)
+{
+    return has(inputs, field) ? numbersOf(inputs.at(field), field) : std::vector<double>();
+}
+
+std::vector<std::vector<double>> rowsAt(const json& inputs, const std::string& field)
+{
+    const json& value = fieldOf(inputs, field);
+    if (!value.is_array()) throw RequestFault(field + " is not an array of rows");
+    std::vector<std::vector<double>> rows;
+    for (const json& row : value) rows.push_back(numbersOf(row, "row " + std::to_string(rows.size() + 1) + " of " + field));
+    return rows;
+}
+
+}  // namespace study::commands

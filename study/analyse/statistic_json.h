@@ -1,0 +1,32 @@
+// Undefined numbers in JSON: null, with the reason in the object's "why".
+#pragma once
+
+#include "stats/kernels/value.h"
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+
+namespace study::commands {
+
+inline void put(nlohmann::ordered_json& object, const std::string& field, const stats::Value& value)
+{
+    if (value.exists()) {
+        object[field] = *value;
+        return;
+    }
+    object[field] = nullptr;
+    object["why"][field] = value.why();
+}
+
+inline void put(nlohmann::ordered_json& object, const std::string& field, const stats::Interval& interval)
+{
+    if (interval.low.exists() && interval.high.exists()) {
+        object[field] = {*interval.low, *interval.high};
+        return;
+    }
+    object[field] = nullptr;
+    object["why"][field] = interval.low.exists() ? interval.high.why() : interval.low.why();
+}
+
+}  // namespace study::commands

@@ -1,0 +1,113 @@
+#include "study/app/pages/checklist_page.h"
+
+#include "study/app/pieces/line_form.h"
+#include "study/app/pieces/pieces.h"
+#include "study/app/pieces/tick_box.h"
+
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace study::app {
+
+ChecklistPage::ChecklistPage(QWidget* parent)
+    : StagePage(parent),
+      m_rows(new QVBoxLayout),
+      m_readings(new LineForm("reading", this)),
+      m_action(mainButton("confirmButton", tr("All is ready (Enter)"), this))
+{
+    auto* head = new PageHead(this);
+    head->tell(tr("Before the first presentation"), tr("Go through the list; Space ticks a line. The time is kept with it."));
+    m_rows->setSpacing(4);
+    auto* column = new QVBoxLayout(this);
+    column->setSpacing(14);
+    column->addWidget(head);
+    column->addLayout(m_rows);
+    column->addWidget(m_readings);
+    column->addSpacing(6);
+    column->addWidget(m_action, 0, Qt::AlignLeft);
+    column->addStretch(1);
+    connect(m_action, &QPushButton::clicked, this, &ChecklistPage::confirm);
+}
+
+void ChecklistPage::begin(const SessionFacts& facts)
+{
+    emptyOut(*m_rows);
+    m_boxes.clear();
+    for (const QString& line : facts.checklist)
+        m_rows->addWidget(rowFor(line));
+    m_readings->setCaptions(facts.readings);
+    m_readings->setVisible(!facts.readings.isEmpty());
+    letFollow(facts.readings.isEmpty() ? static_cast<QWidget&>(*this) : *m_readings, {m_action});
+}
+
+QWidget* ChecklistPage::rowFor(const QString& line)
+{
+    auto* row = new QWidget(this);
+    auto* box = new TickBox(row);
+    name(*box, qPrintable(QStringLiteral("check%1").arg(m_boxes.size() + 1)), line);
+    auto* text = label("checkText", Type::Body, row);
+    text->setText(line);
+    text->setBuddy(box);
+    for (QWidget* part : {static_cast<QWidget*>(box), static_cast<QWidget*>(text)})
+        part->installEventFilter(this);
+    // Ticking goes down the list by itself, so that a row of spaces ticks all.
+    connect(box, &QCheckBox::toggled, this, [this] { firstFocus().setFocus(); });
+    auto* layout = new QHBoxLayout(row);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(8);
+    layout->addWidget(box, 0, Qt::AlignTop);
+    layout->addWidget(text, 1);
+    m_boxes.push_back(box);
+    return row;
+}
+
+QCheckBox* ChecklistPage::firstUnticked() const
+{
+    const auto found = std::find_if(m_boxes.begin(), m_boxes.end(), [](const QCheckBox* box) { return !box->isChecked(); });
+    return found == m_boxes.end() ? nullptr : *found;
+}
+
+void ChecklistPage::confirm()
+{
+    if (QCheckBox* open = firstUnticked()) {
+        open->setFocus();
+        Q_EMIT hinted(tr("Not ticked yet: %1. Space ticks it.").arg(open->accessibleName()));
+        return;
+    }
+    session::ChecklistDone done{{}, m_readings->given()};
+    for (const QCheckBox* box : m_boxes)
+        done.ticked.push_back(box->accessibleName().toStdString());
+    Q_EMIT eventAsked(done);
+}
+
+bool ChecklistPage::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::KeyPress && pressKey(static_cast<QKeyEvent*>(event)->key()))
+        return true;
+    if (const auto* text = qobject_cast<QLabel*>(watched); text && event->type() == QEvent::MouseButtonRelease)
+        static_cast<QCheckBox*>(text->buddy())->toggle();
+    return StagePage::eventFilter(watched, event);
+}
+
+bool ChecklistPage::pressKey(int key)
+{
+    if (!isEnter(key))
+        return false;
+    if (!m_readings->goOn())
+        confirm();
+    return true;
+}
+
+QWidget& ChecklistPage::firstFocus()
+{
+    if (QCheckBox* open = firstUnticked())
+        return *open;
+    if (QWidget* reading = m_readings->firstOpen())
+        return *reading;
+    return *m_action;
+}
+
+}  // namespace study::app

@@ -1,0 +1,93 @@
+#include "study/app/pages/correction_panel.h"
+
+#include "study/app/pieces/answer_entry.h"
+#include "study/app/pieces/flow_layout.h"
+#include "study/app/pieces/pieces.h"
+
+namespace study::app {
+
+CorrectionPanel::CorrectionPanel(QWidget* parent)
+    : Panel(parent),
+      m_questionsRow(new FlowLayout(8, 8)),
+      m_old(label("oldValue", Type::Lead, this)),
+      m_entry(new AnswerEntry(this))
+{
+    auto* questions = new QWidget(this);
+    questions->setLayout(m_questionsRow);
+    m_old->setContentsMargins(0, 4, 0, 0);
+    addRow(tr("Answer to"), questions);
+    addRow(tr("Stored is"), m_old);
+    addRow(tr("It shall be"), m_entry);
+}
+
+void CorrectionPanel::ask(const std::vector<Correctable>& answers)
+{
+    m_correctables = answers;
+    open({.title = tr("Correct an answer"),
+          .explanation = tr("The old answer stays in the record beside the new one."),
+          .caption = tr("Because"),
+          .action = tr("Store the correction (Enter)"),
+          .hintWhenEmpty = tr("Say why, in a few words such as “misheard”. Enter once more stores it without a reason.")});
+    showQuestions();
+    showAnswer(0);
+}
+
+void CorrectionPanel::showQuestions()
+{
+    qDeleteAll(m_questions);
+    m_questions.clear();
+    for (std::size_t place = 0; place < m_correctables.size(); ++place) {
+        const QString question = QString::fromStdString(m_correctables[place].question.value);
+        auto* choice = button(qPrintable(QStringLiteral("answerTo") + question), question, m_questionsRow->parentWidget());
+        choice->setAccessibleName(tr("Correct the answer to %1").arg(question));
+        choice->setCheckable(true);
+        connect(choice, &QPushButton::clicked, this, [this, place] { showAnswer(place); });
+        m_questionsRow->addWidget(choice);
+        choice->show();
+        m_questions.push_back(choice);
+    }
+}
+
+void CorrectionPanel::showAnswer(std::size_t place)
+{
+    m_which = place;
+    for (std::size_t i = 0; i < m_questions.size(); ++i)
+        m_questions[i]->setChecked(i == place);
+    m_old->setText(m_correctables[place].current);
+    m_entry->ask(m_correctables[place].form);
+    letReasonFollow(*m_entry);
+    firstFocus().setFocus();
+}
+
+bool CorrectionPanel::isReady()
+{
+    const auto given = m_entry->give();
+    if (const auto* missing = std::get_if<NoAnswer>(&given)) {
+        m_entry->firstFocus().setFocus();
+        Q_EMIT hinted(missing->why);
+        return false;
+    }
+    m_response = std::get<session::Response>(given);
+    return true;
+}
+
+session::EventBody CorrectionPanel::eventFor(const std::string& reason)
+{
+    return session::Corrected{m_correctables.at(m_which).question, *m_response, reason};
+}
+
+bool CorrectionPanel::pressKey(int key)
+{
+    if (m_entry->pressKey(key)) {
+        focusReason();
+        return true;
+    }
+    return Panel::pressKey(key);
+}
+
+QWidget& CorrectionPanel::firstFocus()
+{
+    return m_entry->firstFocus();
+}
+
+}  // namespace study::app

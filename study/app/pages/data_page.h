@@ -1,0 +1,88 @@
+// Looking at a data set before a study is made of it: its fabrics with their counts, what is wrong with its files, and one
+// fabric's signals on a sheet, sample by sample.
+#pragma once
+
+#include "study/app/state/data_look.h"
+
+#include <QWidget>
+
+#include <atomic>
+#include <optional>
+
+class QBoxLayout;
+class QLabel;
+class QLineEdit;
+class QPlainTextEdit;
+class QPushButton;
+class QScrollArea;
+class QTreeWidget;
+class QVBoxLayout;
+
+namespace study::app {
+
+class InBackground;
+class MessageBar;
+
+class DataPage : public QWidget {
+    Q_OBJECT
+public:
+    DataPage(const LookAtData& look, QWidget* parent);
+    ~DataPage() override;
+
+    void focusFirst();
+    /// Opens the folder; what came of it is told on the page.
+    void open(const QString& folder);
+    /// Something is still being read, drawn or checked.
+    bool isBusy() const;
+
+Q_SIGNALS:
+    void backAsked();
+
+protected:
+    void keyPressEvent(QKeyEvent* event) override;
+    void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    void build();
+    void browse();
+    void showOverview(const QString& folder, const DataOverview& overview);
+    void checkFiles();
+    void showFaults(const QStringList& faults);
+    void stepSample(int step);
+    void chooseFabric();
+    void draw();
+    void drawSoon();
+    void showSheet(const DataSheet& sheet);
+    void arrange();
+    void enable();
+    const DataOverview::Fabric* chosen() const;
+
+    LookAtData m_look;
+    DataOverview m_overview;
+    QString m_folder;  ///< the one that is open; empty: none
+    int m_sample = 0;
+    bool m_isDrawingDue = false;  ///< when the window has come to rest
+    bool m_isDrawnAgain = false;  ///< something else was asked for while the sheet was drawn
+
+    QLineEdit* m_folderField;
+    QPushButton* m_browse;
+    QPushButton* m_open;
+    QLabel* m_about;
+    QTreeWidget* m_fabrics;
+    QLabel* m_checked;
+    QPlainTextEdit* m_faults;
+    QLabel* m_sampleLabel;
+    QPushButton* m_before;
+    QPushButton* m_after;
+    QLabel* m_keys;
+    QLabel* m_sheet;
+    QPushButton* m_back;
+    QScrollArea* m_area = nullptr;
+    MessageBar* m_message;
+    InBackground* m_reading;
+    InBackground* m_drawing;
+    InBackground* m_checking;
+};
+
+}  // namespace study::app

@@ -1,0 +1,58 @@
+#include "study/app/pages/debriefing_page.h"
+
+#include "study/app/pieces/pieces.h"
+#include "study/app/pieces/step_list.h"
+#include "study/app/pieces/words_field.h"
+
+#include <QVBoxLayout>
+
+namespace study::app {
+
+DebriefingPage::DebriefingPage(QWidget* parent)
+    : StagePage(parent), m_notes(new WordsField("debriefingField", tr("What the participant says about the session"), this))
+{
+    auto* head = new PageHead(this);
+    head->tell(tr("After the last presentation"), tr("The display is off; the participant may take off the mask."));
+    auto* steps = new StepList(this);
+    steps->tell({tr("Ask: “What did you go by when you compared? Was anything unpleasant or odd?”"),
+                 tr("Ask: “What do you think this was about?” Then tell them what the study is for.")});
+    auto* rights = quietLabel("rightsText", this);
+    rights->setText(tr("Nothing has to be written. It is kept apart from the answers and can be erased later. "
+                       "Shift and Enter begin a new line."));
+    auto* action = mainButton("confirmButton", tr("Finish the session (Enter)"), this);
+    auto* column = new QVBoxLayout(this);
+    column->setSpacing(14);
+    for (QWidget* part : {static_cast<QWidget*>(head), static_cast<QWidget*>(steps), static_cast<QWidget*>(m_notes),
+                          static_cast<QWidget*>(rights)})
+        column->addWidget(part);
+    column->addSpacing(6);
+    column->addWidget(action, 0, Qt::AlignLeft);
+    column->addStretch(1);
+    setTabOrder(m_notes, action);
+    connect(action, &QPushButton::clicked, this, &DebriefingPage::confirm);
+}
+
+void DebriefingPage::begin(const SessionFacts&)
+{
+    m_notes->clear();
+}
+
+void DebriefingPage::confirm()
+{
+    Q_EMIT eventAsked(session::Debriefed{m_notes->words().toStdString()});
+}
+
+bool DebriefingPage::pressKey(int key)
+{
+    if (!isEnter(key))
+        return false;
+    confirm();
+    return true;
+}
+
+QWidget& DebriefingPage::firstFocus()
+{
+    return *m_notes;
+}
+
+}  // namespace study::app

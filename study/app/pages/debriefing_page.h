@@ -1,0 +1,27 @@
+// What the participant says at the end, in free words; erasable later.
+#pragma once
+
+#include "study/app/pages/stage_page.h"
+
+namespace study::app {
+
+class WordsField;
+
+class DebriefingPage : public StagePage {
+    Q_OBJECT
+public:
+    explicit DebriefingPage(QWidget* parent);
+
+    void begin(const SessionFacts& facts) override;
+    void present(const session::View&) override {}
+    bool isForWriting() const override { return true; }
+    bool pressKey(int key) override;
+    QWidget& firstFocus() override;
+
+private:
+    void confirm();
+
+    WordsField* m_notes;
+};
+
+}  // namespace study::app

@@ -1,0 +1,30 @@
+// What the protocol asks about a participant: each told or not, as they like, and erasable later.
+#pragma once
+
+#include "study/app/pages/stage_page.h"
+
+class QPushButton;
+
+namespace study::app {
+
+class LineForm;
+
+class FactsPage : public StagePage {
+    Q_OBJECT
+public:
+    explicit FactsPage(QWidget* parent);
+
+    void begin(const SessionFacts& facts) override;
+    void present(const session::View&) override {}
+    bool isForWriting() const override { return true; }
+    bool pressKey(int key) override;
+    QWidget& firstFocus() override;
+
+private:
+    void confirm();
+
+    LineForm* m_form;
+    QPushButton* m_action;
+};
+
+}  // namespace study::app

@@ -1,0 +1,108 @@
+#include "study/app/pages/familiarisation_page.h"
+
+#include "study/app/pieces/flow_layout.h"
+#include "study/app/pieces/pieces.h"
+#include "study/app/pieces/step_list.h"
+
+#include <QVBoxLayout>
+
+namespace study::app {
+
+using session::FamiliarisationShown;
+
+FamiliarisationPage::FamiliarisationPage(QWidget* parent)
+    : StagePage(parent),
+      m_steps(new StepList(this)),
+      m_fabricsRow(new QWidget(this)),
+      m_shown(label("shownFabric", Type::Lead, this)),
+      m_action(mainButton("confirmButton", tr("The participant is ready (Enter)"), this))
+{
+    auto* head = new PageHead(this);
+    head->tell(tr("Getting to know the display"), tr("Nothing is scored here. Take the time that the participant needs."));
+    m_fabricsRow->setLayout(new FlowLayout(10, 8));
+    auto* column = new QVBoxLayout(this);
+    column->setSpacing(14);
+    column->addWidget(head);
+    column->addWidget(m_steps);
+    column->addWidget(m_fabricsRow);
+    column->addWidget(m_shown);
+    column->addSpacing(6);
+    column->addWidget(m_action, 0, Qt::AlignLeft);
+    column->addStretch(1);
+    connect(m_action, &QPushButton::clicked, this, [this] { Q_EMIT eventAsked(session::FamiliarisationDone{}); });
+}
+
+void FamiliarisationPage::begin(const SessionFacts& facts)
+{
+    m_strokeWords = facts.strokeWords;
+    showSteps();
+}
+
+void FamiliarisationPage::showSteps()
+{
+    QStringList steps{tr("Seat the participant so that the display and the tray are within reach of one hand.")};
+    if (!m_strokeWords.isEmpty())
+        steps << tr("Say: “%1”").arg(m_strokeWords);
+    if (m_fabrics.empty())
+        steps << tr("Let them stroke some fabrics on the table, and then the glass of the display.");
+    else
+        steps << tr("Put one of these fabrics on the table and its image on the display, by its number. Let them stroke both; "
+                    "then take the next.");
+    steps << tr("Say: “Soon you will compare what you feel on the glass with a piece of fabric on the tray. There is no right "
+                "answer and no hurry.”");
+    m_steps->tell(steps);
+}
+
+void FamiliarisationPage::setFabrics(const std::vector<std::string>& fabrics)
+{
+    m_fabrics = fabrics;
+    qDeleteAll(m_buttons);
+    m_buttons.clear();
+    for (std::size_t item = 0; item < fabrics.size(); ++item) {
+        auto* made = button(qPrintable(QStringLiteral("familiar%1").arg(item + 1)),
+                            QStringLiteral("%1    %2").arg(item + 1).arg(QString::fromStdString(fabrics[item])), m_fabricsRow);
+        made->setCheckable(true);
+        connect(made, &QPushButton::clicked, this,
+                [this, item] { Q_EMIT eventAsked(FamiliarisationShown{static_cast<int>(item)}); });
+        m_fabricsRow->layout()->addWidget(made);
+        made->show();
+        m_buttons.push_back(made);
+    }
+    m_fabricsRow->setVisible(!fabrics.empty());
+    showSteps();
+}
+
+void FamiliarisationPage::present(const session::View& view)
+{
+    if (view.familiarisation != m_fabrics)
+        setFabrics(view.familiarisation);
+    const auto shown = std::get<session::Familiarising>(view.state.stage).shown;
+    for (std::size_t item = 0; item < m_buttons.size(); ++item)
+        m_buttons[item]->setChecked(shown == static_cast<int>(item));
+    if (m_fabrics.empty())
+        showText(*m_shown, {});
+    else if (shown)
+        showText(*m_shown, tr("On the display now: %1.")
+                               .arg(QString::fromStdString(m_fabrics.at(static_cast<std::size_t>(*shown)))));
+    else
+        showText(*m_shown, tr("The display is clear. Press the number of a fabric to show its image."));
+}
+
+bool FamiliarisationPage::pressKey(int key)
+{
+    const int item = key - Qt::Key_1;
+    if (isEnter(key))
+        Q_EMIT eventAsked(session::FamiliarisationDone{});
+    else if (item >= 0 && item < 9 && item < static_cast<int>(m_fabrics.size()))
+        Q_EMIT eventAsked(FamiliarisationShown{item});
+    else
+        return false;
+    return true;
+}
+
+QWidget& FamiliarisationPage::firstFocus()
+{
+    return *m_action;
+}
+
+}  // namespace study::app

@@ -1,0 +1,37 @@
+// Getting to know the display before anything is scored: what to do, and fabrics outside the study's own whose image
+// can be put on the display by number.
+#pragma once
+
+#include "study/app/pages/stage_page.h"
+
+class QLabel;
+class QPushButton;
+
+namespace study::app {
+
+class StepList;
+
+class FamiliarisationPage : public StagePage {
+    Q_OBJECT
+public:
+    explicit FamiliarisationPage(QWidget* parent);
+
+    void begin(const SessionFacts& facts) override;
+    void present(const session::View& view) override;
+    bool pressKey(int key) override;
+    QWidget& firstFocus() override;
+
+private:
+    void setFabrics(const std::vector<std::string>& fabrics);
+    void showSteps();
+
+    QString m_strokeWords;
+    std::vector<std::string> m_fabrics;
+    StepList* m_steps;
+    QWidget* m_fabricsRow;
+    std::vector<QPushButton*> m_buttons;
+    QLabel* m_shown;
+    QPushButton* m_action;
+};
+
+}  // namespace study::app

@@ -1,0 +1,44 @@
+// A page that tells the operator what to do now and waits for one confirmation: welcome, consent, break, pause, end.
+// What it says is a value (stage_guides.h).
+#pragma once
+
+#include "study/app/pages/stage_guides.h"
+#include "study/app/pages/stage_page.h"
+
+class QPushButton;
+
+namespace study::app {
+
+class PageHead;
+class StepList;
+
+class GuidePage : public StagePage {
+    Q_OBJECT
+public:
+    explicit GuidePage(QWidget* parent);
+
+    void begin(const SessionFacts& facts) override { m_facts = facts; }
+    /// Whether this sitting's refresher and checklist are to be offered.
+    void offerPreparation(bool isDue) { m_isPreparationDue = isDue; }
+    void present(const session::View& view) override;
+    bool pressKey(int key) override;
+    QWidget& firstFocus() override;
+
+Q_SIGNALS:
+    void leaveAsked();
+    /// The session shall go on without its refresher and checklist.
+    void preparationDeclined();
+
+private:
+    void act(GuideAct act);
+
+    SessionFacts m_facts;
+    bool m_isPreparationDue = false;
+    Guide m_guide;
+    PageHead* m_head;
+    StepList* m_steps;
+    QPushButton* m_action;
+    QPushButton* m_second;
+};
+
+}  // namespace study::app

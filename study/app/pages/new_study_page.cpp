@@ -1,0 +1,239 @@
+#include "study/app/pages/new_study_page.h"
+
+#include "study/app/pieces/pieces.h"
+#include "study/app/pages/stage_page.h"
+#include "study/app/state/study_making.h"
+
+#include <QFileDialog>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QProgressBar>
+#include <QVBoxLayout>
+
+#include <charconv>
+
+namespace study::app {
+
+namespace {
+
+constexpr int progressSteps = 1000;
+
+template <class Number>
+std::optional<Number> wholeNumberFrom(const QString& typed)
+{
+    const std::string text = typed.trimmed().toStdString();
+    Number number = 0;
+    const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), number);
+    return fault == std::errc() && end == text.data() + text.size() ? std::optional(number) : std::nullopt;
+}
+
+std::filesystem::path pathOf(const QLineEdit& line)
+{
+    return line.text().trimmed().toStdString();
+}
+
+}  // namespace
+
+NewStudyPage::NewStudyPage(MakeStudy make, QWidget* parent)
+    : QWidget(parent),
+      m_make(std::move(make)),
+      m_participants(field("participantsField", tr("Number of participants"), this)),
+      m_seed(field("seedField", tr("Seed of the running orders"), this)),
+      m_makeButton(mainButton("makeButton", tr("Make the study (Enter)"), this)),
+      m_back(button("backButton", tr("Back (Esc)"), this)),
+      m_doing(label("makingText", Type::Body, this)),
+      m_bar(new QProgressBar(this)),
+      m_message(new MessageBar("newStudyMessage", this))
+{
+    setObjectName("newStudyPage");
+    auto* page = new QWidget(this);
+    auto* title = label("newStudyTitle", Type::Title, page, Weight::Bold);
+    title->setText(tr("A new study"));
+    auto* lead = quietLabel("newStudyLead", page);
+    lead->setText(tr("Running orders are drawn by the seed; which stimulus is which stays sealed in the study's folder."));
+    m_participants->setPlaceholderText(tr("empty: as in the protocol"));
+    m_seed->setText(QStringLiteral("1"));
+    name(*m_bar, "makingBar", tr("Progress of the making"));
+    m_bar->setRange(0, progressSteps);
+    m_bar->setTextVisible(false);
+
+    auto* form = new QGridLayout;
+    form->setHorizontalSpacing(16);
+    form->setVerticalSpacing(12);
+    form->setColumnStretch(1, 1);
+    m_study = addPath(*form, "newStudyFolderField", tr("Study folder"), tr("a folder that does not exist yet"),
+                      Browse::NewFolder);
+    m_dataset = addPath(*form, "datasetField", tr("Fabric data set"), tr("the folder that holds dataset.json"), Browse::Folder);
+    m_protocol = addPath(*form, "protocolField", tr("Protocol file"), tr("empty: the study of the paper"), Browse::File);
+    addRow(*form, tr("Participants"), m_participants);
+    addRow(*form, tr("Seed"), m_seed);
+    m_inputs.insert(m_inputs.end(), {m_participants, m_seed, m_makeButton});
+    auto* actions = new QHBoxLayout;
+    actions->setSpacing(14);
+    actions->addWidget(m_makeButton);
+    actions->addWidget(m_back);
+    actions->addStretch(1);
+    auto* column = new QVBoxLayout(page);
+    column->setSpacing(12);
+    column->addStretch(1);
+    column->addWidget(title);
+    column->addWidget(lead);
+    column->addSpacing(8);
+    column->addLayout(form);
+    column->addSpacing(8);
+    column->addLayout(actions);
+    column->addWidget(m_doing);
+    column->addWidget(m_bar);
+    column->addWidget(m_message);
+    column->addStretch(2);
+    auto* outer = new QVBoxLayout(this);
+    outer->setContentsMargins(0, 0, 0, 0);
+    outer->addWidget(scrolling("newStudyArea", page, this));
+    connect(m_makeButton, &QPushButton::clicked, this, &NewStudyPage::make);
+    connect(m_back, &QPushButton::clicked, this, &NewStudyPage::goBack);
+    enable();
+}
+
+NewStudyPage::~NewStudyPage() = default;
+
+QLineEdit* NewStudyPage::addPath(QGridLayout& form, const char* objectName, const QString& caption, const QString& hint,
+                                 Browse browse)
+{
+    auto* row = new QWidget(this);
+    auto* layout = new QHBoxLayout(row);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(10);
+    auto* line = field(objectName, caption, row);
+    line->setPlaceholderText(hint);
+    auto* open = button(qPrintable(QLatin1String(objectName) + QLatin1String("Browse")), tr("Browse…"), row);
+    open->setAccessibleName(tr("Browse for: %1").arg(caption));
+    layout->addWidget(line, 1);
+    layout->addWidget(open);
+    connect(open, &QPushButton::clicked, this, [this, line, browse] { browseFor(*line, browse); });
+    addRow(form, caption, row);
+    m_inputs.insert(m_inputs.end(), {line, open});
+    return line;
+}
+
+void NewStudyPage::addRow(QGridLayout& form, const QString& caption, QWidget* control)
+{
+    auto* text = quietLabel("formCaption", this);
+    text->setText(caption);
+    text->setWordWrap(false);
+    const int row = form.rowCount();
+    form.addWidget(text, row, 0);
+    form.addWidget(control, row, 1);
+}
+
+void NewStudyPage::browseFor(QLineEdit& target, Browse browse)
+{
+    QString chosen;
+    if (browse == Browse::File)
+        chosen = QFileDialog::getOpenFileName(this, tr("Protocol file"), target.text(), tr("Protocols (*.json)"));
+    else
+        chosen = QFileDialog::getExistingDirectory(
+            this, browse == Browse::Folder ? tr("Fabric data set") : tr("Where to make it"), target.text());
+    if (!chosen.isEmpty())
+        target.setText(browse == Browse::NewFolder ? chosen + QStringLiteral("/study") : chosen);
+}
+
+std::optional<NewStudyRequest> NewStudyPage::request()
+{
+    const auto told = [this](QLineEdit* line, const QString& text) {
+        line->setFocus();
+        m_message->tellHint(text);
+        return std::nullopt;
+    };
+    if (m_study->text().trimmed().isEmpty())
+        return told(m_study, tr("Name a folder for the study; it is made for you."));
+    if (m_dataset->text().trimmed().isEmpty())
+        return told(m_dataset, tr("Name the fabric data set that the stimuli are made from."));
+    const auto seed = wholeNumberFrom<std::uint64_t>(m_seed->text());
+    if (!seed)
+        return told(m_seed, tr("The seed is a whole number, 0 or larger."));
+    NewStudyRequest filled{pathOf(*m_study), pathOf(*m_dataset), std::nullopt, std::nullopt, *seed};
+    if (!m_protocol->text().trimmed().isEmpty())
+        filled.protocol = pathOf(*m_protocol);
+    if (!m_participants->text().trimmed().isEmpty()) {
+        filled.participants = wholeNumberFrom<int>(m_participants->text());
+        if (!filled.participants || *filled.participants < 1)
+            return told(m_participants, tr("The number of participants is a whole number from 1, or empty."));
+    }
+    return filled;
+}
+
+void NewStudyPage::make()
+{
+    m_message->clearMessage();
+    const auto filled = request();
+    if (!filled || m_making)
+        return;
+    m_making = std::make_unique<StudyMaking>(m_make, *filled, nullptr);
+    connect(m_making.get(), &StudyMaking::progressed, this, [this](double fraction, const QString& what) {
+        m_bar->setValue(static_cast<int>(fraction * progressSteps));
+        m_doing->setText(what);
+    }, Qt::QueuedConnection);
+    connect(m_making.get(), &StudyMaking::failed, this, [this](const QString& why) {
+        end();
+        m_message->tellFault(why);
+    }, Qt::QueuedConnection);
+    connect(m_making.get(), &StudyMaking::done, this, [this] {
+        const QString folder = QString::fromStdString(m_making->request().study.string());
+        end();
+        Q_EMIT made(folder);
+    }, Qt::QueuedConnection);
+    m_doing->setText(tr("The study is being made."));
+    m_bar->setValue(0);
+    enable();
+    m_making->begin();
+}
+
+void NewStudyPage::end()
+{
+    m_making.reset();
+    enable();
+    focusFirst();
+}
+
+void NewStudyPage::enable()
+{
+    for (QWidget* input : m_inputs)
+        input->setEnabled(!m_making);
+    m_doing->setVisible(m_making != nullptr);
+    m_bar->setVisible(m_making != nullptr);
+    setButtonText(*m_back, m_making ? tr("Stop the making (Esc)") : tr("Back (Esc)"));
+    if (m_making)
+        m_back->setFocus();
+}
+
+void NewStudyPage::goBack()
+{
+    if (!m_making) {
+        m_message->clearMessage();
+        Q_EMIT backAsked();
+        return;
+    }
+    m_making->stop();
+    m_doing->setText(tr("Stopping…"));
+}
+
+void NewStudyPage::focusFirst()
+{
+    m_study->setFocus();
+}
+
+void NewStudyPage::keyPressEvent(QKeyEvent* event)
+{
+    auto* pressed = qobject_cast<QPushButton*>(focusWidget());
+    if (event->key() == Qt::Key_Escape)
+        goBack();
+    else if (isEnter(event->key()) && pressed)
+        pressed->click();
+    else if (isEnter(event->key()))
+        make();
+    else
+        QWidget::keyPressEvent(event);
+}
+
+}  // namespace study::app

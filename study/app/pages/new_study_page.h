@@ -1,0 +1,65 @@
+// The form for a new study, and how far its making is. Paths may be typed or browsed to.
+#pragma once
+
+#include "study/app/state/app_options.h"
+
+#include <QWidget>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+class QGridLayout;
+class QLabel;
+class QLineEdit;
+class QProgressBar;
+class QPushButton;
+
+namespace study::app {
+
+class MessageBar;
+class StudyMaking;
+
+class NewStudyPage : public QWidget {
+    Q_OBJECT
+public:
+    NewStudyPage(MakeStudy make, QWidget* parent);
+    ~NewStudyPage() override;
+
+    void focusFirst();
+    bool isMaking() const { return m_making != nullptr; }
+
+Q_SIGNALS:
+    void made(const QString& folder);
+    void backAsked();
+
+protected:
+    void keyPressEvent(QKeyEvent* event) override;
+
+private:
+    enum class Browse { Folder, NewFolder, File };
+    QLineEdit* addPath(QGridLayout& form, const char* objectName, const QString& caption, const QString& hint, Browse browse);
+    void addRow(QGridLayout& form, const QString& caption, QWidget* control);
+    void browseFor(QLineEdit& target, Browse browse);
+    std::optional<NewStudyRequest> request();
+    void make();
+    void goBack();
+    void end();
+    void enable();
+
+    MakeStudy m_make;
+    std::unique_ptr<StudyMaking> m_making;
+    QLineEdit* m_study;
+    QLineEdit* m_dataset;
+    QLineEdit* m_protocol;
+    QLineEdit* m_participants;
+    QLineEdit* m_seed;
+    QPushButton* m_makeButton;
+    QPushButton* m_back;
+    QLabel* m_doing;
+    QProgressBar* m_bar;
+    MessageBar* m_message;
+    std::vector<QWidget*> m_inputs;
+};
+
+}  // namespace study::app

@@ -1,0 +1,111 @@
+#include "study/app/pages/panel.h"
+
+#include "study/app/pieces/flow_layout.h"
+#include "study/app/pieces/pieces.h"
+
+#include <QGridLayout>
+#include <QVBoxLayout>
+
+namespace study::app {
+
+namespace {
+
+constexpr int rowOfReason = 100;  // below every row that a panel adds
+
+QLabel* captionFor(const QString& text, QWidget* parent)
+{
+    QLabel* made = quietLabel("panelCaption", parent);
+    made->setText(text);
+    made->setWordWrap(false);
+    made->setContentsMargins(0, 7, 0, 0);  // level with the text in the fields
+    return made;
+}
+
+}  // namespace
+
+Panel::Panel(QWidget* parent)
+    : StagePage(parent),
+      m_head(new PageHead(this)),
+      m_form(new QGridLayout),
+      m_caption(captionFor({}, this)),
+      m_reason(field("reasonField", tr("Reason"), this)),
+      m_action(mainButton("panelConfirmButton", tr("Store (Enter)"), this)),
+      m_back(button("panelBackButton", tr("Back (Esc)"), this))
+{
+    setType(*m_reason, Type::Lead);
+    m_form->setHorizontalSpacing(18);
+    m_form->setVerticalSpacing(14);
+    m_form->setColumnStretch(1, 1);
+    m_form->addWidget(m_caption, rowOfReason, 0, Qt::AlignTop);
+    m_form->addWidget(m_reason, rowOfReason, 1);
+    auto* column = new QVBoxLayout(this);
+    column->setSpacing(18);
+    column->addWidget(m_head);
+    column->addLayout(m_form);
+    column->addLayout(actionsRow({m_action, m_back}));
+    column->addStretch(1);
+    connect(m_action, &QPushButton::clicked, this, &Panel::confirm);
+    connect(m_back, &QPushButton::clicked, this, &Panel::closeAsked);
+}
+
+void Panel::addRow(const QString& caption, QWidget* control)
+{
+    const int row = m_form->rowCount() > rowOfReason ? m_form->count() / 2 : m_form->rowCount();
+    m_form->addWidget(captionFor(caption, this), row, 0, Qt::AlignTop);
+    m_form->addWidget(control, row, 1);
+}
+
+void Panel::letReasonFollow(const QWidget& controls)
+{
+    letFollow(controls, {m_reason, m_action, m_back});
+}
+
+void Panel::open(const Texts& texts)
+{
+    m_texts = texts;
+    m_isAskedAgain = false;
+    m_head->tell(texts.title, texts.explanation);
+    m_caption->setText(texts.caption);
+    m_reason->clear();
+    m_reason->setAccessibleName(texts.caption);
+    setButtonText(*m_action, texts.action);
+}
+
+void Panel::focusReason()
+{
+    m_reason->setFocus();
+}
+
+void Panel::confirm()
+{
+    if (!isReady())
+        return;
+    const bool isEmpty = m_reason->text().trimmed().isEmpty();
+    const bool mayGo = !isEmpty || m_texts.empty == Empty::IsFine ||
+                       (m_texts.empty == Empty::IsAskedAgain && m_isAskedAgain);
+    if (mayGo) {
+        Q_EMIT eventAsked(eventFor(isEmpty ? std::string() : m_reason->text().toStdString()));
+        return;
+    }
+    m_isAskedAgain = true;
+    m_reason->setFocus();
+    Q_EMIT hinted(m_texts.hintWhenEmpty);
+}
+
+bool Panel::pressKey(int key)
+{
+    if (isEnter(key))
+        confirm();
+    else if (key == Qt::Key_Escape)
+        Q_EMIT closeAsked();
+    else
+        return false;
+    return true;
+}
+
+QWidget& Panel::firstFocus()
+{
+    return *m_reason;
+}
+
+}  // namespace study::app

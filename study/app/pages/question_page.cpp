@@ -1,0 +1,139 @@
+#include "study/app/pages/question_page.h"
+
+#include "study/app/pieces/answer_entry.h"
+#include "study/app/pieces/flow_layout.h"
+#include "study/app/pieces/pieces.h"
+#include "study/app/pieces/question_head.h"
+
+#include <QVBoxLayout>
+
+namespace study::app {
+
+using session::Presenting;
+using session::Response;
+
+QuestionPage::QuestionPage(QWidget* parent)
+    : StagePage(parent),
+      m_head(new QuestionHead(this)),
+      m_entry(new AnswerEntry(this)),
+      m_readBack(label("readBack", Type::Lead, this)),
+      m_touch(new TouchButton(this)),
+      m_store(mainButton("storeButton", tr("Store the answer (Enter)"), this)),
+      m_stroke(quietLabel("strokeWords", this, Type::Plain))
+{
+    auto* column = new QVBoxLayout(this);
+    column->setSpacing(12);
+    column->addWidget(m_head);
+    column->addWidget(m_entry);
+    column->addWidget(m_readBack);
+    column->addLayout(actionsRow({m_store, m_touch}));
+    column->addSpacing(6);
+    column->addWidget(m_stroke);
+    column->addStretch(1);
+    connect(m_entry, &AnswerEntry::changed, this, &QuestionPage::showReadBack);
+    connect(m_store, &QPushButton::clicked, this, &QuestionPage::store);
+    connect(m_touch, &TouchButton::touched, this, [this] {
+        firstFocus().setFocus();
+        Q_EMIT eventAsked(session::Touched{});
+    });
+}
+
+void QuestionPage::begin(const SessionFacts& facts)
+{
+    m_wantsSecondEntry = facts.secondEntry;
+    m_shown.reset();
+    showText(*m_stroke, strokeText(facts));
+    m_touch->begin(facts);
+}
+
+bool QuestionPage::isSameQuestion(const session::View& view) const
+{
+    const auto& asked = std::get<Presenting>(view.state.stage);
+    return m_shown && m_shown->index == asked.index && m_shown->question == asked.question &&
+           m_shown->readyAtNs == asked.readyAtNs && m_shownCode == view.code;
+}
+
+void QuestionPage::present(const session::View& view)
+{
+    m_head->present(view);
+    m_touch->present(view);
+    if (isSameQuestion(view))
+        return;  // a touch, a note or a fault keeps what is being entered
+    m_shown = std::get<Presenting>(view.state.stage);
+    m_shownCode = view.code;
+    m_firstEntry.reset();
+    m_entry->ask(formOf(view));
+}
+
+void QuestionPage::showReadBack()
+{
+    const bool isFirstOfTwo = m_wantsSecondEntry && !m_firstEntry;
+    setButtonText(*m_store, isFirstOfTwo ? tr("Now a second time (Enter)") : tr("Store the answer (Enter)"));
+    const ReadBack readBack = m_entry->readBack();
+    QStringList sentences{readBack.text};
+    if (m_firstEntry)
+        sentences.prepend(tr("Second entry."));
+    if (readBack.isComplete)
+        sentences.append(isFirstOfTwo ? tr("Enter, then enter the same once more.") : tr("Enter stores it."));
+    m_readBack->setText(sentences.join(QLatin1Char(' ')));
+}
+
+void QuestionPage::store()
+{
+    const auto given = m_entry->give();
+    if (const auto* response = std::get_if<Response>(&given)) {
+        takeEntry(*response);
+        return;
+    }
+    m_entry->firstFocus().setFocus();
+    Q_EMIT hinted(std::get<NoAnswer>(given).why);
+}
+
+void QuestionPage::takeEntry(const Response& response)
+{
+    if (!m_wantsSecondEntry) {
+        Q_EMIT eventAsked(session::Answered{response});
+        return;
+    }
+    const QString differing = m_firstEntry ? disagreement(m_entry->form(), *m_firstEntry, response) : QString();
+    if (m_firstEntry && differing.isEmpty()) {
+        // Words may differ in spaces; the first entry is the one that was read back.
+        const Response agreed = *m_firstEntry;
+        Q_EMIT eventAsked(session::Answered{agreed});
+        return;
+    }
+    if (m_firstEntry)
+        m_firstEntry.reset();
+    else
+        m_firstEntry = response;
+    m_entry->ask(AnswerForm(m_entry->form()));
+    m_entry->firstFocus().setFocus();
+    Q_EMIT hinted(differing);
+}
+
+bool QuestionPage::isForWriting() const
+{
+    return m_entry->form().kind == protocols::AnswerKind::Words;
+}
+
+bool QuestionPage::pressKey(int key)
+{
+    if (isEnter(key)) {
+        store();
+        return true;
+    }
+    // Before T: a tray of twenty slots would have a letter of its own there.
+    if (m_entry->pressKey(key))
+        return true;
+    if (key != Qt::Key_T)
+        return false;
+    Q_EMIT eventAsked(session::Touched{});
+    return true;
+}
+
+QWidget& QuestionPage::firstFocus()
+{
+    return m_entry->firstFocus();
+}
+
+}  // namespace study::app

@@ -1,0 +1,219 @@
+#include "study/app/pages/session_page.h"
+
+#include "study/app/pages/correction_panel.h"
+#include "study/app/pages/guide_page.h"
+#include "study/app/pieces/pieces.h"
+#include "study/app/pages/reason_panel.h"
+#include "study/app/pieces/session_footer.h"
+#include "study/app/pieces/session_header.h"
+#include "study/app/pages/stage_stack.h"
+#include "study/app/pages/tray_page.h"
+
+#include <QKeyEvent>
+#include <QShortcut>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace study::app {
+
+using namespace session;
+
+SessionPage::SessionPage(QWidget* parent)
+    : QWidget(parent),
+      m_header(new SessionHeader(this)),
+      m_stages(new StageStack(this)),
+      m_message(new MessageBar("sessionMessage", this)),
+      m_footer(new SessionFooter(this))
+{
+    setObjectName("sessionPage");
+    setFocusPolicy(Qt::ClickFocus);
+    auto* messageRow = new QVBoxLayout;
+    messageRow->setContentsMargins(28, 0, 28, 10);
+    messageRow->addWidget(m_message);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(m_header);
+    column->addWidget(m_stages, 1);
+    column->addLayout(messageRow);
+    column->addWidget(m_footer);
+    connect(m_stages, &StageStack::eventAsked, this, &SessionPage::eventAsked);
+    connect(m_stages, &StageStack::hinted, this, [this](const QString& text) { tell(text, Tone::Hint); });
+    connect(m_stages, &StageStack::panelCloseAsked, this, &SessionPage::closePanel);
+    connect(&m_stages->guide(), &GuidePage::leaveAsked, this, &SessionPage::leaveAsked);
+    connect(&m_stages->guide(), &GuidePage::preparationDeclined, this, &SessionPage::goOnUnprepared);
+    joinPanels();
+    bindKeysWhileWriting();
+}
+
+void SessionPage::joinPanels()
+{
+    ReasonPanel& reason = m_stages->reason();
+    const auto onAsking = [this, &reason](auto asked, auto ask) {
+        connect(m_footer, asked, this, [this, &reason, ask] {
+            ask();
+            openPanel(reason);
+        });
+    };
+    onAsking(&SessionFooter::noteAsked, [&reason] { reason.askForNote(); });
+    onAsking(&SessionFooter::flagAsked, [this, &reason] { reason.askForFlag(codeMeant()); });
+    onAsking(&SessionFooter::voidAsked, [this, &reason] { reason.askWhyVoid(codeMeant()); });
+    onAsking(&SessionFooter::withdrawAsked, [&reason] { reason.askWhyWithdrawn(); });
+    connect(m_footer, &SessionFooter::correctionAsked, this, &SessionPage::correctionAsked);
+    connect(m_footer, &SessionFooter::pauseAsked, this, [this] { Q_EMIT eventAsked(Paused{}); });
+    connect(m_footer, &SessionFooter::leaveAsked, this, &SessionPage::leaveAsked);
+}
+
+void SessionPage::bindKeysWhileWriting()
+{
+    // In a field of text the letters are text; with Alt they are the keys that they are elsewhere.
+    for (const int key : {Qt::Key_T, Qt::Key_L, Qt::Key_N, Qt::Key_F, Qt::Key_V, Qt::Key_P, Qt::Key_W, Qt::Key_Q, Qt::Key_G}) {
+        auto* shortcut = new QShortcut(QKeySequence(Qt::ALT | key), this);
+        shortcut->setContext(Qt::WidgetWithChildrenShortcut);
+        shortcut->setAutoRepeat(false);
+        connect(shortcut, &QShortcut::activated, this, [this, key] {
+            if (!m_footer->pressKey(key))
+                pageInFront().pressKey(key);
+        });
+    }
+}
+
+QString SessionPage::codeMeant() const
+{
+    const auto* tray = std::get_if<PlacingTray>(&m_view.state.stage);
+    const auto& answers = m_view.state.answers;
+    const bool isUnbegun =
+        tray && std::none_of(answers.begin(), answers.end(), [&](const auto& answer) { return answer.index == tray->index; });
+    return isUnbegun ? QString() : QString::fromStdString(m_view.code.value);
+}
+
+void SessionPage::begin(const SessionFacts& facts)
+{
+    closePanel();
+    m_facts = facts;
+    m_view = {};
+    m_isPreparationDeclined = false;
+    m_message->clearMessage();
+    m_header->begin(facts);
+    m_stages->begin(facts);
+}
+
+bool SessionPage::offersPreparation() const
+{
+    const Stage& stage = m_view.state.stage;
+    const bool isBetweenPresentations = std::holds_alternative<PlacingTray>(stage) || std::holds_alternative<OnBreak>(stage);
+    const bool hasSomething = m_facts.scale || !m_facts.checklist.isEmpty() || !m_facts.readings.isEmpty();
+    return isBetweenPresentations && hasSomething && !m_view.sittingIsPrepared && !m_isPreparationDeclined;
+}
+
+void SessionPage::present(const View& view, bool canCorrect)
+{
+    m_view = view;
+    m_header->present(view);
+    m_footer->present(view, canCorrect);
+    m_stages->guide().offerPreparation(offersPreparation());
+    if (std::holds_alternative<Presenting>(view.state.stage))
+        m_stages->tray().setPlaced(view.trayIds);
+    StagePage& page = pageOf(view);
+    page.present(view);
+    if (!m_panel)
+        bringForward(page);
+}
+
+void SessionPage::goOnUnprepared()
+{
+    m_isPreparationDeclined = true;
+    if (m_view.state.paused)
+        Q_EMIT eventAsked(Resumed{});
+    else
+        present(View(m_view), m_footer->canCorrect());
+}
+
+StagePage& SessionPage::pageOf(const View& view) const
+{
+    if (view.state.paused || offersPreparation())
+        return m_stages->guide();
+    return m_stages->pageOf(view.state.stage);
+}
+
+StagePage& SessionPage::pageInFront() const
+{
+    return m_panel ? *m_panel : pageOf(m_view);
+}
+
+void SessionPage::bringForward(StagePage& page)
+{
+    m_stages->bringForward(page);
+    m_footer->setWriting(!m_panel && page.isForWriting());
+}
+
+void SessionPage::openCorrection(const std::vector<Correctable>& answers)
+{
+    m_stages->correction().ask(answers);
+    openPanel(m_stages->correction());
+}
+
+void SessionPage::openPanel(StagePage& panel)
+{
+    m_panel = &panel;
+    m_message->clearMessage();
+    m_footer->setPanelOpen(true);
+    bringForward(panel);
+}
+
+void SessionPage::closePanel()
+{
+    if (!m_panel)
+        return;
+    m_panel = nullptr;
+    m_message->clearMessage();
+    m_footer->setPanelOpen(false);
+    bringForward(pageOf(m_view));
+}
+
+void SessionPage::settle()
+{
+    m_message->clearMessage();
+    m_panel = nullptr;
+    m_footer->setPanelOpen(false);
+}
+
+void SessionPage::tell(const QString& text, Tone tone)
+{
+    switch (tone) {
+    case Tone::Done: m_message->tellDone(text); break;
+    case Tone::Hint:
+    case Tone::Refusal: m_message->tellHint(text); break;
+    case Tone::Fault: m_message->tellFault(text); break;
+    }
+}
+
+bool SessionPage::pressKey(int key)
+{
+    if (isEnter(key) && pressFocusedButton())
+        return true;
+    return pageInFront().pressKey(key) || m_footer->pressKey(key) || m_stages->scrollBy(key);
+}
+
+bool SessionPage::pressFocusedButton() const
+{
+    // Enter is the page's main action, but on a button that was tabbed to it presses that one.
+    auto* focused = qobject_cast<QPushButton*>(focusWidget());
+    const bool isSideButton = focused && focused->isVisible() && focused->isEnabled() && !focused->isCheckable() &&
+                              focused->property("role").toString() != QLatin1String("main");
+    if (isSideButton)
+        focused->click();
+    return isSideButton;
+}
+
+void SessionPage::keyPressEvent(QKeyEvent* event)
+{
+    const bool isPlain = (event->modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier)) == 0;
+    // A key held down must not run through several presentations.
+    const bool isTaken = isPlain && (event->isAutoRepeat() || pressKey(event->key()));
+    if (!isTaken)
+        QWidget::keyPressEvent(event);
+}
+
+}  // namespace study::app

@@ -1,0 +1,115 @@
+#include "study/app/pages/stage_stack.h"
+
+#include "study/app/pages/checklist_page.h"
+#include "study/app/pages/correction_panel.h"
+#include "study/app/pages/debriefing_page.h"
+#include "study/app/pages/facts_page.h"
+#include "study/app/pages/familiarisation_page.h"
+#include "study/app/pages/guide_page.h"
+#include "study/app/pieces/pieces.h"
+#include "study/app/pages/question_page.h"
+#include "study/app/pages/reason_panel.h"
+#include "study/app/pages/scale_training_page.h"
+#include "study/app/pages/tray_page.h"
+
+#include <QApplication>
+#include <QScrollBar>
+
+#include <algorithm>
+
+namespace study::app {
+
+using namespace session;
+
+struct StageStack::PageOfStage {
+    const StageStack& stack;
+
+    template <class GuidedStage>
+    StagePage& operator()(const GuidedStage&) const
+    {
+        return *stack.m_guide;
+    }
+    StagePage& operator()(const AskingFacts&) const { return *stack.m_facts; }
+    StagePage& operator()(const Familiarising&) const { return *stack.m_familiarisation; }
+    StagePage& operator()(const ScaleTraining&) const { return *stack.m_scaleTraining; }
+    StagePage& operator()(const CheckingList&) const { return *stack.m_checklist; }
+    StagePage& operator()(const PlacingTray&) const { return *stack.m_tray; }
+    StagePage& operator()(const Presenting&) const { return *stack.m_question; }
+    StagePage& operator()(const Debriefing&) const { return *stack.m_debriefing; }
+};
+
+namespace {
+
+/// Where one types must be in sight, whatever the size of the text.
+void letEntryBeSeen(QScrollArea& area)
+{
+    constexpr int marginPx = 28;
+    QWidget* focus = QApplication::focusWidget();
+    if (focus && focus->testAttribute(Qt::WA_InputMethodEnabled) && area.isAncestorOf(focus))
+        area.ensureWidgetVisible(focus, 0, marginPx);
+}
+
+}  // namespace
+
+StageStack::StageStack(QWidget* parent)
+    : QStackedWidget(parent),
+      m_guide(add<GuidePage>("guideArea")),
+      m_facts(add<FactsPage>("factsArea")),
+      m_familiarisation(add<FamiliarisationPage>("familiarisationArea")),
+      m_scaleTraining(add<ScaleTrainingPage>("scaleTrainingArea")),
+      m_checklist(add<ChecklistPage>("checklistArea")),
+      m_tray(add<TrayPage>("trayArea")),
+      m_question(add<QuestionPage>("questionArea")),
+      m_debriefing(add<DebriefingPage>("debriefingArea")),
+      m_correction(add<CorrectionPanel>("correctionArea")),
+      m_reason(add<ReasonPanel>("reasonArea"))
+{
+    setObjectName("stages");
+    connect(m_correction, &Panel::closeAsked, this, &StageStack::panelCloseAsked);
+    connect(m_reason, &Panel::closeAsked, this, &StageStack::panelCloseAsked);
+}
+
+template <class Page>
+Page* StageStack::add(const char* areaName)
+{
+    auto* page = new Page(this);
+    m_pages.push_back(page);
+    QScrollArea* area = scrolling(areaName, page, this);
+    addWidget(area);
+    connect(page, &StagePage::eventAsked, this, &StageStack::eventAsked);
+    connect(page, &StagePage::hinted, this, &StageStack::hinted);
+    connect(area->verticalScrollBar(), &QScrollBar::rangeChanged, area, [area] { letEntryBeSeen(*area); });
+    return page;
+}
+
+void StageStack::begin(const SessionFacts& facts)
+{
+    for (StagePage* page : m_pages)
+        page->begin(facts);
+}
+
+StagePage& StageStack::pageOf(const Stage& stage) const
+{
+    return std::visit(PageOfStage{*this}, stage);
+}
+
+void StageStack::bringForward(StagePage& page)
+{
+    const auto place = std::find(m_pages.begin(), m_pages.end(), &page) - m_pages.begin();
+    auto& area = *static_cast<QScrollArea*>(widget(static_cast<int>(place)));
+    setCurrentWidget(&area);
+    page.firstFocus().setFocus();
+    area.verticalScrollBar()->setValue(0);
+    letEntryBeSeen(area);
+}
+
+bool StageStack::scrollBy(int key)
+{
+    if (key != Qt::Key_PageDown && key != Qt::Key_PageUp)
+        return false;
+    QScrollBar& bar = *static_cast<QScrollArea*>(currentWidget())->verticalScrollBar();
+    bar.setValue(bar.value() + (key == Qt::Key_PageDown ? bar.pageStep() : -bar.pageStep()));
+    return true;
+}
+
+}  // namespace study::app

@@ -1,0 +1,134 @@
+#include "study/app/pages/start_page.h"
+
+#include "study/app/pieces/flow_layout.h"
+#include "study/app/pieces/pieces.h"
+#include "study/app/pages/stage_page.h"
+
+#include <QDir>
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QListWidget>
+#include <QVBoxLayout>
+
+namespace study::app {
+
+StartPage::StartPage(QWidget* parent)
+    : QWidget(parent),
+      m_recentCaption(quietLabel("recentCaption", this)),
+      m_recent(new QListWidget(this)),
+      m_folder(field("studyFolderField", tr("Study folder"), this)),
+      m_browse(button("browseStudyButton", tr("Browse…"), this)),
+      m_open(mainButton("openButton", tr("Open the study (Enter)"), this)),
+      m_new(button("newStudyButton", tr("Make a new study…"), this)),
+      m_data(button("lookAtDataButton", tr("Look at a data set…"), this)),
+      m_message(new MessageBar("startMessage", this))
+{
+    setObjectName("startPage");
+    auto* page = new QWidget(this);
+    auto* title = label("startTitle", Type::Title, page, Weight::Bold);
+    title->setText(tr("Vis2Hap"));
+    auto* lead = label("startLead", Type::Lead, page);
+    lead->setText(tr("Blinded studies of how rendered fabrics feel."));
+    m_recentCaption->setText(tr("Last used"));
+    name(*m_recent, "recentList", tr("Studies last used"));
+    setType(*m_recent, Type::Body);
+    m_recent->setTextElideMode(Qt::ElideMiddle);
+    m_recent->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    m_recent->setSizeAdjustPolicy(QAbstractScrollArea::AdjustToContents);
+    m_recent->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    auto* caption = quietLabel("studyFolderCaption", page);
+    caption->setText(tr("Study folder"));
+    m_folder->setPlaceholderText(tr("the folder that holds study.db"));
+
+    auto* folderRow = new QHBoxLayout;
+    folderRow->setSpacing(10);
+    folderRow->addWidget(m_folder, 1);
+    folderRow->addWidget(m_browse);
+    auto* column = new QVBoxLayout(page);
+    column->setSpacing(10);
+    column->addStretch(1);
+    column->addWidget(title);
+    column->addWidget(lead);
+    column->addSpacing(22);
+    column->addWidget(m_recentCaption);
+    column->addWidget(m_recent);
+    column->addSpacing(8);
+    column->addWidget(caption);
+    column->addLayout(folderRow);
+    column->addSpacing(10);
+    column->addLayout(actionsRow({m_open, m_new, m_data}));
+    column->addSpacing(6);
+    column->addWidget(m_message);
+    column->addStretch(2);
+    column->addWidget(lookHint(page));
+    auto* outer = new QVBoxLayout(this);
+    outer->setContentsMargins(0, 0, 0, 0);
+    outer->addWidget(scrolling("startArea", page, this));
+
+    connect(m_open, &QPushButton::clicked, this, [this] { open(m_folder->text()); });
+    connect(m_recent, &QListWidget::itemActivated, this, [this](QListWidgetItem* item) { open(item->text()); });
+    connect(m_recent, &QListWidget::currentTextChanged, this, [this](const QString& folder) {
+        if (!folder.isEmpty())
+            m_folder->setText(folder);
+    });
+    connect(m_browse, &QPushButton::clicked, this, &StartPage::browse);
+    connect(m_new, &QPushButton::clicked, this, &StartPage::newStudyAsked);
+    connect(m_data, &QPushButton::clicked, this, &StartPage::dataAsked);
+}
+
+void StartPage::present(const QStringList& recentFolders, bool canMakeStudies, bool canLookAtData)
+{
+    m_message->clearMessage();
+    m_recent->clear();
+    m_recent->addItems(recentFolders);
+    m_recent->setVisible(!recentFolders.isEmpty());
+    m_recentCaption->setVisible(!recentFolders.isEmpty());
+    if (!recentFolders.isEmpty())
+        m_recent->setCurrentRow(0);
+    m_new->setVisible(canMakeStudies);
+    m_data->setVisible(canLookAtData);
+}
+
+void StartPage::tellFault(const QString& text)
+{
+    m_message->tellFault(text);
+}
+
+void StartPage::focusFirst()
+{
+    if (m_recent->count() > 0)
+        m_recent->setFocus();
+    else
+        m_folder->setFocus();
+}
+
+void StartPage::open(const QString& folder)
+{
+    m_message->clearMessage();
+    if (folder.trimmed().isEmpty()) {
+        m_folder->setFocus();
+        m_message->tellHint(tr("Name the study's folder, or browse to it."));
+        return;
+    }
+    Q_EMIT openAsked(folder.trimmed());
+}
+
+void StartPage::browse()
+{
+    const QString chosen = QFileDialog::getExistingDirectory(this, tr("Study folder"), m_folder->text());
+    if (!chosen.isEmpty())
+        m_folder->setText(QDir::toNativeSeparators(chosen));
+}
+
+void StartPage::keyPressEvent(QKeyEvent* event)
+{
+    if (isEnter(event->key()) && focusWidget() == m_folder)
+        open(m_folder->text());
+    else if (auto* pressed = qobject_cast<QPushButton*>(focusWidget()); isEnter(event->key()) && pressed)
+        pressed->click();
+    else
+        QWidget::keyPressEvent(event);
+}
+
+}  // namespace study::app

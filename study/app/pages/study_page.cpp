@@ -1,0 +1,277 @@
+#include "study/app/pages/study_page.h"
+
+#include "study/app/pieces/pieces.h"
+#include "study/app/pages/stage_page.h"
+
+#include <QFrame>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QRegularExpression>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace study::app {
+
+using database::SlotState;
+
+namespace {
+
+constexpr int numberColumn = 0, participantColumn = 1, stateColumn = 2, answersColumn = 3;
+
+bool isParticipantName(const QString& text)
+{
+    static const QRegularExpression plainName(QStringLiteral("^[A-Za-z0-9][A-Za-z0-9_-]{0,23}$"));
+    return plainName.match(text).hasMatch();
+}
+
+}  // namespace
+
+StudyPage::StudyPage(QWidget* parent)
+    : QWidget(parent),
+      m_title(label("studyTitle", Type::Title, this, Weight::Bold)),
+      m_folder(quietLabel("studyFolder", this, Type::Plain)),
+      m_summary(label("studySummary", Type::Lead, this)),
+      m_middle(new QBoxLayout(QBoxLayout::LeftToRight)),
+      m_places(new QTreeWidget(this)),
+      m_resume(mainButton("resumeButton", tr("Go on with a session"), this)),
+      m_participant(field("participantField", tr("Name of the next participant"), this)),
+      m_enrol(mainButton("enrolButton", tr("Enrol and begin (Enter)"), this)),
+      m_close(plainButton("closeStudyButton", tr("Close the study (Esc)"), this)),
+      m_message(new MessageBar("studyMessage", this))
+{
+    setObjectName("studyPage");
+    name(*m_places, "placesList", tr("Places of the study"));
+    setType(*m_places, Type::Body);
+    m_places->setRootIsDecorated(false);
+    m_places->setAllColumnsShowFocus(true);
+    m_places->setHeaderLabels({tr("Place"), tr("Participant"), tr("State"), tr("Answers")});
+    m_places->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_places->header()->setStretchLastSection(true);
+    m_places->header()->setFocusPolicy(Qt::NoFocus);
+    setType(*m_participant, Type::Lead, Weight::Bold);
+
+    auto* side = new QVBoxLayout;
+    side->setSpacing(14);
+    side->addWidget(card("enrolCard", tr("Next participant"), tr("A code, not a person's name."), {m_participant, m_enrol}));
+    side->addWidget(card("resumeCard", tr("Under way"), tr("Choose a place in the list to go on with it."), {m_resume}));
+    side->addStretch(1);
+    m_middle->setSpacing(22);
+    m_middle->addLayout(side, 2);
+    m_middle->addWidget(m_places, 3);
+    auto* page = new QWidget(this);
+    auto* column = new QVBoxLayout(page);
+    column->setSpacing(10);
+    column->addWidget(m_title);
+    column->addWidget(m_folder);
+    column->addWidget(m_summary);
+    column->addSpacing(10);
+    column->addLayout(m_middle, 1);
+    column->addWidget(m_message);
+    auto* bottom = new QHBoxLayout;
+    bottom->addWidget(m_close);
+    bottom->addWidget(lookHint(page), 1);
+    column->addLayout(bottom);
+    auto* outer = new QVBoxLayout(this);
+    outer->setContentsMargins(0, 0, 0, 0);
+    outer->addWidget(scrolling("studyArea", page, this));
+    setTabOrder(m_participant, m_enrol);
+    setTabOrder(m_enrol, m_resume);
+    setTabOrder(m_resume, m_places);
+    setTabOrder(m_places, m_close);
+
+    connect(m_enrol, &QPushButton::clicked, this, &StudyPage::enrol);
+    connect(m_resume, &QPushButton::clicked, this, &StudyPage::resumeChosen);
+    connect(m_places, &QTreeWidget::itemActivated, this, &StudyPage::resumeChosen);
+    connect(m_places, &QTreeWidget::currentItemChanged, this, &StudyPage::showChosen);
+    connect(m_close, &QPushButton::clicked, this, &StudyPage::closeAsked);
+}
+
+QFrame* StudyPage::card(const char* objectName, const QString& caption, const QString& hint,
+                        const std::vector<QWidget*>& controls)
+{
+    auto* made = new QFrame(this);
+    made->setObjectName(QString::fromLatin1(objectName));
+    setRole(*made, "card");
+    auto* column = new QVBoxLayout(made);
+    column->setContentsMargins(20, 16, 20, 18);
+    column->setSpacing(10);
+    auto* title = label("cardTitle", Type::Lead, made, Weight::Bold);
+    title->setText(caption);
+    auto* text = quietLabel("cardHint", made, Type::Plain);
+    text->setText(hint);
+    column->addWidget(title);
+    column->addWidget(text);
+    for (QWidget* control : controls)
+        column->addWidget(control);
+    return made;
+}
+
+void StudyPage::arrange()
+{
+    // Beside each other where both fit, else one below the other.
+    const int side = std::max(m_enrol->sizeHint().width(), m_resume->sizeHint().width()) + 60;
+    int list = 40;
+    for (int column = 0; column < m_places->columnCount(); ++column)
+        list += std::max(m_places->header()->sectionSizeHint(column),
+                         static_cast<QAbstractItemView*>(m_places)->sizeHintForColumn(column));
+    const bool isWide = side + list + m_middle->spacing() + 60 <= width();
+    m_middle->setDirection(isWide ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+    m_places->setMinimumWidth(isWide ? list : 0);
+    m_places->setMinimumHeight(m_places->fontMetrics().height() * 9);
+}
+
+void StudyPage::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    arrange();
+}
+
+void StudyPage::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::StyleChange || event->type() == QEvent::FontChange)
+        arrangeSoon();
+}
+
+void StudyPage::showEvent(QShowEvent* event)
+{
+    QWidget::showEvent(event);
+    arrangeSoon();
+}
+
+void StudyPage::arrangeSoon()
+{
+    // Queued: the pieces of the page get their font after the page itself.
+    QMetaObject::invokeMethod(this, &StudyPage::arrange, Qt::QueuedConnection);
+}
+
+void StudyPage::present(const StudyOverview& overview, database::ParticipantKind kind)
+{
+    m_overview = overview;
+    m_kind = kind;
+    m_message->clearMessage();
+    m_title->setText(overview.name);
+    m_folder->setText(overview.folder);
+    const int free = overview.placesIn(SlotState::Free);
+    const int withdrawn = overview.placesIn(SlotState::Withdrawn);
+    const QString counts = tr("Finished %1  ·  under way %2  ·  free %3").arg(overview.placesIn(SlotState::Finished))
+                               .arg(overview.placesIn(SlotState::Started)).arg(free);
+    m_summary->setText(withdrawn > 0 ? tr("%1  ·  withdrawn %2").arg(counts).arg(withdrawn) : counts);
+    m_participant->setText(free > 0 ? overview.nextParticipant : QString());
+    m_participant->setEnabled(free > 0);
+    m_enrol->setEnabled(free > 0);
+    showPlaces();
+}
+
+void StudyPage::showPlaces()
+{
+    m_places->clear();
+    QTreeWidgetItem* toResume = nullptr;
+    for (const auto& place : m_overview.places) {
+        auto* row = new QTreeWidgetItem(m_places);
+        row->setText(numberColumn, QString::number(place.number));
+        row->setText(participantColumn, place.participant.isEmpty() ? QStringLiteral("–") : place.participant);
+        row->setText(stateColumn, stateText(place));
+        row->setText(answersColumn, place.state == SlotState::Free
+                                        ? QString()
+                                        : tr("%1 of %2").arg(place.answers).arg(m_overview.answersInAll));
+        if (!toResume && canResume(place))
+            toResume = row;
+    }
+    m_places->setCurrentItem(toResume);
+    showChosen();
+    arrange();
+}
+
+QString StudyPage::stateText(const StudyOverview::Place& place) const
+{
+    QString text;
+    switch (place.state) {
+    case SlotState::Free: text = tr("free"); break;
+    case SlotState::Started: text = tr("under way"); break;
+    case SlotState::Finished: text = tr("finished"); break;
+    case SlotState::Withdrawn: text = tr("withdrawn, place freed"); break;
+    }
+    switch (place.kind) {
+    case database::ParticipantKind::Human: return text;
+    case database::ParticipantKind::Scripted: return place.participant.isEmpty() ? text : tr("%1, scripted").arg(text);
+    case database::ParticipantKind::Simulated: return place.participant.isEmpty() ? text : tr("%1, simulated").arg(text);
+    }
+    return text;
+}
+
+bool StudyPage::canResume(const StudyOverview::Place& place) const
+{
+    return place.state == SlotState::Started && place.kind == m_kind;
+}
+
+const StudyOverview::Place* StudyPage::chosenPlace() const
+{
+    const int row = m_places->indexOfTopLevelItem(m_places->currentItem());
+    return row < 0 ? nullptr : &m_overview.places.at(static_cast<std::size_t>(row));
+}
+
+void StudyPage::showChosen()
+{
+    const auto* place = chosenPlace();
+    const bool isResumable = place && canResume(*place);
+    m_resume->setEnabled(isResumable);
+    setButtonText(*m_resume, isResumable ? tr("Go on with %1").arg(place->participant) : tr("Go on with a session"));
+}
+
+void StudyPage::resumeChosen()
+{
+    const auto* place = chosenPlace();
+    if (place && canResume(*place))
+        Q_EMIT sessionAsked(place->participant);
+    else
+        m_message->tellHint(tr("Choose a place that is under way; only those can be gone on with."));
+}
+
+void StudyPage::enrol()
+{
+    const QString participant = m_participant->text().trimmed();
+    const bool isTaken = std::any_of(m_overview.places.begin(), m_overview.places.end(),
+                                     [&](const auto& place) { return place.participant == participant; });
+    m_message->clearMessage();
+    if (!isParticipantName(participant))
+        m_message->tellHint(tr("Write a short code of letters and digits, such as %1.").arg(m_overview.nextParticipant));
+    else if (isTaken)
+        m_message->tellHint(tr("%1 has a place already. Choose it in the list to go on with it, or write another code.")
+                                .arg(participant));
+    else
+        Q_EMIT sessionAsked(participant);
+}
+
+void StudyPage::tellFault(const QString& text)
+{
+    m_message->tellFault(text);
+}
+
+void StudyPage::focusFirst()
+{
+    if (m_resume->isEnabled())
+        m_resume->setFocus();
+    else if (m_participant->isEnabled())
+        m_participant->setFocus();
+    else
+        m_places->setFocus();
+}
+
+void StudyPage::keyPressEvent(QKeyEvent* event)
+{
+    auto* pressed = qobject_cast<QPushButton*>(focusWidget());
+    if (event->key() == Qt::Key_Escape)
+        Q_EMIT closeAsked();
+    else if (isEnter(event->key()) && pressed)
+        pressed->click();
+    else if (isEnter(event->key()) && focusWidget() == m_participant)
+        enrol();
+    else
+        QWidget::keyPressEvent(event);
+}
+
+}  // namespace study::app

@@ -1,0 +1,67 @@
+// An open study: who is where, the next participant to enrol, and a session to go on with. Blinded: places,
+// names and counts, nothing of what was shown or answered.
+#pragma once
+
+#include "study/app/state/open_study.h"
+
+#include <QWidget>
+
+class QBoxLayout;
+class QFrame;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QTreeWidget;
+
+namespace study::app {
+
+class MessageBar;
+
+class StudyPage : public QWidget {
+    Q_OBJECT
+public:
+    explicit StudyPage(QWidget* parent);
+
+    /// `kind`: participants of other kinds cannot be gone on with here.
+    void present(const StudyOverview& overview, database::ParticipantKind kind);
+    void tellFault(const QString& text);
+    void focusFirst();
+
+Q_SIGNALS:
+    /// Enrols, or resumes where the participant has started.
+    void sessionAsked(const QString& participant);
+    void closeAsked();
+
+protected:
+    void keyPressEvent(QKeyEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void changeEvent(QEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+
+private:
+    QFrame* card(const char* objectName, const QString& caption, const QString& hint, const std::vector<QWidget*>& controls);
+    void arrange();
+    void arrangeSoon();
+    void showPlaces();
+    void enrol();
+    void resumeChosen();
+    void showChosen();
+    const StudyOverview::Place* chosenPlace() const;
+    bool canResume(const StudyOverview::Place& place) const;
+    QString stateText(const StudyOverview::Place& place) const;
+
+    StudyOverview m_overview;
+    database::ParticipantKind m_kind = database::ParticipantKind::Human;
+    QLabel* m_title;
+    QLabel* m_folder;
+    QLabel* m_summary;
+    QBoxLayout* m_middle;
+    QTreeWidget* m_places;
+    QPushButton* m_resume;
+    QLineEdit* m_participant;
+    QPushButton* m_enrol;
+    QPushButton* m_close;
+    MessageBar* m_message;
+};
+
+}  // namespace study::app

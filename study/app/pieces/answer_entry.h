@@ -1,0 +1,35 @@
+// The controls for an answer of any kind: shows those that the question needs.
+#pragma once
+
+#include "study/app/pieces/entry_controls.h"
+
+namespace study::app {
+
+class AnswerEntry : public QWidget {
+    Q_OBJECT
+public:
+    explicit AnswerEntry(QWidget* parent);
+
+    /// Blank, for an answer of this form.
+    void ask(const AnswerForm& form);
+    const AnswerForm& form() const { return m_form; }
+
+    std::variant<session::Response, NoAnswer> give() { return m_shown->give(); }
+    ReadBack readBack() const { return m_shown->readBack(); }
+    bool pressKey(int key) { return m_shown->pressKey(key); }
+    QWidget& firstFocus() { return m_shown->firstFocus(); }
+
+Q_SIGNALS:
+    void changed();
+
+private:
+    EntryControls& controlsFor(protocols::AnswerKind kind) const;
+
+    AnswerForm m_form;
+    EntryControls* m_choice;
+    EntryControls* m_rating;
+    EntryControls* m_words;
+    EntryControls* m_shown;
+};
+
+}  // namespace study::app

@@ -1,0 +1,93 @@
+#include "study/app/pieces/choice_controls.h"
+
+#include "study/app/pieces/pieces.h"
+
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace study::app {
+
+using protocols::AnswerKind;
+
+ChoiceControls::ChoiceControls(QWidget* parent) : EntryControls(parent), m_column(new QVBoxLayout(this))
+{
+    setObjectName("choiceControls");
+    setFocusPolicy(Qt::StrongFocus);
+    setAccessibleName(tr("Answers to choose from, by letter"));
+    m_column->setContentsMargins(0, 0, 0, 0);
+    m_column->setSpacing(8);
+}
+
+void ChoiceControls::ask(const AnswerForm& form)
+{
+    m_form = form;
+    m_chosen.reset();
+    for (std::size_t place = 0; place < m_form.options.size(); ++place) {
+        const AnswerForm::Option& option = m_form.options[place];
+        QPushButton* made = buttonAt(place);
+        made->setObjectName(QStringLiteral("answer") + option.letter);
+        setButtonText(*made, QStringLiteral("%1    %2").arg(option.letter, option.name));
+        made->setChecked(false);
+        made->show();
+    }
+    // Kept for the next tray: making a button takes longer than showing one.
+    for (std::size_t place = m_form.options.size(); place < m_buttons.size(); ++place) {
+        m_buttons[place]->setObjectName("answerLeftOver");
+        m_buttons[place]->hide();
+    }
+    Q_EMIT changed();
+}
+
+QPushButton* ChoiceControls::buttonAt(std::size_t place)
+{
+    if (place < m_buttons.size())
+        return m_buttons[place];
+    auto* made = button("", {}, this);
+    setRole(*made, "answer");
+    setType(*made, Type::Lead, Weight::Bold);
+    made->setCheckable(true);
+    connect(made, &QPushButton::clicked, this, [this, place] { choose(place); });
+    m_column->addWidget(made);
+    m_buttons.push_back(made);
+    return made;
+}
+
+void ChoiceControls::choose(std::size_t place)
+{
+    m_chosen = place;
+    for (std::size_t i = 0; i < m_buttons.size(); ++i)
+        m_buttons[i]->setChecked(i == place);
+    setFocus();
+    Q_EMIT changed();
+}
+
+std::variant<session::Response, NoAnswer> ChoiceControls::give()
+{
+    if (m_chosen)
+        return m_form.options[*m_chosen].response;
+    return NoAnswer{tr("Choose first: press the letter of the answer that the participant gives.")};
+}
+
+ReadBack ChoiceControls::readBack() const
+{
+    if (!m_chosen)
+        return {tr("Press the letter that the participant says.")};
+    const AnswerForm::Option& option = m_form.options[*m_chosen];
+    if (m_form.kind == AnswerKind::SameDifferent)
+        return {tr("Read back: “%1.”").arg(option.spoken), true};
+    return {tr("Read back: “%1.” (%2)").arg(option.spoken, option.name), true};
+}
+
+bool ChoiceControls::pressKey(int key)
+{
+    for (std::size_t place = 0; place < m_form.options.size(); ++place) {
+        const bool isDigit = key == Qt::Key_1 + static_cast<int>(place) && place < 9;
+        if (!isDigit && key != m_form.options[place].letter.front().unicode())
+            continue;
+        choose(place);
+        return true;
+    }
+    return false;
+}
+
+}  // namespace study::app

@@ -1,0 +1,56 @@
+#include "study/app/pieces/question_head.h"
+
+#include "study/app/pieces/pieces.h"
+
+#include <QHBoxLayout>
+#include <QVBoxLayout>
+
+namespace study::app {
+
+QuestionHead::QuestionHead(QWidget* parent)
+    : QWidget(parent),
+      m_caption(quietLabel("questionCaption", this)),
+      m_words(label("questionWords", Type::Words, this, Weight::Bold))
+{
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(8);
+    column->addWidget(m_caption);
+    column->addWidget(m_words);
+}
+
+void QuestionHead::present(const session::View& view)
+{
+    const QString code = QString::fromStdString(view.code.value);
+    const QString question = view.question ? QString::fromStdString(view.question->id.value) : QString();
+    m_caption->setText(tr("Presentation %1    ·    %2    ·    say:").arg(code, question));
+    m_words->setText(view.question ? tr("“%1”").arg(QString::fromStdString(view.question->text)) : QString());
+}
+
+TouchButton::TouchButton(QWidget* parent) : QWidget(parent), m_button(button("touchButton", tr("First touch (by key T)"), this))
+{
+    setRole(*m_button, "stamp");  // what it tells once it is pressed can be read
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->addWidget(m_button);
+    connect(m_button, &QPushButton::clicked, this, &TouchButton::touched);
+}
+
+QString TouchButton::textFor(const session::View& view) const
+{
+    const auto& presenting = std::get<session::Presenting>(view.state.stage);
+    const QString key = view.answerKind == protocols::AnswerKind::Words ? tr("Alt T") : tr("T");
+    if (!presenting.touchedAtNs)
+        return m_displayReports ? tr("The display tells the first touch (else key %1)").arg(key)
+                                : tr("First touch (by key %1)").arg(key);
+    return presenting.touchedBy == session::TouchSource::Display ? tr("First touch stamped by the display ✓")
+                                                                 : tr("First touch stamped by key ✓");
+}
+
+void TouchButton::present(const session::View& view)
+{
+    setButtonText(*m_button, textFor(view));
+    m_button->setEnabled(!std::get<session::Presenting>(view.state.stage).touchedAtNs);
+}
+
+}  // namespace study::app

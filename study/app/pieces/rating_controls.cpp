@@ -1,0 +1,104 @@
+#include "study/app/pieces/rating_controls.h"
+
+#include "study/app/pieces/flow_layout.h"
+#include "study/app/pieces/pieces.h"
+#include "study/app/pieces/rating_field.h"
+#include "study/app/state/rating_text.h"
+#include "study/app/pieces/scale_line.h"
+
+#include <QHBoxLayout>
+#include <QVBoxLayout>
+
+namespace study::app {
+
+using protocols::Scale;
+using protocols::Tenths;
+
+RatingControls::RatingControls(QWidget* parent)
+    : EntryControls(parent),
+      m_rating(new RatingField("ratingField", tr("Rating that the participant says"), this)),
+      m_range(quietLabel("ratingRange", this, Type::Lead)),
+      m_line(new ScaleLine(ScaleLine::Use::Pick, this)),
+      m_labels(new FlowLayout(26, 4))
+{
+    m_line->setObjectName("scaleLine");
+    setType(*m_rating, Type::Title, Weight::Bold);
+    m_rating->setAlignment(Qt::AlignCenter);
+    m_rating->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+    auto* number = new QHBoxLayout;
+    number->setSpacing(16);
+    number->addWidget(m_rating);
+    number->addWidget(m_range, 1);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(12);
+    column->addLayout(number);
+    column->addWidget(m_line);
+    column->addLayout(m_labels);
+    connect(m_rating, &QLineEdit::textChanged, this, &RatingControls::showTyped);
+    connect(m_line, &ScaleLine::ratingPicked, this, [this](Tenths rating) { m_rating->setText(textOf(rating)); });
+}
+
+void RatingControls::ask(const AnswerForm& form)
+{
+    const Scale scale = form.scale.value_or(Scale{});
+    if (scale != m_scale)
+        setScale(scale);
+    m_rating->clear();
+    showTyped();
+}
+
+void RatingControls::setScale(const Scale& scale)
+{
+    m_scale = scale;
+    m_line->setScale(scale);
+    m_range->setText(rangeText(scale));
+    showLabels();
+}
+
+void RatingControls::showLabels()
+{
+    emptyOut(*m_labels);
+    for (std::size_t step = 0; step < m_scale->labels.size(); ++step) {
+        const Tenths rating{m_scale->min.value + static_cast<int>(step) * m_scale->step.value};
+        auto* made = label("scaleLabel", Type::Body, this);
+        made->setWordWrap(false);
+        made->setText(wordedText(rating, *m_scale));
+        m_labels->addWidget(made);
+        made->show();
+    }
+}
+
+void RatingControls::showTyped()
+{
+    const auto typed = ratingFromText(m_rating->text(), *m_scale);
+    const auto* rating = std::get_if<Tenths>(&typed);
+    m_line->setRating(rating ? std::optional(*rating) : std::nullopt);
+    Q_EMIT changed();
+}
+
+std::variant<session::Response, NoAnswer> RatingControls::give()
+{
+    const auto typed = ratingFromText(m_rating->text(), *m_scale);
+    if (const auto* rating = std::get_if<Tenths>(&typed))
+        return *rating;
+    return NoAnswer{std::get<NoRating>(typed).why};
+}
+
+ReadBack RatingControls::readBack() const
+{
+    const auto typed = ratingFromText(m_rating->text(), *m_scale);
+    if (const auto* rating = std::get_if<Tenths>(&typed))
+        return {tr("Read back: “%1.”").arg(wordedText(*rating, *m_scale)), true};
+    const QString text = m_rating->text().trimmed();
+    const bool isUnfinished = text.isEmpty() || !text.back().isDigit();
+    return {isUnfinished ? tr("Type the number that the participant says, or click on the line.")
+                         : std::get<NoRating>(typed).why};
+}
+
+QWidget& RatingControls::firstFocus()
+{
+    return *m_rating;
+}
+
+}  // namespace study::app

@@ -1,0 +1,37 @@
+// A rating on the scale: the spoken number is typed, or the line is clicked. A Likert scale's words stand below.
+#pragma once
+
+#include "study/app/pieces/entry_controls.h"
+
+class QLabel;
+
+namespace study::app {
+
+class FlowLayout;
+class RatingField;
+class ScaleLine;
+
+class RatingControls : public EntryControls {
+    Q_OBJECT
+public:
+    explicit RatingControls(QWidget* parent);
+
+    void ask(const AnswerForm& form) override;
+    std::variant<session::Response, NoAnswer> give() override;
+    ReadBack readBack() const override;
+    bool pressKey(int) override { return false; }
+    QWidget& firstFocus() override;
+
+private:
+    void setScale(const protocols::Scale& scale);
+    void showLabels();
+    void showTyped();
+
+    std::optional<protocols::Scale> m_scale;
+    RatingField* m_rating;
+    QLabel* m_range;
+    ScaleLine* m_line;
+    FlowLayout* m_labels;
+};
+
+}  // namespace study::app

@@ -1,0 +1,51 @@
+#include "study/app/pieces/rating_field.h"
+
+#include "study/app/pieces/pieces.h"
+
+#include <QKeyEvent>
+
+namespace study::app {
+
+namespace {
+
+bool isLetterKey(const QKeyEvent& event)
+{
+    const bool isPlain = (event.modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier)) == 0;
+    return isPlain && !event.text().isEmpty() && event.text().at(0).isLetter();
+}
+
+}  // namespace
+
+RatingField::RatingField(const char* objectName, const QString& accessibleName, QWidget* parent) : QLineEdit(parent)
+{
+    constexpr int longestRating = 8;
+    name(*this, objectName, accessibleName);
+    setMaxLength(longestRating);
+    setInputMethodHints(Qt::ImhFormattedNumbersOnly);
+}
+
+QSize RatingField::sizeHint() const
+{
+    ensurePolished();
+    const int marginPx = 40;
+    return {fontMetrics().horizontalAdvance(QStringLiteral("00000000")) + marginPx, QLineEdit::sizeHint().height()};
+}
+
+bool RatingField::event(QEvent* event)
+{
+    if (event->type() == QEvent::ShortcutOverride && isLetterKey(*static_cast<QKeyEvent*>(event))) {
+        event->ignore();
+        return false;
+    }
+    return QLineEdit::event(event);
+}
+
+void RatingField::keyPressEvent(QKeyEvent* event)
+{
+    if (isLetterKey(*event))
+        event->ignore();
+    else
+        QLineEdit::keyPressEvent(event);
+}
+
+}  // namespace study::app

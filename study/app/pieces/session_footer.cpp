@@ -1,0 +1,113 @@
+#include "study/app/pieces/session_footer.h"
+
+#include "study/app/pieces/flow_layout.h"
+#include "study/app/pieces/pieces.h"
+
+#include <QVBoxLayout>
+
+
+namespace study::app {
+
+namespace {
+
+/// Answers in words may be long; here they only tell which answer it was.
+QString inShort(const std::string& answer)
+{
+    constexpr int longest = 24;
+    const QString line = QString::fromStdString(answer).simplified();
+    return line.size() > longest ? line.left(longest) + QStringLiteral("…") : line;
+}
+
+}  // namespace
+
+SessionFooter::SessionFooter(QWidget* parent)
+    : QFrame(parent),
+      m_lastAnswer(label("lastAnswer", Type::Plain, this, Weight::Bold)),
+      m_correct(add("correctButton", tr("Correct"), Qt::Key_L, QStringLiteral("L"))),
+      m_note(add("noteButton", tr("Note"), Qt::Key_N, QStringLiteral("N"))),
+      m_flag(add("flagButton", tr("Flag"), Qt::Key_F, QStringLiteral("F"))),
+      m_void(add("voidButton", tr("Void"), Qt::Key_V, QStringLiteral("V"))),
+      m_pause(add("pauseButton", tr("Pause"), Qt::Key_Escape, QStringLiteral("Esc"))),
+      m_leave(add("leaveButton", tr("Stop for now"), Qt::Key_Q, QStringLiteral("Q"))),
+      m_withdraw(add("withdrawButton", tr("Withdrawal"), Qt::Key_W, QStringLiteral("W")))
+{
+    setObjectName("sessionFooter");
+    setRole(*this, "bar");
+    m_lastAnswer->setWordWrap(false);
+    m_lastAnswer->setContentsMargins(0, 0, 10, 0);
+    auto* row = new FlowLayout(0, 0);
+    row->addWidget(m_lastAnswer);
+    for (const Key& one : m_keys)
+        row->addWidget(one.button);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(28, 8, 22, 8);
+    column->addLayout(row);
+    connect(m_correct, &QPushButton::clicked, this, &SessionFooter::correctionAsked);
+    connect(m_note, &QPushButton::clicked, this, &SessionFooter::noteAsked);
+    connect(m_flag, &QPushButton::clicked, this, &SessionFooter::flagAsked);
+    connect(m_void, &QPushButton::clicked, this, &SessionFooter::voidAsked);
+    connect(m_pause, &QPushButton::clicked, this, &SessionFooter::pauseAsked);
+    connect(m_withdraw, &QPushButton::clicked, this, &SessionFooter::withdrawAsked);
+    connect(m_leave, &QPushButton::clicked, this, &SessionFooter::leaveAsked);
+}
+
+QPushButton* SessionFooter::add(const char* objectName, const QString& text, int key, const QString& keyName)
+{
+    m_keys.push_back({key, keyName, plainButton(objectName, tr("%1 (%2)").arg(text, keyName), this), text});
+    return m_keys.back().button;
+}
+
+void SessionFooter::setWriting(bool isWriting)
+{
+    if (m_isWriting == isWriting)
+        return;
+    m_isWriting = isWriting;
+    for (const Key& one : m_keys)
+        setButtonText(*one.button, isWriting && one.key != Qt::Key_Escape ? tr("%1 (Alt %2)").arg(one.text, one.name)
+                                                                         : tr("%1 (%2)").arg(one.text, one.name));
+}
+
+void SessionFooter::present(const session::View& view, bool canCorrect)
+{
+    const session::Stage& stage = view.state.stage;
+    m_canCorrect = canCorrect;
+    m_isPaused = view.state.paused;
+    m_isOver = std::holds_alternative<session::Finished>(stage) || std::holds_alternative<session::Withdrawn>(stage);
+    const bool isPresenting = std::holds_alternative<session::Presenting>(stage);
+    m_canFlag = !m_isOver && (isPresenting || !view.state.answers.empty());
+    m_canVoid = isPresenting || std::holds_alternative<session::PlacingTray>(stage) ||
+                std::holds_alternative<session::OnBreak>(stage) || std::holds_alternative<session::Debriefing>(stage);
+    m_lastAnswer->setText(view.lastAnswer ? tr("Last answer  %1").arg(inShort(*view.lastAnswer)) : tr("No answer yet"));
+    enable();
+}
+
+void SessionFooter::setPanelOpen(bool open)
+{
+    m_isPanelOpen = open;
+    enable();
+}
+
+void SessionFooter::enable()
+{
+    const bool isFree = !m_isPanelOpen;
+    m_correct->setEnabled(isFree && m_canCorrect);
+    m_note->setEnabled(isFree && !m_isOver);
+    m_flag->setEnabled(isFree && m_canFlag);
+    m_void->setEnabled(isFree && m_canVoid && !m_isPaused);
+    m_pause->setEnabled(isFree && !m_isPaused && !m_isOver);
+    m_withdraw->setEnabled(isFree && !m_isOver);
+    m_leave->setEnabled(isFree);
+}
+
+bool SessionFooter::pressKey(int key)
+{
+    const int meant = key == Qt::Key_P ? static_cast<int>(Qt::Key_Escape) : key;
+    for (const Key& one : m_keys)
+        if (one.key == meant && one.button->isEnabled()) {
+            one.button->click();
+            return true;
+        }
+    return false;
+}
+
+}  // namespace study::app

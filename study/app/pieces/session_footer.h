@@ -1,0 +1,68 @@
+// The line below every page of a session: the last answer read back, and what can be done at any time.
+#pragma once
+
+#include "study/app/state/session_controller.h"
+
+#include <QFrame>
+
+#include <vector>
+
+class QLabel;
+class QPushButton;
+
+namespace study::app {
+
+class SessionFooter : public QFrame {
+    Q_OBJECT
+public:
+    explicit SessionFooter(QWidget* parent);
+
+    /// `canCorrect`: there is an answer that can be corrected.
+    void present(const session::View& view, bool canCorrect);
+    bool canCorrect() const { return m_canCorrect; }
+    /// Where letters are text, the keys are pressed with Alt, and the buttons say so.
+    void setWriting(bool isWriting);
+    /// While a panel is open nothing else is begun.
+    void setPanelOpen(bool open);
+
+    /// The same buttons by key; true where there is one for it and it can be pressed now.
+    bool pressKey(int key);
+
+Q_SIGNALS:
+    void correctionAsked();
+    void noteAsked();
+    void flagAsked();
+    void voidAsked();
+    void pauseAsked();
+    void withdrawAsked();
+    void leaveAsked();
+
+private:
+    struct Key {
+        int key = 0;
+        QString name;  ///< "L"
+        QPushButton* button = nullptr;
+        QString text;  ///< of the button, without the key
+    };
+    QPushButton* add(const char* objectName, const QString& text, int key, const QString& keyName);
+    void enable();
+
+    std::vector<Key> m_keys;
+    QLabel* m_lastAnswer;
+    QPushButton* m_correct;
+    QPushButton* m_note;
+    QPushButton* m_flag;
+    QPushButton* m_void;
+    QPushButton* m_pause;
+    QPushButton* m_leave;
+    QPushButton* m_withdraw;
+    bool m_canCorrect = false;
+    bool m_canFlag = false;
+    bool m_canVoid = false;
+    bool m_isPaused = false;
+    bool m_isOver = false;
+    bool m_isPanelOpen = false;
+    bool m_isWriting = false;
+};
+
+}  // namespace study::app

@@ -1,0 +1,33 @@
+// The line above every page of a session: who, which part, how far, how long still and already, when the next break is.
+#pragma once
+
+#include "study/app/state/session_controller.h"
+
+#include <QFrame>
+
+class QLabel;
+class QProgressBar;
+
+namespace study::app {
+
+class SessionHeader : public QFrame {
+    Q_OBJECT
+public:
+    explicit SessionHeader(QWidget* parent);
+
+    void begin(const SessionFacts& facts) { m_sittingMinutes = facts.sittingMinutes; }
+    void present(const session::View& view);
+
+private:
+    int m_sittingMinutes = 60;
+    QLabel* m_participant;
+    QLabel* m_part;
+    QLabel* m_presentations;
+    QLabel* m_answers;
+    QLabel* m_timeLeft;
+    QLabel* m_sitting;
+    QLabel* m_nextBreak;
+    QProgressBar* m_bar;
+};
+
+}  // namespace study::app

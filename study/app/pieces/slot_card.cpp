@@ -1,0 +1,42 @@
+#include "study/app/pieces/slot_card.h"
+
+#include "study/app/pieces/pieces.h"
+
+#include <QHBoxLayout>
+#include <QVBoxLayout>
+
+namespace study::app {
+
+SlotCard::SlotCard(const QString& letter, QWidget* parent)
+    : QFrame(parent),
+      m_letter(label("slotLetter", Type::Title, this, Weight::Bold)),
+      m_tag(label("slotTag", Type::Small, this)),
+      m_piece(label("slotPiece", Type::Title, this))
+{
+    setObjectName(QStringLiteral("slotCard%1").arg(letter));
+    m_letter->setText(letter);
+    m_letter->setWordWrap(false);
+    m_tag->setWordWrap(false);
+    auto* top = new QHBoxLayout;
+    top->addWidget(m_letter);
+    top->addWidget(m_tag, 0, Qt::AlignTop);
+    top->addStretch(1);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(20, 16, 20, 16);
+    column->addLayout(top);
+    column->addWidget(m_piece);
+    column->addStretch(1);
+}
+
+void SlotCard::tell(const QString& piece, bool isNew, bool hasLetter)
+{
+    setRole(*this, isNew ? "card-new" : "card");
+    setRole(*m_tag, isNew ? "tag-new" : "tag");
+    setType(*m_tag, Type::Small, isNew ? Weight::Bold : Weight::Normal);
+    setType(*m_piece, Type::Title, isNew ? Weight::Bold : Weight::Normal);
+    m_letter->setVisible(hasLetter);
+    m_tag->setText(isNew ? tr("put here") : tr("stays"));
+    m_piece->setText(piece);
+}
+
+}  // namespace study::app

@@ -1,0 +1,45 @@
+#include "study/app/pieces/tick_box.h"
+
+#include "study/app/pieces/pieces.h"
+
+#include <QPainter>
+
+#include <algorithm>
+
+namespace study::app {
+
+TickBox::TickBox(QWidget* parent) : QCheckBox(parent)
+{
+    setType(*this, Type::Body);
+}
+
+QSize TickBox::sizeHint() const
+{
+    ensurePolished();
+    const int side = fontMetrics().height() + 10;
+    return {side, side};
+}
+
+void TickBox::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const QColor accent = palette().color(QPalette::Highlight);
+    const double side = std::min(width(), height());
+    if (hasFocus()) {
+        painter.setPen(QPen(accent, 2));
+        painter.drawRoundedRect(QRectF(1, 1, side - 2, side - 2), 6, 6);
+    }
+    const QRectF box(6, 6, side - 12, side - 12);
+    painter.setPen(QPen(isChecked() ? accent : palette().color(QPalette::PlaceholderText), 1.5));
+    painter.setBrush(isChecked() ? accent : palette().color(QPalette::Base));
+    painter.drawRoundedRect(box, 3, 3);
+    if (!isChecked())
+        return;
+    const auto at = [&](double x, double y) { return QPointF(box.x() + x * box.width(), box.y() + y * box.height()); };
+    const QColor mark = palette().color(QPalette::HighlightedText);
+    painter.setPen(QPen(mark, std::max(2.0, side / 11), Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.drawPolyline(QPolygonF{at(0.22, 0.52), at(0.43, 0.73), at(0.79, 0.27)});
+}
+
+}  // namespace study::app

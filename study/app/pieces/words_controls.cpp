@@ -1,0 +1,46 @@
+#include "study/app/pieces/words_controls.h"
+
+#include "study/app/pieces/words_field.h"
+
+#include <QVBoxLayout>
+
+namespace study::app {
+
+WordsControls::WordsControls(QWidget* parent)
+    : EntryControls(parent), m_words(new WordsField("wordsField", tr("What the participant says, in words"), this))
+{
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addWidget(m_words);
+    connect(m_words, &QPlainTextEdit::textChanged, this, [this] {
+        m_isAskedAgain = false;
+        Q_EMIT changed();
+    });
+}
+
+void WordsControls::ask(const AnswerForm&)
+{
+    m_words->clear();
+    m_isAskedAgain = false;
+    Q_EMIT changed();
+}
+
+std::variant<session::Response, NoAnswer> WordsControls::give()
+{
+    if (!m_words->words().isEmpty() || m_isAskedAgain)
+        return session::Words{m_words->words().toStdString()};
+    m_isAskedAgain = true;
+    return NoAnswer{tr("Nothing is written. Enter once more stores an answer without words.")};
+}
+
+ReadBack WordsControls::readBack() const
+{
+    return {tr("Write what the participant says; Shift and Enter begin a new line."), true};
+}
+
+QWidget& WordsControls::firstFocus()
+{
+    return *m_words;
+}
+
+}  // namespace study::app

@@ -1,0 +1,26 @@
+// An answer in the participant's own words. They may say nothing: a second Enter stores that.
+#pragma once
+
+#include "study/app/pieces/entry_controls.h"
+
+namespace study::app {
+
+class WordsField;
+
+class WordsControls : public EntryControls {
+    Q_OBJECT
+public:
+    explicit WordsControls(QWidget* parent);
+
+    void ask(const AnswerForm& form) override;
+    std::variant<session::Response, NoAnswer> give() override;
+    ReadBack readBack() const override;
+    bool pressKey(int) override { return false; }
+    QWidget& firstFocus() override;
+
+private:
+    WordsField* m_words;
+    bool m_isAskedAgain = false;  ///< whether there are no words; Enter then says so
+};
+
+}  // namespace study::app

@@ -1,0 +1,173 @@
+#include "study/app/state/session_controller.h"
+
+#include "protocols/files/errors.h"
+
+#include <algorithm>
+
+namespace study::app {
+
+using session::StoredAnswer;
+
+namespace {
+
+/// Of what leaves no other trace on the page.
+QString confirmationOf(const session::EventBody& event)
+{
+    const auto* noted = std::get_if<session::Noted>(&event);
+    if (noted)
+        return noted->isFlag ? SessionController::tr("Flagged.") : SessionController::tr("The note is stored.");
+    if (std::holds_alternative<session::Corrected>(event))
+        return SessionController::tr("Corrected. The old answer stays in the record.");
+    if (std::holds_alternative<session::Voided>(event))
+        return SessionController::tr("Void. It is presented once more, under another code.");
+    return {};
+}
+
+QString withNextStep(const QString& trouble, bool isPaused)
+{
+    return isPaused ? SessionController::tr("%1. The session is paused and no answer is lost; when this is mended, press Enter "
+                                            "to go on.")
+                          .arg(trouble)
+                    : SessionController::tr("%1. This was not stored; when it is mended, do it again.").arg(trouble);
+}
+
+}  // namespace
+
+SessionController::SessionController(database::StudyStore& store, const protocols::ParticipantId& participant,
+                                     rendering::StimulusBank& bank, std::unique_ptr<rendering::HapticDisplay> display,
+                                     std::shared_ptr<session::Clock> clock, database::ParticipantKind kind, QObject* parent)
+    : QObject(parent),
+      m_display(std::move(display)),
+      m_clock(std::move(clock)),
+      m_driver(store, participant, kind, bank, *m_display, *m_clock),
+      m_view(m_driver.view())
+{
+    m_display->onTouched([this](const rendering::Touch& touch) { displayTouched(touch); });
+    watchDisplay();
+}
+
+void SessionController::watchDisplay()
+{
+    if (m_display->descriptorToWatch() < 0)
+        return;
+    m_watch = std::make_unique<QSocketNotifier>(m_display->descriptorToWatch(), QSocketNotifier::Read);
+    connect(m_watch.get(), &QSocketNotifier::activated, this, [this] { attendDisplay(); });
+}
+
+void SessionController::attendDisplay()
+{
+    try {
+        m_display->attend();
+    } catch (const std::exception& fault) {
+        // What was being felt is not to be trusted: the presentation begins again when the display is back.
+        send(session::Paused{});
+        Q_EMIT told(withNextStep(QString::fromUtf8(fault.what()), m_view.state.paused), Tone::Fault);
+    }
+}
+
+void SessionController::send(const session::EventBody& event)
+{
+    m_lastOutcome = Outcome{event, std::nullopt, nullptr};
+    ++m_eventsSent;
+    QString trouble;
+    try {
+        m_lastOutcome->refusal = m_driver.send(event);
+    } catch (const std::exception& fault) {
+        m_lastOutcome->fault = std::current_exception();
+        trouble = QString::fromUtf8(fault.what());
+    }
+    m_view = m_driver.view();
+    Q_EMIT viewChanged();
+    tellWhatCame(trouble);
+}
+
+void SessionController::tellWhatCame(const QString& trouble)
+{
+    const auto& event = m_lastOutcome->event;
+    if (m_lastOutcome->refusal)
+        Q_EMIT told(QString::fromStdString(m_lastOutcome->refusal->reason), Tone::Refusal);
+    else if (m_lastOutcome->fault)
+        Q_EMIT told(withNextStep(trouble, m_view.state.paused), Tone::Fault);
+    else if (const QString done = confirmationOf(event); !done.isEmpty())
+        Q_EMIT told(done, Tone::Done);
+}
+
+void SessionController::displayTouched(const rendering::Touch& touch)
+{
+    const auto* presenting = std::get_if<session::Presenting>(&m_view.state.stage);
+    if (presenting && !presenting->touchedAtNs)
+        send(session::Touched{session::TouchSource::Display, touch.ago.count()});
+}
+
+const protocols::Question& SessionController::questionOf(const StoredAnswer& answer) const
+{
+    const auto& trial = plan().trials.at(static_cast<std::size_t>(answer.index));
+    return plan().protocol.phases.at(static_cast<std::size_t>(trial.phase))
+        .questions.at(static_cast<std::size_t>(answer.question));
+}
+
+Correctable SessionController::correctableOf(const StoredAnswer& answer) const
+{
+    const auto& trial = plan().trials.at(static_cast<std::size_t>(answer.index));
+    const auto& phase = plan().protocol.phases.at(static_cast<std::size_t>(trial.phase));
+    std::vector<std::string> pieces;
+    for (const protocols::FabricId& fabric : trial.alternatives) {
+        const auto named = plan().fabricNames.find(fabric);
+        pieces.push_back(named == plan().fabricNames.end() ? fabric.value : named->second);
+    }
+    const auto& question = questionOf(answer);
+    Correctable found{question.id, {}, formOf(answerKindOf(phase, question), trial.alternatives, pieces, phase.scale)};
+    found.current = textOf(found.form, answer.response);
+    return found;
+}
+
+std::vector<Correctable> SessionController::correctables() const
+{
+    std::vector<Correctable> latest;
+    const auto& answers = m_view.state.answers;
+    for (auto answer = answers.rbegin(); answer != answers.rend(); ++answer) {
+        const protocols::QuestionId& question = questionOf(*answer).id;
+        const bool isKnown = std::any_of(latest.begin(), latest.end(),
+                                         [&](const Correctable& other) { return other.question == question; });
+        if (!isKnown)
+            latest.push_back(correctableOf(*answer));
+    }
+    return latest;
+}
+
+bool SessionController::canCorrect() const
+{
+    return !m_view.state.answers.empty() && !std::holds_alternative<session::Withdrawn>(m_view.state.stage);
+}
+
+QString strokeText(const SessionFacts& facts)
+{
+    if (facts.strokeWords.isEmpty())
+        return {};
+    return SessionController::tr("Say, where it is needed: “%1”").arg(facts.strokeWords);
+}
+
+SessionFacts SessionController::facts() const
+{
+    const auto listOf = [](const std::vector<std::string>& texts) {
+        QStringList list;
+        for (const std::string& text : texts)
+            list << QString::fromStdString(text);
+        return list;
+    };
+    const protocols::Protocol& protocol = plan().protocol;
+    const auto rated = std::find_if(protocol.phases.begin(), protocol.phases.end(),
+                                    [](const protocols::Phase& phase) { return phase.scale.has_value(); });
+    return {.participant = QString::fromStdString(m_view.participant),
+            .consent = QString::fromStdString(protocol.consent),
+            .facts = listOf(protocol.facts),
+            .checklist = listOf(protocol.checklist),
+            .readings = listOf(protocol.readings),
+            .strokeWords = QString::fromStdString(protocol.strokeWords),
+            .scale = rated == protocol.phases.end() ? std::nullopt : rated->scale,
+            .sittingMinutes = protocol.sittingMinutes,
+            .secondEntry = protocol.secondEntry,
+            .displayReportsTouches = m_display->reportsTouches()};
+}
+
+}  // namespace study::app

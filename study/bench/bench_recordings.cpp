@@ -1,0 +1,273 @@
+#include "study/bench/bench_recordings.h"
+
+#include "protocols/random.h"
+#include "study/looking/calibration_report.h"
+#include "rendering/images/image_io.h"
+#include "study/bench/median_time.h"
+#include "rendering/signals/ball_presses.h"
+#include "rendering/signals/photometric_stereo.h"
+#include "rendering/signals/roughness.h"
+#include "rendering/signals/shape_from_shading.h"
+#include "rendering/signals/surface_calibration.h"
+#include "rendering/images/true_map.h"
+
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <regex>
+
+namespace rendering {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double ballRadiusMm = 2.0, ballMmPerPixel = 0.1245;  ///< of the presses in taxim_gelsight
+constexpr double grainCutoffPx = 400;                          ///< longer waves of a normal map are its form, not its grain
+constexpr int grainPartPx = 2048;
+constexpr double finePx = 1.5, coarsePx = 40;  ///< Gaussians between which shading is compared with the surface
+
+std::string text(const char* format, auto... values)
+{
+    char buffer[240];
+    std::snprintf(buffer, sizeof buffer, format, values...);
+    return buffer;
+}
+
+std::vector<fs::path> filesIn(const fs::path& folder, const std::string& pattern)
+{
+    const std::regex wanted(pattern, std::regex::icase);
+    std::vector<fs::path> files;
+    std::error_code failed;
+    for (const auto& entry : fs::directory_iterator(folder, failed))
+        if (std::regex_search(entry.path().filename().string(), wanted)) files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+/// About the mean of the finite values; the others become 0.
+cv::Mat centred(const cv::Mat& values)
+{
+    cv::Mat result;
+    values.convertTo(result, CV_64F);
+    const cv::Mat finite = result - result == 0;  // a difference with itself is 0 unless the value is not finite
+    result -= cv::mean(result, finite)[0];
+    result.setTo(0, finite == 0);
+    return result;
+}
+
+double rmsOf(const cv::Mat& centredValues, const cv::Mat& like)
+{
+    return cv::norm(centredValues) / std::sqrt(std::max(1.0, static_cast<double>(cv::countNonZero(like - like == 0))));
+}
+
+double sqOf(const cv::Mat& values) { return rmsOf(centred(values), values); }
+
+/// Of the differences about their means, where the known surface is known.
+double rms(const cv::Mat& found, const cv::Mat& known)
+{
+    cv::Mat a, b;
+    found.convertTo(a, CV_64F);
+    known.convertTo(b, CV_64F);
+    const cv::Mat difference = a - b;
+    return rmsOf(centred(difference), difference);
+}
+
+double correlation(const cv::Mat& a, const cv::Mat& b)
+{
+    const cv::Mat x = centred(a), y = centred(b);
+    return x.dot(y) / (cv::norm(x) * cv::norm(y));
+}
+
+/// numpy.gradient: central differences, one-sided at the borders.
+cv::Mat differencesAlongX(const cv::Mat& height, double pitch)
+{
+    cv::Mat slopes(height.size(), CV_64FC1);
+    for (int i = 0; i < height.rows; ++i)
+        for (int j = 0; j < height.cols; ++j) {
+            const int a = std::max(0, j - 1), b = std::min(height.cols - 1, j + 1);  // NaN beside a missing point
+            slopes.at<double>(i, j) = (height.at<double>(i, b) - height.at<double>(i, a)) / (std::max(1, b - a) * pitch);
+        }
+    return slopes;
+}
+
+cv::Mat noisy(const cv::Mat& slopes, double share, protocols::Random& random)
+{
+    cv::Mat result = slopes.clone();
+    const double spread = share * sqOf(slopes);
+    for (double& value : cv::Mat_<double>(result)) value += spread * random.normal();
+    return result;
+}
+
+struct DifferencedMap {
+    cv::Mat heightMm;
+    signals::Slopes slopes;
+    signals::Pitch pitch;
+};
+
+DifferencedMap differenced(const TrueMap& map)
+{
+    DifferencedMap result;
+    map.heightMm.convertTo(result.heightMm, CV_64F);
+    result.pitch = {map.xPitchMm, map.yPitchMm};
+    result.slopes = {differencesAlongX(result.heightMm, map.xPitchMm), differencesAlongX(result.heightMm.t(), map.yPitchMm).t()};
+    return result;
+}
+
+/// Missing points, where there are any, are bridged.
+cv::Mat integrated(const signals::Slopes& slopes, const signals::Pitch& pitch, signals::SlopeKind kind)
+{
+    const bool whole = cv::checkRange(slopes.x) && cv::checkRange(slopes.y);
+    return whole ? signals::integrate(slopes, pitch, kind) : signals::integrateAround(slopes, {}, pitch, kind);
+}
+
+void addIntegration(std::vector<BenchRow>& rows, const fs::path& file)
+{
+    const auto map = differenced(readTrueMap(file));
+    const std::string stage = "integrate " + file.stem().string();
+    cv::Mat height;
+    const double time = millisecondsOf([&] { height = integrated(map.slopes, map.pitch, signals::SlopeKind::Central); });
+    const std::string size = text("%d x %d, central differences said to be such; at least 1, aim 0.1", map.heightMm.cols, map.heightMm.rows);
+    rows.push_back({stage, "full", time, 100 * rms(height, map.heightMm) / sqOf(map.heightMm), "% of Sq", size});
+    protocols::Random random(1);
+    const signals::Slopes rough{noisy(map.slopes.x, 0.02, random), noisy(map.slopes.y, 0.02, random)};
+    height = integrated(rough, map.pitch, signals::SlopeKind::Central);
+    rows.push_back({stage, "2 % noise", time, 100 * rms(height, map.heightMm) / sqOf(map.heightMm), "% of Sq", "noise of 2 % of the slopes' RMS on each"});
+    height = integrated(map.slopes, map.pitch, signals::SlopeKind::Point);
+    rows.push_back({stage, "as point", time, 100 * rms(height, map.heightMm) / sqOf(map.heightMm), "% of Sq", "the same taken for point slopes: what a wrong kind costs"});
+}
+
+void addMaps(RecordingsBench& bench, const fs::path& folder)
+{
+    const auto files = filesIn(folder / "truemap_heightmaps", "\\.tmd$");
+    if (files.empty()) bench.skipped.push_back((folder / "truemap_heightmaps").string() + ": no .tmd");
+    for (const auto& file : files) addIntegration(bench.rows, file);
+}
+
+signals::KnownSurfaceFrame grooveFrame(const std::vector<fs::path>& photographs, const TrueMap& map, const Decode& decodeOther)
+{
+    std::vector<cv::Mat> lamps;
+    for (const auto& file : photographs) {
+        cv::Mat lamp = readPicture(file, decodeOther);
+        if (lamp.channels() == 3) cv::cvtColor(lamp, lamp, cv::COLOR_RGB2GRAY);
+        lamps.push_back(lamp);
+    }
+    return {signals::oneFrame(lamps), {}, map.heightMm, {map.xPitchMm, map.yPitchMm}};
+}
+
+cv::Mat inBand(const cv::Mat& image)
+{
+    cv::Mat values, fine, coarse;
+    image.convertTo(values, CV_64F);
+    cv::GaussianBlur(values, fine, {}, finePx, 0, cv::BORDER_REFLECT);
+    cv::GaussianBlur(values, coarse, {}, coarsePx, 0, cv::BORDER_REFLECT);
+    return fine - coarse;
+}
+
+void addShading(std::vector<BenchRow>& rows, const fs::path& file, const cv::Mat& heightMm, const Decode& decodeOther)
+{
+    const cv::Mat photograph = readPicture(file, decodeOther);
+    if (photograph.size() != heightMm.size()) return;
+    const auto light = signals::estimateLight(photograph);
+    for (const auto method : {signals::ShadingMethod::Linear, signals::ShadingMethod::GaussianBumps}) {
+        signals::ShadingOptions options;
+        options.method = method;
+        cv::Mat relief;
+        const double time = millisecondsOf([&] { relief = signals::shapeFromShading(photograph, options); });
+        const double r = correlation(inBand(relief), inBand(heightMm));
+        rows.push_back({"shading " + file.stem().string(), method == signals::ShadingMethod::Linear ? "linear" : "bumps", time, std::abs(r), "|r| with the height",
+                        text("between Gaussians of 1.5 and 40 px; light estimated at %.0f deg; at least 0.6, aim 0.75 (linear)", light.azimuthDeg)});
+    }
+}
+
+void addGroove(RecordingsBench& bench, const fs::path& folder, const Decode& decodeOther)
+{
+    const fs::path scan = folder / "gsmatlab_groove";
+    const auto maps = filesIn(scan, "\\.tmd$"), photographs = filesIn(scan, "\\.(png|jpe?g)$");
+    if (maps.empty()) {
+        bench.skipped.push_back(scan.string() + ": no .tmd");
+        return;
+    }
+    const auto map = readTrueMap(maps.front());
+    const auto differences = differenced(map);
+    for (const auto kind : {signals::SlopeKind::Central, signals::SlopeKind::Point}) {
+        cv::Mat height;
+        const double time = millisecondsOf([&] { height = signals::integrate(differences.slopes, differences.pitch, kind); });
+        bench.rows.push_back({"integrate groove", kind == signals::SlopeKind::Central ? "central" : "point", time, 1000 * rms(height, differences.heightMm), "um RMSE",
+                              "differences of the vendor's map; at least 0.3"});
+    }
+    if (photographs.size() < 3) {
+        bench.skipped.push_back(scan.string() + ": fewer than three photographs");
+        return;
+    }
+    const auto surface = grooveFrame(photographs, map, decodeOther);
+    const int half = map.heightMm.rows / 2;
+    for (const auto quality : {signals::MapQuality::Fast, signals::MapQuality::Balanced, signals::MapQuality::Accurate}) {
+        signals::SurfaceScore score;
+        const double time = millisecondsOf([&] { score = signals::scoreOf(signals::calibrationFrom(surface, 0, half, quality), surface, half, map.heightMm.rows); });
+        bench.rows.push_back({"groove from photographs", nameOf(quality), time, 1000 * score.heightErrorMm, "um RMSE",
+                              text("learned on the top half, read on the bottom half, less a quadratic; slopes %.4f off; at least 12.5, aim 8 (balanced)", score.slopeError)});
+    }
+    for (const auto& photograph : photographs) addShading(bench.rows, photograph, map.heightMm, decodeOther);
+}
+
+void addPresses(RecordingsBench& bench, const fs::path& folder, const Decode& decodeOther)
+{
+    const fs::path place = folder / "taxim_gelsight";
+    if (filesIn(place, "^background\\.").empty()) {
+        bench.skipped.push_back(place.string() + ": no background");
+        return;
+    }
+    const auto presses = readBallPresses(place, ballRadiusMm, ballMmPerPixel, decodeOther);
+    const auto located = signals::locate(presses);
+    for (const auto quality : {signals::MapQuality::Fast, signals::MapQuality::Balanced, signals::MapQuality::Accurate}) {
+        const auto trade = tradeOf(presses, located, quality);
+        const auto& score = trade.score;
+        const std::string note = text("%zu presses, cross-validated; contact found at %.1f px; fitted in %.2f s", presses.presses.size(), located.contactPx, trade.fitSeconds);
+        bench.rows.push_back({"ball presses, normals", nameOf(quality), trade.millisecondsAFrame, score.normalErrorDeg, "deg, median", note + "; at least 7, aim 6 (balanced)"});
+        bench.rows.push_back({"ball presses, depth", nameOf(quality), trade.millisecondsAFrame, score.depthErrorMm, "mm in contact", "at least 0.095, aim 0.07 (balanced)"});
+        bench.rows.push_back({"ball presses, peak", nameOf(quality), trade.millisecondsAFrame, score.peakMm, "mm (1.0 pressed)",
+                              text("%.2f to %.2f; with the gel's bridge around contact %.2f; 1.0 +- 0.2, aim 0.15", score.lowestPeakMm, score.highestPeakMm, score.peakOverGelMm)});
+    }
+}
+
+void addGrain(RecordingsBench& bench, const fs::path& folder, const Decode& decodeOther)
+{
+    const auto files = filesIn(folder / "gelsight_wear_surfaces", "S\\d+.*normalmap");
+    if (files.empty()) bench.skipped.push_back((folder / "gelsight_wear_surfaces").string() + ": no normal map of abrasive paper");
+    std::vector<std::pair<int, double>> byGrit;
+    for (const auto& file : files) {
+        std::smatch grit;
+        const std::string name = file.filename().string();
+        std::regex_search(name, grit, std::regex("S(\\d+)"));
+        const auto slopes = signals::slopesFromNormals(readPicture(file, decodeOther));
+        cv::Mat height;
+        const double time = millisecondsOf([&] { height = signals::integrateAround(slopes, {}, {}); });
+        const cv::Size part(std::min(grainPartPx, height.cols), std::min(grainPartPx, height.rows));
+        const cv::Mat middle = height(cv::Rect((height.cols - part.width) / 2, (height.rows - part.height) / 2, part.width, part.height));
+        const double length = signals::autocorrelationLengthMm(signals::withoutLowFrequency(middle, {}, grainCutoffPx), {});
+        byGrit.emplace_back(std::stoi(grit[1]), length);
+        bench.rows.push_back({"grain " + name.substr(0, 24), "full", time, length, "px to 0.2", text("autocorrelation length; %d x %d, waves over %.0f px out", height.cols, height.rows, grainCutoffPx)});
+    }
+    std::sort(byGrit.begin(), byGrit.end());
+    const bool inOrder = std::is_sorted(byGrit.begin(), byGrit.end(), [](const auto& a, const auto& b) { return a.second >= b.second; });
+    if (byGrit.size() > 1)
+        bench.rows.push_back({"grain order", "full", 0, inOrder ? 0.0 : 1.0, "out of order", inOrder ? "the coarser the paper, the longer" : "the lengths do not fall with the grit"});
+}
+
+}  // namespace
+
+RecordingsBench benchRecordings(const fs::path& folder, const Decode& decodeOther)
+{
+    RecordingsBench bench;
+    addMaps(bench, folder);
+    addGroove(bench, folder, decodeOther);
+    addPresses(bench, folder, decodeOther);
+    addGrain(bench, folder, decodeOther);
+    return bench;
+}
+
+}  // namespace rendering

@@ -1,0 +1,196 @@
+#include "study/bench/bench_statistics.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <functional>
+#include <vector>
+
+#include "reports/report.h"
+#include "study/bench/median_time.h"
+#include "stats/tests/bootstrap.h"
+#include "stats/metrics/image_metrics.h"
+#include "stats/tests/sign_flip.h"
+#include "stats/tests/t_tests.h"
+#include "study/bench/peer_programs.h"
+
+namespace study::commands {
+
+namespace {
+
+using nlohmann::ordered_json;
+using rendering::medianMilliseconds;
+
+/// ((i * multiplier + increment) mod 2^32) / 2^32.
+std::vector<double> sequence(std::size_t n, std::uint64_t multiplier, std::uint64_t increment)
+{
+    std::vector<double> x(n);
+    for (std::size_t i = 0; i < n; ++i) x[i] = static_cast<double>((i * multiplier + increment) & 0xFFFFFFFFU) / 4294967296.0;
+    return x;
+}
+
+/// t of the paired test in 80-bit arithmetic.
+long double pairedT(const std::vector<double>& x, const std::vector<double>& y)
+{
+    const auto n = static_cast<long double>(x.size());
+    long double sum = 0, squares = 0;
+    for (std::size_t i = 0; i < x.size(); ++i) sum += static_cast<long double>(x[i]) - y[i];
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        const long double deviation = static_cast<long double>(x[i]) - y[i] - sum / n;
+        squares += deviation * deviation;
+    }
+    return sum / n / std::sqrt(squares / (n - 1) / n);
+}
+
+struct Stage {
+    std::string name;
+    std::string key;  ///< of the peers
+    std::string quality;
+    double milliseconds = 0;
+    double error = 0;
+    std::string errorIs;
+    std::string note;
+};
+
+Stage pairedTStage()
+{
+    const auto x = sequence(1000000, 2654435761U, 12345);
+    const auto y = sequence(1000000, 3266489917U, 99);
+    double t = 0;
+    const double time = medianMilliseconds(15, [&] { t = *stats::pairedTTest(x, y).t; });
+    const auto exact = pairedT(x, y);
+    return {"paired t, 1000000 pairs",   "paired t", "double", time, static_cast<double>(std::fabs((t - exact) / exact)),
+            "relative, of t in 80 bits", "goal 3 ms"};
+}
+
+/// Differences of ratings: whole tenths about 0.3.
+std::vector<double> ratingDifferences(std::size_t n)
+{
+    std::vector<double> differences;
+    for (const double u : sequence(n, 2654435761U, 777)) differences.push_back(std::round((u - 0.45) * 60) / 10);
+    return differences;
+}
+
+Stage bootstrapStage()
+{
+    const auto x = ratingDifferences(70);
+    double low = 0;
+    const double time = medianMilliseconds(15, [&] { low = *stats::bcaBootstrapOfMean(x).ci.low; });
+    const auto many = stats::bcaBootstrapOfMean(x, {.resamples = 1000000, .seed = 2});
+    return {"BCa bootstrap, 10000 x 70",
+            "bca",
+            "1 thread",
+            time,
+            std::fabs(low - *many.ci.low) / *many.standardError,
+            "SE, of the lower end by 1000000 resamples",
+            "goal 3 ms"};
+}
+
+Stage signFlipStage()
+{
+    const auto x = ratingDifferences(70);
+    const double time = medianMilliseconds(15, [&] { stats::signFlipTest(x, {}); });
+    // Thirds lie on no decimal grid: there all signs are gone through one by one.
+    auto few = ratingDifferences(16);
+    const double exact = *stats::signFlipTest(few, {}).p;
+    for (double& difference : few) difference /= 3;
+    return {
+        "sign flips, exact, 70 on tenths",         "",         "double", time, std::fabs(exact - *stats::signFlipTest(few, {}).p),
+        "p, of all 65536 signs of 16 differences", "goal 1 ms"};
+}
+
+constexpr std::size_t width = 1280;
+constexpr std::size_t height = 800;
+// SSIM of these two images in 80-bit arithmetic, every window by itself.
+constexpr double trueSsim = 0.9528596586430464;
+
+std::pair<Stage, Stage> ssimStages()
+{
+    const auto a = sequence(width * height, 2654435761U, 12345);
+    auto b = sequence(width * height, 3266489917U, 99);
+    for (std::size_t i = 0; i < b.size(); ++i) b[i] = 0.8 * a[i] + 0.2 * b[i];
+    const std::vector<float> floatA(a.begin(), a.end());
+    const std::vector<float> floatB(b.begin(), b.end());
+    double found = 0, floatFound = 0;
+    const double time = medianMilliseconds(15, [&] {
+        found = *stats::ssim(stats::ImageView{a, width, height}, {b, width, height}, 1).mean;
+    });
+    const double floatTime = medianMilliseconds(15, [&] {
+        floatFound = *stats::ssim(stats::FloatImageView{floatA, width, height}, {floatB, width, height}, 1).mean;
+    });
+    return {{"SSIM 1280x800", "ssim", "double", time, std::fabs(found - trueSsim), "SSIM, of 80-bit arithmetic", "goal 30 ms"},
+            {"SSIM 1280x800", "ssim float", "float", floatTime, std::fabs(floatFound - found), "SSIM, of double", "goal 12 ms"}};
+}
+
+/// The paper's study, answered by a formula: 10 x 7 x 9, one choice and three ratings each.
+reports::StudyData wholeStudy()
+{
+    reports::StudyData data;
+    data.blinded = false;
+    data.questions = {{"Q1", "", true, 3}, {"Q2", "", false, 0}, {"Q3", "", false, 0}, {"Q4", "", false, 0}};
+    for (int c = 1; c <= 9; ++c) data.conditions.push_back("c" + std::to_string(c));
+    for (int f = 1; f <= 7; ++f) data.fabrics.push_back("F" + std::to_string(f));
+    for (int p = 1; p <= 10; ++p) data.participants.push_back("P" + std::to_string(10 + p));
+    const auto noise = sequence(10 * 7 * 9 * 4, 2654435761U, 7);
+    std::size_t next = 0;
+    for (const auto& participant : data.participants)
+        for (const auto& fabric : data.fabrics)
+            for (const auto& condition : data.conditions)
+                for (const auto& question : data.questions) {
+                    const double level = 0.05 * (condition.back() - '0') + 0.5 * noise[next++];
+                    reports::Response response{participant, fabric, condition, question.id, {}, {}, {}, {}, 3 + 5 * level};
+                    if (question.isChoice)
+                        response.correct = level > 0.4;
+                    else
+                        response.rating = std::round(100 * level) / 10;
+                    data.responses.push_back(response);
+                }
+    return data;
+}
+
+Stage reportStage()
+{
+    const auto data = wholeStudy();
+    std::size_t size = 0;
+    const double time = medianMilliseconds(5, [&] { size = reports::results(data).size() + reports::statistics(data).size(); });
+    return {"the whole default report", "report", "", time, 0, "-", "all tests and models of " + std::to_string(data.responses.size()) + " answers in " + std::to_string(size) + " parts; goal 100 ms"};
+}
+
+ordered_json rowOf(const Stage& stage)
+{
+    return {{"stage", stage.name},  {"quality", stage.quality},  {"ms", stage.milliseconds},
+            {"error", stage.error}, {"error_is", stage.errorIs}, {"note", stage.note}};
+}
+
+/// Into the row's "peers", and in words into its note.
+void addPeers(ordered_json& row, const std::map<std::string, std::optional<double>>& peers)
+{
+    std::string note = row["note"].get<std::string>();
+    row["peers"] = ordered_json::object();
+    for (const auto& [peer, milliseconds] : peers) {
+        row["peers"][peer] = milliseconds ? ordered_json(*milliseconds) : ordered_json();
+        char text[60];
+        std::snprintf(text, sizeof text, "%.1f ms", milliseconds.value_or(0));
+        note += ", " + peer + " " + (milliseconds ? text : "not installed");
+    }
+    row["note"] = note;
+}
+
+}  // namespace
+
+ordered_json statisticsRows(bool peers)
+{
+    auto [ssimDouble, ssimFloat] = ssimStages();
+    const PeerTimes times = peers ? peerTimes() : PeerTimes();
+    ordered_json rows = ordered_json::array();
+    for (const Stage& stage : {pairedTStage(), bootstrapStage(), signFlipStage(), ssimDouble, ssimFloat, reportStage()}) {
+        ordered_json row = rowOf(stage);
+        if (const auto found = times.find(stage.key); found != times.end()) addPeers(row, found->second);
+        rows.push_back(row);
+    }
+    return rows;
+}
+
+}  // namespace study::commands

@@ -1,0 +1,131 @@
+#include "study/looking/render_sheet.h"
+
+#include "protocols/files/errors.h"
+#include "rendering/composition/fabric_signals.h"
+#include "study/commands/json_output.h"
+
+#include <QBuffer>
+
+#include <algorithm>
+
+namespace study::commands {
+
+namespace {
+
+using protocols::FabricId;
+using rendering::Signal;
+
+const char* const shownConditions[] = {"h_g", "f_g", "h_g&f_g"};
+
+bool canRender(const rendering::fabrics::Dataset& dataset, const FabricId& fabric, const rendering::SampleChoice& samples,
+               const char* condition, rendering::Scale scale)
+{
+    return !rendering::lackOf(dataset, fabric, samples, protocols::conditionNamed(condition), scale);
+}
+
+/// Conditions h and f of the fabric need what is drawn as measured.
+std::set<Signal> measuredOnes(const rendering::fabrics::Dataset& dataset, const FabricId& fabric,
+                              const rendering::SampleChoice& samples)
+{
+    std::set<Signal> needed;
+    if (canRender(dataset, fabric, samples, "h", rendering::Scale::Pixels))
+        needed.insert({Signal::TactileFrame, Signal::PhotometricHeight});
+    if (canRender(dataset, fabric, samples, "f", rendering::Scale::Pixels))
+        needed.insert({Signal::FrictionRecord, Signal::MeasuredTrace});
+    return needed;
+}
+
+looking::ContactMap mapOf(const rendering::FabricSignals& signals, Signal signal, std::optional<double> mmPerPixel)
+{
+    const auto found = signals.images.find(signal);
+    return found == signals.images.end() ? looking::ContactMap{} : looking::ContactMap{found->second, mmPerPixel};
+}
+
+looking::ContactTrace traceOf(const rendering::FabricSignals& signals, Signal signal, std::optional<double> mmPerSample)
+{
+    const auto found = signals.traces.find(signal);
+    return found == signals.traces.end() ? looking::ContactTrace{} : looking::ContactTrace{found->second, mmPerSample.value_or(0)};
+}
+
+void addMeasured(looking::ContactRow& row, const rendering::FabricSignals& signals)
+{
+    row.measuredHeight = mapOf(signals, Signal::PhotometricHeight, signals.tactileMmPerPixel);
+    row.measuredFriction = traceOf(signals, Signal::MeasuredTrace, signals.traceMmPerSample);
+    row.measuredQuantity = signals.measuredQuantity;
+}
+
+void addGenerated(looking::ContactRow& row, const rendering::FabricSignals& signals)
+{
+    row.photograph = mapOf(signals, Signal::Photograph, signals.photographMmPerPixel);
+    // Where the photograph's scale is unknown, so is that of what was made from it.
+    row.generatedHeight =
+        mapOf(signals, Signal::GeneratedHeight, signals.photographMmPerPixel ? signals.generatedMmPerPixel : std::nullopt);
+    row.generatedFriction = traceOf(signals, Signal::GeneratedTrace, signals.generatedTraceMmPerSample);
+    if (signals.photograph && signals.photograph->unfamiliar())
+        row.remark = "unlike the photographs trained on: a guess";
+}
+
+rendering::SampleChoice samplesOf(const rendering::fabrics::Dataset& dataset, const rendering::RenderRequest& request,
+                                  const FabricId& fabric)
+{
+    const auto chosen = request.samples.find(fabric);
+    return chosen != request.samples.end() ? chosen->second : rendering::firstSamples(dataset, fabric);
+}
+
+bool isEmpty(const looking::ContactRow& row)
+{
+    return row.photograph.values.empty() && row.measuredHeight.values.empty() && row.measuredFriction.values.empty();
+}
+
+}  // namespace
+
+looking::ContactSheet contactSheetOf(const rendering::fabrics::Dataset& dataset, const rendering::RenderRequest& request,
+                                     const std::function<void(int, int, const std::string&)>& progress)
+{
+    looking::ContactSheet sheet;
+    sheet.title = dataset.name + ": photographs, and what is measured and generated of each fabric";
+    if (dataset.pairing == rendering::fabrics::Pairing::Weak)
+        sheet.title += "; measured at other places than photographed";
+    rendering::RenderRequest render = request;
+    render.conditions.clear();
+    render.mapping = {};  // as the display takes it
+    for (const char* condition : shownConditions) {
+        render.conditions.emplace_back(condition);
+        sheet.frictionColumns.emplace_back(condition);
+    }
+    std::erase_if(render.fabrics, [&](const FabricId& fabric) {
+        return !canRender(dataset, fabric, samplesOf(dataset, request, fabric), "h_g", request.scale);
+    });
+    rendering::Rendering made;
+    if (!render.fabrics.empty())
+        made = renderFabrics(dataset, render, progress);
+    rendering::SignalWorkshop workshop(dataset, request.generation.quality);
+    for (const FabricId& fabric : request.fabrics) {
+        looking::ContactRow row;
+        row.id = fabric.value;
+        row.name = dataset.fabric(fabric).name;
+        const auto samples = samplesOf(dataset, request, fabric);
+        addMeasured(row, workshop.measured(fabric, samples, measuredOnes(dataset, fabric, samples), made));
+        if (std::find(render.fabrics.begin(), render.fabrics.end(), fabric) != render.fabrics.end())
+            addGenerated(row, made.signals.at(fabric));
+        for (std::size_t i = 0; i < sheet.frictionColumns.size(); ++i) {
+            const bool isThere = i < made.conditions.size() && made.conditions[i].images.contains(fabric);
+            row.frictionImages.push_back(isThere ? made.conditions[i].images.at(fabric) : cv::Mat());
+        }
+        sheet.rows.push_back(row);
+    }
+    if (std::all_of(sheet.rows.begin(), sheet.rows.end(), isEmpty))
+        throw protocols::badInput({"nothing can be drawn: no photograph, no measured height and no friction of these fabrics",
+                                   dataset.folder.string(), "a data set with at least one signal", "import recordings first"});
+    return sheet;
+}
+
+void writeContactSheet(const std::filesystem::path& png, const looking::ContactSheet& sheet)
+{
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    looking::drawContactSheet(sheet, looking::lightSheet()).save(&buffer, "PNG");
+    writeFile(png, std::string_view(bytes.constData(), static_cast<std::size_t>(bytes.size())));
+}
+
+}  // namespace study::commands

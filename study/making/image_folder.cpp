@@ -1,0 +1,81 @@
+#include "study/making/image_folder.h"
+
+#include "protocols/condition.h"
+#include "protocols/files/errors.h"
+#include "protocols/files/sha256.h"
+#include "rendering/images/image_io.h"
+#include "study/commands/json_output.h"
+
+#include <nlohmann/json.hpp>
+
+namespace study::commands {
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+constexpr const char* manifestName = "images.json";
+
+fs::path imagePath(const fs::path& folder, const protocols::FabricId& fabric, const protocols::ConditionId& condition)
+{
+    return folder / fabric.value / (protocols::fileNameOf(condition) + ".png");
+}
+
+}  // namespace
+
+std::string imageFolderKey(const database::StudyFacts& facts, const rendering::RenderRequest& request)
+{
+    ordered_json inputs{{"program", facts.programVersion}, {"dataset", facts.datasetSha256}, {"model", facts.modelSha256}};
+    for (const auto& [fabric, sample] : request.samples)
+        inputs["samples"][fabric.value] = {sample.visual, sample.tactile, sample.friction};
+    for (const auto& condition : request.conditions)
+        inputs["conditions"].push_back(condition.value);
+    inputs["mapping"] = {static_cast<int>(request.scale), static_cast<int>(request.extension), request.percentiles.low,
+                         request.percentiles.high, request.mapping.dither};
+    return protocols::sha256(inputs.dump());
+}
+
+std::optional<KeptImages> readImageFolder(const fs::path& folder, const std::string& key, const rendering::RenderRequest& request)
+{
+    if (!fs::exists(folder / manifestName))
+        return std::nullopt;
+    const auto manifest = ordered_json::parse(readFile(folder / manifestName), nullptr, false);
+    if (manifest.is_discarded() || manifest.value("key", "") != key || !manifest.contains("stamps"))
+        return std::nullopt;
+    KeptImages kept;
+    kept.signalsJson = manifest["signals"].dump();
+    kept.stamps = manifest["stamps"].get<std::vector<std::string>>();
+    for (const auto& condition : request.conditions)
+        for (const auto& fabric : request.fabrics) {
+            const auto file = imagePath(folder, fabric, condition);
+            const auto expected = manifest["sha256"].value(fs::relative(file, folder).string(), "");
+            if (!fs::exists(file) || protocols::sha256OfFile(file) != expected)
+                return std::nullopt;
+            kept.images[condition][fabric] = rendering::readPng(file);
+        }
+    return kept;
+}
+
+void writeImageFolder(const fs::path& folder, const std::string& key, const std::string& renderJson,
+                      const rendering::Rendering& rendering, const std::string& signalsJson,
+                      const std::vector<std::string>& stamps)
+{
+    ordered_json manifest{
+        {"schema", "vis2hap.images/1"}, {"key", key}, {"signals", ordered_json::parse(signalsJson)}, {"stamps", stamps}};
+    for (const auto& condition : rendering.conditions)
+        for (const auto& [fabric, image] : condition.images) {
+            const auto file = imagePath(folder, fabric, condition.condition);
+            std::error_code failure;
+            fs::create_directories(file.parent_path(), failure);
+            if (failure)
+                throw protocols::environmentFault({"cannot make the folder (" + failure.message() + ")", file.parent_path().string(),
+                                                   "a writable place", "choose another one"});
+            rendering::writePng(file, image);
+            manifest["sha256"][fs::relative(file, folder).string()] = protocols::sha256OfFile(file);
+        }
+    writeFile(folder / "render.json", renderJson);
+    writeFile(folder / manifestName, manifest.dump(1) + "\n");
+}
+
+}  // namespace study::commands

@@ -1,0 +1,18 @@
+// What a participant who knows the display expects a real fabric to feel like on it (the assumption is
+// told in simulated_participant.h).
+#pragma once
+
+#include "database/study_store.h"
+#include "study/players/percept.h"
+
+#include <filesystem>
+#include <map>
+
+namespace study::commands {
+
+/// Friction x relief of each of the study's fabrics from its own presses and strokes, felt at up to
+/// four places spread over the data set's samples and averaged. Warns on standard error where the data
+/// set is not the one of the study. Throws badInput where it has no tactile or friction signal.
+std::map<protocols::FabricId, Percept> expectedTouch(const database::StudyFacts& facts, const std::filesystem::path& dataset);
+
+}  // namespace study::commands

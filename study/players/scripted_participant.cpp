@@ -1,0 +1,291 @@
+#include "study/players/scripted_participant.h"
+
+#include "protocols/files/errors.h"
+#include "study/session/preparation.h"
+#include "study/session/session_moves.h"
+
+#include <algorithm>
+#include <csignal>
+#include <map>
+
+namespace study::commands {
+
+namespace {
+
+using namespace session;
+using What = ScriptedEvent::What;
+
+/// The kind under which an event of the script is found in the log.
+std::string loggedKind(What what)
+{
+    switch (what) {
+    case What::Pause: return kindOf(Paused{});
+    case What::Resume: return kindOf(Resumed{});
+    case What::Correct: return kindOf(Corrected{});
+    case What::Void: return kindOf(Voided{});
+    case What::Crash: return {};  // leaves no record; see skipPassed()
+    case What::Note: return kindOf(Noted{});
+    case What::Withdraw: return kindOf(WithdrawnEvent{});
+    case What::Touch: return kindOf(Touched{});
+    case What::Answer: return {};  // always one that must fail
+    case What::Expect: return {};
+    }
+    return {};
+}
+
+class Player {
+public:
+    Player(const Script& script, const ScriptedTrials& trials, Hands& hands, VirtualClock& clock)
+        : m_script(script), m_trials(trials), m_hands(hands), m_clock(clock), m_passed(script.events.size(), false)
+    {
+    }
+
+    void skipPassed(const std::vector<database::EventRecord>& logged);
+    void play(const std::function<void(int)>& progress);
+
+private:
+    bool performDueEvent();
+    void perform(const ScriptedEvent& event);
+    void act(const EventBody& event);
+    void actInVain(const EventBody& event, const std::string& refusalText);
+    void expect(const ScriptedExpectation& expected) const;
+    EventBody bodyOf(const ScriptedEvent& event) const;
+    Corrected correctionOf(const ScriptedEvent& event) const;
+    std::string placeOfEvent() const;
+    void moveOn();
+    void answer(const Presenting& presenting);
+    Response responseFor(const ScriptedResponse& scripted, int index, const protocols::QuestionId& question) const;
+    std::string placeName(int index, const protocols::QuestionId& question) const;
+
+    const Script& m_script;
+    const ScriptedTrials& m_trials;
+    Hands& m_hands;
+    VirtualClock& m_clock;
+    std::vector<bool> m_passed;
+};
+
+void Player::skipPassed(const std::vector<database::EventRecord>& logged)
+{
+    std::map<std::pair<std::string, int>, int> happened;
+    int stored = 0;
+    for (const auto& record : logged) {
+        if (record.kind == kindOf(Answered{}))
+            ++stored;
+        else
+            ++happened[{record.kind, stored}];
+    }
+    for (std::size_t i = 0; i < m_script.events.size(); ++i) {
+        const auto& event = m_script.events[i];
+        int& left = happened[{event.mustFail ? std::string() : loggedKind(event.what), event.answersStoredBefore}];
+        // A session that ended at a crash's place has had its crash, whatever ended it.
+        const bool crashed = event.what == What::Crash && !logged.empty() && event.answersStoredBefore == stored;
+        m_passed[i] = event.answersStoredBefore < stored || left > 0 || crashed;
+        left -= left > 0;
+    }
+}
+
+std::string Player::placeName(int index, const protocols::QuestionId& question) const
+{
+    const auto& trial = m_trials.trials[index];
+    return m_script.participant.value + ", trial " + std::to_string(trial.number.value) + " (" + trial.presentationCode.value + "), " +
+           question.value;
+}
+
+std::string Player::placeOfEvent() const
+{
+    return m_script.where + ", after " + std::to_string(m_hands.state().answersStored) + " answers";
+}
+
+void Player::actInVain(const EventBody& event, const std::string& refusalText)
+{
+    const auto refusal = m_hands.perform(event);
+    if (!refusal)
+        throw protocols::workFailed({"\"" + kindOf(event) + "\" was accepted", placeOfEvent(), "a refusal (must_fail)", ""});
+    if (refusal->reason.find(refusalText) == std::string::npos)
+        throw protocols::workFailed(
+            {"\"" + kindOf(event) + "\" was refused with \"" + refusal->reason + "\"", placeOfEvent(), "\"" + refusalText + "\"", ""});
+}
+
+void Player::expect(const ScriptedExpectation& expected) const
+{
+    const State& state = m_hands.state();
+    const auto check = [&](const std::string& what, const std::string& is, const std::string& wanted) {
+        if (is != wanted)
+            throw protocols::workFailed({what + " is " + (is.empty() ? "none" : is), placeOfEvent(), wanted, ""});
+    };
+    const auto* presenting = std::get_if<Presenting>(&state.stage);
+    const auto* tray = std::get_if<PlacingTray>(&state.stage);
+    const int index = presenting ? presenting->index : tray ? tray->index : -1;
+    if (expected.stage)
+        check("the stage", nameOf(state), *expected.stage);
+    if (expected.presentation)
+        check("the presentation", std::to_string(state.position + 1), std::to_string(*expected.presentation));
+    if (expected.trial)
+        check("the trial", index < 0 ? "" : std::to_string(m_trials.trials[index].number.value), std::to_string(*expected.trial));
+    if (expected.question)
+        check("the question", presenting ? m_trials.protocol.phases[m_trials.trials[index].phase].questions[presenting->question].id.value : "",
+              *expected.question);
+}
+
+void Player::act(const EventBody& event)
+{
+    if (const auto refusal = m_hands.perform(event))
+        throw protocols::badInput({"the session refuses \"" + kindOf(event) + "\" after " + std::to_string(m_hands.state().answersStored) +
+                                       " answers: " + refusal->reason,
+                                   m_script.where, "a script that a session can follow",
+                                   "mend the script; what was answered before is stored"});
+}
+
+Response Player::responseFor(const ScriptedResponse& scripted, int index, const protocols::QuestionId& question) const
+{
+    if (const auto* rating = std::get_if<protocols::Tenths>(&scripted))
+        return *rating;
+    const auto& text = std::get<std::string>(scripted);
+    const auto& trial = m_trials.trials[index];
+    const auto& truth = m_trials.key.entries.at(trial.fileCode).fabric;
+    const auto& phase = m_trials.protocol.phases[trial.phase];
+    const auto asked = std::find_if(phase.questions.begin(), phase.questions.end(), [&](const auto& q) { return q.id == question; });
+    const auto kind = asked == phase.questions.end() ? protocols::AnswerKind::Choice : answerKindOf(phase, *asked);
+    if (kind == protocols::AnswerKind::Words)
+        return Words{text};
+    if (kind == protocols::AnswerKind::SameDifferent && (text == "same" || text == "different"))
+        return Sameness{text == "same"};
+    if (kind == protocols::AnswerKind::SameDifferent && (text == "correct" || text == "wrong"))
+        return Sameness{(trial.alternatives.front() == truth) == (text == "correct")};
+    if (text == "correct")
+        return truth;
+    std::vector<protocols::FabricId> foils;
+    std::copy_if(trial.alternatives.begin(), trial.alternatives.end(), std::back_inserter(foils),
+                 [&](const auto& fabric) { return fabric != truth; });
+    for (std::size_t k = 0; k < foils.size(); ++k)
+        if (text == "foil:" + std::to_string(k + 1))
+            return foils[k];
+    const protocols::FabricId fabric(text);
+    if (std::find(trial.alternatives.begin(), trial.alternatives.end(), fabric) == trial.alternatives.end())
+        throw protocols::badInput({"answer \"" + text + "\" is not on the tray", m_script.where + ": " + placeName(index, question),
+                                   "correct, foil:1 .. foil:" + std::to_string(foils.size()) + " or a fabric of the tray",
+                                   "mend the script and run the same command again; what was answered before is stored"});
+    return fabric;
+}
+
+Corrected Player::correctionOf(const ScriptedEvent& event) const
+{
+    const auto& answers = m_hands.state().answers;
+    for (auto latest = answers.rbegin(); latest != answers.rend(); ++latest) {
+        const auto& phase = m_trials.protocol.phases[m_trials.trials[latest->index].phase];
+        if (phase.questions[latest->question].id == event.question)
+            return {event.question, responseFor(*event.response, latest->index, event.question), event.text};
+    }
+    throw protocols::badInput({"a correction of " + event.question.value + " before it was answered", m_script.where,
+                               "an answer to correct", "mend the script"});
+}
+
+EventBody Player::bodyOf(const ScriptedEvent& event) const
+{
+    switch (event.what) {
+    case What::Pause: return Paused{};
+    case What::Resume: return Resumed{};
+    case What::Void: return Voided{event.text};
+    case What::Note: return Noted{event.text, event.isFlag};
+    case What::Withdraw: return WithdrawnEvent{event.text};
+    case What::Touch: return Touched{};
+    case What::Correct: return correctionOf(event);
+    case What::Answer:
+        if (const auto* rating = std::get_if<protocols::Tenths>(&*event.response))
+            return Answered{*rating};
+        return Answered{protocols::FabricId(std::get<std::string>(*event.response))};
+    case What::Crash:
+    case What::Expect: break;
+    }
+    return Paused{};
+}
+
+void Player::perform(const ScriptedEvent& event)
+{
+    if (event.what == What::Crash)
+        std::raise(SIGKILL);
+    else if (event.what == What::Expect)
+        expect(event.expectation);
+    else if (event.mustFail)
+        actInVain(bodyOf(event), event.refusal);
+    else
+        act(bodyOf(event));
+}
+
+bool Player::performDueEvent()
+{
+    const auto& state = m_hands.state();
+    for (std::size_t i = 0; i < m_script.events.size(); ++i) {
+        const auto& event = m_script.events[i];
+        if (m_passed[i] || event.answersStoredBefore != state.answersStored)
+            continue;
+        // "Before the answer" means while the rendering is on the display; a resume follows its pause at once.
+        if (event.beforeAnswer && !state.paused && !std::holds_alternative<Presenting>(state.stage))
+            return false;
+        m_passed[i] = true;
+        perform(event);
+        return true;
+    }
+    return false;
+}
+
+void Player::answer(const Presenting& presenting)
+{
+    const auto& trial = m_trials.trials[presenting.index];
+    const auto& question = m_trials.protocol.phases[trial.phase].questions[presenting.question].id;
+    const auto& entry = m_trials.key.entries.at(trial.fileCode);
+    const State& state = m_hands.state();
+    const int attempt = attemptAt(state, state.position);
+    const auto* scripted = m_script.answerTo(question, {trial.number, {}, {}, attempt});
+    if (!scripted)
+        scripted = m_script.answerTo(question, {std::nullopt, entry.condition, entry.fabric, attempt});
+    if (!scripted)
+        throw protocols::badInput({"no answer", m_script.where + ": " + placeName(presenting.index, question),
+                                   "an answer to every question and rendering of the protocol",
+                                   "add it and run the same command again; what was answered before is stored"});
+    const Response response = responseFor(scripted->response, presenting.index, question);
+    if (scripted->touchSeconds && !presenting.touchedAtNs) {
+        m_clock.advanceSeconds(*scripted->touchSeconds);
+        act(Touched{scripted->touchedByDisplay ? TouchSource::Display : TouchSource::Operator});
+    }
+    m_clock.advanceSeconds(scripted->seconds);
+    act(Answered{response});
+}
+
+void Player::moveOn()
+{
+    const Stage stage = m_hands.state().stage;
+    if (m_hands.state().paused)
+        return act(Resumed{});
+    if (const auto preparation = nextOfPreparation(m_trials.protocol, stage))
+        return act(*preparation);
+    if (std::holds_alternative<PlacingTray>(stage)) {
+        m_clock.advanceSeconds(2);
+        return act(TrayReady{});
+    }
+    answer(std::get<Presenting>(stage));
+}
+
+void Player::play(const std::function<void(int)>& progress)
+{
+    while (!std::holds_alternative<Finished>(m_hands.state().stage) && !std::holds_alternative<Withdrawn>(m_hands.state().stage)) {
+        if (!performDueEvent())
+            moveOn();
+        if (progress)
+            progress(m_hands.state().answersStored);
+    }
+    while (performDueEvent()) {
+    }
+}
+
+}  // namespace
+
+void playScript(const Script& script, const ScriptedTrials& trials, const std::vector<database::EventRecord>& logged, Hands& hands,
+                session::VirtualClock& clock, const std::function<void(int)>& progress)
+{
+    Player player(script, trials, hands, clock);
+    player.skipPassed(logged);
+    player.play(progress);
+}
+
+}  // namespace study::commands

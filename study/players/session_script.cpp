@@ -1,0 +1,125 @@
+#include "study/players/session_script.h"
+
+#include "study/commands/json_output.h"
+#include "study/session/driver.h"
+#include "study/session/session_moves.h"
+
+#include <algorithm>
+#include <set>
+
+namespace study::commands {
+
+namespace {
+
+using namespace session;
+using nlohmann::ordered_json;
+
+ordered_json jsonOf(const Response& response)
+{
+    if (const auto* rating = std::get_if<protocols::Tenths>(&response))
+        return rating->inScaleUnits();
+    return textOf(response);
+}
+
+/// Follows one log through the engine and writes down what a script needs to do the same again.
+class Recorder {
+public:
+    Recorder(const Plan& plan, const Naming& naming, ordered_json& script, bool hasVoids)
+        : m_plan(plan), m_naming(naming), m_script(script), m_hasVoids(hasVoids)
+    {
+    }
+
+    void follow(const database::EventRecord& record)
+    {
+        const EventBody body = eventFromRecord(record.kind, record.payloadJson);
+        write(body, record.atNs);
+        auto outcome = apply(m_plan, m_state, {body, record.atNs});
+        if (auto* step = std::get_if<Step>(&outcome))
+            m_state = std::move(step->next);
+    }
+
+private:
+    void write(const EventBody& body, std::int64_t atNs)
+    {
+        if (const auto* answered = std::get_if<Answered>(&body))
+            m_script["answers"].push_back(answer(std::get<Presenting>(m_state.stage), *answered, atNs));
+        else if (const auto* corrected = std::get_if<Corrected>(&body))
+            add({{"do", "correct"}, {"question", corrected->question.value}, {"answer", jsonOf(corrected->response)}, {"why", corrected->why}},
+                false);
+        else if (const auto* voided = std::get_if<Voided>(&body))
+            add({{"do", "void"}, {"why", voided->why}}, true);
+        else if (const auto* noted = std::get_if<Noted>(&body))
+            add(noted->isFlag ? ordered_json{{"do", "note"}, {"text", noted->text}, {"flag", true}}
+                              : ordered_json{{"do", "note"}, {"text", noted->text}},
+                true);
+        else if (std::holds_alternative<Paused>(body))
+            add({{"do", "pause"}}, true);
+        else if (std::holds_alternative<Resumed>(body))
+            add({{"do", "resume"}}, false);
+        else if (const auto* withdrawn = std::get_if<WithdrawnEvent>(&body))
+            add({{"do", "withdraw"}, {"why", withdrawn->why}}, true);
+    }
+
+    /// `orDuring`: where a question is being asked it is done then, else right after the last answer.
+    void add(const ordered_json& what, bool orDuring)
+    {
+        const bool isAsking = orDuring && std::holds_alternative<Presenting>(m_state.stage);
+        ordered_json event{{isAsking ? "before_answer" : "after_answer", m_state.answersStored + int(isAsking)}};
+        event.update(what);
+        m_script["events"].push_back(event);
+    }
+
+    ordered_json answer(const Presenting& asked, const Answered& answered, std::int64_t atNs) const
+    {
+        const auto& trial = m_plan.trials[static_cast<std::size_t>(asked.index)];
+        ordered_json entry{{"question", questionOf(m_plan, asked.index, asked.question).id.value}};
+        if (m_naming.blinded)
+            entry["trial"] = trial.number.value;
+        else {
+            entry["condition"] = m_naming.entries.at(trial.fileCode).condition;
+            entry["fabric"] = m_naming.entries.at(trial.fileCode).fabric.value;
+        }
+        if (m_hasVoids)
+            entry["attempt"] = attemptAt(m_state, m_state.position);
+        entry["answer"] = jsonOf(answered.response);
+        const std::int64_t from = asked.touchedAtNs.value_or(asked.readyAtNs);
+        entry["seconds"] = std::max<double>(1e-9, static_cast<double>(atNs - from) / 1e9);
+        if (asked.touchedAtNs) {
+            entry["touch_seconds"] = static_cast<double>(*asked.touchedAtNs - asked.readyAtNs) / 1e9;
+            if (asked.touchedBy == TouchSource::Display)
+                entry["touched_by"] = "display";
+        }
+        return entry;
+    }
+
+    const Plan& m_plan;
+    const Naming& m_naming;
+    ordered_json& m_script;
+    bool m_hasVoids;
+    State m_state;
+};
+
+}  // namespace
+
+void writeScripts(const database::StudyStore& store, const Naming& naming, const std::filesystem::path& out)
+{
+    std::set<protocols::ParticipantId> erased;
+    for (const auto& erasure : store.erasures())
+        if (erasure.answersToo)
+            erased.insert(erasure.participant);
+    for (const auto& enrolment : store.enrolments()) {
+        if (erased.contains(enrolment.participant))
+            continue;
+        ordered_json script{{"schema", "vis2hap.script/1"}, {"participant", enrolment.participant.value},
+                            {"answers", ordered_json::array()}, {"events", ordered_json::array()}};
+        const auto log = store.events(enrolment.participant);
+        const bool hasVoids = std::any_of(log.begin(), log.end(), [](const auto& record) { return record.kind == kindOf(Voided{}); });
+        const Plan plan = readPlan(store, enrolment.participant);
+        Recorder recorder(plan, naming, script, hasVoids);
+        for (const auto& record : log)
+            recorder.follow(record);
+        writeFile(out / (enrolment.participant.value + ".json"), script.dump(1) + "\n");
+    }
+}
+
+}  // namespace study::commands

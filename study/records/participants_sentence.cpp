@@ -1,0 +1,116 @@
+#include "study/records/participants_sentence.h"
+
+#include "stats/kernels/descriptive.h"
+#include "study/session/driver.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <optional>
+#include <set>
+#include <vector>
+
+namespace study::commands {
+
+namespace {
+
+constexpr std::size_t fewPeople = 5;
+
+std::optional<double> numberOf(const std::string& text)
+{
+    double number = 0;
+    const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), number);
+    const bool isWhole = fault == std::errc() && end == text.data() + text.size() && std::isfinite(number);
+    return isWhole ? std::optional(number) : std::nullopt;
+}
+
+std::string oneDecimal(double number)
+{
+    char text[64];
+    std::snprintf(text, sizeof text, "%.1f", number);
+    return text;
+}
+
+std::string inLowerCase(std::string text)
+{
+    std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return c < 128 ? std::tolower(c) : c; });
+    return text;
+}
+
+std::string described(const std::string& fact, const std::vector<double>& numbers, std::size_t people)
+{
+    const auto [low, high] = std::minmax_element(numbers.begin(), numbers.end());
+    const stats::Description all = stats::describe(numbers);
+    std::string text = fact + " mean " + oneDecimal(*all.mean);
+    if (all.sd.exists())
+        text += ", SD " + oneDecimal(*all.sd) + ", " + oneDecimal(*low) + " to " + oneDecimal(*high);
+    return numbers.size() < people ? text + " (" + std::to_string(people - numbers.size()) + " not told)" : text;
+}
+
+std::string counted(const std::string& fact, const std::vector<std::string>& values, std::size_t people)
+{
+    std::map<std::string, std::size_t> counts;
+    for (const auto& value : values)
+        ++counts[inLowerCase(value)];
+    std::size_t others = 0;
+    std::string text;
+    for (const auto& [value, count] : counts) {
+        if (people >= fewPeople && count < 2)
+            others += count;
+        else
+            text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + value;
+    }
+    if (others > 0)
+        text += (text.empty() ? "" : ", ") + std::to_string(others) + " other";
+    if (values.size() < people)
+        text += (text.empty() ? "" : ", ") + std::to_string(people - values.size()) + " not told";
+    return fact + ": " + text;
+}
+
+/// Values of one fact by those whose answers are analysed.
+std::vector<std::string> valuesOf(const database::StudyStore& store, const std::string& fact)
+{
+    const auto facts = store.personalFacts();
+    std::vector<std::string> values;
+    for (const auto& enrolment : store.enrolments()) {
+        const auto known = facts.find(enrolment.participant);
+        if (enrolment.state == database::SlotState::Withdrawn || known == facts.end() || !known->second.contains(fact))
+            continue;
+        values.push_back(known->second.at(fact));
+    }
+    return values;
+}
+
+std::string clauseOf(const std::string& fact, const std::vector<std::string>& values, std::size_t people)
+{
+    std::vector<double> numbers;
+    for (const auto& value : values)
+        if (const auto number = numberOf(value))
+            numbers.push_back(*number);
+    return numbers.size() == values.size() ? described(fact, numbers, people) : counted(fact, values, people);
+}
+
+}  // namespace
+
+std::string participantsSentence(const database::StudyStore& store)
+{
+    std::set<std::string> names;
+    for (const auto& [participant, facts] : store.personalFacts())
+        for (const auto& [fact, value] : facts)
+            if (fact != session::debriefingFact)
+                names.insert(fact);
+    const auto enrolments = store.enrolments();
+    const auto people = static_cast<std::size_t>(std::count_if(
+        enrolments.begin(), enrolments.end(), [](const auto& e) { return e.state != database::SlotState::Withdrawn; }));
+    std::string clauses;
+    for (const auto& name : names)
+        if (const auto values = valuesOf(store, name); !values.empty())
+            clauses += (clauses.empty() ? "" : "; ") + clauseOf(name, values, people);
+    if (clauses.empty())
+        return {};
+    return std::to_string(people) + (people == 1 ? " participant (" : " participants (") + clauses + ").";
+}
+
+}  // namespace study::commands

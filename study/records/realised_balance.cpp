@@ -1,0 +1,96 @@
+#include "study/records/realised_balance.h"
+
+#include "database/keys.h"
+#include "protocols/condition.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace study::commands {
+
+namespace {
+
+using protocols::DesignTrial;
+
+/// Numbers for the names in a key, in the order of the names.
+template <class Name>
+std::map<Name, int> numbered(const std::set<Name>& names)
+{
+    std::map<Name, int> numbers;
+    for (const Name& name : names)
+        numbers.emplace(name, static_cast<int>(numbers.size()));
+    return numbers;
+}
+
+struct Numbers {
+    protocols::MaskedKey key;
+    std::map<protocols::ConditionLabel, int> labels;
+    std::map<protocols::FabricId, int> fabrics;
+};
+
+Numbers numbersOf(const database::StudyStore& store)
+{
+    Numbers numbers{readMaskedKey(store), {}, {}};
+    std::set<protocols::ConditionLabel> labels;
+    std::set<protocols::FabricId> fabrics;
+    for (const auto& [code, entry] : numbers.key.entries) {
+        fabrics.insert(entry.fabric);
+        if (entry.label.value != protocols::catchTrialId().value)
+            labels.insert(entry.label);
+    }
+    numbers.labels = numbered(labels);
+    numbers.fabrics = numbered(fabrics);
+    return numbers;
+}
+
+DesignTrial designTrialOf(const protocols::BlindedTrial& trial, const Numbers& numbers)
+{
+    const auto& entry = numbers.key.entries.at(trial.fileCode);
+    const auto label = numbers.labels.find(entry.label);
+    DesignTrial design{trial.phase, label == numbers.labels.end() ? protocols::catchTrialLabel : label->second,
+                       numbers.fabrics.at(entry.fabric), {}};
+    for (const auto& fabric : trial.alternatives)
+        design.alternatives.push_back(numbers.fabrics.at(fabric));
+    return design;
+}
+
+/// Trial numbers of a participant's answers that count, in the order in which they were answered.
+std::map<protocols::ParticipantId, std::vector<int>> presentedTrials(const database::StudyStore& store)
+{
+    std::map<protocols::ParticipantId, std::map<int, std::int64_t>> lastStored;
+    std::map<protocols::ParticipantId, std::vector<std::pair<std::int64_t, int>>> order;
+    for (const auto& answer : store.answers())
+        if (!answer.voided)
+            lastStored[answer.participant].emplace(answer.record.trial.value, answer.event);
+    std::map<protocols::ParticipantId, std::vector<int>> trials;
+    for (const auto& [participant, byTrial] : lastStored) {
+        for (const auto& [trial, event] : byTrial)
+            order[participant].emplace_back(event, trial);
+        std::sort(order[participant].begin(), order[participant].end());
+        for (const auto& [event, trial] : order[participant])
+            trials[participant].push_back(trial);
+    }
+    return trials;
+}
+
+}  // namespace
+
+protocols::BalanceCertificate realisedBalance(const database::StudyStore& store, const protocols::Protocol& protocol)
+{
+    const Numbers numbers = numbersOf(store);
+    const auto presented = presentedTrials(store);
+    protocols::Design design;
+    for (const auto& enrolment : store.enrolments()) {
+        const auto own = presented.find(enrolment.participant);
+        if (enrolment.state == database::SlotState::Withdrawn || own == presented.end())
+            continue;
+        const auto list = store.trials(enrolment.slot);
+        auto& trials = design.participants.emplace_back();
+        for (const int number : own->second)
+            trials.push_back(designTrialOf(list.at(static_cast<std::size_t>(number) - 1), numbers));
+    }
+    return design.participants.empty() ? protocols::BalanceCertificate{} : balanceOf(design, protocol);
+}
+
+}  // namespace study::commands

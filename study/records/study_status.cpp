@@ -1,0 +1,158 @@
+#include "study/records/study_status.h"
+
+#include "protocols/counterbalancing.h"
+#include "reports/report.h"
+#include "study/records/realised_balance.h"
+#include "study/records/stored_study.h"
+
+#include <cstdarg>
+#include <cstdio>
+#include <map>
+#include <set>
+
+namespace study::commands {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json answersOf(const database::StudyStore& store, const protocols::ParticipantId& participant,
+                       const std::vector<database::CurrentAnswer>& answers)
+{
+    int answered = 0, voided = 0, corrected = 0, flagged = 0;
+    for (const auto& answer : answers)
+        if (answer.participant == participant) {
+            ++(answer.voided ? voided : answered);
+            corrected += answer.corrections > 0;
+        }
+    for (const auto& flag : store.flags())
+        flagged += flag.participant == participant;
+    return {{"answers", answered}, {"voided", voided}, {"corrected", corrected}, {"flagged", flagged}};
+}
+
+ordered_json slotsOf(const database::StudyStore& store, const std::vector<database::CurrentAnswer>& answers)
+{
+    ordered_json rows = ordered_json::array();
+    for (const auto& slot : store.slots()) {
+        ordered_json row{{"slot", slot.number}, {"state", nameOf(slot.state)}};
+        if (slot.state != database::SlotState::Free) {
+            row["participant"] = slot.participant.value;
+            row["kind"] = nameOf(slot.kind);
+            row.update(answersOf(store, slot.participant, answers));
+        }
+        rows.push_back(row);
+    }
+    return rows;
+}
+
+ordered_json withdrawnOf(const database::StudyStore& store, const std::vector<database::CurrentAnswer>& answers)
+{
+    ordered_json rows = ordered_json::array();
+    for (const auto& enrolment : store.enrolments())
+        if (enrolment.state == database::SlotState::Withdrawn) {
+            ordered_json row{{"slot", enrolment.slot}, {"participant", enrolment.participant.value}, {"kind", nameOf(enrolment.kind)}};
+            row.update(answersOf(store, enrolment.participant, answers));
+            rows.push_back(row);
+        }
+    return rows;
+}
+
+ordered_json rangesOf(const protocols::BalanceCertificate& balance)
+{
+    ordered_json ranges = ordered_json::array();
+    for (const auto& range : balance.ranges)
+        ranges.push_back({{"what", range.what}, {"min", range.min}, {"max", range.max}});
+    return ranges;
+}
+
+__attribute__((format(printf, 1, 2))) std::string line(const char* format, ...)
+{
+    char text[600];
+    va_list arguments;
+    va_start(arguments, format);
+    std::vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    return text;
+}
+
+std::string word(const ordered_json& row, const char* field) { return row[field].get<std::string>(); }
+
+std::string peopleText(const ordered_json& status)
+{
+    std::string text;
+    const int expected = status["answers_per_participant"];
+    for (const auto& slot : status["slots"]) {
+        if (slot["state"] == "free") {
+            text += line("  slot %2d  free\n", slot["slot"].get<int>());
+            continue;
+        }
+        text += line("  slot %2d  %-8s %-9s %-9s %d of %d answers, %d voided, %d corrected, %d flagged\n", slot["slot"].get<int>(),
+                     word(slot, "participant").c_str(), word(slot, "kind").c_str(), word(slot, "state").c_str(),
+                     slot["answers"].get<int>(), expected, slot["voided"].get<int>(), slot["corrected"].get<int>(),
+                     slot["flagged"].get<int>());
+    }
+    for (const auto& one : status["withdrawn"])
+        text += line("  withdrew: %s (slot %d, %d answers, not analysed; the slot is free again or taken anew)\n",
+                     word(one, "participant").c_str(), one["slot"].get<int>(), one["answers"].get<int>());
+    return text;
+}
+
+std::string balanceText(const ordered_json& ranges)
+{
+    std::string text;
+    for (const auto& range : ranges)
+        text += line("  %s: %d to %d\n", word(range, "what").c_str(), range["min"].get<int>(), range["max"].get<int>());
+    return text;
+}
+
+}  // namespace
+
+ordered_json statusOf(const database::StudyStore& store)
+{
+    const auto facts = store.facts();
+    const auto protocol = protocolOf(facts);
+    const auto answers = store.answers();
+    const auto balance = balanceOf(protocols::drawDesign(protocol, facts.designSeed), protocol);
+    ordered_json json{{"schema", "vis2hap.status/1"}, {"study", facts.name}, {"protocol_sha256", facts.protocolSha256}};
+    json["protocol_versions"] = store.protocolVersions().size();
+    json["blinded"] = !store.unblinding().has_value();
+    json["answers_per_participant"] = protocol.answersPerParticipant();
+    json["minutes_per_participant"] = protocol.minutesPerParticipant();
+    json["sittings_per_participant"] = protocol.sittingsPerParticipant();
+    json["slots"] = slotsOf(store, answers);
+    json["withdrawn"] = withdrawnOf(store, answers);
+    std::map<std::string, int> kinds{{"human", 0}, {"scripted", 0}, {"simulated", 0}}, states;
+    for (const auto& slot : store.slots()) {
+        ++states[nameOf(slot.state)];
+        if (slot.state != database::SlotState::Free)
+            ++kinds[nameOf(slot.kind)];
+    }
+    json["kinds"] = kinds;
+    json["states"] = states;
+    json["balance"] = rangesOf(balance);
+    json["immediate_repeats"] = balance.immediateRepeats;
+    json["repeated_foil_pairs"] = balance.repeatedFoilPairs;
+    json["balance_presented"] = rangesOf(realisedBalance(store, protocol));
+    json["stamps"] = facts.stamps;
+    json["quality"] = reports::results(studyData(store))["quality"];
+    return json;
+}
+
+std::string textOf(const ordered_json& status)
+{
+    std::string text = line("%s (%s)\n", word(status, "study").c_str(), status["blinded"].get<bool>() ? "blinded" : "unblinded");
+    text += line("  planned: about %.0f minutes a participant, sittings: %d\n", status["minutes_per_participant"].get<double>(),
+                 status["sittings_per_participant"].get<int>());
+    text += peopleText(status);
+    text += "balance of the running orders:\n" + balanceText(status["balance"]);
+    if (!status["balance_presented"].empty())
+        text += "balance of what was presented so far:\n" + balanceText(status["balance_presented"]);
+    for (const auto& stamp : status["stamps"])
+        text += "note: " + stamp.get<std::string>() + "\n";
+    for (const auto& flag : status["quality"])
+        text += "flag: " + (flag["participant"].is_string() ? flag["participant"].get<std::string>() + " " : std::string()) +
+                word(flag, "flag") + ": " + word(flag, "why") + "\n";
+    return text;
+}
+
+}  // namespace study::commands

@@ -1,0 +1,179 @@
+// The conformance check, as the owner of a display runs it: the reference driver meets every demand, and each
+// deliberately broken driver is found out by name.
+#include <QCoreApplication>
+#include <QProcess>
+#include <QRegularExpression>
+#include <QTemporaryDir>
+#include <QTest>
+#include <algorithm>
+#include <opencv2/core.hpp>
+
+#include "tests/rendering/refusal.h"
+#include "rendering/display/display_check.h"
+#include "rendering/images/image_io.h"
+
+using namespace rendering;
+using namespace std::chrono_literals;
+
+namespace {
+
+std::string reference() { return VIS2HAP_REFERENCE_DISPLAY; }
+
+/// Of a fault that names a time-out, few milliseconds are enough.
+DisplayCheckOptions impatient()
+{
+    DisplayCheckOptions options;
+    options.patience = {.reply = 300ms, .start = 600ms, .tries = 1};
+    return options;
+}
+
+QString faultsOf(const DisplayCheck& check)
+{
+    QStringList faults;
+    for (const auto& demand : check.demands)
+        if (!demand.fault.empty()) faults << QString::fromStdString(demand.demand + ": " + demand.fault);
+    return faults.join("\n");
+}
+
+DisplayCheck checked(const std::string& specification, const DisplayCheckOptions& options)
+{
+    return checkDisplay(driverAddressFrom(specification).value(), options);
+}
+
+/// The reference driver behind a port that the system chooses.
+class Listening {
+public:
+    explicit Listening(const QStringList& arguments)
+    {
+        m_process.start(QString::fromStdString(reference()), arguments + QStringList{"--listen", "0"});
+        while (m_process.state() != QProcess::NotRunning && !m_process.canReadLine()) m_process.waitForReadyRead(1000);
+        const auto told = QRegularExpression("port (\\d+)").match(QString::fromUtf8(m_process.readLine()));
+        specification = "tcp:127.0.0.1:" + told.captured(1).toStdString();
+    }
+    ~Listening()
+    {
+        m_process.kill();
+        m_process.waitForFinished();
+    }
+    std::string specification;
+
+private:
+    QProcess m_process;
+};
+
+}  // namespace
+
+class DisplayConformanceTest : public QObject {
+    Q_OBJECT
+    QTemporaryDir m_folder;
+
+private Q_SLOTS:
+    void referenceDriverMeetsEveryDemand_data()
+    {
+        QTest::addColumn<QStringList>("arguments");
+        QTest::newRow("plain") << QStringList{};
+        QTest::newRow("slow") << QStringList{"--delay", "20"};
+        QTest::newRow("touched") << QStringList{"--touch-after", "30"};
+    }
+    void referenceDriverMeetsEveryDemand()
+    {
+        QFETCH(QStringList, arguments);
+        const QString folder = m_folder.filePath(QTest::currentDataTag());
+        DisplayCheckOptions options;
+        options.touchWithin = arguments.contains("--touch-after") ? 2s : 0s;
+        const auto check =
+            checked("exec:" + reference() + " " + folder.toStdString() + " " + arguments.join(" ").toStdString(), options);
+        QVERIFY2(check.faults() == 0, qPrintable(faultsOf(check)));
+        QCOMPARE(check.demands.size(), std::size_t(arguments.contains("--touch-after") ? 17 : 16));
+        QCOMPARE(check.name, std::string("reference display"));
+        QCOMPARE(check.showMs.size(), std::size_t(10));
+        if (arguments.contains("--delay")) QVERIFY(*std::min_element(check.showMs.begin(), check.showMs.end()) >= 20);
+        // After its end of file nothing is felt.
+        QCOMPARE(cv::countNonZero(readPgm((folder + "/current.pgm").toStdString())), 0);
+    }
+
+    void referenceDriverOnAnotherComputerMeetsThemToo()
+    {
+        const Listening driver({m_folder.filePath("tcp")});
+        const auto check = checked(driver.specification, {});
+        QVERIFY2(check.faults() == 0, qPrintable(faultsOf(check)));
+    }
+
+    void brokenDriversAreFoundOut_data()
+    {
+        QTest::addColumn<QString>("demand");
+        QTest::addColumn<QString>("told");
+        QTest::newRow("silent at hello") << "says hello"
+                                         << "no hello in time";
+        QTest::newRow("other schema") << "says hello"
+                                      << "acme/7";
+        QTest::newRow("no name") << "says hello"
+                                 << "no name";
+        QTest::newRow("endless line") << "says hello"
+                                      << "longer than 65536 bytes";
+        QTest::newRow("endless lines") << "says nothing but messages"
+                                       << "no message: x";
+        QTest::newRow("babbles") << "says nothing but messages"
+                                 << "Engine 2.1 is ready";
+        QTest::newRow("answers twice") << "says nothing but messages"
+                                       << "answered before";
+        QTest::newRow("touched elsewhere") << "says nothing but messages"
+                                           << "image 999999";
+        QTest::newRow("echoes the schema") << "newer schema"
+                                           << "display/99";
+        QTest::newRow("shows at the start") << "nothing after hello"
+                                            << "showing 1";
+        QTest::newRow("hangs at an image") << "shows an image"
+                                           << "no reply in time";
+        QTest::newRow("dies at an image") << "shows an image"
+                                          << "ended by signal 9";
+        QTest::newRow("half a line") << "shows an image"
+                                     << "ended with exit code 0";
+        QTest::newRow("refuses images") << "shows an image"
+                                        << "no amplifier";
+        QTest::newRow("answers an old id") << "says nothing but messages"
+                                           << "request 1,";
+        QTest::newRow("reads images as lines") << "whatever they look like"
+                                               << "";
+        QTest::newRow("status tells nothing") << "names the image"
+                                              << "showing nothing";
+        QTest::newRow("never clears") << "clears in time"
+                                      << "showing";
+        QTest::newRow("hangs at clearing") << "clears in time"
+                                           << "no reply in time";
+        QTest::newRow("silent at the unknown") << "does not know"
+                                               << "no reply in time";
+        QTest::newRow("ends at the unknown") << "does not know"
+                                             << "ended with exit code 0";
+        QTest::newRow("goes on without input") << "input ends"
+                                               << "went on";
+    }
+    void brokenDriversAreFoundOut()
+    {
+        QFETCH(QString, demand);
+        QFETCH(QString, told);
+        const auto check = checked(std::string("exec:" VIS2HAP_BROKEN_DISPLAY " '") + QTest::currentDataTag() + "'", impatient());
+        const auto found = std::find_if(check.demands.begin(), check.demands.end(), [&](const DisplayDemand& one) {
+            return QString::fromStdString(one.demand).contains(demand);
+        });
+        QVERIFY(found != check.demands.end());
+        QVERIFY2(!found->fault.empty() && QString::fromStdString(found->fault).contains(told), qPrintable(faultsOf(check)));
+    }
+
+    void theSameDriverWithoutAFaultIsFine()
+    {
+        const auto check = checked("exec:" VIS2HAP_BROKEN_DISPLAY " none", impatient());
+        QVERIFY2(check.faults() == 0, qPrintable(faultsOf(check)));
+    }
+
+    void programThatDoesNotStartIsToldAtEveryDemand()
+    {
+        const auto check = checked("exec:/nowhere/driver", impatient());
+        QVERIFY(check.demands.front().fault.find("exit code 127") != std::string::npos);
+        QVERIFY(check.demands.front().fault.find("not found") != std::string::npos);
+        QCOMPARE(check.faults(), static_cast<int>(check.demands.size()));
+    }
+};
+
+QTEST_GUILESS_MAIN(DisplayConformanceTest)
+#include "display_conformance_test.moc"

@@ -1,0 +1,77 @@
+#include "rendering/display/display.h"
+
+#include <QTemporaryDir>
+#include <QTest>
+#include <filesystem>
+#include <fstream>
+#include <opencv2/core.hpp>
+
+#include "tests/rendering/refusal.h"
+#include "rendering/images/image_io.h"
+
+using namespace rendering;
+
+class DisplayTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void sessionRunsWithoutADevice()
+    {
+        const auto display = openDisplay("none");
+        display->show(cv::Mat(800, 1280, CV_8UC1, cv::Scalar(9)));
+        display->clear();
+        QCOMPARE(display->name(), std::string("none"));
+    }
+
+    void folderHoldsTheImageShownAndNothingElse()
+    {
+        QTemporaryDir folder;
+        const std::filesystem::path path(folder.filePath("watched").toStdString()), current = path / "current.pgm";
+        const auto display = openDisplay("folder:" + path.string());
+        QCOMPARE(cv::countNonZero(readPgm(current)), 0);
+        display->show(cv::Mat(800, 1280, CV_8UC1, cv::Scalar(77)));
+        QCOMPARE(cv::norm(readPgm(current), cv::Mat(800, 1280, CV_8UC1, cv::Scalar(77)), cv::NORM_INF), 0.0);
+        QCOMPARE(std::distance(std::filesystem::directory_iterator(path), {}), 1);
+        display->clear();
+        QCOMPARE(cv::countNonZero(readPgm(current)), 0);
+        QCOMPARE(readPgm(current).size(), cv::Size(1280, 800));
+    }
+
+    void readerOfTheOldImageKeepsIt()
+    {
+        QTemporaryDir folder;
+        const std::filesystem::path path(folder.path().toStdString());
+        const auto display = openDisplay("folder:" + path.string());
+        display->show(cv::Mat(800, 1280, CV_8UC1, cv::Scalar(50)));
+        std::ifstream reader(path / "current.pgm", std::ios::binary);
+        std::string bytes(1000, '\0');
+        reader.read(bytes.data(), 1000);
+        display->show(cv::Mat(800, 1280, CV_8UC1, cv::Scalar(200)));
+        const std::string rest{std::istreambuf_iterator<char>(reader), {}};
+        QCOMPARE(rest.size() + 1000, std::size_t(1280 * 800 + 16));
+        QVERIFY(rest.find_first_not_of(char(50)) == std::string::npos);
+    }
+
+    void lostFolderIsTold()
+    {
+        QTemporaryDir folder;
+        const std::filesystem::path path(folder.filePath("watched").toStdString());
+        const auto display = openDisplay("folder:" + path.string());
+        std::filesystem::remove_all(path);
+        const auto refusal = refusalOf([&] { display->show(cv::Mat::zeros(800, 1280, CV_8UC1)); });
+        QVERIFY2(refusal.contains("current.pgm"), qPrintable(refusal));
+    }
+
+    void unknownDisplayIsRefused_data()
+    {
+        QTest::addColumn<QString>("specification");
+        for (const char* text : {"", "tanvas", "folder:", "folder", "None", "exec", "udp:host:1"}) QTest::addRow("'%s'", text) << text;
+    }
+    void unknownDisplayIsRefused()
+    {
+        QFETCH(QString, specification);
+        QVERIFY(refusalOf([&] { openDisplay(specification.toStdString()); }).contains("folder:DIR"));
+    }
+};
+
+QTEST_GUILESS_MAIN(DisplayTest)
+#include "display_test.moc"

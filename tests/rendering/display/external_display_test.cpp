@@ -1,0 +1,329 @@
+// A display behind its owner's driver, as a session uses it: what is shown, what is told, and what happens when
+// the driver dies, hangs or babbles.
+#include "rendering/display/external_display.h"
+
+#include <netinet/in.h>
+#include <poll.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <QElapsedTimer>
+#include <QTemporaryDir>
+#include <QTest>
+#include <cmath>
+#include <filesystem>
+#include <opencv2/core.hpp>
+#include <thread>
+
+#include "protocols/random.h"
+#include "tests/rendering/refusal.h"
+#include "rendering/images/image_io.h"
+
+using namespace rendering;
+using namespace std::chrono_literals;
+
+namespace {
+
+const cv::Mat grey(800, 1280, CV_8UC1, cv::Scalar(77));
+
+DriverAddress program(const std::string& command) { return {command, {}, {}}; }
+
+DriverAddress broken(const std::string& fault) { return program(std::string(VIS2HAP_BROKEN_DISPLAY " '") + fault + "'"); }
+
+constexpr DriverPatience impatient{.reply = 300ms, .start = 500ms, .tries = 3};
+
+/// Nobody listens there: the system gave it out, and it was given back.
+int freePort()
+{
+    const int server = ::socket(AF_INET, SOCK_STREAM, 0);
+    sockaddr_in place{};
+    socklen_t size = sizeof place;
+    place.sin_family = AF_INET;
+    place.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    ::bind(server, reinterpret_cast<sockaddr*>(&place), sizeof place);
+    ::getsockname(server, reinterpret_cast<sockaddr*>(&place), &size);
+    ::close(server);
+    return ntohs(place.sin_port);
+}
+
+/// Lets the display tell what it has to tell, as an event loop would, for so long.
+void attendFor(HapticDisplay& display, std::chrono::milliseconds duration)
+{
+    const auto end = std::chrono::steady_clock::now() + duration;
+    while (std::chrono::steady_clock::now() < end) {
+        pollfd waiting{display.descriptorToWatch(), POLLIN, 0};
+        if (::poll(&waiting, 1, 10) > 0) display.attend();
+    }
+}
+
+}  // namespace
+
+class ExternalDisplayTest : public QObject {
+    Q_OBJECT
+    QTemporaryDir m_folder;
+
+    std::filesystem::path folder() { return m_folder.filePath(QTest::currentTestFunction()).toStdString(); }
+    DriverAddress reference(const std::string& options = {})
+    {
+        return program(VIS2HAP_REFERENCE_DISPLAY " " + folder().string() + " " + options);
+    }
+    cv::Mat felt() { return readPgm(folder() / "current.pgm"); }
+
+private Q_SLOTS:
+    void imageIsFeltWhenShowReturnsAndGoneWhenCleared()
+    {
+        ExternalDisplay display(reference());
+        QVERIFY(display.name().find("reference display") != std::string::npos);
+        QCOMPARE(cv::countNonZero(felt()), 0);
+        cv::Mat image(800, 1280, CV_8UC1);
+        for (int i = 0; i < image.rows * image.cols; ++i) image.data[i] = static_cast<unsigned char>(i * 7 % 256);
+        display.show(image);
+        QCOMPARE(cv::norm(felt(), image, cv::NORM_INF), 0.0);
+        display.show(image.colRange(100, 500));  // rows that do not follow on one another
+        QCOMPARE(cv::norm(felt(), image.colRange(100, 500), cv::NORM_INF), 0.0);
+        display.clear();
+        QCOMPARE(cv::countNonZero(felt()), 0);
+    }
+
+    void nothingIsFeltOnceTheProgramIsGone()
+    {
+        {
+            ExternalDisplay display(reference());
+            display.show(grey);
+        }
+        QCOMPARE(cv::countNonZero(felt()), 0);
+    }
+
+    void touchIsToldWithTheTimeSince()
+    {
+        ExternalDisplay display(reference("--touch-after 40"));
+        QVERIFY(display.reportsTouches());
+        std::vector<Touch> touches;
+        display.onTouched([&](const Touch& touch) { touches.push_back(touch); });
+        display.show(grey);
+        attendFor(display, 200ms);
+        QCOMPARE(touches.size(), std::size_t(1));
+        display.show(grey);
+        std::this_thread::sleep_for(240ms);  // the window is busy while the finger comes down
+        attendFor(display, 50ms);
+        QCOMPARE(touches.size(), std::size_t(2));
+        // Told 200 ms late, and known to be.
+        QVERIFY2(touches.back().ago > 120ms && touches.back().ago > touches.front().ago,
+                 qPrintable(QString::number(touches.back().ago.count())));
+    }
+
+    void touchBetweenTwoImagesIsNone()
+    {
+        ExternalDisplay display(reference("--touch-after 30"));
+        int touches = 0;
+        display.onTouched([&](const Touch&) { ++touches; });
+        display.show(grey);
+        std::this_thread::sleep_for(80ms);
+        display.clear();
+        attendFor(display, 60ms);
+        QCOMPARE(touches, 0);
+    }
+
+    void touchThatComesWithTheReplyIsNotForgotten()
+    {
+        ExternalDisplay display(reference("--touch-after 0"));
+        int touches = 0;
+        display.onTouched([&](const Touch&) { ++touches; });
+        for (int image = 1; image <= 20; ++image) {
+            display.show(grey);
+            attendFor(display, 20ms);
+            QCOMPARE(touches, image);
+        }
+    }
+
+    void driverThatDiesIsBegunAgain()
+    {
+        ExternalDisplay display(reference("--crash-at 2"));
+        for (int image = 0; image < 4; ++image) display.show(grey);  // every second one kills it
+        QCOMPARE(cv::norm(felt(), grey, cv::NORM_INF), 0.0);
+        display.clear();
+        QCOMPARE(cv::countNonZero(felt()), 0);
+    }
+
+    void driverThatDiesBetweenTrialsIsBegunAgainInSilence()
+    {
+        ExternalDisplay display(broken("dies after clearing"), impatient);
+        for (int trial = 0; trial < 3; ++trial) {
+            QCOMPARE(refusalOf([&] { attendFor(display, 60ms); }), QString());
+            QCOMPARE(refusalOf([&] { display.show(grey); }), QString());
+            display.clear();
+        }
+    }
+
+    void driverThatDiesWhileAnImageIsFeltIsTold()
+    {
+        ExternalDisplay display(broken("dies after an image"), impatient);
+        display.show(grey);
+        const auto told = refusalOf([&] { attendFor(display, 300ms); });
+        QVERIFY2(told.contains("while an image was felt") && told.contains("signal 9"), qPrintable(told));
+        QCOMPARE(refusalOf([&] { attendFor(display, 50ms); }), QString());  // once
+    }
+
+    void faultOfADriverIsToldByName_data()
+    {
+        QTest::addColumn<QString>("told");
+        QTest::newRow("hangs at an image") << "does not answer \"shown\" within 0.3 s (tried 3 times)";
+        QTest::newRow("dies at an image") << "was ended by signal 9";
+        QTest::newRow("half a line") << "ended with exit code 0 (tried 3 times)";
+        QTest::newRow("refuses images") << "refuses: no amplifier";
+        QTest::newRow("babbles for ever") << "does not answer \"shown\" within 0.3 s; heard instead: frame (tried 3 times)";
+        QTest::newRow("answers an old id") << "does not answer \"shown\"";
+    }
+    void faultOfADriverIsToldByName()
+    {
+        QFETCH(QString, told);
+        ExternalDisplay display(broken(QTest::currentDataTag()), impatient);
+        const auto fault = refusalOf([&] { display.show(grey); });
+        QVERIFY2(fault.contains(told) && fault.contains("exec:") && fault.contains("display check"), qPrintable(fault));
+        QElapsedTimer timer;
+        timer.start();
+        display.clear();  // one more try, and it clears
+        QVERIFY(timer.elapsed() < 900);
+    }
+
+    void driverThatCannotBeginIsToldAtOnce_data()
+    {
+        QTest::addColumn<QString>("told");
+        QTest::newRow("silent at hello") << "does not answer \"hello\" within 0.5 s";
+        QTest::newRow("other schema") << "speaks \"acme/7\", this program vis2hap.display/1";
+        QTest::newRow("endless line") << "longer than 65536 bytes";
+        QTest::newRow("endless lines") << "";
+    }
+    void driverThatCannotBeginIsToldAtOnce()
+    {
+        QFETCH(QString, told);
+        const auto fault = refusalOf([&] { ExternalDisplay(broken(QTest::currentDataTag()), impatient); });
+        QVERIFY2(!fault.isEmpty() && fault.contains(told), qPrintable(fault));
+    }
+
+    void harmlessHabitsAreBorne_data()
+    {
+        QTest::addColumn<QString>("fault");
+        for (const char* fault : {"babbles", "answers twice", "touched elsewhere", "floods its errors"})
+            QTest::newRow(fault) << fault;
+    }
+    void harmlessHabitsAreBorne()
+    {
+        QFETCH(QString, fault);
+        ExternalDisplay display(broken(fault.toStdString()), impatient);
+        int touches = 0;
+        display.onTouched([&](const Touch&) { ++touches; });
+        for (int image = 0; image < 3; ++image) {
+            display.show(grey);
+            attendFor(display, 20ms);
+            display.clear();
+        }
+        QCOMPARE(touches, 0);
+    }
+
+    void whatItSaidBeforeItDiedIsTold()
+    {
+        qputenv("BROKEN_DISPLAY_MARK", m_folder.filePath("died").toUtf8());
+        ExternalDisplay display(broken("dies at the first image"), {.reply = 2s, .start = 2s, .tries = 1});
+        const auto fault = refusalOf([&] { display.show(grey); });
+        QVERIFY2(fault.contains("exit code 3; it said: cannot open the amplifier"), qPrintable(fault));
+        display.show(grey);  // mended
+    }
+
+    void nobodyAtTheAddressIsToldAtOnce()
+    {
+        const auto port = std::to_string(freePort());
+        const auto fault = refusalOf([&] { ExternalDisplay(DriverAddress{{}, "127.0.0.1", port}, impatient); });
+        QVERIFY2(fault.contains("the display's driver cannot be reached (Connection refused)") && fault.contains("tcp:127.0.0.1:" + QString::fromStdString(port)), qPrintable(fault));
+    }
+
+    void addressesAreUnderstood_data()
+    {
+        QTest::addColumn<QString>("specification");
+        QTest::addColumn<QString>("host");
+        QTest::addColumn<QString>("port");
+        QTest::newRow("name") << "tcp:lab-pc:7000"
+                              << "lab-pc"
+                              << "7000";
+        QTest::newRow("version 6") << "tcp:[::1]:7000"
+                                   << "::1"
+                                   << "7000";
+        QTest::newRow("without port") << "tcp:lab-pc"
+                                      << ""
+                                      << "";
+        QTest::newRow("without host") << "tcp::7000"
+                                      << ""
+                                      << "";
+        QTest::newRow("without command") << "exec: "
+                                         << ""
+                                         << "";
+    }
+    void addressesAreUnderstood()
+    {
+        QFETCH(QString, specification);
+        QFETCH(QString, host);
+        QFETCH(QString, port);
+        std::optional<DriverAddress> address;
+        const auto refusal = refusalOf([&] { address = driverAddressFrom(specification.toStdString()); });
+        QCOMPARE(refusal.isEmpty(), !host.isEmpty());
+        if (!address) return;
+        QCOMPARE(address->host, host.toStdString());
+        QCOMPARE(address->port, port.toStdString());
+        QCOMPARE(address->text(), specification.toStdString());
+    }
+
+    void spoiltMessagesDoNoHarm()
+    {
+        // Every line that a driver may say, with some of its bytes drawn anew.
+        const std::string lines[] = {
+            "{\"type\":\"hello\",\"id\":1,\"schema\":\"vis2hap.display/"
+            "1\",\"name\":\"A\",\"width\":40,\"height\":30,\"touches\":true}",
+            "{\"type\":\"shown\",\"id\":2,\"at_s\":12.5}", "{\"type\":\"status\",\"id\":4,\"showing\":null}",
+            "{\"type\":\"touched\",\"id\":2,\"at_s\":1e3}", "{\"type\":\"failed\",\"id\":2,\"why\":\"\\u00e4\"}"};
+        protocols::Random random(20261121);
+        int understood = 0;
+        for (int round = 0; round < 40000; ++round) {
+            std::string line = lines[random.below(std::size(lines))];
+            for (std::uint64_t change = random.below(4); change > 0; --change)
+                line[random.below(line.size())] = static_cast<char>(random.below(256));
+            if (random.below(8) == 0) line.resize(random.below(line.size()));
+            const auto said = driverMessageFrom(line);
+            if (!said) continue;
+            ++understood;
+            QVERIFY(said->id >= 0 && said->widthPx >= 0 && said->heightPx >= 0);
+            QVERIFY(!said->deviceS || std::isfinite(*said->deviceS));
+        }
+        QVERIFY(understood > 5000 && understood < 39000);
+    }
+
+    void messagesAreReadAsTheyAreWritten_data()
+    {
+        QTest::addColumn<QByteArray>("line");
+        QTest::addColumn<bool>("isMessage");
+        QTest::newRow("shown") << QByteArray(R"({"type":"shown","id":3})") << true;
+        QTest::newRow("as a float") << QByteArray(R"({"type":"shown","id":3.0,"at_s":12.5})") << true;
+        QTest::newRow("more fields") << QByteArray(R"({"type":"status","id":3,"showing":null,"volts":[1,2]})") << true;
+        QTest::newRow("no id") << QByteArray(R"({"type":"shown"})") << false;
+        QTest::newRow("half an id") << QByteArray(R"({"type":"shown","id":3.5})") << false;
+        QTest::newRow("negative id") << QByteArray(R"({"type":"shown","id":-3})") << false;
+        QTest::newRow("id as text") << QByteArray(R"({"type":"shown","id":"3"})") << false;
+        QTest::newRow("unknown type") << QByteArray(R"({"type":"sown","id":3})") << false;
+        QTest::newRow("no object") << QByteArray("[3]") << false;
+        QTest::newRow("nothing") << QByteArray("") << false;
+        QTest::newRow("no JSON") << QByteArray("ready.") << false;
+        QTest::newRow("no UTF-8") << QByteArray("{\"type\":\"shown\",\"id\":3,\"why\":\"\xff\"}") << false;
+        QTest::newRow("nested") << QByteArray(60000, '[') << false;
+        QTest::newRow("name as number") << QByteArray(R"({"type":"hello","id":3,"name":5})") << false;
+    }
+    void messagesAreReadAsTheyAreWritten()
+    {
+        QFETCH(QByteArray, line);
+        QFETCH(bool, isMessage);
+        const auto said = driverMessageFrom(line.toStdString());
+        QCOMPARE(said.has_value(), isMessage);
+        if (said) QCOMPARE(said->id, std::int64_t(3));
+    }
+};
+
+QTEST_GUILESS_MAIN(ExternalDisplayTest)
+#include "external_display_test.moc"

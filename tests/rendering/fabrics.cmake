@@ -1,6 +1,0 @@
-vis2hap_test(rendering image_io_test LINK rendering_fabrics)
-vis2hap_test(rendering dataset_test LINK rendering_fabrics)
-vis2hap_test(rendering location_split_test LINK rendering_fabrics)
-vis2hap_test(rendering procedural_fabrics_test LINK rendering_fabrics)
-vis2hap_test(rendering import_test LINK rendering_fabrics)
-vis2hap_test(rendering friction_import_test LINK rendering_fabrics)

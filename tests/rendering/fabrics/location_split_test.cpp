@@ -1,0 +1,173 @@
+// The split by location: samples that show the same piece of fabric stay in one part, and the parts are still 8:1:1.
+#include "rendering/fabrics/location_split.h"
+
+#include <map>
+#include <set>
+
+#include "tests/rendering/fabric_files.h"
+
+using namespace fabric_files;
+using namespace rendering;
+using namespace rendering::fabrics;
+
+namespace {
+
+SamplePlace at(Modality modality, int index, double x, double y, double rotation = 0)
+{
+    return {FabricId("F01"), modality, index, x, y, rotation, ""};
+}
+
+/// Photographs of 1 mm x 1 mm at the given places.
+Dataset photographed(const fs::path& folder, const std::vector<SamplePlace>& places)
+{
+    Dataset dataset;
+    dataset.folder = folder;
+    dataset.fabrics = {{FabricId("F01"), "A", ""}};
+    dataset.cameraMmPerPixel = 0.1;
+    for (const SamplePlace& place : places) {
+        fs::create_directories(folder / "F01" / "visual");
+        writePng(samplePath(dataset, place.fabric, place.modality, place.index), cv::Mat(10, 10, CV_8UC3, cv::Scalar::all(9)));
+    }
+    writeDatasetJson(dataset);
+    writeSamplePlaces(dataset, places);
+    return dataset;
+}
+
+/// Pairs and triples of overlapping photographs and single ones, far from each other.
+std::vector<SamplePlace> scattered(int places)
+{
+    std::vector<SamplePlace> result;
+    for (int place = 0, index = 0; place < places; ++place)
+        for (int k = 0; k <= place % 3; ++k) result.push_back(at(Modality::Visual, index++, place * 50 + 0.6 * k, place * 7, 30));
+    return result;
+}
+
+std::map<Part, int> countsOf(const std::vector<std::pair<SamplePlace, Part>>& split)
+{
+    std::map<Part, int> counts;
+    for (const auto& [place, part] : split) ++counts[part];
+    return counts;
+}
+
+}  // namespace
+
+class LocationSplitTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { m_folder = std::make_unique<QTemporaryDir>(); }
+
+    void samplesOfOnePlaceStayTogether()
+    {
+        const Dataset dataset = photographed(pathOf(*m_folder), scattered(60));
+        for (const std::uint64_t seed : {1, 2, 3}) {
+            const auto split = splitByLocation(dataset, seed);
+            for (const auto& [a, partOfA] : split)
+                for (const auto& [b, partOfB] : split)
+                    if (overlap(*footprintOf(dataset, a), *footprintOf(dataset, b))) QCOMPARE(partOfA, partOfB);
+        }
+    }
+
+    void partsAreATenthEach()
+    {
+        const Dataset dataset = photographed(pathOf(*m_folder), scattered(60));  // 120 photographs
+        auto counts = countsOf(splitByLocation(dataset, 5));
+        QCOMPARE(counts[Part::Testing], 12);
+        QCOMPARE(counts[Part::Validation], 12);
+        QCOMPARE(counts[Part::Training], 96);
+    }
+
+    void seedDrawsAnotherSplitAndTheSameOneAgain()
+    {
+        const Dataset dataset = photographed(pathOf(*m_folder), scattered(60));
+        const auto parts = [&](std::uint64_t seed) {
+            std::vector<Part> result;
+            for (const auto& entry : splitByLocation(dataset, seed)) result.push_back(entry.second);
+            return result;
+        };
+        QCOMPARE(parts(5), parts(5));
+        QVERIFY(parts(5) != parts(6));
+    }
+
+    void unknownPlacesAreTheirOwn()
+    {
+        auto places = scattered(60);
+        for (SamplePlace& place : places) place.xMm.reset();
+        const Dataset dataset = photographed(pathOf(*m_folder), places);
+        QVERIFY(!footprintOf(dataset, places.front()));
+        auto counts = countsOf(splitByLocation(dataset, 5));
+        QCOMPARE(counts[Part::Testing], 12);
+        QCOMPARE(counts[Part::Training], 96);
+    }
+
+    void oneLargePlaceIsNotDivided()
+    {
+        std::vector<SamplePlace> places;
+        for (int i = 0; i < 20; ++i) places.push_back(at(Modality::Visual, i, 0.5 * i, 0));  // a chain
+        auto counts = countsOf(splitByLocation(photographed(pathOf(*m_folder), places), 5));
+        QCOMPARE(counts[Part::Training], 20);
+    }
+
+    void threeLargePlacesServeEveryPart()
+    {
+        std::vector<SamplePlace> places;
+        for (int i = 0; i < 9; ++i) places.push_back(at(Modality::Visual, i, 100 * (i / 3), 0));
+        auto counts = countsOf(splitByLocation(photographed(pathOf(*m_folder), places), 5));
+        QCOMPARE(counts[Part::Training], 3);
+        QCOMPARE(counts[Part::Validation], 3);
+        QCOMPARE(counts[Part::Testing], 3);
+    }
+
+    void groupsOfTheFileAreNotDivided()
+    {
+        std::vector<SamplePlace> places = scattered(60);
+        for (SamplePlace& place : places) place.group = "day " + std::to_string(place.index / 5);
+        const auto split = splitByLocation(photographed(pathOf(*m_folder), places), 5);
+        std::map<std::string, std::set<Part>> partsOf;
+        for (const auto& [place, part] : split) partsOf[place.group].insert(part);
+        for (const auto& [group, parts] : partsOf) QCOMPARE(parts.size(), std::size_t(1));
+        QVERIFY(countsOf(split)[Part::Training] < 120);
+    }
+
+    void rectanglesOverlapAsDrawn_data()
+    {
+        QTest::addColumn<double>("x");
+        QTest::addColumn<double>("y");
+        QTest::addColumn<double>("rotation");
+        QTest::addColumn<bool>("overlaps");
+        QTest::newRow("same place") << 0.0 << 0.0 << 0.0 << true;
+        QTest::newRow("edges touch") << 4.0 << 0.0 << 0.0 << false;
+        QTest::newRow("just inside") << 3.99 << 0.0 << 0.0 << true;
+        QTest::newRow("below") << 0.0 << 2.01 << 0.0 << false;
+        QTest::newRow("turned corner reaches in") << 0.0 << 2.5 << 90.0 << true;
+        QTest::newRow("circles meet, rectangles do not") << 3.2 << 2.2 << 0.0 << false;
+        QTest::newRow("turned by 45, its end reaches in") << 3.2 << 2.2 << 45.0 << true;
+        QTest::newRow("turned by -45, its side stays away") << 3.2 << 2.2 << -45.0 << false;
+    }
+
+    void rectanglesOverlapAsDrawn()
+    {
+        QFETCH(double, x);
+        QFETCH(double, y);
+        QFETCH(double, rotation);
+        QFETCH(bool, overlaps);
+        const Footprint a{0, 0, 4, 2, 0}, b{x, y, 4, 2, rotation};
+        QCOMPARE(overlap(a, b), overlaps);
+        QCOMPARE(overlap(b, a), overlaps);
+    }
+
+    void strokesReachFromTheirPlaceOn()
+    {
+        const Dataset dataset = photographed(pathOf(*m_folder), scattered(3));
+        const auto stroke = footprintOf(dataset, at(Modality::Friction, 0, 10, 20, 90));
+        QCOMPARE(stroke->widthMm, 40.0);
+        QCOMPARE(stroke->yMm, 40.0);
+        QVERIFY(std::abs(stroke->xMm - 10) < 1e-9);
+    }
+
+private:
+    std::unique_ptr<QTemporaryDir> m_folder;
+};
+
+QTEST_GUILESS_MAIN(LocationSplitTest)
+#include "location_split_test.moc"

@@ -1,0 +1,196 @@
+// Image files are read back bit for bit, and damaged ones are refused by name.
+#include "rendering/images/image_io.h"
+
+#include <functional>
+
+#include "tests/rendering/fabric_files.h"
+#include "protocols/files/whole_file.h"
+
+using namespace fabric_files;
+using namespace rendering;
+
+namespace {
+
+bool sameBits(const cv::Mat& a, const cv::Mat& b)
+{
+    if (a.size() != b.size() || a.type() != b.type()) return false;
+    for (int row = 0; row < a.rows; ++row)
+        if (std::memcmp(a.ptr(row), b.ptr(row), std::size_t(a.cols) * a.elemSize()) != 0) return false;
+    return true;
+}
+
+cv::Mat wavyHeight(int rows, int columns)
+{
+    cv::Mat_<float> height(rows, columns);
+    for (int y = 0; y < rows; ++y)
+        for (int x = 0; x < columns; ++x) height(y, x) = 0.3f + 0.2f * std::sin(0.3f * float(x)) * std::cos(0.2f * float(y));
+    return height;
+}
+
+}  // namespace
+
+class ImageIoTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void pngComesBackBitForBit_data()
+    {
+        QTest::addColumn<int>("type");
+        QTest::newRow("8-bit grey") << int(CV_8UC1);
+        QTest::newRow("8-bit colour") << int(CV_8UC3);
+        QTest::newRow("16-bit grey") << int(CV_16UC1);
+        QTest::newRow("16-bit colour") << int(CV_16UC3);
+    }
+
+    void pngComesBackBitForBit()
+    {
+        QFETCH(int, type);
+        const cv::Mat image = speckled(33, 47, type);
+        const fs::path file = pathOf(m_folder) / "picture.png";
+        writePng(file, image);
+        QVERIFY(sameBits(readPng(file), image));
+        QVERIFY(sameBits(readImage(file), image));
+    }
+
+    void pngKeepsRedFirst()
+    {
+        const fs::path file = pathOf(m_folder) / "red.png";
+        writePng(file, cv::Mat(2, 2, CV_8UC3, cv::Scalar(200, 10, 30)));
+        QCOMPARE(int(readPng(file).at<cv::Vec3b>(0, 0)[0]), 200);
+        QCOMPARE(int(readPng(file).at<cv::Vec3b>(0, 0)[2]), 30);
+    }
+
+    void pngPalettesAndTransparencyAreUndone()
+    {
+        // One red pixel through a palette with a tRNS chunk: chunks packed by Python's struct and zlib.
+        const QByteArray bytes = QByteArray::fromHex(
+            "89504e470d0a1a0a0000000d494844520000000100000001080300000028cb34bb00000003504c5445ff000019e20937"
+            "0000000174524e5380ad5e5b460000000a49444154789c636000000002000148afa4710000000049454e44ae426082");
+        const fs::path file = pathOf(m_folder) / "palette.png";
+        write(file, bytes.toStdString());
+        const cv::Mat image = readPng(file);
+        QCOMPARE(image.type(), int(CV_8UC3));
+        QVERIFY(image.at<cv::Vec3b>(0, 0) == cv::Vec3b(255, 0, 0));
+    }
+
+    void tiffComesBackBitForBitAndWritingLeavesTheImageAlone()
+    {
+        const cv::Mat height = wavyHeight(31, 45), before = height.clone();
+        const fs::path file = pathOf(m_folder) / "height.tiff";
+        writeTiff(file, height);
+        QVERIFY(sameBits(height, before));
+        QVERIFY(sameBits(readTiff(file), height));
+    }
+
+    void npyComesBackBitForBit_data()
+    {
+        QTest::addColumn<int>("type");
+        for (const int type : {CV_32FC1, CV_64FC1, CV_8UC1, CV_16UC1, CV_8UC3}) QTest::addRow("type %d", type) << type;
+    }
+
+    void npyComesBackBitForBit()
+    {
+        QFETCH(int, type);
+        cv::Mat array;
+        speckled(7, 5, CV_8UC(CV_MAT_CN(type))).convertTo(array, CV_MAT_DEPTH(type), 1.25);
+        const fs::path file = pathOf(m_folder) / "array.npy";
+        writeNpy(file, array);
+        QVERIFY(sameBits(readNpy(file), array));
+        QCOMPARE(read(file).size() % 64, std::size_t(array.total() * array.elemSize()) % 64);
+    }
+
+    void npyIntegersBecomeDouble()
+    {
+        std::string header = "{'descr': '<i4', 'fortran_order': False, 'shape': (3,), }";
+        header.append(117 - header.size(), ' ');
+        header += '\n';
+        std::string bytes("\x93NUMPY\x01\x00", 8);
+        bytes += char(header.size());
+        bytes += '\0';
+        bytes += header;
+        for (const std::int32_t value : {-5, 0, 70000}) bytes.append(reinterpret_cast<const char*>(&value), 4);
+        const fs::path file = pathOf(m_folder) / "integers.npy";
+        write(file, bytes);
+        const cv::Mat array = readNpy(file);
+        QCOMPARE(array.type(), int(CV_64FC1));
+        QCOMPARE(array.rows, 1);
+        QCOMPARE(array.at<double>(0, 0), -5.0);
+        QCOMPARE(array.at<double>(0, 2), 70000.0);
+    }
+
+    void pgmFilesOfOneSizeHaveOneLength()
+    {
+        const fs::path flat = pathOf(m_folder) / "flat.pgm", busy = pathOf(m_folder) / "busy.pgm";
+        writePgm(flat, cv::Mat(20, 30, CV_8UC1, cv::Scalar(7)));
+        writePgm(busy, speckled(20, 30, CV_8UC1));
+        QCOMPARE(fs::file_size(flat), fs::file_size(busy));
+        QVERIFY(sameBits(readPgm(busy), speckled(20, 30, CV_8UC1)));
+        QVERIFY(read(flat).starts_with("P5\n30 20\n255\n"));
+    }
+
+    void damagedFilesAreRefusedByName_data()
+    {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<QByteArray>("bytes");
+        const fs::path folder = pathOf(m_folder);
+        writePng(folder / "whole.png", speckled(40, 40, CV_8UC3));
+        writeTiff(folder / "whole.tiff", wavyHeight(40, 40));
+        writeNpy(folder / "whole.npy", wavyHeight(8, 8));
+        writePgm(folder / "whole.pgm", speckled(8, 8, CV_8UC1));
+        for (const char* ending : {"png", "tiff", "npy", "pgm"}) {
+            const QByteArray whole = QByteArray::fromStdString(read(folder / (std::string("whole.") + ending)));
+            const QString name = QString("damaged.") + ending;
+            QTest::addRow("empty %s", ending) << name << QByteArray();
+            QTest::addRow("%s cut in its header", ending) << name << whole.left(9);
+            QTest::addRow("%s cut in the middle", ending) << name << whole.left(whole.size() / 2);
+            QTest::addRow("%s cut near its end", ending) << name << whole.left(whole.size() - 20);
+            QTest::addRow("%s of other bytes", ending) << name << QByteArray(500, 'x');
+        }
+        QByteArray huge = QByteArray::fromStdString(read(folder / "whole.png"));
+        huge.replace(16, 4, QByteArray("\x00\x10\x00\x00", 4));
+        QTest::newRow("png with a false width") << QString("damaged.png") << huge;
+        QByteArray promised = QByteArray::fromStdString(read(folder / "whole.npy"));
+        promised.replace("(8, 8)", "(9, 9)");
+        QTest::newRow("npy with a false shape") << QString("damaged.npy") << promised;
+        QByteArray turned = QByteArray::fromStdString(read(folder / "whole.npy"));
+        turned.replace("False", "True ");
+        QTest::newRow("npy in Fortran order") << QString("damaged.npy") << turned;
+        QByteArray swapped = QByteArray::fromStdString(read(folder / "whole.npy"));
+        swapped.replace("<f4", ">f4");
+        QTest::newRow("big-endian npy") << QString("damaged.npy") << swapped;
+    }
+
+    void damagedFilesAreRefusedByName()
+    {
+        QFETCH(QString, name);
+        QFETCH(QByteArray, bytes);
+        const fs::path file = pathOf(m_folder) / name.toStdString();
+        write(file, bytes.toStdString());
+        const std::string refusal = refusalOf([&] { readImage(file); });
+        QVERIFY2(contains(refusal, file.string()), refusal.c_str());
+    }
+
+    void missingFilesFoldersAndOtherEndingsAreRefused()
+    {
+        const fs::path folder = pathOf(m_folder);
+        QVERIFY(contains(refusalOf([&] { readImage(folder / "no.png"); }), "no.png"));
+        fs::create_directories(folder / "folder.png");
+        QVERIFY(contains(refusalOf([&] { readImage(folder / "folder.png"); }), "folder"));
+        QVERIFY(contains(refusalOf([&] { readImage(folder / "photo.xyz"); }), ".png"));
+    }
+
+    void writingWhereNothingCanBeWrittenIsAFaultOfTheEnvironment()
+    {
+        const fs::path file = pathOf(m_folder) / "no such folder" / "picture.png";
+        const auto refusal = refusalOf([&] { writePng(file, speckled(4, 4, CV_8UC1)); }, protocols::ExitCode::Environment);
+        QVERIFY2(contains(refusal, "picture.png") && !contains(refusal, "wrong exit code"), refusal.c_str());
+        const auto full = refusalOf([] { writeWholeFile("/dev/full/picture", "x"); }, protocols::ExitCode::Environment);
+        QVERIFY(!contains(full, "wrong exit code") && !full.empty());
+    }
+
+private:
+    QTemporaryDir m_folder;
+};
+
+QTEST_GUILESS_MAIN(ImageIoTest)
+#include "image_io_test.moc"

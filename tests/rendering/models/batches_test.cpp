@@ -1,0 +1,119 @@
+// What a batch holds: crops where they are expected, pairs that belong together.
+#include "rendering/models/networks/batches.h"
+#include "rendering/models/ring_spectrum.h"
+
+#include <QTest>
+
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include <cmath>
+
+using namespace rendering::models;
+
+namespace {
+
+/// Height and brightness fall along one line, so that a place can be read from either.
+TrainingData slopes(bool aligned)
+{
+    TrainingData data;
+    data.aligned = aligned;
+    data.architecture.crop = 32;
+    data.architecture.heightScaleMm = 1;
+    FabricSamples fabric;
+    for (int index = 0; index < 2; ++index) {
+        TrainingPhotograph photograph{index, cv::Mat(96, 96, CV_8UC3), 0};
+        TrainingHeight height{index, cv::Mat(96, 96, CV_32F), 0, std::vector<float>(ringCount, -5)};
+        for (int row = 0; row < 96; ++row)
+            for (int column = 0; column < 96; ++column) {
+                const int value = column + row;
+                photograph.rgb.at<cv::Vec3b>(row, column) = cv::Vec3b::all(static_cast<unsigned char>(value));
+                height.heightMm.at<float>(row, column) = static_cast<float>(value) / 255;
+            }
+        fabric.photographs.push_back(photograph);
+        fabric.heights.push_back(height);
+        fabric.strokes.push_back({index, {cv::Mat(data.architecture.rows, data.architecture.frames, CV_32F, cv::Scalar(index)), 0.3F}});
+    }
+    data.training = data.validation = {fabric};
+    return data;
+}
+
+}  // namespace
+
+class BatchesTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void turnedCropCopiesWholePixels()
+    {
+        const TrainingData data = slopes(false);
+        const cv::Mat& image = data.training[0].heights[0].heightMm;
+        const cv::Mat crop = turnedCrop(image, {47.5, 47.5}, 0, 32);
+        QVERIFY(cv::norm(crop, image({32, 32, 32, 32}), cv::NORM_INF) == 0);
+    }
+
+    void zoomedCropShowsMoreOfTheImage()
+    {
+        const TrainingData data = slopes(false);
+        const cv::Mat crop = turnedCrop(data.training[0].heights[0].heightMm, {47.5, 47.5}, 0, 32, 2);
+        QVERIFY(std::abs(crop.at<float>(16, 31) - crop.at<float>(16, 0) - 31 * 2 / 255.0F) < 0.01F);
+        QVERIFY(std::abs(cv::mean(crop)[0] - 95 / 255.0) < 0.01);
+    }
+
+    void alignedPairsShowOnePlace()
+    {
+        const TrainingData data = slopes(true);
+        protocols::Random random(5);
+        BatchWish wish;
+        wish.size = 6;
+        wish.augment = false;
+        wish.margin = 8;
+        const Batch batch = drawBatch(data, data.validation, wish, random);
+        QCOMPARE(batch.margin, 0);
+        const std::size_t plane = 32 * 32;
+        for (std::size_t i = 0; i < 6; ++i)
+            for (std::size_t pixel = 0; pixel < plane; ++pixel)
+                QVERIFY(std::abs(batch.photographs[i * 3 * plane + pixel] - batch.heights[i * plane + pixel]) < 1e-3F);
+    }
+
+    void zoomKeepsSlopes()
+    {
+        const TrainingData data = slopes(true);
+        protocols::Random random(6);
+        BatchWish wish;
+        wish.size = 40;
+        const Batch batch = drawBatch(data, data.training, wish, random);
+        const std::size_t plane = 32 * 32;
+        for (std::size_t i = 0; i < 40; ++i) {
+            const float* height = batch.heights.data() + i * plane;
+            // The slope of the plane, whatever its direction: away from mirrored borders the same in every crop.
+            const float right = (height[16 * 32 + 22] - height[16 * 32 + 10]) / 12, down = (height[22 * 32 + 16] - height[10 * 32 + 16]) / 12;
+            QVERIFY2(std::abs(std::hypot(right, down) - std::sqrt(2.0F) / 255) < 0.1F / 255, qPrintable(QString::number(std::hypot(right, down) * 255)));
+        }
+    }
+
+    void strokesAloneComeWithoutHeights()
+    {
+        const TrainingData data = slopes(false);
+        protocols::Random random(7);
+        BatchWish wish;
+        wish.heights = false;
+        const Batch batch = drawBatch(data, data.training, wish, random);
+        QVERIFY(batch.heights.empty() && batch.rings.empty());
+        QCOMPARE(batch.means.size(), std::size_t{8});
+    }
+
+    void weakPairsComeWithAMarginToBeRegisteredIn()
+    {
+        const TrainingData data = slopes(false);
+        protocols::Random random(8);
+        BatchWish wish;
+        wish.size = 2;
+        wish.margin = 12;
+        const Batch batch = drawBatch(data, data.training, wish, random);
+        QCOMPARE(batch.heights.size(), std::size_t{2 * 56 * 56});
+    }
+};
+
+QTEST_APPLESS_MAIN(BatchesTest)
+#include "batches_test.moc"

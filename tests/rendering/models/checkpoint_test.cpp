@@ -1,0 +1,80 @@
+// A training run killed while it writes its checkpoint, a hundred times.
+#include "rendering/fabrics/procedural/procedural_fabrics.h"
+#include "rendering/models/child_process.h"
+
+#include <QElapsedTimer>
+#include <QFile>
+#include <QProcess>
+#include <QRegularExpression>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QThread>
+
+#include <filesystem>
+
+using namespace rendering;
+
+class CheckpointTest : public QObject {
+    Q_OBJECT
+
+private:
+    QTemporaryDir m_folder;
+
+    QString text(const char* name) const { return m_folder.filePath(name); }
+
+    QStringList endlessRun() const
+    {
+        return {"train", text("fabrics"), "--out", text("model.pt"), "--steps", "1000000", "--crop", "32", "--channels", "2",
+                "--batch", "2", "--checkpoint-every", "1", "--validate-every", "1000000", "--validation-pairs", "2", "--threads", "1"};
+    }
+
+    /// Kills the run so many microseconds after its first checkpoint has begun to be written; what it had said.
+    QString killedWhileWriting(bool resume, int delayUs) const
+    {
+        QProcess run;
+        run.start(QString::fromStdString(models::generatorProgram().string()), resume ? endlessRun() << "--resume" : endlessRun());
+        const std::filesystem::path unfinished = (text("model.pt") + ".checkpoint.part").toStdString();
+        QElapsedTimer waited;
+        waited.start();
+        while (!std::filesystem::exists(unfinished) && waited.elapsed() < 60000 && run.state() != QProcess::NotRunning)
+            run.waitForReadyRead(0);
+        QThread::usleep(static_cast<unsigned long>(delayUs));
+        run.kill();
+        run.waitForFinished();
+        return run.readAllStandardOutput() + run.readAllStandardError();
+    }
+
+private Q_SLOTS:
+    void initTestCase()
+    {
+        for (const auto& [name, value] : models::missingThreadSettings())
+            qputenv(name.c_str(), QByteArray::fromStdString(value));
+        fabrics::ProceduralOptions options;
+        options.fabrics = 1;
+        options.samples = 4;
+        options.seed = 32;
+        fabrics::makeProceduralFabrics(text("fabrics").toStdString(), options);
+    }
+
+    void checkpointLoadsAfterAHundredKillsDuringItsWriting()
+    {
+        static const QRegularExpression resumed("resumed at step (\\d+)");
+        killedWhileWriting(false, 300000);
+        QVERIFY(QFile::exists(text("model.pt") + ".checkpoint"));
+        int last = 0, interrupted = 0;
+        for (int i = 0; i < 100; ++i) {
+            const QString output = killedWhileWriting(true, i * 37 % 1500);
+            const QRegularExpressionMatch match = resumed.match(output);
+            QVERIFY2(match.hasMatch(), qPrintable(QString("kill %1: %2").arg(i).arg(output)));
+            QVERIFY(match.captured(1).toInt() >= last);
+            last = match.captured(1).toInt();
+            interrupted += QFile::exists(text("model.pt") + ".checkpoint.part") ? 1 : 0;
+            QFile::remove(text("model.pt") + ".checkpoint.part");
+        }
+        QVERIFY2(last > 10, qPrintable(QString::number(last)));
+        QVERIFY2(interrupted > 30, qPrintable(QString("%1 of 100 kills fell into the writing").arg(interrupted)));
+    }
+};
+
+QTEST_GUILESS_MAIN(CheckpointTest)
+#include "checkpoint_test.moc"

@@ -1,0 +1,326 @@
+// Training by the real command on a tiny procedural data set.
+#include "protocols/files/sha256.h"
+#include "rendering/fabrics/dataset.h"
+#include "rendering/fabrics/location_split.h"
+#include "rendering/fabrics/procedural/procedural_fabrics.h"
+#include "rendering/models/child_process.h"
+#include "rendering/models/model_card.h"
+#include "rendering/signals/calibration.h"
+#include "tests/rendering/spoilt_archive.h"
+
+#include <QDir>
+#include <QElapsedTimer>
+#include <QFile>
+#include <QProcess>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <set>
+
+using namespace rendering;
+using fabrics::Part;
+
+namespace {
+
+struct Outcome {
+    int exitCode = 0;
+    QString output, errors;
+};
+
+QString program() { return QString::fromStdString(models::generatorProgram().string()); }
+
+Outcome run(const QStringList& arguments)
+{
+    QProcess process;
+    process.start(program(), arguments);
+    process.waitForFinished(300000);
+    return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1, process.readAllStandardOutput(),
+            process.readAllStandardError()};
+}
+
+}  // namespace
+
+class TrainingTest : public QObject {
+    Q_OBJECT
+
+private:
+    QTemporaryDir m_folder;
+
+    std::filesystem::path at(const char* name) const { return std::filesystem::path(m_folder.path().toStdString()) / name; }
+    QString text(const char* name) const { return m_folder.filePath(name); }
+
+    /// A run small enough for a test: 64 px crops, narrow networks.
+    QStringList smallRun(const char* out, int steps) const
+    {
+        return {"train", text("fabrics"), "--out", text(out), "--steps", QString::number(steps), "--crop", "64", "--channels", "4",
+                "--batch", "3", "--seed", "5", "--checkpoint-every", "4", "--validation-pairs", "12", "--threads", "1"};
+    }
+
+    /// Kills a run of 24 steps as soon as its first checkpoint is there.
+    void breakOffAtFirstCheckpoint(const char* out) const
+    {
+        QProcess broken;
+        broken.start(program(), smallRun(out, 24));
+        const QString checkpoint = text(out) + ".checkpoint";
+        QElapsedTimer waited;
+        waited.start();
+        while (!QFile::exists(checkpoint) && waited.elapsed() < 120000)
+            QTest::qWait(2);
+        broken.kill();
+        broken.waitForFinished();
+        QVERIFY(QFile::exists(checkpoint));
+        QVERIFY2(!QFile::exists(text(out)), "the run ended before it could be broken off");
+    }
+
+private Q_SLOTS:
+    void initTestCase()
+    {
+        for (const auto& [name, value] : models::missingThreadSettings())
+            qputenv(name.c_str(), QByteArray::fromStdString(value));  // else each run starts twice, to set it
+        fabrics::ProceduralOptions options;
+        options.fabrics = 3;
+        options.samples = 10;
+        options.seed = 31;
+        fabrics::makeProceduralFabrics(at("fabrics"), options);
+    }
+
+    void trainingFromScratchLowersTheValidationDistances()
+    {
+        const Outcome outcome = run(smallRun("model.pt", 160));
+        QVERIFY2(outcome.exitCode == 0, qPrintable(outcome.errors));
+        QVERIFY(outcome.output.contains("step 160"));
+        QVERIFY(outcome.output.contains("left"));
+        const models::ModelCardFields card = models::readModelCardFields(at("model.pt"));
+        QCOMPARE(card.steps, 160);
+        const std::map<const char*, double> shares{{"distance", 0.8},     {"mean_friction_relative_error", 0.8},
+                                                   {"height_l1_mm", 0.95}, {"log_ratio_l1", 0.95}};
+        for (const auto& [figure, share] : shares) {
+            const double before = card.validation.at("before").at(figure).at("generated").get<double>();
+            const double after = card.validation.at("after").at(figure).at("generated").get<double>();
+            QVERIFY2(after < share * before, qPrintable(QString("%1: %2 -> %3").arg(figure).arg(before).arg(after)));
+        }
+        // What is remembered for use: the rings of three fabrics, and how friction goes with texture.
+        QCOMPARE(card.photographs->fabricRings.size(), std::size_t{3});
+        QCOMPARE(card.photographs->fabricOf.size(), card.photographs->nearest.size());
+        QVERIFY(card.frictionByTexture && card.frictionByTexture->lowest < card.frictionByTexture->highest);
+        const fabrics::Dataset dataset = fabrics::readDataset(at("fabrics"));
+        QCOMPARE(card.architecture.zeroPercentile, signals::readCalibration(dataset.folder / dataset.tactileCalibration).zeroPercentile);
+        QVERIFY(!std::filesystem::exists(at("model.pt.checkpoint")));
+        QVERIFY(std::filesystem::file_size(at("model.pt")) < (4U << 20U));
+    }
+
+    void cardNamesTheFilesTrainedOnAndNoOthers()
+    {
+        const models::ModelCard card = models::readModelCard(at("model.pt"));
+        const fabrics::Dataset dataset = fabrics::readDataset(at("fabrics"));
+        std::vector<std::string> expected;
+        std::set<std::string> others;
+        for (const auto& [place, part] : fabrics::splitByLocation(dataset, 1)) {
+            const std::string hash = protocols::sha256OfFile(fabrics::samplePath(dataset, place.fabric, place.modality, place.index));
+            if (part == Part::Training)
+                expected.push_back(hash);
+            else
+                others.insert(hash);
+        }
+        std::sort(expected.begin(), expected.end());
+        QVERIFY(others.size() >= 9);
+        QCOMPARE(card.trainingSampleHashes, expected);
+        for (const std::string& hash : card.trainingSampleHashes)
+            QVERIFY(!others.contains(hash));
+        QVERIFY(card.trainedOnProceduralSet);
+        QCOMPARE(card.sha256, protocols::sha256OfFile(at("model.pt")));
+        QVERIFY(card.trainingCommand.starts_with("vis2hap train "));
+    }
+
+    void heldOutFabricLeavesNoTrace()
+    {
+        const Outcome outcome = run(smallRun("held.pt", 1) << "--hold-out" << "F02,F03");
+        QVERIFY2(outcome.exitCode == 0, qPrintable(outcome.errors));
+        const models::ModelCardFields card = models::readModelCardFields(at("held.pt"));
+        QCOMPARE(card.heldOut, (std::vector<std::string>{"F02", "F03"}));
+        QCOMPARE(card.photographs->fabricRings.size(), std::size_t{1});
+        const fabrics::Dataset dataset = fabrics::readDataset(at("fabrics"));
+        for (const char* fabric : {"F02", "F03"})
+            for (const fabrics::Modality modality :
+                 {fabrics::Modality::Visual, fabrics::Modality::Tactile, fabrics::Modality::Friction})
+                for (const int index : fabrics::sampleIndices(dataset, protocols::FabricId(fabric), modality)) {
+                    const std::string hash =
+                        protocols::sha256OfFile(fabrics::samplePath(dataset, protocols::FabricId(fabric), modality, index));
+                    QVERIFY(!std::ranges::binary_search(card.told.trainingSampleHashes, hash));
+                }
+    }
+
+    void resumedRunEqualsTheUnbrokenOne()
+    {
+        QCOMPARE(run(smallRun("whole.pt", 24)).exitCode, 0);
+        breakOffAtFirstCheckpoint("broken.pt");
+        const Outcome resumed = run(smallRun("broken.pt", 24) << "--resume");
+        QVERIFY2(resumed.exitCode == 0, qPrintable(resumed.errors));
+        QVERIFY(resumed.output.contains("resumed at step"));
+        QCOMPARE(protocols::sha256OfFile(at("broken.pt")), protocols::sha256OfFile(at("whole.pt")));
+        for (const char* file : {"losses.csv", "validation.csv", "curves.svg"})
+            QCOMPARE(protocols::sha256OfFile(at("broken.pt.log") / file), protocols::sha256OfFile(at("whole.pt.log") / file));
+    }
+
+    void anotherSeedGivesOtherWeights()
+    {
+        QStringList other = smallRun("other.pt", 24);
+        other[other.indexOf("--seed") + 1] = "6";
+        QCOMPARE(run(other).exitCode, 0);
+        QVERIFY(protocols::sha256OfFile(at("other.pt")) != protocols::sha256OfFile(at("whole.pt")));
+    }
+
+    void wildLearningRateStopsTheRunAndWritesNothing()
+    {
+        const Outcome outcome = run(smallRun("wild.pt", 40) << "--learning-rate" << "1e30");
+        QCOMPARE(outcome.exitCode, 1);
+        QCOMPARE(outcome.errors.trimmed().count('\n'), 0);
+        QVERIFY2(outcome.errors.contains("no longer a number"), qPrintable(outcome.errors));
+        QVERIFY(!QFile::exists(text("wild.pt.checkpoint")));
+        QVERIFY(!QFile::exists(text("wild.pt")));
+    }
+
+    void brokenLossKeepsTheCheckpointBeforeIt()
+    {
+        breakOffAtFirstCheckpoint("nan.pt");
+        std::ifstream stream(at("nan.pt.checkpoint"), std::ios::binary);
+        const std::string spoilt =
+            support::withNumbersSpoilt({std::istreambuf_iterator<char>(stream), {}}, std::string("\x00\x00\xC0\x7F", 4));
+        std::ofstream(at("nan.pt.checkpoint"), std::ios::binary) << spoilt;
+        const Outcome outcome = run(smallRun("nan.pt", 24) << "--resume");
+        QCOMPARE(outcome.exitCode, 1);
+        QCOMPARE(outcome.errors.trimmed().count('\n'), 0);
+        QVERIFY2(outcome.errors.contains("no longer a number") && outcome.errors.contains("nan.pt.checkpoint"),
+                 qPrintable(outcome.errors));
+        QCOMPARE(protocols::sha256OfFile(at("nan.pt.checkpoint")), protocols::sha256(spoilt));
+        QVERIFY(!QFile::exists(text("nan.pt")));
+    }
+
+    void referenceLossesTrainToo()
+    {
+        QCOMPARE(run(smallRun("reference.pt", 2) << "--reference").exitCode, 0);
+        const models::ModelCardFields card = models::readModelCardFields(at("reference.pt"));
+        QCOMPARE(card.objective, std::string("reference"));
+        QVERIFY(card.photographs->fabricRings.empty() && !card.frictionByTexture);  // the paper's networks stand alone
+    }
+
+    void controlByL1TrainsWithoutADiscriminator()
+    {
+        const Outcome outcome = run(smallRun("l1.pt", 2) << "--l1-only");
+        QCOMPARE(outcome.exitCode, 0);
+        QVERIFY2(outcome.output.contains("D 0.0 "), qPrintable(outcome.output));
+        QCOMPARE(models::readModelCardFields(at("l1.pt")).objective, std::string("l1-only"));
+    }
+
+    void splitAfterAugmentationLeavesNothingUnseen()
+    {
+        QCOMPARE(run(smallRun("augmented.pt", 1) << "--split" << "augmented").exitCode, 0);
+        const models::ModelCardFields card = models::readModelCardFields(at("augmented.pt"));
+        QCOMPARE(card.split, std::string("augmented"));
+        const fabrics::Dataset dataset = fabrics::readDataset(at("fabrics"));
+        QCOMPARE(card.told.trainingSampleHashes.size(), fabrics::splitBySample(dataset, 1).size());
+    }
+
+    void trainingStopsWhereValidationNoLongerImproves()
+    {
+        QStringList call = smallRun("early.pt", 400);
+        call << "--validate-every" << "1" << "--patience" << "1" << "--learning-rate" << "0.05";
+        const Outcome outcome = run(call);
+        QVERIFY2(outcome.exitCode == 0, qPrintable(outcome.errors));
+        const models::ModelCardFields card = models::readModelCardFields(at("early.pt"));
+        QVERIFY2(card.steps < 400, qPrintable(QString::number(card.steps)));
+        QCOMPARE(card.bestStep, card.steps - 1);
+    }
+
+    void logShowsTheLossesAndPicturesOfTheRun()
+    {
+        const QDir log(text("model.pt.log"));
+        QCOMPARE(log.entryList({"losses.csv", "validation.csv", "curves.svg", "samples-*.png"}, QDir::Files).size(), 4);
+        QFile losses(log.filePath("losses.csv"));
+        QVERIFY(losses.open(QIODevice::ReadOnly));
+        QCOMPARE(losses.readAll().trimmed().count('\n'), 16);  // a header, then every tenth of 160 steps
+    }
+
+    void minutesEndTheRunInTime()
+    {
+        QStringList brief = smallRun("brief.pt", 1);
+        const auto steps = brief.indexOf("--steps");
+        brief[steps] = "--minutes";
+        brief[steps + 1] = "0.02";
+        QCOMPARE(run(brief).exitCode, 0);
+        const models::ModelCardFields card = models::readModelCardFields(at("brief.pt"));
+        QVERIFY(card.steps >= 1);
+        QVERIFY(card.trainingMinutes < 0.5);
+    }
+
+    void wrongCallsAreRefusedInOneLine_data()
+    {
+        QTest::addColumn<QStringList>("arguments");
+        QTest::addColumn<int>("exitCode");
+        QTest::addColumn<QString>("named");
+        const QString fabrics = text("fabrics"), out = text("no.pt");
+        QTest::newRow("no data set") << QStringList{"train", text("nowhere"), "--out", out} << 2 << "nowhere";
+        QTest::newRow("no --out") << QStringList{"train", fabrics} << 2 << "--out";
+        QTest::newRow("unknown option") << QStringList{"train", fabrics, "--out", out, "--stepz", "3"} << 2 << "--stepz";
+        QTest::newRow("steps and minutes") << QStringList{"train", fabrics, "--out", out, "--steps", "3", "--minutes", "1"} << 2
+                                           << "--minutes";
+        QTest::newRow("no steps") << QStringList{"train", fabrics, "--out", out, "--steps", "0"} << 2 << "--steps";
+        QTest::newRow("odd crop") << QStringList{"train", fabrics, "--out", out, "--steps", "1", "--crop", "50"} << 2 << "--crop";
+        QTest::newRow("unknown split") << QStringList{"train", fabrics, "--out", out, "--split", "weather"} << 2 << "--split";
+        QTest::newRow("two kinds of losses") << QStringList{"train", fabrics, "--out", out, "--reference", "--l1-only"} << 2
+                                             << "--l1-only";
+        QTest::newRow("unknown fabric") << QStringList{"train", fabrics, "--out", out, "--steps", "1", "--hold-out", "F77"} << 2
+                                        << "F77";
+        QTest::newRow("nothing left") << QStringList{"train", fabrics, "--out", out, "--steps", "1", "--hold-out", "F01,F02,F03"}
+                                      << 2 << "held out";
+        QTest::newRow("nothing to resume") << QStringList{"train", fabrics, "--out", out, "--steps", "1", "--resume"} << 2
+                                           << "no checkpoint";
+        QTest::newRow("no folder for the weights")
+            << QStringList{"train", fabrics, "--out", text("none/no.pt"), "--steps", "1", "--crop", "64"} << 3 << "none/no.pt";
+        QTest::newRow("a folder for the weights") << QStringList{"train", fabrics, "--out", text("fabrics"), "--steps", "1"} << 2
+                                                  << "fabrics";
+    }
+
+    void wrongCallsAreRefusedInOneLine()
+    {
+        QFETCH(QStringList, arguments);
+        QFETCH(int, exitCode);
+        QFETCH(QString, named);
+        const Outcome outcome = run(arguments);
+        QCOMPARE(outcome.exitCode, exitCode);
+        QCOMPARE(outcome.errors.trimmed().count('\n'), 0);
+        QVERIFY2(outcome.errors.contains(named), qPrintable(outcome.errors));
+        QVERIFY(!QFile::exists(text("no.pt")));
+    }
+
+    void dataSetWithoutFrictionIsRefusedByName()
+    {
+        std::filesystem::copy(at("fabrics"), at("untouched"), std::filesystem::copy_options::recursive);
+        for (const char* fabric : {"F01", "F02", "F03"})
+            std::filesystem::remove_all(at("untouched") / fabric / "friction");
+        const Outcome outcome = run({"train", text("untouched"), "--out", text("no.pt"), "--steps", "1"});
+        QCOMPARE(outcome.exitCode, 2);
+        QVERIFY2(outcome.errors.contains("friction"), qPrintable(outcome.errors));
+    }
+
+    void checkpointOfAnotherRunIsRefused()
+    {
+        std::filesystem::copy_file(at("nan.pt.checkpoint"), at("tame.pt.checkpoint"));
+        const Outcome outcome = run(smallRun("tame.pt", 3) << "--resume");
+        QCOMPARE(outcome.exitCode, 2);
+        QVERIFY2(outcome.errors.contains("another data set or other options"), qPrintable(outcome.errors));
+        std::filesystem::resize_file(at("tame.pt.checkpoint"), 1000);
+        const Outcome damaged = run(smallRun("tame.pt", 3) << "--resume");
+        QCOMPARE(damaged.exitCode, 2);
+        QCOMPARE(damaged.errors.trimmed().count('\n'), 0);
+    }
+};
+
+QTEST_GUILESS_MAIN(TrainingTest)
+#include "training_test.moc"

@@ -1,0 +1,172 @@
+// Weights files and model cards that cannot be used are refused in one line; the shipped ones load.
+#include "protocols/files/errors.h"
+#include "protocols/files/sha256.h"
+#include "rendering/models/generation.h"
+#include "rendering/models/model_card.h"
+#include "tests/rendering/spoilt_archive.h"
+
+#include <opencv2/core.hpp>
+
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+using namespace rendering;
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string bytesOf(const fs::path& file)
+{
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+void write(const fs::path& file, const std::string& bytes) { std::ofstream(file, std::ios::binary) << bytes; }
+
+}  // namespace
+
+class WeightsTest : public QObject {
+    Q_OBJECT
+
+private:
+    QTemporaryDir m_folder;
+
+    fs::path model() const { return fs::path(m_folder.path().toStdString()) / "model.pt"; }
+
+    QString faultOfGenerating() const
+    {
+        const models::PhotographToTouch photograph{cv::Mat(64, 64, CV_8UC3, cv::Scalar::all(100)), std::nullopt};
+        models::GenerationOptions options;
+        options.model = model();
+        options.quality = models::Quality::Fast;
+        try {
+            models::generate(std::span(&photograph, 1), options);
+        } catch (const protocols::Error& fault) {
+            return QString::number(static_cast<int>(fault.exitCode())) + " " + fault.what();
+        }
+        return "0";
+    }
+
+    /// The card of the shipped weights as it would be for other bytes.
+    void writeCardFor(const std::string& weights)
+    {
+        models::ModelCardFields card = models::readModelCardFields(models::shippedModel());
+        card.told.sha256 = protocols::sha256(weights);
+        write(models::cardOf(model()), models::cardText(card));
+    }
+
+private Q_SLOTS:
+    void init()
+    {
+        fs::copy_file(models::shippedModel(), model(), fs::copy_options::overwrite_existing);
+        fs::copy_file(models::cardOf(models::shippedModel()), models::cardOf(model()), fs::copy_options::overwrite_existing);
+    }
+
+    void shippedWeightsLoad()
+    {
+        QCOMPARE(faultOfGenerating(), "0");
+        QVERIFY(fs::file_size(models::shippedModel()) + fs::file_size(models::cardOf(models::shippedModel())) < (4U << 20U));
+    }
+
+    void shippedCardSaysWhatItRestsOn()
+    {
+        const models::ModelCardFields card = models::readModelCardFields(models::shippedModel());
+        QVERIFY(card.told.trainedOnProceduralSet);
+        QVERIFY(card.told.trainingCommand.find("train") != std::string::npos);
+        QVERIFY(card.told.trainingSampleHashes.size() > 1000);
+        QVERIFY(std::ranges::is_sorted(card.told.trainingSampleHashes));
+        for (const std::string& hash : card.told.trainingSampleHashes)
+            QCOMPARE(hash.size(), std::size_t{64});
+        QVERIFY(card.photographs && card.photographs->fabricRings.size() == 15 && card.frictionByTexture);
+        const auto& after = card.validation.at("after");
+        QVERIFY(after.at("mean_friction_relative_error").at("generated").get<double>() < 0.1);
+    }
+
+    void cardsWithoutMemoryAreEnough()
+    {
+        models::ModelCardFields card = models::readModelCardFields(models::shippedModel());
+        card.photographs.reset();
+        card.frictionByTexture.reset();
+        write(models::cardOf(model()), models::cardText(card));
+        QCOMPARE(faultOfGenerating(), "0");
+    }
+
+    void cardIsReadBackAsWritten()
+    {
+        const models::ModelCardFields card = models::readModelCardFields(models::shippedModel());
+        QCOMPARE(QString::fromStdString(models::cardText(card)), QString::fromStdString(bytesOf(models::cardOf(models::shippedModel()))));
+    }
+
+    void unusableWeightsAreRefused_data()
+    {
+        QTest::addColumn<QString>("harm");
+        for (const char* harm : {"truncated", "truncated, card fits", "empty, card fits", "no archive, card fits", "not finite",
+                                 "altered byte", "missing", "card missing", "card of another schema", "card no JSON",
+                                 "card of other networks", "card with absurd sizes",
+                                 "card with nonsense on photographs", "card with nonsense on friction", "card with a hollow zero"})
+            QTest::newRow(harm) << harm;
+    }
+
+    void unusableWeightsAreRefused()
+    {
+        QFETCH(QString, harm);
+        const std::string whole = bytesOf(model()), card = bytesOf(models::cardOf(model()));
+        std::string bytes = whole;
+        if (harm.startsWith("truncated"))
+            bytes.resize(bytes.size() / 2);
+        else if (harm.startsWith("empty"))
+            bytes.clear();
+        else if (harm.startsWith("no archive"))
+            bytes = "these are no weights";
+        else if (harm == "not finite")
+            bytes = support::withNumbersSpoilt(bytes, std::string("\x00\x7E", 2));
+        else if (harm == "altered byte")
+            bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 1);
+        write(model(), bytes);
+        if (harm.endsWith("card fits") || harm == "not finite")
+            writeCardFor(bytes);
+        else if (harm == "missing")
+            fs::remove(model());
+        else if (harm == "card missing")
+            fs::remove(models::cardOf(model()));
+        else if (harm == "card no JSON")
+            write(models::cardOf(model()), card.substr(0, card.size() / 3));
+        else if (harm == "card with nonsense on photographs")
+            write(models::cardOf(model()), std::string(card).replace(card.find("\"threshold\""), 11, "\"nonsense_\""));
+        else if (harm.startsWith("card"))
+            alterCard(harm, card);
+        const QString fault = faultOfGenerating();
+        QVERIFY2(fault.startsWith("2 ") && fault.contains("model.pt") && !fault.contains('\n'), qPrintable(fault));
+        if (harm == "not finite")
+            QVERIFY2(fault.contains("not finite"), qPrintable(fault));
+    }
+
+private:
+    void alterCard(const QString& harm, std::string card)
+    {
+        const auto replace = [&](const std::string& what, const std::string& with) {
+            const std::size_t at = card.find(what);
+            QVERIFY(at != std::string::npos);
+            card.replace(at, what.size(), with);
+        };
+        if (harm == "card of another schema")
+            replace("vis2hap.model/2", "vis2hap.model/9");
+        else if (harm == "card with nonsense on friction")
+            replace("\"coefficients_sd\"", "\"coefficients_xx\"");
+        else if (harm == "card with a hollow zero")
+            replace("\"zero_percentile\": 1.0", "\"zero_percentile\": 80.0");
+        else if (harm == "card of other networks")
+            replace("\"base_channels\": 16", "\"base_channels\": 24");
+        else
+            replace("\"base_channels\": 16", "\"base_channels\": 99999");
+        write(models::cardOf(model()), card);
+    }
+};
+
+QTEST_GUILESS_MAIN(WeightsTest)
+#include "weights_test.moc"

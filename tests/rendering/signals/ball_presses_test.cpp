@@ -1,0 +1,184 @@
+// A sensor calibrated by pressing a ball: the circles come out of the pictures, faults of the recording are named, and the
+// calibration reads presses that it has not seen.
+#include "rendering/signals/ball_presses.h"
+
+#include <QTest>
+#include <numeric>
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "tests/rendering/refusal.h"
+#include "rendering/signals/press_folder.h"
+#include "rendering/signals/photometric_stereo.h"
+#include "tests/rendering/shared_data.h"
+#include "tests/rendering/simulated_presses.h"
+
+using namespace rendering::signals;
+
+class BallPressesTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void circlesAreFoundWithoutAnyAnnotation()
+    {
+        const auto made = tests::simulatedPresses(12);
+        const auto located = locate(made.presses);
+        for (std::size_t i = 0; i < made.centres.size(); ++i) {
+            const auto off = located.circles[i].centrePx - made.centres[i];
+            QVERIFY2(std::hypot(off.x, off.y) < 0.5, qPrintable(QString("press %1: %2 px").arg(i).arg(std::hypot(off.x, off.y))));
+            QVERIFY(located.circles[i].explained > 0.9);
+        }
+        QVERIFY2(std::abs(located.contactPx - made.contactPx) < 0.75, qPrintable(QString::number(located.contactPx)));
+    }
+
+    void pressesOfUnlikeDepthKeepTheirOwnRadii()
+    {
+        auto made = tests::simulatedPresses(12, 13);
+        const auto shallow = tests::simulatedPresses(12, 9);
+        for (std::size_t i = 0; i < 6; ++i) made.presses.presses[i] = shallow.presses.presses[i];
+        const auto located = locate(made.presses);
+        for (std::size_t i = 0; i < 12; ++i)
+            QVERIFY2(std::abs(located.circles[i].radiusPx - (i < 6 ? 9 : 13)) < 1.2, qPrintable(QString::number(located.circles[i].radiusPx)));
+    }
+
+    void calibrationReadsPressesItHasNotSeen_data()
+    {
+        QTest::addColumn<int>("quality");
+        QTest::addColumn<double>("degrees");
+        QTest::addColumn<double>("depthMm");
+        QTest::newRow("fast") << int(MapQuality::Fast) << 9.0 << 0.1;
+        QTest::newRow("balanced") << int(MapQuality::Balanced) << 2.5 << 0.05;
+        QTest::newRow("accurate") << int(MapQuality::Accurate) << 4.0 << 0.08;
+    }
+    void calibrationReadsPressesItHasNotSeen()
+    {
+        QFETCH(int, quality);
+        QFETCH(double, degrees);
+        QFETCH(double, depthMm);
+        const auto made = tests::simulatedPresses(12);
+        const auto located = locate(made.presses);
+        const auto score = crossValidated(made.presses, located.circles, MapQuality(quality));
+        QCOMPARE(score.presses.size(), std::size_t(12));
+        qInfo("%.2f degrees, %.3f mm, peak %.2f of %.2f mm", score.normalErrorDeg, score.depthErrorMm, score.peakMm, score.ballPeakMm);
+        QVERIFY(score.normalErrorDeg < degrees);
+        QVERIFY(score.depthErrorMm < depthMm);
+        QVERIFY(std::abs(score.peakMm - score.ballPeakMm) < 0.15);
+        QVERIFY2(score.peakOverGelMm > score.peakMm + 0.2, "the gel's bridge lifts the ball above its edge of contact");
+    }
+
+    void untouchedSensorIsFlat_data()
+    {
+        QTest::addColumn<int>("quality");
+        QTest::newRow("balanced") << int(MapQuality::Balanced);
+        QTest::newRow("accurate") << int(MapQuality::Accurate);
+    }
+    void untouchedSensorIsFlat()
+    {
+        QFETCH(int, quality);
+        const auto made = tests::simulatedPresses(10);
+        const auto located = locate(made.presses);
+        std::vector<std::size_t> all(10);
+        std::iota(all.begin(), all.end(), 0);
+        auto calibration = calibrationFrom(made.presses, located.circles, all, MapQuality(quality));
+        calibration.highPassCutoffMm.reset();
+        const cv::Mat height = heightFromFrame(made.presses.background, made.presses.background, calibration);
+        QVERIFY2(cv::norm(height, cv::NORM_INF) < 1e-6, qPrintable(QString::number(cv::norm(height, cv::NORM_INF))));
+    }
+
+    void furtherPressesAreFoundUnderTheModelOfTheFirst()
+    {
+        const auto first = tests::simulatedPresses(10);
+        auto further = tests::simulatedPresses(13);
+        further.presses.presses.erase(further.presses.presses.begin(), further.presses.presses.begin() + 9);
+        const auto located = locate(first.presses);
+        const auto circles = locate(further.presses, located);
+        QCOMPARE(circles.size(), std::size_t(4));
+        for (std::size_t i = 0; i < circles.size(); ++i) {
+            const auto off = circles[i].centrePx - further.centres[9 + i];
+            QVERIFY(std::hypot(off.x, off.y) < 0.7);
+        }
+    }
+
+    void tooFewPressesAreRefused()
+    {
+        const auto refusal = refusalOf([] { locate(tests::simulatedPresses(4).presses); });
+        QVERIFY2(refusal.contains("only 4 presses") && refusal.contains("5 at least"), qPrintable(refusal));
+    }
+
+    void swappedChannelsAreNamed()
+    {
+        auto made = tests::simulatedPresses(6);
+        cv::Mat other(made.presses.background.size(), CV_8UC3, cv::Scalar(60, 0, 0));  // a sensor whose red and blue are far apart
+        made.presses.background += other;
+        for (auto& press : made.presses.presses) press.frame += other;
+        cv::cvtColor(made.presses.background, made.presses.background, cv::COLOR_RGB2BGR);
+        const auto refusal = refusalOf([&] { locate(made.presses); });
+        QVERIFY2(refusal.contains("red and blue swapped") && refusal.contains("press_0.png"), qPrintable(refusal));
+    }
+
+    void anotherSensorsBackgroundIsNamed()
+    {
+        auto made = tests::simulatedPresses(6);
+        made.presses.background = made.presses.background * 0.6;
+        const auto refusal = refusalOf([&] { locate(made.presses); });
+        QVERIFY2(refusal.contains("differs from the background"), qPrintable(refusal));
+    }
+
+    void framesWithoutABallAreNamed()
+    {
+        auto made = tests::simulatedPresses(6);
+        protocols::Random random(3);
+        for (auto& value : cv::Mat_<cv::Vec3b>(made.presses.presses[4].frame = made.presses.background.clone()))
+            for (int c = 0; c < 3; ++c) value[c] = cv::saturate_cast<uchar>(value[c] + 2 * random.normal());
+        const auto refusal = refusalOf([&] { locate(made.presses); });
+        QVERIFY2(refusal.contains("no ball is seen in press_4.png"), qPrintable(refusal));
+    }
+
+    void aBallThatCannotBeInTheFrameIsRefused()
+    {
+        auto made = tests::simulatedPresses(6);
+        made.presses.mmPerPixel = 0.001;
+        QVERIFY(refusalOf([&] { locate(made.presses); }).contains("pixels radius"));
+        made.presses.mmPerPixel = 0;
+        QVERIFY(refusalOf([&] { locate(made.presses); }).contains("not a length"));
+    }
+
+    void contactIsSeenInTheFrameItself()
+    {
+        const auto made = tests::simulatedPresses(12);
+        const auto located = locate(made.presses);
+        std::vector<std::size_t> all(12);
+        std::iota(all.begin(), all.end(), 0);
+        const auto calibration = calibrationFrom(made.presses, located.circles, all, MapQuality::Balanced);
+        const auto& frame = made.presses.presses[3].frame;
+        QVERIFY(hasOutside(lightOf(frame, made.presses.background, calibration.light)));
+        const auto slopes = slopesFromFrame(frame, made.presses.background, calibration);
+        const Pitch pitch{0.125, 0.125};
+        const cv::Mat calm = (cv::abs(slopes.x) < 0.05) & (cv::abs(slopes.y) < 0.05);
+        const cv::Mat contact = contactOf(withoutTilt(integrate(slopes, pitch), calm), slopes);
+        const double radius = std::sqrt(cv::countNonZero(contact) / CV_PI);
+        QVERIFY2(std::abs(radius - 13) < 1.5, qPrintable(QString::number(radius)));
+        double top = 0;
+        const cv::Mat height = heightInContact(slopes, contact, pitch);
+        cv::minMaxLoc(height, nullptr, &top);
+        QVERIFY2(std::abs(top - (2 - std::sqrt(4 - 1.625 * 1.625))) < 0.2, qPrintable(QString::number(top)));
+        QCOMPARE(cv::norm(height, cv::NORM_INF, contact == 0), 0.0);
+    }
+
+    /// Kept here so that a change of the method is seen; `vis2hap bench signals --data` prints the figures.
+    void realPressesAreReadAsWellAsReported()
+    {
+        const auto folder = sharedData("taxim_gelsight");
+        if (!std::filesystem::exists(folder)) QSKIP("the shared ball presses are not there");
+        const auto presses = rendering::readBallPresses(folder, 2.0, 0.1245);
+        const auto located = locate(presses);
+        const auto score = crossValidated(presses, located.circles, MapQuality::Balanced);
+        qInfo("%.2f degrees, %.4f mm in contact, peak %.2f mm (%.2f to %.2f), contact %.1f px", score.normalErrorDeg, score.depthErrorMm, score.peakMm,
+              score.lowestPeakMm, score.highestPeakMm, located.contactPx);
+        QVERIFY(score.normalErrorDeg <= 6);
+        QVERIFY(score.depthErrorMm <= 0.08);
+        QVERIFY(std::abs(score.peakMm - 1) <= 0.15);
+    }
+};
+
+QTEST_GUILESS_MAIN(BallPressesTest)
+#include "ball_presses_test.moc"

@@ -1,1 +1,0 @@
-vis2hap_test(study analyse_test LINK study_commands)

@@ -1,0 +1,162 @@
+// What a script sends to `vis2hap analyse` and what comes back: formulas, recipes, refusals.
+#include "study/analyse/analyse.h"
+
+#include <QtTest>
+
+#include "study/analyse/analyse_formula.h"
+#include "study/analyse/analyse_inputs.h"
+#include "study/analyse/analyse_recipe.h"
+
+namespace {
+
+using nlohmann::json;
+using study::commands::answerOf;
+using study::commands::arraysOfRecipe;
+using study::commands::valueOfFormula;
+
+json answerTo(const char* analysis, const json& inputs, const json& options = json::object())
+{
+    return answerOf({{"id", "one"}, {"analysis", analysis}, {"inputs", inputs}, {"options", options}}, ".");
+}
+
+bool saysError(const json& answer, const QString& words)
+{
+    return answer.size() == 1 && answer.contains("error") &&
+           QString::fromStdString(answer["error"].get<std::string>()).contains(words);
+}
+
+}  // namespace
+
+class AnalyseTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void formulasAreArithmetic_data()
+    {
+        QTest::addColumn<QString>("formula");
+        QTest::addColumn<double>("value");
+        QTest::newRow("fraction") << "1/3" << 1.0 / 3;
+        QTest::newRow("root") << "sqrt(2)/2" << std::sqrt(2.0) / 2;
+        QTest::newRow("number") << "0.707" << 0.707;
+        QTest::newRow("exponent") << "-2.5e-3" << -2.5e-3;
+        QTest::newRow("precedence") << "1 + 2*3^2 - 4/2" << 17.0;
+        QTest::newRow("modulus") << "(7*2654435761) mod 2^32" << 1401181143.0;
+        QTest::newRow("beyond 2^53") << "(2^62 + 1) mod 10" << 5.0;
+        QTest::newRow("negative modulus") << "(0-3) mod 8" << 5.0;
+        QTest::newRow("factor without a sign") << ".8sqrt(4)" << 1.6;
+    }
+
+    void formulasAreArithmetic()
+    {
+        QFETCH(QString, formula);
+        QFETCH(double, value);
+        QCOMPARE(valueOfFormula(formula.toStdString()), value);
+    }
+
+    void whatIsNoFormulaIsRefused()
+    {
+        for (const char* text : {"", "1/", "(1", "1 2", "x", "sqrt 2", "import os", "1e999"})
+            QVERIFY_EXCEPTION_THROWN(valueOfFormula(text), study::commands::RequestFault);
+        QVERIFY_EXCEPTION_THROWN(valueOfFormula(std::string(5000, '(')), study::commands::RequestFault);
+    }
+
+    void recipeOfOneArray()
+    {
+        const auto made = arraysOfRecipe("x_i = ((i*2654435761) mod 2^32)/2^32 + offset, i=0..n-1, all in IEEE double",
+                                         {{"n", 4}, {"offset", 1e9}});
+        const std::vector<double> expected{1e9, 2654435761.0 / 4294967296.0 + 1e9,
+                                           (2 * 2654435761.0 - 4294967296.0) / 4294967296.0 + 1e9,
+                                           (3 * 2654435761.0 - 4294967296.0) / 4294967296.0 + 1e9};
+        QCOMPARE(made.arrays.at("x"), expected);
+    }
+
+    void recipesVaryInTheirNumbers()
+    {
+        const auto made =
+            arraysOfRecipe("y_k=5 + 0.5*((k*1103515245+12345) mod 2^31)/2^31 - shift, k=1..n", {{"n", 3}, {"shift", 0.25}});
+        QCOMPARE(made.last, std::string("y"));
+        QCOMPARE(made.arrays.at("y").size(), std::size_t{3});
+        QCOMPARE(made.arrays.at("y")[0], 5 + 0.5 * ((1103515245.0 + 12345) / 2147483648.0) - 0.25);
+    }
+
+    void recipeOfTwoImages()
+    {
+        const auto made = arraysOfRecipe(
+            "a_k=((k*2654435761+12345) mod 2^32)/2^32, c_k=((k*3266489917+99) mod 2^32)/2^32, b=0.8*a+0.2*c (two roundings: "
+            "fl(fl(.8a)+fl(.2c))), k row-major, 3 rows x 5 cols, float64",
+            {});
+        QCOMPARE(made.rows, std::size_t{3});
+        QCOMPARE(made.columns, std::size_t{5});
+        QCOMPARE(made.arrays.at("a").size(), std::size_t{15});
+        QCOMPARE(made.arrays.at("b")[0], 0.8 * (12345 / 4294967296.0) + 0.2 * (99 / 4294967296.0));
+    }
+
+    void recipesThatCannotBeReadSayWhere()
+    {
+        QVERIFY_EXCEPTION_THROWN(arraysOfRecipe("nothing", {}), study::commands::RequestFault);
+        QVERIFY_EXCEPTION_THROWN(arraysOfRecipe("x_i = i", {}), study::commands::RequestFault);  // how many?
+        QVERIFY_EXCEPTION_THROWN(arraysOfRecipe("x_i = j, i=0..3", {}), study::commands::RequestFault);
+        QVERIFY_EXCEPTION_THROWN(arraysOfRecipe("x_i = i, i=0..n-1", {{"n", 1e18}}), study::commands::RequestFault);
+        const auto answer = answerTo("t_test", {{"kind", "one_sample"}, {"x", {{"recipe", "x_i = rand(i)"}, {"n", 5}}}});
+        QVERIFY(saysError(answer, "rand"));
+    }
+
+    void numbersMayBeSpelled()
+    {
+        const auto answer = answerTo("p_adjust", {{"p", {0.01, "nan", "4e-2", nullptr}}}, {{"method", "bonferroni"}});
+        QCOMPARE(answer["adjusted"].dump(), std::string("[0.02,\"nan\",0.08,\"nan\"]"));
+        const auto tiny = answerTo("p_adjust", {{"p", {"1e-400", 0.5}}}, {{"method", "holm"}});
+        QCOMPARE(tiny["adjusted"][0].get<double>(), 0.0);
+    }
+
+    void undefinedAnalysesAreDegenerateWithAReason()
+    {
+        const auto answer = answerTo("t_test", {{"kind", "paired"}, {"x", {1, 2, 3}}, {"y", {1, 2, 3}}});
+        QCOMPARE(answer.size(), std::size_t{2});
+        QCOMPARE(answer["status"].get<std::string>(), std::string("degenerate"));
+        QCOMPARE(answer["reason"].get<std::string>(), std::string("no variation: all differences are equal"));
+    }
+
+    void missingQuantitiesCarryTheirReason()
+    {
+        const auto answer = answerTo("trace_error", {{"generated", {1, -1}}, {"truth", {1, -1.5}}});
+        QVERIFY(answer["mae_over_mean"].is_null());
+        QCOMPARE(answer["why"]["mae_over_mean"].get<std::string>(), std::string("the mean of the truth is not positive"));
+        QCOMPARE(answer["mae"].get<double>(), 0.25);
+    }
+
+    void openEndsAndTinyProbabilitiesAreTexts()
+    {
+        const json x{10001, 10002, 10003, 10004, 10005, 10006, 10003, 10004};
+        const auto greater = answerTo("t_test", {{"kind", "one_sample"}, {"x", x}}, {{"alternative", "greater"}});
+        QCOMPARE(greater["ci_high"].get<std::string>(), std::string("inf"));
+        const auto all = answerTo("binomial", {{"k", 2000}, {"n", 2000}}, {{"p0", "1/3"}});
+        // 3^-2000
+        QVERIFY2(all["p_greater"].get<std::string>().ends_with("e-955"), all["p_greater"].dump().c_str());
+    }
+
+    void requestsThatCannotBeUnderstoodAreErrors()
+    {
+        QVERIFY(saysError(answerOf("text", "."), "not an object"));
+        QVERIFY(saysError(answerTo("", {}), "no analysis is named"));
+        QVERIFY(saysError(answerTo("anova", {}), "unknown analysis \"anova\""));
+        QVERIFY(saysError(answerTo("t_test", {{"kind", "pared"}, {"x", {1, 2}}}), "expected one of: one_sample"));
+        QVERIFY(saysError(answerTo("t_test", {{"kind", "one_sample"}}), "no x"));
+        QVERIFY(saysError(answerTo("t_test", {{"kind", "one_sample"}, {"x", {1, "two"}}}), "value 2 of x"));
+        QVERIFY(saysError(answerTo("binomial", {{"k", 2.5}, {"n", 5}}, {{"p0", "1/3"}}), "not a whole number"));
+        QVERIFY(saysError(answerTo("friedman", {{"rows", {{1, 2}, {1}}}}), "differ in length"));
+        QVERIFY(saysError(answerTo("ssim", {{"a", "absent.npy"}, {"b", "absent.npy"}}, {{"data_range", 1}}), "absent.npy"));
+        QVERIFY(saysError(answerTo("p_adjust", {{"p", {1.5}}}), "outside 0 to 1"));
+    }
+
+    void everyAnalysisAnswersNothingWithoutCrashing()
+    {
+        for (const auto& analysis : study::commands::analyses()) {
+            const auto answer = answerTo(std::string(analysis.name).c_str(), json::object());
+            QVERIFY2(answer.contains("error") || answer.contains("reason"), analysis.name.data());
+        }
+    }
+};
+
+QTEST_GUILESS_MAIN(AnalyseTest)
+#include "analyse_test.moc"

@@ -1,0 +1,244 @@
+// A session with a display behind a driver, in the real window: what can be felt at every stage, first touches, and a
+// driver that dies in the middle.
+#include "rendering/images/image_io.h"
+#include "study/app/state/screen_cover.h"
+#include "tests/support/open_window.h"
+#include "tests/support/played_session.h"
+
+#include <QElapsedTimer>
+#include <QFile>
+#include <QLabel>
+#include <QProcess>
+#include <QTest>
+
+#include <opencv2/core.hpp>
+
+#include <signal.h>
+#include <unistd.h>
+
+using namespace study::app;
+using namespace study::session;
+using protocols::ParticipantId;
+using tests::support::OpenWindow;
+using tests::support::ShownWindow;
+
+namespace {
+
+/// The pixel value that can be felt; the stimuli of these studies are even.
+int feltIn(const QString& folder)
+{
+    const cv::Mat image = rendering::readPgm((folder + "/current.pgm").toStdString());
+    double low = 0, high = 0;
+    cv::minMaxLoc(image, &low, &high);
+    return low == high ? static_cast<int>(low) : -1;
+}
+
+}  // namespace
+
+class AppDisplayTest : public tests::support::WindowTest {
+    Q_OBJECT
+
+    QString felt() { return filePath(QString::fromLatin1(QTest::currentTestFunction()) + "-felt"); }
+    AppOptions with(const QString& display)
+    {
+        AppOptions options;
+        options.display = display.toStdString();
+        options.clock = m_clock = std::make_shared<VirtualClock>();
+        return options;
+    }
+    AppOptions withReference(const QString& more = {})
+    {
+        return with(QStringLiteral("exec:" VIS2HAP_REFERENCE_DISPLAY " '%1' %2").arg(felt(), more));
+    }
+    void begin(ShownWindow& shown, const database::StudyFolder& study, const std::string& participant = "P01")
+    {
+        shown.window.openStudy(study.folder);
+        shown.window.startSession(ParticipantId(participant));
+    }
+    void step(ShownWindow& shown)
+    {
+        m_clock->advanceSeconds(1);
+        if (const auto refusal = shown.hands.perform(*tests::support::nextEvent(shown.hands.view(), shown.hands.plan())))
+            QFAIL(refusal->reason.c_str());
+    }
+    template <class Stage>
+    void stepTo(ShownWindow& shown)
+    {
+        while (!std::holds_alternative<Stage>(shown.hands.view().state.stage))
+            step(shown);
+    }
+    QString messageIn(ShownWindow& shown) { return shown.window.currentPage()->findChild<QLabel*>("sessionMessage")->text(); }
+
+    std::shared_ptr<VirtualClock> m_clock;
+
+private Q_SLOTS:
+    void imageIsFeltOnlyWhilePresenting();
+    void touchToldByTheDriverIsStamped();
+    void lateTouchIsSetBack();
+    void driverThatDiesInMidSessionPausesAndLosesNothing();
+    void driverThatStaysDeadSaysWhatToDo();
+    void driverThatCannotBeginIsToldOnTheStudyPage();
+    void killedProgramLeavesNothingToFeel();
+};
+
+void AppDisplayTest::imageIsFeltOnlyWhilePresenting()
+{
+    ShownWindow shown(withReference());
+    begin(shown, newStudy());
+    int presented = 0;
+    while (!std::holds_alternative<Finished>(shown.hands.view().state.stage)) {
+        const auto* presenting = std::get_if<Presenting>(&shown.hands.view().state.stage);
+        QCOMPARE(feltIn(felt()) > 0, presenting != nullptr);
+        presented += presenting ? 1 : 0;
+        step(shown);
+    }
+    QVERIFY(presented > 10);
+    QCOMPARE(feltIn(felt()), 0);
+}
+
+void AppDisplayTest::touchToldByTheDriverIsStamped()
+{
+    ShownWindow shown(withReference("--touch-after 30"));
+    begin(shown, newStudy());
+    stepTo<Presenting>(shown);
+    const auto touched = [&] { return std::get<Presenting>(shown.hands.view().state.stage).touchedAtNs.has_value(); };
+    QVERIFY(!touched());
+    QTRY_VERIFY(touched());
+    QVERIFY(std::get<Presenting>(shown.hands.view().state.stage).touchedBy == TouchSource::Display);
+}
+
+void AppDisplayTest::lateTouchIsSetBack()
+{
+    // The touch comes while the window is busy; the clock of the session went on for 3 s meanwhile.
+    ShownWindow shown(withReference("--touch-after 30"));
+    begin(shown, newStudy());
+    stepTo<Presenting>(shown);
+    const auto readyAt = std::get<Presenting>(shown.hands.view().state.stage).readyAtNs;
+    QTest::qSleep(300);
+    m_clock->advanceSeconds(3);
+    const auto now = m_clock->monotonicNs();
+    QTRY_VERIFY(std::get<Presenting>(shown.hands.view().state.stage).touchedAtNs);
+    const auto touchedAt = *std::get<Presenting>(shown.hands.view().state.stage).touchedAtNs;
+    QVERIFY(touchedAt < now - 100000000 && touchedAt > readyAt);
+    // A log that is read again says the same.
+    const auto before = shown.hands.view().state;
+    const auto& plan = shown.hands.plan();
+    const Event event{Touched{TouchSource::Display, now - touchedAt}, now};
+    const auto copied = eventFromRecord(kindOf(event.body), payloadJson(event.body));
+    QCOMPARE(std::get<Touched>(copied).agoNs, now - touchedAt);
+    auto untouched = before;
+    std::get<Presenting>(untouched.stage).touchedAtNs.reset();
+    const auto outcome = apply(plan, untouched, {copied, now});
+    QCOMPARE(std::get<Presenting>(std::get<Step>(outcome).next.stage).touchedAtNs.value_or(0), touchedAt);
+}
+
+void AppDisplayTest::driverThatDiesInMidSessionPausesAndLosesNothing()
+{
+    const auto study = newStudy();
+    ShownWindow shown(withReference());
+    begin(shown, study);
+    stepTo<Presenting>(shown);
+    step(shown);  // the first presentation is answered
+    stepTo<Presenting>(shown);
+    const int answers = shown.hands.view().state.answersStored;
+    const auto trial = std::get<Presenting>(shown.hands.view().state.stage).index;
+    QVERIFY(answers > 0 && feltIn(felt()) > 0);
+
+    // kill -9 of the driver, found as our own child by the folder that it shows in
+    QProcess list;
+    list.start("ps", {"-eo", "pid,ppid,args"});
+    QVERIFY(list.waitForFinished());
+    for (const QString& line : QString::fromUtf8(list.readAllStandardOutput()).split('\n'))
+        if (line.contains(felt()) && line.contains("vis2hap-reference-display"))
+            ::kill(line.trimmed().section(' ', 0, 0).toInt(), SIGKILL);
+
+    QTRY_VERIFY(shown.hands.view().state.paused);
+    QVERIFY2(messageIn(shown).contains("while an image was felt") && messageIn(shown).contains("no answer is lost") &&
+                 messageIn(shown).contains("press Enter"),
+             qPrintable(messageIn(shown)));
+    QCOMPARE(shown.window.study()->store().answers().size(), static_cast<std::size_t>(answers));
+    QCOMPARE(feltIn(felt()), 0);  // begun again, and clear
+    shown.hands.pressKey(Qt::Key_Return);
+    stepTo<Presenting>(shown);
+    QCOMPARE(std::get<Presenting>(shown.hands.view().state.stage).index, trial);
+    QVERIFY(feltIn(felt()) > 0);
+    stepTo<Finished>(shown);
+    QCOMPARE(static_cast<int>(shown.window.study()->store().answers().size()), 24);
+    QVERIFY(shown.window.study()->store().faults().empty());
+}
+
+void AppDisplayTest::driverThatStaysDeadSaysWhatToDo()
+{
+    const QString works = filePath("works");
+    QFile mark(works);
+    QVERIFY(mark.open(QIODevice::WriteOnly));
+    const QString command =
+        QStringLiteral("test -e '%1' && exec " VIS2HAP_REFERENCE_DISPLAY " '%2'; echo no amplifier >&2; exit 4")
+            .arg(works, felt());
+    ShownWindow shown(with("exec:" + command));
+    begin(shown, newStudy());
+    stepTo<PlacingTray>(shown);
+    const int before = shown.hands.view().state.answersStored;
+    mark.remove();
+    QProcess list;
+    list.start("ps", {"-eo", "pid,args"});
+    QVERIFY(list.waitForFinished());
+    for (const QString& line : QString::fromUtf8(list.readAllStandardOutput()).split('\n'))
+        if (line.contains("vis2hap-reference-display " + felt()))
+            ::kill(line.trimmed().section(' ', 0, 0).toInt(), SIGKILL);
+    QTest::qWait(50);
+    QVERIFY(!shown.hands.view().state.paused);  // nothing was felt: nobody need know yet
+    shown.window.session()->send(TrayReady{});
+    QVERIFY(shown.hands.view().state.paused);
+    const QString told = messageIn(shown);
+    QVERIFY2(
+        told.contains("exit code 4; it said: no amplifier") && told.contains("tried 3 times") && told.contains("press Enter"),
+        qPrintable(told));
+    QCOMPARE(shown.hands.view().state.answersStored, before);
+
+    QVERIFY(mark.open(QIODevice::WriteOnly));  // mended
+    shown.hands.pressKey(Qt::Key_Return);
+    QVERIFY(!shown.hands.view().state.paused);
+    stepTo<Presenting>(shown);
+    QVERIFY(feltIn(felt()) > 0);
+}
+
+void AppDisplayTest::driverThatCannotBeginIsToldOnTheStudyPage()
+{
+    ShownWindow shown(with("exec:/nowhere/driver"));
+    shown.window.openStudy(newStudy().folder);
+    shown.hands.click("enrolButton");
+    const QString told = shown.window.currentPage()->findChild<QLabel*>("studyMessage")->text();
+    QVERIFY2(told.contains("exit code 127") && told.contains("not found"), qPrintable(told));
+    QVERIFY(!shown.window.session());
+}
+
+void AppDisplayTest::killedProgramLeavesNothingToFeel()
+{
+    // A process of its own opens the display, shows an image and is killed: the driver sees its end of input.
+    QProcess child;
+    child.start(QCoreApplication::applicationFilePath(),
+                {"--show-and-wait", "exec:" VIS2HAP_REFERENCE_DISPLAY " '" + felt() + "'"});
+    QVERIFY(child.waitForReadyRead(10000));
+    QCOMPARE(child.readLine(), QByteArray("shown\n"));
+    QVERIFY(feltIn(felt()) > 0);
+    child.kill();
+    QVERIFY(child.waitForFinished());
+    QTRY_COMPARE(feltIn(felt()), 0);
+}
+
+int main(int argc, char** argv)
+{
+    if (argc == 3 && QByteArray(argv[1]) == "--show-and-wait") {
+        const auto display = rendering::openDisplay(argv[2]);
+        display->show(cv::Mat(8, 8, CV_8UC1, cv::Scalar(99)));
+        std::puts("shown");
+        std::fflush(stdout);
+        while (true)
+            ::pause();
+    }
+    QApplication application(argc, argv);
+    AppDisplayTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+#include "app_display_test.moc"

@@ -1,0 +1,227 @@
+// What goes wrong around a session is told on the page where it happens, with what to do, and loses no answer: a
+// protocol edited in mid-study, a study open elsewhere, a stimulus altered, a full disk, a display that cannot be opened.
+#include "protocols/files/errors.h"
+#include "tests/support/counting_vfs.h"
+#include "tests/support/played_session.h"
+#include "tests/support/typed_answers.h"
+#include "tests/support/whole_protocol.h"
+
+#include <QFile>
+#include <QGuiApplication>
+#include <QLabel>
+#include <QLineEdit>
+#include <QTest>
+
+#include <unistd.h>
+
+using namespace study::app;
+using namespace study::session;
+using namespace tests::support;
+using protocols::ParticipantId;
+using protocols::Tenths;
+
+namespace {
+
+/// Wall time as a computer shows it whose clock is set back by hand; the monotonic clock goes on.
+class SteppedClock final : public Clock {
+public:
+    std::int64_t monotonicNs() const override { return m_going.monotonicNs(); }
+    std::string wallTime() const override { return m_wall.wallTime(); }
+    void advanceSeconds(double seconds)
+    {
+        m_going.advanceSeconds(seconds);
+        m_wall.advanceSeconds(seconds);
+    }
+    void setWallBackHours(double hours) { m_wall.advanceSeconds(-3600 * hours); }
+
+private:
+    VirtualClock m_going, m_wall;
+};
+
+}  // namespace
+
+class AppFaultsTest : public tests::support::WindowTest {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void editedProtocolIsToldOnTheStudyPage();
+    void protocolEditedWhileTheStudyIsOpenIsToldToo();
+    void studyHeldByAnotherProcessNamesIt();
+    void alteredStimulusPausesAndNamesTheFile();
+    void fullDiskKeepsTheEntryUntilThereIsRoom_data();
+    void fullDiskKeepsTheEntryUntilThereIsRoom();
+    void displayThatCannotBeOpenedIsToldOnTheStudyPage();
+    void theOnlyScreenIsNotCovered();
+    void messageOfOneSessionIsNotShownInTheNext();
+    void steppedWallClockChangesNoResponseTime();
+};
+
+void AppFaultsTest::editedProtocolIsToldOnTheStudyPage()
+{
+    const auto folder = newStudy(wholeStudy());
+    QFile file(QString::fromStdString(folder.protocol().string()));
+    QVERIFY(file.open(QIODevice::Append));
+    file.write("\n");
+    file.close();
+    OpenWindow open(folder);
+    const auto message = [&] { return open.message("studyMessage"); };
+    QVERIFY2(message().contains("protocol was changed") && message().contains("study amend"), qPrintable(message()));
+    QVERIFY2(message().contains("Close the study here first"), qPrintable(message()));
+    open.hands().click("enrolButton");
+    QVERIFY(!open.window().session());
+    QCOMPARE(open.window().currentPage()->objectName(), QString("studyPage"));
+    QVERIFY(message().contains("protocol was changed"));
+    QVERIFY(open.window().study()->store().enrolments().empty());
+}
+
+void AppFaultsTest::protocolEditedWhileTheStudyIsOpenIsToldToo()
+{
+    const auto folder = newStudy(wholeStudy());
+    OpenWindow open(folder);
+    QVERIFY(open.message("studyMessage").isEmpty());
+    QVERIFY(QFile::remove(QString::fromStdString(folder.protocol().string())));
+    open.hands().click("enrolButton");
+    QVERIFY(!open.window().session());
+    QVERIFY2(open.message("studyMessage").contains("protocol cannot be read"), qPrintable(open.message("studyMessage")));
+}
+
+void AppFaultsTest::studyHeldByAnotherProcessNamesIt()
+{
+    const auto folder = newStudy(wholeStudy());
+    const database::StudyStore other(folder, database::StudyStore::Access::Write);
+    ShownWindow shown;
+    shown.widget<QLineEdit>("studyFolderField").setText(QString::fromStdString(folder.folder.string()));
+    shown.hands.click("openButton");
+    const auto* message = &shown.widget<QLabel>("startMessage");
+    QVERIFY(message->isVisible());
+    QVERIFY2(message->text().contains(QString::number(::getpid())), qPrintable(message->text()));
+}
+
+void AppFaultsTest::alteredStimulusPausesAndNamesTheFile()
+{
+    const auto folder = newStudy(wholeStudy());
+    OpenWindow open(folder);
+    open.enrolAndBegin();
+    open.playTo("OnBreak");  // what comes next is not read ahead before the tray
+    const auto before = answersIn(folder);
+    for (const auto& file : std::filesystem::directory_iterator(folder.stimuli())) {
+        QFile stimulus(QString::fromStdString(file.path().string()));
+        QVERIFY(stimulus.open(QIODevice::Append));
+        stimulus.write("x");
+    }
+    while (!open.view().state.paused && !std::holds_alternative<Finished>(open.view().state.stage)) {
+        if (!std::holds_alternative<Presenting>(open.view().state.stage))
+            pressKey(open, Qt::Key_Return);
+        else
+            answerByKeys(open, responseTo(open.view()));
+    }
+    QVERIFY(open.view().state.paused);
+    QVERIFY2(open.message().contains("stimulus was altered") && open.message().contains(".pgm"), qPrintable(open.message()));
+    QVERIFY2(open.message().contains("backup") && open.message().contains("no answer is lost"), qPrintable(open.message()));
+    const auto after = answersIn(folder);
+    for (const auto& [asked, answer] : before)
+        QCOMPARE(after.at(asked), answer);
+}
+
+void AppFaultsTest::fullDiskKeepsTheEntryUntilThereIsRoom_data()
+{
+    QTest::addColumn<QString>("question");
+    for (const char* question : {"Q1", "W1", "S1", "Q2"})
+        QTest::newRow(question) << question;
+}
+
+void AppFaultsTest::fullDiskKeepsTheEntryUntilThereIsRoom()
+{
+    QFETCH(QString, question);
+    const auto folder = newStudy(wholeStudy());
+    CountingVfs disk;
+    OpenWindow open(folder);
+    open.enrolAndBegin();
+    open.playTo("Presenting", question.toStdString());
+    const std::string asked = nowAsked(open);
+    const Response spoken = responseTo(open.view());
+    disk.letWritesFailWith(SQLITE_FULL);
+    enterByKeys(open, spoken);
+    pressKey(open, Qt::Key_Return);
+    QVERIFY2(open.message().contains("disk is full"), qPrintable(open.message()));
+    QVERIFY2(open.message().contains("not stored"), qPrintable(open.message()));
+    QVERIFY(!open.view().state.paused);
+    QVERIFY(!answersIn(folder).contains(asked));
+    disk.letWritesFailWith(SQLITE_OK);
+    pressKey(open, Qt::Key_Return);  // what was entered is still there
+    QVERIFY2(open.message().isEmpty(), qPrintable(open.message()));
+    QCOMPARE(answersIn(folder).at(asked), answerText(spoken));
+}
+
+void AppFaultsTest::displayThatCannotBeOpenedIsToldOnTheStudyPage()
+{
+    const auto folder = newStudy(wholeStudy());
+    AppOptions options;
+    options.display = "cover:9";
+    ShownWindow shown(options);
+    shown.window.openStudy(folder.folder);
+    shown.hands.click("enrolButton");
+    QCOMPARE(shown.window.currentPage()->objectName(), QString("studyPage"));
+    const auto* message = &shown.widget<QLabel>("studyMessage");
+    QVERIFY(message->isVisible());
+    QVERIFY2(message->text().contains("no screen 9"), qPrintable(message->text()));
+    QVERIFY(shown.window.study()->store().enrolments().empty());
+}
+
+void AppFaultsTest::theOnlyScreenIsNotCovered()
+{
+    if (QGuiApplication::screens().size() > 1)
+        QSKIP("there is more than one screen");
+    try {
+        study::app::openDisplay("cover:0");
+        QFAIL("the console would be hidden");
+    } catch (const protocols::Error& fault) {
+        QVERIFY2(QString::fromUtf8(fault.what()).contains("hide the console"), fault.what());
+    }
+}
+
+void AppFaultsTest::messageOfOneSessionIsNotShownInTheNext()
+{
+    OpenWindow open(newStudy(wholeStudy()));
+    open.enrolAndBegin();
+    open.display().fault = "the display is gone";
+    pressKey(open, Qt::Key_Return);
+    QVERIFY(!open.message().isEmpty());
+    open.display().fault.clear();
+    pressKey(open, Qt::Key_Q);
+    QTRY_COMPARE(open.window().currentPage()->objectName(), QString("studyPage"));
+    open.window().startSession(ParticipantId("P01"));
+    QVERIFY(open.message().isEmpty());
+}
+
+void AppFaultsTest::steppedWallClockChangesNoResponseTime()
+{
+    const auto folder = newStudy(wholeStudy());
+    const auto clock = std::make_shared<SteppedClock>();
+    AppOptions options;
+    options.clock = clock;
+    OpenWindow open(folder, options);
+    open.enrolAndBegin();
+    open.playTo("Presenting", "S1");
+    pressKey(open, Qt::Key_T);
+    clock->advanceSeconds(2.25);
+    clock->setWallBackHours(3);
+    clock->advanceSeconds(2.25);
+    const QString timeLeft = open.widget<QLabel>("timeLeftFact").text(), sitting = open.widget<QLabel>("sittingFact").text();
+    enterByKeys(open, responseTo(open.view()));
+    const std::string asked = nowAsked(open);
+    pressKey(open, Qt::Key_Return);
+    const auto answers = storedIn(folder);
+    QCOMPARE(answers.back().record.question.value, std::string("S1"));
+    QCOMPARE(answers.back().seconds, 4.5);
+    QVERIFY(answers.back().storedAtNs >= answers.back().record.answeredAtNs);
+    QVERIFY(answers.back().wallTime < answers.front().wallTime);  // the record says what the wall clock said
+    QVERIFY(answersIn(folder).contains(asked));
+    QCOMPARE(open.widget<QLabel>("sittingFact").text(), sitting);
+    QVERIFY(timeLeft.startsWith("About"));
+    open.playTo("OnBreak");
+    QVERIFY(open.window().study()->store().faults().empty());
+}
+
+QTEST_MAIN(AppFaultsTest)
+#include "app_faults_test.moc"

@@ -1,0 +1,205 @@
+// The live monitor of the principal investigator: who is where, what is missing, flags; while a session runs in another
+// window, and without a word of what is shown or answered.
+#include "protocols/files/errors.h"
+#include "study/app/pages/monitor_window.h"
+#include "tests/support/played_session.h"
+#include "tests/support/typed_answers.h"
+#include "tests/support/whole_protocol.h"
+
+#include <QLabel>
+#include <QTest>
+#include <QThread>
+#include <QTreeWidget>
+
+using namespace study::app;
+using namespace study::session;
+using namespace tests::support;
+using protocols::ParticipantId;
+
+class AppMonitorTest : public tests::support::WindowTest {
+    Q_OBJECT
+
+private:
+    /// Cells of the row, joined.
+    static QString rowOf(const MonitorWindow& monitor, int row)
+    {
+        const auto& tree = *monitor.findChild<QTreeWidget*>("monitorRows");
+        QStringList cells;
+        for (int column = 0; column < tree.columnCount(); ++column)
+            cells << tree.topLevelItem(row)->text(column);
+        return cells.join('|');
+    }
+
+private Q_SLOTS:
+    void followsASessionInAnotherWindow();
+    void voidedCellsAreMissingUntilTheyAreGivenAgain();
+    void placeOfOneWhoWithdrewIsSeenFreed();
+    void severalMonitorsAndAWriterGoTogether();
+    void looksAgainByItself();
+    void flagsAreReadOffTheWindowsThread();
+    void flagsThatCannotBeReadAreTold();
+    void folderThatIsNoStudyIsRefused();
+    void tellsNothingThatIsHiddenNorAnyScore();
+    void erasedParticipantsHaveNoStage();
+};
+
+void AppMonitorTest::followsASessionInAnotherWindow()
+{
+    const auto folder = newStudy(wholeStudy());
+    OpenWindow open(folder);
+    AppOptions options;
+    options.clock = std::shared_ptr<Clock>(std::shared_ptr<Clock>(), &open.clock());  // the session's own
+    MonitorWindow monitor(folder.folder, options);
+    QCOMPARE(rowOf(monitor, 0), QString("1|–|free|||||"));
+    open.window().startSession(ParticipantId("P01"));
+    monitor.look();
+    QCOMPARE(rowOf(monitor, 0), QString("1|P01|welcome|1/30|0/42|||just now"));
+    open.playTo("CheckingList");
+    open.clock().advanceSeconds(7 * 60);
+    monitor.look();
+    QCOMPARE(rowOf(monitor, 0), QString("1|P01|checklist|1/30|0/42|||7 min ago"));
+    open.playTo("Presenting", "S1");
+    monitor.look();
+    QCOMPARE(rowOf(monitor, 0), QString("1|P01|question S1|7/30|12/42|||just now"));
+    QVERIFY(monitor.findChild<QLabel*>("monitorSummary")->text().startsWith("12 of 126 answers"));
+    open.perform(Paused{});
+    monitor.look();
+    QCOMPARE(rowOf(monitor, 0), QString("1|P01|paused (tray)|7/30|12/42|||just now"));
+    open.perform(Resumed{});
+    open.playToEnd();
+    monitor.look();
+    QCOMPARE(rowOf(monitor, 0), QString("1|P01|finished||42/42|||just now"));
+}
+
+void AppMonitorTest::voidedCellsAreMissingUntilTheyAreGivenAgain()
+{
+    const auto folder = newStudy(wholeStudy());
+    OpenWindow open(folder);
+    MonitorWindow monitor(folder.folder, {});
+    open.enrolAndBegin();
+    open.playTo("Presenting", "W1");
+    open.perform(Voided{"the wrong piece"});
+    monitor.look();
+    QVERIFY2(rowOf(monitor, 0).startsWith("1|P01|tray|2/31|0/42|2|1|"), qPrintable(rowOf(monitor, 0)));
+    open.playToEnd();
+    monitor.look();
+    QVERIFY2(rowOf(monitor, 0).startsWith("1|P01|finished||42/42||1|"), qPrintable(rowOf(monitor, 0)));
+}
+
+void AppMonitorTest::placeOfOneWhoWithdrewIsSeenFreed()
+{
+    const auto folder = newStudy(wholeStudy());
+    OpenWindow open(folder);
+    open.enrolAndBegin();
+    open.playTo("Presenting", "W1");
+    open.perform(WithdrawnEvent{"tired"});
+    MonitorWindow monitor(folder.folder, {});
+    QVERIFY2(rowOf(monitor, 0).startsWith("1|P01|withdrawn||1/42|"), qPrintable(rowOf(monitor, 0)));
+    QCOMPARE(rowOf(monitor, 1), QString("1|–|free|||||"));
+    QVERIFY(monitor.findChild<QLabel*>("monitorSummary")->text().startsWith("0 of 126 answers"));
+}
+
+void AppMonitorTest::severalMonitorsAndAWriterGoTogether()
+{
+    const auto folder = newStudy(wholeStudy());
+    OpenWindow open(folder);
+    MonitorWindow first(folder.folder, {}), second(folder.folder, {});
+    open.enrolAndBegin();
+    open.playTo("OnBreak");
+    first.look();
+    second.look();
+    QVERIFY(rowOf(first, 0).startsWith("1|P01|break|"));
+    QCOMPARE(rowOf(first, 0), rowOf(second, 0));
+    open.playToEnd();
+    QCOMPARE(static_cast<int>(answersIn(folder).size()), answersOf({}));
+}
+
+void AppMonitorTest::looksAgainByItself()
+{
+    const auto folder = newStudy(wholeStudy());
+    MonitorWindow monitor(folder.folder, {});
+    monitor.show();
+    OpenSession session(folder, "P01", database::ParticipantKind::Human);
+    session.stepUntil("PlacingTray");
+    QTRY_VERIFY_WITH_TIMEOUT(rowOf(monitor, 0).startsWith("1|P01|tray|"), 5000);
+}
+
+void AppMonitorTest::flagsAreReadOffTheWindowsThread()
+{
+    const auto folder = newStudy(wholeStudy());
+    QThread* thread = nullptr;
+    int readings = 0;
+    AppOptions options;
+    options.readFlags = [&](const database::StudyStore& store) {
+        thread = QThread::currentThread();
+        ++readings;
+        return std::vector<MonitorFlag>{
+            {"P01", "too_fast", std::to_string(store.answers().size()) + " answers came within half a second"},
+            {"", "slot_bias", "slot A was chosen more often than chance allows"}};
+    };
+    MonitorWindow monitor(folder.folder, options);
+    const auto* flags = monitor.findChild<QLabel*>("flags");
+    QTRY_COMPARE(flags->text(), QString("P01, too fast: 0 answers came within half a second\n"
+                                        "slot bias: slot A was chosen more often than chance allows"));
+    QVERIFY(thread != QThread::currentThread());
+    monitor.look();
+    QTest::qWait(20);
+    QCOMPARE(readings, 1);  // no answer came since
+    {
+        OpenSession session(folder, "P01", database::ParticipantKind::Human);
+        session.playUntilAnswers(3);
+    }
+    monitor.look();
+    QTRY_VERIFY(flags->text().startsWith("P01, too fast: 3 answers"));
+}
+
+void AppMonitorTest::flagsThatCannotBeReadAreTold()
+{
+    AppOptions options;
+    options.readFlags = [](const database::StudyStore&) -> std::vector<MonitorFlag> {
+        throw protocols::workFailed({.what = "the masked key was altered", .where = {}, .expected = {}, .nextStep = {}});
+    };
+    MonitorWindow monitor(newStudy(wholeStudy()).folder, options);
+    QTRY_COMPARE(monitor.findChild<QLabel*>("flags")->text(), QString("the masked key was altered"));
+}
+
+void AppMonitorTest::folderThatIsNoStudyIsRefused()
+{
+    QVERIFY_EXCEPTION_THROWN(MonitorWindow(filePath("nothing").toStdString(), {}), protocols::Error);
+}
+
+void AppMonitorTest::tellsNothingThatIsHiddenNorAnyScore()
+{
+    const auto folder = newStudy(wholeStudy());
+    OpenWindow open(folder);
+    open.enrolAndBegin();
+    open.playTo("Presenting", "L1");
+    MonitorWindow monitor(folder.folder, {});
+    std::set<QString> hidden{"v_grey", "h&f", "h+f"};
+    for (const auto& [code, hash] : open.window().study()->store().stimulusHashes())
+        hidden.insert(QString::fromStdString(code.value));
+    for (const auto& answer : storedIn(folder)) {
+        if (answer.record.answer && answer.record.question.value != "S1")
+            hidden.insert(QString::fromStdString(*answer.record.answer));
+    }
+    const auto leaks = textsNaming(hidden, textsIn(monitor));
+    QVERIFY2(leaks.empty(), leaks.empty() ? "" : qPrintable(leaks.front()));
+    for (const QString& text : textsIn(monitor))
+        for (const char* score : {"correct", "mean", "proportion", "rating"})
+            QVERIFY2(!text.contains(score), qPrintable(text));
+}
+
+void AppMonitorTest::erasedParticipantsHaveNoStage()
+{
+    const auto folder = newStudy(wholeStudy());
+    {
+        OpenSession session(folder, "P01", database::ParticipantKind::Human);
+        session.playUntilAnswers(3);
+        session.store.erase({ParticipantId("P01"), true, "somebody", "asked for", {}});
+    }
+    MonitorWindow monitor(folder.folder, {});
+    QVERIFY2(rowOf(monitor, 0).startsWith("1|P01|erased|"), qPrintable(rowOf(monitor, 0)));
+}
+
+QTEST_MAIN(AppMonitorTest)
+#include "app_monitor_test.moc"

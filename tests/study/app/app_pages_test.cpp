@@ -1,0 +1,325 @@
+// The pages around a session: opening and making studies, who is where, the checklist; and numbers as typed.
+#include "protocols/files/errors.h"
+#include "study/app/pages/checklist_page.h"
+#include "study/app/state/rating_text.h"
+#include "study/app/pieces/scale_line.h"
+#include "tests/support/open_window.h"
+
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPushButton>
+#include <QTest>
+#include <QThread>
+#include <QTreeWidget>
+
+using namespace study::app;
+using namespace study::session;
+using protocols::Tenths;
+using tests::support::OpenWindow;
+using tests::support::ShownWindow;
+
+class AppPagesTest : public tests::support::WindowTest {
+    Q_OBJECT
+
+private:
+    /// A row of the study page's list.
+    static QString placeAt(OpenWindow& open, int row);
+
+private Q_SLOTS:
+    void typedNumbersBecomeRatings_data();
+    void typedNumbersBecomeRatings();
+    void placesOnTheLineAreSteps();
+    void startPageOpensAStudy();
+    void folderThatIsNoStudyIsToldOnTheStartPage();
+    void studiesLastUsedAreRemembered();
+    void studyPageShowsWhoIsWhere();
+    void placeOfOneWhoWithdrewIsTakenByTheNext();
+    void takenOrStrangeParticipantsAreNotEnrolled_data();
+    void takenOrStrangeParticipantsAreNotEnrolled();
+    void newStudyIsMadeOffTheWindowsThread();
+    void makingThatFailsIsToldOnThePage();
+    void makingCanBeStopped();
+    void incompleteFormIsToldAndMakesNothing();
+    void checklistMustBeCompleteBeforeTheFirstPresentation();
+};
+
+void AppPagesTest::typedNumbersBecomeRatings_data()
+{
+    QTest::addColumn<QString>("typed");
+    QTest::addColumn<int>("tenths");
+    QTest::newRow("whole") << "5" << 50;
+    QTest::newRow("point") << "5.4" << 54;
+    QTest::newRow("comma") << "5,4" << 54;
+    QTest::newRow("zero") << "0" << 0;
+    QTest::newRow("top") << "10" << 100;
+    QTest::newRow("top with decimal") << "10.0" << 100;
+    QTest::newRow("spaces") << " 7.1 " << 71;
+    QTest::newRow("leading zero") << "05" << 50;
+    QTest::newRow("letters") << "5a" << -1;
+    QTest::newRow("exponent") << "1e1" << -1;
+    QTest::newRow("sign") << "+5" << -1;
+    QTest::newRow("two signs") << "--5" << -1;
+    QTest::newRow("only a point") << "." << -1;
+    QTest::newRow("no whole part") << ".5" << -1;
+    QTest::newRow("huge") << "99999999" << -1;
+}
+
+void AppPagesTest::typedNumbersBecomeRatings()
+{
+    QFETCH(QString, typed);
+    QFETCH(int, tenths);
+    const auto read = ratingFromText(typed, protocols::Scale{});
+    const auto* rating = std::get_if<Tenths>(&read);
+    QCOMPARE(rating ? rating->value : -1, tenths);
+    if (!rating)
+        QVERIFY(!std::get<NoRating>(read).why.isEmpty());
+}
+
+void AppPagesTest::placesOnTheLineAreSteps()
+{
+    const protocols::Scale halves{Tenths{0}, Tenths{100}, Tenths{5}, 9, {}};
+    QCOMPARE(ratingAt(0.0, halves).value, 0);
+    QCOMPARE(ratingAt(0.52, halves).value, 50);
+    QCOMPARE(ratingAt(0.53, halves).value, 55);
+    QCOMPARE(ratingAt(1.7, halves).value, 100);
+    QVERIFY(std::holds_alternative<NoRating>(ratingFromText("5.4", halves)));
+    QCOMPARE(study::app::textOf(Tenths{-4}), QString("-0.4"));
+}
+
+void AppPagesTest::startPageOpensAStudy()
+{
+    const auto folder = newStudy();
+    ShownWindow shown;
+    auto* line = &shown.widget<QLineEdit>("studyFolderField");
+    QVERIFY(line->hasFocus() || shown.window.focusWidget() == line);
+    QTest::keyClicks(line, QString::fromStdString(folder.folder.string()));
+    QTest::keyClick(line, Qt::Key_Return);
+    QCOMPARE(shown.window.currentPage()->objectName(), QString("studyPage"));
+    QVERIFY(shown.window.windowTitle().contains("Small study"));
+}
+
+void AppPagesTest::folderThatIsNoStudyIsToldOnTheStartPage()
+{
+    ShownWindow shown;
+    const auto message = [&] { return &shown.widget<QLabel>("startMessage"); };
+    shown.hands.click("openButton");
+    QVERIFY(message()->isVisible());
+    shown.widget<QLineEdit>("studyFolderField").setText(filePath("not-there"));
+    shown.hands.click("openButton");
+    QCOMPARE(shown.window.currentPage()->objectName(), QString("startPage"));
+    QVERIFY(message()->isVisible());
+    QVERIFY2(message()->text().contains("not-there"), qPrintable(message()->text()));
+}
+
+void AppPagesTest::studiesLastUsedAreRemembered()
+{
+    const auto first = newStudy(), second = newStudy();
+    AppOptions options;
+    options.settings = std::make_shared<QSettings>(filePath("recent.ini"), QSettings::IniFormat);
+    {
+        MainWindow window(options);
+        window.openStudy(first.folder);
+        window.openStudy(second.folder);
+        window.openStudy(first.folder);
+    }
+    MainWindow window(options);
+    const auto* list = window.findChild<QListWidget*>("recentList");
+    QCOMPARE(list->count(), 2);
+    QCOMPARE(list->item(0)->text().toStdString(), first.folder.string());
+    QCOMPARE(list->item(1)->text().toStdString(), second.folder.string());
+}
+
+QString AppPagesTest::placeAt(OpenWindow& open, int row)
+{
+    const auto& places = open.widget<QTreeWidget>("placesList");
+    QStringList texts;
+    for (int column = 0; column < 4; ++column)
+        texts << places.topLevelItem(row)->text(column);
+    return texts.join('|');
+}
+
+void AppPagesTest::placeOfOneWhoWithdrewIsTakenByTheNext()
+{
+    OpenWindow open(newStudy({.participants = 1}));
+    open.enrolAndBegin();
+    open.playTo("Presenting", "Q2");
+    open.perform(WithdrawnEvent{"tired"});
+    open.hands().pressKey(Qt::Key_Return);
+    QTRY_COMPARE(open.window().currentPage()->objectName(), QString("studyPage"));
+    QCOMPARE(placeAt(open, 0), QString("1|P01|withdrawn, place freed|6 of 24"));
+    QCOMPARE(placeAt(open, 1), QString("1|–|free|"));
+    open.hands().click("enrolButton");
+    open.hands().pressKey(Qt::Key_Q);
+    QTRY_COMPARE(open.window().currentPage()->objectName(), QString("studyPage"));
+    QCOMPARE(placeAt(open, 0), QString("1|P01|withdrawn, place freed|6 of 24"));
+    QCOMPARE(placeAt(open, 1), QString("1|P02|under way|0 of 24"));
+}
+
+void AppPagesTest::studyPageShowsWhoIsWhere()
+{
+    OpenWindow open(newStudy({.participants = 3}));
+    open.enrolAndBegin();
+    open.playToEnd();
+    open.window().startSession(protocols::ParticipantId("P02"));
+    open.playTo("Presenting", "Q2");
+    open.hands().pressKey(Qt::Key_Q);
+    QTRY_COMPARE(open.window().currentPage()->objectName(), QString("studyPage"));
+    QCOMPARE(placeAt(open, 0), QString("1|P01|finished|24 of 24"));
+    QCOMPARE(placeAt(open, 1), QString("2|P02|under way|6 of 24"));
+    QCOMPARE(placeAt(open, 2), QString("3|–|free|"));
+    QCOMPARE(open.widget<QLineEdit>("participantField").text(), QString("P03"));
+}
+
+void AppPagesTest::takenOrStrangeParticipantsAreNotEnrolled_data()
+{
+    QTest::addColumn<QString>("participant");
+    QTest::newRow("taken") << "P01";
+    QTest::newRow("empty") << "";
+    QTest::newRow("with spaces") << "Ann Smith";
+    QTest::newRow("a path") << "../P02";
+}
+
+void AppPagesTest::takenOrStrangeParticipantsAreNotEnrolled()
+{
+    QFETCH(QString, participant);
+    OpenWindow open(newStudy());
+    open.enrolAndBegin();
+    open.hands().pressKey(Qt::Key_Q);
+    QTRY_COMPARE(open.window().currentPage()->objectName(), QString("studyPage"));
+    open.widget<QLineEdit>("participantField").setText(participant);
+    open.hands().click("enrolButton");
+    QVERIFY(!open.window().session());
+    QVERIFY(!open.message("studyMessage").isEmpty());
+}
+
+void AppPagesTest::newStudyIsMadeOffTheWindowsThread()
+{
+    const auto made = newStudy();
+    AppOptions options;
+    NewStudyRequest asked;
+    QThread* thread = nullptr;
+    options.makeStudy = [&](const NewStudyRequest& request, const MakingProgress& progress) {
+        asked = request;
+        thread = QThread::currentThread();
+        progress(0.5, "drawing the running orders");
+    };
+    ShownWindow shown(options);
+    shown.hands.click("newStudyButton");
+    shown.hands.type(QString::fromStdString(made.folder.string()));
+    shown.hands.focusOn("datasetField");
+    shown.hands.type("/data/fabrics");
+    shown.hands.focusOn("seedField");
+    shown.widget<QLineEdit>("seedField").clear();
+    shown.hands.type("42");
+    shown.hands.focusOn("participantsField");
+    shown.hands.type("4");
+    shown.hands.focusOn("protocolField");
+    shown.hands.pressKey(Qt::Key_Return);
+    QTRY_COMPARE(shown.window.currentPage()->objectName(), QString("studyPage"));
+    QCOMPARE(asked, (NewStudyRequest{made.folder, "/data/fabrics", std::nullopt, 4, 42}));
+    QVERIFY(thread != QThread::currentThread());
+}
+
+void AppPagesTest::makingThatFailsIsToldOnThePage()
+{
+    AppOptions options;
+    options.makeStudy = [](const NewStudyRequest& request, const MakingProgress&) {
+        throw protocols::badInput({.what = "no photographs", .where = request.dataset.string(), .expected = {}, .nextStep = {}});
+    };
+    ShownWindow shown(options);
+    shown.hands.click("newStudyButton");
+    shown.hands.type("/tmp/new-study");
+    shown.hands.focusOn("datasetField");
+    shown.hands.type("/data/poor");
+    shown.hands.click("makeButton");
+    const auto* message = &shown.widget<QLabel>("newStudyMessage");
+    QTRY_VERIFY(message->isVisible());
+    QVERIFY(message->text().contains("no photographs"));
+    QVERIFY(message->text().contains("/data/poor"));
+    QCOMPARE(shown.window.currentPage()->objectName(), QString("newStudyPage"));
+    QCOMPARE(shown.widget<QLineEdit>("datasetField").text(), QString("/data/poor"));  // nothing typed is lost
+    QVERIFY(shown.widget<QPushButton>("makeButton").isEnabled());
+}
+
+void AppPagesTest::makingCanBeStopped()
+{
+    AppOptions options;
+    std::atomic<bool> isUnwound = false;
+    options.makeStudy = [&](const NewStudyRequest&, const MakingProgress& progress) {
+        struct Unwinding {
+            std::atomic<bool>& flag;
+            ~Unwinding() { flag = true; }
+        } unwinding{isUnwound};
+        for (;;) {
+            progress(0.1, "working");
+            QThread::msleep(1);
+        }
+    };
+    ShownWindow shown(options);
+    shown.hands.click("newStudyButton");
+    shown.hands.type("/tmp/new-study");
+    shown.hands.focusOn("datasetField");
+    shown.hands.type("/data/fabrics");
+    shown.hands.pressKey(Qt::Key_Return);
+    QTRY_COMPARE(shown.widget<QLabel>("makingText").text(), QString("working"));
+    shown.hands.pressKey(Qt::Key_Escape);
+    QTRY_VERIFY(isUnwound);
+    QTRY_VERIFY(shown.widget<QLabel>("newStudyMessage").isVisible());
+    QVERIFY(shown.widget<QLabel>("newStudyMessage").text().contains("stopped"));
+}
+
+void AppPagesTest::incompleteFormIsToldAndMakesNothing()
+{
+    AppOptions options;
+    bool isMade = false;
+    options.makeStudy = [&](const NewStudyRequest&, const MakingProgress&) { isMade = true; };
+    ShownWindow shown(options);
+    shown.hands.click("newStudyButton");
+    const auto* message = &shown.widget<QLabel>("newStudyMessage");
+    const auto toldAfterEnter = [&] {
+        shown.hands.pressKey(Qt::Key_Return);
+        return message->isVisible() ? message->text() : QString();
+    };
+    QVERIFY(toldAfterEnter().contains("folder for the study"));
+    shown.hands.type("/tmp/s");
+    QVERIFY(toldAfterEnter().contains("data set"));
+    shown.hands.type("/tmp/d");
+    shown.widget<QLineEdit>("seedField").setText("-3");
+    QVERIFY(toldAfterEnter().contains("seed"));
+    shown.widget<QLineEdit>("seedField").setText("3");
+    shown.widget<QLineEdit>("participantsField").setText("0");
+    QVERIFY(toldAfterEnter().contains("number of participants"));
+    QTest::qWait(20);
+    QVERIFY(!isMade);
+}
+
+void AppPagesTest::checklistMustBeCompleteBeforeTheFirstPresentation()
+{
+    QWidget window;
+    ChecklistPage& page = *new ChecklistPage(&window);
+    window.show();
+    SessionFacts facts;
+    facts.checklist = QStringList{"hands are washed", "the mask is on"};
+    facts.readings = QStringList{"temperature in °C", "relative humidity in %"};
+    page.begin(facts);
+    std::optional<ChecklistDone> done;
+    QString hint;
+    connect(&page, &StagePage::eventAsked, this, [&](const EventBody& event) { done = std::get<ChecklistDone>(event); });
+    connect(&page, &StagePage::hinted, this, [&](const QString& text) { hint = text; });
+    const auto boxes = page.findChildren<QCheckBox*>();
+    QCOMPARE(boxes.size(), qsizetype(2));
+    boxes[0]->click();
+    page.pressKey(Qt::Key_Return);
+    QVERIFY(hint.contains("the mask is on"));
+    QVERIFY(!done);
+    boxes[1]->click();
+    page.findChild<QLineEdit*>("reading1")->setText("21.5");
+    page.pressKey(Qt::Key_Return);
+    QVERIFY(done.has_value());
+    QCOMPARE(done->ticked, (std::vector<std::string>{"hands are washed", "the mask is on"}));
+    QCOMPARE(done->readings, (std::map<std::string, std::string>{{"temperature in °C", "21.5"}}));
+}
+
+QTEST_MAIN(AppPagesTest)
+#include "app_pages_test.moc"

@@ -1,0 +1,321 @@
+// The stages of a session around and between its presentations, through the real widgets.
+#include "study/app/state/rating_text.h"
+#include "tests/support/played_session.h"
+#include "tests/support/typed_answers.h"
+#include "tests/support/whole_protocol.h"
+
+#include <QLabel>
+#include <QPushButton>
+#include <QTest>
+
+using namespace study::session;
+using namespace tests::support;
+using protocols::ParticipantId;
+using protocols::Tenths;
+
+namespace {
+
+bool isFinished(OpenWindow& open)
+{
+    return std::holds_alternative<Finished>(open.view().state.stage);
+}
+
+/// What the operator does at the present stage, with nothing but keys to whatever has the focus.
+struct Keys {
+    OpenWindow& open;
+    Answers& typed;
+
+    void operator()(const Enrolled&) const { enter(); }
+    void operator()(const Consenting&) const { enter(); }
+    void operator()(const AskingFacts&) const
+    {
+        for (const char* fact : {"31", "", "left", ""}) {
+            typeText(open, fact);
+            enter();  // to the next line; from the last on
+        }
+    }
+    void operator()(const Familiarising&) const
+    {
+        pressKey(open, Qt::Key_1);
+        pressKey(open, Qt::Key_2);
+        enter();
+    }
+    void operator()(const ScaleTraining& training) const
+    {
+        if (training.placed < 3)
+            typeText(open, study::app::textOf(open.view().placesToName[static_cast<std::size_t>(training.placed)]));
+        enter();
+    }
+    void operator()(const CheckingList&) const
+    {
+        for (int line = 0; line < 6; ++line)
+            pressKey(open, Qt::Key_Space);
+        typeText(open, "21.5");
+        enter();
+        typeText(open, "40");
+        enter();
+    }
+    void operator()(const PlacingTray&) const { enter(); }
+    void operator()(const Presenting&) const
+    {
+        const Response spoken = responseTo(open.view());
+        typed[nowAsked(open)] = answerText(spoken);
+        answerByKeys(open, spoken);
+    }
+    void operator()(const OnBreak&) const { enter(); }
+    void operator()(const Debriefing&) const
+    {
+        typeText(open, "It was fun.");
+        enter();
+    }
+    void operator()(const Finished&) const {}
+    void operator()(const Withdrawn&) const {}
+
+private:
+    void enter() const { pressKey(open, Qt::Key_Return); }
+};
+
+}  // namespace
+
+class AppStagesTest : public tests::support::WindowTest {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void everyStageAndAnswerByKeyboardAlone();
+    void factsAreKeptOutsideTheLog();
+    void fabricThatIsShownIsMarked();
+    void scaleTrainingReadsBackKindly_data();
+    void scaleTrainingReadsBackKindly();
+    void scaleTrainingMayEndAtAnyTime();
+    void checklistIsStampedWithItsReadings();
+    void eachBreakSaysWhyItIs();
+    void laterSittingOffersItsPreparation();
+    void laterSittingMayGoOnWithout();
+    void killedSessionOffersThePreparationToo();
+    void nothingIsOfferedWhereTheProtocolHasNothing();
+    void whatIsTypedIsInSightAtTwiceTheSize();
+};
+
+void AppStagesTest::everyStageAndAnswerByKeyboardAlone()
+{
+    const auto folder = newStudy(wholeStudy());
+    Answers typed;
+    OpenWindow open(folder);
+    QVERIFY(QTest::qWaitForWindowActive(&open.window()));
+    pressKey(open, Qt::Key_Return);  // enrols
+    for (int steps = 0; !isFinished(open) && steps < 500; ++steps)
+        std::visit(Keys{open, typed}, open.view().state.stage);
+    QVERIFY(isFinished(open));
+    QCOMPARE(static_cast<int>(typed.size()), answersOf({}));
+    QCOMPARE(answersIn(folder), typed);
+    for (const auto& stored : storedIn(folder))
+        QCOMPARE(stored.seconds, 2.0);  // of the injected clock, from touch to answer
+    pressKey(open, Qt::Key_Return);
+    QTRY_COMPARE(open.window().currentPage()->objectName(), QString("studyPage"));
+    const auto facts = open.window().study()->store().personalFacts().at(ParticipantId("P01"));
+    QCOMPARE(facts, (std::map<std::string, std::string>{{"age", "31"}, {"handedness", "left"}, {debriefingFact, "It was fun."}}));
+}
+
+void AppStagesTest::factsAreKeptOutsideTheLog()
+{
+    OpenWindow open(newStudy(wholeStudy()));
+    open.window().startSession(ParticipantId("P01"));
+    open.playTo("AskingFacts");
+    open.perform(FactsGiven{{{"age", "thirty-one"}}});
+    const auto& store = open.window().study()->store();
+    QCOMPARE(store.personalFacts().at(ParticipantId("P01")).at("age"), std::string("thirty-one"));
+    for (const auto& event : store.events(ParticipantId("P01")))
+        QVERIFY(event.payloadJson.find("thirty-one") == std::string::npos);
+}
+
+void AppStagesTest::fabricThatIsShownIsMarked()
+{
+    OpenWindow open(newStudy(wholeStudy()));
+    open.window().startSession(ParticipantId("P01"));
+    open.playTo("Familiarising");
+    open.perform(FamiliarisationShown{1});
+    QCOMPARE(open.display().told.back(), std::string("show"));
+    QVERIFY(open.widget<QPushButton>("familiar2").isChecked());
+    QVERIFY(!open.widget<QPushButton>("familiar1").isChecked());
+    QVERIFY(open.widget<QLabel>("shownFabric").text().contains("known fabric 2"));
+    open.perform(FamiliarisationDone{});
+    QCOMPARE(open.display().told.back(), std::string("clear"));
+}
+
+void AppStagesTest::scaleTrainingReadsBackKindly_data()
+{
+    QTest::addColumn<int>("tenthsOff");
+    QTest::addColumn<QString>("told");
+    QTest::newRow("hit") << 0 << "just where";
+    QTest::newRow("by half a point") << 5 << "very close";
+    QTest::newRow("by almost a point") << -9 << "close, 0.9 too low";
+    QTest::newRow("by two points") << 20 << "2 too high";
+}
+
+void AppStagesTest::scaleTrainingReadsBackKindly()
+{
+    QFETCH(int, tenthsOff);
+    QFETCH(QString, told);
+    OpenWindow open(newStudy(wholeStudy()));
+    open.window().startSession(ParticipantId("P01"));
+    open.playTo("ScaleTraining");
+    const auto places = open.view().placesToName;
+    QCOMPARE(places.size(), std::size_t(3));
+    // The mark that leaves room for the number, wherever the three lie.
+    std::size_t at = 0;
+    const auto isOnTheLine = [&](Tenths mark) { return mark.value + tenthsOff >= 0 && mark.value + tenthsOff <= 100; };
+    while (!isOnTheLine(places.at(at))) {
+        open.perform(ScalePlaced{places[at], places[at]});
+        ++at;
+    }
+    const Tenths shown = places[at];
+    open.perform(ScalePlaced{shown, {shown.value + tenthsOff}});
+    const QString text = open.widget<QLabel>("deviation").text();
+    QVERIFY2(text.contains(told), qPrintable(text));
+    QVERIFY(text.contains(study::app::textOf(shown)) || tenthsOff == 0);
+}
+
+void AppStagesTest::scaleTrainingMayEndAtAnyTime()
+{
+    OpenWindow open(newStudy(wholeStudy()));
+    open.window().startSession(ParticipantId("P01"));
+    open.playTo("ScaleTraining");
+    pressKey(open, Qt::Key_Return);
+    QVERIFY2(open.message().contains("G goes on"), qPrintable(open.message()));
+    pressKey(open, Qt::Key_G);
+    QCOMPARE(nameOf(open.view().state), std::string("CheckingList"));
+}
+
+void AppStagesTest::checklistIsStampedWithItsReadings()
+{
+    OpenWindow open(newStudy(wholeStudy()));
+    open.window().startSession(ParticipantId("P01"));
+    open.playTo("CheckingList");
+    pressKey(open, Qt::Key_Return);
+    QVERIFY2(open.message().contains("Not ticked yet"), qPrintable(open.message()));
+    QCOMPARE(nameOf(open.view().state), std::string("CheckingList"));
+    open.perform(ChecklistDone{open.hands().plan().protocol.checklist, {{"temperature in °C", "22,5"}}});
+    const auto last = open.window().study()->store().events(ParticipantId("P01")).back();
+    QCOMPARE(last.kind, std::string("checklist_done"));
+    QVERIFY(last.payloadJson.find("eye mask") != std::string::npos);
+    QVERIFY(last.payloadJson.find("22,5") != std::string::npos);
+    QVERIFY(!last.wallTime.empty());
+}
+
+void AppStagesTest::eachBreakSaysWhyItIs()
+{
+    OpenWindow open(newStudy(wholeStudy()));
+    open.enrolAndBegin();
+    const auto lead = [&] { return open.widget<QLabel>("pageTitle").text() + ' ' + open.widget<QLabel>("pageLead").text(); };
+    open.playTo("OnBreak");
+    QVERIFY(std::get<OnBreak>(open.view().state.stage).reason == BreakReason::Block);
+    QVERIFY2(lead().startsWith("Break "), qPrintable(lead()));
+    open.perform(BreakEnded{});
+    open.playTo("OnBreak");
+    QVERIFY(std::get<OnBreak>(open.view().state.stage).reason == BreakReason::Phase);
+    QVERIFY2(lead().contains("other questions") && lead().contains("S1"), qPrintable(lead()));
+    open.perform(BreakEnded{});
+    open.clock().advanceSeconds(75 * 60);
+    open.playTo("OnBreak");
+    QVERIFY(std::get<OnBreak>(open.view().state.stage).reason == BreakReason::SittingOver);
+    QVERIFY2(lead().contains("another day") && lead().contains("lasted"), qPrintable(lead()));
+    open.hands().click("secondButton");  // stop here for today
+    QTRY_COMPARE(open.window().currentPage()->objectName(), QString("studyPage"));
+}
+
+void AppStagesTest::laterSittingOffersItsPreparation()
+{
+    const auto folder = newStudy(wholeStudy());
+    {
+        OpenWindow open(folder);
+        open.enrolAndBegin();
+        open.playTo("Presenting", "S1");
+        open.window().close();
+    }
+    OpenWindow open(folder);
+    open.window().startSession(ParticipantId("P01"));
+    QVERIFY(open.view().state.paused);
+    pressKey(open, Qt::Key_Return);
+    QCOMPARE(nameOf(open.view().state), std::string("ScaleTraining"));
+    QVERIFY(open.widget<QLabel>("pageTitle").text().contains("once more"));
+    QVERIFY(!open.window().findChild<QLabel*>("lowAnchor")->isVisible());
+    QCOMPARE(open.view().placesToName.size(), std::size_t(1));
+    open.playTo("CheckingList");
+    QVERIFY(!open.widget<QAbstractButton>("check1").isChecked());  // each sitting anew
+    open.playTo("PlacingTray");
+    QVERIFY(open.view().sittingIsPrepared);
+    open.playToEnd();
+    QCOMPARE(static_cast<int>(answersIn(folder).size()), answersOf({}));
+}
+
+void AppStagesTest::laterSittingMayGoOnWithout()
+{
+    const auto folder = newStudy(wholeStudy());
+    {
+        OpenWindow open(folder);
+        open.enrolAndBegin();
+        open.window().close();
+    }
+    OpenWindow open(folder);
+    open.window().startSession(ParticipantId("P01"));
+    pressKey(open, Qt::Key_G);
+    QCOMPARE(nameOf(open.view().state), std::string("PlacingTray"));
+    QVERIFY(open.widget<QPushButton>("trayReadyButton").isVisible());
+    open.perform(Paused{});
+    QVERIFY(open.widget<QLabel>("pageTitle").text().contains("Paused"));  // not offered twice
+    open.playTo("Presenting");
+}
+
+void AppStagesTest::killedSessionOffersThePreparationToo()
+{
+    const auto folder = newStudy(wholeStudy());
+    {
+        OpenSession killed(folder, "P01", database::ParticipantKind::Human);
+        killed.stepUntil("PlacingTray");
+    }
+    OpenWindow open(folder);
+    open.window().startSession(ParticipantId("P01"));
+    QCOMPARE(nameOf(open.view().state), std::string("PlacingTray"));
+    QVERIFY(open.widget<QLabel>("pageTitle").text().contains("Welcome back"));
+    const int events = open.window().session()->eventsSent();
+    pressKey(open, Qt::Key_G);
+    QCOMPARE(open.window().session()->eventsSent(), events);  // the engine waits at the tray already
+    QVERIFY(open.widget<QPushButton>("trayReadyButton").isVisible());
+}
+
+void AppStagesTest::nothingIsOfferedWhereTheProtocolHasNothing()
+{
+    const std::string protocol = R"({"schema": "vis2hap.protocol/1", "name": "Bare study", "participants": 1,
+        "fabrics": ["F01", "F02", "F03"], "conditions": ["v_grey", "h&f"],
+        "phases": [{"questions": ["Q1"], "alternatives": 3}]})";
+    const auto folder = newStudy({.protocol = protocol});
+    {
+        OpenWindow open(folder);
+        open.enrolAndBegin();
+        open.window().close();
+    }
+    OpenWindow open(folder);
+    open.window().startSession(ParticipantId("P01"));
+    QVERIFY(open.widget<QLabel>("pageTitle").text().contains("Paused"));
+    pressKey(open, Qt::Key_Return);
+    QVERIFY(open.widget<QPushButton>("trayReadyButton").isVisible());
+}
+
+void AppStagesTest::whatIsTypedIsInSightAtTwiceTheSize()
+{
+    OpenWindow open(newStudy(wholeStudy()));
+    QVERIFY(QTest::qWaitForWindowActive(&open.window()));
+    open.window().setAppearance({study::app::Theme::Light, 200});
+    open.window().resize(1100, 750);
+    open.window().startSession(ParticipantId("P01"));
+    for (int steps = 0; !isFinished(open) && steps < 120; ++steps) {
+        const QWidget* focus = QApplication::focusWidget();
+        if (focus && focus->testAttribute(Qt::WA_InputMethodEnabled))
+            QTRY_VERIFY2_WITH_TIMEOUT(focus->visibleRegion().boundingRect().height() >= std::min(focus->height(), 60),
+                                      nameOf(open.view().state).c_str(), 500);
+        open.perform(open.nextEvent());
+    }
+}
+
+QTEST_MAIN(AppStagesTest)
+#include "app_stages_test.moc"

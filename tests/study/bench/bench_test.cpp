@@ -1,0 +1,37 @@
+// The bench measures on known surfaces and traces, so that its errors have known bounds. Times are not
+// judged: they are the machine's.
+#include "study/bench/bench.h"
+
+#include <QTest>
+#include <algorithm>
+#include <cmath>
+
+class BenchTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void everyStageHasItsErrorWithinBounds()
+    {
+        const auto rows = rendering::benchSignals();
+        const auto row = [&](const QString& stage, const QString& quality) {
+            const auto found = std::find_if(rows.begin(), rows.end(), [&](const auto& one) {
+                return QString::fromStdString(one.stage).startsWith(stage) && one.quality == quality.toStdString();
+            });
+            return found == rows.end() ? rendering::BenchRow{"", "", 0, 1e9, "", ""} : *found;
+        };
+        for (const auto& one : rows) {
+            qInfo("%-28s %-9s %8.2f ms  %.3g %s (%s)", one.stage.c_str(), one.quality.c_str(), one.milliseconds, one.error,
+                  one.errorUnit.c_str(), one.note.c_str());
+            QVERIFY(one.milliseconds > 0 && std::isfinite(one.error));
+        }
+        QVERIFY(row("integration 240x320", "full").error < 0.01);
+        QVERIFY(row("integration 480x640", "fast").error < 0.01);
+        for (const char* quality : {"fast", "full", "balanced", "accurate"})
+            QVERIFY(row("photometric stereo", quality).error < 3);
+        QVERIFY(row("shape from shading", "accurate").error < 0.5);
+        QVERIFY(row("spectrogram and back", "complex").error < 1e-10);
+        QVERIFY(row("spectrogram inversion", "accurate").error < 10);
+    }
+};
+
+QTEST_GUILESS_MAIN(BenchTest)
+#include "bench_test.moc"

@@ -1,0 +1,199 @@
+// vis2hap calibrate and vis2hap height, as someone with a sensor types them: presses to a calibration and its report, frames, gradients and normal
+// maps to heights in mm; what is wrong is named, and nothing is left behind then.
+#include "rendering/images/image_io.h"
+#include "tests/rendering/simulated_presses.h"
+#include "tests/support/program.h"
+
+#include <QDir>
+#include <QFile>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <opencv2/core.hpp>
+
+using nlohmann::json;
+
+namespace {
+
+json jsonIn(const QString& file)
+{
+    QFile in(file);
+    if (!in.open(QIODevice::ReadOnly))
+        throw std::runtime_error(("not there: " + file).toStdString());
+    return json::parse(in.readAll().toStdString());
+}
+
+double highest(const cv::Mat& image)
+{
+    double top = 0;
+    cv::minMaxLoc(image, nullptr, &top);
+    return top;
+}
+
+}  // namespace
+
+class HeightCommandTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase()
+    {
+        const auto made = tests::simulatedPresses(10);
+        m_presses = m_folder.filePath("presses");
+        QVERIFY(QDir().mkpath(m_presses));
+        rendering::writePng((m_presses + "/background.png").toStdString(), made.presses.background);
+        for (const auto& press : made.presses.presses)
+            rendering::writePng((m_presses + "/").toStdString() + press.name, press.frame);
+        m_sensor = m_folder.filePath("sensor.json");
+    }
+
+    void pressesBecomeACalibrationWithItsQuality()
+    {
+        const auto ended = support::mustRun({"calibrate", m_presses, "--ball-radius", "2", "--mm-per-pixel", "0.125", "--out", m_sensor});
+        QVERIFY2(ended.out.contains("cross-validated") && ended.out.contains("accurate"), qPrintable(ended.out));
+        QCOMPARE(jsonIn(m_sensor)["kind"].get<std::string>(), std::string("polynomial"));
+        const auto report = jsonIn(m_folder.filePath("sensor-quality.json"));
+        QCOMPARE(report["presses"].get<int>(), 10);
+        QVERIFY(report["cross_validated"]["normal_error_deg"].get<double>() < 3);
+        QCOMPARE(report["cross_validated"]["presses"].size(), std::size_t(10));
+        QCOMPARE(report["trade"].size(), std::size_t(3));
+        const cv::Mat sheet = rendering::readPng(m_folder.filePath("sensor-presses.png").toStdString());
+        QVERIFY(sheet.rows > 1000 && sheet.channels() == 3);
+        QVERIFY(QFile::exists(m_folder.filePath("sensor-background.png")));
+    }
+
+    void furtherPressesAreScoredApart()
+    {
+        const auto ended = support::mustRun({"calibrate", m_presses, "--ball-radius", "2", "--mm-per-pixel", "0.125", "--out", m_folder.filePath("tested.json"),
+                                             "--quality", "fast", "--test", m_presses, "--json"});
+        const auto report = json::parse(ended.out.toStdString());
+        QCOMPARE(report["test"]["presses"].size(), std::size_t(10));
+        QVERIFY(report["test"]["depth_error_mm"].get<double>() < 0.1);
+    }
+
+    void pressIsReadAboveTheEdgeOfItsContact()
+    {
+        const QString out = m_folder.filePath("heights");
+        support::mustRun({"height", m_presses + "/press_3.png", "--calibration", m_sensor, "--out", out});
+        const cv::Mat height = rendering::readTiff((out + "/press_3.tiff").toStdString());
+        QVERIFY2(std::abs(highest(height) - (2 - std::sqrt(4 - 1.625 * 1.625))) < 0.2, qPrintable(QString::number(highest(height))));
+        const auto facts = jsonIn(out + "/press_3.json");
+        QCOMPARE(facts["contact"].get<std::string>(), std::string("part"));
+        QVERIFY(facts["curl_residual"].get<double>() < 0.5);
+        QVERIFY(QFile::exists(out + "/press_3-gx.npy") && QFile::exists(out + "/press_3-gy.npy"));
+        support::mustRun({"height", m_presses + "/press_3.png", "--calibration", m_sensor, "--contact", "whole", "--out", out});
+        QVERIFY(jsonIn(out + "/press_3.json")["high_pass_cutoff_mm"].get<double>() > 0);
+    }
+
+    void framesOfACalibratedSensorBecomeADataSetWithHeights()
+    {
+        const QString felt = m_folder.filePath("frames/Felt"), set = m_folder.filePath("set"), images = m_folder.filePath("images");
+        QVERIFY(QDir().mkpath(felt));
+        for (const char* press : {"/press_1.png", "/press_2.png"})
+            QVERIFY(QFile::copy(m_presses + press, felt + press));
+        const auto ended = support::mustRun({"import", "gelsight", m_folder.filePath("frames"), "--calibration", m_sensor, "--out", set});
+        QVERIFY2(ended.out.contains("calibrated"), qPrintable(ended.out));
+        QCOMPARE(jsonIn(set + "/dataset.json")["tactile"]["mm_per_pixel"].get<double>(), 0.125);
+        support::mustRun({"render", set, "--condition", "h", "--out", images});
+        QVERIFY(QFile::exists(images + "/F01/h.png"));
+
+        // Another calibration for the same frames would read them as another sensor's.
+        const auto refused = support::runProgram({"import", "gelsight", m_folder.filePath("frames"), "--calibration", m_folder.filePath("tested.json"), "--out", set});
+        QCOMPARE(refused.exitCode, 2);
+        QVERIFY2(refused.err.contains("another calibration"), qPrintable(refused.err));
+    }
+
+    void anotherSensorsBackgroundIsRefused()
+    {
+        const QString other = m_folder.filePath("other.png"), out = m_folder.filePath("nothing");
+        cv::Mat background = rendering::readPng((m_presses + "/background.png").toStdString());
+        rendering::writePng(other.toStdString(), background * 0.6);
+        const auto ended = support::runProgram({"height", m_presses + "/press_3.png", "--calibration", m_sensor, "--background", other, "--out", out});
+        QCOMPARE(ended.exitCode, 2);
+        QVERIFY2(ended.err.contains("not of the calibrated sensor"), qPrintable(ended.err));
+        QVERIFY2(!QDir(out).exists(), "nothing is left behind");
+    }
+
+    void gradientsComeBackAsTheSurfaceTheyAreOf()
+    {
+        cv::Mat height(40, 50, CV_64FC1), x(40, 50, CV_64FC1), y(40, 50, CV_64FC1);
+        protocols::Random random(4);
+        for (double& value : cv::Mat_<double>(height))
+            value = random.normal();
+        for (int i = 0; i < 40; ++i)
+            for (int j = 0; j < 50; ++j) {
+                const int left = std::max(0, j - 1), right = std::min(49, j + 1), above = std::max(0, i - 1), below = std::min(39, i + 1);
+                x.at<double>(i, j) = (height.at<double>(i, right) - height.at<double>(i, left)) / ((right - left) * 0.02);
+                y.at<double>(i, j) = (height.at<double>(below, j) - height.at<double>(above, j)) / ((below - above) * 0.05);
+            }
+        const auto gx = m_folder.filePath("gx.npy"), gy = m_folder.filePath("gy.npy"), out = m_folder.filePath("integrated");
+        rendering::writeNpy(gx.toStdString(), x);
+        rendering::writeNpy(gy.toStdString(), y);
+        support::mustRun({"height", "--gradients", gx, gy, "--kind", "central", "--pitch", "0.02,0.05", "--out", out});
+        cv::Mat found;
+        rendering::readTiff((out + "/height.tiff").toStdString()).convertTo(found, CV_64F);
+        QVERIFY(cv::norm(found - cv::mean(found)[0], height - cv::mean(height)[0], cv::NORM_INF) < 1e-5);
+
+        x.at<double>(7, 9) = std::numeric_limits<double>::quiet_NaN();
+        rendering::writeNpy(gx.toStdString(), x);
+        support::mustRun({"height", "--gradients", gx, gy, "--kind", "central", "--pitch", "0.02,0.05", "--out", out});
+        const auto facts = jsonIn(out + "/height.json");
+        QCOMPARE(facts["missing_share"].get<double>(), 1.0 / 2000);
+        QVERIFY(cv::checkRange(rendering::readTiff((out + "/height.tiff").toStdString())));
+    }
+
+    void normalMapIsTurnedTheWayThatIsASurface()
+    {
+        cv::Mat normals(64, 64, CV_8UC3);
+        for (int i = 0; i < 64; ++i)
+            for (int j = 0; j < 64; ++j) {
+                const double p = 0.3 * std::sin(0.3 * j + 0.2 * i), q = 0.2 * std::sin(0.3 * j + 0.2 * i), length = std::sqrt(1 + p * p + q * q);
+                const auto stored = [&](double n) { return cv::saturate_cast<uchar>(255 * (n / length + 1) / 2); };
+                normals.at<cv::Vec3b>(i, j) = {stored(-p), stored(-q), stored(1)};  // y points down, which nobody has said
+            }
+        const auto file = m_folder.filePath("normals.png"), out = m_folder.filePath("normal");
+        rendering::writePng(file.toStdString(), normals);
+        support::mustRun({"height", "--normals", file, "--out", out});
+        const auto facts = jsonIn(out + "/normals.json");
+        QCOMPARE(facts["normals_y"].get<std::string>(), std::string("down"));
+        QVERIFY(facts["curl_residual"].get<double>() < 0.1);
+        QVERIFY(facts["curl_residual_y_up"].get<double>() > 0.3);
+    }
+
+    void wrongCallsAreNamed_data()
+    {
+        QTest::addColumn<QStringList>("arguments");
+        QTest::addColumn<QString>("named");
+        QTest::newRow("no source") << QStringList{"height", "--out", "x"} << "one source";
+        QTest::newRow("no calibration") << QStringList{"height", "frame.png", "--out", "x"} << "calibration";
+        QTest::newRow("no ball") << QStringList{"calibrate", "presses", "--out", "x.json"} << "--ball-radius";
+        QTest::newRow("no folder") << QStringList{"calibrate", "/nowhere", "--ball-radius", "2", "--mm-per-pixel", "0.1", "--out", "x.json"} << "/nowhere";
+        QTest::newRow("unknown kind") << QStringList{"height", "--gradients", "a.npy", "b.npy", "--kind", "sideways", "--out", "x"} << "--kind";
+        QTest::newRow("cut-off that is no number") << QStringList{"height", "--normals", "n.png", "--cutoff", "nan", "--out", "x"} << "--cutoff";
+        QTest::newRow("contact of gradients") << QStringList{"height", "--gradients", "a.npy", "b.npy", "--contact", "whole", "--out", "x"} << "--contact";
+        QTest::newRow("unknown contact") << QStringList{"height", m_presses + "/press_1.png", "--calibration", m_sensor, "--contact", "foo", "--out", "x"} << "foo";
+        QTest::newRow("pitch of frames") << QStringList{"height", m_presses + "/press_1.png", "--calibration", m_sensor, "--pitch", "3", "--out", "x"} << "--pitch";
+        QTest::newRow("folder as calibration") << QStringList{"height", m_presses + "/press_1.png", "--calibration", m_presses, "--out", m_folder.filePath("x")} << "calibration";
+        QTest::newRow("one name twice") << QStringList{"height", m_presses + "/press_1.png", m_presses + "/press_1.png", "--calibration", m_sensor, "--out", m_folder.filePath("x")} << "press_1.png";
+        QTest::newRow("no recordings") << QStringList{"bench", "signals", "--data", "/nowhere"} << "/nowhere";
+    }
+    void wrongCallsAreNamed()
+    {
+        QFETCH(QStringList, arguments);
+        QFETCH(QString, named);
+        const auto ended = support::runProgram(arguments);
+        QCOMPARE(ended.exitCode, 2);
+        QVERIFY2(ended.err.contains(named), qPrintable(ended.err));
+        QCOMPARE(ended.complaints().size(), 1);
+    }
+
+private:
+    QTemporaryDir m_folder;
+    QString m_presses, m_sensor;
+};
+
+QTEST_GUILESS_MAIN(HeightCommandTest)
+#include "height_command_test.moc"

@@ -1,0 +1,238 @@
+// A whole evaluation with generators that are made up: a perfect one, a constant one; extremes of the data set. No libtorch.
+#include <QtTest>
+#include <atomic>
+#include <fstream>
+#include <map>
+#include <memory>
+#include <opencv2/core.hpp>
+
+#include "protocols/files/sha256.h"
+#include "rendering/fabrics/procedural/procedural_fabrics.h"
+#include "rendering/models/model_card.h"
+#include "study/evaluation/criteria.h"
+#include "study/evaluation/evaluation_json.h"
+#include "study/evaluation/evaluation_text.h"
+#include "study/evaluation/measured_signals.h"
+#include "tests/rendering/fabric_files.h"
+
+using namespace fabric_files;
+using namespace rendering::fabrics;
+using namespace study::evaluation;
+using rendering::models::GeneratedSignals;
+using rendering::models::PhotographToTouch;
+
+namespace {
+
+std::string bytesOf(const cv::Mat& image)
+{
+    return protocols::sha256({reinterpret_cast<const char*>(image.data), image.total() * image.elemSize()});
+}
+
+/// Says of a photograph what was measured at its index: right where the data set is aligned.
+class PerfectGenerator {
+public:
+    explicit PerfectGenerator(const Dataset& dataset) : m_dataset(dataset), m_measured(dataset, 0.05)
+    {
+        for (const FabricInfo& fabric : dataset.fabrics)
+            for (const int index : sampleIndices(dataset, fabric.id, Modality::Visual))
+                m_known[bytesOf(readPhotograph(dataset, fabric.id, index))] = {fabric.id, index};
+    }
+
+    Generate asFunction() const
+    {
+        return [this](std::span<const PhotographToTouch> photographs, const rendering::models::GenerationOptions&) {
+            std::vector<GeneratedSignals> answers;
+            for (const PhotographToTouch& one : photographs) {
+                const auto& [fabric, index] = m_known.at(bytesOf(one.photograph));
+                const auto trace = m_measured.trace(fabric, index);
+                answers.push_back({m_measured.height(fabric, index), 0.05, {}, trace.values, trace.mmPerSample, trace.mean, {}, {}});
+            }
+            return answers;
+        };
+    }
+
+private:
+    const Dataset& m_dataset;
+    MeasuredSignals m_measured;
+    std::map<std::string, std::pair<FabricId, int>> m_known;
+};
+
+std::vector<GeneratedSignals> flatAnswers(std::span<const PhotographToTouch> photographs,
+                                          const rendering::models::GenerationOptions&)
+{
+    return std::vector<GeneratedSignals>(
+        photographs.size(),
+        {cv::Mat(256, 256, CV_32FC1, cv::Scalar(0.1)), 0.05, {}, std::vector<double>(480, 0.3), 1.0 / 12, 0.3, {}, {}});
+}
+
+double mean(const Evaluation& evaluation, SpeakerKind kind, Measure measure)
+{
+    return *at(evaluation.speaker(kind)->mean, measure);
+}
+
+}  // namespace
+
+class EvaluationTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase()
+    {
+        m_root = pathOf(m_folder);
+        ProceduralOptions options;
+        options.fabrics = 3;
+        options.samples = 12;
+        options.seed = 5;
+        options.pairing = Pairing::Aligned;
+        m_dataset = makeProceduralFabrics(m_root / "aligned", options);
+        m_dataset = readDataset(m_root / "aligned");
+        m_request.model = card("plain", {});
+    }
+
+    void init() { m_dataset = readDataset(m_root / "aligned"); }
+
+    void perfectGeneratorReachesEverything()
+    {
+        const PerfectGenerator perfect(m_dataset);
+        const Evaluation evaluation = evaluate(m_dataset, m_request, {}, perfect.asFunction());
+        QCOMPARE(evaluation.pairs, 3);
+        const auto generated = SpeakerKind::Generated;
+        QVERIFY(std::abs(mean(evaluation, generated, Measure::Ssim) - 1) < 1e-9);
+        QVERIFY(mean(evaluation, generated, Measure::SsimRegistered) > 0.999);  // places are rounded to 1/32 px
+        QCOMPARE(mean(evaluation, generated, Measure::FrictionMae), 0.0);
+        QCOMPARE(mean(evaluation, generated, Measure::IdentifiedByBoth),
+                 mean(evaluation, SpeakerKind::Measured, Measure::IdentifiedByBoth));
+        QVERIFY(mean(evaluation, SpeakerKind::AnotherPlace, Measure::SsimRegistered) < 0.98);
+        for (const FabricValues& fabric : evaluation.speaker(generated)->fabrics)
+            QCOMPARE(*at(fabric.values, Measure::MeanFrictionError), 0.0);
+        for (const Criterion& one : criteriaOf(evaluation)) QVERIFY2(one.reached.value_or(false), one.what.c_str());
+    }
+
+    void flatGeneratorIsSeenThrough()
+    {
+        const Evaluation evaluation = evaluate(m_dataset, m_request, {}, flatAnswers);
+        QVERIFY(!at(evaluation.speaker(SpeakerKind::Generated)->mean, Measure::SqRatio).exists());
+        QVERIFY(mean(evaluation, SpeakerKind::Generated, Measure::IdentifiedByBoth) < 0.5);
+        int reached = 0;
+        for (const Criterion& one : criteriaOf(evaluation)) reached += one.reached.value_or(false);
+        QVERIFY(reached <= 2);
+    }
+
+    void controlsComeFromTheTrainingPart()
+    {
+        const Evaluation evaluation = evaluate(m_dataset, m_request, {}, flatAnswers);
+        // A fabric's mean lies nearer than one constant for all; the nearest photograph is of the right fabric most times.
+        QVERIFY(mean(evaluation, SpeakerKind::FabricMean, Measure::MeanFrictionError) <
+                mean(evaluation, SpeakerKind::GlobalConstant, Measure::MeanFrictionError));
+        QVERIFY(mean(evaluation, SpeakerKind::Retrieval, Measure::IdentifiedByHeight) > 0.6);
+        QCOMPARE(evaluation.trainingPhotographs, 30);
+        QCOMPARE(at(evaluation.speaker(SpeakerKind::FabricMean)->mean, Measure::FrictionSpectrum).why(),
+                 std::string("a constant has no texture"));
+        QVERIFY(*evaluation.noiseFloor <= mean(evaluation, SpeakerKind::FabricMean, Measure::FrictionMaeOverMean));
+    }
+
+    void repeatGivesTheSameBitsWhateverTheThreads()
+    {
+        const std::string once = evaluationJson(evaluate(m_dataset, m_request, {}, flatAnswers)).dump();
+        m_request.threads = 1;
+        QCOMPARE(evaluationJson(evaluate(m_dataset, m_request, {}, flatAnswers)).dump(), once);
+        m_request.threads = 2;
+    }
+
+    void fabricsHeldOutAreUnknownToTheControls()
+    {
+        EvaluationRequest request = m_request;
+        request.split = SplitKind::Fabric;
+        request.model = card("held", {"F02", "F99"});
+        const Evaluation evaluation = evaluate(m_dataset, request, {}, flatAnswers);
+        QCOMPARE(evaluation.fabrics, 1);
+        QCOMPARE(evaluation.speakers.front().fabrics.front().fabric, FabricId("F02"));
+        QVERIFY(at(evaluation.speaker(SpeakerKind::FabricMean)->mean, Measure::FrictionMae).why().find("held out") !=
+                std::string::npos);
+        QCOMPARE(mean(evaluation, SpeakerKind::Retrieval, Measure::IdentifiedByBoth), 0.0);  // always another fabric
+        QVERIFY(mean(evaluation, SpeakerKind::Measured, Measure::IdentifiedByBoth) > 0.5);   // the judge does know it
+        QCOMPARE(evaluation.trainingPhotographs, 20);
+    }
+
+    void modelWithoutHeldOutFabricsIsRefusedByFabric()
+    {
+        EvaluationRequest request = m_request;
+        request.split = SplitKind::Fabric;
+        QVERIFY(contains(refusalOf([&] { evaluate(m_dataset, request, {}, flatAnswers); }), "--hold-out"));
+        request.model = card("elsewhere", {"F77"});
+        QVERIFY(contains(refusalOf([&] { evaluate(m_dataset, request, {}, flatAnswers); }), "none of the fabrics"));
+    }
+
+    void everyOtherModelIsMeasuredBesideIt()
+    {
+        EvaluationRequest request = m_request;
+        request.against = {card("l1", {})};
+        const Evaluation evaluation = evaluate(m_dataset, request, {}, flatAnswers);
+        QCOMPARE(evaluation.speakers.size(), std::size_t(8));
+        QCOMPARE(evaluation.speakers[1].speaker.id, std::string("against:l1"));
+        QVERIFY(contains(evaluationText(evaluation), "against: l1"));
+    }
+
+    void dataWithoutASignalIsMeasuredByTheOther()
+    {
+        const fs::path copy = m_root / "no friction";
+        fs::copy(m_root / "aligned", copy, fs::copy_options::recursive);
+        for (const char* fabric : {"F01", "F02", "F03"}) fs::remove_all(copy / fabric / "friction");
+        const Evaluation evaluation = evaluate(readDataset(copy), m_request, {}, flatAnswers);
+        QVERIFY(at(evaluation.speakers[0].mean, Measure::Ssim).exists());
+        QVERIFY(contains(at(evaluation.speakers[0].mean, Measure::FrictionMae).why(), "no friction records"));
+        QVERIFY(contains(evaluationText(evaluation), "not measured: the data set has no friction records"));
+        for (const char* fabric : {"F01", "F02", "F03"}) fs::remove_all(copy / fabric / "tactile");
+        const Evaluation none = evaluate(readDataset(copy), m_request, {}, flatAnswers);
+        QVERIFY(!none.rangeMm.exists() && !at(none.speakers[0].mean, Measure::Ssim).exists());
+    }
+
+    void knownHeightsServeAsMeasured()
+    {
+        m_dataset.tactileCalibration = "known";
+        const Evaluation evaluation = evaluate(m_dataset, m_request, {}, flatAnswers);
+        QVERIFY(at(evaluation.speakers[0].mean, Measure::Ssim).exists());
+        m_dataset.tactileCalibration.clear();
+        QVERIFY(
+            contains(at(evaluate(m_dataset, m_request, {}, flatAnswers).speakers[0].mean, Measure::Ssim).why(), "calibration"));
+    }
+
+    void oneFabricInTheDarkIsDefined()
+    {
+        const fs::path copy = m_root / "dark";
+        fs::copy(m_root / "aligned", copy, fs::copy_options::recursive);
+        Dataset dark = readDataset(copy);
+        for (const int index : sampleIndices(dark, FabricId("F01"), Modality::Visual))
+            rendering::writePng(samplePath(dark, FabricId("F01"), Modality::Visual, index), cv::Mat::zeros(256, 256, CV_8UC3));
+        dark.fabrics.resize(1);
+        const Evaluation evaluation = evaluate(dark, m_request, {}, flatAnswers);
+        QCOMPARE(evaluation.fabrics, 1);
+        QCOMPARE(evaluation.leaks.duplicates.at(Modality::Visual), 1);  // all black is all the same
+        QVERIFY(contains(at(evaluation.speakers[0].mean, Measure::IdentifiedByBoth).why(), "fewer than two fabrics"));
+        QVERIFY(!evaluation.speakers[0].friction.equivalence.why.empty());
+        QVERIFY(!contains(evaluationText(evaluation), "nan"));
+        QVERIFY(contains(evaluationJson(evaluation).dump(), "vis2hap.evaluation/1"));
+    }
+
+private:
+    /// The card of a model whose weights nobody opens.
+    fs::path card(const std::string& name, const std::vector<std::string>& heldOut)
+    {
+        rendering::models::ModelCardFields fields;
+        fields.told.name = name;
+        fields.splitSeed = 1;
+        fields.heldOut = heldOut;
+        fields.validation = nlohmann::ordered_json::object();
+        const fs::path model = m_root / (name + ".pt");
+        write(rendering::models::cardOf(model), rendering::models::cardText(fields));
+        return model;
+    }
+
+    QTemporaryDir m_folder;
+    fs::path m_root;
+    Dataset m_dataset;
+    EvaluationRequest m_request;
+};
+
+QTEST_GUILESS_MAIN(EvaluationTest)
+#include "evaluation_test.moc"

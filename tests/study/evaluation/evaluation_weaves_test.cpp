@@ -1,0 +1,137 @@
+// Photographs without measurements: is the weave kept? With made-up generators, no torch; and the shipped
+// weights on real twills.
+#include "rendering/fabrics/dataset.h"
+#include "rendering/images/image_io.h"
+#include "study/evaluation/weaves.h"
+#include "tests/rendering/shared_data.h"
+
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <opencv2/imgproc.hpp>
+
+#include <cmath>
+#include <filesystem>
+#include <numbers>
+
+namespace fabrics = rendering::fabrics;
+namespace models = rendering::models;
+using namespace study::evaluation;
+
+namespace {
+
+cv::Mat waves(double periodPx, double directionDeg)
+{
+    cv::Mat picture(200, 200, CV_8UC3);
+    const double angle = directionDeg * std::numbers::pi / 180;
+    for (int row = 0; row < picture.rows; ++row)
+        for (int column = 0; column < picture.cols; ++column) {
+            const double along = column * std::cos(angle) + row * std::sin(angle);
+            picture.at<cv::Vec3b>(row, column) =
+                cv::Vec3b::all(static_cast<unsigned char>(std::lround(120 + 40 * std::sin(2 * std::numbers::pi * along / periodPx))));
+        }
+    return picture;
+}
+
+/// Brighter is higher; enlarged by `zoom` about the corner and turned by a quarter where `turned`.
+Generate madeUp(double zoom, bool turned)
+{
+    return [=](std::span<const models::PhotographToTouch> photographs, const models::GenerationOptions& options) {
+        std::vector<models::GeneratedSignals> answers;
+        for (const models::PhotographToTouch& one : photographs) {
+            cv::Mat grey;
+            cv::cvtColor(one.photograph, grey, cv::COLOR_RGB2GRAY);
+            const cv::Mat move = (cv::Mat_<double>(2, 3) << zoom, 0, 0, 0, zoom, 0);
+            cv::warpAffine(grey, grey, move, grey.size(), cv::INTER_CUBIC, cv::BORDER_REFLECT_101);
+            if (turned) cv::rotate(grey, grey, cv::ROTATE_90_CLOCKWISE);
+            models::GeneratedSignals signals;
+            grey.convertTo(signals.heightMm, CV_32F, 0.001);
+            signals.heightMmPerPixel = 0.05;
+            answers.push_back(signals);
+        }
+        if (options.friction) qFatal("friction was asked for, though nobody looks at it");
+        return answers;
+    };
+}
+
+}  // namespace
+
+class EvaluationWeavesTest : public QObject {
+    Q_OBJECT
+
+private:
+    QTemporaryDir m_folder;
+    fabrics::Dataset m_dataset;
+
+    void write(const char* fabric, const cv::Mat& photograph)
+    {
+        const std::filesystem::path file = fabrics::samplePath(m_dataset, protocols::FabricId(fabric), fabrics::Modality::Visual, 0);
+        std::filesystem::create_directories(file.parent_path());
+        rendering::writePng(file, photograph);
+    }
+
+private Q_SLOTS:
+    void initTestCase()
+    {
+        m_dataset.folder = m_folder.path().toStdString();
+        m_dataset.name = "weaves";
+        m_dataset.fabrics = {{protocols::FabricId("F01"), "oblique", ""}, {protocols::FabricId("F02"), "upright", ""},
+                             {protocols::FabricId("F03"), "blank", ""}};
+        write("F01", waves(7, 30));
+        write("F02", waves(11, 90));
+        write("F03", cv::Mat(200, 200, CV_8UC3, cv::Scalar::all(100)));
+    }
+
+    void faithfulReliefKeepsTheWeave()
+    {
+        const Weaves weaves = weavesKept(m_dataset, {}, {}, madeUp(1, false));
+        QCOMPARE(weaves.photographs.size(), std::size_t{3});
+        QVERIFY(weaves.photographs[0].kept() && weaves.photographs[1].kept());
+        QVERIFY(!weaves.photographs[2].photograph && !weaves.photographs[2].kept());
+        QVERIFY(QString::fromStdString(weavesText(weaves)).contains("2 of 2 photographs"));
+    }
+
+    void anotherPeriodOrDirectionIsNotKept()
+    {
+        const Weaves coarser = weavesKept(m_dataset, {}, {}, madeUp(1.08, false));
+        QVERIFY(!coarser.photographs[0].kept() && coarser.photographs[0].turnDeg < 3);
+        QVERIFY(std::abs(coarser.photographs[0].periodChange - 0.08) < 0.02);
+        const Weaves turned = weavesKept(m_dataset, {}, {}, madeUp(1, true));
+        QVERIFY(!turned.photographs[1].kept() && turned.photographs[1].turnDeg > 85);
+        QVERIFY(QString::fromStdString(weavesText(turned)).contains("NOT KEPT"));
+    }
+
+    void jsonTellsWhyNothingCouldBeCompared()
+    {
+        const nlohmann::ordered_json json = weavesJson(weavesKept(m_dataset, {}, {}, madeUp(1, false)));
+        QCOMPARE(json.at("schema").get<std::string>(), std::string("vis2hap.evaluation/1"));
+        QVERIFY(json.at("weaves").at(0).at("kept").get<bool>());
+        QVERIFY(json.at("weaves").at(2).at("kept").is_null());
+        QVERIFY(json.at("weaves").at(2).at("why").contains("period_change"));
+    }
+
+    void shippedWeightsKeepRealTwills()
+    {
+        const std::filesystem::path photographs = sharedData("fabricbtdf_photos");
+        if (!std::filesystem::exists(photographs)) QSKIP("the shared photographs are not there (VIS2HAP_SHARED)");
+        QTemporaryDir folder;
+        fabrics::Dataset dataset;
+        dataset.folder = folder.path().toStdString();
+        dataset.name = "twills";
+        int number = 0;
+        for (const char* name : {"twill1_R.png", "twill2_R.png", "twill3_R.png"}) {
+            const std::string id = "F0" + std::to_string(++number);
+            dataset.fabrics.push_back({protocols::FabricId(id), name, ""});
+            const auto file = fabrics::samplePath(dataset, protocols::FabricId(id), fabrics::Modality::Visual, 0);
+            std::filesystem::create_directories(file.parent_path());
+            std::filesystem::copy_file(photographs / name, file);
+        }
+        EvaluationRequest request;
+        request.quality = models::Quality::Fast;
+        const Weaves weaves = weavesKept(dataset, request);
+        QVERIFY2(std::ranges::all_of(weaves.photographs, &WeaveKept::kept), weavesText(weaves).c_str());
+    }
+};
+
+QTEST_GUILESS_MAIN(EvaluationWeavesTest)
+#include "evaluation_weaves_test.moc"

@@ -1,0 +1,111 @@
+// Photographs that a model knows nothing like of are told to who renders them and printed in the study's report.
+#include "protocols/files/sha256.h"
+#include "rendering/images/image_io.h"
+#include "rendering/models/model_card.h"
+#include "rendering/models/photograph_features.h"
+#include "protocols/files/whole_file.h"
+#include "tests/support/program.h"
+
+#include <QDir>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+using namespace rendering;
+using support::mustRun;
+namespace fs = std::filesystem;
+
+namespace {
+
+nlohmann::ordered_json readJson(const QString& file)
+{
+    return nlohmann::ordered_json::parse(readWholeFile(file.toStdString()));
+}
+
+int countIn(const QString& text, const char* part) { return static_cast<int>(text.count(part)); }
+
+}  // namespace
+
+class UnknownPhotographsTest : public QObject {
+    Q_OBJECT
+
+private:
+    QTemporaryDir m_folder;
+    QString m_fabrics;
+
+    QString path(const QString& name) const { return m_folder.filePath(name); }
+
+    /// The shipped weights, saying that they know the photographs of these fabrics (none: that they do not tell).
+    QString modelKnowing(const QString& name, const QStringList& fabrics) const
+    {
+        auto card = models::readModelCardFields(models::shippedModel());
+        card.photographs.reset();
+        std::vector<std::vector<float>> known;
+        for (const QString& fabric : fabrics)
+            for (const char* file : {"000.png", "001.png"})
+                known.push_back(models::photographFeatures(readPng((m_fabrics + "/" + fabric + "/visual/" + file).toStdString())));
+        if (!known.empty())
+            card.photographs = models::fitFamiliarity(known, {});
+        fs::copy_file(models::shippedModel(), path(name).toStdString());
+        writeWholeFile(models::cardOf(path(name).toStdString()), models::cardText(card));
+        return path(name);
+    }
+
+private Q_SLOTS:
+    void initTestCase()
+    {
+        m_fabrics = path("fabrics");
+        mustRun({"fabrics", "make", m_fabrics, "--fabrics", "8", "--samples", "2", "--seed", "5"});
+    }
+
+    void renderNamesThemAndSavesTheDistances()
+    {
+        const QString model = modelKnowing("knows-all.pt", {"F01", "F02", "F03", "F04", "F05", "F06", "F07", "F08"});
+        const auto known = mustRun({"render", m_fabrics, "--condition", "h_g", "--fabric", "F02", "--out", path("known"), "--model", model});
+        QVERIFY2(!known.err.contains("unlike"), qPrintable(known.err));
+        QCOMPARE(readJson(path("known/render.json"))["photographs"]["F02"]["unfamiliar"].get<bool>(), false);
+
+        const QString other = modelKnowing("knows-one.pt", {"F01"});
+        const auto ended = mustRun({"render", m_fabrics, "--condition", "h_g,v_grey", "--out", path("unknown"), "--model", other});
+        QVERIFY2(ended.err.contains("photograph 0 of F05 is unlike every photograph that the model was trained on (distance "), qPrintable(ended.err));
+        QVERIFY2(!ended.err.contains("photograph 0 of F01"), qPrintable(ended.err));
+        const auto saved = readJson(path("unknown/render.json"))["photographs"]["F05"];
+        QVERIFY(saved["distance"].get<double>() > saved["usual_distance"].get<double>());
+        QVERIFY(saved["unfamiliar"].get<bool>());
+    }
+
+    void weightsThatDoNotTellSaySoOnce()
+    {
+        const auto ended = mustRun({"render", m_fabrics, "--condition", "h_g,f_g", "--out", path("untold"), "--model", modelKnowing("old.pt", {})});
+        QCOMPARE(countIn(ended.err, "these weights do not tell"), 1);
+        const auto saved = readJson(path("untold/render.json"))["photographs"]["F01"];
+        QVERIFY(saved["distance"].is_null() && !saved["why"]["distance"].get<std::string>().empty());
+        const auto none = mustRun({"render", m_fabrics, "--condition", "v_grey,h", "--out", path("none")});
+        QVERIFY(!none.err.contains("these weights"));
+    }
+
+    void studyAndReportSayIt()
+    {
+        const QString model = modelKnowing("for-study.pt", {"F01"});
+        for (const QString& study : {QString("study"), QString("again")}) {  // the second reuses the images of the first
+            const auto made = mustRun({"study", "new", path(study), "--dataset", m_fabrics, "--seed", "3", "--key-seed", "4", "--model", model,
+                                       "--images", path("images"), "--allow-training-samples", "--participants", "2"});
+            QVERIFY2(countIn(made.err, "is unlike every photograph") >= 6, qPrintable(made.err));
+            mustRun({"study", "status", path(study), "--json", path(study + ".json")});
+            QString stamps;
+            const auto status = readJson(path(study + ".json"));
+            for (const auto& stamp : status["stamps"])
+                stamps += QString::fromStdString(stamp.get<std::string>()) + "\n";
+            QVERIFY2(countIn(stamps, "is unlike every photograph that the model was trained on") >= 6, qPrintable(stamps));
+        }
+        mustRun({"simulate", path("study"), "--participants", "2", "--dataset", m_fabrics});
+        mustRun({"report", path("study"), "--out", path("report")});
+        const QString html = QString::fromStdString(readWholeFile(path("report/index.html").toStdString()));
+        QVERIFY(html.contains("is unlike every photograph that the model was trained on (distance "));
+    }
+};
+
+QTEST_GUILESS_MAIN(UnknownPhotographsTest)
+#include "unknown_photographs_test.moc"

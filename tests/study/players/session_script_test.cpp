@@ -1,0 +1,153 @@
+// A recorded session, exported as a script, stores the same rows when it is replayed on a twin of its study.
+#include "study/players/session_script.h"
+
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include "study/commands/json_output.h"
+#include "study/players/script.h"
+#include "study/players/scripted_participant.h"
+#include "protocols/files/errors.h"
+#include "tests/support/played_session.h"
+#include "tests/support/study_builder.h"
+
+using namespace study::session;
+using namespace tests::support;
+using protocols::ParticipantId;
+using protocols::QuestionId;
+using protocols::Tenths;
+
+namespace {
+
+/// Everything that a view row tells but its instants.
+std::vector<std::string> rowsOf(const database::StudyStore& store)
+{
+    std::vector<std::string> rows;
+    for (const auto& answer : store.answers()) {
+        const auto& record = answer.record;
+        rows.push_back(answer.participant.value + " " + std::to_string(record.trial.value) + " " + std::to_string(answer.attempt) + " " +
+                       record.question.value + " " + record.fileCode.value + " " +
+                       (record.answer ? *record.answer : std::to_string(record.rating->value)) + " " + std::to_string(answer.seconds) +
+                       " touched " + (record.touchedAtNs ? std::to_string(*record.touchedAtNs - record.readyAtNs) + record.touchedBy : "no") +
+                       " corrections " + std::to_string(answer.corrections) + (answer.voided ? " void" : "") + " note '" + record.note + "'");
+    }
+    for (const auto& flag : store.flags())
+        rows.push_back("flag " + std::to_string(flag.trial.value) + " " + flag.text);
+    return rows;
+}
+
+/// With all that an operator may do on the way.
+void playEventfully(OpenSession& session)
+{
+    session.playUntilAnswers(1);
+    session.send(Noted{"sneezed", false});
+    session.stepUntil("Presenting");
+    session.send(Voided{"wrong swatch"});
+    session.playUntilAnswers(3);
+    session.send(Corrected{QuestionId("Q1"), session.driver->plan().trials[2].alternatives[0], "misheard"});
+    session.stepUntil("Presenting");
+    session.send(Touched{TouchSource::Display});
+    session.send(Paused{});
+    session.send(Resumed{});
+    session.playUntilAnswers(9);
+    session.send(Voided{"noise"});
+    session.playUntilAnswers(12);
+    session.send(Noted{"look at this", true});
+    session.playUntilAnswers(14);
+    session.send(Corrected{QuestionId("Q2"), Tenths{54}, "misheard"});
+    session.playToEnd();
+}
+
+std::string scriptOf(const database::StudyStore& store, const std::filesystem::path& out)
+{
+    const auto protocol = study::commands::protocolOf(store.facts());
+    study::commands::writeScripts(store, study::commands::namingOf(store, protocol, recordedUnblinding(store)), out);
+    return study::commands::readFile(out / "S01.json");
+}
+
+void replay(const std::string& text, OpenSession& session)
+{
+    const auto& plan = session.driver->plan();
+    const auto script = study::commands::scriptFromJson(text, "exported", plan.protocol);
+    study::commands::DriverHands hands(*session.driver);
+    const study::commands::ScriptedTrials trials{
+        plan.trials, readAllocationKeyForTestDriver(session.store, database::ParticipantKind::Scripted), plan.protocol};
+    study::commands::playScript(script, trials, {}, hands, session.clock);
+}
+
+}  // namespace
+
+class SessionScriptTest : public QObject {
+    Q_OBJECT
+    QTemporaryDir m_place;
+    int m_studies = 0;
+
+    std::filesystem::path newPath() { return m_place.filePath(QString("place%1").arg(++m_studies)).toStdString(); }
+
+private Q_SLOTS:
+    void aRecordedSessionReplaysToTheSameRows_data()
+    {
+        QTest::addColumn<bool>("unblinded");
+        QTest::newRow("by trial, blinded") << false;
+        QTest::newRow("by rendering, unblinded") << true;
+    }
+
+    void aRecordedSessionReplaysToTheSameRows()
+    {
+        QFETCH(bool, unblinded);
+        OpenSession recorded(buildStudy(newPath()), "S01");
+        playEventfully(recorded);
+        if (unblinded) unblind(recorded.store, "Ada", "it is over", "2026-01-01T00:00:00Z");
+        const auto out = newPath();
+        std::filesystem::create_directory(out);
+        const std::string text = scriptOf(recorded.store, out);
+        QCOMPARE(text.find("v_grey") != std::string::npos, unblinded);
+        OpenSession twin(buildStudy(newPath()), "S01");
+        replay(text, twin);
+        const auto rows = rowsOf(recorded.store), again = rowsOf(twin.store);
+        QVERIFY(rows.size() > 24u);
+        for (std::size_t i = 0; i < std::min(rows.size(), again.size()); ++i) QCOMPARE(again[i], rows[i]);
+        QCOMPARE(again.size(), rows.size());
+    }
+
+    void whatAScriptExpectsIsChecked_data()
+    {
+        QTest::addColumn<QString>("event");
+        QTest::addColumn<QString>("fault");
+        QTest::newRow("a stage that is") << R"({"after_answer":4,"do":"expect","stage":"OnBreak"})" << "";
+        QTest::newRow("a stage that is not") << R"({"after_answer":3,"do":"expect","stage":"OnBreak"})"
+                                             << "the stage is PlacingTray";
+        QTest::newRow("a question that is asked") << R"({"before_answer":8,"do":"expect","question":"Q3","presentation":7})" << "";
+        QTest::newRow("a question that is not") << R"({"before_answer":8,"do":"expect","question":"Q2"})" << "the question is Q3";
+        QTest::newRow("refused, as it must") << R"({"before_answer":8,"do":"answer","answer":11,"must_fail":true,"refusal":"not on the scale"})"
+                                             << "";
+        QTest::newRow("accepted, though it must fail") << R"({"before_answer":8,"do":"touch","must_fail":true})" << "was accepted";
+        QTest::newRow("refused for another reason")
+            << R"({"before_answer":8,"do":"answer","answer":11,"must_fail":true,"refusal":"disk full"})" << "was refused with";
+    }
+
+    void whatAScriptExpectsIsChecked()
+    {
+        QFETCH(QString, event);
+        QFETCH(QString, fault);
+        OpenSession recorded(buildStudy(newPath()), "S01");
+        recorded.playToEnd();
+        const auto out = newPath();
+        std::filesystem::create_directory(out);
+        auto script = nlohmann::ordered_json::parse(scriptOf(recorded.store, out));
+        script["events"] = {nlohmann::ordered_json::parse(event.toStdString())};
+        OpenSession twin(buildStudy(newPath()), "S01");
+        QString said;
+        try {
+            replay(script.dump(), twin);
+        } catch (const protocols::Error& error) {
+            QCOMPARE(error.exitCode(), protocols::ExitCode::WorkFailed);
+            said = error.what();
+        }
+        QCOMPARE(said.isEmpty(), fault.isEmpty());
+        QVERIFY2(said.contains(fault), qPrintable(said));
+    }
+};
+
+QTEST_GUILESS_MAIN(SessionScriptTest)
+#include "session_script_test.moc"

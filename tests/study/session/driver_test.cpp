@@ -1,0 +1,363 @@
+// The driver: what it stores, what it lets out when, and where a session goes on.
+#include <QTemporaryDir>
+#include <QtTest>
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <set>
+
+#include "protocols/files/errors.h"
+#include "tests/support/played_session.h"
+#include "tests/support/raw_sqlite.h"
+#include "tests/support/study_builder.h"
+
+using namespace study::session;
+using namespace tests::support;
+using database::CurrentAnswer;
+using database::SlotState;
+using protocols::ParticipantId;
+using protocols::QuestionId;
+using protocols::Tenths;
+
+namespace {
+
+/// Everything of an answer but its times.
+std::string withoutTimes(const CurrentAnswer& answer)
+{
+    const auto& record = answer.record;
+    return answer.participant.value + " " + std::to_string(record.trial.value) + " " + record.question.value + " " +
+           record.fileCode.value + " " + (record.answer ? *record.answer : std::to_string(record.rating->value)) +
+           (answer.voided ? " void" : "");
+}
+
+std::vector<std::string> withoutTimes(const std::vector<CurrentAnswer>& answers)
+{
+    std::vector<std::string> lines;
+    for (const CurrentAnswer& answer : answers) lines.push_back(withoutTimes(answer));
+    return lines;
+}
+
+int count(const std::vector<CurrentAnswer>& answers, bool voided)
+{
+    return static_cast<int>(
+        std::count_if(answers.begin(), answers.end(), [&](const CurrentAnswer& answer) { return answer.voided == voided; }));
+}
+
+}  // namespace
+
+class DriverTest : public QObject {
+    Q_OBJECT
+    QTemporaryDir m_place;
+    int m_studies = 0;
+
+    database::StudyFolder newStudy() { return buildStudy(m_place.filePath(QString("study%1").arg(++m_studies)).toStdString()); }
+
+private Q_SLOTS:
+    void aWholeSessionIsStoredAndFinishesItsSlot()
+    {
+        OpenSession session(newStudy(), "S01");
+        session.playToEnd();
+        const auto answers = session.store.answers();
+        QCOMPARE(answers.size(), 6u + 18u);
+        QCOMPARE(session.store.slots()[0].state, SlotState::Finished);
+        QCOMPARE(session.store.slots()[1].state, SlotState::Free);
+        QCOMPARE(answers.front().seconds, 2.5);
+        QCOMPARE(answers.front().record.readyAtNs + 1250000000, *answers.front().record.touchedAtNs);
+        const CurrentAnswer& third = answers[8];
+        QCOMPARE(third.record.question.value, std::string("Q4"));
+        QVERIFY(!third.record.touchedAtNs);
+        QCOMPARE(third.record.readyAtNs, answers[7].record.answeredAtNs);
+        QCOMPARE(third.seconds, 3.75);
+        QVERIFY(session.store.faults().empty());
+    }
+
+    void theDisplayShowsEachTrialsOwnStimulusAndIsClearBetween()
+    {
+        OpenSession session(newStudy(), "S01");
+        session.playToEnd();
+        std::vector<std::string> expected{"clear", "clear"};  // the sitting began; the display was got to know
+        for (const auto& trial : session.driver->plan().trials) {
+            const int value = session.bank.image(trial.fileCode).at<unsigned char>(0, 0);
+            expected.push_back("show " + std::to_string(value));
+            expected.push_back("clear");
+        }
+        QCOMPARE(session.display.told, expected);
+    }
+
+    void theViewCarriesTheTrialAndNoKey()
+    {
+        OpenSession session(newStudy(), "S01");
+        QVERIFY(session.driver->view().code.empty());
+        session.stepUntil("PlacingTray");
+        View view = session.driver->view();
+        const auto& trial = session.driver->plan().trials.front();
+        QCOMPARE(view.code, trial.presentationCode);
+        QVERIFY(view.code.value != trial.fileCode.value);
+        QCOMPARE(view.tray.size(), 3u);
+        QCOMPARE(view.tray.front(), "fabric " + trial.alternatives.front().value.substr(1));
+        QCOMPARE(view.question->id.value, std::string("Q1"));
+        QVERIFY(!view.scale && !view.lastAnswer);
+        QCOMPARE(view.phaseName, std::string("Q1"));
+        QCOMPARE(view.presentation, 1);
+        QCOMPARE(view.presentations, 12);
+        QCOMPARE(view.answersInAll, 24);
+        QCOMPARE(view.minutesLeft, 6.0);
+        QCOMPARE(view.presentationsToBreak, 4);
+        session.playUntilAnswers(4);
+        QVERIFY(session.driver->view().code.empty());
+        QCOMPARE(session.driver->view().presentationsToBreak, 2);
+        session.playUntilAnswers(7);
+        view = session.driver->view();
+        QCOMPARE(view.phaseName, std::string("Q2-Q4"));
+        QCOMPARE(view.question->id.value, std::string("Q3"));
+        QVERIFY(view.scale.has_value());
+        QCOMPARE(view.minutesLeft, 3.0);
+        const int tenths = std::get<Tenths>(session.driver->state().answers.back().response).value;
+        QCOMPARE(*view.lastAnswer, "Q2: " + std::to_string(tenths / 10) + "." + std::to_string(tenths % 10));
+        session.playToEnd();
+        QCOMPARE(session.driver->view().minutesLeft, 0.0);
+        QCOMPARE(session.driver->view().presentation, 12);
+    }
+
+    void aSessionGoesOnWhereTheLastOneStopped()
+    {
+        const auto whole = newStudy();
+        OpenSession uninterrupted(whole, "S01");
+        uninterrupted.playToEnd();
+        const auto folder = newStudy();
+        for (int answers = 1; answers <= 24; ++answers) {
+            OpenSession session(folder, "S01");
+            QCOMPARE(session.driver->state().sitting, answers);
+            QCOMPARE(session.driver->state().answersStored, answers - 1);
+            session.playUntilAnswers(answers);
+        }
+        OpenSession session(folder, "S01");
+        QCOMPARE(session.display.told, std::vector<std::string>{"clear"});
+        QCOMPARE(nameOf(session.driver->state()), std::string("Debriefing"));
+        QVERIFY(session.step());
+        QVERIFY(!session.step());
+        QCOMPARE(withoutTimes(session.store.answers()), withoutTimes(uninterrupted.store.answers()));
+    }
+
+    void aRefusedEventIsNotStored()
+    {
+        OpenSession session(newStudy(), "S01");
+        session.stepUntil("Presenting");
+        const auto events = session.store.events(ParticipantId("S01")).size();
+        const auto refusal = session.driver->send(Answered{protocols::FabricId("F99")});
+        QVERIFY(refusal && refusal->reason.find("is not on the tray") != std::string::npos);
+        QCOMPARE(session.store.events(ParticipantId("S01")).size(), events);
+        QVERIFY(session.store.answers().empty());
+    }
+
+    void aCorrectionKeepsTheOldValueInTheLog()
+    {
+        const auto folder = newStudy();
+        OpenSession session(folder, "S01");
+        session.playUntilAnswers(9);
+        const CurrentAnswer before = session.store.answers()[7];
+        session.clock.advanceSeconds(60);
+        session.send(Corrected{QuestionId("Q3"), Tenths{54}, "misheard"});
+        const CurrentAnswer now = session.store.answers()[7];
+        QCOMPARE(now.record.question.value, std::string("Q3"));
+        QCOMPARE(now.record.rating->value, 54);
+        QCOMPARE(now.corrections, 1);
+        QCOMPARE(now.record.note, std::string("misheard"));
+        QCOMPARE(now.seconds, before.seconds);
+        QVERIFY(now.storedAtNs > before.storedAtNs);
+        QCOMPARE(RawSqlite(folder.database())
+                     .rows("SELECT rating_tenths FROM responses WHERE trial = 7 AND question = 'Q3' ORDER BY id"),
+                 (std::vector<std::string>{std::to_string(before.record.rating->value), "54"}));
+        QCOMPARE(RawSqlite(folder.database()).rows("SELECT rating FROM answers WHERE trial = 7 AND question = 'Q3'"),
+                 std::vector<std::string>{"5.4"});
+    }
+
+    void aVoidPresentationIsKeptAndPresentedAgain()
+    {
+        const auto folder = newStudy();
+        {
+            OpenSession session(folder, "S01");
+            session.playUntilAnswers(2);
+            session.send(Voided{"wrong swatch"});
+            QCOMPARE(session.driver->view().presentations, 13);
+        }
+        OpenSession session(folder, "S01");
+        session.playToEnd();
+        const auto answers = session.store.answers();
+        QCOMPARE(count(answers, true), 1);
+        QCOMPARE(count(answers, false), 24);
+        const CurrentAnswer& first = answers[1];
+        const CurrentAnswer& second = answers[2];
+        QCOMPARE(first.record.trial.value, 2);
+        QVERIFY(first.voided && !second.voided);
+        QCOMPARE(second.record.trial.value, 2);
+        QCOMPARE(second.attempt, 2);
+        QCOMPARE(first.record.note, std::string("wrong swatch"));
+        QCOMPARE(second.record.note, std::string());
+        QVERIFY(session.store.faults().empty());
+    }
+
+    void aNoteIsFoundAtItsTrial()
+    {
+        OpenSession session(newStudy(), "S01");
+        session.playUntilAnswers(3);
+        session.send(Noted{"sneezed"});
+        session.stepUntil("Presenting");
+        session.send(Noted{"a phone rang"});
+        session.playUntilAnswers(5);
+        const auto answers = session.store.answers();
+        QCOMPARE(answers[1].record.note, std::string());
+        QCOMPARE(answers[2].record.note, std::string("sneezed"));
+        QCOMPARE(answers[3].record.note, std::string("a phone rang"));
+        QCOMPARE(answers[4].record.note, std::string());
+    }
+
+    void aDisplayThatFailsPausesTheSessionAndLosesNothing()
+    {
+        const auto folder = newStudy();
+        OpenSession session(folder, "S01");
+        session.playUntilAnswers(2);
+        session.display.fault = "cable out";
+        try {
+            session.stepUntil("Presenting");
+            QFAIL("the fault must come through");
+        } catch (const protocols::Error& fault) {
+            QVERIFY(QString(fault.what()).contains("cable out"));
+        }
+        QCOMPARE(nameOf(session.driver->state()), std::string("PlacingTray (paused)"));
+        QCOMPARE(session.store.events(ParticipantId("S01")).back().kind, std::string("paused"));
+        session.display.fault.clear();
+        session.playToEnd();
+        QCOMPARE(session.store.answers().size(), 24u);
+    }
+
+    void aMissingStimulusPausesTheSession()
+    {
+        const auto folder = newStudy();
+        OpenSession session(folder, "S01");
+        session.stepUntil("ScaleTraining");
+        const auto file = folder.stimuli() / (session.driver->plan().trials.front().fileCode.value + ".pgm");
+        std::filesystem::rename(file, folder.folder / "aside.pgm");
+        QVERIFY_EXCEPTION_THROWN(session.stepUntil("Presenting"), protocols::Error);
+        QVERIFY(session.driver->state().paused);
+        std::filesystem::rename(folder.folder / "aside.pgm", file);
+        session.playToEnd();
+        QCOMPARE(session.store.answers().size(), 24u);
+    }
+
+    void whoWithdrawsLeavesTheirAnswersAndTheSession()
+    {
+        const auto folder = newStudy();
+        {
+            OpenSession session(folder, "P01", database::ParticipantKind::Human);
+            session.playUntilAnswers(3);
+            session.send(WithdrawnEvent{"unwell"});
+            QCOMPARE(session.store.slots()[0].state, SlotState::Free);
+            QCOMPARE(session.store.enrolments()[0].state, SlotState::Withdrawn);
+        }
+        OpenSession session(folder, "P01", database::ParticipantKind::Human);
+        QVERIFY(!session.step());
+        QCOMPARE(session.store.answers().size(), 3u);
+    }
+
+    void aPresentationGivenAgainHasAnotherCode()
+    {
+        OpenSession session(newStudy(), "S01");
+        session.stepUntil("Presenting");
+        const protocols::PresentationCode first = session.driver->view().code;
+        session.send(Voided{"noise"});
+        std::set<std::string> seen{first.value};
+        for (int presentation = 2; presentation <= 4; ++presentation) {
+            session.stepUntil("Presenting");
+            QVERIFY(seen.insert(session.driver->view().code.value).second);
+            session.step();
+            session.step();
+            if (presentation < 4) session.stepUntil("PlacingTray");
+        }
+        QCOMPARE(seen.size(), 4u);
+    }
+
+    void aChangedProtocolIsRefusedUntilItIsTakenOver()
+    {
+        const auto folder = newStudy();
+        OpenSession(folder, "S01").playUntilAnswers(2);
+        StudyRecipe recipe;
+        recipe.breakAfter = 3;
+        const std::string changed = protocolText(recipe);
+        std::ofstream(folder.protocol(), std::ios::binary) << changed;
+        try {
+            OpenSession session(folder, "S01");
+            QFAIL("a changed protocol cannot be followed unasked");
+        } catch (const protocols::Error& fault) {
+            QCOMPARE(fault.exitCode(), protocols::ExitCode::BadInput);
+            QVERIFY2(QString(fault.what()).contains("study amend"), fault.what());
+        }
+        database::StudyStore(folder, database::StudyStore::Access::Write).takeProtocol(changed, "Ada", "shorter blocks");
+        QCOMPARE(OpenSession(folder, "S01").driver->plan().protocol.breakAfterPresentations, 4);
+        QCOMPARE(OpenSession(folder, "S02").driver->plan().protocol.breakAfterPresentations, 3);
+    }
+
+    void factsAndDebriefingLieOutsideTheLog()
+    {
+        const auto folder = newStudy();
+        {
+            OpenSession session(folder, "S01");
+            session.stepUntil("Debriefing");
+            session.send(Debriefed{"cold hands"});
+            QCOMPARE(session.store.personalFacts().at(ParticipantId("S01")).at(debriefingFact), std::string("cold hands"));
+        }
+        QCOMPARE(RawSqlite(folder.database()).rows("SELECT COUNT(*) FROM events WHERE payload LIKE '%cold hands%'"),
+                 std::vector<std::string>{"0"});
+    }
+
+    void aFlagIsFoundWithItsPresentation()
+    {
+        OpenSession session(newStudy(), "S01");
+        QVERIFY(session.driver->send(Noted{"", true}).has_value());
+        session.playUntilAnswers(3);
+        session.send(Noted{"odd", true});
+        const auto flags = session.store.flags();
+        QCOMPARE(flags.size(), 1u);
+        QCOMPARE(flags[0].trial.value, 3);
+        QCOMPARE(flags[0].text, std::string("odd"));
+        QVERIFY(session.store.faults().empty());
+    }
+
+    void theTimeLeftFollowsTheParticipantsOwnPace()
+    {
+        OpenSession session(newStudy(), "S01");
+        session.playUntilAnswers(4);
+        QCOMPARE(session.driver->view().minutesLeft, 8 * 30.0 / 60);
+        session.playUntilAnswers(6);
+        session.stepUntil("PlacingTray");
+        QCOMPARE(session.driver->view().minutesLeft, 6 * 30.0 / 60);
+        session.playUntilAnswers(6 + 5 * 3);
+        const auto& pace = session.driver->state().paceNs;
+        QCOMPARE(pace.size(), 11u);
+        std::vector<std::int64_t> own;
+        for (std::size_t i = 6; i < pace.size(); ++i) own.push_back(pace[i].second);
+        std::sort(own.begin(), own.end());
+        QCOMPARE(session.driver->view().minutesLeft, static_cast<double>(own[2]) / 6e10);
+    }
+
+    void aLogThatDoesNotHoldTogetherIsRefused()
+    {
+        const auto folder = newStudy();
+        OpenSession(folder, "S01").playUntilAnswers(2);
+        {
+            RawSqlite raw(folder.database());
+            raw.dropTriggers();
+            QCOMPARE(raw.run("UPDATE events SET kind = 'touched', payload = '{}' WHERE kind = 'tray_ready'"), std::string());
+        }
+        try {
+            OpenSession session(folder, "S01");
+            QFAIL("a broken log cannot be resumed");
+        } catch (const protocols::Error& fault) {
+            QCOMPARE(fault.exitCode(), protocols::ExitCode::WorkFailed);
+            QVERIFY2(QString(fault.what()).contains("does not hold together"), fault.what());
+        }
+    }
+};
+
+QTEST_GUILESS_MAIN(DriverTest)
+#include "driver_test.moc"

@@ -6,8 +6,8 @@
 
 #include "database/event_chain.h"
 #include "database/store_connection.h"
-#include "protocols/files/sha256.h"
 #include "database/study_store.h"
+#include "protocols/files/sha256.h"
 
 namespace database {
 
@@ -50,9 +50,9 @@ void readRest(const SqliteConnection& sqlite, Log& log)
         log[row.value(0).toLongLong()].voids.push_back({fromQt(row.value(1)), row.value(2).toInt(), row.value(3).toInt()});
     row = sqlite.run(QStringLiteral("SELECT event, participant, trial, attempt, question, text, is_flag FROM notes ORDER BY id"));
     while (row.next())
-        log[row.value(0).toLongLong()].notes.push_back(
-            {fromQt(row.value(1)), row.value(2).toInt(), row.value(3).toInt(), textOrNone(row.value(4)), fromQt(row.value(5)),
-             row.value(6).toInt() != 0});
+        log[row.value(0).toLongLong()].notes.push_back({fromQt(row.value(1)), row.value(2).toInt(), row.value(3).toInt(),
+                                                        textOrNone(row.value(4)), fromQt(row.value(5)),
+                                                        row.value(6).toInt() != 0});
     row = sqlite.run(QStringLiteral("SELECT event, who, why, wall_time FROM unblindings"));
     while (row.next())
         log[row.value(0).toLongLong()].unblinding = {fromQt(row.value(1)), fromQt(row.value(2)), fromQt(row.value(3))};
@@ -84,10 +84,7 @@ std::string nameOfEntry(const EventRecord& event)
     return "log entry " + std::to_string(event.sequence) + " (" + event.kind + whose + ")";
 }
 
-nlohmann::json payloadOf(const LogEntry& entry)
-{
-    return nlohmann::json::parse(entry.event.payloadJson, nullptr, false);
-}
+nlohmann::json payloadOf(const LogEntry& entry) { return nlohmann::json::parse(entry.event.payloadJson, nullptr, false); }
 
 /// The entries that a recorded act has emptied: those of a participant before it.
 bool isErased(const LogEntry& entry, const std::map<std::string, std::int64_t>& erasedBefore)
@@ -153,7 +150,8 @@ void checkFixedTables(const SqliteConnection& sqlite, const Log& log, std::vecto
     const nlohmann::json payload = payloadOf(first->second);
     if (!payload.is_object() ||
         payload.value("fixed_sha256", std::string()) != hashOfFixedTables(sqlite, payload.value("schema", 1)))
-        faults.push_back("study facts, fabrics, stimulus hashes, trial lists or swatch codes were altered after the study was made");
+        faults.push_back(
+            "study facts, fabrics, stimulus hashes, trial lists or swatch codes were altered after the study was made");
 }
 
 /// The texts that were taken over later are the ones that the log committed to.

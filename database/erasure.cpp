@@ -26,7 +26,8 @@ void removeAnswers(const SqliteConnection& sqlite, const std::string& participan
 void StudyStore::erase(const Erasure& erasure)
 {
     if (erasure.who.empty() || erasure.why.empty())
-        throw protocols::badInput({"an erasure needs a name and a reason", folder().folder.string(), "--who NAME --why TEXT", ""});
+        throw protocols::badInput(
+            {"an erasure needs a name and a reason", folder().folder.string(), "--who NAME --why TEXT", ""});
     const SqliteConnection& sqlite = m_connection->sqlite;
     const std::string& id = erasure.participant.value;
     // Freed pages are overwritten, so that nothing of it stays in the file.
@@ -34,17 +35,18 @@ void StudyStore::erase(const Erasure& erasure)
     {
         Transaction transaction(sqlite);
         if (sqlite.value(QStringLiteral("SELECT COUNT(*) FROM participants WHERE id = ?"), {toQt(id)}).toInt() == 0)
-            throw protocols::badInput({"no participant " + id, folder().folder.string(), "one who is enrolled", "see vis2hap study status"});
+            throw protocols::badInput(
+                {"no participant " + id, folder().folder.string(), "one who is enrolled", "see vis2hap study status"});
         sqlite.run(QStringLiteral("DELETE FROM participant_facts WHERE participant = ?"), {toQt(id)});
         if (erasure.answersToo) removeAnswers(sqlite, id);
         const std::string wallTime = wallTimeNow();
-        const std::int64_t event = store(sqlite, actOnStudy("erased",
-                                                            {{"participant", id},
-                                                             {"answers_too", erasure.answersToo},
-                                                             {"who", erasure.who},
-                                                             {"why", erasure.why}},
-                                                            wallTime));
-        sqlite.run(QStringLiteral("INSERT INTO erasures(event, participant, answers_too, who, why, wall_time) VALUES (?, ?, ?, ?, ?, ?)"),
+        const std::int64_t event = store(
+            sqlite,
+            actOnStudy("erased",
+                       {{"participant", id}, {"answers_too", erasure.answersToo}, {"who", erasure.who}, {"why", erasure.why}},
+                       wallTime));
+        sqlite.run(QStringLiteral(
+                       "INSERT INTO erasures(event, participant, answers_too, who, why, wall_time) VALUES (?, ?, ?, ?, ?, ?)"),
                    {qlonglong(event), toQt(id), int(erasure.answersToo), toQt(erasure.who), toQt(erasure.why), toQt(wallTime)});
         transaction.commit();
     }
@@ -66,8 +68,7 @@ std::map<protocols::ParticipantId, std::map<std::string, std::string>> StudyStor
 {
     std::map<protocols::ParticipantId, std::map<std::string, std::string>> facts;
     QSqlQuery row = m_connection->sqlite.run(QStringLiteral("SELECT participant, fact, value FROM participant_facts"));
-    while (row.next())
-        facts[protocols::ParticipantId(fromQt(row.value(0)))][fromQt(row.value(1))] = fromQt(row.value(2));
+    while (row.next()) facts[protocols::ParticipantId(fromQt(row.value(0)))][fromQt(row.value(1))] = fromQt(row.value(2));
     return facts;
 }
 

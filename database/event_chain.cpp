@@ -101,7 +101,8 @@ void insertRows(const SqliteConnection& connection, const LogEntry& entry)
                        {event, toQt(row.participant), row.trial, row.attempt});
     for (const NoteRow& row : entry.notes)
         connection.run(
-            QStringLiteral("INSERT INTO notes(event, participant, trial, attempt, question, text, is_flag) VALUES (?, ?, ?, ?, ?, ?, ?)"),
+            QStringLiteral(
+                "INSERT INTO notes(event, participant, trial, attempt, question, text, is_flag) VALUES (?, ?, ?, ?, ?, ?, ?)"),
             {event, toQt(row.participant), row.trial, row.attempt, orNull(row.question), toQt(row.text), int(row.isFlag)});
     if (entry.unblinding)
         connection.run(QStringLiteral("INSERT INTO unblindings(event, who, why, wall_time) VALUES (?, ?, ?, ?)"),

@@ -2,10 +2,10 @@
 // this nor the key types' readers; tests/layering_test guards it.
 #pragma once
 
+#include <string>
+
 #include "database/study_store.h"
 #include "protocols/allocation.h"
-
-#include <string>
 
 namespace database {
 
@@ -33,7 +33,9 @@ protocols::MaskedKey readMaskedKey(const StudyStore& store);
 protocols::AllocationKey readAllocationKeyForTestDriver(const StudyStore& store, ParticipantKind kind);
 
 /// Writes allocation-key.json (mode 0600) and masked-key.json; returns their SHA-256.
-struct KeyHashes { std::string allocation, masked; };
+struct KeyHashes {
+    std::string allocation, masked;
+};
 KeyHashes writeKeys(const StudyFolder& folder, const protocols::AllocationKey& key);
 
 /// verify: fault lines of both key files against the commitment.

@@ -1,7 +1,6 @@
 #include "database/schema.h"
 
 #include <span>
-#include <span>
 #include <string>
 
 #include "protocols/files/errors.h"

@@ -67,7 +67,8 @@ void recordCreation(const SqliteConnection& sqlite, const StudyFacts& facts)
 {
     LogEntry entry;
     entry.event.kind = "created";
-    entry.event.payloadJson = nlohmann::json{{"fixed_sha256", hashOfFixedTables(sqlite, schemaVersion)}, {"schema", schemaVersion}}.dump();
+    entry.event.payloadJson =
+        nlohmann::json{{"fixed_sha256", hashOfFixedTables(sqlite, schemaVersion)}, {"schema", schemaVersion}}.dump();
     entry.event.wallTime = facts.createdAt;
     store(sqlite, entry);
 }
@@ -299,9 +300,10 @@ std::map<protocols::FileCode, std::string> StudyStore::stimulusHashes() const
 std::vector<Slot> StudyStore::slots() const
 {
     std::vector<Slot> slots;
-    QSqlQuery row = m_connection->sqlite.run(QStringLiteral(
-        "SELECT s.number, p.state, p.id, p.kind FROM slots s LEFT JOIN participants p ON p.slot = s.number AND p.state <> 'withdrawn' "
-        "ORDER BY s.number"));
+    QSqlQuery row =
+        m_connection->sqlite.run(QStringLiteral("SELECT s.number, p.state, p.id, p.kind FROM slots s LEFT JOIN participants p ON "
+                                                "p.slot = s.number AND p.state <> 'withdrawn' "
+                                                "ORDER BY s.number"));
     while (row.next()) {
         Slot slot;
         slot.number = row.value(0).toInt();
@@ -321,8 +323,8 @@ std::vector<Enrolment> StudyStore::enrolments() const
     QSqlQuery row = m_connection->sqlite.run(
         QStringLiteral("SELECT id, slot, kind, state, protocol_version FROM participants ORDER BY slot, rowid"));
     while (row.next())
-        enrolments.push_back({protocols::ParticipantId(fromQt(row.value(0))), row.value(1).toInt(), kindNamed(fromQt(row.value(2))),
-                              stateNamed(fromQt(row.value(3))), row.value(4).toInt()});
+        enrolments.push_back({protocols::ParticipantId(fromQt(row.value(0))), row.value(1).toInt(),
+                              kindNamed(fromQt(row.value(2))), stateNamed(fromQt(row.value(3))), row.value(4).toInt()});
     return enrolments;
 }
 

@@ -5,17 +5,17 @@
 // One writer at a time, by a lock on the folder that dies with its process; any number of readers.
 #pragma once
 
-#include "database/study_folder.h"
-#include "protocols/allocation.h"
-#include "protocols/ids.h"
-#include "protocols/protocol.h"
-
 #include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "database/study_folder.h"
+#include "protocols/allocation.h"
+#include "protocols/ids.h"
+#include "protocols/protocol.h"
 
 namespace database {
 
@@ -29,22 +29,22 @@ struct FamiliarisationItem {
 /// Everything fixed when a study is made.
 struct StudyFacts {
     std::string name;
-    std::string protocolJson;          ///< the text, byte for byte, as in protocol.json
+    std::string protocolJson;  ///< the text, byte for byte, as in protocol.json
     std::string protocolSha256;
     std::uint64_t designSeed = 0;
-    std::string keySha256;             ///< commitment to allocation-key.json
+    std::string keySha256;  ///< commitment to allocation-key.json
     std::string maskedKeySha256;
     std::string datasetPath;
     std::string datasetSha256;
     bool datasetProcedural = false;
-    std::string modelSha256;           ///< empty where no condition is generated
-    std::vector<std::string> stamps;   ///< sentences the report must carry, e.g. training samples allowed
+    std::string modelSha256;          ///< empty where no condition is generated
+    std::vector<std::string> stamps;  ///< sentences the report must carry, e.g. training samples allowed
     std::vector<protocols::FabricId> fabrics;
     std::map<protocols::FabricId, std::string> fabricNames;
     std::vector<protocols::SwatchLabels> swatches;  ///< [slot]; empty: fabric pieces go by their names
     std::vector<FamiliarisationItem> familiarisation;
-    std::string signalsJson;           ///< generated against measured signals; "{}" where there is none
-    std::string createdAt;             ///< wall clock, ISO 8601 with zone
+    std::string signalsJson;  ///< generated against measured signals; "{}" where there is none
+    std::string createdAt;    ///< wall clock, ISO 8601 with zone
     std::string programVersion;
 };
 
@@ -56,7 +56,7 @@ std::string nameOf(SlotState state);
 
 /// One of the study's participant places with its fixed running order. A participant who withdraws frees it.
 struct Slot {
-    int number = 0;  ///< from 1
+    int number = 0;                        ///< from 1
     SlotState state = SlotState::Free;     ///< never Withdrawn
     protocols::ParticipantId participant;  ///< empty while free
     ParticipantKind kind = ParticipantKind::Human;
@@ -80,13 +80,13 @@ struct ProtocolVersion {
 
 /// What happened, as the session engine stores it.
 struct EventRecord {
-    std::int64_t sequence = 0;    ///< set by append
+    std::int64_t sequence = 0;  ///< set by append
     protocols::ParticipantId participant;
-    int sitting = 0;              ///< counts the starts of the engine for this participant, from 1
-    std::string kind;             ///< "answered", "corrected", "paused", ...
+    int sitting = 0;   ///< counts the starts of the engine for this participant, from 1
+    std::string kind;  ///< "answered", "corrected", "paused", ...
     std::string payloadJson;
-    std::int64_t atNs = 0;        ///< the session's monotonic clock
-    std::string wallTime;         ///< ISO 8601
+    std::int64_t atNs = 0;  ///< the session's monotonic clock
+    std::string wallTime;   ///< ISO 8601
 };
 
 /// One question's response, or a correction of an earlier one (which stays in the table; its stamps
@@ -96,11 +96,11 @@ struct AnswerRecord {
     protocols::QuestionId question;
     protocols::FileCode fileCode;
     std::vector<protocols::FabricId> alternatives;
-    std::optional<std::string> answer;           ///< a fabric id, "same" or "different", or words; by question
-    std::optional<protocols::Tenths> rating;     ///< rating questions
+    std::optional<std::string> answer;        ///< a fabric id, "same" or "different", or words; by question
+    std::optional<protocols::Tenths> rating;  ///< rating questions
     std::int64_t readyAtNs = 0;
     std::optional<std::int64_t> touchedAtNs;
-    std::string touchedBy;                       ///< "display" or "operator"; empty without a touch
+    std::string touchedBy;  ///< "display" or "operator"; empty without a touch
     std::int64_t answeredAtNs = 0;
     std::string note;
     bool isCorrection = false;
@@ -110,10 +110,10 @@ struct AnswerRecord {
 struct CurrentAnswer {
     protocols::ParticipantId participant;
     AnswerRecord record;
-    std::int64_t event = 0;     ///< of the log: when it was first answered
-    int attempt = 1;            ///< presentations of this trial to this participant; a void starts the next
+    std::int64_t event = 0;  ///< of the log: when it was first answered
+    int attempt = 1;         ///< presentations of this trial to this participant; a void starts the next
     std::int64_t storedAtNs = 0;
-    double seconds = 0;         ///< answered - touched, or - ready where no touch was stamped
+    double seconds = 0;  ///< answered - touched, or - ready where no touch was stamped
     int corrections = 0;
     bool voided = false;
     std::string wallTime;
@@ -181,7 +181,7 @@ public:
         std::optional<Note> note;
         std::optional<SlotState> slotState;
         std::vector<std::pair<std::string, std::string>> facts;  ///< about the participant; kept outside the log
-        std::int64_t storedAtNs = 0;  ///< the session's clock just before the transaction
+        std::int64_t storedAtNs = 0;                             ///< the session's clock just before the transaction
     };
     void append(const Append& entry);
 

@@ -53,7 +53,8 @@ std::vector<CurrentAnswer> StudyStore::answers() const
     std::vector<CurrentAnswer> answers;
     QSqlQuery row = m_connection->sqlite.run(QStringLiteral(
         "SELECT participant, trial, attempt, question, file_code, alternatives, choice, rating_tenths, ready_at, touched_at, "
-        "answered_at, stored_at, corrections, voided, wall_time, note, touched_by, event FROM current_responses ORDER BY slot, trial, first_id"));
+        "answered_at, stored_at, corrections, voided, wall_time, note, touched_by, event FROM current_responses ORDER BY slot, "
+        "trial, first_id"));
     while (row.next()) answers.push_back(answerOf(row));
     return answers;
 }

@@ -120,7 +120,8 @@ Slot StudyStore::enrol(const protocols::ParticipantId& participant, ParticipantK
     Transaction transaction(sqlite);
     for (const Erasure& erasure : erasures())
         if (erasure.participant == participant && erasure.answersToo)
-            throw protocols::badInput({"participant " + participant.value + " was erased", folder().folder.string(), "another id", ""});
+            throw protocols::badInput(
+                {"participant " + participant.value + " was erased", folder().folder.string(), "another id", ""});
     for (const Enrolment& known : enrolments()) {
         if (known.participant != participant) continue;
         if (known.kind != kind)

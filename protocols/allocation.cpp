@@ -1,13 +1,13 @@
 #include "protocols/allocation.h"
 
-#include "protocols/condition.h"
-
 #include <algorithm>
 #include <cassert>
 #include <numeric>
 #include <set>
 #include <string_view>
 #include <utility>
+
+#include "protocols/condition.h"
 
 namespace protocols {
 

@@ -3,15 +3,15 @@
 // that says only its fabric and K-label.
 #pragma once
 
-#include "protocols/counterbalancing.h"
-#include "protocols/ids.h"
-#include "protocols/protocol.h"
-
 #include <cstdint>
 #include <map>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "protocols/counterbalancing.h"
+#include "protocols/ids.h"
+#include "protocols/protocol.h"
 
 namespace protocols {
 

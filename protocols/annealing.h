@@ -4,12 +4,12 @@
 // undoMove() - takes exactly that change back.
 #pragma once
 
-#include "protocols/random.h"
-
 #include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <vector>
+
+#include "protocols/random.h"
 
 namespace protocols {
 

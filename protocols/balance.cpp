@@ -1,10 +1,10 @@
 // The certificate is counted on the design as it stands and shares nothing with the searches that drew it.
-#include "protocols/counterbalancing.h"
-#include "protocols/foil_sets.h"
-
 #include <algorithm>
 #include <map>
 #include <set>
+
+#include "protocols/counterbalancing.h"
+#include "protocols/foil_sets.h"
 
 namespace protocols {
 
@@ -25,9 +25,8 @@ PhaseTrials trialsOf(const Design& design, int phase)
     PhaseTrials trials;
     for (const auto& participant : design.participants) {
         auto& own = trials.emplace_back();
-        std::ranges::copy_if(participant, std::back_inserter(own), [&](const DesignTrial& t) {
-            return t.phase == phase && t.label != catchTrialLabel;
-        });
+        std::ranges::copy_if(participant, std::back_inserter(own),
+                             [&](const DesignTrial& t) { return t.phase == phase && t.label != catchTrialLabel; });
     }
     return trials;
 }
@@ -184,10 +183,10 @@ BalanceCertificate balanceOf(const Design& design, const Protocol& protocol)
         ranges.push_back(rangeOf("presentations of a rendering per participant" + phase, renderings));
         ranges.push_back(rangeOf("ordered pairs of conditions" + phase, orderedPairs(trials, labels, &DesignTrial::label)));
         ranges.push_back(rangeOf("ordered pairs of fabrics" + phase, orderedPairs(trials, fabrics, &DesignTrial::fabric)));
-        ranges.push_back(rangeOf("a condition per stretch of the order" + phase,
-                                 perStretch(trials, labels, fabrics, &DesignTrial::label)));
-        ranges.push_back(rangeOf("a fabric per stretch of the order" + phase,
-                                 perStretch(trials, fabrics, labels, &DesignTrial::fabric)));
+        ranges.push_back(
+            rangeOf("a condition per stretch of the order" + phase, perStretch(trials, labels, fabrics, &DesignTrial::label)));
+        ranges.push_back(
+            rangeOf("a fabric per stretch of the order" + phase, perStretch(trials, fabrics, labels, &DesignTrial::fabric)));
         certificate.immediateRepeats += repeatsIn(trials);
         if (!protocol.phases[i].isChoice()) continue;
         addChoiceRanges(trials, protocol, *protocol.phases[i].alternatives, phase, ranges);

@@ -1,9 +1,9 @@
 #include "protocols/condition.h"
 
-#include "protocols/files/errors.h"
-
 #include <algorithm>
 #include <array>
+
+#include "protocols/files/errors.h"
 
 namespace protocols {
 

@@ -3,17 +3,25 @@
 // sources (rendering/plan.h); another condition is one more row.
 #pragma once
 
-#include "protocols/ids.h"
-
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "protocols/ids.h"
+
 namespace protocols {
 
 enum class ConditionGroup { Vision, Generated, Measured };
-enum class ReliefSource { None, GreyPhotograph, ShapeFromShading, GeneratedHeight, GreyTactile, PhotometricHeight, HeightGradient };
+enum class ReliefSource {
+    None,
+    GreyPhotograph,
+    ShapeFromShading,
+    GeneratedHeight,
+    GreyTactile,
+    PhotometricHeight,
+    HeightGradient
+};
 enum class FrictionSource { None, GeneratedTrace, MeasuredTrace };
 
 struct Condition {

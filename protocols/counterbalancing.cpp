@@ -1,11 +1,11 @@
 #include "protocols/counterbalancing.h"
 
-#include "protocols/files/errors.h"
+#include <utility>
+
 #include "protocols/extra_trials.h"
+#include "protocols/files/errors.h"
 #include "protocols/running_orders.h"
 #include "protocols/trays.h"
-
-#include <utility>
 
 namespace protocols {
 

@@ -4,12 +4,12 @@
 // tells nobody a condition.
 #pragma once
 
-#include "protocols/protocol.h"
-#include "protocols/random.h"
-
 #include <cstdint>
 #include <string>
 #include <vector>
+
+#include "protocols/protocol.h"
+#include "protocols/random.h"
 
 namespace protocols {
 
@@ -48,8 +48,8 @@ struct BalanceCertificate {
         bool operator==(const Range&) const = default;
     };
     std::vector<Range> ranges;
-    int immediateRepeats = 0;      ///< same label or same fabric twice in a row
-    int repeatedFoilPairs = 0;     ///< within participant x true fabric
+    int immediateRepeats = 0;   ///< same label or same fabric twice in a row
+    int repeatedFoilPairs = 0;  ///< within participant x true fabric
     bool operator==(const BalanceCertificate&) const = default;
 };
 

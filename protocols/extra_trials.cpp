@@ -85,7 +85,8 @@ std::vector<DesignTrial> withCatchTrials(const std::vector<DesignTrial>& trials,
             return trials[place - 1].fabric == fabric || (place < trials.size() && trials[place].fabric == fabric);
         };
         std::size_t drawn = static_cast<std::size_t>(stretch) % rounds.size();
-        for (std::size_t tried = 0; tried < rounds.size() && isNextTo(rounds[drawn]); ++tried) drawn = (drawn + 1) % rounds.size();
+        for (std::size_t tried = 0; tried < rounds.size() && isNextTo(rounds[drawn]); ++tried)
+            drawn = (drawn + 1) % rounds.size();
         const int fabric = rounds[drawn];
         all.insert(all.begin() + static_cast<std::ptrdiff_t>(place),
                    {trials.front().phase, catchTrialLabel, fabric, trayOf(phase, fabric, fabrics, random)});

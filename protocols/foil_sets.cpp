@@ -1,11 +1,11 @@
 #include "protocols/foil_sets.h"
 
-#include "protocols/annealing.h"
-
 #include <algorithm>
 #include <numeric>
 #include <set>
 #include <utility>
+
+#include "protocols/annealing.h"
 
 namespace protocols {
 
@@ -14,8 +14,8 @@ namespace {
 /// Up to here the sets of a true fabric are all listed; beyond, as many are drawn.
 constexpr std::int64_t longestPool = 5000;
 
-using Pools = std::vector<std::vector<FoilSet>>;                     // [true fabric][set]
-using Deal = std::vector<std::vector<std::vector<std::size_t>>>;     // [participant][true fabric][label] -> set
+using Pools = std::vector<std::vector<FoilSet>>;                  // [true fabric][set]
+using Deal = std::vector<std::vector<std::vector<std::size_t>>>;  // [participant][true fabric][label] -> set
 
 std::vector<int> othersThan(int trueFabric, int fabrics)
 {
@@ -83,8 +83,8 @@ public:
     {
         for (const auto& pool : pools) m_uses.emplace_back(pool.size(), 0);
         const std::int64_t slots = std::int64_t{size.labels} * foils;
-        m_excess = -size.participants * (leastSquares(slots * size.fabrics, size.fabrics) +
-                                         size.fabrics * leastSquares(slots, size.fabrics - 1));
+        m_excess = -size.participants *
+                   (leastSquares(slots * size.fabrics, size.fabrics) + size.fabrics * leastSquares(slots, size.fabrics - 1));
         for (std::size_t participant = 0; participant < m_deal.size(); ++participant)
             for (std::size_t fabric = 0; fabric < m_fabrics; ++fabric)
                 for (const std::size_t set : m_deal[participant][fabric]) {

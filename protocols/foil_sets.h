@@ -1,11 +1,11 @@
 // Which sets of foils a participant meets beside each true fabric, not yet in which order.
 #pragma once
 
-#include "protocols/random.h"
-#include "protocols/running_orders.h"
-
 #include <cstdint>
 #include <vector>
+
+#include "protocols/random.h"
+#include "protocols/running_orders.h"
 
 namespace protocols {
 

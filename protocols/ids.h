@@ -17,13 +17,13 @@ struct Id {
     auto operator<=>(const Id&) const = default;
 };
 
-using ParticipantId = Id<struct ParticipantTag>;        ///< "P01"; scripted ones bring their own, "S01"
-using FabricId = Id<struct FabricTag>;                  ///< "F01"
-using ConditionId = Id<struct ConditionTag>;            ///< "h_g&f_g"
-using QuestionId = Id<struct QuestionTag>;              ///< "Q1"
-using FileCode = Id<struct FileCodeTag>;                ///< opaque name of a stimulus in the study folder
-using ConditionLabel = Id<struct ConditionLabelTag>;    ///< "K3": a condition's masked name
-using PresentationCode = Id<struct PresentationTag>;    ///< what the console shows; fresh per participant and trial
+using ParticipantId = Id<struct ParticipantTag>;      ///< "P01"; scripted ones bring their own, "S01"
+using FabricId = Id<struct FabricTag>;                ///< "F01"
+using ConditionId = Id<struct ConditionTag>;          ///< "h_g&f_g"
+using QuestionId = Id<struct QuestionTag>;            ///< "Q1"
+using FileCode = Id<struct FileCodeTag>;              ///< opaque name of a stimulus in the study folder
+using ConditionLabel = Id<struct ConditionLabelTag>;  ///< "K3": a condition's masked name
+using PresentationCode = Id<struct PresentationTag>;  ///< what the console shows; fresh per participant and trial
 
 /// Place of a presentation in a participant's list, from 1.
 struct TrialNumber {

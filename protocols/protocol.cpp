@@ -1,10 +1,10 @@
 #include "protocols/protocol.h"
 
-#include "protocols/condition.h"
-
 #include <algorithm>
 #include <cmath>
 #include <set>
+
+#include "protocols/condition.h"
 
 namespace protocols {
 
@@ -111,8 +111,7 @@ void checkPhases(const Protocol& p, Faults& faults)
             if (!seen.insert(question.id).second)
                 faults.push_back(place + ".questions: '" + question.id.value + "' is asked twice, expected each question once");
             if (question.text.empty())
-                faults.push_back(place + ".questions: '" + question.id.value +
-                                 "' has no words, expected them in question_texts");
+                faults.push_back(place + ".questions: '" + question.id.value + "' has no words, expected them in question_texts");
         }
         checkAnswers(p, p.phases[i], place, faults);
     }

@@ -3,12 +3,12 @@
 // running orders is allocation.
 #pragma once
 
-#include "protocols/ids.h"
-
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "protocols/ids.h"
 
 namespace protocols {
 
@@ -17,13 +17,10 @@ struct Scale {
     Tenths min{0};
     Tenths max{100};
     Tenths step{1};
-    int sections = 9;  ///< equal sections of the line the participant memorises; 1: a plain line
+    int sections = 9;                 ///< equal sections of the line the participant memorises; 1: a plain line
     std::vector<std::string> labels;  ///< a Likert scale's words, one a step from min to max; empty: numbers only
 
-    bool holds(Tenths rating) const
-    {
-        return rating >= min && rating <= max && (rating.value - min.value) % step.value == 0;
-    }
+    bool holds(Tenths rating) const { return rating >= min && rating <= max && (rating.value - min.value) % step.value == 0; }
     bool operator==(const Scale&) const = default;
 };
 
@@ -76,8 +73,8 @@ struct Protocol {
     std::pair<double, double> equivalenceBounds{-0.5, 0.5};  ///< scale points
     std::vector<PlannedContrast> planned;
     double secondsPerPresentation = 25;
-    int breakAfterPresentations = 21;        ///< a block: the presentations between two breaks
-    std::optional<int> breakAfterMinutes;    ///< a break also after so long without one
+    int breakAfterPresentations = 21;      ///< a block: the presentations between two breaks
+    std::optional<int> breakAfterMinutes;  ///< a break also after so long without one
     int sittingMinutes = 60;
     std::vector<std::string> checklist;  ///< read out and ticked before a sitting
     std::vector<std::string> readings;   ///< measured with the checklist: "temperature in °C", ...
@@ -85,8 +82,8 @@ struct Protocol {
     std::string consent;                 ///< what the experimenter confirms when the participant has agreed
     std::string strokeWords;             ///< how to stroke, said the same for glass and cloth
     SwatchCodes swatchCodes = SwatchCodes::Once;
-    int familiarisationFabrics = 0;      ///< at most so many, outside the study's own; fewer where the data set has fewer
-    bool secondEntry = false;            ///< every answer is entered twice and must agree
+    int familiarisationFabrics = 0;  ///< at most so many, outside the study's own; fewer where the data set has fewer
+    bool secondEntry = false;        ///< every answer is entered twice and must agree
 
     /// Condition x fabric; catch trials not counted.
     int presentationsPerPhase() const { return fabricCount * static_cast<int>(conditions.size()); }

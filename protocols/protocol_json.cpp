@@ -1,14 +1,14 @@
 #include "protocols/protocol_json.h"
 
-#include "protocols/condition.h"
-#include "protocols/files/errors.h"
-#include "protocols/protocol_schema.h"
-#include "protocols/shipped_texts.h"
-#include "protocols/files/strict_json.h"
-
 #include <algorithm>
 #include <cmath>
 #include <map>
+
+#include "protocols/condition.h"
+#include "protocols/files/errors.h"
+#include "protocols/files/strict_json.h"
+#include "protocols/protocol_schema.h"
+#include "protocols/shipped_texts.h"
 
 namespace protocols {
 

@@ -2,11 +2,11 @@
 // against the rules that a schema cannot say (protocol.h, faultsOf).
 #pragma once
 
-#include "protocols/protocol.h"
-
 #include <filesystem>
 #include <string>
 #include <string_view>
+
+#include "protocols/protocol.h"
 
 namespace protocols {
 

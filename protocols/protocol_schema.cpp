@@ -1,14 +1,13 @@
 #include "protocols/protocol_schema.h"
 
-#include "protocols/shipped_texts.h"
-
+#include <algorithm>
 #include <valijson/adapters/nlohmann_json_adapter.hpp>
 #include <valijson/schema.hpp>
 #include <valijson/schema_parser.hpp>
 #include <valijson/validation_results.hpp>
 #include <valijson/validator.hpp>
 
-#include <algorithm>
+#include "protocols/shipped_texts.h"
 
 namespace protocols {
 

@@ -1,13 +1,13 @@
 #include "protocols/random.h"
 
-#include "protocols/files/errors.h"
-
 #include <sys/random.h>
 
 #include <cassert>
 #include <cerrno>
 #include <cmath>
 #include <cstring>
+
+#include "protocols/files/errors.h"
 
 namespace protocols {
 

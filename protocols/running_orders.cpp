@@ -1,9 +1,9 @@
 #include "protocols/running_orders.h"
 
-#include "protocols/annealing.h"
-
 #include <array>
 #include <utility>
+
+#include "protocols/annealing.h"
 
 namespace protocols {
 

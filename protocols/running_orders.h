@@ -1,9 +1,9 @@
 // The order in which each participant of a study meets the renderings of one phase.
 #pragma once
 
-#include "protocols/random.h"
-
 #include <vector>
+
+#include "protocols/random.h"
 
 namespace protocols {
 

@@ -1,11 +1,11 @@
 #include "protocols/trays.h"
 
-#include "protocols/annealing.h"
-#include "protocols/foil_sets.h"
-
 #include <array>
 #include <bitset>
 #include <utility>
+
+#include "protocols/annealing.h"
+#include "protocols/foil_sets.h"
 
 namespace protocols {
 
@@ -269,9 +269,8 @@ std::vector<std::size_t> evenSlots(std::size_t count, std::vector<int>& own, std
     std::vector<std::size_t> slots(own.size());
     for (std::size_t slot = 0; slot < slots.size(); ++slot) slots[slot] = slot;
     random.shuffle(slots);
-    std::ranges::stable_sort(slots, [&](std::size_t a, std::size_t b) {
-        return std::pair(own[a], study[a]) < std::pair(own[b], study[b]);
-    });
+    std::ranges::stable_sort(
+        slots, [&](std::size_t a, std::size_t b) { return std::pair(own[a], study[a]) < std::pair(own[b], study[b]); });
     std::vector<std::size_t> drawn;
     for (std::size_t i = 0; i < count; ++i) {
         drawn.push_back(slots[i % slots.size()]);

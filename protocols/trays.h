@@ -1,10 +1,10 @@
 // Which fabrics lie beside the true one in each presentation of a choice phase, and in which slot.
 #pragma once
 
+#include <vector>
+
 #include "protocols/random.h"
 #include "protocols/running_orders.h"
-
-#include <vector>
 
 namespace protocols {
 

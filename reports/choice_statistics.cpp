@@ -3,9 +3,9 @@
 
 #include "reports/analysis.h"
 #include "reports/statistic_parts.h"
+#include "stats/kernels/decimal_grid.h"
 #include "stats/tests/binomial.h"
 #include "stats/tests/forced_choice.h"
-#include "stats/kernels/decimal_grid.h"
 #include "stats/tests/multiplicity.h"
 #include "stats/tests/rank_tests.h"
 #include "stats/tests/t_tests.h"
@@ -30,9 +30,8 @@ Json choiceRows(const StudyData& data, const Cells& cells, const std::string& qu
         const auto values = valuesOf(cells.of(question, condition));
         const auto correct = static_cast<std::size_t>(std::count(values.begin(), values.end(), 1.0));
         counts.emplace_back(correct, values.size());
-        tests.push_back(
-            stats::binomialTest(static_cast<long long>(correct), static_cast<long long>(values.size()),
-                                1.0 / data.alternativesOf(question)));
+        tests.push_back(stats::binomialTest(static_cast<long long>(correct), static_cast<long long>(values.size()),
+                                            1.0 / data.alternativesOf(question)));
         p.push_back(tests.back().pGreater);
     }
     const auto holm = stats::adjusted(p, stats::Adjustment::Holm);

@@ -144,12 +144,14 @@ std::vector<std::string> methodParagraphs(const Analysis& analysis)
             "pairs.",
         "<b>All conditions.</b> Repeated-measures analysis of variance on complete participants, always with the "
         "Greenhouse&ndash;Geisser correction beside it; Friedman's test, corrected for ties; Cochran's Q for choices, over "
-        "participant &times; fabric blocks, which is descriptive only. These speak of new participants touching these fabrics. The "
+        "participant &times; fabric blocks, which is descriptive only. These speak of new participants touching these fabrics. "
+        "The "
         "mixed models speak of new participants and new fabrics: ratings with random intercepts of participant, fabric and their "
         "interactions with condition (REML, Satterthwaite's degrees of freedom), choices with random intercepts of participant "
         "and fabric (Laplace, likelihood-ratio test). A random effect that is estimated as zero (singular fit) and a condition "
         "that was always or never right (separation) are said where they occur.",
-        "<b>What the tests promise, measured.</b> The last table tells how often each test rejects when there is nothing to find; "
+        "<b>What the tests promise, measured.</b> The last table tells how often each test rejects when there is nothing to "
+        "find; "
         "above 6 % it is marked as anti-conservative. Tests that take the fabrics as they are reject too often when fabrics "
         "differ in how conditions suit them: then the mixed model is the one to read.",
         "<b>Speed and accuracy.</b> Response time runs from the first touch to the spoken answer of the matching task. Bits per "

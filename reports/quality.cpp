@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <map>
 
-#include "stats/tests/binomial.h"
 #include "stats/kernels/decimal_grid.h"
+#include "stats/tests/binomial.h"
 
 namespace reports {
 namespace {
@@ -146,8 +146,9 @@ void flagBlankGlass(Flags& flags, const StudyData& data, const Cells& cells, con
     if (blank.size() < rules.fewestCatchRatings || renderings.size() < rules.fewestAnswers) return;
     const stats::Value ofBlank = stats::meanOf(blank), ofRenderings = stats::meanOf(renderings);
     if (*ofBlank >= *ofRenderings)
-        flags.add(participant, "blank_glass_rated_high", counted(blank.size(), "rating") +
-                      " of blank glass (catch trials) have at least the mean of the renderings' ratings");
+        flags.add(
+            participant, "blank_glass_rated_high",
+            counted(blank.size(), "rating") + " of blank glass (catch trials) have at least the mean of the renderings' ratings");
 }
 
 }  // namespace

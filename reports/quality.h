@@ -9,13 +9,13 @@ namespace reports {
 
 /// What is flagged; stated in the report beside the flags.
 struct QualityRules {
-    double tooFastSeconds = 0.5;     ///< an answer below this after the touch ...
-    double tooFastShare = 0.05;      ///< ... in more than this share of a participant's timed answers
-    double sameRatingShare = 0.5;    ///< one rating value in at least this share of a question's answers
-    double sameAcrossShare = 0.8;    ///< the same number to all rating questions of a presentation
-    std::size_t fewestAnswers = 10;  ///< below this a share says nothing
+    double tooFastSeconds = 0.5;         ///< an answer below this after the touch ...
+    double tooFastShare = 0.05;          ///< ... in more than this share of a participant's timed answers
+    double sameRatingShare = 0.5;        ///< one rating value in at least this share of a question's answers
+    double sameAcrossShare = 0.8;        ///< the same number to all rating questions of a presentation
+    std::size_t fewestAnswers = 10;      ///< below this a share says nothing
     std::size_t fewestCatchRatings = 3;  ///< below this the mean rating of blank glass says nothing
-    double slotBiasP = 0.01;         ///< exact test of the favourite slot against 1/m, times m slots
+    double slotBiasP = 0.01;             ///< exact test of the favourite slot against 1/m, times m slots
 };
 
 /// [{"participant": id or null, "flag": name, "why": sentence}]; flags: missing_answers, too_fast,

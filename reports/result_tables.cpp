@@ -142,9 +142,10 @@ Table omnibusTable(const Analysis& analysis)
                               numberCell(valueOf(part, "Q"), 2), numberCell(valueOf(part, "df"), 0), pCell(valueOf(part, "p")),
                               blankCell(), textCell("descriptive: ignores clustering")});
         const Json& model = analysis.statistics[lowerCase(question) + "_glmm"];
-        table.rows.push_back({textCell(question), textCell("logistic mixed model \u03c7\u00b2"), countCell(countOf(model, "rows")),
-                              numberCell(valueOf(model, "lrt_chi2"), 2), numberCell(valueOf(model, "lrt_df"), 0),
-                              pCell(valueOf(model, "lrt_p")), blankCell(), textCell(noteOn(model))});
+        table.rows.push_back({textCell(question), textCell("logistic mixed model \u03c7\u00b2"),
+                              countCell(countOf(model, "rows")), numberCell(valueOf(model, "lrt_chi2"), 2),
+                              numberCell(valueOf(model, "lrt_df"), 0), pCell(valueOf(model, "lrt_p")), blankCell(),
+                              textCell(noteOn(model))});
     }
     for (const std::string& question : ratingQuestions(analysis.results)) {
         const Json& anova = analysis.statistics[question]["rm_anova"];
@@ -173,7 +174,8 @@ Table screeningTable(const Analysis& analysis)
     Table table{"screening", "", {"question", "condition", "before", "after", "difference"}, {}};
     std::string names;
     for (const Json& one : screening["excluded"]) names += (names.empty() ? "" : ", ") + one["participant"].get<std::string>();
-    table.caption = "Means of the participants' means, all of them and without the flagged ones (" + names + "); every other table has all";
+    table.caption =
+        "Means of the participants' means, all of them and without the flagged ones (" + names + "); every other table has all";
     if (!screening["questions"].is_object()) return table;
     for (const auto& [question, conditions] : screening["questions"].items())
         for (const auto& [condition, row] : conditions.items()) {
@@ -194,9 +196,11 @@ Table measuredSizesTable()
                 {}};
     for (const stats::MeasuredSize& size : stats::measuredSizes()) {
         const bool isExact = size.attainableSize > 0;
-        table.rows.push_back({textCell(std::string(size.test)), textCell(std::string(size.truth)), numberCell(static_cast<double>(size.rejected) * 100 / static_cast<double>(stats::measuredStudies), 2),
-                              isExact ? numberCell(100 * size.attainableSize, 2) : blankCell(),
-                              size.antiConservative() ? textCell("anti-conservative") : blankCell()});
+        table.rows.push_back(
+            {textCell(std::string(size.test)), textCell(std::string(size.truth)),
+             numberCell(static_cast<double>(size.rejected) * 100 / static_cast<double>(stats::measuredStudies), 2),
+             isExact ? numberCell(100 * size.attainableSize, 2) : blankCell(),
+             size.antiConservative() ? textCell("anti-conservative") : blankCell()});
     }
     return table;
 }

@@ -7,9 +7,9 @@
 #include "reports/numbers.h"
 #include "reports/quality.h"
 #include "reports/report.h"
-#include "stats/tests/binomial.h"
 #include "stats/kernels/decimal_grid.h"
 #include "stats/kernels/descriptive.h"
+#include "stats/tests/binomial.h"
 #include "stats/tests/equivalence.h"
 #include "stats/tests/multiplicity.h"
 #include "stats/tests/speed_accuracy.h"
@@ -192,7 +192,8 @@ Json speedPart(const StudyData& data, const Cells& cells)
         const stats::ResponseTimes times = stats::responseTimes(secondsOf(responses));
         const stats::Value correct = stats::meanOf(valuesOf(responses));
         stats::Value bits = times.mean;
-        if (correct.exists() && times.mean.exists()) bits = stats::bitsPerSecond(*correct, data.alternativesOf(choice->id), *times.mean);
+        if (correct.exists() && times.mean.exists())
+            bits = stats::bitsPerSecond(*correct, data.alternativesOf(choice->id), *times.mean);
         Json row = Json::object();
         put(row, "median_seconds", times.median);
         put(row, "bits_per_second", bits);

@@ -50,9 +50,9 @@ struct StudyData {
     std::vector<Response> catchResponses;  ///< to blank glass; in no analysis, flags alone look at them
     std::vector<std::string> withdrawn;    ///< participants who withdrew; their answers are not analysed
     std::string participantsSentence;      ///< who took part, by the facts they gave; empty: none were asked
-    std::size_t voided = 0;             ///< presentations kept but not analysed
-    std::size_t expectedResponses = 0;  ///< of a complete study; 0: unknown
-    std::string signalsJson;            ///< generated against measured (signal_quality.h); empty while blinded
+    std::size_t voided = 0;                ///< presentations kept but not analysed
+    std::size_t expectedResponses = 0;     ///< of a complete study; 0: unknown
+    std::string signalsJson;               ///< generated against measured (signal_quality.h); empty while blinded
 };
 
 }  // namespace reports

@@ -6,7 +6,7 @@
 
 namespace {
 
-/// A folder, what lives in it, and the prefixes of our own files that it may include. 
+/// A folder, what lives in it, and the prefixes of our own files that it may include.
 struct Room {
     QString folder;
     QString contents;
@@ -19,7 +19,9 @@ const QList<Room>& rooms()
 {
     static const QList<Room> table{
         {"protocols/files/", "the ground floor: errors, whole files, CSV, strict JSON, SHA-256", {}},
-        {"protocols/", "the words of a study: ids, conditions, protocols, the seeded generator, running orders, keys", {"protocols/files/"}},
+        {"protocols/",
+         "the words of a study: ids, conditions, protocols, the seeded generator, running orders, keys",
+         {"protocols/files/"}},
         {"stats/kernels/", "sums, moments, ranks, tail probabilities, matrices; the value that may be undefined", {}},
         {"stats/metrics/", "measures of images and traces", {"stats/kernels/"}},
         {"stats/tests/", "tests and intervals, one result struct each", {"stats/kernels/"}},
@@ -27,37 +29,69 @@ const QList<Room>& rooms()
         {"stats/power/", "power, simulated studies, measured sizes", {"stats/kernels/", "stats/tests/", "stats/models/"}},
         {"rendering/images/", "image and height-map files", {"protocols/files/"}},
         {"rendering/fabrics/", "data sets: reader, checker, splits", {"rendering/images/", "protocols/"}},
-        {"rendering/fabrics/procedural/", "procedural fabrics, simulated sensor and friction rig", {"rendering/fabrics/", "rendering/images/", "protocols/"}},
-        {"rendering/fabrics/recordings/", "importers of real recordings", {"rendering/fabrics/", "rendering/images/", "protocols/"}},
-        {"rendering/signals/", "grey, photometric stereo, integration, shape from shading, spectrogram, friction trace",
+        {"rendering/fabrics/procedural/",
+         "procedural fabrics, simulated sensor and friction rig",
+         {"rendering/fabrics/", "rendering/images/", "protocols/"}},
+        {"rendering/fabrics/recordings/",
+         "importers of real recordings",
+         {"rendering/fabrics/", "rendering/images/", "protocols/"}},
+        {"rendering/signals/",
+         "grey, photometric stereo, integration, shape from shading, spectrogram, friction trace",
          {"rendering/fabrics/dataset.h", "rendering/images/", "protocols/"}},
-        {"rendering/models/", "what asks for generated signals, without libtorch", {"rendering/signals/", "rendering/fabrics/", "rendering/images/", "protocols/"}},
-        {"rendering/models/networks/", "the networks, their training and use; the only place that includes libtorch",
+        {"rendering/models/",
+         "what asks for generated signals, without libtorch",
+         {"rendering/signals/", "rendering/fabrics/", "rendering/images/", "protocols/"}},
+        {"rendering/models/networks/",
+         "the networks, their training and use; the only place that includes libtorch",
          {"rendering/models/", "rendering/signals/", "rendering/fabrics/", "rendering/images/", "protocols/"}},
-        {"rendering/composition/", "conditions to signals to friction images",
+        {"rendering/composition/",
+         "conditions to signals to friction images",
          {"rendering/models/generation.h", "rendering/signals/", "rendering/fabrics/", "rendering/images/", "protocols/"}},
-        {"rendering/display/", "displays, their drivers, the stimulus bank, the simulated finger",
+        {"rendering/display/",
+         "displays, their drivers, the stimulus bank, the simulated finger",
          {"rendering/composition/friction_image.h", "rendering/images/", "protocols/"}},
         {"database/", "`study.db`, the append-only log, the lock, keys and unblinding", {"protocols/"}, true},
         {"reports/", "numbers to documents", {"stats/", "protocols/"}, true},
-        {"study/session/", "the session as a pure state machine, and its driver",
-         {"database/study_store.h", "rendering/display/display.h", "rendering/display/stimulus_bank.h", "protocols/"}, true},
-        {"study/app/state/", "what the window holds: the open study, the running session, settings",
+        {"study/session/",
+         "the session as a pure state machine, and its driver",
+         {"database/study_store.h", "rendering/display/display.h", "rendering/display/stimulus_bank.h", "protocols/"},
+         true},
+        {"study/app/state/",
+         "what the window holds: the open study, the running session, settings",
          {"study/session/", "database/study_store.h", "database/study_folder.h", "rendering/display/display.h",
-          "rendering/display/stimulus_bank.h", "protocols/"}, true},
+          "rendering/display/stimulus_bank.h", "protocols/"},
+         true},
         {"study/app/pieces/", "widgets that pages are made of", {"study/app/state/", "study/session/", "protocols/"}, true},
         {"study/app/pages/", "the pages", {"study/app/pieces/", "study/app/state/", "study/session/", "protocols/"}, true},
         {"study/app/", "the window, and the hands that drive it", {"study/app/", "study/session/", "protocols/"}, true},
-        {"study/looking/", "signals as pictures", {"database/study_store.h", "rendering/", "protocols/", "study/commands/json_output.h"}, true},
+        {"study/looking/",
+         "signals as pictures",
+         {"database/study_store.h", "rendering/", "protocols/", "study/commands/json_output.h"},
+         true},
         {"study/evaluation/", "generated against measured signals", {"rendering/", "stats/", "protocols/"}},
         {"study/analyse/", "the statistics by name, for scripts", {"rendering/images/", "stats/", "protocols/"}},
-        {"study/records/", "a stored study as reports, status and export see it", {"study/session/", "reports/", "database/", "stats/", "protocols/"}, true},
-        {"study/making/", "a new study from protocol and data set",
-         {"study/records/", "study/analyse/", "study/session/clock.h", "database/", "rendering/", "stats/", "protocols/", "study/commands/"}, true},
-        {"study/players/", "scripted and simulated participants", {"study/records/", "study/session/", "database/", "rendering/", "protocols/", "study/commands/json_output.h"}, true},
-        {"study/bench/", "speed beside error",
-         {"study/app/", "study/session/", "study/looking/", "reports/", "database/", "rendering/", "stats/", "protocols/", "study/commands/json_output.h"}, true},
-        {"study/commands/", "one file a command", {"study/", "reports/", "database/", "rendering/", "stats/", "protocols/"}, true},
+        {"study/records/",
+         "a stored study as reports, status and export see it",
+         {"study/session/", "reports/", "database/", "stats/", "protocols/"},
+         true},
+        {"study/making/",
+         "a new study from protocol and data set",
+         {"study/records/", "study/analyse/", "study/session/clock.h", "database/", "rendering/", "stats/", "protocols/",
+          "study/commands/"},
+         true},
+        {"study/players/",
+         "scripted and simulated participants",
+         {"study/records/", "study/session/", "database/", "rendering/", "protocols/", "study/commands/json_output.h"},
+         true},
+        {"study/bench/",
+         "speed beside error",
+         {"study/app/", "study/session/", "study/looking/", "reports/", "database/", "rendering/", "stats/", "protocols/",
+          "study/commands/json_output.h"},
+         true},
+        {"study/commands/",
+         "one file a command",
+         {"study/", "reports/", "database/", "rendering/", "stats/", "protocols/"},
+         true},
     };
     return table;
 }
@@ -107,7 +141,8 @@ QStringList includeFaults(const QString& file, const QString& text)
 /// Session and app may not even name what tells a condition.
 QStringList blindingFaults(const QString& file, const QString& text)
 {
-    const bool isBlinded = file.startsWith("study/session/") || file.startsWith("study/app/") || file.startsWith("study/looking/");
+    const bool isBlinded =
+        file.startsWith("study/session/") || file.startsWith("study/app/") || file.startsWith("study/looking/");
     if (!isBlinded) return {};
     QStringList faults;
     static const QRegularExpression keys("\\b(AllocationKey|MaskedKey|readAllocationKey\\w*|readMaskedKey|Unblinded)\\b");
@@ -168,21 +203,36 @@ private Q_SLOTS:
     {
         QTest::addColumn<QString>("file");
         QTest::addColumn<QString>("text");
-        QTest::newRow("stats knows nobody") << "stats/a.cpp" << "#include \"protocols/errors.h\"\n";
-        QTest::newRow("protocols without Qt") << "protocols/a.cpp" << "#include <QString>\n";
-        QTest::newRow("signals without Qt") << "rendering/signals/a.h" << "#pragma once\n#include <QtGlobal>\n";
-        QTest::newRow("rendering below database") << "rendering/display/a.cpp" << "#include \"database/study_store.h\"\n";
-        QTest::newRow("reports without database") << "reports/a.cpp" << "#include \"database/keys.h\"\n";
-        QTest::newRow("session without widgets of the app") << "study/session/a.cpp" << "#include \"study/app/page.h\"\n";
-        QTest::newRow("session without keys") << "study/session/a.cpp" << "#include \"database/keys.h\"\n";
-        QTest::newRow("app without keys") << "study/app/a.cpp" << "#include \"database/keys.h\"\n";
-        QTest::newRow("looking without keys") << "study/looking/a.cpp" << "#include \"database/keys.h\"\n";
-        QTest::newRow("evaluation without commands") << "study/evaluation/a.cpp" << "#include \"study/commands/progress.h\"\n";
-        QTest::newRow("evaluation without Qt") << "study/evaluation/a.cpp" << "#include <QString>\n";
-        QTest::newRow("app without signals") << "study/app/a.cpp" << "#include \"study/looking/sheet.h\"\n";
-        QTest::newRow("app without friction images") << "study/app/a.cpp" << "#include \"rendering/composition/friction_image.h\"\n";
-        QTest::newRow("torch outside the models") << "rendering/models/a.cpp" << "#include <torch/torch.h>\n";
-        QTest::newRow("room that is not in the table") << "extras/a.cpp" << "";
+        QTest::newRow("stats knows nobody") << "stats/a.cpp"
+                                            << "#include \"protocols/errors.h\"\n";
+        QTest::newRow("protocols without Qt") << "protocols/a.cpp"
+                                              << "#include <QString>\n";
+        QTest::newRow("signals without Qt") << "rendering/signals/a.h"
+                                            << "#pragma once\n#include <QtGlobal>\n";
+        QTest::newRow("rendering below database") << "rendering/display/a.cpp"
+                                                  << "#include \"database/study_store.h\"\n";
+        QTest::newRow("reports without database") << "reports/a.cpp"
+                                                  << "#include \"database/keys.h\"\n";
+        QTest::newRow("session without widgets of the app") << "study/session/a.cpp"
+                                                            << "#include \"study/app/page.h\"\n";
+        QTest::newRow("session without keys") << "study/session/a.cpp"
+                                              << "#include \"database/keys.h\"\n";
+        QTest::newRow("app without keys") << "study/app/a.cpp"
+                                          << "#include \"database/keys.h\"\n";
+        QTest::newRow("looking without keys") << "study/looking/a.cpp"
+                                              << "#include \"database/keys.h\"\n";
+        QTest::newRow("evaluation without commands") << "study/evaluation/a.cpp"
+                                                     << "#include \"study/commands/progress.h\"\n";
+        QTest::newRow("evaluation without Qt") << "study/evaluation/a.cpp"
+                                               << "#include <QString>\n";
+        QTest::newRow("app without signals") << "study/app/a.cpp"
+                                             << "#include \"study/looking/sheet.h\"\n";
+        QTest::newRow("app without friction images") << "study/app/a.cpp"
+                                                     << "#include \"rendering/composition/friction_image.h\"\n";
+        QTest::newRow("torch outside the models") << "rendering/models/a.cpp"
+                                                  << "#include <torch/torch.h>\n";
+        QTest::newRow("room that is not in the table") << "extras/a.cpp"
+                                                       << "";
     }
 
     void forbiddenArrowsAreSeen()

@@ -7,13 +7,10 @@ namespace {
 std::string inOneLine(const Fault& fault)
 {
     std::string line = fault.where.empty() ? fault.what : fault.where + ": " + fault.what;
-    if (!fault.expected.empty())
-        line += "; expected " + fault.expected;
-    if (!fault.nextStep.empty())
-        line += "; " + fault.nextStep;
+    if (!fault.expected.empty()) line += "; expected " + fault.expected;
+    if (!fault.nextStep.empty()) line += "; " + fault.nextStep;
     for (char& c : line)
-        if (c == '\n' || c == '\r')
-            c = ' ';
+        if (c == '\n' || c == '\r') c = ' ';
     return line;
 }
 

@@ -20,7 +20,7 @@ enum class ExitCode : int {
 /// The four parts of an error message; an empty part is left out of the line.
 struct Fault {
     std::string what;
-    std::string where;     ///< file, and the place in it
+    std::string where;  ///< file, and the place in it
     std::string expected;
     std::string nextStep;
 };

@@ -1,10 +1,7 @@
 #include "protocols/files/sha256.h"
 
-#include "protocols/files/errors.h"
-
-#include <sys/types.h>
-
 #include <sha2.h>
+#include <sys/types.h>
 
 #include <array>
 #include <cerrno>
@@ -13,6 +10,8 @@
 #include <cstring>
 #include <memory>
 #include <vector>
+
+#include "protocols/files/errors.h"
 
 namespace protocols {
 

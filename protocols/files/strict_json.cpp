@@ -1,7 +1,5 @@
 #include "protocols/files/strict_json.h"
 
-#include "protocols/files/errors.h"
-
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
@@ -11,6 +9,8 @@
 #include <set>
 #include <system_error>
 #include <vector>
+
+#include "protocols/files/errors.h"
 
 namespace protocols {
 

@@ -2,9 +2,8 @@
 // are refused with their place, where the parser alone would be vague or keep only the last value.
 #pragma once
 
-#include <nlohmann/json.hpp>
-
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 

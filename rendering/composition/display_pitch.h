@@ -12,8 +12,8 @@ struct AtDisplayPitch {
 };
 
 /// `source`: CV_32FC1 of one pitch. Filtered by Lanczos' kernel of three lobes: made smaller, nothing folds that
-/// the new pixels cannot hold; waves of three new pixels and more stay as they are. A trace (`bothAxes` false) is scaled along x alone.
-/// Sources of any size take bounded time: finer ones are first averaged in whole pixels.
+/// the new pixels cannot hold; waves of three new pixels and more stay as they are. A trace (`bothAxes` false) is scaled along x
+/// alone. Sources of any size take bounded time: finer ones are first averaged in whole pixels.
 AtDisplayPitch atDisplayPitch(const cv::Mat& source, double mmPerPixel, bool bothAxes, cv::Size most);
 
 }  // namespace rendering

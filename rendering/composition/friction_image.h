@@ -3,28 +3,26 @@
 // friction would cancel exactly and h&f would equal h.
 #pragma once
 
-#include "protocols/condition.h"
-#include "protocols/ids.h"
-
-#include "rendering/composition/screen_extension.h"
-
-#include <opencv2/core/mat.hpp>
-
 #include <cstdint>
 #include <map>
+#include <opencv2/core/mat.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "protocols/condition.h"
+#include "protocols/ids.h"
+#include "rendering/composition/screen_extension.h"
+
 namespace rendering {
 
-inline constexpr int displayWidthPx = 1280;   ///< TanvasTouch, 10.1 inch
+inline constexpr int displayWidthPx = 1280;  ///< TanvasTouch, 10.1 inch
 inline constexpr int displayHeightPx = 800;
 inline constexpr double displayMmPerPixel = 0.170;
 
 /// What a condition's two sources deliver for one fabric; the absent one is empty.
 struct Sources {
-    cv::Mat relief;                      ///< CV_32FC1, any unit that grows with height; at least 1x1
+    cv::Mat relief;  ///< CV_32FC1, any unit that grows with height; at least 1x1
     std::optional<double> reliefMmPerPixel;
     std::vector<double> trace;           ///< friction over the stroke
     double traceMmPerSample = 0;         ///< stroke speed / sample rate
@@ -33,7 +31,7 @@ struct Sources {
 
 /// m' of one fabric on the screen, before the range law.
 struct ScaledMap {
-    cv::Mat values;         ///< CV_32FC1 [800 x 1280]
+    cv::Mat values;              ///< CV_32FC1 [800 x 1280]
     std::string extension = {};  ///< how a smaller source was continued: "tile", "mirror", "none (cropped)"
     /// Share of the source's variance about its mean, over its whole area, that does not reach the screen:
     /// what was cropped and, at the physical scale, what the display's pixels cannot hold. None for a

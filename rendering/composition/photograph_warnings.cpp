@@ -28,7 +28,8 @@ std::vector<std::string> unfamiliarPhotographs(const Rendering& rendering)
         if (!signals.photograph) continue;
         untold = untold || !signals.photograph->distance;
         if (signals.photograph->unfamiliar())
-            lines.push_back(photographOf(rendering, fabric) + " is unlike every photograph that the model was trained on (distance " +
+            lines.push_back(photographOf(rendering, fabric) +
+                            " is unlike every photograph that the model was trained on (distance " +
                             oneDecimal(*signals.photograph->distance) + ", 99 % of known fabrics lie below " +
                             oneDecimal(signals.photograph->usualDistance) + "); what it generates is a guess");
     }

@@ -1,22 +1,30 @@
 // From conditions to the fewest signals that they need; a table, printed by `render --explain`.
 #pragma once
 
-#include "protocols/condition.h"
-
 #include <optional>
 #include <set>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "protocols/condition.h"
+
 namespace rendering {
 
 /// Everything that can be computed on the way to a friction image.
 enum class Signal {
-    Photograph, TactileFrame, FrictionRecord,          // read from the data set
-    GreyPhotograph, ShapeFromShading, GreyTactile,     // reliefs
-    PhotometricHeight, HeightGradient, GeneratedHeight,
-    MeasuredTrace, GeneratedSpectrogram, GeneratedTrace,
+    Photograph,
+    TactileFrame,
+    FrictionRecord,  // read from the data set
+    GreyPhotograph,
+    ShapeFromShading,
+    GreyTactile,  // reliefs
+    PhotometricHeight,
+    HeightGradient,
+    GeneratedHeight,
+    MeasuredTrace,
+    GeneratedSpectrogram,
+    GeneratedTrace,
 };
 
 std::string nameOf(Signal signal);

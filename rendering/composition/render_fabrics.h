@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "protocols/condition.h"
-#include "rendering/fabrics/dataset.h"
 #include "rendering/composition/friction_image.h"
-#include "rendering/models/generation.h"
 #include "rendering/composition/plan.h"
+#include "rendering/fabrics/dataset.h"
+#include "rendering/models/generation.h"
 #include "rendering/signals/shape_from_shading.h"
 
 namespace rendering {
@@ -37,7 +37,7 @@ struct RenderRequest {
     Extension extension = Extension::Tile;
     Percentiles percentiles;  ///< of the pixels of all objects together; 0 and 100: their least and greatest value
     DisplayMapping mapping;
-    signals::ShadingOptions shading;  ///< of v_shape; its quality follows from generation.quality
+    signals::ShadingOptions shading;       ///< of v_shape; its quality follows from generation.quality
     models::GenerationOptions generation;  ///< model and quality; what is generated follows from the conditions
 
     /// Asked at most once, with the photographs of all fabrics, and only where a condition needs it.
@@ -51,10 +51,10 @@ struct FabricSignals {
     std::map<Signal, cv::Mat> images;
     std::map<Signal, std::vector<double>> traces;
     std::optional<double> measuredMeanFriction, generatedMeanFriction;
-    std::optional<signals::Light> light;    ///< that shape from shading was lit by
-    std::optional<double> colourVariation;  ///< of the photograph it was made from
+    std::optional<signals::Light> light;                ///< that shape from shading was lit by
+    std::optional<double> colourVariation;              ///< of the photograph it was made from
     std::optional<models::PhotographFacts> photograph;  ///< where something was generated from it
-    std::string measuredQuantity = "mu";  ///< what the measured trace holds; "mu": a coefficient
+    std::string measuredQuantity = "mu";                ///< what the measured trace holds; "mu": a coefficient
     std::optional<double> photographMmPerPixel, tactileMmPerPixel, generatedMmPerPixel, traceMmPerSample,
         generatedTraceMmPerSample;
 };
@@ -73,8 +73,8 @@ struct RenderedCondition {
     /// By the quantity of the measured friction ("" where none is used): a coefficient and a count of
     /// sensor units have no common range.
     std::map<std::string, MapRange> ranges;
-    std::vector<protocols::FabricId> rangeOver;            ///< whose maps the ranges are of
-    std::map<protocols::FabricId, MapFacts> maps;    ///< of RenderRequest::fabrics
+    std::vector<protocols::FabricId> rangeOver;     ///< whose maps the ranges are of
+    std::map<protocols::FabricId, MapFacts> maps;   ///< of RenderRequest::fabrics
     std::map<protocols::FabricId, cv::Mat> images;  ///< [800 x 1280], CV_8UC1 or CV_16UC1, of RenderRequest::fabrics
     double milliseconds = 0;
 };

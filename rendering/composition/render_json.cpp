@@ -57,10 +57,11 @@ Json jsonOf(const RenderedCondition& rendered, const RenderRequest& request)
 /// How like the photographs trained on; see rendering/models/familiarity.h.
 Json jsonOf(const models::PhotographFacts& photograph)
 {
-    Json json{{"distance", nullptr}, {"usual_distance", nullptr}, {"unfamiliar", photograph.unfamiliar()},
+    Json json{{"distance", nullptr},
+              {"usual_distance", nullptr},
+              {"unfamiliar", photograph.unfamiliar()},
               {"middle_only", photograph.middleOnly}};
-    if (photograph.assumedMmPerPixel)
-        json["assumed_mm_per_pixel"] = *photograph.assumedMmPerPixel;
+    if (photograph.assumedMmPerPixel) json["assumed_mm_per_pixel"] = *photograph.assumedMmPerPixel;
     if (photograph.distance) {
         json["distance"] = *photograph.distance;
         json["usual_distance"] = photograph.usualDistance;
@@ -164,11 +165,12 @@ std::string renderJson(const fabrics::Dataset& dataset, const RenderRequest& req
                                                        {"mean", *ready.measuredMeanFriction}};
     for (const auto& [fabric, ready] : rendering.signals)
         if (ready.light)
-            json["shading"][fabric.value] = {{"method", request.shading.method == signals::ShadingMethod::Linear ? "linear" : "bumps"},
-                                             {"light_from", request.shading.lightFromBelow ? "below" : "above"},
-                                             {"light_azimuth_deg", ready.light->azimuthDeg},
-                                             {"light_coherence", ready.light->coherence},
-                                             {"colour_variation", *ready.colourVariation}};
+            json["shading"][fabric.value] = {
+                {"method", request.shading.method == signals::ShadingMethod::Linear ? "linear" : "bumps"},
+                {"light_from", request.shading.lightFromBelow ? "below" : "above"},
+                {"light_azimuth_deg", ready.light->azimuthDeg},
+                {"light_coherence", ready.light->coherence},
+                {"colour_variation", *ready.colourVariation}};
     for (const auto& [fabric, ready] : rendering.signals)
         if (ready.photograph) json["photographs"][fabric.value] = jsonOf(*ready.photograph);
     return json.dump(2) + "\n";

@@ -13,9 +13,9 @@ namespace rendering {
 enum class Extension { Tile, Mirror };
 
 struct Extended {
-    cv::Mat values;         ///< CV_32FC1 [800 x 1280]
-    std::string how;        ///< "tile", "mirror", "none", "none (cropped)", and why where it is not what was asked for
-    double agreement = 0;   ///< of overlapping strips, correlation -1..1; 0 where none were laid
+    cv::Mat values;        ///< CV_32FC1 [800 x 1280]
+    std::string how;       ///< "tile", "mirror", "none", "none (cropped)", and why where it is not what was asked for
+    double agreement = 0;  ///< of overlapping strips, correlation -1..1; 0 where none were laid
 };
 
 /// The patch lies in the middle of the screen; where it is larger, its middle is shown. A patch of fewer

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "protocols/files/errors.h"
-#include "rendering/display/external_display.h"
 #include "rendering/composition/friction_image.h"
+#include "rendering/display/external_display.h"
 #include "rendering/images/image_io.h"
 
 namespace rendering {

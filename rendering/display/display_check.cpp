@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <thread>
 
-#include "rendering/display/driver_talk.h"
 #include "rendering/composition/friction_image.h"
+#include "rendering/display/driver_talk.h"
 
 namespace rendering {
 

@@ -7,8 +7,8 @@
 #include <opencv2/imgproc.hpp>
 #include <optional>
 
-#include "protocols/files/errors.h"
 #include "protocols/files/csv_table.h"
+#include "protocols/files/errors.h"
 
 namespace rendering {
 

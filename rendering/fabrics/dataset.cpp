@@ -5,9 +5,9 @@
 
 #include "protocols/files/errors.h"
 #include "protocols/files/sha256.h"
+#include "protocols/files/whole_file.h"
 #include "rendering/fabrics/dataset_json.h"
 #include "rendering/images/image_io.h"
-#include "protocols/files/whole_file.h"
 
 namespace rendering::fabrics {
 

@@ -9,10 +9,10 @@
 
 #include "protocols/files/errors.h"
 #include "protocols/files/strict_json.h"
+#include "protocols/files/whole_file.h"
 #include "rendering/fabrics/dataset.h"
 #include "rendering/fabrics/dataset_json.h"
 #include "rendering/images/image_io.h"
-#include "protocols/files/whole_file.h"
 
 namespace rendering::fabrics {
 
@@ -39,7 +39,8 @@ public:
         if (m_dataset.fabrics.empty()) fault("dataset.json", "names no fabrics");
         checkFolders();
         for (const FabricInfo& fabric : m_dataset.fabrics)
-            for (const Modality modality : modalities) m_samples += static_cast<int>(sampleIndices(m_dataset, fabric.id, modality).size());
+            for (const Modality modality : modalities)
+                m_samples += static_cast<int>(sampleIndices(m_dataset, fabric.id, modality).size());
         for (const FabricInfo& fabric : m_dataset.fabrics) checkSamples(fabric);
         checkSizes();
         checkSensor();

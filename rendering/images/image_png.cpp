@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "protocols/files/errors.h"
-#include "rendering/images/image_io.h"
 #include "protocols/files/whole_file.h"
+#include "rendering/images/image_io.h"
 
 namespace rendering {
 

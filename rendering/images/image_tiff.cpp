@@ -11,8 +11,8 @@
 #include <string>
 
 #include "protocols/files/errors.h"
-#include "rendering/images/image_io.h"
 #include "protocols/files/whole_file.h"
+#include "rendering/images/image_io.h"
 
 namespace rendering {
 

@@ -1,8 +1,5 @@
 #include "rendering/images/true_map.h"
 
-#include "protocols/files/errors.h"
-#include "protocols/files/whole_file.h"
-
 #include <algorithm>
 #include <bit>
 #include <cctype>
@@ -10,6 +7,9 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+
+#include "protocols/files/errors.h"
+#include "protocols/files/whole_file.h"
 
 namespace rendering {
 
@@ -50,13 +50,16 @@ TrueMap trueMapFrom(std::string_view bytes, const std::string& where)
 {
     if (!isHeader(bytes)) throw unreadable(where, "another header");
     const std::size_t commentEnd = bytes.find('\0', headerBytes);
-    if (commentEnd == std::string_view::npos || bytes.size() - commentEnd - 1 < 24) throw unreadable(where, "cut short in its header");
+    if (commentEnd == std::string_view::npos || bytes.size() - commentEnd - 1 < 24)
+        throw unreadable(where, "cut short in its header");
     const std::size_t start = commentEnd + 1;
     const std::uint64_t columns = valueAt<std::uint32_t>(bytes, start), rows = valueAt<std::uint32_t>(bytes, start + 4);
     if (columns == 0 || rows == 0) throw unreadable(where, "no points");
-    if (columns > mostPoints || rows > mostPoints || columns * rows > mostPoints) throw unreadable(where, "more than 2^28 points");
+    if (columns > mostPoints || rows > mostPoints || columns * rows > mostPoints)
+        throw unreadable(where, "more than 2^28 points");
     const double width = valueAt<float>(bytes, start + 8), height = valueAt<float>(bytes, start + 12);
-    if (!(width > 0 && height > 0 && std::isfinite(width) && std::isfinite(height))) throw unreadable(where, "its extent is no length");
+    if (!(width > 0 && height > 0 && std::isfinite(width) && std::isfinite(height)))
+        throw unreadable(where, "its extent is no length");
     const std::size_t size = static_cast<std::size_t>(rows * columns) * sizeof(float);
     if (bytes.size() - start - 24 < size)
         throw unreadable(where, "cut short: " + std::to_string((bytes.size() - start - 24) / sizeof(float)) + " of " +

@@ -1,7 +1,5 @@
 #include "rendering/models/child_process.h"
 
-#include "protocols/files/errors.h"
-
 #include <fcntl.h>
 #include <spawn.h>
 #include <sys/wait.h>
@@ -11,6 +9,8 @@
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
+
+#include "protocols/files/errors.h"
 
 extern char** environ;  // NOLINT: the C library's own
 
@@ -28,8 +28,7 @@ std::string lastLine(const fs::path& messages)
     std::ifstream stream(messages);
     std::string line, last;
     while (std::getline(stream, line))
-        if (!line.empty())
-            last = line;
+        if (!line.empty()) last = line;
     const std::string prefix = "vis2hap: ";
     return last.starts_with(prefix) ? last.substr(prefix.size()) : last;
 }
@@ -37,10 +36,8 @@ std::string lastLine(const fs::path& messages)
 std::vector<std::string> environmentForThreads()
 {
     std::vector<std::string> variables;
-    for (char** variable = environ; *variable != nullptr; ++variable)
-        variables.emplace_back(*variable);
-    for (const auto& [name, value] : missingThreadSettings())
-        variables.push_back(name + "=" + value);
+    for (char** variable = environ; *variable != nullptr; ++variable) variables.emplace_back(*variable);
+    for (const auto& [name, value] : missingThreadSettings()) variables.push_back(name + "=" + value);
     return variables;
 }
 
@@ -48,8 +45,7 @@ std::vector<std::string> environmentForThreads()
 std::vector<char*> pointersTo(std::vector<std::string>& texts)
 {
     std::vector<char*> pointers;
-    for (std::string& text : texts)
-        pointers.push_back(text.data());
+    for (std::string& text : texts) pointers.push_back(text.data());
     pointers.push_back(nullptr);
     return pointers;
 }
@@ -65,8 +61,8 @@ pid_t started(const fs::path& program, const std::vector<std::string>& arguments
     words.insert(words.end(), arguments.begin(), arguments.end());
     pid_t child = 0;
     std::vector<std::string> surroundings = environmentForThreads();
-    const int fault = ::posix_spawn(&child, program.c_str(), &actions, nullptr, pointersTo(words).data(),
-                                    pointersTo(surroundings).data());
+    const int fault =
+        ::posix_spawn(&child, program.c_str(), &actions, nullptr, pointersTo(words).data(), pointersTo(surroundings).data());
     posix_spawn_file_actions_destroy(&actions);
     if (fault != 0)
         throw protocols::environmentFault({std::string("the generators' program cannot be started: ") + std::strerror(fault),
@@ -86,12 +82,15 @@ int waitFor(pid_t child)
 protocols::Error told(int exitStatus, const std::string& line, const fs::path& program)
 {
     switch (exitStatus) {
-    case 1: return protocols::workFailed({line, "", "", ""});
-    case 2: return protocols::badInput({line, "", "", ""});
-    case 3: return protocols::environmentFault({line, "", "", ""});
-    default:
-        return protocols::environmentFault({"the generators' program cannot be loaded: " + line, program.string(),
-                                            "libtorch where the loader finds it", install});
+        case 1:
+            return protocols::workFailed({line, "", "", ""});
+        case 2:
+            return protocols::badInput({line, "", "", ""});
+        case 3:
+            return protocols::environmentFault({line, "", "", ""});
+        default:
+            return protocols::environmentFault({"the generators' program cannot be loaded: " + line, program.string(),
+                                                "libtorch where the loader finds it", install});
     }
 }
 
@@ -102,22 +101,19 @@ std::vector<std::pair<std::string, std::string>> missingThreadSettings()
     std::vector<std::pair<std::string, std::string>> missing;
     if (std::getenv("OMP_WAIT_POLICY") == nullptr && std::getenv("GOMP_SPINCOUNT") == nullptr)
         missing.emplace_back("GOMP_SPINCOUNT", "10000");  // some ten microseconds
-    if (std::getenv("OPENBLAS_NUM_THREADS") == nullptr)
-        missing.emplace_back("OPENBLAS_NUM_THREADS", "1");
+    if (std::getenv("OPENBLAS_NUM_THREADS") == nullptr) missing.emplace_back("OPENBLAS_NUM_THREADS", "1");
     return missing;
 }
 
 fs::path generatorProgram()
 {
-    if (const char* chosen = std::getenv("VIS2HAP_NN"); chosen != nullptr && *chosen != '\0')
-        return chosen;
+    if (const char* chosen = std::getenv("VIS2HAP_NN"); chosen != nullptr && *chosen != '\0') return chosen;
     std::error_code none;
     const fs::path folder = fs::read_symlink("/proc/self/exe", none).parent_path();
     for (const fs::path& candidate : {folder / "vis2hap-nn", folder.parent_path() / "vis2hap-nn"})
-        if (fs::is_regular_file(candidate, none))
-            return candidate;
-    throw protocols::environmentFault({"the generators' program vis2hap-nn is missing", folder.string(),
-                                       "it beside the program", install});
+        if (fs::is_regular_file(candidate, none)) return candidate;
+    throw protocols::environmentFault(
+        {"the generators' program vis2hap-nn is missing", folder.string(), "it beside the program", install});
 }
 
 void runGeneratorProgram(const std::vector<std::string>& arguments, const fs::path& messages)
@@ -127,8 +123,7 @@ void runGeneratorProgram(const std::vector<std::string>& arguments, const fs::pa
     if (WIFSIGNALED(status))
         throw protocols::environmentFault({"the generators' program was ended by signal " + std::to_string(WTERMSIG(status)),
                                            program.string(), "enough memory for it", "close other programs and try again"});
-    if (WEXITSTATUS(status) != 0)
-        throw told(WEXITSTATUS(status), lastLine(messages), program);
+    if (WEXITSTATUS(status) != 0) throw told(WEXITSTATUS(status), lastLine(messages), program);
 }
 
 }  // namespace rendering::models

@@ -1,12 +1,11 @@
 #include "rendering/models/exchange.h"
 
-#include "protocols/files/errors.h"
-#include "rendering/images/image_io.h"
-#include "protocols/files/whole_file.h"
-
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
+#include "protocols/files/errors.h"
+#include "protocols/files/whole_file.h"
+#include "rendering/images/image_io.h"
 
 namespace rendering::models {
 
@@ -22,8 +21,7 @@ constexpr std::pair<Quality, const char*> qualities[] = {
 
 Json written(const fs::path& folder, const std::string& name, const cv::Mat& array)
 {
-    if (array.empty())
-        return nullptr;
+    if (array.empty()) return nullptr;
     writeNpy(folder / name, array);
     return name;
 }
@@ -38,20 +36,19 @@ cv::Mat readBack(const fs::path& folder, const Json& name)
 std::string nameOf(Quality quality)
 {
     for (const auto& [value, name] : qualities)
-        if (value == quality)
-            return name;
+        if (value == quality) return name;
     return {};
 }
 
 Quality qualityNamed(std::string_view name)
 {
     for (const auto& [value, known] : qualities)
-        if (name == known)
-            return value;
+        if (name == known) return value;
     throw protocols::badInput({"unknown quality '" + std::string(name) + "'", "--quality", "fast, balanced or accurate", ""});
 }
 
-RequestWriter::RequestWriter(fs::path folder, GenerationOptions options) : m_folder(std::move(folder)), m_options(std::move(options))
+RequestWriter::RequestWriter(fs::path folder, GenerationOptions options)
+    : m_folder(std::move(folder)), m_options(std::move(options))
 {
 }
 
@@ -60,7 +57,8 @@ void RequestWriter::add(const PhotographToTouch& photograph)
     const std::string name = "photo" + std::to_string(m_photographs.size()) + ".npy";
     const cv::Mat whole = photograph.photograph.isContinuous() ? photograph.photograph : photograph.photograph.clone();
     writeNpy(m_folder / name, whole.reshape(1));
-    m_photographs.push_back({{"file", name}, {"mm_per_pixel", photograph.mmPerPixel ? Json(*photograph.mmPerPixel) : Json(nullptr)}});
+    m_photographs.push_back(
+        {{"file", name}, {"mm_per_pixel", photograph.mmPerPixel ? Json(*photograph.mmPerPixel) : Json(nullptr)}});
 }
 
 void RequestWriter::finish() const
@@ -145,8 +143,7 @@ std::vector<GeneratedSignals> readAnswers(const fs::path& folder)
             answer.spectrogramParameters = {parameters.at("window").get<int>(), parameters.at("hop").get<int>(),
                                             parameters.at("fft").get<int>(), parameters.at("samples_per_mm").get<double>()};
             const cv::Mat trace = readBack(folder, item.at("trace"));
-            if (!trace.empty())
-                answer.trace.assign(trace.ptr<double>(), trace.ptr<double>() + trace.total());
+            if (!trace.empty()) answer.trace.assign(trace.ptr<double>(), trace.ptr<double>() + trace.total());
             answer.traceMmPerSample = item.at("trace_mm_per_sample").get<double>();
             answer.meanFriction = item.at("mean_friction").get<double>();
             if (const Json& distance = item.at("distance"); !distance.is_null())
@@ -155,8 +152,8 @@ std::vector<GeneratedSignals> readAnswers(const fs::path& folder)
             answers.push_back(answer);
         }
     } catch (const std::exception& fault) {
-        throw protocols::workFailed({std::string("vis2hap-nn's answer cannot be read: ") + fault.what(), file.string(), answerSchema,
-                                     "build the program anew, so that both executables are of one version"});
+        throw protocols::workFailed({std::string("vis2hap-nn's answer cannot be read: ") + fault.what(), file.string(),
+                                     answerSchema, "build the program anew, so that both executables are of one version"});
     }
     return answers;
 }

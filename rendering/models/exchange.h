@@ -10,15 +10,14 @@
 //                 "distance":X|null,"usual_distance":X}]}
 #pragma once
 
-#include "rendering/models/generation.h"
-
-#include <nlohmann/json.hpp>
-
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "rendering/models/generation.h"
 
 namespace rendering::models {
 
@@ -47,8 +46,8 @@ private:
     nlohmann::ordered_json m_photographs = nlohmann::ordered_json::array();
 };
 
-Request readRequest(const std::filesystem::path& folder);             ///< throws badInput
-PhotographToTouch readPhotograph(const Request::Asked& photograph);   ///< throws badInput
+Request readRequest(const std::filesystem::path& folder);            ///< throws badInput
+PhotographToTouch readPhotograph(const Request::Asked& photograph);  ///< throws badInput
 
 /// Writes the arrays of each answer when it is added, answer.json at the end.
 class AnswerWriter {

@@ -1,13 +1,13 @@
 #include "rendering/models/familiarity.h"
 
-#include "protocols/files/errors.h"
-#include "rendering/models/photograph_features.h"
-#include "rendering/models/ring_spectrum.h"
-
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <limits>
+
+#include "protocols/files/errors.h"
+#include "rendering/models/photograph_features.h"
+#include "rendering/models/ring_spectrum.h"
 
 namespace rendering::models {
 
@@ -38,20 +38,19 @@ std::vector<double> rounded(std::vector<double> numbers)
 double squaredDistance(const Standardised& a, const Standardised& b)
 {
     double sum = 0;
-    for (std::size_t i = 0; i < a.size(); ++i)
-        sum += (a[i] - b[i]) * (a[i] - b[i]);
+    for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
     return sum;
 }
 
 double distanceToNearest(const std::vector<Standardised>& kept, const Standardised& point)
 {
     double least = std::numeric_limits<double>::max();
-    for (const Standardised& one : kept)
-        least = std::min(least, squaredDistance(one, point));
+    for (const Standardised& one : kept) least = std::min(least, squaredDistance(one, point));
     return std::sqrt(least);
 }
 
-/// Each fabric counts by a Gaussian of the distance to its nearest photograph; within a fabric that distance is about half the usual.
+/// Each fabric counts by a Gaussian of the distance to its nearest photograph; within a fabric that distance is about half the
+/// usual.
 constexpr double kernelOfUsual = 1.0 / 3;
 
 std::vector<double> remembered(const Familiarity& familiarity, const Standardised& point, double distance)
@@ -67,11 +66,9 @@ std::vector<double> remembered(const Familiarity& familiarity, const Standardise
     for (std::size_t fabric = 0; fabric < least.size(); ++fabric) {
         const double weight = std::exp((distance * distance - least[fabric]) / (2 * width * width));
         total += weight;
-        for (std::size_t i = 0; i < rings.size(); ++i)
-            rings[i] += weight * familiarity.fabricRings[fabric][i];
+        for (std::size_t i = 0; i < rings.size(); ++i) rings[i] += weight * familiarity.fabricRings[fabric][i];
     }
-    for (double& ring : rings)
-        ring /= total;
+    for (double& ring : rings) ring /= total;
     return rings;
 }
 
@@ -95,11 +92,9 @@ void fitScale(Familiarity& familiarity, std::span<const std::vector<float>> trai
     const auto count = static_cast<double>(training.size());
     for (std::size_t i = 0; i < static_cast<std::size_t>(photographFeatureCount); ++i) {
         double sum = 0, squares = 0;
-        for (const std::vector<float>& features : training)
-            sum += static_cast<double>(features[i]);
+        for (const std::vector<float>& features : training) sum += static_cast<double>(features[i]);
         const double mean = sum / count;
-        for (const std::vector<float>& features : training)
-            squares += std::pow(static_cast<double>(features[i]) - mean, 2);
+        for (const std::vector<float>& features : training) squares += std::pow(static_cast<double>(features[i]) - mean, 2);
         familiarity.mean.push_back(fourDigits(mean));
         familiarity.deviation.push_back(fourDigits(std::max(leastDeviation, std::sqrt(squares / count))));
     }
@@ -121,8 +116,7 @@ std::vector<std::size_t> spreadChoice(const std::vector<Standardised>& points)
     std::size_t next = 0;
     while (chosen.size() < static_cast<std::size_t>(mostPhotographsKept) && apart[next] > 0) {
         chosen.push_back(next);
-        for (std::size_t i = 0; i < points.size(); ++i)
-            apart[i] = std::min(apart[i], squaredDistance(points[next], points[i]));
+        for (std::size_t i = 0; i < points.size(); ++i) apart[i] = std::min(apart[i], squaredDistance(points[next], points[i]));
         next = static_cast<std::size_t>(std::max_element(apart.begin(), apart.end()) - apart.begin());
     }
     return chosen;
@@ -134,16 +128,14 @@ std::vector<double> distancesAmong(const std::vector<Standardised>& points)
     for (std::size_t i = 0; i < points.size(); ++i) {
         std::vector<Standardised> others = points;
         others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
-        if (!others.empty())
-            distances.push_back(distanceToNearest(others, points[i]));
+        if (!others.empty()) distances.push_back(distanceToNearest(others, points[i]));
     }
     return distances;
 }
 
 double thresholdOf(std::vector<double> distances)
 {
-    if (distances.empty())
-        return leastThreshold;
+    if (distances.empty()) return leastThreshold;
     std::sort(distances.begin(), distances.end());
     const auto at = static_cast<std::size_t>(std::ceil(familiarShare * static_cast<double>(distances.size()))) - 1;
     return std::max(leastThreshold, distances[std::min(at, distances.size() - 1)]);
@@ -155,7 +147,9 @@ bool sensible(const Familiarity& familiarity)
         return numbers.size() == static_cast<std::size_t>(photographFeatureCount) &&
                std::all_of(numbers.begin(), numbers.end(), [](double number) { return std::isfinite(number); });
     };
-    const auto ofAFabric = [&](int fabric) { return fabric >= 0 && static_cast<std::size_t>(fabric) < familiarity.fabricRings.size(); };
+    const auto ofAFabric = [&](int fabric) {
+        return fabric >= 0 && static_cast<std::size_t>(fabric) < familiarity.fabricRings.size();
+    };
     const auto soundRings = [](const std::vector<double>& rings) {
         return rings.size() == static_cast<std::size_t>(ringCount) &&
                std::all_of(rings.begin(), rings.end(), [](double ring) { return std::abs(ring) < 50; });
@@ -175,23 +169,19 @@ bool sensible(const Familiarity& familiarity)
 Familiarity fitFamiliarity(std::span<const std::vector<float>> training, std::span<const std::vector<float>> validation,
                            const KnownFabrics& known)
 {
-    if (training.empty())
-        throw protocols::badInput({"no training photographs", "familiarity", "at least one", ""});
+    if (training.empty()) throw protocols::badInput({"no training photographs", "familiarity", "at least one", ""});
     requireFeatures(training);
     requireFeatures(validation);
     requireFabrics(known, training.size());
     Familiarity familiarity;
     fitScale(familiarity, training);
     std::vector<Standardised> points;
-    for (const std::vector<float>& features : training)
-        points.push_back(standardised(familiarity, features));
+    for (const std::vector<float>& features : training) points.push_back(standardised(familiarity, features));
     for (const std::size_t chosen : spreadChoice(points)) {
         familiarity.nearest.push_back(rounded(points[chosen]));
-        if (!known.fabricOf.empty())
-            familiarity.fabricOf.push_back(known.fabricOf[chosen]);
+        if (!known.fabricOf.empty()) familiarity.fabricOf.push_back(known.fabricOf[chosen]);
     }
-    for (const std::vector<double>& rings : known.rings)
-        familiarity.fabricRings.push_back(rounded(rings));
+    for (const std::vector<double>& rings : known.rings) familiarity.fabricRings.push_back(rounded(rings));
     std::vector<double> distances;
     for (const std::vector<float>& features : validation)
         distances.push_back(distanceToNearest(familiarity.nearest, standardised(familiarity, features)));

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
-
 #include <span>
 #include <vector>
 
@@ -12,10 +11,10 @@ namespace rendering::models {
 
 /// Lengths are photographFeatureCount throughout; numbers have four significant digits, as the card keeps them.
 struct Familiarity {
-    std::vector<double> mean, deviation;        ///< of each feature over the training photographs
-    std::vector<std::vector<double>> nearest;   ///< chosen training photographs, standardised
-    double threshold = 0;                       ///< 99 % of the validation photographs lie below it
-    std::vector<int> fabricOf;                  ///< of each of `nearest`, counted from 0; empty: nothing is remembered
+    std::vector<double> mean, deviation;           ///< of each feature over the training photographs
+    std::vector<std::vector<double>> nearest;      ///< chosen training photographs, standardised
+    double threshold = 0;                          ///< 99 % of the validation photographs lie below it
+    std::vector<int> fabricOf;                     ///< of each of `nearest`, counted from 0; empty: nothing is remembered
     std::vector<std::vector<double>> fabricRings;  ///< of each fabric: mean of ringPowers() over its presses (ring_spectrum.h)
     bool operator==(const Familiarity&) const = default;
 };
@@ -38,14 +37,16 @@ Familiarity fitFamiliarity(std::span<const std::vector<float>> training, std::sp
 
 /// A photograph among those known.
 struct Recognised {
-    double distance = 0;          ///< to the nearest photograph kept, in standard deviations of the training photographs' features
-    double strangeness = 0;       ///< 0 up to the usual distance, 1 from twice that on
-    std::vector<double> rings;    ///< of the fabrics that look like it, the nearest counting most; empty where nothing is remembered
+    double distance = 0;     ///< to the nearest photograph kept, in standard deviations of the training photographs' features
+    double strangeness = 0;  ///< 0 up to the usual distance, 1 from twice that on
+    std::vector<double>
+        rings;  ///< of the fabrics that look like it, the nearest counting most; empty where nothing is remembered
 };
 /// Throws badInput for another number of features.
 Recognised recognised(const Familiarity& familiarity, const std::vector<float>& features);
 
-/// {"features_mean":[..],"features_sd":[..],"nearest":[[..],..],"threshold":X}, with {"fabric_of":[..],"fabric_rings":[[..],..]} where something is remembered
+/// {"features_mean":[..],"features_sd":[..],"nearest":[[..],..],"threshold":X}, with {"fabric_of":[..],"fabric_rings":[[..],..]}
+/// where something is remembered
 nlohmann::ordered_json familiarityJson(const Familiarity& familiarity);
 
 /// Throws nlohmann's exceptions for other types, badInput for lengths or numbers that cannot be.

@@ -1,15 +1,14 @@
 #include "rendering/models/friction_prior.h"
 
-#include "protocols/files/errors.h"
-#include "rendering/models/ring_spectrum.h"
-
-#include <opencv2/core.hpp>
-#include <opencv2/imgproc.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "protocols/files/errors.h"
+#include "rendering/models/ring_spectrum.h"
 
 namespace rendering::models {
 
@@ -19,14 +18,15 @@ namespace {
 constexpr double ridge = 0.01;
 constexpr double leastDeviation = 0.02;
 constexpr double mostDeviations = 2.5;  ///< of a coefficient that counts: beyond lies nothing that was seen
-constexpr double leastBrightness = 5;  ///< grey levels: below it a camera's noise decides
-constexpr double noisePower = 1e-4;    ///< of brightness over its mean: what a dim photograph's rounding to 8 bits leaves
+constexpr double leastBrightness = 5;   ///< grey levels: below it a camera's noise decides
+constexpr double noisePower = 1e-4;     ///< of brightness over its mean: what a dim photograph's rounding to 8 bits leaves
 
 constexpr auto coefficientCount = static_cast<std::size_t>(textureCoefficientCount);
 
 double totalWeight(std::span<const KnownTexture> textures)
 {
-    return std::accumulate(textures.begin(), textures.end(), 0.0, [](double sum, const KnownTexture& texture) { return sum + texture.weight; });
+    return std::accumulate(textures.begin(), textures.end(), 0.0,
+                           [](double sum, const KnownTexture& texture) { return sum + texture.weight; });
 }
 
 void fitScale(FrictionPrior& prior, std::span<const KnownTexture> textures)
@@ -35,20 +35,17 @@ void fitScale(FrictionPrior& prior, std::span<const KnownTexture> textures)
     prior.mean.assign(coefficientCount, 0);
     prior.deviation.assign(coefficientCount, 0);
     for (const KnownTexture& texture : textures)
-        for (std::size_t i = 0; i < coefficientCount; ++i)
-            prior.mean[i] += texture.weight / all * texture.coefficients[i];
+        for (std::size_t i = 0; i < coefficientCount; ++i) prior.mean[i] += texture.weight / all * texture.coefficients[i];
     for (const KnownTexture& texture : textures)
         for (std::size_t i = 0; i < coefficientCount; ++i)
             prior.deviation[i] += texture.weight / all * std::pow(texture.coefficients[i] - prior.mean[i], 2);
-    for (double& deviation : prior.deviation)
-        deviation = std::max(leastDeviation, std::sqrt(deviation));
+    for (double& deviation : prior.deviation) deviation = std::max(leastDeviation, std::sqrt(deviation));
 }
 
 std::vector<double> standardised(const FrictionPrior& prior, const std::vector<double>& coefficients)
 {
     std::vector<double> result;
-    for (std::size_t i = 0; i < coefficientCount; ++i)
-        result.push_back((coefficients[i] - prior.mean[i]) / prior.deviation[i]);
+    for (std::size_t i = 0; i < coefficientCount; ++i) result.push_back((coefficients[i] - prior.mean[i]) / prior.deviation[i]);
     return result;
 }
 
@@ -70,7 +67,8 @@ void fitSlope(FrictionPrior& prior, std::span<const KnownTexture> textures)
 bool sensible(const FrictionPrior& prior)
 {
     const auto sound = [](const std::vector<double>& numbers) {
-        return numbers.size() == coefficientCount && std::all_of(numbers.begin(), numbers.end(), [](double number) { return std::isfinite(number); });
+        return numbers.size() == coefficientCount &&
+               std::all_of(numbers.begin(), numbers.end(), [](double number) { return std::isfinite(number); });
     };
     return sound(prior.mean) && sound(prior.deviation) && sound(prior.slope) &&
            std::all_of(prior.deviation.begin(), prior.deviation.end(), [](double deviation) { return deviation > 0; }) &&
@@ -98,8 +96,7 @@ std::vector<double> textureCoefficients(const cv::Mat& rgb, int side)
 
 FrictionPrior fitFrictionPrior(std::span<const KnownTexture> textures)
 {
-    if (textures.empty())
-        throw protocols::badInput({"no training photographs", "friction by texture", "at least one", ""});
+    if (textures.empty()) throw protocols::badInput({"no training photographs", "friction by texture", "at least one", ""});
     FrictionPrior prior;
     fitScale(prior, textures);
     prior.lowest = prior.highest = textures.front().logFriction;
@@ -125,8 +122,12 @@ double expectedFriction(const FrictionPrior& prior, const std::vector<double>& c
 
 nlohmann::ordered_json frictionPriorJson(const FrictionPrior& prior)
 {
-    return {{"coefficients_mean", prior.mean},  {"coefficients_sd", prior.deviation}, {"slope", prior.slope},
-            {"log_friction", prior.logFriction}, {"lowest", prior.lowest},             {"highest", prior.highest}};
+    return {{"coefficients_mean", prior.mean},
+            {"coefficients_sd", prior.deviation},
+            {"slope", prior.slope},
+            {"log_friction", prior.logFriction},
+            {"lowest", prior.lowest},
+            {"highest", prior.highest}};
 }
 
 FrictionPrior frictionPriorFrom(const nlohmann::ordered_json& json)

@@ -6,7 +6,6 @@
 
 #include <nlohmann/json.hpp>
 #include <opencv2/core/mat.hpp>
-
 #include <span>
 #include <vector>
 

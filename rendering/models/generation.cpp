@@ -1,13 +1,13 @@
 #include "rendering/models/generation.h"
 
+#include <opencv2/imgproc.hpp>
+
 #include "protocols/files/errors.h"
 #include "rendering/models/child_process.h"
 #include "rendering/models/exchange.h"
 #include "rendering/models/model_card.h"
 #include "rendering/models/photograph_at_pitch.h"
 #include "rendering/models/temporary_folder.h"
-
-#include <opencv2/imgproc.hpp>
 
 namespace rendering::models {
 
@@ -33,10 +33,8 @@ struct Shown {
 /// Nothing is known of millimetres there, so the height lies on the photograph's own pixels.
 void backToPixels(GeneratedSignals& signals, const cv::Size& size, double mmPerPixel)
 {
-    if (signals.heightMm.empty())
-        return;
-    if (signals.heightMm.size() != size)
-        cv::resize(signals.heightMm, signals.heightMm, size, 0, 0, cv::INTER_AREA);
+    if (signals.heightMm.empty()) return;
+    if (signals.heightMm.size() != size) cv::resize(signals.heightMm, signals.heightMm, size, 0, 0, cv::INTER_AREA);
     signals.heightMmPerPixel = mmPerPixel;
 }
 
@@ -44,12 +42,10 @@ void backToPixels(GeneratedSignals& signals, const cv::Size& size, double mmPerP
 
 std::vector<GeneratedSignals> generate(std::span<const PhotographToTouch> photographs, const GenerationOptions& options)
 {
-    if (photographs.empty())
-        return {};
+    if (photographs.empty()) return {};
     checkPhotographs(photographs);
     GenerationOptions wish = options;
-    if (wish.model.empty())
-        wish.model = shippedModel();
+    if (wish.model.empty()) wish.model = shippedModel();
     wish.model = std::filesystem::absolute(wish.model);
     const ModelCardFields card = readModelCardFields(wish.model);
     checkWeightsFile(wish.model, card);
@@ -57,7 +53,8 @@ std::vector<GeneratedSignals> generate(std::span<const PhotographToTouch> photog
     RequestWriter request(folder.path(), wish);
     std::vector<Shown> shown;
     for (const PhotographToTouch& photograph : photographs) {
-        const double pitch = photograph.mmPerPixel.value_or(assumedMmPerPixel(photograph.photograph, card.architecture.mmPerPixel));
+        const double pitch =
+            photograph.mmPerPixel.value_or(assumedMmPerPixel(photograph.photograph, card.architecture.mmPerPixel));
         const SeenPhotograph seen = photographAtPitch({photograph.photograph, pitch}, card.architecture.mmPerPixel);
         request.add({seen.rgb, card.architecture.mmPerPixel});
         shown.push_back({seen.part.size(), seen.middleOnly, photograph.mmPerPixel ? std::nullopt : std::optional(pitch)});
@@ -67,12 +64,12 @@ std::vector<GeneratedSignals> generate(std::span<const PhotographToTouch> photog
     std::vector<GeneratedSignals> answers = readAnswers(folder.path());
     if (answers.size() != photographs.size())
         throw protocols::workFailed({"vis2hap-nn answered " + std::to_string(answers.size()) + " of " +
-                                         std::to_string(photographs.size()) + " photographs", "generators", "", ""});
+                                         std::to_string(photographs.size()) + " photographs",
+                                     "generators", "", ""});
     for (std::size_t i = 0; i < answers.size(); ++i) {
         answers[i].photograph.middleOnly = shown[i].middleOnly;
         answers[i].photograph.assumedMmPerPixel = shown[i].assumedMmPerPixel;
-        if (shown[i].assumedMmPerPixel)
-            backToPixels(answers[i], shown[i].size, *shown[i].assumedMmPerPixel);
+        if (shown[i].assumedMmPerPixel) backToPixels(answers[i], shown[i].size, *shown[i].assumedMmPerPixel);
     }
     return answers;
 }

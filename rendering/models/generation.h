@@ -3,15 +3,14 @@
 // generated signal is asked for and never else.
 #pragma once
 
-#include "rendering/signals/spectrogram.h"
-
-#include <opencv2/core/mat.hpp>
-
 #include <filesystem>
+#include <opencv2/core/mat.hpp>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
+
+#include "rendering/signals/spectrogram.h"
 
 namespace rendering::models {
 
@@ -20,13 +19,13 @@ enum class Quality { Fast, Balanced, Accurate };
 struct GenerationOptions {
     std::filesystem::path model;  ///< weights file; empty: the shipped weights
     Quality quality = Quality::Balanced;
-    bool height = true;           ///< compute G_h
-    bool friction = true;         ///< compute G_s
+    bool height = true;    ///< compute G_h
+    bool friction = true;  ///< compute G_s
 };
 
 struct PhotographToTouch {
-    cv::Mat photograph;                   ///< CV_8UC3, RGB, any size
-    std::optional<double> mmPerPixel;     ///< unknown: assumedMmPerPixel() of photograph_at_pitch.h is taken
+    cv::Mat photograph;                ///< CV_8UC3, RGB, any size
+    std::optional<double> mmPerPixel;  ///< unknown: assumedMmPerPixel() of photograph_at_pitch.h is taken
 };
 
 /// What is told of a photograph beside its signals.
@@ -40,10 +39,10 @@ struct PhotographFacts {
 };
 
 struct GeneratedSignals {
-    cv::Mat heightMm;                     ///< CV_32FC1, >= 0; empty if not asked for
+    cv::Mat heightMm;  ///< CV_32FC1, >= 0; empty if not asked for
     double heightMmPerPixel = 0;
-    cv::Mat spectrogram;                  ///< CV_32FC1 [frequency x frame] magnitude; empty if not asked for
-    std::vector<double> trace;            ///< istft of the spectrogram (phase by Griffin-Lim), coefficient
+    cv::Mat spectrogram;        ///< CV_32FC1 [frequency x frame] magnitude; empty if not asked for
+    std::vector<double> trace;  ///< istft of the spectrogram (phase by Griffin-Lim), coefficient
     double traceMmPerSample = 0;
     double meanFriction = 0;
     /// What it takes to undo the spectrogram; rate in samples a millimetre.
@@ -51,14 +50,14 @@ struct GeneratedSignals {
     PhotographFacts photograph;
 };
 
-/// In the order of the photographs; each by itself, whatever the others are. Throws environmentFault where libtorch or vis2hap-nn cannot be
-/// loaded, badInput for weights that are no model of this program.
+/// In the order of the photographs; each by itself, whatever the others are. Throws environmentFault where libtorch or vis2hap-nn
+/// cannot be loaded, badInput for weights that are no model of this program.
 std::vector<GeneratedSignals> generate(std::span<const PhotographToTouch> photographs, const GenerationOptions& options);
 
 /// What the weights say of themselves, read without libtorch (the .json beside the weights).
 struct ModelCard {
     std::string name;
-    std::string sha256;                        ///< of the weights file
+    std::string sha256;  ///< of the weights file
     bool trainedOnProceduralSet = false;
     std::vector<std::string> trainingSampleHashes;  ///< SHA-256 of every file trained on, sorted
     std::string trainingCommand;

@@ -1,8 +1,5 @@
 #include "rendering/models/model_card.h"
 
-#include "protocols/files/errors.h"
-#include "protocols/files/sha256.h"
-
 #include <fcntl.h>
 #include <unistd.h>
 
@@ -10,6 +7,9 @@
 #include <cstring>
 #include <fstream>
 #include <sstream>
+
+#include "protocols/files/errors.h"
+#include "protocols/files/sha256.h"
 
 namespace rendering::models {
 
@@ -64,10 +64,11 @@ Architecture architectureFrom(const Json& json)
 bool sensible(const Architecture& a)
 {
     const auto within = [](double value, double low, double high) { return value >= low && value <= high; };
-    return within(a.baseChannels, 1, mostChannels) && within(a.crop, 16, largestCrop) && a.crop % 16 == 0 && within(a.mmPerPixel, 1e-5, 100) &&
-           within(a.heightScaleMm, 1e-9, 1e3) && within(a.meanFrictionScale, 1e-9, 1e3) && within(a.window, 4, 4096) &&
-           within(a.hop, 1, a.window) && within(a.traceSamples, 4, 1 << 20) && within(a.rows, 2, 2049) &&
-           within(a.frames, 1, 1 << 16) && within(a.traceMmPerSample, 1e-9, 1e3) && within(a.zeroPercentile, 0, 50);
+    return within(a.baseChannels, 1, mostChannels) && within(a.crop, 16, largestCrop) && a.crop % 16 == 0 &&
+           within(a.mmPerPixel, 1e-5, 100) && within(a.heightScaleMm, 1e-9, 1e3) && within(a.meanFrictionScale, 1e-9, 1e3) &&
+           within(a.window, 4, 4096) && within(a.hop, 1, a.window) && within(a.traceSamples, 4, 1 << 20) &&
+           within(a.rows, 2, 2049) && within(a.frames, 1, 1 << 16) && within(a.traceMmPerSample, 1e-9, 1e3) &&
+           within(a.zeroPercentile, 0, 50);
 }
 
 protocols::Error unreadable(const std::filesystem::path& card, const std::string& why)
@@ -127,10 +128,8 @@ std::string cardText(const ModelCardFields& card)
               {"held_out", card.heldOut},
               {"architecture", architectureJson(card.architecture)},
               {"validation", card.validation}};
-    if (card.photographs)
-        json["photographs"] = familiarityJson(*card.photographs);
-    if (card.frictionByTexture)
-        json["friction_by_texture"] = frictionPriorJson(*card.frictionByTexture);
+    if (card.photographs) json["photographs"] = familiarityJson(*card.photographs);
+    if (card.frictionByTexture) json["friction_by_texture"] = frictionPriorJson(*card.frictionByTexture);
     json["training_sample_hashes"] = card.told.trainingSampleHashes;
     return json.dump(1) + "\n";
 }
@@ -140,8 +139,8 @@ ModelCardFields readModelCardFields(const std::filesystem::path& model)
     const std::filesystem::path file = cardOf(model);
     std::ifstream stream(file, std::ios::binary);
     if (!stream)
-        throw protocols::badInput({"the model card is missing", file.string(), "the .json that `vis2hap train` writes beside the weights",
-                                   "copy it beside the weights"});
+        throw protocols::badInput({"the model card is missing", file.string(),
+                                   "the .json that `vis2hap train` writes beside the weights", "copy it beside the weights"});
     ModelCardFields card;
     try {
         const Json json = Json::parse(stream);
@@ -166,15 +165,13 @@ ModelCardFields readModelCardFields(const std::filesystem::path& model)
             throw unreadable(file, "its networks are of another kind than this program's");
         card.architecture = architectureFrom(json.at("architecture"));
         card.validation = json.at("validation");
-        if (json.contains("photographs"))
-            card.photographs = blockOf(json.at("photographs"), file, familiarityFrom);
+        if (json.contains("photographs")) card.photographs = blockOf(json.at("photographs"), file, familiarityFrom);
         if (json.contains("friction_by_texture"))
             card.frictionByTexture = blockOf(json.at("friction_by_texture"), file, frictionPriorFrom);
     } catch (const Json::exception& fault) {
         throw unreadable(file, fault.what());
     }
-    if (!sensible(card.architecture))
-        throw unreadable(file, "its architecture has sizes out of range");
+    if (!sensible(card.architecture)) throw unreadable(file, "its architecture has sizes out of range");
     return card;
 }
 
@@ -185,8 +182,8 @@ void checkWeightsFile(const std::filesystem::path& model, const ModelCardFields&
     if (!std::filesystem::is_regular_file(model))
         throw protocols::badInput({"the weights are missing", model.string(), "a weights file written by `vis2hap train`", ""});
     if (protocols::sha256OfFile(model) != card.told.sha256)
-        throw protocols::badInput({"the weights are truncated or altered", model.string(), "the SHA-256 that the model card states",
-                                   "copy the weights again together with their .json"});
+        throw protocols::badInput({"the weights are truncated or altered", model.string(),
+                                   "the SHA-256 that the model card states", "copy the weights again together with their .json"});
 }
 
 std::filesystem::path shippedModel()
@@ -195,8 +192,7 @@ std::filesystem::path shippedModel()
     const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", none);
     if (!none) {
         const std::filesystem::path beside = self.parent_path() / "weights" / "vis2hap.pt";
-        if (std::filesystem::exists(beside, none))
-            return beside;
+        if (std::filesystem::exists(beside, none)) return beside;
     }
     return std::filesystem::path(VIS2HAP_SOURCE_DIR) / "rendering" / "models" / "weights" / "vis2hap.pt";
 }
@@ -207,8 +203,7 @@ void requireWritable(const std::filesystem::path& file)
         throw protocols::badInput({"a folder stands where the weights would go", file.string(), "a file name", ""});
     const std::filesystem::path temporary = beside(file);
     const int handle = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0644);
-    if (handle < 0)
-        cannotWrite(file);
+    if (handle < 0) cannotWrite(file);
     ::close(handle);
     ::unlink(temporary.c_str());
 }
@@ -217,8 +212,7 @@ void writeSynced(const std::filesystem::path& file, const std::string& bytes)
 {
     const std::filesystem::path temporary = beside(file);
     const int handle = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
-    if (handle < 0)
-        cannotWrite(file);
+    if (handle < 0) cannotWrite(file);
     std::size_t written = 0;
     bool sound = true;
     while (sound && written < bytes.size()) {

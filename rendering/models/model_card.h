@@ -2,34 +2,33 @@
 // without libtorch. Schema vis2hap.model/2.
 #pragma once
 
+#include <cstdint>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
 #include "rendering/models/architecture.h"
 #include "rendering/models/familiarity.h"
 #include "rendering/models/friction_prior.h"
 #include "rendering/models/generation.h"
 
-#include <nlohmann/json.hpp>
-
-#include <cstdint>
-#include <filesystem>
-#include <optional>
-#include <string>
-#include <vector>
-
 namespace rendering::models {
 
 struct ModelCardFields {
-    ModelCard told;                      ///< what the rest of the program asks for
+    ModelCard told;  ///< what the rest of the program asks for
     Architecture architecture;
     std::uint64_t seed = 0, splitSeed = 0;
     int steps = 0;
     double trainingMinutes = 0;
-    int bestStep = 0;                    ///< at which the weights were kept
-    std::string objective = "default";   ///< training.h
-    std::string split = "location";      ///< training_data.h
+    int bestStep = 0;                   ///< at which the weights were kept
+    std::string objective = "default";  ///< training.h
+    std::string split = "location";     ///< training_data.h
     std::vector<std::string> heldOut;
     std::string datasetName, datasetHash;
-    nlohmann::ordered_json validation;   ///< figures before and after training
-    std::optional<Familiarity> photographs;  ///< of training; absent: not told
+    nlohmann::ordered_json validation;               ///< figures before and after training
+    std::optional<Familiarity> photographs;          ///< of training; absent: not told
     std::optional<FrictionPrior> frictionByTexture;  ///< absent: the networks alone speak of unfamiliar photographs, too
 };
 

@@ -1,12 +1,11 @@
 #include "rendering/models/photograph_at_pitch.h"
 
-#include "rendering/signals/dominant_wave.h"
-
+#include <algorithm>
+#include <cmath>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include <algorithm>
-#include <cmath>
+#include "rendering/signals/dominant_wave.h"
 
 namespace rendering::models {
 
@@ -20,8 +19,7 @@ struct Side {
 Side shownOf(int length, double factor)
 {
     const double whole = std::max(1.0, std::round(length * factor));
-    if (whole <= largestSidePx)
-        return {0, length, static_cast<int>(whole)};
+    if (whole <= largestSidePx) return {0, length, static_cast<int>(whole)};
     const int taken = std::clamp(static_cast<int>(std::lround(largestSidePx / factor)), 1, length);
     return {(length - taken) / 2, taken, largestSidePx};
 }
@@ -36,8 +34,9 @@ constexpr double mostEnlargement = 4;
 double assumedMmPerPixel(const cv::Mat& rgb, double modelMmPerPixel)
 {
     const auto wave = signals::dominantWave(rgb);
-    return wave && wave->periodPx < finestPeriodPx ? modelMmPerPixel * std::min(mostEnlargement, ordinaryPeriodPx / wave->periodPx)
-                                                    : modelMmPerPixel;
+    return wave && wave->periodPx < finestPeriodPx
+               ? modelMmPerPixel * std::min(mostEnlargement, ordinaryPeriodPx / wave->periodPx)
+               : modelMmPerPixel;
 }
 
 cv::Mat evenlyLit(const cv::Mat& rgb)

@@ -19,11 +19,12 @@ struct SeenPhotograph {
 /// see threads, not noise; period and direction stay those of the photograph.
 double assumedMmPerPixel(const cv::Mat& rgb, double modelMmPerPixel);
 
-/// `mmPerPixel`: of the model; the photograph's own pitch must be known. Only what is shown is brought to it, so that large photographs cost little.
+/// `mmPerPixel`: of the model; the photograph's own pitch must be known. Only what is shown is brought to it, so that large
+/// photographs cost little.
 SeenPhotograph photographAtPitch(const PhotographToTouch& photograph, double mmPerPixel);
 
-/// The photograph with a lamp's slow falling off divided out (what varies over more than some 12 mm of fabric); its mean colour stays.
-/// CV_8UC3 as `rgb`.
+/// The photograph with a lamp's slow falling off divided out (what varies over more than some 12 mm of fabric); its mean colour
+/// stays. CV_8UC3 as `rgb`.
 cv::Mat evenlyLit(const cv::Mat& rgb);
 
 }  // namespace rendering::models

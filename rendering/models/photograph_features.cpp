@@ -1,13 +1,12 @@
 #include "rendering/models/photograph_features.h"
 
-#include "protocols/files/errors.h"
-
-#include <opencv2/core.hpp>
-#include <opencv2/imgproc.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "protocols/files/errors.h"
 
 namespace rendering::models {
 
@@ -29,7 +28,7 @@ constexpr float colourWeight = 0.5F, contrastWeight = 2, skewnessWeight = 1.5F, 
 struct Sums {
     cv::Scalar colour;
     double variance = 0, cube = 0;
-    cv::Mat power;  ///< CV_64F [tileSide x tileSide] of the grey tile over its illumination
+    cv::Mat power;                           ///< CV_64F [tileSide x tileSide] of the grey tile over its illumination
     std::array<cv::Vec3d, 2> tensor{};       ///< xx, yy, xy of the slopes at two scales
     std::array<double, 2> localCoherence{};  ///< of the tensor smoothed over a few threads
     int tiles = 0;
@@ -95,8 +94,7 @@ void addDirections(const cv::Mat& texture, int scale, Sums& sums)
     sums.tensor[at] += cv::Vec3d(cv::mean(xx)[0], cv::mean(yy)[0], cv::mean(xy)[0]);
     double found = 0;
     for (int y = 4; y < tileSide; y += 8)
-        for (int x = 4; x < tileSide; x += 8)
-            found += coherence(xx.at<float>(y, x), yy.at<float>(y, x), xy.at<float>(y, x));
+        for (int x = 4; x < tileSide; x += 8) found += coherence(xx.at<float>(y, x), yy.at<float>(y, x), xy.at<float>(y, x));
     sums.localCoherence[at] += found / ((tileSide / 8.0) * (tileSide / 8.0));
 }
 
@@ -113,8 +111,7 @@ void addTile(const cv::Mat& rgb, Sums& sums)
     sums.cube += cv::mean(square.mul(texture))[0];
     const cv::Mat power = powerOf(texture);
     sums.power = sums.power.empty() ? power : cv::Mat(sums.power + power);
-    for (int scale = 0; scale < 2; ++scale)
-        addDirections(texture, scale, sums);
+    for (int scale = 0; scale < 2; ++scale) addDirections(texture, scale, sums);
     ++sums.tiles;
 }
 
@@ -123,8 +120,7 @@ int bandOf(int row, int column)
 {
     const auto cycles = [](int bin) { return static_cast<double>(bin <= tileSide / 2 ? bin : bin - tileSide) / tileSide; };
     const double frequency = std::hypot(cycles(row), cycles(column));
-    if (frequency < lowestFrequency || frequency >= 0.5)
-        return -1;
+    if (frequency < lowestFrequency || frequency >= 0.5) return -1;
     return std::clamp(static_cast<int>(3 * std::log2(frequency / lowestFrequency)), 0, bands - 1);
 }
 
@@ -149,8 +145,7 @@ void appendSpectrum(const Sums& sums, std::vector<float>& features)
     const auto strongest = static_cast<std::ptrdiff_t>(bins.size() / 100);
     std::nth_element(bins.begin(), bins.begin() + strongest, bins.end(), std::greater<>());
     double strong = 0;
-    for (auto power = bins.begin(); power != bins.begin() + strongest; ++power)
-        strong += *power;
+    for (auto power = bins.begin(); power != bins.begin() + strongest; ++power) strong += *power;
     features.push_back(regularityWeight * static_cast<float>(std::log((strong + 0.01 * floor) / (total + floor))));
 }
 
@@ -159,12 +154,11 @@ std::vector<float> featuresOf(const Sums& sums)
     const double tiles = sums.tiles;
     const cv::Scalar colour = sums.colour / (255 * tiles);
     const double deviation = std::sqrt(sums.variance / tiles) + leastDeviation;
-    std::vector<float> features{
-        colourWeight * static_cast<float>((colour[0] + colour[1] + colour[2]) / 3),
-        colourWeight * static_cast<float>(colour[0] - colour[1]),
-        colourWeight * static_cast<float>((colour[0] + colour[1]) / 2 - colour[2]),
-        contrastWeight * static_cast<float>(std::log(deviation)),
-        skewnessWeight * static_cast<float>(std::tanh(sums.cube / tiles / std::pow(deviation, 3)))};
+    std::vector<float> features{colourWeight * static_cast<float>((colour[0] + colour[1] + colour[2]) / 3),
+                                colourWeight * static_cast<float>(colour[0] - colour[1]),
+                                colourWeight * static_cast<float>((colour[0] + colour[1]) / 2 - colour[2]),
+                                contrastWeight * static_cast<float>(std::log(deviation)),
+                                skewnessWeight * static_cast<float>(std::tanh(sums.cube / tiles / std::pow(deviation, 3)))};
     appendSpectrum(sums, features);
     for (std::size_t scale = 0; scale < 2; ++scale) {
         const cv::Vec3d tensor = sums.tensor[scale] / tiles;
@@ -189,8 +183,7 @@ std::vector<float> photographFeatures(const cv::Mat& rgb)
     }
     Sums sums;
     for (const int y : tileStarts(wide.rows))
-        for (const int x : tileStarts(wide.cols))
-            addTile(wide({x, y, tileSide, tileSide}), sums);
+        for (const int x : tileStarts(wide.cols)) addTile(wide({x, y, tileSide, tileSide}), sums);
     return featuresOf(sums);
 }
 

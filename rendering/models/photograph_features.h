@@ -4,7 +4,6 @@
 #pragma once
 
 #include <opencv2/core/mat.hpp>
-
 #include <vector>
 
 namespace rendering::models {

@@ -1,15 +1,14 @@
 #include "rendering/models/ring_spectrum.h"
 
-#include "rendering/signals/photometric_stereo.h"
-
-#include <opencv2/core.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <mutex>
 #include <numbers>
+#include <opencv2/core.hpp>
 #include <optional>
+
+#include "rendering/signals/photometric_stereo.h"
 
 namespace rendering::models {
 
@@ -17,7 +16,7 @@ namespace {
 
 /// Which ring has its middle below a frequency, and how near the next one is.
 struct RingPair {
-    int lower = -1;  ///< -1: outside all
+    int lower = -1;   ///< -1: outside all
     float share = 0;  ///< of the ring above
 };
 
@@ -37,16 +36,14 @@ struct Rings {
 cv::Mat hannWindow(int side)
 {
     cv::Mat line(1, side, CV_32F);
-    for (int i = 0; i < side; ++i)
-        line.at<float>(i) = static_cast<float>(0.5 - 0.5 * std::cos(2 * std::numbers::pi * i / side));
+    for (int i = 0; i < side; ++i) line.at<float>(i) = static_cast<float>(0.5 - 0.5 * std::cos(2 * std::numbers::pi * i / side));
     return line.t() * line;
 }
 
 RingPair ringPair(double frequency, int side)
 {
     // A wave that fills the window but once is told apart from none badly enough; a longer one is not at all.
-    if (frequency * side < 0.9 || frequency > 0.5)
-        return {};
+    if (frequency * side < 0.9 || frequency > 0.5) return {};
     const double place = ringPlace(frequency, side);
     const int lower = std::min(static_cast<int>(place), ringCount - 2);
     return {lower, static_cast<float>(place - lower)};
@@ -86,19 +83,20 @@ void addPowers(const cv::Mat& part, const Rings& rings, cv::Mat& sums)
 std::vector<int> cornersAlong(int length, int width)
 {
     std::vector<int> corners;
-    for (int at = 0; at + width < length; at += width / 2)
-        corners.push_back(at);
+    for (int at = 0; at + width < length; at += width / 2) corners.push_back(at);
     corners.push_back(length - width);
     return corners;
 }
 
 /// In steps of eight: transforms stay fast, and few tables are kept.
-int widthOfWindows(const cv::Size& size, int side) { return std::max(side, std::min({size.width, size.height, 2 * side}) / 8 * 8); }
+int widthOfWindows(const cv::Size& size, int side)
+{
+    return std::max(side, std::min({size.width, size.height, 2 * side}) / 8 * 8);
+}
 
 cv::Mat atLeastAWindow(const cv::Mat& map, int side)
 {
-    if (map.rows >= side && map.cols >= side)
-        return map;
+    if (map.rows >= side && map.cols >= side) return map;
     cv::Mat wide;
     cv::copyMakeBorder(map, wide, 0, std::max(0, side - map.rows), 0, std::max(0, side - map.cols), cv::BORDER_REFLECT);
     return wide;
@@ -111,8 +109,7 @@ std::vector<double> averaged(const cv::Mat& powers, const Rings& rings)
     for (int row = 0; row < powers.rows; ++row)
         for (int column = 0; column < powers.cols; ++column) {
             const RingPair& pair = rings.at(row, column);
-            if (pair.lower < 0)
-                continue;
+            if (pair.lower < 0) continue;
             const auto lower = static_cast<std::size_t>(pair.lower);
             const double power = static_cast<double>(powers.at<float>(row, column)), share = static_cast<double>(pair.share);
             total[lower] += (1 - share) * power;
@@ -120,8 +117,7 @@ std::vector<double> averaged(const cv::Mat& powers, const Rings& rings)
             total[lower + 1] += share * power;
             weight[lower + 1] += share;
         }
-    for (std::size_t i = 0; i < total.size(); ++i)
-        total[i] = weight[i] > 0 ? total[i] / weight[i] : total[i > 0 ? i - 1 : 0];
+    for (std::size_t i = 0; i < total.size(); ++i) total[i] = weight[i] > 0 ? total[i] / weight[i] : total[i > 0 ? i - 1 : 0];
     const auto first = std::find_if(weight.begin(), weight.end(), [](double sum) { return sum > 0; }) - weight.begin();
     std::fill_n(total.begin(), first, total[static_cast<std::size_t>(std::min<std::ptrdiff_t>(first, ringCount - 1))]);
     return total;
@@ -138,7 +134,8 @@ std::vector<float> gainTable(const std::vector<double>& logGain, int side)
         const auto ring = std::min(static_cast<std::size_t>(place), logGain.size() - 2);
         const double share = place - static_cast<double>(ring);
         const double fourth = std::pow(frequency * side, 4);
-        gains.push_back(static_cast<float>(fourth / (1 + fourth) * std::exp((1 - share) * logGain[ring] + share * logGain[ring + 1])));
+        gains.push_back(
+            static_cast<float>(fourth / (1 + fourth) * std::exp((1 - share) * logGain[ring] + share * logGain[ring + 1])));
     }
     return gains;
 }
@@ -166,7 +163,8 @@ public:
             const cv::Vec2f* from = m_transform.ptr<cv::Vec2f>(row);
             cv::Vec2f* to = changed.ptr<cv::Vec2f>(row);
             for (int column = 0; column < columns; ++column) {
-                const float right = static_cast<float>(std::min(column, columns - column)) / static_cast<float>(columns) * gainsPerCycle;
+                const float right =
+                    static_cast<float>(std::min(column, columns - column)) / static_cast<float>(columns) * gainsPerCycle;
                 to[column] = from[column] * gains[static_cast<std::size_t>(std::sqrt(down * down + right * right))];
             }
         }
@@ -206,8 +204,7 @@ cv::Mat ringAverages(int width, int side)
             rows.row(ring - 1).copyTo(rows.row(ring));
     }
     for (int ring = ringCount - 2; ring >= 0; --ring)
-        if (cv::countNonZero(rows.row(ring)) == 0)
-            rows.row(ring + 1).copyTo(rows.row(ring));
+        if (cv::countNonZero(rows.row(ring)) == 0) rows.row(ring + 1).copyTo(rows.row(ring));
     return rows;
 }
 

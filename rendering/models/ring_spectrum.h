@@ -1,14 +1,13 @@
 // The radial power spectrum of a height map in overlapping rings, and maps brought to a wanted one.
 // A texture's power at every wavelength hardly differs from place to place: it is predicted from the
-// photograph as its own quantity (like the mean friction), or remembered of its fabric, and imposed on the generated relief, so that
-// heights and roughness do not depend on how sharp a network draws. No torch in this header.
+// photograph as its own quantity (like the mean friction), or remembered of its fabric, and imposed on the generated relief, so
+// that heights and roughness do not depend on how sharp a network draws. No torch in this header.
 #pragma once
 
-#include "rendering/signals/calibration.h"
-
 #include <opencv2/core/mat.hpp>
-
 #include <vector>
+
+#include "rendering/signals/calibration.h"
 
 namespace rendering::models {
 
@@ -27,18 +26,19 @@ double ringPlace(double frequency, int side);
 /// transform) into rings; a narrow ring that holds no frequency has its neighbour's row.
 cv::Mat ringAverages(int width, int side);
 
-/// Natural logarithms of the mean power of each ring, mm^2 or the square of the map's unit (white noise of deviation s gives s^2):
-/// Welch's method (Hann windows, each without its mean, half shared with the next) with the widest windows that
-/// fit, `side` to twice `side` px, since few long waves fit into a narrow one. A map smaller than a window of
-/// `side` px is continued by mirroring. `heightMm`: CV_32FC1, finite.
+/// Natural logarithms of the mean power of each ring, mm^2 or the square of the map's unit (white noise of deviation s gives
+/// s^2): Welch's method (Hann windows, each without its mean, half shared with the next) with the widest windows that fit, `side`
+/// to twice `side` px, since few long waves fit into a narrow one. A map smaller than a window of `side` px is continued by
+/// mirroring. `heightMm`: CV_32FC1, finite.
 std::vector<float> ringPowers(const cv::Mat& heightMm, int side);
 
 /// How a map is brought to a wanted spectrum.
 struct RingFilter {
-    int side = 128;             ///< of the rings, px
-    double mostGain = 8;        ///< of any frequency, either way
-    int passes = 1;             ///< what smooth gains and cutting at 0 leave apart, further passes bring nearer
-    double zeroPercentile = signals::Calibration{}.zeroPercentile;  ///< percent of the result that lies at 0, as measured maps are settled
+    int side = 128;       ///< of the rings, px
+    double mostGain = 8;  ///< of any frequency, either way
+    int passes = 1;       ///< what smooth gains and cutting at 0 leave apart, further passes bring nearer
+    double zeroPercentile =
+        signals::Calibration{}.zeroPercentile;  ///< percent of the result that lies at 0, as measured maps are settled
 };
 
 /// The map filtered so that ringPowers() are near `wanted`, then settled as a measured one (photometric_stereo.h).

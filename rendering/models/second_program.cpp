@@ -1,7 +1,5 @@
 #include "rendering/models/second_program.h"
 
-#include "protocols/files/errors.h"
-
 #include <fcntl.h>
 #include <spawn.h>
 #include <sys/wait.h>
@@ -11,14 +9,15 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "protocols/files/errors.h"
+
 extern char** environ;
 
 namespace study::commands {
 
 std::string secondProgram()
 {
-    if (const char* chosen = std::getenv("VIS2HAP_NN"))
-        return chosen;
+    if (const char* chosen = std::getenv("VIS2HAP_NN")) return chosen;
     return (std::filesystem::read_symlink("/proc/self/exe").parent_path() / "vis2hap-nn").string();
 }
 
@@ -35,12 +34,10 @@ pid_t start(const std::vector<std::string>& arguments, const posix_spawn_file_ac
 {
     const std::string program = secondProgram();
     std::vector<char*> argv{const_cast<char*>(program.c_str())};
-    for (const auto& argument : arguments)
-        argv.push_back(const_cast<char*>(argument.c_str()));
+    for (const auto& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
     argv.push_back(nullptr);
     pid_t child = 0;
-    if (posix_spawn(&child, program.c_str(), actions, nullptr, argv.data(), environ) != 0)
-        throw cannotStart();
+    if (posix_spawn(&child, program.c_str(), actions, nullptr, argv.data(), environ) != 0) throw cannotStart();
     return child;
 }
 
@@ -61,8 +58,7 @@ void requireLoadable()
     posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
     const pid_t child = start({"--help"}, &actions);
     posix_spawn_file_actions_destroy(&actions);
-    if (exitCodeOf(child) != 0)
-        throw cannotStart();
+    if (exitCodeOf(child) != 0) throw cannotStart();
 }
 
 }  // namespace
@@ -77,8 +73,7 @@ std::string outputOfSecondProgram(const std::vector<std::string>& arguments)
 {
     requireLoadable();
     std::array<int, 2> ends{};
-    if (pipe2(ends.data(), O_CLOEXEC) != 0)
-        throw cannotStart();
+    if (pipe2(ends.data(), O_CLOEXEC) != 0) throw cannotStart();
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
@@ -87,8 +82,7 @@ std::string outputOfSecondProgram(const std::vector<std::string>& arguments)
     close(ends[1]);
     std::string text;
     std::array<char, 4096> chunk{};
-    for (ssize_t n = 0; (n = read(ends[0], chunk.data(), chunk.size())) > 0;)
-        text.append(chunk.data(), static_cast<size_t>(n));
+    for (ssize_t n = 0; (n = read(ends[0], chunk.data(), chunk.size())) > 0;) text.append(chunk.data(), static_cast<size_t>(n));
     close(ends[0]);
     if (exitCodeOf(child) != 0)
         throw protocols::workFailed({"the neural-network part failed", secondProgram(), "", "see the line above"});

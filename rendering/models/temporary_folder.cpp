@@ -1,12 +1,12 @@
 #include "rendering/models/temporary_folder.h"
 
-#include "protocols/files/errors.h"
-
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
 #include <string>
 #include <system_error>
+
+#include "protocols/files/errors.h"
 
 namespace rendering::models {
 
@@ -14,12 +14,11 @@ TemporaryFolder::TemporaryFolder()
 {
     std::error_code fault;
     std::filesystem::path parent = std::filesystem::temp_directory_path(fault);
-    if (fault)
-        parent = "/tmp";
+    if (fault) parent = "/tmp";
     std::string name = (parent / "vis2hap-XXXXXX").string();
     if (::mkdtemp(name.data()) == nullptr)
-        throw protocols::environmentFault({std::string("no temporary folder can be made: ") + std::strerror(errno), parent.string(),
-                                           "a writable folder with free space", "free space or set TMPDIR"});
+        throw protocols::environmentFault({std::string("no temporary folder can be made: ") + std::strerror(errno),
+                                           parent.string(), "a writable folder with free space", "free space or set TMPDIR"});
     m_path = name;
 }
 

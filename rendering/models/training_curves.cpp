@@ -1,10 +1,10 @@
 // curves.svg: small panels, one a column, so that numbers of different sizes stay legible.
-#include "rendering/models/training_table.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <optional>
+
+#include "rendering/models/training_table.h"
 
 namespace rendering::models {
 
@@ -88,8 +88,7 @@ std::vector<double> ticksOf(const Scale& scale)
     if (scale.logarithmic) {
         for (double power = std::ceil(std::log10(scale.low)); power <= std::log10(scale.high); ++power)
             ticks.push_back(std::pow(10, power));
-        if (ticks.size() < 2)
-            ticks = {scale.low, scale.high};
+        if (ticks.size() < 2) ticks = {scale.low, scale.high};
         return ticks;
     }
     const double least = (scale.high - scale.low) / 5, power = std::pow(10, std::floor(std::log10(least)));
@@ -101,7 +100,8 @@ std::vector<double> ticksOf(const Scale& scale)
 
 std::string text(double x, double y, const std::string& words, const char* anchor, const char* kind)
 {
-    return "<text x=\"" + at(x) + "\" y=\"" + at(y) + "\" text-anchor=\"" + anchor + "\" class=\"" + kind + "\">" + words + "</text>\n";
+    return "<text x=\"" + at(x) + "\" y=\"" + at(y) + "\" text-anchor=\"" + anchor + "\" class=\"" + kind + "\">" + words +
+           "</text>\n";
 }
 
 std::string line(double x1, double y1, double x2, double y2)
@@ -112,8 +112,7 @@ std::string line(double x1, double y1, double x2, double y2)
 std::string escaped(const std::string& words)
 {
     std::string safe;
-    for (const char letter : words)
-        safe += letter == '<' ? "&lt;" : letter == '&' ? "&amp;" : std::string(1, letter);
+    for (const char letter : words) safe += letter == '<' ? "&lt;" : letter == '&' ? "&amp;" : std::string(1, letter);
     return safe;
 }
 
@@ -121,13 +120,12 @@ std::string panel(const std::string& title, const std::vector<Point>& points, do
 {
     const double x0 = (number % 2) * panelWidth, y0 = (number / 2) * panelHeight;
     std::string svg = text(x0 + left, y0 + 18, escaped(title), "start", "title");
-    if (points.empty())
-        return svg + text(x0 + left, y0 + 50, "no finite values", "start", "tick");
+    if (points.empty()) return svg + text(x0 + left, y0 + 50, "no finite values", "start", "tick");
     const Scale scale = scaleFor(points);
     const auto x = [&](double step) { return x0 + left + step / std::max(1.0, lastStep) * (panelWidth - left - right); };
     const auto y = [&](double value) { return y0 + panelHeight - bottom - scale.placed(value) * (panelHeight - top - bottom); };
-    svg += text(x0 + panelWidth - right, y0 + 18, "last " + shortly(points.back().mean) + (scale.logarithmic ? ", logarithmic" : ""),
-                "end", "tick");
+    svg += text(x0 + panelWidth - right, y0 + 18,
+                "last " + shortly(points.back().mean) + (scale.logarithmic ? ", logarithmic" : ""), "end", "tick");
     for (const double tick : ticksOf(scale))
         svg += line(x(0), y(tick), x(lastStep), y(tick)) + text(x(0) - 6, y(tick) + 4, shortly(tick), "end", "tick");
     for (const double tick : ticksOf({0, std::max(1.0, lastStep), false}))
@@ -140,8 +138,7 @@ std::string panel(const std::string& title, const std::vector<Point>& points, do
     }
     svg += "<path class=\"band\" d=\"" + band + back + "Z\"/>\n<path class=\"mean\" d=\"" + mean + "\"/>\n";
     for (const Point& point : points)
-        if (points.size() <= 40)
-            svg += "<circle cx=\"" + at(x(point.step)) + "\" cy=\"" + at(y(point.mean)) + "\" r=\"2.2\"/>\n";
+        if (points.size() <= 40) svg += "<circle cx=\"" + at(x(point.step)) + "\" cy=\"" + at(y(point.mean)) + "\" r=\"2.2\"/>\n";
     return svg;
 }
 
@@ -153,15 +150,16 @@ std::string curvesSvg(const TrainingTable& losses, const TrainingTable& validati
     const double last = std::max(lastOf(losses), lastOf(validation));
     std::string panels;
     int number = 0;
-    for (const std::string& name : losses.names)
-        panels += panel("loss: " + name, pointsOf(losses, name), last, number++);
+    for (const std::string& name : losses.names) panels += panel("loss: " + name, pointsOf(losses, name), last, number++);
     for (const std::string& name : validation.names)
         panels += panel("validation: " + name, pointsOf(validation, name), last, number++);
     const std::string width = std::to_string(2 * panelWidth), height = std::to_string((number + 1) / 2 * panelHeight + 24);
     const std::string middle = std::to_string(panelWidth);
-    return "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + width + " " + height + "\" width=\"" + width + "\" height=\"" +
-           height + "\">\n<style>text{font-family:sans-serif}.title{font-size:13px;font-weight:bold}.tick{font-size:11px;fill:#555}"
-           ".grid{stroke:#ddd}.band{fill:#9cc3e6;fill-opacity:.6}.mean{fill:none;stroke:#0b4f8a;stroke-width:1.6}circle{fill:#0b4f8a}"
+    return "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + width + " " + height + "\" width=\"" + width +
+           "\" height=\"" + height +
+           "\">\n<style>text{font-family:sans-serif}.title{font-size:13px;font-weight:bold}.tick{font-size:11px;fill:#555}"
+           ".grid{stroke:#ddd}.band{fill:#9cc3e6;fill-opacity:.6}.mean{fill:none;stroke:#0b4f8a;stroke-width:1.6}circle{fill:#"
+           "0b4f8a}"
            "</style>\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n" +
            panels + "<text x=\"" + middle + "\" y=\"" + std::to_string((number + 1) / 2 * panelHeight + 14) +
            "\" text-anchor=\"middle\" class=\"tick\">step</text>\n</svg>\n";

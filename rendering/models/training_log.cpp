@@ -1,12 +1,12 @@
 #include "rendering/models/training_log.h"
 
-#include "protocols/files/errors.h"
-#include "rendering/images/image_io.h"
-#include "protocols/files/whole_file.h"
-
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+
+#include "protocols/files/errors.h"
+#include "protocols/files/whole_file.h"
+#include "rendering/images/image_io.h"
 
 namespace rendering::models {
 
@@ -25,8 +25,7 @@ std::optional<int> stepOfPicture(const std::string& name)
 {
     const std::string before = "samples-", after = ".png";
     int step = 0;
-    if (!name.starts_with(before) || !name.ends_with(after))
-        return {};
+    if (!name.starts_with(before) || !name.ends_with(after)) return {};
     const char* end = name.data() + name.size() - after.size();
     const auto read = std::from_chars(name.data() + before.size(), end, step);
     return read.ec == std::errc() && read.ptr == end ? std::optional(step) : std::nullopt;
@@ -38,8 +37,7 @@ void removePicturesAfter(const fs::path& folder, int step)
     for (const fs::directory_entry& entry : fs::directory_iterator(folder))
         if (const auto taken = stepOfPicture(entry.path().filename().string()); taken && *taken > step)
             gone.push_back(entry.path());
-    for (const fs::path& file : gone)
-        fs::remove(file);
+    for (const fs::path& file : gone) fs::remove(file);
 }
 
 }  // namespace
@@ -49,11 +47,11 @@ TrainingLog::TrainingLog(fs::path folder, std::optional<int> resumeAtStep) : m_f
     std::error_code failure;
     fs::create_directories(m_folder, failure);
     if (failure)
-        throw protocols::environmentFault({"cannot make the folder (" + failure.message() + ")", m_folder.string(), "a writable place", ""});
+        throw protocols::environmentFault(
+            {"cannot make the folder (" + failure.message() + ")", m_folder.string(), "a writable place", ""});
     removePicturesAfter(m_folder, resumeAtStep.value_or(-1));
     if (!resumeAtStep) {
-        for (const char* name : {"losses.csv", "validation.csv", "curves.svg"})
-            fs::remove(m_folder / name);
+        for (const char* name : {"losses.csv", "validation.csv", "curves.svg"}) fs::remove(m_folder / name);
         return;
     }
     m_losses = readTrainingTable(m_folder / "losses.csv");
@@ -84,19 +82,18 @@ void TrainingLog::validation(int step, std::span<const NamedValue> values)
 
 void TrainingLog::pictures(int step, std::span<const SampleRow> rows)
 {
-    if (!rows.empty())
-        writePng(m_folder / pictureName(step), samplePicture(step, rows));
+    if (!rows.empty()) writePng(m_folder / pictureName(step), samplePicture(step, rows));
 }
 
 std::string sparkline(std::span<const double> values, int most)
 {
-    const std::size_t together = std::max<std::size_t>(1, (values.size() + static_cast<std::size_t>(most) - 1) / static_cast<std::size_t>(most));
+    const std::size_t together =
+        std::max<std::size_t>(1, (values.size() + static_cast<std::size_t>(most) - 1) / static_cast<std::size_t>(most));
     std::vector<double> means;
     for (std::size_t from = 0; from < values.size(); from += together) {
         const std::size_t end = std::min(values.size(), from + together);
         double sum = 0;
-        for (std::size_t i = from; i < end; ++i)
-            sum += values[i] / static_cast<double>(end - from);
+        for (std::size_t i = from; i < end; ++i) sum += values[i] / static_cast<double>(end - from);
         means.push_back(sum);
     }
     double low = INFINITY, high = -INFINITY;

@@ -3,15 +3,14 @@
 // file is written beside and renamed; a resumed run ends with the folder of an unbroken one.
 #pragma once
 
-#include "rendering/models/training_table.h"
-
-#include <opencv2/core/mat.hpp>
-
 #include <filesystem>
+#include <opencv2/core/mat.hpp>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
+
+#include "rendering/models/training_table.h"
 
 namespace rendering::models {
 

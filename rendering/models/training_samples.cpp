@@ -1,12 +1,11 @@
 // samples-STEP.png: photographs with measured and generated heights.
-#include "rendering/models/training_log.h"
-
-#include <opencv2/core.hpp>
-#include <opencv2/imgproc.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "rendering/models/training_log.h"
 
 namespace rendering::models {
 
@@ -70,8 +69,7 @@ std::string millimetres(double value)
 /// From the least height (black, below) to the greatest (white, above).
 void placeScale(cv::Mat& sheet, std::pair<double, double> range, cv::Point corner)
 {
-    for (int y = 0; y < cell; ++y)
-        sheet({corner.x, corner.y + y, 14, 1}).setTo(cv::Scalar::all(255 - 255 * y / (cell - 1)));
+    for (int y = 0; y < cell; ++y) sheet({corner.x, corner.y + y, 14, 1}).setTo(cv::Scalar::all(255 - 255 * y / (cell - 1)));
     cv::rectangle(sheet, cv::Rect(corner.x, corner.y, 14, cell), cv::Scalar::all(120));
     write(sheet, millimetres(range.second), {corner.x + 19, corner.y + 12});
     write(sheet, millimetres(range.first), {corner.x + 19, corner.y + cell - 2});
@@ -86,8 +84,7 @@ cv::Mat samplePicture(int step, std::span<const SampleRow> rows)
     const auto column = [](int number) { return labelWidth + number * (cell + gap); };
     write(sheet, "step " + std::to_string(step), {4, 13});
     const char* heads[] = {"photograph", "measured height", "generated height"};
-    for (int i = 0; i < 3; ++i)
-        write(sheet, heads[i], {column(i), 25});
+    for (int i = 0; i < 3; ++i) write(sheet, heads[i], {column(i), 25});
     int y = headHeight;
     for (const SampleRow& row : rows) {
         write(sheet, row.label, {4, y + cell / 2});

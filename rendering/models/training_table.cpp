@@ -1,12 +1,12 @@
 #include "rendering/models/training_table.h"
 
-#include "protocols/files/errors.h"
-#include "protocols/files/whole_file.h"
-
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <limits>
+
+#include "protocols/files/errors.h"
+#include "protocols/files/whole_file.h"
 
 namespace rendering::models {
 
@@ -16,8 +16,7 @@ constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 std::string textOf(double value)
 {
-    if (std::isnan(value))
-        return "";
+    if (std::isnan(value)) return "";
     char text[32];
     return {text, std::to_chars(text, text + sizeof text, value).ptr};
 }
@@ -50,12 +49,10 @@ void readRow(TrainingTable& table, const std::string& line, const protocols::Err
 {
     const std::vector<std::string> cells = cellsOf(line);
     int step = 0;
-    if (cells.size() != table.names.size() + 1 || !numberFrom(cells.front(), step))
-        throw fault;
+    if (cells.size() != table.names.size() + 1 || !numberFrom(cells.front(), step)) throw fault;
     std::vector<double> values(table.names.size(), none);
     for (std::size_t i = 0; i < values.size(); ++i)
-        if (!cells[i + 1].empty() && !numberFrom(cells[i + 1], values[i]))
-            throw fault;
+        if (!cells[i + 1].empty() && !numberFrom(cells[i + 1], values[i])) throw fault;
     table.rows[step] = values;
 }
 
@@ -66,8 +63,7 @@ void TrainingTable::put(int step, std::span<const NamedValue> values)
     for (const NamedValue& one : values)
         if (std::find(names.begin(), names.end(), one.name) == names.end()) {
             names.push_back(one.name);
-            for (auto& [number, row] : rows)
-                row.push_back(none);
+            for (auto& [number, row] : rows) row.push_back(none);
         }
     std::vector<double>& row = rows[step];
     row.assign(names.size(), none);
@@ -82,21 +78,18 @@ std::vector<double> TrainingTable::column(const std::string& name) const
     const auto found = std::find(names.begin(), names.end(), name);
     std::vector<double> values;
     if (found != names.end())
-        for (const auto& [step, row] : rows)
-            values.push_back(row[static_cast<std::size_t>(found - names.begin())]);
+        for (const auto& [step, row] : rows) values.push_back(row[static_cast<std::size_t>(found - names.begin())]);
     return values;
 }
 
 std::string csvText(const TrainingTable& table)
 {
     std::string text = "step";
-    for (const std::string& name : table.names)
-        text += "," + name;
+    for (const std::string& name : table.names) text += "," + name;
     text += "\n";
     for (const auto& [step, row] : table.rows) {
         text += std::to_string(step);
-        for (const double value : row)
-            text += "," + textOf(value);
+        for (const double value : row) text += "," + textOf(value);
         text += "\n";
     }
     return text;
@@ -105,8 +98,7 @@ std::string csvText(const TrainingTable& table)
 TrainingTable readTrainingTable(const std::filesystem::path& file)
 {
     TrainingTable table;
-    if (!std::filesystem::exists(file))
-        return table;
+    if (!std::filesystem::exists(file)) return table;
     const std::string text = readWholeFile(file);
     std::size_t line = 0;
     for (std::size_t from = 0; from < text.size();) {
@@ -118,8 +110,7 @@ TrainingTable readTrainingTable(const std::filesystem::path& file)
             continue;
         }
         table.names = cellsOf(row);
-        if (table.names.front() != "step")
-            throw unreadable(file, line);
+        if (table.names.front() != "step") throw unreadable(file, line);
         table.names.erase(table.names.begin());
     }
     return table;

@@ -1,18 +1,17 @@
 // From located presses to a calibration, and how well it reads presses that it has not seen.
-#include "rendering/signals/ball_presses.h"
-#include "rendering/signals/photometric_stereo.h"
-
-#include <opencv2/core.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <opencv2/core.hpp>
+
+#include "rendering/signals/ball_presses.h"
+#include "rendering/signals/photometric_stereo.h"
 
 namespace rendering::signals {
 
 namespace {
 
-constexpr double farRadii = 1.9;      ///< of the ball: beyond it the gel is at rest
+constexpr double farRadii = 1.9;  ///< of the ball: beyond it the gel is at rest
 constexpr int farSamplesAPress = 600;
 constexpr int pressDegree = 4;        ///< a cubic without slopes at rest is 0.4 degrees worse
 constexpr double pressRidge = 1e-3;   ///< less leaves the map free between few presses, and gains nothing with many
@@ -31,7 +30,8 @@ cv::Mat placesWhere(cv::Size size, const auto& chosen)
 
 cv::Mat contactPlaces(const BallPresses& presses, const ContactCircle& circle, double lessPx)
 {
-    return placesWhere(presses.background.size(), [&](int x, int y) { return distance(circle, x, y) < circle.radiusPx - lessPx; });
+    return placesWhere(presses.background.size(),
+                       [&](int x, int y) { return distance(circle, x, y) < circle.radiusPx - lessPx; });
 }
 
 cv::Mat farPlaces(const BallPresses& presses, const ContactCircle& circle)
@@ -55,7 +55,8 @@ std::vector<double> normalErrors(const Slopes& found, const Slopes& known, const
     for (int i = 0; i < places.rows; ++i)
         for (int j = 0; j < places.cols; ++j) {
             if (!places.at<uchar>(i, j)) continue;
-            const cv::Vec3d a(found.x.at<float>(i, j), found.y.at<float>(i, j), 1), b(known.x.at<float>(i, j), known.y.at<float>(i, j), 1);
+            const cv::Vec3d a(found.x.at<float>(i, j), found.y.at<float>(i, j), 1),
+                b(known.x.at<float>(i, j), known.y.at<float>(i, j), 1);
             errors.push_back(std::acos(std::clamp(a.dot(b) / std::sqrt(a.dot(a) * b.dot(b)), -1.0, 1.0)) * 180 / CV_PI);
         }
     return errors;
@@ -133,8 +134,8 @@ cv::Mat ballHeight(const BallPresses& presses, const ContactCircle& circle)
     return height;
 }
 
-Calibration calibrationFrom(const BallPresses& presses, const std::vector<ContactCircle>& circles, const std::vector<std::size_t>& chosen,
-                            MapQuality quality)
+Calibration calibrationFrom(const BallPresses& presses, const std::vector<ContactCircle>& circles,
+                            const std::vector<std::size_t>& chosen, MapQuality quality)
 {
     SlopeSamples samples;
     samples.channels = presses.background.channels();

@@ -4,12 +4,12 @@
 // contact is where the light has changed most, for there the gel is steepest.
 #pragma once
 
-#include "rendering/signals/calibration.h"
-
 #include <opencv2/core/mat.hpp>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "rendering/signals/calibration.h"
 
 namespace rendering::signals {
 
@@ -61,16 +61,16 @@ Slopes ballSlopes(const BallPresses& presses, const ContactCircle& circle);
 cv::Mat ballHeight(const BallPresses& presses, const ContactCircle& circle);
 
 /// Light to slope from some of the presses: the insides of contact, and the untouched far field as slope 0. `chosen`: indices.
-Calibration calibrationFrom(const BallPresses& presses, const std::vector<ContactCircle>& circles, const std::vector<std::size_t>& chosen,
-                            MapQuality quality);
+Calibration calibrationFrom(const BallPresses& presses, const std::vector<ContactCircle>& circles,
+                            const std::vector<std::size_t>& chosen, MapQuality quality);
 
 struct PressScore {
     std::string name;
     ContactCircle circle;
-    double normalErrorDeg = 0;   ///< median over the contact, less its outermost pixel
-    double depthErrorMm = 0;     ///< RMS over the contact, above its edge
-    double peakMm = 0;           ///< of the height above the edge of contact
-    double peakOverGelMm = 0;    ///< of the whole gel above its rest surface: with the bridge
+    double normalErrorDeg = 0;  ///< median over the contact, less its outermost pixel
+    double depthErrorMm = 0;    ///< RMS over the contact, above its edge
+    double peakMm = 0;          ///< of the height above the edge of contact
+    double peakOverGelMm = 0;   ///< of the whole gel above its rest surface: with the bridge
 };
 
 struct CalibrationScore {

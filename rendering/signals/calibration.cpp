@@ -1,12 +1,11 @@
 #include "rendering/signals/calibration.h"
 
-#include "protocols/files/errors.h"
-
-#include <nlohmann/json.hpp>
-
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "protocols/files/errors.h"
 
 namespace rendering::signals {
 
@@ -45,7 +44,8 @@ public:
     }
     bool yes(const char* name) const
     {
-        if (!member(name).is_boolean()) throw malformed(m_where, std::string(name) + " is " + member(name).dump(), "true or false");
+        if (!member(name).is_boolean())
+            throw malformed(m_where, std::string(name) + " is " + member(name).dump(), "true or false");
         return member(name).get<bool>();
     }
     std::vector<double> numbers(const char* name, std::size_t count) const { return numbersIn(member(name), name, count); }
@@ -53,7 +53,8 @@ public:
     {
         const json& rows = member(name);
         if (!rows.is_array() || rows.size() != 2)
-            throw malformed(m_where, std::string(name) + " is " + rows.dump(), "two rows of " + std::to_string(count) + " numbers");
+            throw malformed(m_where, std::string(name) + " is " + rows.dump(),
+                            "two rows of " + std::to_string(count) + " numbers");
         return {numbersIn(rows[0], name, count), numbersIn(rows[1], name, count)};
     }
     std::vector<double> numbersIn(const json& value, const char* name, std::size_t count) const
@@ -100,7 +101,8 @@ SlopeMap networkFrom(const Reading& reading, int channels)
     const json& sizes = reading.member("sizes");
     if (!sizes.is_array() || sizes.size() < 2 || sizes.size() > 8) throw reading.fault("sizes", "the units of 2 to 8 layers");
     for (const auto& size : sizes) {
-        if (!size.is_number_integer() || size.get<int>() < 1 || size.get<int>() > 1024) throw reading.fault("sizes", "1 to 1024 units a layer");
+        if (!size.is_number_integer() || size.get<int>() < 1 || size.get<int>() > 1024)
+            throw reading.fault("sizes", "1 to 1024 units a layer");
         map.sizes.push_back(size.get<int>());
     }
     if (map.sizes.front() != channels + (map.byPlace ? 2 : 0) || map.sizes.back() != 2)
@@ -108,7 +110,8 @@ SlopeMap networkFrom(const Reading& reading, int channels)
     const json& weights = reading.member("weights");
     if (!weights.is_array() || weights.size() + 1 != map.sizes.size()) throw reading.fault("weights", "one list a layer");
     for (std::size_t i = 0; i < weights.size(); ++i)
-        map.weights.push_back(reading.numbersIn(weights[i], "weights", static_cast<std::size_t>(map.sizes[i + 1] * (map.sizes[i] + 1))));
+        map.weights.push_back(
+            reading.numbersIn(weights[i], "weights", static_cast<std::size_t>(map.sizes[i + 1] * (map.sizes[i] + 1))));
     return map;
 }
 
@@ -192,7 +195,8 @@ Calibration readCalibration(const std::filesystem::path& file)
 {
     std::ifstream stream(file, std::ios::binary);
     std::error_code ignored;
-    if (!stream || std::filesystem::is_directory(file, ignored)) throw malformed(file.string(), "the calibration cannot be read", "a file made by vis2hap calibrate");
+    if (!stream || std::filesystem::is_directory(file, ignored))
+        throw malformed(file.string(), "the calibration cannot be read", "a file made by vis2hap calibrate");
     const std::string text{std::istreambuf_iterator<char>(stream), {}};
     return calibrationFromJson(text, file.string());
 }

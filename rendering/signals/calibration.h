@@ -2,14 +2,14 @@
 // ball_presses.h or surface_calibration.h, saved as JSON.
 #pragma once
 
-#include "rendering/signals/frame_light.h"
-#include "rendering/signals/slope_map.h"
-
 #include <filesystem>
 #include <opencv2/core/mat.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
+
+#include "rendering/signals/frame_light.h"
+#include "rendering/signals/slope_map.h"
 
 namespace rendering::signals {
 

@@ -3,9 +3,8 @@
 #define POCKETFFT_NO_MULTITHREADING
 #include <gemmi/third_party/pocketfft_hdronly.h>
 
-#include <opencv2/core.hpp>
-
 #include <cmath>
+#include <opencv2/core.hpp>
 
 namespace rendering::signals {
 
@@ -21,7 +20,8 @@ cv::Mat transformedAs(const cv::Mat& values, Direction direction)
     const auto steps = [](const cv::Mat& image) {
         return pocketfft::stride_t{static_cast<std::ptrdiff_t>(image.step[0]), static_cast<std::ptrdiff_t>(sizeof(T))};
     };
-    pocketfft::dct(shape, steps(values), steps(result), {0, 1}, direction, values.ptr<T>(), result.ptr<T>(), static_cast<T>(0.5 / std::sqrt(static_cast<double>(values.total()))), true, 1);
+    pocketfft::dct(shape, steps(values), steps(result), {0, 1}, direction, values.ptr<T>(), result.ptr<T>(),
+                   static_cast<T>(0.5 / std::sqrt(static_cast<double>(values.total()))), true, 1);
     return result;
 }
 

@@ -1,11 +1,10 @@
 #include "rendering/signals/dominant_wave.h"
 
-#include <opencv2/core.hpp>
-#include <opencv2/imgproc.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
 #include <vector>
 
 namespace rendering::signals {
@@ -18,8 +17,7 @@ constexpr double shortestPeriodPx = 2.2;
 cv::Mat greyOf(const cv::Mat& picture)
 {
     cv::Mat grey = picture;
-    if (picture.channels() == 3)
-        cv::cvtColor(picture, grey, cv::COLOR_RGB2GRAY);
+    if (picture.channels() == 3) cv::cvtColor(picture, grey, cv::COLOR_RGB2GRAY);
     grey.convertTo(grey, CV_32F);
     return grey;
 }
@@ -29,16 +27,14 @@ std::vector<int> cornersAlong(int length, int side)
 {
     const int room = length - side, wanted = std::clamp(2 * room / side + 1, 1, mostWindowsAlong);
     std::vector<int> corners;
-    for (int i = 0; i < wanted; ++i)
-        corners.push_back(wanted == 1 ? room / 2 : room * i / (wanted - 1));
+    for (int i = 0; i < wanted; ++i) corners.push_back(wanted == 1 ? room / 2 : room * i / (wanted - 1));
     return corners;
 }
 
 cv::Mat powersOf(const cv::Mat& grey, int side)
 {
     cv::Mat line(1, side, CV_32F);
-    for (int i = 0; i < side; ++i)
-        line.at<float>(i) = static_cast<float>(0.5 - 0.5 * std::cos(2 * std::numbers::pi * i / side));
+    for (int i = 0; i < side; ++i) line.at<float>(i) = static_cast<float>(0.5 - 0.5 * std::cos(2 * std::numbers::pi * i / side));
     const cv::Mat window = line.t() * line;
     cv::Mat powers = cv::Mat::zeros(side, side, CV_32F);
     for (const int row : cornersAlong(grey.rows, side))
@@ -108,15 +104,12 @@ double medianAround(const cv::Mat& powers, const Peak& peak)
 std::optional<DominantWave> dominantWave(const cv::Mat& picture, double leastProminence)
 {
     const int side = std::min({picture.rows, picture.cols, largestWindow}) / 2 * 2;
-    if (side < smallestWindow)
-        return std::nullopt;
+    if (side < smallestWindow) return std::nullopt;
     const cv::Mat powers = powersOf(greyOf(picture), side);
     const std::optional<Peak> peak = strongest(powers);
-    if (!peak)
-        return std::nullopt;
+    if (!peak) return std::nullopt;
     const double prominence = at(powers, peak->down, peak->right) / std::max(1e-30, medianAround(powers, *peak));
-    if (!(prominence >= leastProminence))
-        return std::nullopt;
+    if (!(prominence >= leastProminence)) return std::nullopt;
     double mass = 0, down = 0, right = 0;
     for (int y = -1; y <= 1; ++y)
         for (int x = -1; x <= 1; ++x) {

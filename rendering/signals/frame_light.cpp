@@ -1,14 +1,13 @@
 #include "rendering/signals/frame_light.h"
 
-#include "protocols/files/errors.h"
-
-#include <opencv2/core.hpp>
-#include <opencv2/imgproc.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "protocols/files/errors.h"
 
 namespace rendering::signals {
 
@@ -88,9 +87,10 @@ cv::Mat logIllumination(const cv::Mat& channel)
 cv::Mat lightOf(const cv::Mat& frame, const cv::Mat& reference, LightMeasure measure)
 {
     const bool readable = !frame.empty() && (frame.depth() == CV_8U || frame.depth() == CV_16U);
-    if (!readable || (measure == LightMeasure::AgainstReference && (frame.type() != reference.type() || frame.size() != reference.size())))
-        throw protocols::badInput({.what = "the tactile frame (" + described(frame) + ") and its reference (" + described(reference) +
-                                           ") do not belong together",
+    if (!readable ||
+        (measure == LightMeasure::AgainstReference && (frame.type() != reference.type() || frame.size() != reference.size())))
+        throw protocols::badInput({.what = "the tactile frame (" + described(frame) + ") and its reference (" +
+                                           described(reference) + ") do not belong together",
                                    .where = "",
                                    .expected = "images of 8 or 16 bits, of one size and kind",
                                    .nextStep = ""});
@@ -116,10 +116,11 @@ cv::Mat oneFrame(const std::vector<cv::Mat>& lamps)
 {
     for (const auto& lamp : lamps)
         if (lamp.empty() || lamp.channels() != 1 || lamp.size() != lamps.front().size() || lamp.depth() != lamps.front().depth())
-            throw protocols::badInput({.what = "the frames of the lamps differ (" + described(lamps.front()) + "; " + described(lamp) + ")",
-                                       .where = "",
-                                       .expected = "grey images of one size, one a lamp",
-                                       .nextStep = ""});
+            throw protocols::badInput(
+                {.what = "the frames of the lamps differ (" + described(lamps.front()) + "; " + described(lamp) + ")",
+                 .where = "",
+                 .expected = "grey images of one size, one a lamp",
+                 .nextStep = ""});
     cv::Mat frame;
     cv::merge(lamps, frame);
     return frame;
@@ -148,7 +149,8 @@ std::optional<std::string> differenceOf(const SensorLook& known, const SensorLoo
         if (asItIs > 0.02 && swapped < 0.5 * asItIs) return "its red and blue are swapped";
     }
     if (asItIs > otherSensorAbove)
-        return "its colours are off by " + std::to_string(std::lround(100 * asItIs)) + " % of full scale: it shows another sensor or other light";
+        return "its colours are off by " + std::to_string(std::lround(100 * asItIs)) +
+               " % of full scale: it shows another sensor or other light";
     return std::nullopt;
 }
 

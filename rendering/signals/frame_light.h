@@ -35,8 +35,8 @@ struct SensorLook {
 
 SensorLook lookOf(const cv::Mat& reference);
 
-/// Why two looks are not those of one sensor, as a sentence's end ("its red and blue are swapped"); none: they are. Three channels
-/// only; others are compared in their order alone.
+/// Why two looks are not those of one sensor, as a sentence's end ("its red and blue are swapped"); none: they are. Three
+/// channels only; others are compared in their order alone.
 std::optional<std::string> differenceOf(const SensorLook& known, const SensorLook& found);
 
 }  // namespace rendering::signals

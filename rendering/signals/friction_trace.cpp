@@ -63,8 +63,7 @@ double averaged(const fabrics::FrictionRecord& record, double time, double perio
     const auto& t = record.timeS;
     const auto first = std::lower_bound(t.begin(), t.end(), time - periodS / 2) - t.begin();
     const auto last = std::lower_bound(t.begin(), t.end(), time + periodS / 2) - t.begin();
-    if (last == first)
-        return interpolated(record, time);
+    if (last == first) return interpolated(record, time);
     const auto begin = record.values.begin();
     return std::accumulate(begin + first, begin + last, 0.0) / static_cast<double>(last - first);
 }

@@ -1,15 +1,14 @@
 #include "rendering/signals/photometric_stereo.h"
 
-#include "protocols/files/errors.h"
-
-#include <opencv2/core.hpp>
-#include <opencv2/imgproc.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
 #include <vector>
+
+#include "protocols/files/errors.h"
 
 namespace rendering::signals {
 
@@ -134,7 +133,8 @@ cv::Mat heightInContact(const Slopes& slopes, const cv::Mat& contact, const Pitc
 Slopes slopesFromNormals(const cv::Mat& image)
 {
     if (image.empty() || (image.type() != CV_8UC3 && image.type() != CV_16UC3))
-        throw protocols::badInput({.what = "this is no normal map", .where = "", .expected = "an RGB image of 8 or 16 bits", .nextStep = ""});
+        throw protocols::badInput(
+            {.what = "this is no normal map", .where = "", .expected = "an RGB image of 8 or 16 bits", .nextStep = ""});
     cv::Mat normals;
     image.convertTo(normals, CV_32F, 2.0 / (image.depth() == CV_16U ? 65535 : 255), -1);
     Slopes slopes{cv::Mat(image.size(), CV_32FC1), cv::Mat(image.size(), CV_32FC1)};

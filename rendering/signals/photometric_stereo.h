@@ -2,11 +2,11 @@
 // calibration -> integration -> removal of the slow surface -> the lowest places at 0.
 #pragma once
 
-#include "rendering/signals/calibration.h"
-#include "rendering/signals/surface_integration.h"
-
 #include <opencv2/core/mat.hpp>
 #include <optional>
+
+#include "rendering/signals/calibration.h"
+#include "rendering/signals/surface_integration.h"
 
 namespace rendering::signals {
 

@@ -1,13 +1,13 @@
 #include "rendering/signals/press_folder.h"
 
-#include "protocols/files/errors.h"
-#include "rendering/images/image_io.h"
-
 #include <algorithm>
 #include <array>
 #include <cctype>
 #include <string_view>
 #include <vector>
+
+#include "protocols/files/errors.h"
+#include "rendering/images/image_io.h"
 
 namespace rendering {
 
@@ -18,7 +18,8 @@ namespace fs = std::filesystem;
 std::string endingOf(const fs::path& file)
 {
     std::string ending = file.extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     return ending;
 }
 
@@ -69,16 +70,17 @@ signals::BallPresses readBallPresses(const fs::path& folder, double ballRadiusMm
             presses.presses.push_back({file.filename().string(), readPicture(file, decodeOther)});
     }
     if (presses.background.empty() || presses.presses.empty())
-        throw protocols::badInput({.what = presses.background.empty() ? "there is no frame of the untouched sensor" : "there is no press",
-                                   .where = folder.string(),
-                                   .expected = "background.png and one picture a press",
-                                   .nextStep = ""});
+        throw protocols::badInput(
+            {.what = presses.background.empty() ? "there is no frame of the untouched sensor" : "there is no press",
+             .where = folder.string(),
+             .expected = "background.png and one picture a press",
+             .nextStep = ""});
     for (const auto& press : presses.presses)
         if (press.frame.size() != presses.background.size() || press.frame.type() != presses.background.type())
             throw protocols::badInput({.what = "is of another size or kind than the background",
                                        .where = (folder / press.name).string(),
-                                       .expected = std::to_string(presses.background.cols) + " x " + std::to_string(presses.background.rows) +
-                                                   " pixels, colour, as many bits",
+                                       .expected = std::to_string(presses.background.cols) + " x " +
+                                                   std::to_string(presses.background.rows) + " pixels, colour, as many bits",
                                        .nextStep = "take it out, or save it as the others"});
     return presses;
 }

@@ -1,11 +1,11 @@
-// A folder of ball presses: background.png (or reference.png), the untouched sensor, and every other picture a press, in the order of
-// their names. Other files (lists, licences) are left alone.
+// A folder of ball presses: background.png (or reference.png), the untouched sensor, and every other picture a press, in the
+// order of their names. Other files (lists, licences) are left alone.
 #pragma once
-
-#include "rendering/signals/ball_presses.h"
 
 #include <filesystem>
 #include <functional>
+
+#include "rendering/signals/ball_presses.h"
 
 namespace rendering {
 
@@ -13,7 +13,8 @@ namespace rendering {
 using Decode = std::function<cv::Mat(const std::filesystem::path&)>;
 
 /// Throws badInput: no folder, no background, no press, an unreadable picture.
-signals::BallPresses readBallPresses(const std::filesystem::path& folder, double ballRadiusMm, double mmPerPixel, const Decode& decodeOther = {});
+signals::BallPresses readBallPresses(const std::filesystem::path& folder, double ballRadiusMm, double mmPerPixel,
+                                     const Decode& decodeOther = {});
 
 /// By its ending, through image_io or `decodeOther`.
 cv::Mat readPicture(const std::filesystem::path& file, const Decode& decodeOther);

@@ -1,14 +1,13 @@
 // locate(): the circles of all presses and the light's model, in turn (a bundle adjustment).
-#include "protocols/files/errors.h"
-#include "rendering/signals/ball_presses.h"
-
-#include <opencv2/core.hpp>
-#include <opencv2/imgproc.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numeric>
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "protocols/files/errors.h"
+#include "rendering/signals/ball_presses.h"
 
 namespace rendering::signals {
 
@@ -16,10 +15,10 @@ namespace {
 
 constexpr int degree = 3;
 constexpr int rounds = 4;
-constexpr double windowRadii = 1.65;    ///< of the ball, around the centre: what the model is fitted to
+constexpr double windowRadii = 1.65;  ///< of the ball, around the centre: what the model is fitted to
 constexpr int mostWindowPixels = 1500;
-constexpr double ringPx = 0.5;          ///< between the rings of a profile
-constexpr double equalDepthPx = 0.75;   ///< radii that differ less are those of one depth, and the rest is noise
+constexpr double ringPx = 0.5;             ///< between the rings of a profile
+constexpr double equalDepthPx = 0.75;      ///< radii that differ less are those of one depth, and the rest is noise
 constexpr double otherSensorAbove = 0.08;  ///< median far-field change of light; the gel's own is about 0.02
 
 /// One pixel's model terms: all monomials p^i q^j, 1 <= i + j <= degree, each constant, along u and along v.
@@ -59,15 +58,18 @@ struct Window {
 Window windowAround(cv::Point2d centre, double radius, cv::Size size, int step)
 {
     Window window;
-    for (int y = std::max(0, static_cast<int>(centre.y - radius)); y < std::min<int>(size.height, static_cast<int>(centre.y + radius) + 1); y += step)
-        for (int x = std::max(0, static_cast<int>(centre.x - radius)); x < std::min<int>(size.width, static_cast<int>(centre.x + radius) + 1); x += step)
+    for (int y = std::max(0, static_cast<int>(centre.y - radius));
+         y < std::min<int>(size.height, static_cast<int>(centre.y + radius) + 1); y += step)
+        for (int x = std::max(0, static_cast<int>(centre.x - radius));
+             x < std::min<int>(size.width, static_cast<int>(centre.x + radius) + 1); x += step)
             if (std::hypot(x - centre.x, y - centre.y) < radius) window.pixels.emplace_back(x, y);
     return window;
 }
 
 class Locating {
 public:
-    explicit Locating(const BallPresses& presses) : m_size(presses.background.size()), m_ballPx(presses.ballRadiusMm / presses.mmPerPixel)
+    explicit Locating(const BallPresses& presses)
+        : m_size(presses.background.size()), m_ballPx(presses.ballRadiusMm / presses.mmPerPixel)
     {
         for (const auto& press : presses.presses) {
             cv::Mat light;
@@ -140,7 +142,8 @@ public:
             const cv::Mat now = residuals(press, circle, model, window);
             cv::Mat derivatives(now.rows, 2, CV_64FC1);
             constexpr double nudge = 0.05;
-            for (int k = 0; k < 2; ++k) derivatives.col(k) = (residuals(press, moved(circle, k, nudge), model, window) - now) / nudge;
+            for (int k = 0; k < 2; ++k)
+                derivatives.col(k) = (residuals(press, moved(circle, k, nudge), model, window) - now) / nudge;
             cv::Mat normal = derivatives.t() * derivatives, change;
             normal += 1e-3 * cv::trace(normal)[0] * cv::Mat::eye(2, 2, CV_64FC1);
             if (!cv::solve(normal, derivatives.t() * now, change, cv::DECOMP_CHOLESKY)) break;
@@ -182,7 +185,8 @@ private:
     Window windowOf(const ContactCircle& circle) const
     {
         const double radius = windowRadii * m_ballPx;
-        return windowAround(circle.centrePx, radius, m_size, std::max(1, static_cast<int>(std::sqrt(CV_PI * radius * radius / mostWindowPixels))));
+        return windowAround(circle.centrePx, radius, m_size,
+                            std::max(1, static_cast<int>(std::sqrt(CV_PI * radius * radius / mostWindowPixels))));
     }
 
     Terms termsAt(const ContactCircle& circle, cv::Point pixel, double contactPx, double bridgePx) const
@@ -252,14 +256,17 @@ protocols::Error fault(const std::string& what, const std::string& expected, con
 
 void requireUsable(const BallPresses& presses)
 {
-    if (!(presses.ballRadiusMm > 0 && std::isfinite(presses.ballRadiusMm)) || !(presses.mmPerPixel > 0 && std::isfinite(presses.mmPerPixel)))
+    if (!(presses.ballRadiusMm > 0 && std::isfinite(presses.ballRadiusMm)) ||
+        !(presses.mmPerPixel > 0 && std::isfinite(presses.mmPerPixel)))
         throw fault("the ball's radius or the pitch is not a length", "mm, and mm per pixel, above 0", "");
     if (presses.background.empty() || presses.background.channels() != 3)
-        throw fault("there is no colour frame of the untouched sensor", "background.png among the presses", "save a frame before touching the sensor");
+        throw fault("there is no colour frame of the untouched sensor", "background.png among the presses",
+                    "save a frame before touching the sensor");
     const double ballPx = presses.ballRadiusMm / presses.mmPerPixel;
     const int shorter = std::min(presses.background.cols, presses.background.rows);
     if (ballPx < 4 || ballPx > shorter)
-        throw fault("a ball of " + std::to_string(ballPx) + " pixels radius cannot be measured in frames of " + std::to_string(shorter) + " pixels",
+        throw fault("a ball of " + std::to_string(ballPx) + " pixels radius cannot be measured in frames of " +
+                        std::to_string(shorter) + " pixels",
                     "a ball of 4 pixels or more that fits into the frame", "check --ball-radius and --mm-per-pixel");
 }
 
@@ -289,11 +296,11 @@ void requireOwnBackground(const BallPresses& presses, const Locating& locating)
         const auto centre = locating.firstGuess(i).centrePx;
         const double change = medianChange(press.frame, presses.background, centre, locating.ballPx());
         if (change > 0.03 && medianChange(press.frame, swapped, centre, locating.ballPx()) < 0.5 * change)
-            throw fault(press.name + " and the background have their red and blue swapped", "frames saved in one order of channels",
-                        "save them all as RGB");
+            throw fault(press.name + " and the background have their red and blue swapped",
+                        "frames saved in one order of channels", "save them all as RGB");
         if (change > otherSensorAbove)
-            throw fault("far from the ball " + press.name + " differs from the background by " + std::to_string(std::lround(100 * change)) +
-                            " % of full scale",
+            throw fault("far from the ball " + press.name + " differs from the background by " +
+                            std::to_string(std::lround(100 * change)) + " % of full scale",
                         "the background of the same sensor under the same light", "take it again, just before the presses");
     }
 }
@@ -304,7 +311,8 @@ void requireBalls(const BallPresses& presses, const std::vector<ContactCircle>& 
     for (std::size_t i = 0; i < circles.size(); ++i)
         if (!(circles[i].explained >= leastExplained)) unseen += (unseen.empty() ? "" : ", ") + presses.presses[i].name;
     if (!unseen.empty())
-        throw fault("no ball is seen in " + unseen, "a press of the ball whose radius was given", "take these frames out, or press again");
+        throw fault("no ball is seen in " + unseen, "a press of the ball whose radius was given",
+                    "take these frames out, or press again");
 }
 
 /// Where a profile is highest, between its rings, px: the edge of contact, at which the gel is steepest.
@@ -316,7 +324,8 @@ double peakOf(const std::vector<double>& profile, double ballPx)
     const auto last = std::min(smooth.size(), static_cast<std::size_t>(0.98 * ballPx / ringPx));
     const auto from = static_cast<std::size_t>(0.2 * ballPx / ringPx);
     const auto best = static_cast<std::size_t>(
-        std::max_element(smooth.begin() + static_cast<std::ptrdiff_t>(from), smooth.begin() + static_cast<std::ptrdiff_t>(last)) - smooth.begin());
+        std::max_element(smooth.begin() + static_cast<std::ptrdiff_t>(from), smooth.begin() + static_cast<std::ptrdiff_t>(last)) -
+        smooth.begin());
     const double before = smooth[best - 1], here = smooth[best], after = smooth[best + 1], bend = before - 2 * here + after;
     const double between = bend < 0 ? std::clamp(0.5 * (before - after) / bend, -0.5, 0.5) : 0;
     return std::min((static_cast<double>(best) + between) * ringPx, 0.98 * ballPx);
@@ -358,7 +367,8 @@ LocatedPresses locate(const BallPresses& presses)
     requireUsable(presses);
     if (presses.presses.size() < fewestPresses)
         throw fault("there are only " + std::to_string(presses.presses.size()) + " presses",
-                    std::to_string(fewestPresses) + " at least, better 30, spread over the sensor", "press the ball at more places");
+                    std::to_string(fewestPresses) + " at least, better 30, spread over the sensor",
+                    "press the ball at more places");
     const Locating locating(presses);
     requireOwnBackground(presses, locating);
     LocatedPresses found;

@@ -1,11 +1,10 @@
 #include "rendering/signals/roughness.h"
 
-#include "protocols/files/errors.h"
-
-#include <opencv2/core.hpp>
-
 #include <algorithm>
 #include <cmath>
+#include <opencv2/core.hpp>
+
+#include "protocols/files/errors.h"
 
 namespace rendering::signals {
 
@@ -17,7 +16,8 @@ constexpr int directions = 72;  ///< over half a turn
 void requireMap(const cv::Mat& height)
 {
     if (height.empty() || height.channels() != 1 || !cv::checkRange(height))
-        throw protocols::badInput({.what = "this is no height map", .where = "", .expected = "a finite height at every pixel", .nextStep = ""});
+        throw protocols::badInput(
+            {.what = "this is no height map", .where = "", .expected = "a finite height at every pixel", .nextStep = ""});
 }
 
 cv::Mat centred(const cv::Mat& height)
@@ -51,18 +51,21 @@ double sample(const cv::Mat& correlation, cv::Size map, double x, double y)
     const int i = static_cast<int>(std::floor(y)), j = static_cast<int>(std::floor(x));
     const double v = y - i, u = x - j;
     const auto value = [&](int row, int column) {
-        return at(correlation, row, column) / ((1.0 - std::abs(row) / static_cast<double>(map.height)) * (1.0 - std::abs(column) / static_cast<double>(map.width)));
+        return at(correlation, row, column) / ((1.0 - std::abs(row) / static_cast<double>(map.height)) *
+                                               (1.0 - std::abs(column) / static_cast<double>(map.width)));
     };
     return (1 - v) * ((1 - u) * value(i, j) + u * value(i, j + 1)) + v * ((1 - u) * value(i + 1, j) + u * value(i + 1, j + 1));
 }
 
-/// How far it is along one direction (per pixel of the finer pitch) until the autocorrelation has fallen; `most` where it does not.
+/// How far it is along one direction (per pixel of the finer pitch) until the autocorrelation has fallen; `most` where it does
+/// not.
 double fallLength(const cv::Mat& correlation, cv::Size map, const Pitch& pitch, double angle, double most)
 {
     const double step = 0.5 * std::min(pitch.x, pitch.y), origin = at(correlation, 0, 0);
     double before = 1;
     for (double length = step; length < most; length += step) {
-        const double now = sample(correlation, map, length * std::cos(angle) / pitch.x, length * std::sin(angle) / pitch.y) / origin;
+        const double now =
+            sample(correlation, map, length * std::cos(angle) / pitch.x, length * std::sin(angle) / pitch.y) / origin;
         if (now <= fallsTo) return length - step * (fallsTo - now) / std::max(1e-12, before - now);
         before = now;
     }
@@ -74,7 +77,8 @@ double surfaceAreaRatio(const cv::Mat& values, const Pitch& pitch)
     double sum = 0;
     for (int i = 0; i + 1 < values.rows; ++i)
         for (int j = 0; j + 1 < values.cols; ++j) {
-            const double a = values.at<float>(i, j), b = values.at<float>(i, j + 1), c = values.at<float>(i + 1, j), d = values.at<float>(i + 1, j + 1);
+            const double a = values.at<float>(i, j), b = values.at<float>(i, j + 1), c = values.at<float>(i + 1, j),
+                         d = values.at<float>(i + 1, j + 1);
             const double x = (b - a + d - c) / (2 * pitch.x), y = (c - a + d - b) / (2 * pitch.y);
             sum += std::sqrt(1 + x * x + y * y) - 1;
         }

@@ -1,9 +1,9 @@
 // Areal roughness of a height map, after ISO 25178-2.
 #pragma once
 
-#include "rendering/signals/surface_integration.h"
-
 #include <opencv2/core/mat.hpp>
+
+#include "rendering/signals/surface_integration.h"
 
 namespace rendering::signals {
 

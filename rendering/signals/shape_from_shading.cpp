@@ -99,18 +99,17 @@ Light lightOf(const cv::Mat& shading)
     if (light.coherence < 0.02) return light;
     // In image coordinates, rows downwards, angles doubled; light from above lies at half a turn.
     const double axis = 0.5 * std::atan2(2 * xy / (xx + yy), (xx - yy) / (xx + yy) - aboveWeight);
-    light.azimuthDeg = -axis * 180 / std::numbers::pi;      // -90 .. 90
-    if (light.azimuthDeg < 10)
-        light.azimuthDeg += 180;  // the upper end; of an axis that is nearly level, the left one
+    light.azimuthDeg = -axis * 180 / std::numbers::pi;   // -90 .. 90
+    if (light.azimuthDeg < 10) light.azimuthDeg += 180;  // the upper end; of an axis that is nearly level, the left one
     return light;
 }
 
-constexpr int bumpSpacingPx = 2;    ///< between the bumps' centres, and their standard deviation
+constexpr int bumpSpacingPx = 2;  ///< between the bumps' centres, and their standard deviation
 constexpr int outerSteps = 3, innerSteps = 25;
 constexpr double bumpRidge = 1e-4;  ///< on the bumps' heights: holds those that no light falls on
 
-/// The surface as a sum of Gaussian bumps, its Lambertian image at a slant of 45 degrees (relative to a level place, minus 1), and the
-/// derivative of that image. Heights stand at the bumps' centres, every bumpSpacingPx-th pixel, and are 0 elsewhere.
+/// The surface as a sum of Gaussian bumps, its Lambertian image at a slant of 45 degrees (relative to a level place, minus 1),
+/// and the derivative of that image. Heights stand at the bumps' centres, every bumpSpacingPx-th pixel, and are 0 elsewhere.
 class Bumps {
 public:
     Bumps(cv::Size size, double azimuthDeg) : m_size(size)
@@ -169,9 +168,11 @@ private:
     {
         cv::Mat p = cv::Mat::zeros(surface.size(), CV_32FC1), q = p.clone();
         if (surface.cols > 1)
-            cv::subtract(surface.colRange(1, surface.cols), surface.colRange(0, surface.cols - 1), p.colRange(0, surface.cols - 1));
+            cv::subtract(surface.colRange(1, surface.cols), surface.colRange(0, surface.cols - 1),
+                         p.colRange(0, surface.cols - 1));
         if (surface.rows > 1)
-            cv::subtract(surface.rowRange(1, surface.rows), surface.rowRange(0, surface.rows - 1), q.rowRange(0, surface.rows - 1));
+            cv::subtract(surface.rowRange(1, surface.rows), surface.rowRange(0, surface.rows - 1),
+                         q.rowRange(0, surface.rows - 1));
         return {p, q};
     }
 
@@ -195,7 +196,8 @@ cv::Mat bumpsThatShade(const cv::Mat& shading, double azimuthDeg)
     cv::Mat heights = cv::Mat::zeros(shading.size(), CV_32FC1);
     for (int outer = 0; outer < outerSteps; ++outer) {
         const cv::Mat left = shading - bumps.image(heights);
-        cv::Mat residual = bumps.transposedChange(left) - bumpRidge * heights, direction = residual.clone(), step = cv::Mat::zeros(shading.size(), CV_32FC1);
+        cv::Mat residual = bumps.transposedChange(left) - bumpRidge * heights, direction = residual.clone(),
+                step = cv::Mat::zeros(shading.size(), CV_32FC1);
         double power = residual.dot(residual);
         const double enough = 1e-8 * power;
         for (int inner = 0; inner < innerSteps && power > enough && power > 0; ++inner) {

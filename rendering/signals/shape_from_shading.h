@@ -21,7 +21,7 @@ struct ShadingOptions {
     ShadingMethod method = ShadingMethod::Linear;
     ShadingQuality quality = ShadingQuality::Accurate;
     double highPassPx = 200;                  ///< longer waves are taken for uneven light, not relief
-    double regularisation = 0.008;           ///< cycles per pixel along the light below which relief is not trusted
+    double regularisation = 0.008;            ///< cycles per pixel along the light below which relief is not trusted
     std::optional<double> lightAzimuthDeg{};  ///< known direction; none: estimated
     bool lightFromBelow = false;              ///< of an estimated direction: turns bumps into dents
 };
@@ -34,9 +34,9 @@ struct Light {
 };
 
 /// The axis along which brightness changes most (the structure tensor of the high-passed photograph,
-/// whose energy goes with the squared cosine of the angle to the light), a little drawn to light from above; its upper end, or its left end
-/// where it is within 10 degrees of level: azimuth 10..190. Below a coherence of 0.02 it is 90.
-/// `photograph` as in signals::grey.
+/// whose energy goes with the squared cosine of the angle to the light), a little drawn to light from above; its upper end, or
+/// its left end where it is within 10 degrees of level: azimuth 10..190. Below a coherence of 0.02 it is 90. `photograph` as in
+/// signals::grey.
 Light estimateLight(const cv::Mat& photograph, double highPassPx = 200);
 
 /// How much of the photograph's variation is one of colour: RMS of the high-passed differences between channels over that of the

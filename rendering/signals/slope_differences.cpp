@@ -1,13 +1,12 @@
 #include "rendering/signals/slope_differences.h"
 
-#include "rendering/signals/cosine_transform.h"
-
-#include <opencv2/core.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <opencv2/core.hpp>
+
+#include "rendering/signals/cosine_transform.h"
 
 namespace rendering::signals {
 
@@ -49,7 +48,8 @@ std::vector<Stencil<T>> stencils(int length)
         std::transform(weights.begin(), weights.end(), stencil.weights.begin(), [](double w) { return static_cast<T>(w); });
         result.push_back(stencil);
         // All in the middle are alike.
-        while (static_cast<int>(result.size()) + 1 < length && stencil.first == j + 1 - count / 2 && stencil.first + count < length) {
+        while (static_cast<int>(result.size()) + 1 < length && stencil.first == j + 1 - count / 2 &&
+               stencil.first + count < length) {
             ++j;
             ++stencil.first;
             result.push_back(stencil);
@@ -180,7 +180,8 @@ template <class T>
 Slopes Differences<T>::of(const cv::Mat& height) const
 {
     Slopes result{cv::Mat::zeros(m_size, cv::DataType<T>::type), cv::Mat::zeros(m_size, cv::DataType<T>::type)};
-    const T alongX = static_cast<T>((central() ? 0.5 : 1) / m_pitch.x), alongY = static_cast<T>((central() ? 0.5 : 1) / m_pitch.y);
+    const T alongX = static_cast<T>((central() ? 0.5 : 1) / m_pitch.x),
+            alongY = static_cast<T>((central() ? 0.5 : 1) / m_pitch.y);
     for (int i = 0; i < m_size.height; ++i) {
         const T* h = height.ptr<T>(i);
         T* x = result.x.ptr<T>(i);
@@ -203,7 +204,8 @@ template <class T>
 cv::Mat Differences<T>::transposed(const Slopes& differences) const
 {
     cv::Mat sources = cv::Mat::zeros(m_size, cv::DataType<T>::type);
-    const T alongX = static_cast<T>((central() ? 0.5 : 1) / m_pitch.x), alongY = static_cast<T>((central() ? 0.5 : 1) / m_pitch.y);
+    const T alongX = static_cast<T>((central() ? 0.5 : 1) / m_pitch.x),
+            alongY = static_cast<T>((central() ? 0.5 : 1) / m_pitch.y);
     for (int i = 0; i < m_size.height; ++i) {
         T* out = sources.ptr<T>(i);
         const T* x = differences.x.ptr<T>(i);
@@ -230,7 +232,8 @@ template <class T>
 cv::Mat Differences<T>::sources(const Slopes& slopes) const
 {
     if (m_kind != SlopeKind::Point) return transposed(between(slopes));
-    const int width = m_size.width, height = m_size.height, countX = std::min(slopesAround, width), countY = std::min(slopesAround, height);
+    const int width = m_size.width, height = m_size.height, countX = std::min(slopesAround, width),
+              countY = std::min(slopesAround, height);
     const auto alongX = stencils<T>(width), alongY = stencils<T>(height);
     const T scaleX = static_cast<T>(1 / m_pitch.x), scaleY = static_cast<T>(1 / m_pitch.y);
     const auto length = static_cast<std::size_t>(width);

@@ -3,9 +3,9 @@
 // differences whose mirrored borders carry half the weight (Central).
 #pragma once
 
-#include "rendering/signals/surface_integration.h"
-
 #include <vector>
+
+#include "rendering/signals/surface_integration.h"
 
 namespace rendering::signals {
 

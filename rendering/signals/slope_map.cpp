@@ -1,9 +1,8 @@
 #include "rendering/signals/slope_map.h"
 
-#include <opencv2/core.hpp>
-
 #include <algorithm>
 #include <cmath>
+#include <opencv2/core.hpp>
 
 namespace rendering::signals {
 
@@ -17,7 +16,9 @@ float placeOf(int index, int length) { return length > 1 ? static_cast<float>(2.
 class Inputs {
 public:
     Inputs(int channels, bool byPlace, double lightScale)
-        : m_channels(channels), m_byPlace(byPlace), m_scale(static_cast<float>(lightScale)),
+        : m_channels(channels),
+          m_byPlace(byPlace),
+          m_scale(static_cast<float>(lightScale)),
           m_values(static_cast<std::size_t>((channels + 2) * blockPx))
     {
     }

@@ -3,13 +3,13 @@
 // network the most pliant.
 #pragma once
 
-#include "rendering/signals/surface_integration.h"
-
 #include <array>
 #include <cstdint>
 #include <opencv2/core/mat.hpp>
 #include <variant>
 #include <vector>
+
+#include "rendering/signals/surface_integration.h"
 
 namespace rendering::signals {
 
@@ -30,7 +30,8 @@ struct PolynomialMap {
     bool operator==(const PolynomialMap&) const = default;
 };
 
-/// The same inputs through layers of tanh; the last layer is linear; less what it gives without light. Weights row by row, the bias last in each.
+/// The same inputs through layers of tanh; the last layer is linear; less what it gives without light. Weights row by row, the
+/// bias last in each.
 struct NetworkMap {
     bool byPlace = true;
     double lightScale = 4;
@@ -73,15 +74,16 @@ struct FitOptions {
     bool byPlace = true;
     int degree = 3;
     double lightScale = 4;
-    double ridge = 1e-6;         ///< per sample; inputs are about 1
-    std::uint64_t seed = 1;      ///< of the network's first weights
-    int networkSamples = 6000;   ///< no more than these are used, evenly drawn
+    double ridge = 1e-6;        ///< per sample; inputs are about 1
+    std::uint64_t seed = 1;     ///< of the network's first weights
+    int networkSamples = 6000;  ///< no more than these are used, evenly drawn
     int networkSteps = 300;
 };
 
-/// Least squares of maps without slope where the light is that of the untouched sensor (networks: less their slope there). Then the whole is scaled so that it does not flatten: light is measured with noise, slopes are
-/// known, and the plain fit of slopes on light comes out too small by the share of variance that it does not explain.
-/// Throws badInput for fewer samples than ten times the numbers to be found.
+/// Least squares of maps without slope where the light is that of the untouched sensor (networks: less their slope there). Then
+/// the whole is scaled so that it does not flatten: light is measured with noise, slopes are known, and the plain fit of slopes
+/// on light comes out too small by the share of variance that it does not explain. Throws badInput for fewer samples than ten
+/// times the numbers to be found.
 SlopeMap fitSlopeMap(const SlopeSamples& samples, const FitOptions& options = {});
 
 }  // namespace rendering::signals

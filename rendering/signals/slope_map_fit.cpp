@@ -1,13 +1,12 @@
 // fitSlopeMap: linear and polynomial maps by ridge least squares, the network by resilient propagation (Igel & Huesken
 // 2000, iRprop-), which needs no step size.
+#include <algorithm>
+#include <cmath>
+#include <opencv2/core.hpp>
+
 #include "protocols/files/errors.h"
 #include "protocols/random.h"
 #include "rendering/signals/slope_map.h"
-
-#include <opencv2/core.hpp>
-
-#include <algorithm>
-#include <cmath>
 
 namespace rendering::signals {
 
@@ -121,10 +120,10 @@ SlopeMap polynomialFit(const SlopeSamples& samples, const FitOptions& options)
 
 /// One layer while it learns.
 struct Layer {
-    cv::Mat weights;    ///< [units x (inputs + 1)]
-    cv::Mat steps;      ///< of each weight
-    cv::Mat gradient;   ///< of the step before
-    cv::Mat activation; ///< [samples x units]
+    cv::Mat weights;     ///< [units x (inputs + 1)]
+    cv::Mat steps;       ///< of each weight
+    cv::Mat gradient;    ///< of the step before
+    cv::Mat activation;  ///< [samples x units]
 };
 
 cv::Mat withBias(const cv::Mat& inputs)

@@ -276,10 +276,11 @@ Inversion griffinLim(const MagnitudeSpectrogram& spectrogram, const GriffinLimOp
     double least = 0, most = 0;
     cv::minMaxLoc(wanted, &least, &most);
     if (!cv::checkRange(wanted) || least < 0 || most > 1e100 || !std::isfinite(spectrogram.mean))
-        throw protocols::badInput({.what = "the spectrogram's magnitude holds negative values, values above 1e100 or values that are not finite",
-                                   .where = "",
-                                   .expected = "magnitudes >= 0 and a finite mean",
-                                   .nextStep = ""});
+        throw protocols::badInput(
+            {.what = "the spectrogram's magnitude holds negative values, values above 1e100 or values that are not finite",
+             .where = "",
+             .expected = "magnitudes >= 0 and a finite mean",
+             .nextStep = ""});
 
     const auto window = windowOf(parameters);
     cv::Mat phases = firstPhases(wanted, options.seed), before;

@@ -5,8 +5,8 @@
 #include <opencv2/core.hpp>
 
 #include "protocols/files/errors.h"
-#include "rendering/images/image_io.h"
 #include "protocols/files/whole_file.h"
+#include "rendering/images/image_io.h"
 
 namespace rendering {
 

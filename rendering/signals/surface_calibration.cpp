@@ -1,19 +1,18 @@
 #include "rendering/signals/surface_calibration.h"
 
-#include "protocols/files/errors.h"
-#include "rendering/signals/photometric_stereo.h"
-
-#include <opencv2/core.hpp>
-
 #include <algorithm>
 #include <cmath>
+#include <opencv2/core.hpp>
+
+#include "protocols/files/errors.h"
+#include "rendering/signals/photometric_stereo.h"
 
 namespace rendering::signals {
 
 namespace {
 
 constexpr std::size_t samplesWanted = 60000;
-constexpr double ownLightScale = 2;  ///< light differs from its own illumination by about half of it
+constexpr double ownLightScale = 2;     ///< light differs from its own illumination by about half of it
 constexpr double ownLightRidge = 1e-4;  ///< its channels go together, and other rows are read than were learned
 
 /// Central differences over the pitch, one-sided at the borders; NaN beside what is unknown.
@@ -45,8 +44,9 @@ void requireFitting(const KnownSurfaceFrame& surface, int first, int last)
         return protocols::badInput({.what = what, .where = "", .expected = expected, .nextStep = ""});
     };
     if (surface.frame.size() != surface.heightMm.size())
-        throw fault("the frame has " + std::to_string(surface.frame.cols) + " x " + std::to_string(surface.frame.rows) + " pixels, the surface " +
-                        std::to_string(surface.heightMm.cols) + " x " + std::to_string(surface.heightMm.rows),
+        throw fault("the frame has " + std::to_string(surface.frame.cols) + " x " + std::to_string(surface.frame.rows) +
+                        " pixels, the surface " + std::to_string(surface.heightMm.cols) + " x " +
+                        std::to_string(surface.heightMm.rows),
                     "a height for each pixel");
     if (!(surface.pitch.x > 0 && std::abs(surface.pitch.x / surface.pitch.y - 1) < 0.01))
         throw fault("the surface's pitch differs along x and y", "square pixels, as the frame has");
@@ -121,7 +121,9 @@ SurfaceScore scoreOf(const Calibration& calibration, const KnownSurfaceFrame& su
     const Slopes known = slopesOfHeight(surface.heightMm, surface.pitch);
     const cv::Mat places = knownPlaces(known, first, last).rowRange(first, last);
     SurfaceScore score;
-    const auto offBy = [&](const cv::Mat& found, const cv::Mat& truth) { return cv::mean(cv::abs(found - truth.rowRange(first, last)), places)[0]; };
+    const auto offBy = [&](const cv::Mat& found, const cv::Mat& truth) {
+        return cv::mean(cv::abs(found - truth.rowRange(first, last)), places)[0];
+    };
     score.slopeError = (offBy(slopes.x, known.x) + offBy(slopes.y, known.y)) / 2;
     cv::Mat truth;
     surface.heightMm.rowRange(first, last).convertTo(truth, CV_64F);

@@ -2,9 +2,9 @@
 // colour frames, or frames of one lamp each.
 #pragma once
 
-#include "rendering/signals/calibration.h"
-
 #include <opencv2/core/mat.hpp>
+
+#include "rendering/signals/calibration.h"
 
 namespace rendering::signals {
 

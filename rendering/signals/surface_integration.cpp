@@ -1,15 +1,14 @@
 #include "rendering/signals/surface_integration.h"
 
-#include "protocols/files/errors.h"
-#include "rendering/signals/cosine_transform.h"
-#include "rendering/signals/slope_differences.h"
-
-#include <opencv2/core.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <opencv2/core.hpp>
 #include <string>
+
+#include "protocols/files/errors.h"
+#include "rendering/signals/cosine_transform.h"
+#include "rendering/signals/slope_differences.h"
 
 namespace rendering::signals {
 
@@ -88,17 +87,14 @@ cv::Mat continued(const cv::Mat& values, const cv::Mat& known)
     return result;
 }
 
-Slopes weighted(const Slopes& values, const Slopes& weights)
-{
-    return {values.x.mul(weights.x), values.y.mul(weights.y)};
-}
+Slopes weighted(const Slopes& values, const Slopes& weights) { return {values.x.mul(weights.x), values.y.mul(weights.y)}; }
 
 }  // namespace
 
 SlopeKind slopeKindNamed(std::string_view name)
 {
-    for (const auto& [known, kind] : {std::pair{"point", SlopeKind::Point}, {"central", SlopeKind::Central},
-                                      {"forward", SlopeKind::Forward}})
+    for (const auto& [known, kind] :
+         {std::pair{"point", SlopeKind::Point}, {"central", SlopeKind::Central}, {"forward", SlopeKind::Forward}})
         if (name == known) return kind;
     throw protocols::badInput({.what = "unknown kind of slopes '" + std::string(name) + "'",
                                .where = "",
@@ -109,7 +105,8 @@ SlopeKind slopeKindNamed(std::string_view name)
 cv::Mat integrate(const Slopes& slopes, const Pitch& pitch, SlopeKind kind, IntegrationQuality quality)
 {
     requireShape(slopes, pitch);
-    cv::Mat height = quality == IntegrationQuality::Full ? solved<double>(slopes, pitch, kind) : solved<float>(slopes, pitch, kind);
+    cv::Mat height =
+        quality == IntegrationQuality::Full ? solved<double>(slopes, pitch, kind) : solved<float>(slopes, pitch, kind);
     // The transform spreads a value that is not finite over all of the surface: one place tells.
     const bool finite = height.depth() == CV_64F ? std::isfinite(height.at<double>(0, 0)) : std::isfinite(height.at<float>(0, 0));
     if (!finite || height.total() == 1) requireWhole(slopes);
@@ -213,7 +210,10 @@ cv::Mat withoutTilt(const cv::Mat& heightMm, const cv::Mat& places)
             ++count;
         }
     if (count < 3)
-        throw protocols::badInput({.what = "there is no place to level the surface by", .where = "", .expected = "three pixels outside contact", .nextStep = ""});
+        throw protocols::badInput({.what = "there is no place to level the surface by",
+                                   .where = "",
+                                   .expected = "three pixels outside contact",
+                                   .nextStep = ""});
     cv::Vec3d plane;
     cv::solve(normal, right, plane, cv::DECOMP_SVD);  // one row or column has no slope across it
     cv::Mat result(height.size(), CV_64FC1);

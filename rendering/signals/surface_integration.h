@@ -14,7 +14,6 @@
 #pragma once
 
 #include <opencv2/core/mat.hpp>
-
 #include <string_view>
 
 namespace rendering::signals {
@@ -53,8 +52,8 @@ cv::Mat measuredPlaces(const Slopes& slopes);
 /// precision. Throws badInput as `integrate`, and where nothing at all was measured.
 cv::Mat integrateAround(const Slopes& slopes, const cv::Mat& measured, const Pitch& pitch, SlopeKind kind = SlopeKind::Point);
 
-/// The share of the slopes that no surface has (their curl part): RMS of what `heightMm`, integrated from them, leaves unexplained over
-/// RMS of the slopes. 0 for a surface, 0.7 for noise. Slopes that are not finite are left out.
+/// The share of the slopes that no surface has (their curl part): RMS of what `heightMm`, integrated from them, leaves
+/// unexplained over RMS of the slopes. 0 for a surface, 0.7 for noise. Slopes that are not finite are left out.
 double curlResidual(const Slopes& slopes, const cv::Mat& heightMm, const Pitch& pitch, SlopeKind kind = SlopeKind::Point);
 
 /// The surface without its parts longer than the cut-off: ISO 16610-21 Gaussian filter, which passes

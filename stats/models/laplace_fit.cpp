@@ -3,8 +3,8 @@
 #include <cmath>
 #include <utility>
 
-#include "stats/models/laplace_criterion.h"
 #include "stats/kernels/quasi_newton.h"
+#include "stats/models/laplace_criterion.h"
 
 namespace stats {
 namespace {

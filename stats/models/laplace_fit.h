@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "stats/models/factor.h"
 #include "stats/kernels/matrix.h"
+#include "stats/models/factor.h"
 
 namespace stats {
 

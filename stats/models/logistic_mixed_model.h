@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "stats/models/factor.h"
 #include "stats/kernels/matrix.h"
 #include "stats/kernels/value.h"
+#include "stats/models/factor.h"
 
 namespace stats {
 

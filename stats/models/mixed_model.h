@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "stats/models/factor.h"
 #include "stats/kernels/matrix.h"
-#include "stats/models/mixed_model_equations.h"
 #include "stats/kernels/value.h"
+#include "stats/models/factor.h"
+#include "stats/models/mixed_model_equations.h"
 
 namespace stats {
 

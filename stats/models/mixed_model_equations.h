@@ -13,8 +13,8 @@
 #include <span>
 #include <vector>
 
-#include "stats/models/factor.h"
 #include "stats/kernels/matrix.h"
+#include "stats/models/factor.h"
 
 namespace stats {
 

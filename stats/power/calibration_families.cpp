@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "stats/power/power.h"
 #include "stats/tests/binomial.h"
 #include "stats/tests/equivalence.h"
 #include "stats/tests/mcnemar.h"
 #include "stats/tests/multiplicity.h"
-#include "stats/power/power.h"
 #include "stats/tests/rank_tests.h"
 #include "stats/tests/repeated_measures.h"
 #include "stats/tests/sign_flip.h"

@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <functional>
 
-#include "stats/power/simulated_study.h"
 #include "stats/kernels/value.h"
+#include "stats/power/simulated_study.h"
 
 namespace stats {
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "stats/power/power.h"
 #include "stats/tests/binomial.h"
 #include "stats/tests/equivalence.h"
 #include "stats/tests/multiplicity.h"
-#include "stats/power/power.h"
 #include "stats/tests/rank_tests.h"
 #include "stats/tests/repeated_measures.h"
 #include "stats/tests/t_tests.h"

@@ -7,8 +7,8 @@
 #include <string>
 #include <thread>
 
-#include "stats/tests/binomial.h"
 #include "stats/kernels/decimal_grid.h"
+#include "stats/tests/binomial.h"
 
 namespace stats {
 namespace {

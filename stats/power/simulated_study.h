@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "stats/kernels/block_table.h"
-#include "stats/models/crossed_study.h"
 #include "stats/kernels/draws.h"
+#include "stats/models/crossed_study.h"
 
 namespace stats {
 

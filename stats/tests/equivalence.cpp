@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "stats/tests/contrast.h"
 #include "stats/kernels/distributions.h"
+#include "stats/tests/contrast.h"
 
 namespace stats {
 namespace {

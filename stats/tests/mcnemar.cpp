@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <numbers>
 
-#include "stats/tests/binomial.h"
 #include "stats/kernels/distributions.h"
+#include "stats/tests/binomial.h"
 
 namespace stats {
 namespace {

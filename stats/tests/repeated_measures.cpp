@@ -5,9 +5,9 @@
 
 #include "stats/kernels/distributions.h"
 #include "stats/kernels/exact_sum.h"
-#include "stats/tests/intraclass.h"
 #include "stats/kernels/moments.h"
 #include "stats/kernels/two_way.h"
+#include "stats/tests/intraclass.h"
 
 namespace stats {
 namespace {

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <vector>
 
-#include "stats/tests/contrast.h"
 #include "stats/kernels/decimal_grid.h"
 #include "stats/kernels/distributions.h"
+#include "stats/tests/contrast.h"
 #include "stats/tests/signed_sums.h"
 
 namespace stats {

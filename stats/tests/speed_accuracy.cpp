@@ -4,9 +4,9 @@
 #include <cmath>
 #include <string>
 
-#include "stats/tests/binomial.h"
 #include "stats/kernels/descriptive.h"
 #include "stats/kernels/moments.h"
+#include "stats/tests/binomial.h"
 
 namespace stats {
 namespace {

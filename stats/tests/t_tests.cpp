@@ -4,8 +4,8 @@
 #include <limits>
 #include <numbers>
 
-#include "stats/tests/contrast.h"
 #include "stats/kernels/distributions.h"
+#include "stats/tests/contrast.h"
 
 namespace stats {
 namespace {

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <vector>
 
-#include "stats/tests/contrast.h"
 #include "stats/kernels/decimal_grid.h"
 #include "stats/kernels/distributions.h"
 #include "stats/kernels/ranks.h"
+#include "stats/tests/contrast.h"
 #include "stats/tests/signed_sums.h"
 
 namespace stats {

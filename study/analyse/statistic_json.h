@@ -1,11 +1,10 @@
 // Undefined numbers in JSON: null, with the reason in the object's "why".
 #pragma once
 
-#include "stats/kernels/value.h"
-
 #include <nlohmann/json.hpp>
-
 #include <string>
+
+#include "stats/kernels/value.h"
 
 namespace study::commands {
 

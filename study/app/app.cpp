@@ -1,10 +1,10 @@
 #include "study/app/app.h"
 
+#include <QApplication>
+
 #include "study/app/main_window.h"
 #include "study/app/pages/monitor_window.h"
 #include "study/app/pages/start_page.h"
-
-#include <QApplication>
 
 namespace study::app {
 

@@ -1,12 +1,11 @@
 #include "study/app/gui_hands.h"
 
-#include "study/app/gui_movements.h"
-#include "study/app/pages/session_page.h"
-
 #include <QApplication>
 #include <QKeyEvent>
 #include <QMouseEvent>
 
+#include "study/app/gui_movements.h"
+#include "study/app/pages/session_page.h"
 
 namespace study::app {
 
@@ -30,20 +29,13 @@ void sendKey(QWidget& target, int key, const QString& text, Qt::KeyboardModifier
 
 SessionController& GuiHands::controller() const
 {
-    if (!m_window.session())
-        throw noWay("no session is open");
+    if (!m_window.session()) throw noWay("no session is open");
     return *m_window.session();
 }
 
-const View& GuiHands::view() const
-{
-    return controller().view();
-}
+const View& GuiHands::view() const { return controller().view(); }
 
-const Plan& GuiHands::plan() const
-{
-    return controller().plan();
-}
+const Plan& GuiHands::plan() const { return controller().plan(); }
 
 std::optional<Refusal> GuiHands::perform(const EventBody& event)
 {
@@ -55,10 +47,8 @@ std::optional<Refusal> GuiHands::perform(const EventBody& event)
     const auto& outcome = controller().lastOutcome();
     const bool isSent = controller().eventsSent() == sentBefore + 1 && kindOf(outcome->event) == kindOf(event) &&
                         payloadJson(outcome->event) == payloadJson(event);
-    if (!isSent)
-        throw noWay("\"" + kindOf(event) + "\" did not come out of the page for " + nameOf(view().state));
-    if (outcome->fault)
-        std::rethrow_exception(outcome->fault);
+    if (!isSent) throw noWay("\"" + kindOf(event) + "\" did not come out of the page for " + nameOf(view().state));
+    if (outcome->fault) std::rethrow_exception(outcome->fault);
     return outcome->refusal;
 }
 
@@ -78,8 +68,7 @@ QWidget& GuiHands::widget(const QString& objectName) const
 {
     const auto found = m_window.currentPage()->findChildren<QWidget*>(objectName);
     for (QWidget* widget : found)
-        if (widget->isVisible() && widget->isEnabled())
-            return *widget;
+        if (widget->isVisible() && widget->isEnabled()) return *widget;
     throw noWay("\"" + objectName.toStdString() + "\" is not on the page, or is off");
 }
 
@@ -106,10 +95,7 @@ void GuiHands::clear()
     sendKey(focus(), Qt::Key_Delete, {});
 }
 
-void GuiHands::focusOn(const QString& objectName)
-{
-    widget(objectName).setFocus(Qt::TabFocusReason);
-}
+void GuiHands::focusOn(const QString& objectName) { widget(objectName).setFocus(Qt::TabFocusReason); }
 
 void GuiHands::click(const QString& objectName)
 {

@@ -3,13 +3,12 @@
 // and for tests; needs no test library.
 #pragma once
 
-#include "study/app/main_window.h"
-#include "study/session/driver.h"
-
 #include <QPoint>
 #include <QString>
-
 #include <optional>
+
+#include "study/app/main_window.h"
+#include "study/session/driver.h"
 
 namespace study::app {
 

@@ -1,10 +1,10 @@
 #include "study/app/gui_movements.h"
 
+#include <QCheckBox>
+
+#include "study/app/pages/stage_page.h"
 #include "study/app/state/answer_form.h"
 #include "study/app/state/rating_text.h"
-#include "study/app/pages/stage_page.h"
-
-#include <QCheckBox>
 
 namespace study::app {
 
@@ -53,8 +53,7 @@ struct Movement {
         for (int entry = 0; entry < entries; ++entry) {
             give(event.response, formOf(hands.view()));
             enter();
-            if (isWithoutWords(event.response))
-                enter();  // the page asks once whether there are none
+            if (isWithoutWords(event.response)) enter();  // the page asks once whether there are none
         }
     }
     void operator()(const Corrected& event) const
@@ -62,8 +61,7 @@ struct Movement {
         click("correctButton");
         hands.click(QStringLiteral("answerTo") + QString::fromStdString(event.question.value));
         give(event.response, formOfAnswerTo(event.question));
-        if (isWithoutWords(event.response))
-            press("panelConfirmButton");
+        if (isWithoutWords(event.response)) press("panelConfirmButton");
         giveReason(event.why, true);
     }
     void operator()(const Voided& event) const
@@ -110,8 +108,7 @@ private:
         const QStringList all = window.session()->facts().checklist;
         for (const std::string& line : lines) {
             const QString box = QStringLiteral("check%1").arg(all.indexOf(QString::fromStdString(line)) + 1);
-            if (static_cast<QCheckBox&>(hands.widget(box)).isChecked())
-                continue;
+            if (static_cast<QCheckBox&>(hands.widget(box)).isChecked()) continue;
             hands.focusOn(box);
             hands.pressKey(Qt::Key_Space);
         }
@@ -128,8 +125,7 @@ private:
         hands.focusOn(QStringLiteral("reasonField"));
         hands.type(QString::fromStdString(text));
         enter();
-        if (text.empty() && isAskedTwice)
-            enter();
+        if (text.empty() && isAskedTwice) enter();
     }
 
     static bool isWithoutWords(const Response& response)
@@ -140,17 +136,14 @@ private:
     AnswerForm formOfAnswerTo(const protocols::QuestionId& question) const
     {
         for (const Correctable& one : window.session()->correctables())
-            if (one.question == question)
-                return one.form;
+            if (one.question == question) return one.form;
         throw noWay("there is no answer to " + question.value);
     }
     void give(const Response& response, const AnswerForm& form) const
     {
         for (const AnswerForm::Option& option : form.options)
-            if (option.response == response)
-                return hands.pressKey(option.letter.front().unicode());
-        if (!form.options.empty())
-            throw noWay(textOf(response) + " is not among the answers to choose from");
+            if (option.response == response) return hands.pressKey(option.letter.front().unicode());
+        if (!form.options.empty()) throw noWay(textOf(response) + " is not among the answers to choose from");
         const auto* rating = std::get_if<protocols::Tenths>(&response);
         hands.clear();
         hands.type(rating ? study::app::textOf(*rating) : QString::fromStdString(textOf(response)));
@@ -167,9 +160,6 @@ protocols::Error noWay(const std::string& what)
                                   .nextStep = "replay the script without --gui, and report this"});
 }
 
-void makeMovements(GuiHands& hands, MainWindow& window, const EventBody& event)
-{
-    std::visit(Movement{hands, window}, event);
-}
+void makeMovements(GuiHands& hands, MainWindow& window, const EventBody& event) { std::visit(Movement{hands, window}, event); }
 
 }  // namespace study::app

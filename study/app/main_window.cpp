@@ -1,19 +1,19 @@
 #include "study/app/main_window.h"
 
-#include "protocols/files/errors.h"
-#include "study/app/pages/data_page.h"
-#include "study/app/pages/new_study_page.h"
-#include "study/app/pieces/pieces.h"
-#include "study/app/state/recent_studies.h"
-#include "study/app/pages/session_page.h"
-#include "study/app/pages/start_page.h"
-#include "study/app/pages/study_page.h"
-
 #include <QCloseEvent>
 #include <QKeyEvent>
 #include <QShortcut>
 #include <QStackedWidget>
 #include <QVBoxLayout>
+
+#include "protocols/files/errors.h"
+#include "study/app/pages/data_page.h"
+#include "study/app/pages/new_study_page.h"
+#include "study/app/pages/session_page.h"
+#include "study/app/pages/start_page.h"
+#include "study/app/pages/study_page.h"
+#include "study/app/pieces/pieces.h"
+#include "study/app/state/recent_studies.h"
 
 namespace study::app {
 
@@ -44,11 +44,11 @@ MainWindow::MainWindow(const AppOptions& options, QWidget* parent)
       m_sessionPage(new SessionPage(this))
 {
     setObjectName("mainWindow");
-    if (!m_options.clock)
-        m_options.clock = std::make_shared<session::SystemClock>();
+    if (!m_options.clock) m_options.clock = std::make_shared<session::SystemClock>();
     m_pages->setObjectName("pages");
-    for (QWidget* page : {static_cast<QWidget*>(m_startPage), static_cast<QWidget*>(m_newStudyPage), static_cast<QWidget*>(m_dataPage),
-                          static_cast<QWidget*>(m_studyPage), static_cast<QWidget*>(m_sessionPage)})
+    for (QWidget* page :
+         {static_cast<QWidget*>(m_startPage), static_cast<QWidget*>(m_newStudyPage), static_cast<QWidget*>(m_dataPage),
+          static_cast<QWidget*>(m_studyPage), static_cast<QWidget*>(m_sessionPage)})
         m_pages->addWidget(page);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -63,9 +63,8 @@ MainWindow::~MainWindow() = default;
 
 void MainWindow::joinPages()
 {
-    connect(m_startPage, &StartPage::openAsked, this, [this](const QString& folder) {
-        tellingFaults(*m_startPage, [&] { openStudy(folder.toStdString()); });
-    });
+    connect(m_startPage, &StartPage::openAsked, this,
+            [this](const QString& folder) { tellingFaults(*m_startPage, [&] { openStudy(folder.toStdString()); }); });
     connect(m_startPage, &StartPage::newStudyAsked, this, [this] {
         m_pages->setCurrentWidget(m_newStudyPage);
         m_newStudyPage->focusFirst();
@@ -82,24 +81,19 @@ void MainWindow::joinPages()
     });
     connect(m_studyPage, &StudyPage::closeAsked, this, &MainWindow::closeStudy);
     connect(m_studyPage, &StudyPage::sessionAsked, this, [this](const QString& participant) {
-        if (const QString fault = m_study->protocolFault(); !fault.isEmpty())
-            return m_studyPage->tellFault(fault);
+        if (const QString fault = m_study->protocolFault(); !fault.isEmpty()) return m_studyPage->tellFault(fault);
         tellingFaults(*m_studyPage, [&] { startSession(protocols::ParticipantId(participant.toStdString())); });
     });
     connect(m_sessionPage, &SessionPage::correctionAsked, this,
             [this] { m_sessionPage->openCorrection(m_session->correctables()); });
     connect(m_sessionPage, &SessionPage::eventAsked, this, [this](const session::EventBody& event) {
-        if (m_session)
-            m_session->send(event);
+        if (m_session) m_session->send(event);
     });
     // Queued: the page that asks must not be rebuilt under its own feet.
     connect(m_sessionPage, &SessionPage::leaveAsked, this, &MainWindow::leaveSession, Qt::QueuedConnection);
 }
 
-QWidget* MainWindow::currentPage() const
-{
-    return m_pages->currentWidget();
-}
+QWidget* MainWindow::currentPage() const { return m_pages->currentWidget(); }
 
 void MainWindow::showStart()
 {
@@ -124,8 +118,7 @@ void MainWindow::showStudy()
 {
     setWindowTitle(tr("%1 – Vis2Hap").arg(m_study->name()));
     m_studyPage->present(m_study->overview(), m_options.kind);
-    if (const QString fault = m_study->protocolFault(); !fault.isEmpty())
-        m_studyPage->tellFault(fault);
+    if (const QString fault = m_study->protocolFault(); !fault.isEmpty()) m_studyPage->tellFault(fault);
     m_pages->setCurrentWidget(m_studyPage);
     m_studyPage->focusFirst();
 }
@@ -140,9 +133,9 @@ void MainWindow::closeStudy()
 void MainWindow::startSession(const protocols::ParticipantId& participant)
 {
     m_session.reset();
-    m_session = std::make_unique<SessionController>(m_study->store(), participant, m_study->bank(),
-                                                    m_options.openDisplay(m_options.display), m_options.clock, m_options.kind,
-                                                    nullptr);
+    m_session =
+        std::make_unique<SessionController>(m_study->store(), participant, m_study->bank(),
+                                            m_options.openDisplay(m_options.display), m_options.clock, m_options.kind, nullptr);
     m_leavingToldOnce = false;
     joinSession();
     m_sessionPage->begin(m_session->facts());
@@ -165,29 +158,25 @@ void MainWindow::refreshSession()
     const auto* touched = std::get_if<session::Touched>(&outcome->event);
     const bool isByDisplay = touched && touched->by == session::TouchSource::Display;
     const bool isAccepted = !outcome->refusal && !outcome->fault;
-    if (!isByDisplay && (isAccepted || m_sessionPage->shows().state != m_session->view().state))
-        m_sessionPage->settle();
+    if (!isByDisplay && (isAccepted || m_sessionPage->shows().state != m_session->view().state)) m_sessionPage->settle();
     m_sessionPage->present(m_session->view(), m_session->canCorrect());
 }
 
 bool MainWindow::pauseForLeaving()
 {
     const session::State& state = m_session->view().state;
-    const bool isOver = std::holds_alternative<session::Finished>(state.stage) ||
-                        std::holds_alternative<session::Withdrawn>(state.stage);
-    if (state.paused || isOver)
-        return true;
+    const bool isOver =
+        std::holds_alternative<session::Finished>(state.stage) || std::holds_alternative<session::Withdrawn>(state.stage);
+    if (state.paused || isOver) return true;
     m_session->send(session::Paused{});
-    if (!m_session->lastOutcome()->fault || m_leavingToldOnce)
-        return true;
+    if (!m_session->lastOutcome()->fault || m_leavingToldOnce) return true;
     m_leavingToldOnce = true;
     return false;
 }
 
 void MainWindow::leaveSession()
 {
-    if (!m_session || !pauseForLeaving())
-        return;
+    if (!m_session || !pauseForLeaving()) return;
     m_session.reset();
     showStudy();
 }

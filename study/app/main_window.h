@@ -2,14 +2,13 @@
 // looks. It decides nothing about a session; it joins pages to the controller.
 #pragma once
 
-#include "study/app/state/app_options.h"
+#include <QWidget>
+#include <memory>
+
 #include "study/app/pieces/looks.h"
+#include "study/app/state/app_options.h"
 #include "study/app/state/open_study.h"
 #include "study/app/state/session_controller.h"
-
-#include <QWidget>
-
-#include <memory>
 
 class QStackedWidget;
 

@@ -8,13 +8,13 @@
 #include <opencv2/core.hpp>
 
 #include "protocols/random.h"
-#include "study/bench/bench_composition.h"
-#include "study/bench/median_time.h"
 #include "rendering/signals/cosine_transform.h"
 #include "rendering/signals/photometric_stereo.h"
 #include "rendering/signals/shape_from_shading.h"
 #include "rendering/signals/spectrogram.h"
 #include "rendering/signals/surface_integration.h"
+#include "study/bench/bench_composition.h"
+#include "study/bench/median_time.h"
 
 namespace rendering {
 
@@ -81,7 +81,8 @@ void benchIntegration(std::vector<BenchRow>& rows, int height, int width)
     for (const auto quality : {IntegrationQuality::Full, IntegrationQuality::Fast}) {
         cv::Mat found;
         const double time = medianMilliseconds([&] {
-            found = signals::integrate(quality == IntegrationQuality::Full ? known.slopes : single, {pitchMm, pitchMm}, signals::SlopeKind::Point, quality);
+            found = signals::integrate(quality == IntegrationQuality::Full ? known.slopes : single, {pitchMm, pitchMm},
+                                       signals::SlopeKind::Point, quality);
         });
         rows.push_back({"integration " + std::to_string(height) + "x" + std::to_string(width),
                         quality == IntegrationQuality::Full ? "full" : "fast", time, percentOfSq(found, known.heightMm),
@@ -96,13 +97,15 @@ void benchTransforms(std::vector<BenchRow>& rows)
     knownWeave(480, 640).heightMm.convertTo(values, CV_32F);
     cv::Mat back;
     const double ours = medianMilliseconds([&] { back = signals::inverseCosineTransform(signals::cosineTransform(values)); });
-    rows.push_back({"cosine transforms 480x640", "ours", ours, cv::norm(back, values, cv::NORM_INF), "mm, largest", "pocketfft, 32 bits, there and back"});
+    rows.push_back({"cosine transforms 480x640", "ours", ours, cv::norm(back, values, cv::NORM_INF), "mm, largest",
+                    "pocketfft, 32 bits, there and back"});
     const double theirs = medianMilliseconds([&] {
         cv::Mat spectrum;
         cv::dct(values, spectrum);
         cv::idct(spectrum, back);
     });
-    rows.push_back({"cosine transforms 480x640", "OpenCV", theirs, cv::norm(back, values, cv::NORM_INF), "mm, largest", "cv::dct and cv::idct on the same image"});
+    rows.push_back({"cosine transforms 480x640", "OpenCV", theirs, cv::norm(back, values, cv::NORM_INF), "mm, largest",
+                    "cv::dct and cv::idct on the same image"});
 }
 
 /// Three lamps 120 degrees apart, the colour change exact but for the rounding to 8 bits.
@@ -125,13 +128,15 @@ signals::Calibration threeLamps(cv::Matx<float, 3, 2>& colourFromSlope)
 }
 
 /// A map of another kind that says the same: fitted to the frame's light and its true slopes.
-signals::SlopeMap fittedMap(const KnownSurface& known, const cv::Mat& frame, const cv::Mat& reference, signals::MapQuality quality)
+signals::SlopeMap fittedMap(const KnownSurface& known, const cv::Mat& frame, const cv::Mat& reference,
+                            signals::MapQuality quality)
 {
     signals::Slopes slopes;
     known.slopes.x.convertTo(slopes.x, CV_32F);
     known.slopes.y.convertTo(slopes.y, CV_32F);
     signals::SlopeSamples samples;
-    samples.add(signals::lightOf(frame, reference, signals::LightMeasure::AgainstReference), slopes, cv::Mat(frame.size(), CV_8UC1, cv::Scalar(255)), 4);
+    samples.add(signals::lightOf(frame, reference, signals::LightMeasure::AgainstReference), slopes,
+                cv::Mat(frame.size(), CV_8UC1, cv::Scalar(255)), 4);
     signals::FitOptions options;
     options.quality = quality;
     options.degree = 4;  // as presses of a ball are fitted
@@ -155,7 +160,8 @@ void benchPhotometricStereo(std::vector<BenchRow>& rows)
         signals::settled(known.heightMm, {pitchMm, pitchMm}, calibration.highPassCutoffMm, calibration.zeroPercentile);
     const auto add = [&](const char* quality, IntegrationQuality integration, const char* note) {
         cv::Mat found;
-        const double time = medianMilliseconds([&] { found = signals::heightFromFrame(frame, reference, calibration, integration); });
+        const double time =
+            medianMilliseconds([&] { found = signals::heightFromFrame(frame, reference, calibration, integration); });
         rows.push_back({"photometric stereo 240x320", quality, time, percentOfSq(found, truth), "% of Sq",
                         std::string("8-bit frame of a weave to height, high-passed at 3 mm; ") + note});
     };
@@ -193,7 +199,8 @@ void benchShapeFromShading(std::vector<BenchRow>& rows)
     options.method = signals::ShadingMethod::GaussianBumps;
     cv::Mat found;
     const double time = medianMilliseconds([&] { found = signals::shapeFromShading(photograph, options); });
-    rows.push_back({"shape from shading 512x512", "bumps", time, 1 - std::abs(correlation(found, truth)), "1 - |r|", "Gaussian bumps, the paper's reference"});
+    rows.push_back({"shape from shading 512x512", "bumps", time, 1 - std::abs(correlation(found, truth)), "1 - |r|",
+                    "Gaussian bumps, the paper's reference"});
 }
 
 std::vector<double> knownTrace()

@@ -10,10 +10,10 @@
 #include <opencv2/imgproc.hpp>
 
 #include "protocols/random.h"
-#include "rendering/fabrics/recordings/even_steps.h"
 #include "rendering/composition/friction_image.h"
-#include "study/bench/median_time.h"
+#include "rendering/fabrics/recordings/even_steps.h"
 #include "rendering/signals/spectrogram.h"
+#include "study/bench/median_time.h"
 
 namespace rendering {
 

@@ -1,23 +1,22 @@
 #include "study/bench/bench_recordings.h"
 
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+#include <regex>
+
 #include "protocols/random.h"
-#include "study/looking/calibration_report.h"
 #include "rendering/images/image_io.h"
-#include "study/bench/median_time.h"
+#include "rendering/images/true_map.h"
 #include "rendering/signals/ball_presses.h"
 #include "rendering/signals/photometric_stereo.h"
 #include "rendering/signals/roughness.h"
 #include "rendering/signals/shape_from_shading.h"
 #include "rendering/signals/surface_calibration.h"
-#include "rendering/images/true_map.h"
-
-#include <opencv2/core.hpp>
-#include <opencv2/imgproc.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-#include <regex>
+#include "study/bench/median_time.h"
+#include "study/looking/calibration_report.h"
 
 namespace rendering {
 
@@ -130,14 +129,17 @@ void addIntegration(std::vector<BenchRow>& rows, const fs::path& file)
     const std::string stage = "integrate " + file.stem().string();
     cv::Mat height;
     const double time = millisecondsOf([&] { height = integrated(map.slopes, map.pitch, signals::SlopeKind::Central); });
-    const std::string size = text("%d x %d, central differences said to be such; at least 1, aim 0.1", map.heightMm.cols, map.heightMm.rows);
+    const std::string size =
+        text("%d x %d, central differences said to be such; at least 1, aim 0.1", map.heightMm.cols, map.heightMm.rows);
     rows.push_back({stage, "full", time, 100 * rms(height, map.heightMm) / sqOf(map.heightMm), "% of Sq", size});
     protocols::Random random(1);
     const signals::Slopes rough{noisy(map.slopes.x, 0.02, random), noisy(map.slopes.y, 0.02, random)};
     height = integrated(rough, map.pitch, signals::SlopeKind::Central);
-    rows.push_back({stage, "2 % noise", time, 100 * rms(height, map.heightMm) / sqOf(map.heightMm), "% of Sq", "noise of 2 % of the slopes' RMS on each"});
+    rows.push_back({stage, "2 % noise", time, 100 * rms(height, map.heightMm) / sqOf(map.heightMm), "% of Sq",
+                    "noise of 2 % of the slopes' RMS on each"});
     height = integrated(map.slopes, map.pitch, signals::SlopeKind::Point);
-    rows.push_back({stage, "as point", time, 100 * rms(height, map.heightMm) / sqOf(map.heightMm), "% of Sq", "the same taken for point slopes: what a wrong kind costs"});
+    rows.push_back({stage, "as point", time, 100 * rms(height, map.heightMm) / sqOf(map.heightMm), "% of Sq",
+                    "the same taken for point slopes: what a wrong kind costs"});
 }
 
 void addMaps(RecordingsBench& bench, const fs::path& folder)
@@ -178,8 +180,10 @@ void addShading(std::vector<BenchRow>& rows, const fs::path& file, const cv::Mat
         cv::Mat relief;
         const double time = millisecondsOf([&] { relief = signals::shapeFromShading(photograph, options); });
         const double r = correlation(inBand(relief), inBand(heightMm));
-        rows.push_back({"shading " + file.stem().string(), method == signals::ShadingMethod::Linear ? "linear" : "bumps", time, std::abs(r), "|r| with the height",
-                        text("between Gaussians of 1.5 and 40 px; light estimated at %.0f deg; at least 0.6, aim 0.75 (linear)", light.azimuthDeg)});
+        rows.push_back({"shading " + file.stem().string(), method == signals::ShadingMethod::Linear ? "linear" : "bumps", time,
+                        std::abs(r), "|r| with the height",
+                        text("between Gaussians of 1.5 and 40 px; light estimated at %.0f deg; at least 0.6, aim 0.75 (linear)",
+                             light.azimuthDeg)});
     }
 }
 
@@ -196,7 +200,8 @@ void addGroove(RecordingsBench& bench, const fs::path& folder, const Decode& dec
     for (const auto kind : {signals::SlopeKind::Central, signals::SlopeKind::Point}) {
         cv::Mat height;
         const double time = millisecondsOf([&] { height = signals::integrate(differences.slopes, differences.pitch, kind); });
-        bench.rows.push_back({"integrate groove", kind == signals::SlopeKind::Central ? "central" : "point", time, 1000 * rms(height, differences.heightMm), "um RMSE",
+        bench.rows.push_back({"integrate groove", kind == signals::SlopeKind::Central ? "central" : "point", time,
+                              1000 * rms(height, differences.heightMm), "um RMSE",
                               "differences of the vendor's map; at least 0.3"});
     }
     if (photographs.size() < 3) {
@@ -207,9 +212,13 @@ void addGroove(RecordingsBench& bench, const fs::path& folder, const Decode& dec
     const int half = map.heightMm.rows / 2;
     for (const auto quality : {signals::MapQuality::Fast, signals::MapQuality::Balanced, signals::MapQuality::Accurate}) {
         signals::SurfaceScore score;
-        const double time = millisecondsOf([&] { score = signals::scoreOf(signals::calibrationFrom(surface, 0, half, quality), surface, half, map.heightMm.rows); });
+        const double time = millisecondsOf([&] {
+            score = signals::scoreOf(signals::calibrationFrom(surface, 0, half, quality), surface, half, map.heightMm.rows);
+        });
         bench.rows.push_back({"groove from photographs", nameOf(quality), time, 1000 * score.heightErrorMm, "um RMSE",
-                              text("learned on the top half, read on the bottom half, less a quadratic; slopes %.4f off; at least 12.5, aim 8 (balanced)", score.slopeError)});
+                              text("learned on the top half, read on the bottom half, less a quadratic; slopes %.4f off; at "
+                                   "least 12.5, aim 8 (balanced)",
+                                   score.slopeError)});
     }
     for (const auto& photograph : photographs) addShading(bench.rows, photograph, map.heightMm, decodeOther);
 }
@@ -226,18 +235,23 @@ void addPresses(RecordingsBench& bench, const fs::path& folder, const Decode& de
     for (const auto quality : {signals::MapQuality::Fast, signals::MapQuality::Balanced, signals::MapQuality::Accurate}) {
         const auto trade = tradeOf(presses, located, quality);
         const auto& score = trade.score;
-        const std::string note = text("%zu presses, cross-validated; contact found at %.1f px; fitted in %.2f s", presses.presses.size(), located.contactPx, trade.fitSeconds);
-        bench.rows.push_back({"ball presses, normals", nameOf(quality), trade.millisecondsAFrame, score.normalErrorDeg, "deg, median", note + "; at least 7, aim 6 (balanced)"});
-        bench.rows.push_back({"ball presses, depth", nameOf(quality), trade.millisecondsAFrame, score.depthErrorMm, "mm in contact", "at least 0.095, aim 0.07 (balanced)"});
+        const std::string note = text("%zu presses, cross-validated; contact found at %.1f px; fitted in %.2f s",
+                                      presses.presses.size(), located.contactPx, trade.fitSeconds);
+        bench.rows.push_back({"ball presses, normals", nameOf(quality), trade.millisecondsAFrame, score.normalErrorDeg,
+                              "deg, median", note + "; at least 7, aim 6 (balanced)"});
+        bench.rows.push_back({"ball presses, depth", nameOf(quality), trade.millisecondsAFrame, score.depthErrorMm,
+                              "mm in contact", "at least 0.095, aim 0.07 (balanced)"});
         bench.rows.push_back({"ball presses, peak", nameOf(quality), trade.millisecondsAFrame, score.peakMm, "mm (1.0 pressed)",
-                              text("%.2f to %.2f; with the gel's bridge around contact %.2f; 1.0 +- 0.2, aim 0.15", score.lowestPeakMm, score.highestPeakMm, score.peakOverGelMm)});
+                              text("%.2f to %.2f; with the gel's bridge around contact %.2f; 1.0 +- 0.2, aim 0.15",
+                                   score.lowestPeakMm, score.highestPeakMm, score.peakOverGelMm)});
     }
 }
 
 void addGrain(RecordingsBench& bench, const fs::path& folder, const Decode& decodeOther)
 {
     const auto files = filesIn(folder / "gelsight_wear_surfaces", "S\\d+.*normalmap");
-    if (files.empty()) bench.skipped.push_back((folder / "gelsight_wear_surfaces").string() + ": no normal map of abrasive paper");
+    if (files.empty())
+        bench.skipped.push_back((folder / "gelsight_wear_surfaces").string() + ": no normal map of abrasive paper");
     std::vector<std::pair<int, double>> byGrit;
     for (const auto& file : files) {
         std::smatch grit;
@@ -247,15 +261,20 @@ void addGrain(RecordingsBench& bench, const fs::path& folder, const Decode& deco
         cv::Mat height;
         const double time = millisecondsOf([&] { height = signals::integrateAround(slopes, {}, {}); });
         const cv::Size part(std::min(grainPartPx, height.cols), std::min(grainPartPx, height.rows));
-        const cv::Mat middle = height(cv::Rect((height.cols - part.width) / 2, (height.rows - part.height) / 2, part.width, part.height));
+        const cv::Mat middle =
+            height(cv::Rect((height.cols - part.width) / 2, (height.rows - part.height) / 2, part.width, part.height));
         const double length = signals::autocorrelationLengthMm(signals::withoutLowFrequency(middle, {}, grainCutoffPx), {});
         byGrit.emplace_back(std::stoi(grit[1]), length);
-        bench.rows.push_back({"grain " + name.substr(0, 24), "full", time, length, "px to 0.2", text("autocorrelation length; %d x %d, waves over %.0f px out", height.cols, height.rows, grainCutoffPx)});
+        bench.rows.push_back(
+            {"grain " + name.substr(0, 24), "full", time, length, "px to 0.2",
+             text("autocorrelation length; %d x %d, waves over %.0f px out", height.cols, height.rows, grainCutoffPx)});
     }
     std::sort(byGrit.begin(), byGrit.end());
-    const bool inOrder = std::is_sorted(byGrit.begin(), byGrit.end(), [](const auto& a, const auto& b) { return a.second >= b.second; });
+    const bool inOrder =
+        std::is_sorted(byGrit.begin(), byGrit.end(), [](const auto& a, const auto& b) { return a.second >= b.second; });
     if (byGrit.size() > 1)
-        bench.rows.push_back({"grain order", "full", 0, inOrder ? 0.0 : 1.0, "out of order", inOrder ? "the coarser the paper, the longer" : "the lengths do not fall with the grit"});
+        bench.rows.push_back({"grain order", "full", 0, inOrder ? 0.0 : 1.0, "out of order",
+                              inOrder ? "the coarser the paper, the longer" : "the lengths do not fall with the grit"});
 }
 
 }  // namespace

@@ -1,9 +1,17 @@
 #include "study/bench/bench_session.h"
 
+#include <unistd.h>
+
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QTemporaryDir>
+#include <algorithm>
+#include <fstream>
+
 #include "database/keys.h"
 #include "protocols/counterbalancing.h"
-#include "protocols/protocol_json.h"
 #include "protocols/files/sha256.h"
+#include "protocols/protocol_json.h"
 #include "rendering/composition/friction_image.h"
 #include "rendering/display/stimulus_bank.h"
 #include "study/app/gui_hands.h"
@@ -11,15 +19,6 @@
 #include "study/commands/json_output.h"
 #include "study/session/driver.h"
 #include "study/session/preparation.h"
-
-#include <QApplication>
-#include <QElapsedTimer>
-#include <QTemporaryDir>
-
-#include <unistd.h>
-
-#include <algorithm>
-#include <fstream>
 
 namespace study::commands {
 
@@ -37,8 +36,7 @@ database::StudyFolder makeStudy(const std::filesystem::path& path, const std::st
     writeFile(folder.protocol(), protocolJson);
     const auto protocol = protocols::protocolFromJson(protocolJson, "bench");
     database::StudyFacts facts;
-    for (int fabric = 1; fabric <= protocol.fabricCount; ++fabric)
-        facts.fabrics.emplace_back("F" + std::to_string(100 + fabric));
+    for (int fabric = 1; fabric <= protocol.fabricCount; ++fabric) facts.fabrics.emplace_back("F" + std::to_string(100 + fabric));
     const auto allocation = allocate(protocol, draw(protocol), facts.fabrics, 2);
     std::map<protocols::FileCode, std::string> hashes;
     for (const auto& [code, entry] : allocation.key.entries)
@@ -87,27 +85,25 @@ std::string longProtocol(int phases)
 
 Response someResponse(const View& view)
 {
-    if (view.scale)
-        return protocols::Tenths{(view.presentation * 7) % 101};
+    if (view.scale) return protocols::Tenths{(view.presentation * 7) % 101};
     return view.trayIds[static_cast<std::size_t>(view.presentation) % view.trayIds.size()];
 }
 
 /// What is done next in this state; empty at the end.
 std::optional<EventBody> nextEvent(const View& view, const Plan& plan)
 {
-    if (const auto preparation = nextOfPreparation(plan.protocol, view.state.stage))
-        return preparation;
-    if (std::holds_alternative<PlacingTray>(view.state.stage))
-        return TrayReady{};
-    if (std::holds_alternative<Presenting>(view.state.stage))
-        return Answered{someResponse(view)};
+    if (const auto preparation = nextOfPreparation(plan.protocol, view.state.stage)) return preparation;
+    if (std::holds_alternative<PlacingTray>(view.state.stage)) return TrayReady{};
+    if (std::holds_alternative<Presenting>(view.state.stage)) return Answered{someResponse(view)};
     return std::nullopt;
 }
 
 double percentile(std::vector<double> values, double share)
 {
     std::sort(values.begin(), values.end());
-    return values.empty() ? 0 : values[std::min(values.size() - 1, static_cast<std::size_t>(share * static_cast<double>(values.size())))];
+    return values.empty()
+               ? 0
+               : values[std::min(values.size() - 1, static_cast<std::size_t>(share * static_cast<double>(values.size())))];
 }
 
 double megabytesInUse()
@@ -125,7 +121,8 @@ ordered_json row(const std::string& what, const std::string& quality, double ms,
 
 struct Session {
     Session(const database::StudyFolder& folder, const std::string& participant)
-        : store(folder, database::StudyStore::Access::Write), bank(folder.stimuli(), store.stimulusHashes()),
+        : store(folder, database::StudyStore::Access::Write),
+          bank(folder.stimuli(), store.stimulusHashes()),
           display(rendering::openDisplay("none")),
           driver(store, protocols::ParticipantId(participant), database::ParticipantKind::Scripted, bank, *display, clock)
     {
@@ -145,13 +142,11 @@ std::vector<double> playThroughEngine(Session& session, int trials)
     while (static_cast<int>(session.driver.state().paceNs.size()) < trials) {
         const View view = session.driver.view();
         const auto event = nextEvent(view, session.driver.plan());
-        if (!event)
-            break;
+        if (!event) break;
         session.clock.advanceSeconds(3);
         timer.start();
         session.driver.send(*event);
-        if (std::holds_alternative<Answered>(*event))
-            ms.push_back(static_cast<double>(timer.nsecsElapsed()) / 1e6);
+        if (std::holds_alternative<Answered>(*event)) ms.push_back(static_cast<double>(timer.nsecsElapsed()) / 1e6);
     }
     return ms;
 }
@@ -204,7 +199,8 @@ ordered_json sessionRows()
                                  cv::Mat(rendering::displayHeightPx, rendering::displayWidthPx, CV_8UC1, cv::Scalar(128)));
     const WindowTimes window = playThroughWindow(paper);
     rows.push_back(row("window with a study", "", window.untilShownMs, 0, "-", "from its making to its first picture"));
-    rows.push_back(row("answer typed, stored, next drawn", "median", percentile(window.keyToDrawnMs, 0.5), 0, "-", "keys, sync and painting"));
+    rows.push_back(row("answer typed, stored, next drawn", "median", percentile(window.keyToDrawnMs, 0.5), 0, "-",
+                       "keys, sync and painting"));
     rows.push_back(row("answer typed, stored, next drawn", "99th", percentile(window.keyToDrawnMs, 0.99), 0, "-", ""));
     rows.push_back(row("252 answers through the window", "", window.sessionMs, 0, "-", ""));
 

@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "reports/report.h"
-#include "study/bench/median_time.h"
-#include "stats/tests/bootstrap.h"
 #include "stats/metrics/image_metrics.h"
+#include "stats/tests/bootstrap.h"
 #include "stats/tests/sign_flip.h"
 #include "stats/tests/t_tests.h"
+#include "study/bench/median_time.h"
 #include "study/bench/peer_programs.h"
 
 namespace study::commands {
@@ -155,7 +155,14 @@ Stage reportStage()
     const auto data = wholeStudy();
     std::size_t size = 0;
     const double time = medianMilliseconds(5, [&] { size = reports::results(data).size() + reports::statistics(data).size(); });
-    return {"the whole default report", "report", "", time, 0, "-", "all tests and models of " + std::to_string(data.responses.size()) + " answers in " + std::to_string(size) + " parts; goal 100 ms"};
+    return {"the whole default report",
+            "report",
+            "",
+            time,
+            0,
+            "-",
+            "all tests and models of " + std::to_string(data.responses.size()) + " answers in " + std::to_string(size) +
+                " parts; goal 100 ms"};
 }
 
 ordered_json rowOf(const Stage& stage)

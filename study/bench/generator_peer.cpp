@@ -1,10 +1,5 @@
 #include "study/bench/generator_peer.h"
 
-#include "protocols/files/errors.h"
-#include "rendering/models/child_process.h"
-#include "rendering/models/temporary_folder.h"
-#include "rendering/models/second_program.h"
-
 #include <fcntl.h>
 #include <signal.h>
 #include <spawn.h>
@@ -13,10 +8,15 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cerrno>
+#include <charconv>
 #include <filesystem>
 #include <sstream>
+
+#include "protocols/files/errors.h"
+#include "rendering/models/child_process.h"
+#include "rendering/models/second_program.h"
+#include "rendering/models/temporary_folder.h"
 
 extern char** environ;
 
@@ -65,21 +65,15 @@ Partner::Partner(std::vector<std::string> command, const std::string& libraries)
     posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
     // As our program sets itself up; threads that wait by spinning would slow the other partner.
     std::vector<std::string> surroundings;
-    for (const auto& [name, value] : rendering::models::missingThreadSettings())
-        surroundings.push_back(name + "=" + value);
-    if (!libraries.empty())
-        surroundings.push_back("LD_LIBRARY_PATH=" + libraries);
+    for (const auto& [name, value] : rendering::models::missingThreadSettings()) surroundings.push_back(name + "=" + value);
+    if (!libraries.empty()) surroundings.push_back("LD_LIBRARY_PATH=" + libraries);
     std::vector<char*> variables, words;
-    for (std::string& text : surroundings)
-        variables.push_back(text.data());
-    for (char** variable = environ; *variable != nullptr; ++variable)
-        variables.push_back(*variable);
+    for (std::string& text : surroundings) variables.push_back(text.data());
+    for (char** variable = environ; *variable != nullptr; ++variable) variables.push_back(*variable);
     variables.push_back(nullptr);
-    for (std::string& word : command)
-        words.push_back(word.data());
+    for (std::string& word : command) words.push_back(word.data());
     words.push_back(nullptr);
-    if (posix_spawnp(&m_child, words.front(), &actions, nullptr, words.data(), variables.data()) != 0)
-        m_child = 0;
+    if (posix_spawnp(&m_child, words.front(), &actions, nullptr, words.data(), variables.data()) != 0) m_child = 0;
     posix_spawn_file_actions_destroy(&actions);
     close(to[0]);
     close(from[1]);
@@ -99,8 +93,7 @@ Partner::~Partner()
 std::string Partner::line()
 {
     std::string text;
-    for (int letter = 0; (letter = fgetc(m_from)) != EOF && letter != '\n';)
-        text += static_cast<char>(letter);
+    for (int letter = 0; (letter = fgetc(m_from)) != EOF && letter != '\n';) text += static_cast<char>(letter);
     return text;
 }
 
@@ -126,8 +119,7 @@ void timeInTurns(Partner& ours, Partner& theirs, const std::string& order, int p
     for (int pair = -1; pair < pairs; ++pair) {
         const bool oursBegins = pair % 2 == 0;
         const double early = (oursBegins ? ours : theirs).asked(order), late = (oursBegins ? theirs : ours).asked(order);
-        if (pair < 0)
-            continue;
+        if (pair < 0) continue;
         first.push_back(oursBegins ? early : late);
         second.push_back(oursBegins ? late : early);
         ratios.push_back(first.back() / second.back());
@@ -147,8 +139,7 @@ std::vector<std::string> wordsOf(const std::string& line)
 {
     std::istringstream stream(line);
     std::vector<std::string> words;
-    for (std::string word; stream >> word;)
-        words.push_back(word);
+    for (std::string word; stream >> word;) words.push_back(word);
     return words;
 }
 
@@ -200,7 +191,8 @@ std::vector<PeerComparison> compareGeneratorPeers(int pairs)
     Partner ours({secondProgram(), "peer-steps", folder.path().string()}, "");
     std::vector<std::string> ready = wordsOf(ours.line());
     if (ready.size() != 6 || ready[0] != "ready")
-        throw protocols::environmentFault({"the neural-network part cannot be started", secondProgram(), "vis2hap-nn and libtorch",
+        throw protocols::environmentFault({"the neural-network part cannot be started", secondProgram(),
+                                           "vis2hap-nn and libtorch",
                                            "install libtorch (apt-get install libtorch-dev) or run ./run again"});
     ready.erase(ready.begin());
     return {withPython(ours, ready, folder.path(), pairs), withReferenceBlas(ours, pairs)};

@@ -9,8 +9,8 @@
 namespace study::commands {
 
 struct PeerComparison {
-    std::string peer;      ///< "python torch 1.13.0", "ours on the reference BLAS"
-    std::string whyNot;    ///< where it could not be compared; the numbers are empty then
+    std::string peer;                                              ///< "python torch 1.13.0", "ours on the reference BLAS"
+    std::string whyNot;                                            ///< where it could not be compared; the numbers are empty then
     std::optional<double> oursTrainMs, theirsTrainMs, trainRatio;  ///< medians; ours over theirs, median of the pairs
     std::optional<double> oursInferMs, theirsInferMs, inferRatio;
     std::optional<double> answersApart;  ///< largest difference of any answer to the same batch with the same parameters

@@ -14,8 +14,8 @@ using PeerTimes = std::map<std::string, std::map<std::string, std::optional<doub
 /// Stages: "paired t", "bca", "ssim", "ssim float". Half a minute at most.
 PeerTimes peerTimes();
 
-/// scipy alone: "cosine transforms 480x640" (float, there and back) and "integration 480x640" (its transforms, numpy's differences, in single
-/// precision). A few seconds.
+/// scipy alone: "cosine transforms 480x640" (float, there and back) and "integration 480x640" (its transforms, numpy's
+/// differences, in single precision). A few seconds.
 PeerTimes signalPeerTimes();
 
 }  // namespace study::commands

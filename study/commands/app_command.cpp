@@ -1,4 +1,7 @@
 // vis2hap [STUDY]: the app; vis2hap --monitor STUDY: the live monitor.
+#include <CLI/CLI.hpp>
+#include <memory>
+
 #include "protocols/files/errors.h"
 #include "reports/cells.h"
 #include "reports/quality.h"
@@ -7,10 +10,6 @@
 #include "study/commands/look_at_data.h"
 #include "study/making/new_study.h"
 #include "study/records/stored_study.h"
-
-#include <CLI/CLI.hpp>
-
-#include <memory>
 
 namespace study::commands {
 
@@ -59,8 +58,7 @@ std::vector<app::MonitorFlag> flagsOf(const database::StudyStore& store)
 app::AppOptions optionsOf(const Call& call)
 {
     app::AppOptions options;
-    if (!call.study.empty())
-        options.study = call.study;
+    if (!call.study.empty()) options.study = call.study;
     options.display = call.display;
     options.makeStudy = makeForApp;
     options.settings = app::userSettings();
@@ -74,8 +72,8 @@ int runWindow(const Call& call)
     if (call.monitor && call.study.empty())
         throw protocols::badInput({"no study to monitor", "", "vis2hap --monitor STUDY", "name the study's folder"});
     if (!call.study.empty() && !std::filesystem::exists(call.study))
-        throw protocols::badInput({"neither a command nor a study folder", call.study, "a study, or one of the commands",
-                                   "see `vis2hap --help`"});
+        throw protocols::badInput(
+            {"neither a command nor a study folder", call.study, "a study, or one of the commands", "see `vis2hap --help`"});
     return call.monitor ? app::runMonitor(optionsOf(call)) : app::runApp(optionsOf(call));
 }
 
@@ -93,8 +91,7 @@ void addApp(CLI::App& app, Action& action)
     app.add_flag("--monitor", call->monitor,
                  "watch this study instead: who is where, what is missing, flags; reads only, blinded");
     app.callback([&app, call, &action] {
-        if (!app.get_subcommands().empty())
-            return;
+        if (!app.get_subcommands().empty()) return;
         action.surroundings = Surroundings::Window;
         action.work = [call] { return runWindow(*call); };
     });

@@ -1,21 +1,20 @@
 // vis2hap calibrate PRESSES --ball-radius MM --mm-per-pixel X --out FILE, or FRAME... --surface HEIGHT --out FILE
-#include "protocols/files/errors.h"
-#include "study/looking/calibration_report.h"
-#include "rendering/images/image_io.h"
-#include "rendering/signals/press_folder.h"
-#include "rendering/signals/surface_calibration.h"
-#include "rendering/images/true_map.h"
-#include "study/commands/command_line.h"
-#include "study/commands/json_output.h"
-#include "study/commands/number_checks.h"
-#include "study/looking/picture_decoder.h"
-
 #include <CLI/CLI.hpp>
-#include <opencv2/core.hpp>
-
 #include <cstdio>
 #include <memory>
 #include <numeric>
+#include <opencv2/core.hpp>
+
+#include "protocols/files/errors.h"
+#include "rendering/images/image_io.h"
+#include "rendering/images/true_map.h"
+#include "rendering/signals/press_folder.h"
+#include "rendering/signals/surface_calibration.h"
+#include "study/commands/command_line.h"
+#include "study/commands/json_output.h"
+#include "study/commands/number_checks.h"
+#include "study/looking/calibration_report.h"
+#include "study/looking/picture_decoder.h"
 
 namespace study::commands {
 
@@ -25,7 +24,8 @@ namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 using rendering::signals::MapQuality;
 
-const std::map<std::string, MapQuality> qualities{{"fast", MapQuality::Fast}, {"balanced", MapQuality::Balanced}, {"accurate", MapQuality::Accurate}};
+const std::map<std::string, MapQuality> qualities{
+    {"fast", MapQuality::Fast}, {"balanced", MapQuality::Balanced}, {"accurate", MapQuality::Accurate}};
 
 struct CalibrateCall {
     std::vector<std::string> from;
@@ -50,16 +50,19 @@ void writePictures(const CalibrateCall& call, const cv::Mat& reference, const cv
 
 void printScore(const char* of, const rendering::signals::CalibrationScore& score)
 {
-    std::printf("%-28s normals %.2f deg off (median), depth %.4f mm off in contact, peak %.2f mm (%.2f to %.2f) where the circles say %.2f\n", of,
-                score.normalErrorDeg, score.depthErrorMm, score.peakMm, score.lowestPeakMm, score.highestPeakMm, score.ballPeakMm);
+    std::printf(
+        "%-28s normals %.2f deg off (median), depth %.4f mm off in contact, peak %.2f mm (%.2f to %.2f) where the circles say "
+        "%.2f\n",
+        of, score.normalErrorDeg, score.depthErrorMm, score.peakMm, score.lowestPeakMm, score.highestPeakMm, score.ballPeakMm);
 }
 
 void printTrade(const std::vector<rendering::QualityTrade>& trades, MapQuality chosen)
 {
     std::printf("\n%-10s %12s %14s %10s %14s %8s\n", "quality", "normals deg", "depth off mm", "peak mm", "ms a frame", "fit s");
     for (const auto& trade : trades)
-        std::printf("%-10s %12.2f %14.4f %10.3f %14.2f %8.2f%s\n", rendering::nameOf(trade.quality).c_str(), trade.score.normalErrorDeg,
-                    trade.score.depthErrorMm, trade.score.peakMm, trade.millisecondsAFrame, trade.fitSeconds, trade.quality == chosen ? "  <- saved" : "");
+        std::printf("%-10s %12.2f %14.4f %10.3f %14.2f %8.2f%s\n", rendering::nameOf(trade.quality).c_str(),
+                    trade.score.normalErrorDeg, trade.score.depthErrorMm, trade.score.peakMm, trade.millisecondsAFrame,
+                    trade.fitSeconds, trade.quality == chosen ? "  <- saved" : "");
 }
 
 ordered_json tradeJson(const std::vector<rendering::QualityTrade>& trades)
@@ -120,10 +123,11 @@ int calibrateOnBalls(const CalibrateCall& call)
                 located.contactPx * call.mmPerPixel);
     printScore("cross-validated:", validated);
     if (tested) printScore((call.test + ":").c_str(), *tested);
-    std::printf("%-28s the gel around the ball bridges to its rest surface: with it the peak would be %.2f mm\n", "", validated.peakOverGelMm);
+    std::printf("%-28s the gel around the ball bridges to its rest surface: with it the peak would be %.2f mm\n", "",
+                validated.peakOverGelMm);
     printTrade(trades, quality);
-    std::printf("\nwrote %s, %s, %s and %s\n", call.out.c_str(), besideOut(call, "-background.png").c_str(), besideOut(call, "-presses.png").c_str(),
-                besideOut(call, "-quality.json").c_str());
+    std::printf("\nwrote %s, %s, %s and %s\n", call.out.c_str(), besideOut(call, "-background.png").c_str(),
+                besideOut(call, "-presses.png").c_str(), besideOut(call, "-quality.json").c_str());
     return 0;
 }
 
@@ -160,10 +164,13 @@ int calibrateOnSurface(const CalibrateCall& call)
     const auto put = [&](const char* name, int from, int to) {
         if (from >= to) return;
         const auto score = signals::scoreOf(calibration, surface, from, to);
-        report[name] = {{"rows", {from, to}}, {"slope_error", score.slopeError}, {"height_error_mm", score.heightErrorMm}, {"surface_sq_mm", score.knownSqMm}};
+        report[name] = {{"rows", {from, to}},
+                        {"slope_error", score.slopeError},
+                        {"height_error_mm", score.heightErrorMm},
+                        {"surface_sq_mm", score.knownSqMm}};
         if (!call.json)
-            std::printf("%-12s rows %d to %d: slopes %.4f off, height %.2f um off (RMS, less a quadratic) of Sq %.1f um\n", name, from, to, score.slopeError,
-                        1000 * score.heightErrorMm, 1000 * score.knownSqMm);
+            std::printf("%-12s rows %d to %d: slopes %.4f off, height %.2f um off (RMS, less a quadratic) of Sq %.1f um\n", name,
+                        from, to, score.slopeError, 1000 * score.heightErrorMm, 1000 * score.knownSqMm);
     };
     put("learned", first, last);
     put("above", 0, first);
@@ -180,7 +187,9 @@ int calibrate(const CalibrateCall& call)
     std::error_code failed;
     const fs::path folder = fs::absolute(call.out).parent_path();
     fs::create_directories(folder, failed);
-    if (failed) throw protocols::environmentFault({"the folder cannot be made (" + failed.message() + ")", folder.string(), "a place that can be written to", ""});
+    if (failed)
+        throw protocols::environmentFault(
+            {"the folder cannot be made (" + failed.message() + ")", folder.string(), "a place that can be written to", ""});
     if (!call.surface.empty()) return calibrateOnSurface(call);
     if (call.from.size() != 1)
         throw protocols::badInput({std::to_string(call.from.size()) + " places of presses are named", call.from[1], "one folder",
@@ -192,21 +201,32 @@ int calibrate(const CalibrateCall& call)
 
 void addCalibrate(CLI::App& app, Action& action)
 {
-    auto* command = app.add_subcommand("calibrate", "ball presses of a GelSight sensor, or a known surface -> calibration and its quality");
+    auto* command =
+        app.add_subcommand("calibrate", "ball presses of a GelSight sensor, or a known surface -> calibration and its quality");
     auto call = std::make_shared<CalibrateCall>();
-    command->add_option("PRESSES", call->from, "a folder with background.png and one picture a press; with --surface the frames")->required();
+    command->add_option("PRESSES", call->from, "a folder with background.png and one picture a press; with --surface the frames")
+        ->required();
     auto* ball = command->add_option("--ball-radius", call->ballRadiusMm, "mm")->check(aboveZero());
     auto* pitch = command->add_option("--mm-per-pixel", call->mmPerPixel, "mm")->check(aboveZero());
     command->add_option("--out", call->out, "the calibration to write; its report and pictures come beside it")->required();
     command->add_option("--test", call->test, "further presses, only read: how good is it on these")->needs(ball);
     command->add_option("--quality", call->quality, "fast (linear), balanced (polynomial) or accurate (network)")
         ->check(CLI::IsMember({"fast", "balanced", "accurate"}));
-    command->add_option("--cutoff", call->cutoffMm, "mm; slower surfaces are taken out of frames of full contact (balls: a quarter of the frame)")
+    command
+        ->add_option("--cutoff", call->cutoffMm,
+                     "mm; slower surfaces are taken out of frames of full contact (balls: a quarter of the frame)")
         ->check(aboveZero());
-    auto* surface = command->add_option("--surface", call->surface, "known height of the frame (.tmd, .tiff or .npy, mm) instead of balls; several "
-                                                                    "frames are lamps of one surface")->excludes(ball);
+    auto* surface = command
+                        ->add_option("--surface", call->surface,
+                                     "known height of the frame (.tmd, .tiff or .npy, mm) instead of balls; several "
+                                     "frames are lamps of one surface")
+                        ->excludes(ball);
     command->add_option("--background", call->background, "with --surface: the untouched sensor")->needs(surface);
-    command->add_option("--rows", call->rows, "with --surface: learn from these rows only, e.g. 0,0.5")->delimiter(',')->expected(2)->check(finiteIn(0, 1))->needs(surface);
+    command->add_option("--rows", call->rows, "with --surface: learn from these rows only, e.g. 0,0.5")
+        ->delimiter(',')
+        ->expected(2)
+        ->check(finiteIn(0, 1))
+        ->needs(surface);
     addJsonOption(*command, call->json);
     command->callback([call, ball, pitch, surface, &action] {
         if (surface->count() == 0 && (ball->count() == 0 || pitch->count() == 0))

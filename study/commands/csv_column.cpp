@@ -1,10 +1,10 @@
 #include "study/commands/csv_column.h"
 
-#include "protocols/files/errors.h"
-#include "protocols/files/csv_table.h"
-
 #include <cmath>
 #include <limits>
+
+#include "protocols/files/csv_table.h"
+#include "protocols/files/errors.h"
 
 namespace study::commands {
 
@@ -13,8 +13,7 @@ namespace {
 bool isMissing(const std::string& cell)
 {
     const auto first = cell.find_first_not_of(" \t");
-    if (first == std::string::npos)
-        return true;
+    if (first == std::string::npos) return true;
     const auto text = cell.substr(first, cell.find_last_not_of(" \t") - first + 1);
     return text == "NA" || text == "NaN";
 }
@@ -27,8 +26,7 @@ std::vector<double> readColumn(const std::filesystem::path& file, const std::str
     const auto index = table.column(column);
     if (!index) {
         std::string names;
-        for (const auto& name : table.columns)
-            names += (names.empty() ? "" : ", ") + name;
+        for (const auto& name : table.columns) names += (names.empty() ? "" : ", ") + name;
         throw protocols::badInput({"no column " + column, file.string(), "one of " + names, "check the spelling"});
     }
     std::vector<double> values;
@@ -57,8 +55,7 @@ std::vector<double> present(const std::vector<double>& values)
 {
     std::vector<double> kept;
     for (double value : values)
-        if (!std::isnan(value))
-            kept.push_back(value);
+        if (!std::isnan(value)) kept.push_back(value);
     return kept;
 }
 

@@ -1,14 +1,13 @@
 // vis2hap display check SPEC
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+
 #include "protocols/files/errors.h"
 #include "rendering/display/display_check.h"
 #include "study/commands/command_line.h"
 #include "study/commands/number_checks.h"
-
-#include <CLI/CLI.hpp>
-
-#include <algorithm>
-#include <cstdio>
-#include <memory>
 
 namespace study::commands {
 
@@ -28,8 +27,7 @@ void printDemand(const rendering::DisplayDemand& demand)
 
 void printTimes(const char* what, std::vector<double> milliseconds)
 {
-    if (milliseconds.empty())
-        return;
+    if (milliseconds.empty()) return;
     std::sort(milliseconds.begin(), milliseconds.end());
     std::printf("%s: %.1f ms in the middle of %zu, %.1f ms at most\n", what, milliseconds[milliseconds.size() / 2],
                 milliseconds.size(), milliseconds.back());

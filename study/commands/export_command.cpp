@@ -1,16 +1,15 @@
 // vis2hap export STUDY --out DIR [--format csv|json|script]
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <functional>
+#include <memory>
+#include <set>
+
 #include "protocols/files/errors.h"
 #include "study/commands/command_line.h"
 #include "study/commands/json_output.h"
 #include "study/players/session_script.h"
 #include "study/records/stored_study.h"
-
-#include <CLI/CLI.hpp>
-
-#include <cstdio>
-#include <functional>
-#include <memory>
-#include <set>
 
 namespace study::commands {
 
@@ -35,10 +34,13 @@ ordered_json rowOf(const Export& job, const CurrentAnswer& answer)
     const auto& record = answer.record;
     const auto& entry = job.naming.entries.at(record.fileCode);
     ordered_json alternatives = ordered_json::array();
-    for (const auto& fabric : record.alternatives)
-        alternatives.push_back(fabric.value);
-    ordered_json row{{"participant", answer.participant.value}, {"trial", record.trial.value}, {"question", record.question.value},
-                     {"fabric", entry.fabric.value}, {"condition", entry.condition}, {"alternatives", alternatives}};
+    for (const auto& fabric : record.alternatives) alternatives.push_back(fabric.value);
+    ordered_json row{{"participant", answer.participant.value},
+                     {"trial", record.trial.value},
+                     {"question", record.question.value},
+                     {"fabric", entry.fabric.value},
+                     {"condition", entry.condition},
+                     {"alternatives", alternatives}};
     row["answer"] = record.answer ? ordered_json(*record.answer) : ordered_json();
     const bool inWords = !record.rating && job.wordQuestions.contains(record.question.value);
     row["correct"] = record.answer && !inWords ? ordered_json(isCorrect(record, entry.fabric) ? 1 : 0) : ordered_json();
@@ -58,10 +60,8 @@ ordered_json rowOf(const Export& job, const CurrentAnswer& answer)
 
 std::string cell(const ordered_json& value)
 {
-    if (value.is_null())
-        return "";
-    if (value.is_string())
-        return csvCell(value.get<std::string>());
+    if (value.is_null()) return "";
+    if (value.is_string()) return csvCell(value.get<std::string>());
     return value.is_number_float() ? numberText(value.get<double>()) : csvCell(value.dump());
 }
 
@@ -69,21 +69,22 @@ ordered_json participantRows(const Export& job)
 {
     ordered_json rows = ordered_json::array();
     for (const auto& enrolment : job.store.enrolments())
-        rows.push_back({{"slot", enrolment.slot}, {"participant", enrolment.participant.value}, {"kind", nameOf(enrolment.kind)},
-                        {"state", nameOf(enrolment.state)}, {"protocol_version", enrolment.protocolVersion}});
+        rows.push_back({{"slot", enrolment.slot},
+                        {"participant", enrolment.participant.value},
+                        {"kind", nameOf(enrolment.kind)},
+                        {"state", nameOf(enrolment.state)},
+                        {"protocol_version", enrolment.protocolVersion}});
     return rows;
 }
 
 std::string csvOf(const ordered_json& rows, const std::vector<std::string>& columns)
 {
     std::string text;
-    for (const auto& column : columns)
-        text += (text.empty() ? "" : ",") + column;
+    for (const auto& column : columns) text += (text.empty() ? "" : ",") + column;
     text += "\n";
     for (const auto& row : rows) {
         std::string line;
-        for (const auto& column : columns)
-            line += (&column == &columns.front() ? "" : ",") + cell(row[column]);
+        for (const auto& column : columns) line += (&column == &columns.front() ? "" : ",") + cell(row[column]);
         text += line + "\n";
     }
     return text;
@@ -92,21 +93,22 @@ std::string csvOf(const ordered_json& rows, const std::vector<std::string>& colu
 void writeCsv(const Export& job)
 {
     ordered_json rows = ordered_json::array();
-    for (const auto& answer : job.store.answers())
-        rows.push_back(rowOf(job, answer));
+    for (const auto& answer : job.store.answers()) rows.push_back(rowOf(job, answer));
     writeFile(job.out / "answers.csv",
-              csvOf(rows, {"participant", "trial", "question", "fabric", "condition", "alternatives", "answer", "correct", "rating",
-                           "seconds", "ready_at", "touched_at", "touched_by", "answered_at", "stored_at", "corrections", "voided", "wall_time", "note"}));
-    writeFile(job.out / "participants.csv", csvOf(participantRows(job), {"slot", "participant", "kind", "state", "protocol_version"}));
+              csvOf(rows, {"participant", "trial", "question", "fabric", "condition", "alternatives", "answer", "correct",
+                           "rating", "seconds", "ready_at", "touched_at", "touched_by", "answered_at", "stored_at", "corrections",
+                           "voided", "wall_time", "note"}));
+    writeFile(job.out / "participants.csv",
+              csvOf(participantRows(job), {"slot", "participant", "kind", "state", "protocol_version"}));
 }
 
 void writeJsonExport(const Export& job)
 {
-    ordered_json json{{"schema", "vis2hap.export/1"}, {"study", job.facts.name}, {"protocol_sha256", job.facts.protocolSha256},
-                      {"blinded", job.naming.blinded}, {"stamps", job.facts.stamps}, {"participants", participantRows(job)}};
+    ordered_json json{
+        {"schema", "vis2hap.export/1"},  {"study", job.facts.name},    {"protocol_sha256", job.facts.protocolSha256},
+        {"blinded", job.naming.blinded}, {"stamps", job.facts.stamps}, {"participants", participantRows(job)}};
     json["answers"] = ordered_json::array();
-    for (const auto& answer : job.store.answers())
-        json["answers"].push_back(rowOf(job, answer));
+    for (const auto& answer : job.store.answers()) json["answers"].push_back(rowOf(job, answer));
     writeFile(job.out / "export.json", json.dump(1) + "\n");
 }
 
@@ -115,8 +117,7 @@ std::set<std::string> questionsInWords(const protocols::Protocol& protocol)
     std::set<std::string> ids;
     for (const auto& phase : protocol.phases)
         for (const auto& question : phase.questions)
-            if (question.inWords)
-                ids.insert(question.id.value);
+            if (question.inWords) ids.insert(question.id.value);
     return ids;
 }
 
@@ -125,12 +126,13 @@ int exportStudy(const std::string& study, const std::string& out, const std::str
     const auto store = openStudy(study);
     auto facts = store.facts();
     const auto protocol = protocolOf(facts);
-    const Export job{store, facts, protocol, namingOf(store, protocol, recordedUnblinding(store)), out, questionsInWords(protocol)};
+    const Export job{
+        store, facts, protocol, namingOf(store, protocol, recordedUnblinding(store)), out, questionsInWords(protocol)};
     std::error_code failure;
     fs::create_directories(job.out, failure);
     if (failure)
-        throw protocols::environmentFault({"cannot make the folder (" + failure.message() + ")", out, "a writable place",
-                                           "choose another --out"});
+        throw protocols::environmentFault(
+            {"cannot make the folder (" + failure.message() + ")", out, "a writable place", "choose another --out"});
     if (format == "csv")
         writeCsv(job);
     else if (format == "json")

@@ -1,15 +1,14 @@
 // vis2hap fabrics make|check
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+#include <thread>
+
 #include "protocols/files/errors.h"
 #include "rendering/fabrics/dataset_check.h"
 #include "rendering/fabrics/procedural/procedural_fabrics.h"
 #include "study/commands/command_line.h"
 #include "study/commands/progress.h"
-
-#include <CLI/CLI.hpp>
-
-#include <cstdio>
-#include <memory>
-#include <thread>
 
 namespace study::commands {
 
@@ -36,8 +35,7 @@ int make(const MakeCall& call)
 int check(const std::string& folder)
 {
     const auto faults = rendering::fabrics::faultsOfDataset(folder);
-    for (const auto& fault : faults)
-        std::printf("%s\n", fault.c_str());
+    for (const auto& fault : faults) std::printf("%s\n", fault.c_str());
     std::printf("%s: %s\n", folder.c_str(), faults.empty() ? "sound" : (std::to_string(faults.size()) + " faults").c_str());
     return static_cast<int>(faults.empty() ? protocols::ExitCode::Done : protocols::ExitCode::WorkFailed);
 }
@@ -52,7 +50,9 @@ void addFabrics(CLI::App& app, Action& action)
     auto* makeSet = fabrics->add_subcommand("make", "a procedural fabric data set");
     auto call = std::make_shared<MakeCall>();
     makeSet->add_option("DIR", call->folder, "folder to make")->required();
-    makeSet->add_option("--fabrics", call->options.fabrics, "how many structures")->check(CLI::Range(1, 15))->capture_default_str();
+    makeSet->add_option("--fabrics", call->options.fabrics, "how many structures")
+        ->check(CLI::Range(1, 15))
+        ->capture_default_str();
     makeSet->add_option("--samples", call->options.samples, "of each signal and fabric")
         ->check(CLI::Range(1, 100000))
         ->capture_default_str();

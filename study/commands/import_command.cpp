@@ -1,5 +1,9 @@
 // vis2hap import KIND FROM... --out DIR [--fabric ID]; friction records: [--normal COLUMN] [--tangential COLUMNS]
 // [--force-unit UNIT] [--zero WHEN] [--trim WHEN] [--rate HZ] [--plots DIR]
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+
 #include "protocols/files/errors.h"
 #include "rendering/fabrics/recordings/import.h"
 #include "rendering/images/image_io.h"
@@ -7,14 +11,9 @@
 #include "rendering/signals/friction_trace.h"
 #include "rendering/signals/spectrogram_file.h"
 #include "study/commands/command_line.h"
-#include "study/commands/number_checks.h"
 #include "study/commands/json_output.h"
+#include "study/commands/number_checks.h"
 #include "study/looking/picture_decoder.h"
-
-#include <CLI/CLI.hpp>
-
-#include <cstdio>
-#include <memory>
 
 namespace study::commands {
 
@@ -33,12 +32,12 @@ rendering::fabrics::FrictionOptions frictionOptions(const ImportCall& call)
 {
     using namespace rendering::fabrics;
     FrictionOptions options;
-    if (const auto axes = axesFrom(call.normal, "--normal", 1); !axes.empty())
-        options.normal = axes.front();
+    if (const auto axes = axesFrom(call.normal, "--normal", 1); !axes.empty()) options.normal = axes.front();
     options.tangential = axesFrom(call.tangential, "--tangential", 2);
     options.forceUnit = call.forceUnit;
     if (!call.forceUnit.empty() && !newtonsIn(call.forceUnit))
-        throw protocols::badInput({"\"" + call.forceUnit + "\" is no unit of force", "--force-unit", std::string(knownForceUnits), ""});
+        throw protocols::badInput(
+            {"\"" + call.forceUnit + "\" is no unit of force", "--force-unit", std::string(knownForceUnits), ""});
     options.zero = foundFrom(call.zero, "--zero", options.zeroInterval);
     options.trim = foundFrom(call.trim, "--trim", options.trimInterval);
     options.rateHz = call.rate;
@@ -54,11 +53,9 @@ void writeSpectrograms(const std::filesystem::path& out, const std::filesystem::
         for (const int index : sampleIndices(dataset, fabric.id, Modality::Friction)) {
             const auto sample = samplePath(dataset, fabric.id, Modality::Friction, index);
             const std::string name = fabric.id.value + "-" + sample.stem().string();
-            if (!std::filesystem::exists(plots / (name + ".svg")))
-                continue;
+            if (!std::filesystem::exists(plots / (name + ".svg"))) continue;
             const auto record = readFriction(dataset, fabric.id, index);
-            if (record.values.size() < static_cast<std::size_t>(rendering::signals::shortestTrace))
-                continue;
+            if (record.values.size() < static_cast<std::size_t>(rendering::signals::shortestTrace)) continue;
             const auto trace = rendering::signals::frictionTrace(record, sample.string());
             rendering::signals::SpectrogramParameters parameters;
             parameters.sampleRateHz = trace.sampleRateHz;
@@ -72,18 +69,19 @@ rendering::fabrics::ImportedSensor sensorFrom(const std::filesystem::path& file)
     namespace signals = rendering::signals;
     const auto calibration = signals::readCalibration(file);
     if (calibration.channels != 3)
-        throw protocols::badInput({"the sensor has " + std::to_string(calibration.channels) + " lamps, one frame each", file.string(),
-                                   "a sensor of colour frames", "turn its frames into heights with vis2hap height"});
+        throw protocols::badInput({"the sensor has " + std::to_string(calibration.channels) + " lamps, one frame each",
+                                   file.string(), "a sensor of colour frames",
+                                   "turn its frames into heights with vis2hap height"});
     rendering::fabrics::ImportedSensor sensor{readFile(file), calibration.mmPerPixel, {}, {}};
     sensor.requireSame = [look = calibration.sensor, file](const cv::Mat& reference, const std::string& where) {
         const auto difference = look ? signals::differenceOf(*look, signals::lookOf(reference)) : std::nullopt;
         if (difference)
-            throw protocols::badInput({"is not of the calibrated sensor: " + *difference, where, "a frame of the sensor of " + file.string(),
+            throw protocols::badInput({"is not of the calibrated sensor: " + *difference, where,
+                                       "a frame of the sensor of " + file.string(),
                                        "calibrate this sensor, or take its own background"});
     };
     const auto background = file.parent_path() / (file.stem().string() + "-background.png");
-    if (std::filesystem::exists(background))
-        sensor.untouched = rendering::readPng(background);
+    if (std::filesystem::exists(background)) sensor.untouched = rendering::readPng(background);
     return sensor;
 }
 
@@ -93,8 +91,7 @@ int import(const ImportCall& call)
     request.kind = rendering::fabrics::importKindNamed(call.kind);
     request.from.assign(call.from.begin(), call.from.end());
     request.out = call.out;
-    if (!call.fabric.empty())
-        request.fabric = protocols::FabricId(call.fabric);
+    if (!call.fabric.empty()) request.fabric = protocols::FabricId(call.fabric);
     request.decodeOther = decodeByQt;
     request.friction = frictionOptions(call);
     if (!call.calibration.empty()) {
@@ -105,12 +102,10 @@ int import(const ImportCall& call)
     request.plots = call.plots;
     std::error_code failed;
     if (!call.plots.empty() && (std::filesystem::create_directories(call.plots, failed), failed))
-        throw protocols::environmentFault({"the folder of plots cannot be made (" + failed.message() + ")", call.plots, "a place that can be written to",
-                                           "nothing was imported; choose another"});
-    for (const auto& line : rendering::fabrics::importRecordings(request))
-        std::printf("%s\n", line.c_str());
-    if (!call.plots.empty() && std::filesystem::exists(call.plots))
-        writeSpectrograms(call.out, call.plots);
+        throw protocols::environmentFault({"the folder of plots cannot be made (" + failed.message() + ")", call.plots,
+                                           "a place that can be written to", "nothing was imported; choose another"});
+    for (const auto& line : rendering::fabrics::importRecordings(request)) std::printf("%s\n", line.c_str());
+    if (!call.plots.empty() && std::filesystem::exists(call.plots)) writeSpectrograms(call.out, call.plots);
     return 0;
 }
 
@@ -124,7 +119,8 @@ void addImport(CLI::App& app, Action& action)
     command->add_option("FROM", call->from, "files or folders")->required();
     command->add_option("--out", call->out, "the data set; an existing one is added to")->required();
     command->add_option("--fabric", call->fabric, "put everything into this fabric, e.g. F03");
-    command->add_option("--calibration", call->calibration, "of the sensor that gelsight frames are of, made by vis2hap calibrate");
+    command->add_option("--calibration", call->calibration,
+                        "of the sensor that gelsight frames are of, made by vis2hap calibrate");
     const char* friction = "Friction records";
     command->add_option("--normal", call->normal, "column of the normal force; a minus turns it: --normal=-fz")->group(friction);
     command->add_option("--tangential", call->tangential, "one column, which keeps its sign, or two: fx,fy is sqrt(fx^2 + fy^2)")
@@ -133,7 +129,9 @@ void addImport(CLI::App& app, Action& action)
     command->add_option("--zero", call->zero, "unloaded samples, whose mean is subtracted: auto, none, or FROM,TO in s")
         ->group(friction)
         ->capture_default_str();
-    command->add_option("--trim", call->trim, "to the steady slide: auto, none, or FROM,TO in s")->group(friction)->capture_default_str();
+    command->add_option("--trim", call->trim, "to the steady slide: auto, none, or FROM,TO in s")
+        ->group(friction)
+        ->capture_default_str();
     command->add_option("--rate", call->rate, "resample to so many Hz (default: the median of the record's own steps)")
         ->group(friction)
         ->check(finiteIn(1e-3, 1e7));

@@ -1,15 +1,14 @@
 #include "study/commands/json_output.h"
 
-#include "protocols/files/errors.h"
-
-#include <CLI/CLI.hpp>
-
 #include <unistd.h>
 
+#include <CLI/CLI.hpp>
 #include <charconv>
 #include <cstdio>
 #include <fstream>
 #include <iterator>
+
+#include "protocols/files/errors.h"
 
 namespace study::commands {
 
@@ -41,12 +40,11 @@ void writeFile(const std::filesystem::path& file, std::string_view text)
     out.write(text.data(), static_cast<std::streamsize>(text.size()));
     out.close();
     std::error_code failure;
-    if (out)
-        std::filesystem::rename(temporary, file, failure);
+    if (out) std::filesystem::rename(temporary, file, failure);
     if (!out || failure) {
         std::filesystem::remove(temporary, failure);
-        throw protocols::environmentFault({"cannot be written", file.string(), "a writable folder with free space",
-                                           "choose another place or free the disk"});
+        throw protocols::environmentFault(
+            {"cannot be written", file.string(), "a writable folder with free space", "choose another place or free the disk"});
     }
 }
 
@@ -61,11 +59,9 @@ std::string readFile(const std::filesystem::path& file)
 
 std::string csvCell(const std::string& text)
 {
-    if (text.find_first_of(",\"\r\n") == std::string::npos)
-        return text;
+    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
     std::string quoted = "\"";
-    for (char c : text)
-        quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+    for (char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
     return quoted + "\"";
 }
 

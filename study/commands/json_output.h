@@ -1,9 +1,8 @@
 // `--json [FILE]`: one JSON object to a file, or alone on standard output.
 #pragma once
 
-#include <nlohmann/json.hpp>
-
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>

@@ -1,17 +1,16 @@
 // vis2hap erase STUDY --participant ID, and vis2hap backup STUDY --out FILE
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <QProcess>
+#include <cstdio>
+#include <memory>
+
 #include "database/study_store.h"
 #include "protocols/files/errors.h"
 #include "study/commands/command_line.h"
 #include "study/records/stored_study.h"
-
-#include <CLI/CLI.hpp>
-#include <QProcess>
-
-#include <sys/stat.h>
-#include <unistd.h>
-
-#include <cstdio>
-#include <memory>
 
 namespace study::commands {
 
@@ -24,7 +23,8 @@ int erase(const std::string& study, const database::Erasure& erasure)
     database::StudyStore store({study}, database::StudyStore::Access::Write);
     store.erase(erasure);
     std::printf("%s: %s of %s erased, recorded\n", study.c_str(),
-                erasure.answersToo ? "facts, debriefing, answers and notes" : "facts and debriefing", erasure.participant.value.c_str());
+                erasure.answersToo ? "facts, debriefing, answers and notes" : "facts and debriefing",
+                erasure.participant.value.c_str());
     return 0;
 }
 
@@ -37,8 +37,8 @@ public:
         std::error_code failure;
         fs::create_directories(m_folder, failure);
         if (failure || ::chmod(m_folder.c_str(), 0700) != 0)
-            throw protocols::environmentFault({"cannot make a folder beside the backup (" + failure.message() + ")", m_folder.string(),
-                                               "a writable place", "choose another one"});
+            throw protocols::environmentFault({"cannot make a folder beside the backup (" + failure.message() + ")",
+                                               m_folder.string(), "a writable place", "choose another one"});
     }
     ~Staging()
     {
@@ -56,8 +56,7 @@ void copyFiles(const fs::path& study, const fs::path& to)
 {
     for (const auto& entry : fs::directory_iterator(study)) {
         const std::string name = entry.path().filename().string();
-        if (name != ".lock" && !name.starts_with("study.db"))
-            fs::copy(entry.path(), to / name, fs::copy_options::recursive);
+        if (name != ".lock" && !name.starts_with("study.db")) fs::copy(entry.path(), to / name, fs::copy_options::recursive);
     }
     // Equal time stamps, as the study's own stimuli have: a copy must not tell the order of making.
     if (fs::exists(study / "stimuli"))
@@ -68,8 +67,13 @@ void copyFiles(const fs::path& study, const fs::path& to)
 /// tar is on every Debian system.
 void pack(const fs::path& folder, const std::string& name, const fs::path& archive)
 {
-    const QStringList arguments{"--create", "--file", QString::fromStdString(archive.string()), "--directory",
-                                QString::fromStdString(folder.string()), "--", QString::fromStdString(name)};
+    const QStringList arguments{"--create",
+                                "--file",
+                                QString::fromStdString(archive.string()),
+                                "--directory",
+                                QString::fromStdString(folder.string()),
+                                "--",
+                                QString::fromStdString(name)};
     if (QProcess::execute(QStringLiteral("tar"), arguments) != 0)
         throw protocols::environmentFault({"tar could not pack the study", archive.string(), "room for a copy of the study",
                                            "make room or choose another disk; the study itself is untouched"});
@@ -98,10 +102,12 @@ int backup(const std::string& study, const std::string& out)
         ::chmod(archive.c_str(), 0600);  // the allocation key is in it
         fs::rename(archive, out);
     } catch (const fs::filesystem_error& fault) {
-        throw protocols::environmentFault({std::string("the backup cannot be written: ") + fault.what(), out, "room for a copy of the study",
+        throw protocols::environmentFault({std::string("the backup cannot be written: ") + fault.what(), out,
+                                           "room for a copy of the study",
                                            "make room or choose another disk; the study itself is untouched"});
     }
-    std::printf("%s: a whole copy of %s (%zu answers); `tar xf` brings it back\n", out.c_str(), study.c_str(), store.answers().size());
+    std::printf("%s: a whole copy of %s (%zu answers); `tar xf` brings it back\n", out.c_str(), study.c_str(),
+                store.answers().size());
     return 0;
 }
 

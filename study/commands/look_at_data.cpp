@@ -1,11 +1,11 @@
 #include "study/commands/look_at_data.h"
 
+#include <algorithm>
+
 #include "rendering/fabrics/dataset_check.h"
 #include "study/looking/dataset_sheet.h"
 #include "study/looking/open_study.h"
 #include "study/looking/sheet.h"
-
-#include <algorithm>
 
 namespace study::commands {
 
@@ -16,8 +16,7 @@ namespace fs = std::filesystem;
 QStringList listOf(const std::vector<std::string>& texts)
 {
     QStringList list;
-    for (const std::string& text : texts)
-        list << QString::fromStdString(text);
+    for (const std::string& text : texts) list << QString::fromStdString(text);
     return list;
 }
 
@@ -36,8 +35,7 @@ app::DataOverview openData(const fs::path& folder)
 app::DataSheet drawData(const app::DataSheetRequest& request)
 {
     const auto seen = looking::sheetOf(request.folder, request.fabric.toStdString(), request.sample);
-    if (seen.signals.empty())
-        return {{}, {}, listOf(seen.faults)};
+    if (seen.signals.empty()) return {{}, {}, listOf(seen.faults)};
     looking::SheetStyle style = request.theme == app::Theme::DarkRoom ? looking::darkSheet() : looking::lightSheet();
     style.fontPx = request.fontPx;
     style.pixelRatio = request.pixelRatio;
@@ -57,9 +55,6 @@ QStringList checkData(const fs::path& folder, const std::function<void(double)>&
 
 }  // namespace
 
-app::LookAtData lookAtData()
-{
-    return {openData, drawData, checkData};
-}
+app::LookAtData lookAtData() { return {openData, drawData, checkData}; }
 
 }  // namespace study::commands

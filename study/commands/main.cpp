@@ -1,17 +1,16 @@
 // The program `vis2hap`: understands the command line, makes the surroundings that the command needs,
 // runs it, and turns every fault into one line and an exit code.
-#include "protocols/files/errors.h"
-#include "study/commands/command_line.h"
-
 #include <CLI/CLI.hpp>
 #include <QApplication>
 #include <QCoreApplication>
-
 #include <clocale>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
 #include <new>
+
+#include "protocols/files/errors.h"
+#include "study/commands/command_line.h"
 
 namespace {
 
@@ -28,16 +27,13 @@ bool screenIsThere()
 /// Nobody sees this window: what its platform cannot do is no news to whoever reads standard error.
 void tellFaultsAlone(QtMsgType type, const QMessageLogContext&, const QString& text)
 {
-    if (type == QtCriticalMsg || type == QtFatalMsg)
-        std::fprintf(stderr, "vis2hap: %s\n", qPrintable(text));
+    if (type == QtCriticalMsg || type == QtFatalMsg) std::fprintf(stderr, "vis2hap: %s\n", qPrintable(text));
 }
 
 std::unique_ptr<QCoreApplication> surroundingsFor(Surroundings kind, int& argc, char** argv)
 {
-    if (kind == Surroundings::None)
-        return nullptr;
-    if (kind == Surroundings::Core)
-        return std::make_unique<QCoreApplication>(argc, argv);
+    if (kind == Surroundings::None) return nullptr;
+    if (kind == Surroundings::Core) return std::make_unique<QCoreApplication>(argc, argv);
     if (kind == Surroundings::Window && !screenIsThere())
         throw protocols::environmentFault({"the app needs a screen", "", "DISPLAY or WAYLAND_DISPLAY to be set",
                                            "start it from a desktop, or use `vis2hap replay` and `vis2hap report`"});
@@ -82,8 +78,7 @@ int run(int argc, char** argv)
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& problem) {
-        if (problem.get_exit_code() == 0)
-            return app.exit(problem);  // help and version
+        if (problem.get_exit_code() == 0) return app.exit(problem);  // help and version
         const auto called = app.get_subcommands();
         const std::string command = called.empty() ? "" : called.front()->get_name() + " ";
         std::fprintf(stderr, "vis2hap: %s; see `vis2hap %s--help`\n", problem.what(), command.c_str());

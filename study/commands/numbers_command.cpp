@@ -1,26 +1,25 @@
 // vis2hap describe, compare and metrics: single numbers for scripts and for a look.
-#include "protocols/files/errors.h"
-#include "protocols/files/csv_table.h"
-#include "rendering/images/image_io.h"
-#include "rendering/signals/grey.h"
-#include "stats/kernels/descriptive.h"
-#include "stats/tests/equivalence.h"
-#include "stats/metrics/image_metrics.h"
-#include "stats/tests/t_tests.h"
-#include "stats/metrics/trace_error.h"
-#include "stats/tests/wilcoxon.h"
-#include "study/commands/command_line.h"
-#include "study/commands/number_checks.h"
-#include "study/looking/open_study.h"
-#include "study/commands/csv_column.h"
-#include "study/commands/json_output.h"
-#include "study/analyse/statistic_json.h"
-
 #include <CLI/CLI.hpp>
-
 #include <cmath>
 #include <cstdio>
 #include <memory>
+
+#include "protocols/files/csv_table.h"
+#include "protocols/files/errors.h"
+#include "rendering/images/image_io.h"
+#include "rendering/signals/grey.h"
+#include "stats/kernels/descriptive.h"
+#include "stats/metrics/image_metrics.h"
+#include "stats/metrics/trace_error.h"
+#include "stats/tests/equivalence.h"
+#include "stats/tests/t_tests.h"
+#include "stats/tests/wilcoxon.h"
+#include "study/analyse/statistic_json.h"
+#include "study/commands/command_line.h"
+#include "study/commands/csv_column.h"
+#include "study/commands/json_output.h"
+#include "study/commands/number_checks.h"
+#include "study/looking/open_study.h"
 
 namespace study::commands {
 
@@ -31,8 +30,7 @@ using nlohmann::ordered_json;
 /// The object as lines of text; nested objects are left to --json.
 void tell(const JsonTarget& target, const ordered_json& json)
 {
-    if (target)
-        return writeJson(target, json);
+    if (target) return writeJson(target, json);
     for (const auto& [field, value] : json.items())
         if (field != "schema" && field != "why" && !value.is_object())
             std::printf("%-22s %s\n", field.c_str(), value.is_string() ? value.get<std::string>().c_str() : value.dump().c_str());
@@ -70,8 +68,8 @@ struct CompareCall {
     JsonTarget target;
 };
 
-const std::map<std::string, stats::Tail> tails{{"two-sided", stats::Tail::TwoSided}, {"less", stats::Tail::Less},
-                                               {"greater", stats::Tail::Greater}};
+const std::map<std::string, stats::Tail> tails{
+    {"two-sided", stats::Tail::TwoSided}, {"less", stats::Tail::Less}, {"greater", stats::Tail::Greater}};
 
 std::pair<double, double> boundsFrom(const std::string& text)
 {
@@ -79,7 +77,8 @@ std::pair<double, double> boundsFrom(const std::string& text)
     const auto low = comma == std::string::npos ? std::nullopt : rendering::fabrics::numberIn(text.substr(0, comma));
     const auto high = comma == std::string::npos ? std::nullopt : rendering::fabrics::numberIn(text.substr(comma + 1));
     if (!low || !high || !(*low < *high))
-        throw protocols::badInput({"bounds \"" + text + "\"", "--bounds", "LOW,HIGH with LOW below HIGH, e.g. --bounds=-0.5,0.5", ""});
+        throw protocols::badInput(
+            {"bounds \"" + text + "\"", "--bounds", "LOW,HIGH with LOW below HIGH, e.g. --bounds=-0.5,0.5", ""});
     return {*low, *high};
 }
 
@@ -95,8 +94,9 @@ ordered_json tTestJson(const CompareCall& call, const std::vector<double>& a, co
     stats::TOptions options;
     options.tail = tails.at(call.alternative);
     const bool paired = call.test == "paired";
-    const auto test = paired ? stats::pairedTTest(a, b, options)
-                             : call.test == "student" ? stats::studentTTest(a, b, options) : stats::welchTTest(a, b, options);
+    const auto test = paired                   ? stats::pairedTTest(a, b, options)
+                      : call.test == "student" ? stats::studentTTest(a, b, options)
+                                               : stats::welchTTest(a, b, options);
     ordered_json json{{"schema", "vis2hap.compare/1"}, {"test", call.test}};
     json["n"] = paired ? ordered_json(test.n) : ordered_json{test.n, test.nSecond};
     put(json, "statistic", test.t);
@@ -146,9 +146,10 @@ ordered_json wilcoxonJson(const CompareCall& call, const std::vector<double>& a,
     const bool exact = test.pExact.exists();
     put(json, "p", exact ? test.pExact : test.pNormalCorrected);
     json["p_is"] = exact ? "exact" : "normal approximation with continuity correction";
-    put(json, "log10_p", exact ? stats::Value(*test.logPExact / std::log(10.0))
-                               : test.pNormalCorrected.exists() && *test.pNormalCorrected > 0 ? stats::Value(std::log10(*test.pNormalCorrected))
-                                                                                               : stats::Value::undefined(test.why));
+    put(json, "log10_p",
+        exact                                                          ? stats::Value(*test.logPExact / std::log(10.0))
+        : test.pNormalCorrected.exists() && *test.pNormalCorrected > 0 ? stats::Value(std::log10(*test.pNormalCorrected))
+                                                                       : stats::Value::undefined(test.why));
     put(json, "mean_difference", difference.estimate);
     put(json, "ci95", difference.ci);
     putEffect(json, "rank_biserial", test.rankBiserial);
@@ -161,7 +162,9 @@ int compare(const CompareCall& call)
     const bool twoSamples = call.test == "welch" || call.test == "student";
     const auto pairs = completePairs(a, b);
     const auto x = twoSamples ? present(a) : pairs.a, y = twoSamples ? present(b) : pairs.b;
-    auto json = call.test == "tost" ? tostJson(call, x, y) : call.test == "wilcoxon" ? wilcoxonJson(call, x, y) : tTestJson(call, x, y);
+    auto json = call.test == "tost"       ? tostJson(call, x, y)
+                : call.test == "wilcoxon" ? wilcoxonJson(call, x, y)
+                                          : tTestJson(call, x, y);
     json["missing"] = twoSamples ? a.size() - x.size() + b.size() - y.size() : pairs.missing;
     tell(call.target, json);
     return 0;
@@ -181,7 +184,8 @@ std::vector<double> readTrace(const std::string& file)
 {
     const auto table = rendering::fabrics::readCsvTable(file);
     if (table.columns.size() != 1)
-        throw protocols::badInput({"has " + std::to_string(table.columns.size()) + " columns", file, "a trace of one column", ""});
+        throw protocols::badInput(
+            {"has " + std::to_string(table.columns.size()) + " columns", file, "a trace of one column", ""});
     return readColumn(file, table.columns.front());
 }
 
@@ -219,10 +223,12 @@ ordered_json imageMetrics(const MetricsCall& call)
 {
     const auto a = loadImage(call.a), b = loadImage(call.b);
     if (a.values.size() != b.values.size())
-        throw protocols::badInput({"the images differ in size", call.a + " and " + call.b, "equal width and height", "crop or resample one"});
+        throw protocols::badInput(
+            {"the images differ in size", call.a + " and " + call.b, "equal width and height", "crop or resample one"});
     const auto range = call.range ? call.range : b.range;
     if (!range)
-        throw protocols::badInput({"an image of floating-point values", call.b, "--range L, the dynamic range that SSIM needs", ""});
+        throw protocols::badInput(
+            {"an image of floating-point values", call.b, "--range L, the dynamic range that SSIM needs", ""});
     const std::span<const double> x(a.values.ptr<double>(), a.values.total()), y(b.values.ptr<double>(), b.values.total());
     auto json = metricsJson(x, y);
     const auto width = static_cast<std::size_t>(a.values.cols), height = static_cast<std::size_t>(a.values.rows);
@@ -233,8 +239,7 @@ ordered_json imageMetrics(const MetricsCall& call)
 
 int metrics(const MetricsCall& call)
 {
-    for (const auto& file : {call.a, call.b})
-        looking::requireNotOfOpenStudy(file);
+    for (const auto& file : {call.a, call.b}) looking::requireNotOfOpenStudy(file);
     if (isTrace(call.a) != isTrace(call.b))
         throw protocols::badInput({"a trace and an image cannot be compared", call.a + " and " + call.b, "two of one kind", ""});
     if (!isTrace(call.a)) {

@@ -1,5 +1,8 @@
 // vis2hap power: what a planned study can and cannot detect, before anyone is tested; with --calibrate,
 // how often each test of the report rejects when there is nothing to find.
+#include <CLI/CLI.hpp>
+#include <memory>
+
 #include "protocols/protocol_json.h"
 #include "stats/power/calibration.h"
 #include "stats/power/power_plan.h"
@@ -7,10 +10,6 @@
 #include "study/commands/json_output.h"
 #include "study/commands/power_tables.h"
 #include "study/commands/progress.h"
-
-#include <CLI/CLI.hpp>
-
-#include <memory>
 
 namespace study::commands {
 
@@ -37,8 +36,8 @@ void putScale(stats::RatingTruth& truth, const protocols::Scale& scale)
     truth.scaleStep = scale.step.inScaleUnits();
     const double stretch = (truth.scaleMax - truth.scaleMin) / hapticScale;
     truth.centre = truth.scaleMin + stretch * truth.centre;
-    for (double* variance : {&truth.participant, &truth.fabric, &truth.participantCondition, &truth.fabricCondition,
-                             &truth.residual})
+    for (double* variance :
+         {&truth.participant, &truth.fabric, &truth.participantCondition, &truth.fabricCondition, &truth.residual})
         *variance *= stretch * stretch;
 }
 
@@ -83,8 +82,7 @@ std::vector<stats::PlannedTest> planned(stats::PowerOptions options)
 
 std::vector<stats::CalibrationRow> calibrated(const stats::PowerOptions& options, std::size_t studies)
 {
-    if (studies == 0)
-        return {};
+    if (studies == 0) return {};
     Progress progress("studies with nothing to find");
     stats::CalibrationOptions calibration;
     calibration.design = options.design;
@@ -108,15 +106,13 @@ int power(const PowerCall& call)
     if (!call.target) {
         printDesign(protocol.name, options);
         printTests(tests);
-        if (!calibration.empty())
-            printCalibration(calibration);
+        if (!calibration.empty()) printCalibration(calibration);
         return 0;
     }
     ordered_json json{{"schema", "vis2hap.power/1"}, {"protocol", protocol.name}};
     putDesign(json, options);
     putTests(json, tests);
-    if (!calibration.empty())
-        putCalibration(json, calibration);
+    if (!calibration.empty()) putCalibration(json, calibration);
     writeJson(call.target, json);
     return 0;
 }

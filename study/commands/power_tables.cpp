@@ -1,10 +1,10 @@
 #include "study/commands/power_tables.h"
 
-#include "study/analyse/statistic_json.h"
-
 #include <cmath>
 #include <cstdio>
 #include <map>
+
+#include "study/analyse/statistic_json.h"
 
 namespace study::commands {
 
@@ -52,8 +52,7 @@ ordered_json calibrationJson(const stats::CalibrationRow& row)
 
 std::string shown(const stats::Value& value, const char* format)
 {
-    if (!value.exists())
-        return "-";
+    if (!value.exists()) return "-";
     char text[32];
     std::snprintf(text, sizeof text, format, *value);
     return text;
@@ -62,10 +61,8 @@ std::string shown(const stats::Value& value, const char* format)
 /// "paired t; 80 % power at 0.73"
 std::string headingOf(const stats::PlannedTest& test)
 {
-    if (!test.smallestDetectable.exists())
-        return test.test;
-    if (test.detectable == test.effect)
-        return test.test + "; 80 % power at " + shown(test.smallestDetectable, "%.2f");
+    if (!test.smallestDetectable.exists()) return test.test;
+    if (test.detectable == test.effect) return test.test + "; 80 % power at " + shown(test.smallestDetectable, "%.2f");
     return test.test + "; 80 % power needs " + test.detectable + ", of +-" + shown(test.smallestDetectable, "%.2f");
 }
 
@@ -94,15 +91,13 @@ void putDesign(ordered_json& json, const stats::PowerOptions& options)
 void putTests(ordered_json& json, const std::vector<stats::PlannedTest>& tests)
 {
     json["tests"] = ordered_json::array();
-    for (const auto& test : tests)
-        json["tests"].push_back(testJson(test));
+    for (const auto& test : tests) json["tests"].push_back(testJson(test));
 }
 
 void putCalibration(ordered_json& json, const std::vector<stats::CalibrationRow>& rows)
 {
     json["calibration"] = ordered_json::array();
-    for (const auto& row : rows)
-        json["calibration"].push_back(calibrationJson(row));
+    for (const auto& row : rows) json["calibration"].push_back(calibrationJson(row));
 }
 
 void printDesign(const std::string& protocol, const stats::PowerOptions& options)
@@ -112,10 +107,11 @@ void printDesign(const std::string& protocol, const stats::PowerOptions& options
     std::printf("%s: %zu participants x %zu fabrics x %zu conditions\n", protocol.c_str(), design.participants, design.fabrics,
                 design.conditions);
     if (options.hasRatings)
-        std::printf("assumed of ratings, variances: participants %.3g, fabrics %.3g, participant x condition %.3g,\n"
-                    "  fabric x condition %.3g, residual %.3g; a participant's difference of two conditions has SD %.2f\n",
-                    truth.participant, truth.fabric, truth.participantCondition, truth.fabricCondition, truth.residual,
-                    truth.sdOfDifference(design));
+        std::printf(
+            "assumed of ratings, variances: participants %.3g, fabrics %.3g, participant x condition %.3g,\n"
+            "  fabric x condition %.3g, residual %.3g; a participant's difference of two conditions has SD %.2f\n",
+            truth.participant, truth.fabric, truth.participantCondition, truth.fabricCondition, truth.residual,
+            truth.sdOfDifference(design));
     if (options.hasChoices)
         std::printf("assumed of choices among %d: log odds differ by SD %.2g between participants and %.2g between fabrics\n",
                     design.alternatives, options.choices.participantSd, options.choices.fabricSd);
@@ -125,12 +121,10 @@ void printDesign(const std::string& protocol, const stats::PowerOptions& options
 
 void printTests(const std::vector<stats::PlannedTest>& tests)
 {
-    if (tests.empty())
-        std::printf("nothing can be compared in this design\n");
+    if (tests.empty()) std::printf("nothing can be compared in this design\n");
     std::string effect;
     for (const auto& test : tests) {
-        if (test.effect != effect)
-            std::printf("\n%s: %s\n", test.question.c_str(), (effect = test.effect).c_str());
+        if (test.effect != effect) std::printf("\n%s: %s\n", test.question.c_str(), (effect = test.effect).c_str());
         std::printf("  %s\n    %8s %8s %10s %20s\n", headingOf(test).c_str(), "effect", "formula", "simulated",
                     "participants (80 %)");
         for (const auto& point : test.points)
@@ -144,11 +138,11 @@ void printCalibration(const std::vector<stats::CalibrationRow>& rows)
     std::printf("\nrejections at alpha 5 %% where there is nothing to find\n");
     std::string truth;
     for (const auto& row : rows) {
-        if (row.truth != truth)
-            std::printf("%s\n", (truth = row.truth).c_str());
+        if (row.truth != truth) std::printf("%s\n", (truth = row.truth).c_str());
         const auto& result = row.result;
         const auto interval = result.interval();
-        const std::string size = row.attainableSize.exists() ? ", attainable " + shown(100 * *row.attainableSize, "%.2f") + " %" : "";
+        const std::string size =
+            row.attainableSize.exists() ? ", attainable " + shown(100 * *row.attainableSize, "%.2f") + " %" : "";
         std::printf("  %-58s %6zu of %6zu  %5.2f %% [%.2f, %.2f]%s %s%s\n", row.test.c_str(), result.rejected, result.studies,
                     100 * result.rate(), 100 * *interval.low, 100 * *interval.high, size.c_str(), row.verdict().c_str(),
                     row.promise == stats::Promise::Shown ? " (not used by the report for this)" : "");

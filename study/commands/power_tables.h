@@ -1,13 +1,12 @@
 // What `vis2hap power` says, as text and as JSON.
 #pragma once
 
-#include "stats/power/calibration.h"
-#include "stats/power/power_plan.h"
-
 #include <nlohmann/json.hpp>
-
 #include <string>
 #include <vector>
+
+#include "stats/power/calibration.h"
+#include "stats/power/power_plan.h"
 
 namespace study::commands {
 

@@ -1,20 +1,19 @@
 // vis2hap render DATASET --fabric ID|all --condition ID|all --out DIR
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+#include <sstream>
+
+#include "protocols/files/csv_table.h"
 #include "protocols/files/errors.h"
 #include "rendering/composition/earlier_render.h"
-#include "protocols/files/csv_table.h"
+#include "rendering/composition/render_fabrics.h"
 #include "rendering/images/image_io.h"
 #include "rendering/models/exchange.h"
-#include "rendering/composition/render_fabrics.h"
 #include "study/commands/command_line.h"
 #include "study/commands/json_output.h"
 #include "study/commands/progress.h"
 #include "study/looking/render_sheet.h"
-
-#include <CLI/CLI.hpp>
-
-#include <cstdio>
-#include <memory>
-#include <sstream>
 
 namespace study::commands {
 
@@ -37,15 +36,12 @@ std::vector<protocols::FabricId> fabricList(const rendering::fabrics::Dataset& d
 {
     std::vector<protocols::FabricId> ids;
     if (text == "all") {
-        for (const auto& fabric : dataset.fabrics)
-            ids.push_back(fabric.id);
+        for (const auto& fabric : dataset.fabrics) ids.push_back(fabric.id);
         return ids;
     }
     std::istringstream parts(text);
-    for (std::string part; std::getline(parts, part, ',');)
-        ids.push_back(dataset.fabric(protocols::FabricId(part)).id);
-    if (ids.empty())
-        throw protocols::badInput({"no fabric is named", "--fabric", "ids, comma-separated, or all", ""});
+    for (std::string part; std::getline(parts, part, ',');) ids.push_back(dataset.fabric(protocols::FabricId(part)).id);
+    if (ids.empty()) throw protocols::badInput({"no fabric is named", "--fabric", "ids, comma-separated, or all", ""});
     return ids;
 }
 
@@ -55,16 +51,14 @@ std::map<protocols::FabricId, rendering::SampleChoice> chosenSamples(const rende
 {
     std::map<protocols::FabricId, rendering::SampleChoice> samples;
     if (sample)
-        for (const auto& fabric : dataset.fabrics)
-            samples[fabric.id] = {*sample, *sample, *sample};
+        for (const auto& fabric : dataset.fabrics) samples[fabric.id] = {*sample, *sample, *sample};
     return samples;
 }
 
 /// "LO,HI"; locale-free.
 rendering::Percentiles percentilesFrom(const std::string& text)
 {
-    if (text.empty())
-        return {};
+    if (text.empty()) return {};
     const auto comma = text.find(',');
     const auto low = rendering::fabrics::numberIn(text.substr(0, comma));
     const auto high = comma == std::string::npos ? std::nullopt : rendering::fabrics::numberIn(text.substr(comma + 1));
@@ -80,8 +74,8 @@ void writeRendering(const fs::path& out, const rendering::Rendering& rendering, 
             std::error_code failure;
             fs::create_directories(out / fabric.value, failure);
             if (failure)
-                throw protocols::environmentFault(
-                    {"cannot make the folder (" + failure.message() + ")", (out / fabric.value).string(), "a writable place", "choose another --out"});
+                throw protocols::environmentFault({"cannot make the folder (" + failure.message() + ")",
+                                                   (out / fabric.value).string(), "a writable place", "choose another --out"});
             rendering::writePng(out / fabric.value / (protocols::fileNameOf(condition.condition) + ".png"), image);
         }
     writeFile(out / "render.json", json);
@@ -105,37 +99,32 @@ int render(const RenderCall& call)
     request.extension = call.extension == "mirror" ? rendering::Extension::Mirror : rendering::Extension::Tile;
     request.percentiles = percentilesFrom(call.percentiles);
     request.mapping = {call.bits, call.dither, call.ditherSeed};
-    request.shading.method = call.shading == "bumps" ? rendering::signals::ShadingMethod::GaussianBumps : rendering::signals::ShadingMethod::Linear;
+    request.shading.method =
+        call.shading == "bumps" ? rendering::signals::ShadingMethod::GaussianBumps : rendering::signals::ShadingMethod::Linear;
     request.shading.lightFromBelow = call.lightFrom == "below";
     request.generation.model = call.model;
     request.generation.quality = rendering::models::qualityNamed(call.quality);
-    if (call.explain)
-        std::fputs(rendering::explain(request.conditions).c_str(), stdout);
+    if (call.explain) std::fputs(rendering::explain(request.conditions).c_str(), stdout);
     // Drawn before anything is written: where it cannot be, nothing is left behind.
     std::optional<looking::ContactSheet> sheet;
     if (!call.sheet.empty()) {
         Progress progress("contact sheet");
-        sheet = contactSheetOf(dataset, request, [&](int done, int total, const std::string& what) { progress.show(done, total, what); });
+        sheet = contactSheetOf(dataset, request,
+                               [&](int done, int total, const std::string& what) { progress.show(done, total, what); });
     }
     Progress progress("friction images");
-    const auto rendering = renderFabrics(dataset, request, [&](int done, int total, const std::string& what) {
-        progress.show(done, total, what);
-    });
+    const auto rendering =
+        renderFabrics(dataset, request, [&](int done, int total, const std::string& what) { progress.show(done, total, what); });
     const auto saved = savedJson(call.out, renderJson(dataset, request, rendering));
     writeRendering(call.out, rendering, saved.json);
-    if (sheet)
-        writeContactSheet(call.sheet, *sheet);
-    for (const auto& warning : saved.warnings)
-        std::fprintf(stderr, "warning: %s\n", warning.c_str());
-    for (const auto& warning : rendering::shadingWarnings(rendering))
-        std::fprintf(stderr, "warning: %s\n", warning.c_str());
+    if (sheet) writeContactSheet(call.sheet, *sheet);
+    for (const auto& warning : saved.warnings) std::fprintf(stderr, "warning: %s\n", warning.c_str());
+    for (const auto& warning : rendering::shadingWarnings(rendering)) std::fprintf(stderr, "warning: %s\n", warning.c_str());
     for (const auto& warnings : {rendering::unfamiliarPhotographs(rendering), rendering::cutPhotographs(rendering)})
-        for (const auto& warning : warnings)
-            std::fprintf(stderr, "warning: %s\n", warning.c_str());
-    for (const auto& line : rendering::describeMaps(rendering))
-        std::printf("%s\n", line.c_str());
-    std::printf("%s: friction images of %zu fabrics x %zu conditions, ranges over %zu fabrics in render.json; traces along x\n", call.out.c_str(),
-                request.fabrics.size(), request.conditions.size(), dataset.fabrics.size());
+        for (const auto& warning : warnings) std::fprintf(stderr, "warning: %s\n", warning.c_str());
+    for (const auto& line : rendering::describeMaps(rendering)) std::printf("%s\n", line.c_str());
+    std::printf("%s: friction images of %zu fabrics x %zu conditions, ranges over %zu fabrics in render.json; traces along x\n",
+                call.out.c_str(), request.fabrics.size(), request.conditions.size(), dataset.fabrics.size());
     if (call.explain)
         for (const auto& [signal, times] : rendering.computed)
             std::printf("computed %s: %d times\n", rendering::nameOf(signal).c_str(), times);
@@ -150,7 +139,8 @@ void addRender(CLI::App& app, Action& action)
     auto call = std::make_shared<RenderCall>();
     command->add_option("DATASET", call->dataset, "the data set")->required();
     command->add_option("--fabric", call->fabric, "ids, comma-separated, or all")->capture_default_str();
-    command->add_option("--condition", call->condition, "ids, comma-separated, or all; h_g+f_g is h_g&f_g")->capture_default_str();
+    command->add_option("--condition", call->condition, "ids, comma-separated, or all; h_g+f_g is h_g&f_g")
+        ->capture_default_str();
     command->add_option("--out", call->out, "folder for DIR/F01/h_g+f_g.png and DIR/render.json")->required();
     command->add_option("--sample", call->sample, "sample index of every signal (default: the first there is)");
     command->add_option("--model", call->model, "weights (default: the shipped ones)");
@@ -169,7 +159,8 @@ void addRender(CLI::App& app, Action& action)
     command->add_option("--light-from", call->lightFrom, "of v_shape: above, as people see; below turns bumps into dents")
         ->check(CLI::IsMember({"above", "below"}))
         ->capture_default_str();
-    command->add_option("--range-percentiles", call->percentiles, "LO,HI of all fabrics' pixels (default 0,100: least and greatest)");
+    command->add_option("--range-percentiles", call->percentiles,
+                        "LO,HI of all fabrics' pixels (default 0,100: least and greatest)");
     command->add_option("--bits", call->bits, "of the PNG files; the display takes 8")
         ->check(CLI::IsMember({8, 16}))
         ->capture_default_str();
@@ -179,8 +170,7 @@ void addRender(CLI::App& app, Action& action)
                         "PNG, a row each fabric: photograph, measured and generated height and friction, friction images");
     command->add_flag("--explain", call->explain, "print which signals each condition computes");
     command->callback([call, &action] {
-        if (!call->sheet.empty())
-            action.surroundings = Surroundings::Offscreen;
+        if (!call->sheet.empty()) action.surroundings = Surroundings::Offscreen;
         action.work = [call] { return render(*call); };
     });
 }

@@ -1,5 +1,11 @@
 // vis2hap replay STUDY SCRIPT... [--gui]: scripted participants through the session engine, or through
 // the window's own widgets.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <set>
+
 #include "database/keys.h"
 #include "protocols/files/errors.h"
 #include "rendering/display/display.h"
@@ -11,13 +17,6 @@
 #include "study/commands/progress.h"
 #include "study/players/scripted_participant.h"
 #include "study/records/stored_study.h"
-
-#include <CLI/CLI.hpp>
-
-#include <algorithm>
-#include <cstdio>
-#include <memory>
-#include <set>
 
 namespace study::commands {
 
@@ -53,8 +52,7 @@ std::vector<Script> readScripts(const std::vector<std::string>& files, const pro
 database::Slot slotOf(const StudyStore& store, const protocols::ParticipantId& participant)
 {
     for (const auto& enrolment : store.enrolments())
-        if (enrolment.participant == participant)
-            return {enrolment.slot, enrolment.state, participant, enrolment.kind};
+        if (enrolment.participant == participant) return {enrolment.slot, enrolment.state, participant, enrolment.kind};
     return {};
 }
 
@@ -62,14 +60,13 @@ database::Slot slotOf(const StudyStore& store, const protocols::ParticipantId& p
 void requireScripted(const database::Slot& slot, const Script& script)
 {
     if (slot.state != SlotState::Free && slot.kind != ParticipantKind::Scripted)
-        throw protocols::badInput({"participant " + script.participant.value + " is " + nameOf(slot.kind) + ", not scripted", script.where,
-                                   "a participant id of its own", "change \"participant\" in the script"});
+        throw protocols::badInput({"participant " + script.participant.value + " is " + nameOf(slot.kind) + ", not scripted",
+                                   script.where, "a participant id of its own", "change \"participant\" in the script"});
 }
 
 bool finishedAlready(const database::Slot& slot, const Script& script)
 {
-    if (slot.state != SlotState::Finished && slot.state != SlotState::Withdrawn)
-        return false;
+    if (slot.state != SlotState::Finished && slot.state != SlotState::Withdrawn) return false;
     std::printf("%s: %s already, nothing to do\n", script.participant.value.c_str(), nameOf(slot.state).c_str());
     return true;
 }
@@ -89,8 +86,7 @@ void play(const Script& script, StudyStore& store, Hands& hands, session::Virtua
 {
     const auto trials = trialsFor(store, slotOf(store, script.participant).number, playing.protocol);
     Progress progress(script.participant.value);
-    playScript(script, trials, logged, hands, clock,
-               [&](int stored) { progress.show(stored, playing.answersInAll); });
+    playScript(script, trials, logged, hands, clock, [&](int stored) { progress.show(stored, playing.answersInAll); });
     std::printf("%s: %d answers stored, %s\n", script.participant.value.c_str(), hands.state().answersStored,
                 std::holds_alternative<session::Finished>(hands.state().stage) ? "finished" : "withdrawn");
 }
@@ -102,8 +98,7 @@ void playDirectly(const std::vector<Script>& scripts, StudyStore& store, const P
     for (const auto& script : scripts) {
         const auto slot = slotOf(store, script.participant);
         requireScripted(slot, script);
-        if (finishedAlready(slot, script))
-            continue;
+        if (finishedAlready(slot, script)) continue;
         const auto logged = store.events(script.participant);
         session::VirtualClock clock;
         session::Driver driver(store, script.participant, ParticipantKind::Scripted, bank, *display, clock);
@@ -124,8 +119,7 @@ void playThroughWindow(const std::vector<Script>& scripts, const std::filesystem
         auto& store = window.study()->store();
         const auto slot = slotOf(store, script.participant);
         requireScripted(slot, script);
-        if (finishedAlready(slot, script))
-            continue;
+        if (finishedAlready(slot, script)) continue;
         const auto logged = store.events(script.participant);
         window.show();
         window.startSession(script.participant);
@@ -157,7 +151,8 @@ void addReplay(CLI::App& app, Action& action)
         std::vector<std::string> scripts;
         bool gui = false;
     };
-    auto* command = app.add_subcommand("replay", "scripted participants through the session engine; resumes where it was stopped");
+    auto* command =
+        app.add_subcommand("replay", "scripted participants through the session engine; resumes where it was stopped");
     auto call = std::make_shared<Call>();
     command->add_option("STUDY", call->study, "the study")->required();
     command->add_option("SCRIPT", call->scripts, "scripts, a participant each")->required();

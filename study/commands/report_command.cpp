@@ -1,17 +1,16 @@
 // vis2hap report STUDY --out DIR, and report --from ANSWERS.csv --out DIR
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+
 #include "protocols/files/errors.h"
-#include "protocols/protocol_json.h"
 #include "protocols/files/sha256.h"
+#include "protocols/protocol_json.h"
 #include "reports/answers_csv.h"
 #include "reports/report.h"
 #include "study/commands/command_line.h"
 #include "study/commands/json_output.h"
 #include "study/records/stored_study.h"
-
-#include <CLI/CLI.hpp>
-
-#include <cstdio>
-#include <memory>
 
 namespace study::commands {
 
@@ -24,8 +23,7 @@ struct ReportCall {
 
 reports::StudyData dataFor(const ReportCall& call)
 {
-    if (call.from.empty())
-        return studyData(openStudy(call.study));
+    if (call.from.empty()) return studyData(openStudy(call.study));
     reports::AnswersCsvOptions options;
     options.alternatives = call.alternatives;
     if (!call.protocol.empty()) {
@@ -38,7 +36,8 @@ reports::StudyData dataFor(const ReportCall& call)
 int report(const ReportCall& call)
 {
     if (call.study.empty() == call.from.empty())
-        throw protocols::badInput({"a report of what?", "", "either a STUDY or --from ANSWERS.csv", "see `vis2hap report --help`"});
+        throw protocols::badInput(
+            {"a report of what?", "", "either a STUDY or --from ANSWERS.csv", "see `vis2hap report --help`"});
     const auto data = dataFor(call);
     reports::writeReport(data, call.out);
     std::printf("%s\n%s/index.html\n", reports::resultTable(reports::results(data)).c_str(), call.out.c_str());

@@ -1,21 +1,20 @@
 // vis2hap simulate STUDY: simulated participants feel the friction images and answer through the
 // session engine, like everybody else.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+
 #include "database/keys.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/sha256.h"
 #include "rendering/display/display.h"
 #include "rendering/display/stimulus_bank.h"
 #include "study/commands/command_line.h"
-#include "study/players/expected_touch.h"
 #include "study/commands/progress.h"
+#include "study/players/expected_touch.h"
 #include "study/players/simulated_participant.h"
 #include "study/records/stored_study.h"
-
-#include <CLI/CLI.hpp>
-
-#include <algorithm>
-#include <cstdio>
-#include <memory>
 
 namespace study::commands {
 
@@ -38,11 +37,9 @@ std::vector<protocols::ParticipantId> participantsToPlay(const StudyStore& store
     int free = 0, known = 0;
     for (const auto& slot : store.slots()) {
         free += slot.state == SlotState::Free;
-        if (slot.state == SlotState::Free || slot.kind != ParticipantKind::Simulated)
-            continue;
+        if (slot.state == SlotState::Free || slot.kind != ParticipantKind::Simulated) continue;
         ++known;
-        if (slot.state == SlotState::Started)
-            participants.push_back(slot.participant);
+        if (slot.state == SlotState::Started) participants.push_back(slot.participant);
     }
     if (wanted && *wanted > free)
         throw protocols::badInput({"only " + std::to_string(free) + " slots are free", store.folder().folder.string(),
@@ -65,8 +62,7 @@ int simulate(const SimulateCall& call)
 
     Percepts percepts;
     percepts.fabrics = expectedTouch(facts, call.dataset.empty() ? facts.datasetPath : call.dataset);
-    for (const auto& [code, entry] : key.entries)
-        percepts.stimuli[code] = feel(bank.image(code));
+    for (const auto& [code, entry] : key.entries) percepts.stimuli[code] = feel(bank.image(code));
 
     const auto display = rendering::openDisplay("none");
     Progress progress("simulated participants");

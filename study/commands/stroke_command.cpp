@@ -1,16 +1,15 @@
 // vis2hap stroke IMAGE --csv FILE
-#include "protocols/files/errors.h"
-#include "rendering/images/image_io.h"
-#include "rendering/display/stroke.h"
-#include "study/commands/command_line.h"
-#include "study/commands/json_output.h"
-#include "study/looking/open_study.h"
-
 #include <CLI/CLI.hpp>
-
 #include <cstdio>
 #include <memory>
 #include <optional>
+
+#include "protocols/files/errors.h"
+#include "rendering/display/stroke.h"
+#include "rendering/images/image_io.h"
+#include "study/commands/command_line.h"
+#include "study/commands/json_output.h"
+#include "study/looking/open_study.h"
 
 namespace study::commands {
 
@@ -26,8 +25,7 @@ struct StrokeCall {
 cv::Mat readFrictionImage(const std::string& file)
 {
     const cv::Mat image = rendering::readImage(file);
-    if (image.type() == CV_8UC1 || image.type() == CV_16UC1)
-        return image;
+    if (image.type() == CV_8UC1 || image.type() == CV_16UC1) return image;
     throw protocols::badInput(
         {"is no friction image", file, "one grey channel of 8 or 16 bits", "make one with `vis2hap render`"});
 }
@@ -36,8 +34,7 @@ int lineOf(const StrokeCall& call, const cv::Mat& image)
 {
     const int lines = call.vertical ? image.cols : image.rows;
     const int line = call.row.value_or(lines / 2);
-    if (line >= 0 && line < lines)
-        return line;
+    if (line >= 0 && line < lines) return line;
     throw protocols::badInput({"there is no line " + std::to_string(line) + " to stroke along", call.image,
                                "0 to " + std::to_string(lines - 1), "leave --line out for the middle"});
 }
@@ -49,8 +46,7 @@ int stroke(const StrokeCall& call)
     const auto samples = rendering::strokeImage(image, lineOf(call, image), call.vertical, call.options);
     writeFile(call.csv, rendering::strokeCsv(samples));
     double sum = 0;
-    for (const auto& sample : samples)
-        sum += sample.tangentialN / sample.normalN;
+    for (const auto& sample : samples) sum += sample.tangentialN / sample.normalN;
     std::printf("%s: %zu samples over %.2f mm in %.3f s, mean coefficient of friction %.3f\n", call.csv.c_str(), samples.size(),
                 samples.back().positionMm, samples.back().timeS, sum / static_cast<double>(samples.size()));
     return 0;

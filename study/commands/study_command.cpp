@@ -1,36 +1,31 @@
 // vis2hap study new|status|plan|amend|sheets
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+
 #include "database/study_store.h"
 #include "protocols/counterbalancing.h"
 #include "protocols/files/errors.h"
-#include "protocols/protocol_json.h"
 #include "protocols/files/sha256.h"
+#include "protocols/protocol_json.h"
 #include "study/commands/command_line.h"
 #include "study/commands/json_output.h"
-#include "study/making/new_study.h"
 #include "study/commands/progress.h"
-#include "study/records/stored_study.h"
+#include "study/making/new_study.h"
 #include "study/making/study_sheets.h"
+#include "study/records/stored_study.h"
 #include "study/records/study_status.h"
-
-#include <CLI/CLI.hpp>
-
-#include <cstdio>
-#include <memory>
 
 namespace study::commands {
 
 namespace {
 
-std::string sittingsText(int sittings)
-{
-    return sittings == 1 ? "one sitting" : std::to_string(sittings) + " sittings";
-}
+std::string sittingsText(int sittings) { return sittings == 1 ? "one sitting" : std::to_string(sittings) + " sittings"; }
 
 std::string listOf(const std::vector<database::FamiliarisationItem>& items)
 {
     std::string text;
-    for (const auto& item : items)
-        text += (text.empty() ? "" : ", ") + item.name;
+    for (const auto& item : items) text += (text.empty() ? "" : ", ") + item.name;
     return text;
 }
 
@@ -39,8 +34,7 @@ int makeNew(const NewStudy& request)
     Progress progress("friction images");
     const auto made = makeStudy(request, [&](int done, int total, const std::string& what) { progress.show(done, total, what); });
     const auto protocol = protocolOf(made.facts);
-    for (const auto& warning : made.warnings)
-        std::fprintf(stderr, "warning: %s\n", warning.c_str());
+    for (const auto& warning : made.warnings) std::fprintf(stderr, "warning: %s\n", warning.c_str());
     std::printf("%s: %s\n", request.study.c_str(), made.facts.name.c_str());
     std::printf("  %d participants, fabrics", protocol.participants);
     for (const auto& fabric : made.facts.fabrics)
@@ -89,7 +83,8 @@ int plan(const std::string& study, const std::string& csv)
             const double minutes = (trial.number.value - 1) * protocol.secondsPerPresentation / 60;
             const int sitting = 1 + static_cast<int>(minutes / protocol.sittingMinutes);
             text += std::to_string(slot.number) + "," + std::to_string(trial.number.value) + "," + csvCell(questions) + "," +
-                    trial.presentationCode.value + "," + csvCell(tray) + "," + numberText(minutes) + "," + std::to_string(sitting) + "\n";
+                    trial.presentationCode.value + "," + csvCell(tray) + "," + numberText(minutes) + "," +
+                    std::to_string(sitting) + "\n";
         }
     writeFile(csv, text);
     std::printf("%s: running orders of %d slots\n", csv.c_str(), protocol.participants);
@@ -104,8 +99,7 @@ struct Amendment {
 std::string listed(const std::vector<std::string>& items)
 {
     std::string text;
-    for (const auto& item : items)
-        text += (text.empty() ? "" : ", ") + item;
+    for (const auto& item : items) text += (text.empty() ? "" : ", ") + item;
     return text;
 }
 
@@ -128,9 +122,10 @@ int amend(const Amendment& call)
     const auto changed = fixedPartsChanged(protocols::protocolFromJson(kept.json, "the kept protocol"),
                                            protocols::protocolFromJson(text, file.string()));
     if (!changed.empty())
-        throw protocols::badInput({"it changes " + listed(changed) + ", on which running orders and stimuli hang", file.string(),
-                                   "changes of words, times, breaks, bounds, contrasts, checklist or facts",
-                                   "make a new study for it; `vis2hap study amend " + call.study + " --undo` puts the kept text back"});
+        throw protocols::badInput(
+            {"it changes " + listed(changed) + ", on which running orders and stimuli hang", file.string(),
+             "changes of words, times, breaks, bounds, contrasts, checklist or facts",
+             "make a new study for it; `vis2hap study amend " + call.study + " --undo` puts the kept text back"});
     store.takeProtocol(text, call.who, call.why);
     std::printf("%s: taken over as version %d; participants enrolled before keep theirs\n", file.c_str(), kept.version + 1);
     return 0;
@@ -147,8 +142,10 @@ void addNew(CLI::App& study, Action& action)
     command->add_option("--participants", call->participants, "instead of the protocol's number")->check(CLI::Range(1, 10000));
     command->add_option("--seed", call->seed, "draws fabrics, samples and running orders")->capture_default_str();
     command->add_option("--key-seed", call->keySeed, "for tests: draws the allocation, which is else a secret of the system");
-    command->add_flag("--allow-training-samples", call->allowTrainingSamples, "show samples the model was trained on; stamped into the report");
-    command->add_option("--images", call->images, "keep the friction images here under their names, and reuse them while they fit");
+    command->add_flag("--allow-training-samples", call->allowTrainingSamples,
+                      "show samples the model was trained on; stamped into the report");
+    command->add_option("--images", call->images,
+                        "keep the friction images here under their names, and reuse them while they fit");
     command->add_flag("--replace-simulated", call->replaceSimulated, "remake a study in which no human took part");
     command->callback([call, &action] {
         action.surroundings = Surroundings::Core;
@@ -174,7 +171,8 @@ void addStudy(CLI::App& app, Action& action)
         action.work = [folder, target] { return status(*folder, *target); };
     });
 
-    auto* amendCommand = study->add_subcommand("amend", "take an edited protocol.json over for participants to come, or undo the edit");
+    auto* amendCommand =
+        study->add_subcommand("amend", "take an edited protocol.json over for participants to come, or undo the edit");
     auto amendment = std::make_shared<Amendment>();
     amendCommand->add_option("STUDY", amendment->study, "the study")->required();
     amendCommand->add_option("--who", amendment->who, "who changes it");

@@ -1,13 +1,12 @@
 // vis2hap train DATASET --out MODEL ...: the second program does the work; the options are its own.
-#include "study/commands/command_line.h"
-#include "rendering/models/second_program.h"
-
 #include <CLI/CLI.hpp>
-
 #include <memory>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "rendering/models/second_program.h"
+#include "study/commands/command_line.h"
 
 namespace study::commands {
 
@@ -50,26 +49,25 @@ void addTrain(CLI::App& app, Action& action)
     auto* command = app.add_subcommand("train", "train the generators on a data set (uses libtorch)");
     command->add_option("DATASET", call->dataset, "the data set")->required();
     command->add_option("--out", call->out, "weights file to write; MODEL.json and the folder MODEL.log beside it")->required();
-    auto* steps = command->add_option("--steps", call->steps, "training steps (default 5000); the same number gives the same weights");
+    auto* steps =
+        command->add_option("--steps", call->steps, "training steps (default 5000); the same number gives the same weights");
     command->add_option("--minutes", call->minutes, "stop after so many minutes instead")->excludes(steps);
-    for (Wish& wish : call->wishes)
-        command->add_option(wish.name, wish.value, wish.meaning);
+    for (Wish& wish : call->wishes) command->add_option(wish.name, wish.value, wish.meaning);
     auto* reference = command->add_flag("--reference", call->reference, "the paper's losses to the letter");
-    command->add_flag("--l1-only", call->l1Only, "the paper's L1 loss alone: the control that evaluate compares with")->excludes(reference);
+    command->add_flag("--l1-only", call->l1Only, "the paper's L1 loss alone: the control that evaluate compares with")
+        ->excludes(reference);
     command->add_flag("--resume", call->resume, "go on from the last checkpoint");
     command->callback([call, &action] {
         std::vector<std::string> arguments{"train", call->dataset, "--out", call->out};
         const auto pass = [&](const char* name, const std::string& value) {
-            if (!value.empty())
-                arguments.insert(arguments.end(), {name, value});
+            if (!value.empty()) arguments.insert(arguments.end(), {name, value});
         };
         pass("--steps", call->steps);
         pass("--minutes", call->minutes);
-        for (const Wish& wish : call->wishes)
-            pass(wish.name, wish.value);
-        for (const auto& [wanted, name] : {std::pair{call->reference, "--reference"}, {call->l1Only, "--l1-only"}, {call->resume, "--resume"}})
-            if (wanted)
-                arguments.emplace_back(name);
+        for (const Wish& wish : call->wishes) pass(wish.name, wish.value);
+        for (const auto& [wanted, name] :
+             {std::pair{call->reference, "--reference"}, {call->l1Only, "--l1-only"}, {call->resume, "--resume"}})
+            if (wanted) arguments.emplace_back(name);
         action.work = [arguments] { return runSecondProgram(arguments); };
     });
 }

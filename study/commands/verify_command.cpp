@@ -1,4 +1,8 @@
 // vis2hap verify STUDY, and vis2hap unblind STUDY --who NAME --why TEXT
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+
 #include "database/keys.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/sha256.h"
@@ -7,11 +11,6 @@
 #include "study/commands/json_output.h"
 #include "study/records/stored_study.h"
 #include "study/session/clock.h"
-
-#include <CLI/CLI.hpp>
-
-#include <cstdio>
-#include <memory>
 
 namespace study::commands {
 
@@ -36,14 +35,18 @@ int verify(const std::string& study, const JsonTarget& target)
     const auto store = openStudy(study);
     const auto faults = faultsOf(store);
     if (target)
-        writeJson(target, {{"schema", "vis2hap.verify/1"}, {"study", store.facts().name}, {"sound", faults.empty()},
-                           {"stimuli", store.stimulusHashes().size()}, {"answers", store.answers().size()}, {"faults", faults}});
+        writeJson(target, {{"schema", "vis2hap.verify/1"},
+                           {"study", store.facts().name},
+                           {"sound", faults.empty()},
+                           {"stimuli", store.stimulusHashes().size()},
+                           {"answers", store.answers().size()},
+                           {"faults", faults}});
     else {
-        for (const auto& fault : faults)
-            std::printf("%s\n", fault.c_str());
-        std::printf("%s: %s (%zu answers, %zu stimuli, hash chain, keys, protocol)\n", study.c_str(),
-                    faults.empty() ? "sound" : (std::to_string(faults.size()) + (faults.size() == 1 ? " fault" : " faults")).c_str(), store.answers().size(),
-                    store.stimulusHashes().size());
+        for (const auto& fault : faults) std::printf("%s\n", fault.c_str());
+        std::printf(
+            "%s: %s (%zu answers, %zu stimuli, hash chain, keys, protocol)\n", study.c_str(),
+            faults.empty() ? "sound" : (std::to_string(faults.size()) + (faults.size() == 1 ? " fault" : " faults")).c_str(),
+            store.answers().size(), store.stimulusHashes().size());
     }
     return static_cast<int>(faults.empty() ? protocols::ExitCode::Done : protocols::ExitCode::WorkFailed);
 }
@@ -60,10 +63,8 @@ int unblind(const std::string& study, const std::string& who, const std::string&
     const auto key = readAllocationKey(store, done);
     std::printf("%s: unblinded by %s, recorded\n", study.c_str(), who.c_str());
     std::map<protocols::ConditionLabel, protocols::ConditionId> names;
-    for (const auto& [code, entry] : key.entries)
-        names[entry.label] = entry.condition;
-    for (const auto& [label, condition] : names)
-        std::printf("  %s is %s\n", label.value.c_str(), condition.value.c_str());
+    for (const auto& [code, entry] : key.entries) names[entry.label] = entry.condition;
+    for (const auto& [label, condition] : names) std::printf("  %s is %s\n", label.value.c_str(), condition.value.c_str());
     return 0;
 }
 

@@ -1,17 +1,16 @@
 // vis2hap view FILE… --out PNG
+#include <CLI/CLI.hpp>
+#include <QBuffer>
+#include <cstdio>
+#include <memory>
+
 #include "protocols/files/errors.h"
 #include "study/commands/command_line.h"
-#include "study/commands/number_checks.h"
 #include "study/commands/json_output.h"
+#include "study/commands/number_checks.h"
 #include "study/looking/picture_decoder.h"
 #include "study/looking/read_signal.h"
 #include "study/looking/sheet.h"
-
-#include <CLI/CLI.hpp>
-#include <QBuffer>
-
-#include <cstdio>
-#include <memory>
 
 namespace study::commands {
 
@@ -31,8 +30,7 @@ int view(const ViewCall& call)
     looking::ReadingOptions reading = call.reading;
     reading.decode = decodeByQt;
     std::vector<looking::SeenSignal> signals;
-    for (const std::string& file : call.files)
-        signals.push_back(looking::readSignal(file, reading));
+    for (const std::string& file : call.files) signals.push_back(looking::readSignal(file, reading));
     looking::SheetStyle style = call.isDark ? looking::darkSheet() : looking::lightSheet();
     style.columnPx = call.columnPx;
     style.fontPx = call.columnPx / 460.0 * style.fontPx;

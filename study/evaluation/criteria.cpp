@@ -11,10 +11,10 @@ namespace study::evaluation {
 namespace {
 
 enum class Asked {
-    AtMost,      ///< a number
-    AtLeast,     ///< a number
+    AtMost,           ///< a number
+    AtLeast,          ///< a number
     MeanAloneAtMost,  ///< a number; of the generated mean as a constant
-    BetterThan,  ///< a control
+    BetterThan,       ///< a control
     BetterThanAgainst,
     BelowMeanOrAtFloor,
     EveryFabricWithin,

@@ -45,7 +45,7 @@ struct SpeakerResult {
 
 struct ModelUsed {
     std::string name, file, sha256;
-    std::string losses;      ///< "default", "reference", "l1-only"
+    std::string losses;  ///< "default", "reference", "l1-only"
     std::vector<std::string> heldOut;
 };
 

@@ -71,10 +71,7 @@ Json speakerJson(const SpeakerResult& speaker)
 
 Json modelJson(const ModelUsed& model)
 {
-    return {{"name", model.name},
-            {"sha256", model.sha256},
-            {"losses", model.losses},
-            {"held_out", model.heldOut}};
+    return {{"name", model.name}, {"sha256", model.sha256}, {"losses", model.losses}, {"held_out", model.heldOut}};
 }
 
 Json criteriaJson(const Evaluation& evaluation)

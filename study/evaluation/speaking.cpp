@@ -88,7 +88,8 @@ Said saidBySamples(const Setting& setting, const std::optional<Sample>& press, c
 /// for, retrieval does not know. So it is off by as much as the two photographs are turned against each other.
 Said saidByNeighbour(const Setting& setting, const Sample& asked, const Retrieved& found)
 {
-    Said said = saidBySamples(setting, found.press, found.stroke, "the training part holds no such sample of the retrieved fabric");
+    Said said =
+        saidBySamples(setting, found.press, found.stroke, "the training part holds no such sample of the retrieved fabric");
     if (said.height && asked.rotationDeg && found.photograph.rotationDeg)
         said.height->rotationDeg += *asked.rotationDeg - *found.photograph.rotationDeg;
     return said;

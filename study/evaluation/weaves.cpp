@@ -38,7 +38,8 @@ std::string figure(const char* format, double value)
 
 std::string waveText(const std::optional<rendering::signals::DominantWave>& wave)
 {
-    return wave ? figure("%6.2f px ", wave->periodPx) + figure("%4.0f deg", wave->directionDeg) : std::string("no wave stands out");
+    return wave ? figure("%6.2f px ", wave->periodPx) + figure("%4.0f deg", wave->directionDeg)
+                : std::string("no wave stands out");
 }
 
 nlohmann::ordered_json waveJson(const std::optional<rendering::signals::DominantWave>& wave)
@@ -51,7 +52,8 @@ nlohmann::ordered_json waveJson(const std::optional<rendering::signals::Dominant
 
 bool WeaveKept::kept() const { return comparable() && std::abs(periodChange) <= mostPeriodChange && turnDeg <= mostTurnDeg; }
 
-Weaves weavesKept(const fabrics::Dataset& dataset, const EvaluationRequest& request, const Report& report, const Generate& generate)
+Weaves weavesKept(const fabrics::Dataset& dataset, const EvaluationRequest& request, const Report& report,
+                  const Generate& generate)
 {
     Weaves weaves;
     weaves.dataset = dataset.name;
@@ -64,8 +66,8 @@ Weaves weavesKept(const fabrics::Dataset& dataset, const EvaluationRequest& requ
         for (const int index : fabrics::sampleIndices(dataset, fabric.id, Modality::Visual))
             weaves.photographs.push_back({fabric.id, fabric.name, index, {}, {}, 0, 0, {}});
     if (weaves.photographs.empty())
-        throw protocols::badInput({"there are no photographs to test with", dataset.folder.string(), "visual/*.png of at least one fabric",
-                                   "import photographs with `vis2hap import photos`"});
+        throw protocols::badInput({"there are no photographs to test with", dataset.folder.string(),
+                                   "visual/*.png of at least one fabric", "import photographs with `vis2hap import photos`"});
     for (std::size_t first = 0; first < weaves.photographs.size(); first += photographsAtOnce) {
         const std::size_t end = std::min(weaves.photographs.size(), first + photographsAtOnce);
         std::vector<models::PhotographToTouch> asked;
@@ -86,8 +88,11 @@ nlohmann::ordered_json weavesJson(const Weaves& weaves)
 {
     nlohmann::ordered_json rows = nlohmann::ordered_json::array();
     for (const WeaveKept& weave : weaves.photographs) {
-        nlohmann::ordered_json row{{"fabric", weave.fabric.value}, {"name", weave.name},           {"index", weave.index},
-                                   {"photograph", waveJson(weave.photograph)}, {"relief", waveJson(weave.relief)}};
+        nlohmann::ordered_json row{{"fabric", weave.fabric.value},
+                                   {"name", weave.name},
+                                   {"index", weave.index},
+                                   {"photograph", waveJson(weave.photograph)},
+                                   {"relief", waveJson(weave.relief)}};
         row["period_change"] = weave.comparable() ? nlohmann::ordered_json(weave.periodChange) : nullptr;
         row["turn_deg"] = weave.comparable() ? nlohmann::ordered_json(weave.turnDeg) : nullptr;
         row["kept"] = weave.photograph ? nlohmann::ordered_json(weave.kept()) : nullptr;
@@ -99,7 +104,8 @@ nlohmann::ordered_json weavesJson(const Weaves& weaves)
 
 std::string weavesText(const Weaves& weaves)
 {
-    std::string text = "Generated reliefs of photographs without measurements: model \"" + weaves.model + "\" on \"" + weaves.dataset +
+    std::string text = "Generated reliefs of photographs without measurements: model \"" + weaves.model + "\" on \"" +
+                       weaves.dataset +
                        "\"\n  strongest wave of the photograph and of the relief, period and direction, on the same pixels\n";
     std::size_t width = 0;
     for (const WeaveKept& weave : weaves.photographs) width = std::max(width, weave.name.size());
@@ -107,8 +113,8 @@ std::string weavesText(const Weaves& weaves)
     for (const WeaveKept& weave : weaves.photographs) {
         std::string name = weave.name;
         name.resize(width, ' ');
-        text += "  " + weave.fabric.value + " " + name + " " + figure("%3.0f", weave.index) + "  photograph " + waveText(weave.photograph) +
-                "  relief " + waveText(weave.relief);
+        text += "  " + weave.fabric.value + " " + name + " " + figure("%3.0f", weave.index) + "  photograph " +
+                waveText(weave.photograph) + "  relief " + waveText(weave.relief);
         if (weave.comparable())
             text += "  off by " + figure("%5.1f %%", 100 * weave.periodChange) + figure(" and %4.1f deg", weave.turnDeg);
         if (weave.photograph) {
@@ -116,7 +122,8 @@ std::string weavesText(const Weaves& weaves)
             kept += weave.kept() ? 1 : 0;
             text += weave.kept() ? "  kept" : "  NOT KEPT";
         }
-        if (weave.facts.assumedMmPerPixel) text += figure("  (scale unknown, taken as %.3f mm/px)", *weave.facts.assumedMmPerPixel);
+        if (weave.facts.assumedMmPerPixel)
+            text += figure("  (scale unknown, taken as %.3f mm/px)", *weave.facts.assumedMmPerPixel);
         text += "\n";
     }
     return text + "  kept within 5 % and 5 deg: " + std::to_string(kept) + " of " + std::to_string(told) +

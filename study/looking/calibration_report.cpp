@@ -1,15 +1,14 @@
 #include "study/looking/calibration_report.h"
 
-#include "rendering/signals/photometric_stereo.h"
-
-#include <nlohmann/json.hpp>
-#include <opencv2/core.hpp>
-#include <opencv2/imgproc.hpp>
-
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <nlohmann/json.hpp>
 #include <numeric>
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "rendering/signals/photometric_stereo.h"
 
 namespace rendering {
 
@@ -65,10 +64,13 @@ void write(cv::Mat& sheet, const std::string& text, int x, int y)
 
 cv::Mat rowOf(const signals::BallPresses& presses, const signals::Calibration& calibration, const signals::PressScore& score)
 {
-    const auto press = std::find_if(presses.presses.begin(), presses.presses.end(), [&](const auto& p) { return p.name == score.name; });
+    const auto press =
+        std::find_if(presses.presses.begin(), presses.presses.end(), [&](const auto& p) { return p.name == score.name; });
     const int factor = std::max(1, 320 / press->frame.cols);
     cv::Mat frame = enlarged(eightBit(press->frame), factor);
-    cv::circle(frame, {static_cast<int>(std::lround((score.circle.centrePx.x + 0.5) * factor)), static_cast<int>(std::lround((score.circle.centrePx.y + 0.5) * factor))},
+    cv::circle(frame,
+               {static_cast<int>(std::lround((score.circle.centrePx.x + 0.5) * factor)),
+                static_cast<int>(std::lround((score.circle.centrePx.y + 0.5) * factor))},
                static_cast<int>(std::lround(score.circle.radiusPx * factor)), cv::Scalar(255, 255, 255), 1, cv::LINE_AA);
     const cv::Mat known = signals::ballHeight(presses, score.circle), contact = known > 0;
     const auto slopes = signals::slopesFromFrame(press->frame, presses.background, calibration);
@@ -76,14 +78,18 @@ cv::Mat rowOf(const signals::BallPresses& presses, const signals::Calibration& c
     double top = 0;
     cv::minMaxLoc(known, nullptr, &top);
     cv::Mat row;
-    cv::hconcat(std::vector<cv::Mat>{frame, enlarged(grey(found, 0, 1.3 * top), factor), enlarged(grey(known, 0, 1.3 * top), factor),
-                                     enlarged(signedColours(found - known, 0.3 * top), factor)},
-                row);
+    cv::hconcat(
+        std::vector<cv::Mat>{frame, enlarged(grey(found, 0, 1.3 * top), factor), enlarged(grey(known, 0, 1.3 * top), factor),
+                             enlarged(signedColours(found - known, 0.3 * top), factor)},
+        row);
     cv::Mat labelled(row.rows + textPx, row.cols, CV_8UC3, cv::Scalar::all(255));
     row.copyTo(labelled.rowRange(textPx, labelled.rows));
     char text[200];
-    std::snprintf(text, sizeof text, "%s: contact %.1f px; normals %.1f deg, depth %.3f mm off; peak %.2f of %.2f mm; white: right, red +%.2f, blue -%.2f mm", score.name.c_str(),
-                  score.circle.radiusPx, score.normalErrorDeg, score.depthErrorMm, score.peakMm, top, 0.3 * top, 0.3 * top);
+    std::snprintf(
+        text, sizeof text,
+        "%s: contact %.1f px; normals %.1f deg, depth %.3f mm off; peak %.2f of %.2f mm; white: right, red +%.2f, blue -%.2f mm",
+        score.name.c_str(), score.circle.radiusPx, score.normalErrorDeg, score.depthErrorMm, score.peakMm, top, 0.3 * top,
+        0.3 * top);
     write(labelled, text, 4, 14);
     return labelled;
 }
@@ -139,7 +145,8 @@ nlohmann::ordered_json jsonOf(const signals::CalibrationScore& score)
             {"presses", presses}};
 }
 
-cv::Mat pressSheet(const signals::BallPresses& presses, const signals::Calibration& calibration, const signals::CalibrationScore& score)
+cv::Mat pressSheet(const signals::BallPresses& presses, const signals::Calibration& calibration,
+                   const signals::CalibrationScore& score)
 {
     auto worst = score.presses;
     std::sort(worst.begin(), worst.end(), [](const auto& a, const auto& b) { return a.depthErrorMm > b.depthErrorMm; });

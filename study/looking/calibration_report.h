@@ -1,11 +1,11 @@
 // What a calibration's maker wants to see: the numbers as JSON, and a sheet with the presses that were read worst.
 #pragma once
 
-#include "rendering/signals/ball_presses.h"
-
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
+
+#include "rendering/signals/ball_presses.h"
 
 namespace rendering {
 
@@ -24,7 +24,9 @@ QualityTrade tradeOf(const signals::BallPresses& presses, const signals::Located
 /// {"normal_error_deg":..,"depth_error_mm":..,"peak_mm":..,"peak_range_mm":[..],"ball_peak_mm":..,"peak_over_gel_mm":..,"presses":[..]}
 nlohmann::ordered_json jsonOf(const signals::CalibrationScore& score);
 
-/// One row a press, the worst dozen first: frame with the circle found, height, the ball's height, their difference; labelled. CV_8UC3, RGB.
-cv::Mat pressSheet(const signals::BallPresses& presses, const signals::Calibration& calibration, const signals::CalibrationScore& score);
+/// One row a press, the worst dozen first: frame with the circle found, height, the ball's height, their difference; labelled.
+/// CV_8UC3, RGB.
+cv::Mat pressSheet(const signals::BallPresses& presses, const signals::Calibration& calibration,
+                   const signals::CalibrationScore& score);
 
 }  // namespace rendering

@@ -1,17 +1,15 @@
 #include "study/looking/contact_sheet.h"
 
-#include "protocols/files/errors.h"
-#include "study/looking/relief_picture.h"
-#include "study/looking/seen_signal.h"
-
-#include <opencv2/core.hpp>
-
 #include <QFontMetricsF>
 #include <QPainter>
-
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <opencv2/core.hpp>
+
+#include "protocols/files/errors.h"
+#include "study/looking/relief_picture.h"
+#include "study/looking/seen_signal.h"
 
 namespace study::looking {
 
@@ -40,10 +38,7 @@ std::vector<Column> columnsOf(const ContactSheet& sheet)
     return columns;
 }
 
-QColor generatedColour()
-{
-    return QColor("#b4540a");
-}
+QColor generatedColour() { return QColor("#b4540a"); }
 
 void drawNote(QPainter& painter, const QRectF& place, const QString& text, const SheetStyle& style)
 {
@@ -66,7 +61,8 @@ QImage imageOf(const cv::Mat& values, const Axis& range)
 cv::Mat middleOf(const ContactMap& map, std::optional<double> sideMm)
 {
     const int least = std::min(map.values.cols, map.values.rows);
-    const int side = sideMm && map.mmPerPixel ? std::clamp(static_cast<int>(std::lround(*sideMm / *map.mmPerPixel)), 1, least) : least;
+    const int side =
+        sideMm && map.mmPerPixel ? std::clamp(static_cast<int>(std::lround(*sideMm / *map.mmPerPixel)), 1, least) : least;
     return map.values({(map.values.cols - side) / 2, (map.values.rows - side) / 2, side, side});
 }
 
@@ -110,8 +106,7 @@ Axis commonRange(const ContactRow& row)
             cv::minMaxLoc(map->values, &low, &high);
             ends.insert(ends.end(), {low, high});
         }
-    if (ends.empty())
-        return {};
+    if (ends.empty()) return {};
     const auto [low, high] = std::minmax_element(ends.begin(), ends.end());
     return {*low, *high, QStringLiteral("mm")};
 }
@@ -119,7 +114,8 @@ Axis commonRange(const ContactRow& row)
 /// The colours between both ends, in mm.
 void drawColours(QPainter& painter, const QRectF& place, const Axis& range, const SheetStyle& style)
 {
-    const QString low = QStringLiteral("%1 mm").arg(range.low, 0, 'f', 2), high = QStringLiteral("%1 mm").arg(range.high, 0, 'f', 2);
+    const QString low = QStringLiteral("%1 mm").arg(range.low, 0, 'f', 2),
+                  high = QStringLiteral("%1 mm").arg(range.high, 0, 'f', 2);
     painter.setFont(fontOf(style, 0.85));
     painter.setPen(style.text);
     const QFontMetricsF metrics(painter.font());
@@ -147,8 +143,7 @@ void drawHeight(QPainter& painter, const QRectF& place, const ContactMap& map, c
 std::vector<double> placesOf(const ContactTrace& trace)
 {
     std::vector<double> places(trace.values.size());
-    for (std::size_t i = 0; i < places.size(); ++i)
-        places[i] = static_cast<double>(i) * trace.mmPerSample;
+    for (std::size_t i = 0; i < places.size(); ++i) places[i] = static_cast<double>(i) * trace.mmPerSample;
     return places;
 }
 
@@ -169,8 +164,7 @@ void drawLegend(QPainter& painter, const QRectF& place, const ContactRow& row, c
         entry(isCoefficient ? QStringLiteral("measured") : QStringLiteral("measured: not a coefficient"), style.accent);
     else
         entry(QStringLiteral("not measured"), style.line);
-    if (!row.generatedFriction.values.empty())
-        entry(QStringLiteral("generated"), generatedColour());
+    if (!row.generatedFriction.values.empty()) entry(QStringLiteral("generated"), generatedColour());
 }
 
 /// Both over the same axes; a measured quantity that is no coefficient is left out where there is a generated one.
@@ -184,15 +178,13 @@ void drawFriction(QPainter& painter, const QRectF& place, const ContactRow& row,
         return;
     }
     std::vector<double> all = generated.values;
-    if (drawsMeasured)
-        all.insert(all.end(), measured.values.begin(), measured.values.end());
+    if (drawsMeasured) all.insert(all.end(), measured.values.begin(), measured.values.end());
     const auto lengthOf = [](const ContactTrace& trace) { return static_cast<double>(trace.values.size()) * trace.mmPerSample; };
     const Axis x{0, std::max({drawsMeasured ? lengthOf(measured) : 0, lengthOf(generated), 1e-9}), QStringLiteral("mm")};
-    const Axis y = axisAround(all, isCoefficient || !drawsMeasured ? QStringLiteral("coefficient")
-                                                                   : QString::fromStdString(row.measuredQuantity));
+    const Axis y = axisAround(
+        all, isCoefficient || !drawsMeasured ? QStringLiteral("coefficient") : QString::fromStdString(row.measuredQuantity));
     const QRectF inside = drawAxes(painter, place.adjusted(0, 0, 0, -2), x, y, style);
-    if (drawsMeasured)
-        drawCurve(painter, inside, x, y, placesOf(measured), measured.values, style);
+    if (drawsMeasured) drawCurve(painter, inside, x, y, placesOf(measured), measured.values, style);
     SheetStyle second = style;
     second.accent = generatedColour();
     drawCurve(painter, inside, x, y, placesOf(generated), generated.values, second);
@@ -208,7 +200,8 @@ void drawFrictionImage(QPainter& painter, const QRectF& place, const cv::Mat& im
     const int width = image.cols / shownOfImage, height = image.rows / shownOfImage;
     const cv::Mat middle = image({(image.cols - width) / 2, (image.rows - height) / 2, width, height});
     const QImage shown(middle.data, middle.cols, middle.rows, static_cast<qsizetype>(middle.step), QImage::Format_Grayscale8);
-    painter.drawImage(place, shown.scaled((place.size() * style.pixelRatio).toSize(), Qt::IgnoreAspectRatio, Qt::SmoothTransformation));
+    painter.drawImage(place,
+                      shown.scaled((place.size() * style.pixelRatio).toSize(), Qt::IgnoreAspectRatio, Qt::SmoothTransformation));
     painter.setFont(fontOf(style, 0.85));
     painter.setPen(style.quietText);
     painter.drawText(QRectF(place.left(), place.bottom() + 2, place.width(), lineHeight), Qt::AlignLeft | Qt::AlignVCenter,
@@ -266,8 +259,7 @@ void drawRow(QPainter& painter, double top, const ContactRow& row, const std::ve
     drawHeight(painter, next(), row.measuredHeight, "not measured", row, style);
     drawHeight(painter, next(), row.generatedHeight, "not generated", row, style);
     drawFriction(painter, next().adjusted(0, 0, 0, lineHeight), row, style);
-    for (const cv::Mat& image : row.frictionImages)
-        drawFrictionImage(painter, next(), image, style);
+    for (const cv::Mat& image : row.frictionImages) drawFrictionImage(painter, next(), image, style);
 }
 
 }  // namespace
@@ -277,13 +269,13 @@ QImage drawContactSheet(const ContactSheet& sheet, const SheetStyle& style)
     assert(!sheet.rows.empty() && "a sheet shows something");
     const std::vector<Column> columns = columnsOf(sheet);
     double width = 2 * margin - gap;
-    for (const Column& column : columns)
-        width += column.width + gap;
+    for (const Column& column : columns) width += column.width + gap;
     const double rowHeight = picture + below + gap;
     const double height = headHeight + static_cast<double>(sheet.rows.size()) * rowHeight + margin;
     constexpr double largestPx = 32000;
     if (height * style.pixelRatio > largestPx)
-        throw protocols::badInput({"the sheet would be higher than 32000 pixels", "--sheet", "fewer fabrics", "name some by --fabric"});
+        throw protocols::badInput(
+            {"the sheet would be higher than 32000 pixels", "--sheet", "fewer fabrics", "name some by --fabric"});
     QImage image((QSizeF(width, height) * style.pixelRatio).toSize(), QImage::Format_RGB32);
     image.setDevicePixelRatio(style.pixelRatio);
     image.fill(style.surface);

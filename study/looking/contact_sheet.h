@@ -3,15 +3,13 @@
 // scale and heights in one range of colours, so that what should look alike can be compared by eye.
 #pragma once
 
-#include "study/looking/plot.h"
-
-#include <opencv2/core/mat.hpp>
-
 #include <QImage>
-
+#include <opencv2/core/mat.hpp>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "study/looking/plot.h"
 
 namespace study::looking {
 

@@ -1,11 +1,11 @@
 #include "study/looking/dataset_sheet.h"
 
+#include <algorithm>
+
 #include "protocols/files/errors.h"
 #include "rendering/composition/fabric_signals.h"
 #include "study/looking/open_study.h"
 #include "study/looking/read_signal.h"
-
-#include <algorithm>
 
 namespace study::looking {
 
@@ -48,8 +48,7 @@ int knownHeightsOf(const Dataset& dataset, const protocols::FabricId& fabric)
 std::optional<int> indexAt(const Dataset& dataset, const protocols::FabricId& fabric, Modality modality, int place)
 {
     const auto indices = sampleIndices(dataset, fabric, modality);
-    if (place < 0 || place >= static_cast<int>(indices.size()))
-        return std::nullopt;
+    if (place < 0 || place >= static_cast<int>(indices.size())) return std::nullopt;
     return indices[static_cast<std::size_t>(place)];
 }
 
@@ -86,10 +85,7 @@ private:
 
 }  // namespace
 
-int FabricCounts::most() const
-{
-    return std::max({photographs, frames, strokes});
-}
+int FabricCounts::most() const { return std::max({photographs, frames, strokes}); }
 
 DatasetOverview overviewOf(const fs::path& folder)
 {

@@ -1,9 +1,9 @@
 // A data set as it is gone through before a study: what there is of each fabric, and one fabric's signals on a sheet.
 #pragma once
 
-#include "study/looking/seen_signal.h"
-
 #include <filesystem>
+
+#include "study/looking/seen_signal.h"
 
 namespace study::looking {
 

@@ -32,10 +32,8 @@ void requireNotOfOpenStudy(const fs::path& place)
     std::error_code problem;
     const fs::path whole = fs::weakly_canonical(place, problem);
     for (fs::path folder = whole; !folder.empty(); folder = folder.parent_path()) {
-        if (fs::exists(folder / "study.db", problem) && !isUnblinded(folder))
-            throw blinded(place, folder);
-        if (folder == folder.root_path())
-            return;
+        if (fs::exists(folder / "study.db", problem) && !isUnblinded(folder)) throw blinded(place, folder);
+        if (folder == folder.root_path()) return;
     }
 }
 

@@ -1,8 +1,8 @@
 #include "study/looking/picture_decoder.h"
 
-#include "protocols/files/errors.h"
-
 #include <QImageReader>
+
+#include "protocols/files/errors.h"
 
 namespace study::commands {
 

@@ -1,11 +1,11 @@
 // Where a file lies in a data set: DATASET/F01/visual/000.png.
 #pragma once
 
-#include "rendering/fabrics/dataset.h"
-
 #include <filesystem>
 #include <optional>
 #include <string>
+
+#include "rendering/fabrics/dataset.h"
 
 namespace study::looking {
 

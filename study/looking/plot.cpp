@@ -1,7 +1,6 @@
 #include "study/looking/plot.h"
 
 #include <QFontMetricsF>
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -32,12 +31,10 @@ QString labelOf(const Axis& axis, double tick, double step)
 
 std::vector<double> ticksOf(const Axis& axis, int wanted)
 {
-    if (!axis.isLogarithmic)
-        return ticksBetween(axis.low, axis.high, wanted);
+    if (!axis.isLogarithmic) return ticksBetween(axis.low, axis.high, wanted);
     const double step = std::max(1.0, std::ceil((axis.high - axis.low) / wanted));
     std::vector<double> decades;
-    for (double decade = std::ceil(axis.low); decade <= axis.high; decade += step)
-        decades.push_back(decade);
+    for (double decade = std::ceil(axis.low); decade <= axis.high; decade += step) decades.push_back(decade);
     return decades;
 }
 
@@ -136,30 +133,25 @@ double roundStep(double most)
 {
     const double decade = std::pow(10, std::floor(std::log10(most)));
     for (const double factor : {5.0, 2.0})
-        if (factor * decade <= most * (1 + 1e-9))
-            return factor * decade;
+        if (factor * decade <= most * (1 + 1e-9)) return factor * decade;
     return decade;
 }
 
 std::vector<double> ticksBetween(double low, double high, int wanted)
 {
-    if (!(high > low))
-        return {low};
+    if (!(high > low)) return {low};
     const double step = roundStep(2 * (high - low) / std::max(1, wanted));
     std::vector<double> ticks;
     const double first = std::ceil(low / step - 1e-9);
-    for (int i = 0; (first + i) * step <= high + 1e-9 * step; ++i)
-        ticks.push_back((first + i) * step);
+    for (int i = 0; (first + i) * step <= high + 1e-9 * step; ++i) ticks.push_back((first + i) * step);
     return ticks;
 }
 
 QString tickText(double value, double step)
 {
-    if (std::abs(value) < 1e-9 * step)
-        return QStringLiteral("0");
+    if (std::abs(value) < 1e-9 * step) return QStringLiteral("0");
     const double size = std::max(std::abs(value), step);
-    if (size >= 1e6 || step < 1e-6)
-        return QString::number(value, 'g', 3);
+    if (size >= 1e6 || step < 1e-6) return QString::number(value, 'g', 3);
     const int decimals = std::max(0, -static_cast<int>(std::floor(std::log10(step) + 1e-9)));
     return QString::number(value, 'f', decimals);
 }
@@ -183,11 +175,9 @@ Axis axisAround(const std::vector<double>& values, const QString& unit)
             low = std::min(low.value_or(value), value);
             high = std::max(high.value_or(value), value);
         }
-    if (!low)
-        return {0, 1, unit};
+    if (!low) return {0, 1, unit};
     double room = 0.06 * (*high - *low);
-    if (!(room > 1e-9 * std::max(std::abs(*low), std::abs(*high))))
-        room = *low == 0 ? 1 : std::abs(*low) / 2;
+    if (!(room > 1e-9 * std::max(std::abs(*low), std::abs(*high)))) room = *low == 0 ? 1 : std::abs(*low) / 2;
     return {*low - room, *high + room, unit};
 }
 
@@ -197,8 +187,7 @@ QRectF drawAxes(QPainter& painter, const QRectF& place, const Axis& x, const Axi
     const QFontMetricsF metrics(painter.font());
     const auto rows = ticksOf(y, static_cast<int>(place.height() / (2.2 * metrics.height())));
     double widest = 0;
-    for (const double tick : rows)
-        widest = std::max(widest, metrics.horizontalAdvance(labelOf(y, tick, stepOf(rows))));
+    for (const double tick : rows) widest = std::max(widest, metrics.horizontalAdvance(labelOf(y, tick, stepOf(rows))));
     const double above = metrics.height() * 1.75, below = metrics.height() * 1.35;
     const QRectF inside = place.adjusted(widest + 8, above, -2, -below);
     painter.setPen(style.quietText);
@@ -232,8 +221,7 @@ void drawCurve(QPainter& painter, const QRectF& inside, const Axis& x, const Axi
             painter.drawLine(*before, isTopNearer ? top : bottom);
         else if (isOne && (i == values.size() || !std::isfinite(values[i])))
             painter.drawEllipse(top, 1.5, 1.5);  // it stands alone
-        if (!isOne)
-            painter.drawLine(top, bottom);
+        if (!isOne) painter.drawLine(top, bottom);
         before = bottom;
     }
     painter.restore();

@@ -5,7 +5,6 @@
 #include <QFont>
 #include <QPainter>
 #include <QString>
-
 #include <vector>
 
 namespace study::looking {

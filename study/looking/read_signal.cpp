@@ -1,5 +1,12 @@
 #include "study/looking/read_signal.h"
 
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <limits>
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+
 #include "protocols/files/errors.h"
 #include "rendering/composition/friction_image.h"
 #include "rendering/images/image_io.h"
@@ -7,14 +14,6 @@
 #include "study/looking/open_study.h"
 #include "study/looking/place_in_dataset.h"
 #include "study/looking/read_trace.h"
-
-#include <opencv2/core.hpp>
-#include <opencv2/imgproc.hpp>
-
-#include <algorithm>
-#include <cctype>
-#include <cmath>
-#include <limits>
 
 namespace study::looking {
 
@@ -27,8 +26,7 @@ constexpr double missingMarkerMm = -1e9;  // instruments write -1e10
 
 std::optional<double> pitchIn(const PlaceInDataset& place)
 {
-    if (place.signal == "visual")
-        return place.dataset.cameraMmPerPixel;
+    if (place.signal == "visual") return place.dataset.cameraMmPerPixel;
     const bool isTactile = place.signal == "tactile" || place.signal == "height";
     return isTactile ? place.dataset.tactileMmPerPixel : std::nullopt;
 }
@@ -41,10 +39,7 @@ std::string endingOf(const fs::path& file)
     return ending;
 }
 
-std::string sizeOf(const cv::Mat& image)
-{
-    return std::to_string(image.cols) + " × " + std::to_string(image.rows);
-}
+std::string sizeOf(const cv::Mat& image) { return std::to_string(image.cols) + " × " + std::to_string(image.rows); }
 
 /// Bit 0: a channel at 0; bit 1: a channel at the highest.
 cv::Mat clippedIn(const cv::Mat& image, const Holds& holds)
@@ -80,8 +75,7 @@ SeenMap mapOfNumbers(const cv::Mat& numbers, const std::string& unit)
     map.unit = unit;
     numbers.convertTo(map.values, CV_32F);
     for (float& value : cv::Mat_<float>(map.values))
-        if (!std::isfinite(value) || (unit == "mm" && value <= missingMarkerMm))
-            value = static_cast<float>(nothing);
+        if (!std::isfinite(value) || (unit == "mm" && value <= missingMarkerMm)) value = static_cast<float>(nothing);
     return map;
 }
 
@@ -109,10 +103,8 @@ bool isOfTheGlass(const cv::Mat& image)
 std::string kindOfImage(const cv::Mat& image, const std::optional<PlaceInDataset>& place)
 {
     const std::string depth = image.depth() == CV_8U ? ", 8 bits" : ", 16 bits";
-    if (place && place->signal == "visual")
-        return "photograph, " + sizeOf(image) + depth;
-    if (place && place->signal == "tactile")
-        return "tactile frame, " + sizeOf(image) + depth;
+    if (place && place->signal == "visual") return "photograph, " + sizeOf(image) + depth;
+    if (place && place->signal == "tactile") return "tactile frame, " + sizeOf(image) + depth;
     const char* kind = image.channels() == 3 ? "colour picture, " : isOfTheGlass(image) ? "friction image, " : "grey picture, ";
     return kind + sizeOf(image) + depth;
 }
@@ -136,10 +128,8 @@ cv::Mat decoded(const fs::path& file, const ReadingOptions& options)
 
 std::optional<double> pitchOf(const cv::Mat& image, const std::optional<PlaceInDataset>& place, const ReadingOptions& options)
 {
-    if (options.mmPerPixel)
-        return options.mmPerPixel;
-    if (place)
-        return pitchIn(*place);
+    if (options.mmPerPixel) return options.mmPerPixel;
+    if (place) return pitchIn(*place);
     const bool isShown = image.depth() == CV_8U && isOfTheGlass(image);
     return isShown ? std::optional(rendering::displayMmPerPixel) : std::nullopt;
 }
@@ -153,16 +143,14 @@ std::string kindOfNumbers(const SeenMap& map)
 SeenSignal readMap(const fs::path& file, const ReadingOptions& options)
 {
     const cv::Mat image = decoded(file, options);
-    if (image.empty())
-        throw protocols::badInput({"holds no numbers", file.string(), "at least one pixel", ""});
+    if (image.empty()) throw protocols::badInput({"holds no numbers", file.string(), "at least one pixel", ""});
     const auto place = placeInDataset(file);
     const bool isImage = image.depth() == CV_8U || image.depth() == CV_16U;
     const bool isArray = endingOf(file) == ".npy";
     if (!isImage && image.channels() != 1)
         throw protocols::badInput({"holds " + std::to_string(image.channels()) + " numbers a pixel", file.string(),
                                    "one number a pixel, or an image of 8 or 16 bits", ""});
-    if (isArray && image.rows == 1 && image.cols > 1)
-        return seenRow(image, titleOf(file, place), options.unit);
+    if (isArray && image.rows == 1 && image.cols > 1) return seenRow(image, titleOf(file, place), options.unit);
     const std::string usualUnit = isArray ? "mm/mm" : "mm";
     SeenMap map = isImage ? mapOfImage(image) : mapOfNumbers(image, options.unit.empty() ? usualUnit : options.unit);
     map.mmPerPixel = pitchOf(image, place, options);
@@ -177,8 +165,7 @@ SeenSignal readSignal(const fs::path& file, const ReadingOptions& options)
 {
     requireNotOfOpenStudy(file);
     const std::string kind = endingOf(file);
-    if (kind == ".csv")
-        return readTrace(file, options);
+    if (kind == ".csv") return readTrace(file, options);
     return kind == ".tmd" ? readProfilometer(file, options) : readMap(file, options);
 }
 

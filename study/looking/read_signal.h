@@ -1,10 +1,10 @@
 // A file as a signal to look at: what it is follows from its kind and place; in a data set its pitch too.
 #pragma once
 
-#include "study/looking/seen_signal.h"
-
 #include <filesystem>
 #include <functional>
+
+#include "study/looking/seen_signal.h"
 
 namespace study::looking {
 

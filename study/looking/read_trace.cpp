@@ -1,11 +1,11 @@
 #include "study/looking/read_trace.h"
 
-#include "protocols/files/errors.h"
-#include "protocols/files/csv_table.h"
-#include "study/looking/place_in_dataset.h"
-
 #include <cmath>
 #include <limits>
+
+#include "protocols/files/csv_table.h"
+#include "protocols/files/errors.h"
+#include "study/looking/place_in_dataset.h"
 
 namespace study::looking {
 
@@ -21,16 +21,14 @@ std::vector<double> columnOf(const CsvTable& table, std::size_t column)
 {
     std::vector<double> values;
     values.reserve(table.rows.size());
-    for (const auto& row : table.rows)
-        values.push_back(rendering::fabrics::numberIn(row[column]).value_or(nothing));
+    for (const auto& row : table.rows) values.push_back(rendering::fabrics::numberIn(row[column]).value_or(nothing));
     return values;
 }
 
 std::string joined(const std::vector<std::string>& names)
 {
     std::string line;
-    for (const std::string& name : names)
-        line += (line.empty() ? "" : ", ") + name;
+    for (const std::string& name : names) line += (line.empty() ? "" : ", ") + name;
     return line;
 }
 
@@ -58,8 +56,7 @@ void takeValues(SeenTrace& trace, const CsvTable& table, const std::string& quan
     }
     for (std::size_t column = 0; column < table.columns.size(); ++column) {
         const std::string& name = table.columns[column];
-        if (name == "t_s" || name == "position_mm" || name.starts_with("time") || (mu && column != *mu))
-            continue;
+        if (name == "t_s" || name == "position_mm" || name.starts_with("time") || (mu && column != *mu)) continue;
         trace.values = columnOf(table, column);
         trace.quantity = mu ? "coefficient of friction" : name;
         return;
@@ -73,8 +70,7 @@ void keepRising(SeenTrace& trace)
 {
     std::size_t kept = 0;
     for (std::size_t i = 0; i < trace.places.size(); ++i) {
-        if (!std::isfinite(trace.places[i]) || (kept > 0 && trace.places[i] <= trace.places[kept - 1]))
-            continue;
+        if (!std::isfinite(trace.places[i]) || (kept > 0 && trace.places[i] <= trace.places[kept - 1])) continue;
         trace.places[kept] = trace.places[i];
         trace.values[kept++] = trace.values[i];
     }
@@ -89,11 +85,9 @@ void takePlaces(SeenTrace& trace, const CsvTable& table, std::optional<double> s
     if (position || time)
         trace.places = columnOf(table, position ? *position : *time);
     else
-        for (std::size_t i = 0; i < table.rows.size(); ++i)
-            trace.places.push_back(static_cast<double>(i));
+        for (std::size_t i = 0; i < table.rows.size(); ++i) trace.places.push_back(static_cast<double>(i));
     if (!position && time && speedMmPerS)
-        for (double& place : trace.places)
-            place *= *speedMmPerS;
+        for (double& place : trace.places) place *= *speedMmPerS;
 }
 
 }  // namespace
@@ -103,18 +97,15 @@ SeenSignal readTrace(const fs::path& file, const ReadingOptions& options)
     const CsvTable table = rendering::fabrics::readCsvTable(file);
     const auto place = placeInDataset(file);
     std::optional<double> speed = options.speedMmPerS;
-    if (!speed && place)
-        speed = place->dataset.friction.speedMmPerS;
+    if (!speed && place) speed = place->dataset.friction.speedMmPerS;
     SeenTrace trace;
     takeValues(trace, table, options.quantity);
     takePlaces(trace, table, speed);
     keepRising(trace);
-    if (trace.places.empty())
-        throw protocols::badInput({"holds no samples", file.string(), "at least one row", ""});
+    if (trace.places.empty()) throw protocols::badInput({"holds no samples", file.string(), "at least one row", ""});
     const double gaps = static_cast<double>(trace.places.size() - 1);
     const double length = trace.places.back() - trace.places.front();
-    if (trace.placeUnit == "mm" && length > 0)
-        trace.samplesPerMm = gaps / length;
+    if (trace.placeUnit == "mm" && length > 0) trace.samplesPerMm = gaps / length;
     if (const auto time = table.column("t_s"); time && gaps > 0) {
         const auto times = columnOf(table, *time);
         if (times.back() > times.front())

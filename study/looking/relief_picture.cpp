@@ -1,11 +1,10 @@
 #include "study/looking/relief_picture.h"
 
-#include <opencv2/core.hpp>
-#include <opencv2/imgproc.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
 #include <vector>
 
 namespace study::looking {
@@ -21,10 +20,8 @@ std::pair<double, double> bulkOf(const cv::Mat& values)
 {
     std::vector<float> finite;
     for (const float value : cv::Mat_<float>(values))
-        if (std::isfinite(value))
-            finite.push_back(value);
-    if (finite.empty())
-        return {0, 0};
+        if (std::isfinite(value)) finite.push_back(value);
+    if (finite.empty()) return {0, 0};
     const auto at = [&](double share) {
         const auto place = static_cast<std::ptrdiff_t>(share * static_cast<double>(finite.size() - 1));
         std::nth_element(finite.begin(), finite.begin() + place, finite.end());
@@ -129,8 +126,7 @@ Relief reliefOf(const cv::Mat& values, QSize size, const QColor& body)
             const int y = std::clamp(bottom - (rows - 1 - row) - static_cast<int>(std::lround(heights.at<float>(row, x))), 0,
                                      size.height() - 1);
             const QRgb shade = row == rows - 1 ? front : lit(body, brightnessAt(heights, row, x));
-            for (int line = y; line < hidden; ++line)
-                reinterpret_cast<QRgb*>(relief.picture.scanLine(line))[x] = shade;
+            for (int line = y; line < hidden; ++line) reinterpret_cast<QRgb*>(relief.picture.scanLine(line))[x] = shade;
             hidden = std::min(hidden, y);
         }
     }

@@ -4,7 +4,6 @@
 #include <QColor>
 #include <QImage>
 #include <QRect>
-
 #include <opencv2/core/mat.hpp>
 
 namespace study::looking {

@@ -1,12 +1,11 @@
 #include "study/looking/render_sheet.h"
 
+#include <QBuffer>
+#include <algorithm>
+
 #include "protocols/files/errors.h"
 #include "rendering/composition/fabric_signals.h"
 #include "study/commands/json_output.h"
-
-#include <QBuffer>
-
-#include <algorithm>
 
 namespace study::commands {
 
@@ -44,7 +43,8 @@ looking::ContactMap mapOf(const rendering::FabricSignals& signals, Signal signal
 looking::ContactTrace traceOf(const rendering::FabricSignals& signals, Signal signal, std::optional<double> mmPerSample)
 {
     const auto found = signals.traces.find(signal);
-    return found == signals.traces.end() ? looking::ContactTrace{} : looking::ContactTrace{found->second, mmPerSample.value_or(0)};
+    return found == signals.traces.end() ? looking::ContactTrace{}
+                                         : looking::ContactTrace{found->second, mmPerSample.value_or(0)};
 }
 
 void addMeasured(looking::ContactRow& row, const rendering::FabricSignals& signals)
@@ -61,8 +61,7 @@ void addGenerated(looking::ContactRow& row, const rendering::FabricSignals& sign
     row.generatedHeight =
         mapOf(signals, Signal::GeneratedHeight, signals.photographMmPerPixel ? signals.generatedMmPerPixel : std::nullopt);
     row.generatedFriction = traceOf(signals, Signal::GeneratedTrace, signals.generatedTraceMmPerSample);
-    if (signals.photograph && signals.photograph->unfamiliar())
-        row.remark = "unlike the photographs trained on: a guess";
+    if (signals.photograph && signals.photograph->unfamiliar()) row.remark = "unlike the photographs trained on: a guess";
 }
 
 rendering::SampleChoice samplesOf(const rendering::fabrics::Dataset& dataset, const rendering::RenderRequest& request,
@@ -84,8 +83,7 @@ looking::ContactSheet contactSheetOf(const rendering::fabrics::Dataset& dataset,
 {
     looking::ContactSheet sheet;
     sheet.title = dataset.name + ": photographs, and what is measured and generated of each fabric";
-    if (dataset.pairing == rendering::fabrics::Pairing::Weak)
-        sheet.title += "; measured at other places than photographed";
+    if (dataset.pairing == rendering::fabrics::Pairing::Weak) sheet.title += "; measured at other places than photographed";
     rendering::RenderRequest render = request;
     render.conditions.clear();
     render.mapping = {};  // as the display takes it
@@ -97,8 +95,7 @@ looking::ContactSheet contactSheetOf(const rendering::fabrics::Dataset& dataset,
         return !canRender(dataset, fabric, samplesOf(dataset, request, fabric), "h_g", request.scale);
     });
     rendering::Rendering made;
-    if (!render.fabrics.empty())
-        made = renderFabrics(dataset, render, progress);
+    if (!render.fabrics.empty()) made = renderFabrics(dataset, render, progress);
     rendering::SignalWorkshop workshop(dataset, request.generation.quality);
     for (const FabricId& fabric : request.fabrics) {
         looking::ContactRow row;

@@ -1,11 +1,10 @@
 #include "study/looking/seen_signal.h"
 
-#include <opencv2/core.hpp>
-
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <opencv2/core.hpp>
 
 namespace study::looking {
 
@@ -18,14 +17,11 @@ constexpr double flatContrast = 2;  // grey levels of root mean square: nothing 
 /// Two passes, for small waves on a large height.
 void addMoments(SignalFacts& facts, const std::vector<double>& finite)
 {
-    if (finite.empty())
-        return;
+    if (finite.empty()) return;
     double sum = 0, squares = 0;
-    for (const double value : finite)
-        sum += value;
+    for (const double value : finite) sum += value;
     const double mean = sum / static_cast<double>(finite.size());
-    for (const double value : finite)
-        squares += (value - mean) * (value - mean);
+    for (const double value : finite) squares += (value - mean) * (value - mean);
     const auto [low, high] = std::minmax_element(finite.begin(), finite.end());
     facts.min = *low;
     facts.max = *high;
@@ -44,12 +40,10 @@ SignalFacts factsOfMap(const SeenMap& map)
     std::vector<double> finite;
     finite.reserve(map.values.total());
     for (const float value : cv::Mat_<float>(map.values))
-        if (std::isfinite(value))
-            finite.push_back(value);
+        if (std::isfinite(value)) finite.push_back(value);
     addMoments(facts, finite);
     facts.missingShare = share(map.values.total() - finite.size(), map.values.total());
-    if (!map.holds)
-        return facts;
+    if (!map.holds) return facts;
     std::size_t low = 0, high = 0;
     for (const unsigned char mark : cv::Mat_<unsigned char>(map.clipped)) {
         low += mark & 1u;
@@ -72,10 +66,8 @@ SignalFacts factsOfTrace(const SeenTrace& trace)
 
 std::string percent(double share)
 {
-    if (share == 0)
-        return "0 %";
-    if (share < 0.0005)
-        return "less than 0.1 %";
+    if (share == 0) return "0 %";
+    if (share < 0.0005) return "less than 0.1 %";
     const long tenths = std::lround(share * 1000);
     return std::to_string(tenths / 10) + (tenths % 10 == 0 ? "" : "." + std::to_string(tenths % 10)) + " %";
 }
@@ -117,10 +109,8 @@ std::vector<std::string> linesOf(const SeenSignal& signal, const SignalFacts& fa
     const std::string unit = map && !map->unit.empty() ? " " + map->unit : "";
     const std::string missing = map ? "missing (NaN) " : std::get<SeenTrace>(signal.what).whyMissing + " ";
     std::vector<std::string> lines;
-    if (facts.min)
-        lines.push_back("min " + figure(*facts.min) + "   max " + figure(*facts.max) + unit);
-    if (facts.mean)
-        lines.push_back("mean " + figure(*facts.mean) + (map ? "   Sq " : "   SD ") + figure(*facts.sq) + unit);
+    if (facts.min) lines.push_back("min " + figure(*facts.min) + "   max " + figure(*facts.max) + unit);
+    if (facts.mean) lines.push_back("mean " + figure(*facts.mean) + (map ? "   Sq " : "   SD ") + figure(*facts.sq) + unit);
     std::string shares = missing + percent(facts.missingShare);
     if (facts.clippedLowShare)
         shares = "clipped: " + percent(*facts.clippedLowShare) + " at 0, " + percent(*facts.clippedHighShare) + " at " +
@@ -146,8 +136,7 @@ std::vector<std::string> warningsOf(const SeenSignal& signal, const SignalFacts&
         warnings.push_back(
             percent(facts.missingShare) +
             (map ? " of the points are missing." : " of the samples: " + std::get<SeenTrace>(signal.what).whyMissing + "."));
-    if (map && map->beginsAtZero && facts.min && *facts.min < -1e-6)
-        warnings.emplace_back("Some heights are below 0.");
+    if (map && map->beginsAtZero && facts.min && *facts.min < -1e-6) warnings.emplace_back("Some heights are below 0.");
     return warnings;
 }
 

@@ -1,14 +1,13 @@
 #include "study/looking/sheet.h"
 
-#include "protocols/files/errors.h"
-#include "study/looking/sheet_panels.h"
-
 #include <QFontMetricsF>
 #include <QPainter>
-
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+
+#include "protocols/files/errors.h"
+#include "study/looking/sheet_panels.h"
 
 namespace study::looking {
 
@@ -26,8 +25,7 @@ struct Card {
 QStringList qtLines(const std::vector<std::string>& lines)
 {
     QStringList list;
-    for (const std::string& line : lines)
-        list << QString::fromStdString(line);
+    for (const std::string& line : lines) list << QString::fromStdString(line);
     return list;
 }
 
@@ -42,10 +40,7 @@ struct Measures {
     double whole() const { return head + picture + relief + profile + facts + 4 * between + 2 * edge; }
 };
 
-double inner(const SheetStyle& style)
-{
-    return style.columnPx - 2 * edge;
-}
+double inner(const SheetStyle& style) { return style.columnPx - 2 * edge; }
 
 double heightOf(const QString& text, const QFont& font, double width)
 {
@@ -55,8 +50,7 @@ double heightOf(const QString& text, const QFont& font, double width)
 double factsHeight(const Card& card, const SheetStyle& style)
 {
     double height = heightOf(card.lines.join('\n'), fontOf(style), inner(style));
-    for (const QString& warning : card.warnings)
-        height += heightOf(warning, fontOf(style), inner(style) - 16) + 16;
+    for (const QString& warning : card.warnings) height += heightOf(warning, fontOf(style), inner(style) - 16) + 16;
     return height;
 }
 
@@ -67,8 +61,7 @@ Measures measuresOf(const std::vector<Card>& cards, const SheetStyle& style)
     measures.picture = inner(style) * 0.72;
     measures.relief = inner(style) * 0.52;
     measures.profile = inner(style) * 0.42;
-    for (const Card& card : cards)
-        measures.facts = std::max(measures.facts, factsHeight(card, style));
+    for (const Card& card : cards) measures.facts = std::max(measures.facts, factsHeight(card, style));
     return measures;
 }
 
@@ -146,8 +139,7 @@ QImage drawSheet(const std::vector<SeenSignal>& signals, const SheetStyle& style
 {
     assert(!signals.empty() && perRow >= 1 && "a sheet shows something");
     std::vector<Card> cards;
-    for (const SeenSignal& signal : signals)
-        cards.push_back(cardOf(signal));
+    for (const SeenSignal& signal : signals) cards.push_back(cardOf(signal));
     const Measures measures = measuresOf(cards, style);
     const int columns = std::min(perRow, static_cast<int>(cards.size()));
     const int rows = (static_cast<int>(cards.size()) + columns - 1) / columns;

@@ -2,10 +2,10 @@
 // units, a scale bar and the figures by which a bad press or a clipped image is seen.
 #pragma once
 
+#include <QImage>
+
 #include "study/looking/plot.h"
 #include "study/looking/seen_signal.h"
-
-#include <QImage>
 
 namespace study::looking {
 

@@ -1,23 +1,18 @@
 #include "study/looking/sheet_panels.h"
 
-#include "study/looking/relief_picture.h"
-
 #include <QFontMetricsF>
-
+#include <algorithm>
+#include <cmath>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include <algorithm>
-#include <cmath>
+#include "study/looking/relief_picture.h"
 
 namespace study::looking {
 
 namespace {
 
-QString unitText(const std::string& unit)
-{
-    return QString::fromStdString(unit);
-}
+QString unitText(const std::string& unit) { return QString::fromStdString(unit); }
 
 /// Shrunk so that it has no more pixels than the place; a map of few values keeps its steps.
 cv::Mat fitted(const cv::Mat& image, QSize size)
@@ -85,8 +80,7 @@ void markPlaces(QPainter& painter, const QRectF& picture, const SeenMap& map, co
     painter.setBrush(Qt::NoBrush);
     for (const QPen& pen : {QPen(Qt::black, 3), QPen(Qt::white, 1)}) {
         painter.setPen(pen);
-        if (!isAll)
-            painter.drawRect(framed);
+        if (!isAll) painter.drawRect(framed);
     }
     painter.restore();
 }
@@ -102,11 +96,9 @@ QString lengthText(double pixels, const std::optional<double>& mmPerPixel)
 
 QString heightWords(const SeenMap& map, const Relief& relief)
 {
-    if (relief.pixelsPerUnit == 0)
-        return QStringLiteral("even");
+    if (relief.pixelsPerUnit == 0) return QStringLiteral("even");
     const bool isHeight = map.unit == "mm" && map.mmPerPixel;
-    if (!isHeight)
-        return map.holds ? QStringLiteral("bright is high") : QStringLiteral("large is high");
+    if (!isHeight) return map.holds ? QStringLiteral("bright is high") : QStringLiteral("large is high");
     const double factor = relief.pixelsPerUnit / (relief.pixelsPerValue / *map.mmPerPixel);
     return QStringLiteral("heights × %1").arg(QString::fromStdString(roughFigure(factor)));
 }
@@ -163,8 +155,7 @@ void drawProfile(QPainter& painter, const QRectF& place, const SeenMap& map, con
     }
     const Axis x{0, std::max(places.back(), pitch), map.mmPerPixel ? QStringLiteral("mm") : QStringLiteral("pixels")};
     Axis y = axisAround(values, unitText(map.unit));
-    if (map.holds)
-        y = {map.holds->lowest, map.holds->highest, unitText(map.unit)};
+    if (map.holds) y = {map.holds->lowest, map.holds->highest, unitText(map.unit)};
     drawCurve(painter, drawAxes(painter, below, x, y, style), x, y, places, values, style);
 }
 

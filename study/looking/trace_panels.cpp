@@ -1,14 +1,12 @@
 // The panels of a trace. Spectrograms are those of rendering/signals, drawn.
+#include <QFontMetricsF>
+#include <algorithm>
+#include <cmath>
+#include <opencv2/core.hpp>
+
 #include "rendering/signals/spectrogram.h"
 #include "study/looking/relief_picture.h"
 #include "study/looking/sheet_panels.h"
-
-#include <QFontMetricsF>
-
-#include <opencv2/core.hpp>
-
-#include <algorithm>
-#include <cmath>
 
 namespace study::looking {
 
@@ -38,8 +36,7 @@ Stretch stretchOf(const SeenTrace& trace)
             ++finite;
         }
     const double mean = finite > 0 ? sum / finite : 0;
-    for (double& value : stretch.values)
-        value = std::isfinite(value) ? value - mean : 0;
+    for (double& value : stretch.values) value = std::isfinite(value) ? value - mean : 0;
     return stretch;
 }
 
@@ -51,10 +48,8 @@ struct Frequencies {
 
 Frequencies frequenciesOf(const SeenTrace& trace)
 {
-    if (trace.sampleRateHz)
-        return {*trace.sampleRateHz, QStringLiteral("Hz")};
-    if (trace.samplesPerMm)
-        return {*trace.samplesPerMm, QStringLiteral("per mm")};
+    if (trace.sampleRateHz) return {*trace.sampleRateHz, QStringLiteral("Hz")};
+    if (trace.samplesPerMm) return {*trace.samplesPerMm, QStringLiteral("per mm")};
     return {1, QStringLiteral("per sample")};
 }
 
@@ -62,8 +57,7 @@ rendering::signals::Spectrogram spectrogramOf(const Stretch& stretch)
 {
     rendering::signals::SpectrogramParameters parameters;
     int window = 32;
-    while (window < 512 && static_cast<std::size_t>(window) * 16 < stretch.values.size())
-        window *= 2;
+    while (window < 512 && static_cast<std::size_t>(window) * 16 < stretch.values.size()) window *= 2;
     parameters.windowLength = parameters.fftSize = window;
     parameters.hop = window / 4;
     return rendering::signals::stft(stretch.values, parameters);
@@ -81,8 +75,7 @@ cv::Mat amplitudesOf(const rendering::signals::Spectrogram& spectrogram)
 
 bool isTooShort(QPainter& painter, const QRectF& place, const SeenTrace& trace, const SheetStyle& style)
 {
-    if (trace.values.size() >= fewestSamples)
-        return false;
+    if (trace.values.size() >= fewestSamples) return false;
     painter.setFont(fontOf(style, 0.9));
     painter.setPen(style.quietText);
     painter.drawText(place, Qt::AlignCenter | Qt::TextWordWrap,
@@ -90,10 +83,7 @@ bool isTooShort(QPainter& painter, const QRectF& place, const SeenTrace& trace, 
     return true;
 }
 
-QString withUnit(const SeenTrace& trace)
-{
-    return QString::fromStdString(trace.quantity);
-}
+QString withUnit(const SeenTrace& trace) { return QString::fromStdString(trace.quantity); }
 
 }  // namespace
 
@@ -111,8 +101,7 @@ void drawSpectrogram(QPainter& painter, const QRectF& place, const SeenTrace& tr
     const Stretch stretch = stretchOf(trace);
     const QString part = stretch.isWhole ? QString() : QStringLiteral(" of %1 samples").arg(stretch.values.size());
     const QRectF below = belowCaption(painter, place, QStringLiteral("Spectrogram%1, 60 dB").arg(part), style);
-    if (isTooShort(painter, below, trace, style))
-        return;
+    if (isTooShort(painter, below, trace, style)) return;
     const cv::Mat amplitudes = amplitudesOf(spectrogramOf(stretch));
     double strongest = 0;
     cv::minMaxLoc(amplitudes, nullptr, &strongest);
@@ -136,8 +125,7 @@ void drawSpectrogram(QPainter& painter, const QRectF& place, const SeenTrace& tr
 void drawSpectrum(QPainter& painter, const QRectF& place, const SeenTrace& trace, const SheetStyle& style)
 {
     const QRectF below = belowCaption(painter, place, QStringLiteral("Spectrum, mean amplitude"), style);
-    if (isTooShort(painter, below, trace, style))
-        return;
+    if (isTooShort(painter, below, trace, style)) return;
     const cv::Mat amplitudes = amplitudesOf(spectrogramOf(stretchOf(trace)));
     const Frequencies frequencies = frequenciesOf(trace);
     std::vector<double> places, logarithms;

@@ -1,12 +1,12 @@
 #include "study/making/image_folder.h"
 
+#include <nlohmann/json.hpp>
+
 #include "protocols/condition.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/sha256.h"
 #include "rendering/images/image_io.h"
 #include "study/commands/json_output.h"
-
-#include <nlohmann/json.hpp>
 
 namespace study::commands {
 
@@ -29,8 +29,7 @@ std::string imageFolderKey(const database::StudyFacts& facts, const rendering::R
     ordered_json inputs{{"program", facts.programVersion}, {"dataset", facts.datasetSha256}, {"model", facts.modelSha256}};
     for (const auto& [fabric, sample] : request.samples)
         inputs["samples"][fabric.value] = {sample.visual, sample.tactile, sample.friction};
-    for (const auto& condition : request.conditions)
-        inputs["conditions"].push_back(condition.value);
+    for (const auto& condition : request.conditions) inputs["conditions"].push_back(condition.value);
     inputs["mapping"] = {static_cast<int>(request.scale), static_cast<int>(request.extension), request.percentiles.low,
                          request.percentiles.high, request.mapping.dither};
     return protocols::sha256(inputs.dump());
@@ -38,11 +37,9 @@ std::string imageFolderKey(const database::StudyFacts& facts, const rendering::R
 
 std::optional<KeptImages> readImageFolder(const fs::path& folder, const std::string& key, const rendering::RenderRequest& request)
 {
-    if (!fs::exists(folder / manifestName))
-        return std::nullopt;
+    if (!fs::exists(folder / manifestName)) return std::nullopt;
     const auto manifest = ordered_json::parse(readFile(folder / manifestName), nullptr, false);
-    if (manifest.is_discarded() || manifest.value("key", "") != key || !manifest.contains("stamps"))
-        return std::nullopt;
+    if (manifest.is_discarded() || manifest.value("key", "") != key || !manifest.contains("stamps")) return std::nullopt;
     KeptImages kept;
     kept.signalsJson = manifest["signals"].dump();
     kept.stamps = manifest["stamps"].get<std::vector<std::string>>();
@@ -50,8 +47,7 @@ std::optional<KeptImages> readImageFolder(const fs::path& folder, const std::str
         for (const auto& fabric : request.fabrics) {
             const auto file = imagePath(folder, fabric, condition);
             const auto expected = manifest["sha256"].value(fs::relative(file, folder).string(), "");
-            if (!fs::exists(file) || protocols::sha256OfFile(file) != expected)
-                return std::nullopt;
+            if (!fs::exists(file) || protocols::sha256OfFile(file) != expected) return std::nullopt;
             kept.images[condition][fabric] = rendering::readPng(file);
         }
     return kept;
@@ -69,8 +65,8 @@ void writeImageFolder(const fs::path& folder, const std::string& key, const std:
             std::error_code failure;
             fs::create_directories(file.parent_path(), failure);
             if (failure)
-                throw protocols::environmentFault({"cannot make the folder (" + failure.message() + ")", file.parent_path().string(),
-                                                   "a writable place", "choose another one"});
+                throw protocols::environmentFault({"cannot make the folder (" + failure.message() + ")",
+                                                   file.parent_path().string(), "a writable place", "choose another one"});
             rendering::writePng(file, image);
             manifest["sha256"][fs::relative(file, folder).string()] = protocols::sha256OfFile(file);
         }

@@ -3,14 +3,14 @@
 // from, and every file's hash, is the same.
 #pragma once
 
-#include "database/study_store.h"
-#include "rendering/composition/render_fabrics.h"
-
 #include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "database/study_store.h"
+#include "rendering/composition/render_fabrics.h"
 
 namespace study::commands {
 

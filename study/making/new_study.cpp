@@ -1,24 +1,24 @@
 #include "study/making/new_study.h"
 
+#include <unistd.h>
+
+#include <algorithm>
+
 #include "database/keys.h"
 #include "protocols/allocation.h"
 #include "protocols/condition.h"
 #include "protocols/files/errors.h"
+#include "protocols/files/sha256.h"
 #include "protocols/protocol_json.h"
 #include "protocols/random.h"
-#include "protocols/files/sha256.h"
 #include "rendering/composition/render_fabrics.h"
 #include "rendering/display/stimulus_bank.h"
 #include "study/commands/command_line.h"
-#include "study/making/image_folder.h"
 #include "study/commands/json_output.h"
+#include "study/making/image_folder.h"
 #include "study/making/sample_choice.h"
 #include "study/making/signal_quality.h"
 #include "study/session/clock.h"
-
-#include <unistd.h>
-
-#include <algorithm>
 
 namespace study::commands {
 
@@ -43,7 +43,8 @@ ProtocolText protocolText(const NewStudy& request)
         auto json = nlohmann::ordered_json::parse(text.json);
         json["participants"] = *request.participants;
         text.json = json.dump(2) + "\n";
-        text.protocol = protocols::protocolFromJson(text.json, where + " with --participants " + std::to_string(*request.participants));
+        text.protocol =
+            protocols::protocolFromJson(text.json, where + " with --participants " + std::to_string(*request.participants));
     }
     return text;
 }
@@ -51,17 +52,16 @@ ProtocolText protocolText(const NewStudy& request)
 std::vector<protocols::FabricId> drawFabrics(const Dataset& dataset, const protocols::Protocol& protocol, std::uint64_t seed)
 {
     if (!protocol.fabrics.empty()) {
-        for (const auto& fabric : protocol.fabrics)
-            (void)dataset.fabric(fabric);
+        for (const auto& fabric : protocol.fabrics) (void)dataset.fabric(fabric);
         return protocol.fabrics;
     }
     if (static_cast<int>(dataset.fabrics.size()) < protocol.fabricCount)
-        throw protocols::badInput({"the data set has " + std::to_string(dataset.fabrics.size()) + " fabrics", dataset.folder.string(),
+        throw protocols::badInput({"the data set has " + std::to_string(dataset.fabrics.size()) + " fabrics",
+                                   dataset.folder.string(),
                                    std::to_string(protocol.fabricCount) + " or more, as the protocol says",
                                    "use a larger data set or a protocol with fewer fabrics"});
     std::vector<protocols::FabricId> fabrics;
-    for (const auto& fabric : dataset.fabrics)
-        fabrics.push_back(fabric.id);
+    for (const auto& fabric : dataset.fabrics) fabrics.push_back(fabric.id);
     protocols::Random::stream(seed, "fabrics of the study").shuffle(fabrics);
     fabrics.resize(protocol.fabricCount);
     std::sort(fabrics.begin(), fabrics.end());
@@ -71,8 +71,7 @@ std::vector<protocols::FabricId> drawFabrics(const Dataset& dataset, const proto
 /// Whether a study lies there that may be remade: one of ours in which no human took part.
 bool mayBeReplaced(const fs::path& study)
 {
-    if (!fs::exists(database::StudyFolder{study}.database()))
-        return false;
+    if (!fs::exists(database::StudyFolder{study}.database())) return false;
     const auto slots = database::StudyStore({study}, database::StudyStore::Access::Read).slots();
     return std::none_of(slots.begin(), slots.end(), [](const database::Slot& slot) {
         return slot.state != database::SlotState::Free && slot.kind == database::ParticipantKind::Human;
@@ -81,14 +80,14 @@ bool mayBeReplaced(const fs::path& study)
 
 void requireFreePlace(const NewStudy& request)
 {
-    if (!fs::exists(request.study))
-        return;
+    if (!fs::exists(request.study)) return;
     if (!request.replaceSimulated)
         throw protocols::badInput({"the folder exists", request.study.string(), "a new folder for a new study",
                                    "choose another name, or open this one with `vis2hap " + request.study.string() + "`"});
     if (!mayBeReplaced(request.study))
         throw protocols::badInput({"it holds answers of people, or is no study", request.study.string(),
-                                   "a study of simulated participants alone", "move it away or choose another name; nothing was deleted"});
+                                   "a study of simulated participants alone",
+                                   "move it away or choose another name; nothing was deleted"});
 }
 
 /// A folder that vanishes unless it becomes the study.
@@ -114,13 +113,11 @@ public:
         fs::path old = m_study;
         old += ".old-" + std::to_string(getpid());
         std::error_code failure;
-        if (fs::exists(m_study))
-            fs::rename(m_study, old, failure);
-        if (!failure)
-            fs::rename(m_folder, m_study, failure);
+        if (fs::exists(m_study)) fs::rename(m_study, old, failure);
+        if (!failure) fs::rename(m_folder, m_study, failure);
         if (failure)
-            throw protocols::environmentFault({"cannot be put in place (" + failure.message() + ")", m_study.string(), "a writable place",
-                                               "choose another one"});
+            throw protocols::environmentFault({"cannot be put in place (" + failure.message() + ")", m_study.string(),
+                                               "a writable place", "choose another one"});
         fs::remove_all(old, failure);
     }
 
@@ -157,26 +154,25 @@ Images friction(const NewStudy& request, const Dataset& dataset, const rendering
         }
     auto rendering = renderFabrics(dataset, render, progress);
     images.signalsJson = signalQuality(rendering.signals).dump();
-    for (const auto& line : unfamiliarPhotographs(rendering))
-        images.stamps.push_back(sentence(line));
+    for (const auto& line : unfamiliarPhotographs(rendering)) images.stamps.push_back(sentence(line));
     images.warnings = shadingWarnings(rendering);
-    for (const auto& line : cutPhotographs(rendering))
-        images.warnings.push_back(line);
+    for (const auto& line : cutPhotographs(rendering)) images.warnings.push_back(line);
     if (!request.images.empty())
-        writeImageFolder(request.images, key, renderJson(dataset, render, rendering), rendering, images.signalsJson, images.stamps);
-    for (auto& condition : rendering.conditions)
-        images.byCondition[condition.condition] = std::move(condition.images);
+        writeImageFolder(request.images, key, renderJson(dataset, render, rendering), rendering, images.signalsJson,
+                         images.stamps);
+    for (auto& condition : rendering.conditions) images.byCondition[condition.condition] = std::move(condition.images);
     return images;
 }
 
-std::map<protocols::FileCode, std::string> writeStimuli(const fs::path& folder, const protocols::AllocationKey& key, const Images& images)
+std::map<protocols::FileCode, std::string> writeStimuli(const fs::path& folder, const protocols::AllocationKey& key,
+                                                        const Images& images)
 {
     std::map<protocols::FileCode, std::string> hashes;
     const cv::Mat blank = cv::Mat::zeros(rendering::displayHeightPx, rendering::displayWidthPx, CV_8UC1);
     for (const auto& [code, entry] : key.entries) {
         const bool isCatchTrial = entry.condition == protocols::catchTrialId();
-        hashes[code] =
-            rendering::writeStimulus(folder, code, isCatchTrial ? blank : images.byCondition.at(entry.condition).at(entry.fabric));
+        hashes[code] = rendering::writeStimulus(folder, code,
+                                                isCatchTrial ? blank : images.byCondition.at(entry.condition).at(entry.fabric));
     }
     return hashes;
 }
@@ -190,7 +186,8 @@ struct Familiarisation {
 bool hasSamplesFor(const Dataset& dataset, const protocols::FabricId& fabric, const std::vector<rendering::Signal>& signals)
 {
     const auto lacks = [&](rendering::Signal signal, rendering::fabrics::Modality modality) {
-        return std::find(signals.begin(), signals.end(), signal) != signals.end() && sampleIndices(dataset, fabric, modality).empty();
+        return std::find(signals.begin(), signals.end(), signal) != signals.end() &&
+               sampleIndices(dataset, fabric, modality).empty();
     };
     return !lacks(rendering::Signal::Photograph, rendering::fabrics::Modality::Visual) &&
            !lacks(rendering::Signal::TactileFrame, rendering::fabrics::Modality::Tactile) &&
@@ -212,8 +209,7 @@ Familiarisation familiarisationFor(const NewStudy& request, const Dataset& datas
     if (static_cast<int>(render.fabrics.size()) > protocol.familiarisationFabrics)
         render.fabrics.resize(static_cast<std::size_t>(protocol.familiarisationFabrics));
     Familiarisation familiarisation;
-    if (render.fabrics.empty())
-        return familiarisation;
+    if (render.fabrics.empty()) return familiarisation;
     render.rangeOver = render.fabrics;
     render.samples = chooseSamples(dataset, render.fabrics, signals, nullptr, request.seed, true).samples;
     const auto rendering = renderFabrics(dataset, render);
@@ -232,11 +228,11 @@ struct Model {
 Model modelFor(const NewStudy& request, const Dataset& dataset, const std::vector<rendering::Signal>& signals)
 {
     Model model;
-    if (!needsGenerators(signals))
-        return model;
+    if (!needsGenerators(signals)) return model;
     model.card = rendering::models::readModelCard(request.model.empty() ? rendering::models::shippedModel() : request.model);
     if (request.model.empty() && !dataset.procedural)
-        model.stamps.push_back("Generated signals come from the shipped weights, which were trained on procedural fabrics, not on this data set.");
+        model.stamps.push_back(
+            "Generated signals come from the shipped weights, which were trained on procedural fabrics, not on this data set.");
     return model;
 }
 
@@ -272,10 +268,10 @@ MadeStudy makeStudy(const NewStudy& request, const StepProgress& progress)
     facts.modelSha256 = card ? card->sha256 : "";
     facts.stamps = model.stamps;
     if (samples.someTrainedOn)
-        facts.stamps.push_back("Some fabrics are shown by samples that the generators were trained on (--allow-training-samples).");
+        facts.stamps.push_back(
+            "Some fabrics are shown by samples that the generators were trained on (--allow-training-samples).");
     facts.fabrics = fabrics;
-    for (const auto& fabric : fabrics)
-        facts.fabricNames[fabric] = dataset.fabric(fabric).name;
+    for (const auto& fabric : fabrics) facts.fabricNames[fabric] = dataset.fabric(fabric).name;
     facts.createdAt = session::SystemClock().wallTime();
     facts.programVersion = versionText();
 

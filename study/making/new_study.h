@@ -2,9 +2,6 @@
 // Everything is made in a temporary folder beside the study and renamed at the end.
 #pragma once
 
-#include "database/study_store.h"
-#include "protocols/counterbalancing.h"
-
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -12,19 +9,22 @@
 #include <string>
 #include <vector>
 
+#include "database/study_store.h"
+#include "protocols/counterbalancing.h"
+
 namespace study::commands {
 
 struct NewStudy {
     std::filesystem::path study;
     std::filesystem::path dataset;
-    std::filesystem::path protocol;            ///< empty: the paper's
-    std::filesystem::path model;               ///< empty: the shipped weights
-    std::optional<int> participants;           ///< instead of the protocol's
-    std::uint64_t seed = 1;                    ///< fabrics, samples, running orders
-    std::optional<std::uint64_t> keySeed;      ///< tests only; else a secret of the system
+    std::filesystem::path protocol;        ///< empty: the paper's
+    std::filesystem::path model;           ///< empty: the shipped weights
+    std::optional<int> participants;       ///< instead of the protocol's
+    std::uint64_t seed = 1;                ///< fabrics, samples, running orders
+    std::optional<std::uint64_t> keySeed;  ///< tests only; else a secret of the system
     bool allowTrainingSamples = false;
-    std::filesystem::path images;              ///< keep the friction images here by name, and reuse them if they fit
-    bool replaceSimulated = false;             ///< remake a study in which no human took part
+    std::filesystem::path images;   ///< keep the friction images here by name, and reuse them if they fit
+    bool replaceSimulated = false;  ///< remake a study in which no human took part
 };
 
 struct MadeStudy {

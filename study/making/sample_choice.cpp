@@ -1,10 +1,10 @@
 #include "study/making/sample_choice.h"
 
-#include "protocols/files/errors.h"
-#include "protocols/random.h"
-#include "protocols/files/sha256.h"
-
 #include <algorithm>
+
+#include "protocols/files/errors.h"
+#include "protocols/files/sha256.h"
+#include "protocols/random.h"
 
 namespace study::commands {
 
@@ -35,11 +35,9 @@ Draw drawSample(const rendering::fabrics::Dataset& dataset, const protocols::Fab
                                    "add recordings or leave those conditions out of the protocol"});
     auto random = protocols::Random::stream(seed, "sample/" + fabric.value + "/" + name);
     random.shuffle(indices);
-    if (!card)
-        return {indices.front(), false};
+    if (!card) return {indices.front(), false};
     for (int index : indices)
-        if (!wasTrainedOn(*card, samplePath(dataset, fabric, modality, index)))
-            return {index, false};
+        if (!wasTrainedOn(*card, samplePath(dataset, fabric, modality, index))) return {index, false};
     if (!allowTrained)
         throw protocols::badInput({"the model was trained on every " + name + " sample of fabric " + fabric.value,
                                    dataset.folder.string(), "a sample that it has not seen",
@@ -60,8 +58,7 @@ ChosenSamples chooseSamples(const rendering::fabrics::Dataset& dataset, const st
 {
     ChosenSamples chosen;
     const auto take = [&](const protocols::FabricId& fabric, Signal needed, Modality modality, int& index) {
-        if (!contains(signals, needed))
-            return;
+        if (!contains(signals, needed)) return;
         const Draw draw = drawSample(dataset, fabric, modality, card, seed, allowTrained);
         index = draw.index;
         chosen.someTrainedOn = chosen.someTrainedOn || draw.trainedOn;

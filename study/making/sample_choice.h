@@ -2,12 +2,12 @@
 // were not trained on.
 #pragma once
 
-#include "rendering/models/generation.h"
-#include "rendering/composition/render_fabrics.h"
-
 #include <cstdint>
 #include <map>
 #include <vector>
+
+#include "rendering/composition/render_fabrics.h"
+#include "rendering/models/generation.h"
 
 namespace study::commands {
 

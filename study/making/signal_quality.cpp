@@ -1,16 +1,15 @@
 #include "study/making/signal_quality.h"
 
-#include "stats/tests/equivalence.h"
-#include "stats/metrics/image_metrics.h"
-#include "stats/tests/t_tests.h"
-#include "stats/metrics/trace_error.h"
-#include "study/analyse/statistic_json.h"
-
-#include <opencv2/imgproc.hpp>
-
 #include <algorithm>
 #include <cmath>
+#include <opencv2/imgproc.hpp>
 #include <vector>
+
+#include "stats/metrics/image_metrics.h"
+#include "stats/metrics/trace_error.h"
+#include "stats/tests/equivalence.h"
+#include "stats/tests/t_tests.h"
+#include "study/analyse/statistic_json.h"
 
 namespace study::commands {
 
@@ -40,7 +39,8 @@ struct HeightPair {
 HeightPair commonCrop(const FabricSignals& signals, const cv::Mat& generated, const cv::Mat& measured)
 {
     cv::Mat resampled = generated;
-    const double ratio = signals.generatedMmPerPixel.value_or(1) / signals.tactileMmPerPixel.value_or(signals.generatedMmPerPixel.value_or(1));
+    const double ratio =
+        signals.generatedMmPerPixel.value_or(1) / signals.tactileMmPerPixel.value_or(signals.generatedMmPerPixel.value_or(1));
     if (std::abs(ratio - 1) > 1e-6)
         cv::resize(generated, resampled, {}, ratio, ratio, ratio < 1 ? cv::INTER_AREA : cv::INTER_CUBIC);
     const cv::Size size(std::min(resampled.cols, measured.cols), std::min(resampled.rows, measured.rows));
@@ -65,12 +65,12 @@ ordered_json tTest(const std::string& signal, const Pairs& pairs)
     put(json, "ci95", test.ci);
 
     double mean = 0;
-    for (double value : pairs.measured)
-        mean += value / static_cast<double>(pairs.measured.size());
+    for (double value : pairs.measured) mean += value / static_cast<double>(pairs.measured.size());
     const double bound = equivalenceShare * std::abs(mean);
     ordered_json tost{{"bounds", {-bound, bound}}, {"bounds_are", "a tenth of the measured mean"}};
     if (bound > 0) {
-        const auto equivalence = stats::equivalenceTest(stats::TKind::Paired, pairs.generated, pairs.measured, {-bound, bound, 0.05});
+        const auto equivalence =
+            stats::equivalenceTest(stats::TKind::Paired, pairs.generated, pairs.measured, {-bound, bound, 0.05});
         put(tost, "p_lower", equivalence.pLower);
         put(tost, "p_upper", equivalence.pUpper);
         put(tost, "p", equivalence.p);
@@ -91,8 +91,7 @@ void addFriction(const std::map<protocols::FabricId, FabricSignals>& signals, or
     Pairs means;
     for (const auto& [fabric, of] : signals) {
         const auto g = of.traces.find(Signal::GeneratedTrace), m = of.traces.find(Signal::MeasuredTrace);
-        if (g == of.traces.end() || m == of.traces.end() || !of.generatedMeanFriction || !of.measuredMeanFriction)
-            continue;
+        if (g == of.traces.end() || m == of.traces.end() || !of.generatedMeanFriction || !of.measuredMeanFriction) continue;
         const auto length = std::min(g->second.size(), m->second.size());
         generated.insert(generated.end(), g->second.begin(), g->second.begin() + static_cast<std::ptrdiff_t>(length));
         measured.insert(measured.end(), m->second.begin(), m->second.begin() + static_cast<std::ptrdiff_t>(length));
@@ -100,7 +99,8 @@ void addFriction(const std::map<protocols::FabricId, FabricSignals>& signals, or
         means.measured.push_back(*of.measuredMeanFriction);
     }
     if (measured.empty()) {
-        const auto none = stats::Value::undefined("the study's conditions do not compute both the generated and the measured friction");
+        const auto none =
+            stats::Value::undefined("the study's conditions do not compute both the generated and the measured friction");
         put(json, "friction_mae", none);
         put(json, "friction_mae_over_mean", none);
         return;
@@ -119,8 +119,7 @@ void addHeight(const std::map<protocols::FabricId, FabricSignals>& signals, orde
     for (const auto& [fabric, of] : signals) {
         const auto* generated = imageOf(of, Signal::GeneratedHeight);
         const auto* measured = imageOf(of, Signal::PhotometricHeight);
-        if (!generated || !measured)
-            continue;
+        if (!generated || !measured) continue;
         double low = 0, high = 0;
         cv::minMaxLoc(*measured, &low, &high);
         lowest = maps.empty() ? low : std::min(lowest, low);
@@ -130,7 +129,8 @@ void addHeight(const std::map<protocols::FabricId, FabricSignals>& signals, orde
         means.measured.push_back(cv::mean(*measured)[0]);
     }
     if (maps.empty()) {
-        const auto none = stats::Value::undefined("the study's conditions do not compute both the generated and the measured height");
+        const auto none =
+            stats::Value::undefined("the study's conditions do not compute both the generated and the measured height");
         put(json, "height_ssim", none);
         put(json, "height_range_mm", none);
         return;
@@ -139,10 +139,10 @@ void addHeight(const std::map<protocols::FabricId, FabricSignals>& signals, orde
     std::string why;
     for (const auto& map : maps) {
         const auto width = static_cast<std::size_t>(map.measured.cols), height = static_cast<std::size_t>(map.measured.rows);
-        const auto similarity = stats::ssim({pixels(map.generated), width, height}, {pixels(map.measured), width, height}, highest - lowest);
+        const auto similarity =
+            stats::ssim({pixels(map.generated), width, height}, {pixels(map.measured), width, height}, highest - lowest);
         sum += similarity.mean.orElse(0);
-        if (!similarity.mean.exists())
-            why = similarity.why;
+        if (!similarity.mean.exists()) why = similarity.why;
     }
     put(json, "height_ssim", why.empty() ? stats::Value(sum / static_cast<double>(maps.size())) : stats::Value::undefined(why));
     json["height_range_mm"] = highest - lowest;

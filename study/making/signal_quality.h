@@ -1,12 +1,11 @@
 // Generated against measured signals of a study's fabrics: the `signals` object of results.json.
 #pragma once
 
-#include "protocols/ids.h"
-#include "rendering/composition/render_fabrics.h"
-
+#include <map>
 #include <nlohmann/json.hpp>
 
-#include <map>
+#include "protocols/ids.h"
+#include "rendering/composition/render_fabrics.h"
 
 namespace study::commands {
 

@@ -1,10 +1,10 @@
 #include "study/making/study_sheets.h"
 
+#include <cstdio>
+
 #include "protocols/files/errors.h"
 #include "study/commands/json_output.h"
 #include "study/records/stored_study.h"
-
-#include <cstdio>
 
 namespace study::commands {
 
@@ -27,7 +27,8 @@ std::string page(const std::string& title, const std::string& body)
            "td,th{border:1px solid #000;padding:2mm 5mm;text-align:left}\n"
            ".label{display:inline-block;border:1px dashed #000;padding:6mm 9mm;margin:2mm;font-size:26pt;font-weight:bold}\n"
            ".sheet{page-break-after:always}p{max-width:170mm}\n"
-           "</style></head><body>\n<h1>" + escaped(title) + "</h1>\n" + body + "</body></html>\n";
+           "</style></head><body>\n<h1>" +
+           escaped(title) + "</h1>\n" + body + "</body></html>\n";
 }
 
 /// Codes of one set of labels: all slots share one where pieces are labelled once.
@@ -39,10 +40,8 @@ struct LabelSet {
 std::vector<LabelSet> labelSetsOf(const database::StudyFacts& facts, const protocols::Protocol& protocol)
 {
     std::vector<LabelSet> sets;
-    if (facts.swatches.empty())
-        return sets;
-    if (protocol.swatchCodes == protocols::SwatchCodes::Once)
-        return {{"All participants", facts.swatches.front()}};
+    if (facts.swatches.empty()) return sets;
+    if (protocol.swatchCodes == protocols::SwatchCodes::Once) return {{"All participants", facts.swatches.front()}};
     for (std::size_t slot = 0; slot < facts.swatches.size(); ++slot)
         sets.push_back({"Slot " + std::to_string(slot + 1), facts.swatches[slot]});
     return sets;
@@ -53,8 +52,7 @@ std::string labelsPage(const database::StudyFacts& facts, const std::vector<Labe
     std::string body = "<p>Cut out and fix each to the back of its piece, as the preparation sheet says.</p>\n";
     for (const auto& set : sets) {
         body += "<h2>" + set.title + "</h2>\n<div>";
-        for (const auto& [fabric, code] : set.codes)
-            body += "<span class=\"label\">" + code + "</span>";
+        for (const auto& [fabric, code] : set.codes) body += "<span class=\"label\">" + code + "</span>";
         body += "</div>\n";
     }
     return page(facts.name + ": labels of the fabric pieces", body);
@@ -84,8 +82,9 @@ std::string preparationPage(const database::StudyFacts& facts, const std::vector
 std::string scaleDrawing(const protocols::Scale& scale)
 {
     const double width = 900, left = 60;
-    std::string svg = "<svg viewBox=\"0 0 1020 190\" width=\"100%\" role=\"img\" aria-label=\"the scale\">"
-                      "<line x1=\"60\" y1=\"80\" x2=\"960\" y2=\"80\" stroke=\"#000\" stroke-width=\"5\"/>";
+    std::string svg =
+        "<svg viewBox=\"0 0 1020 190\" width=\"100%\" role=\"img\" aria-label=\"the scale\">"
+        "<line x1=\"60\" y1=\"80\" x2=\"960\" y2=\"80\" stroke=\"#000\" stroke-width=\"5\"/>";
     for (int mark = 0; mark <= scale.sections; ++mark) {
         const std::string x = numberText(left + width * mark / scale.sections);
         const bool isEnd = mark == 0 || mark == scale.sections;
@@ -94,11 +93,12 @@ std::string scaleDrawing(const protocols::Scale& scale)
     }
     const auto end = [&](double x, protocols::Tenths value, const char* anchor, const char* words) {
         return "<text x=\"" + numberText(x) + "\" y=\"30\" font-size=\"32\" font-weight=\"bold\" text-anchor=\"middle\">" +
-               numberText(value.inScaleUnits()) + "</text><text x=\"" + numberText(x) + "\" y=\"160\" font-size=\"24\" text-anchor=\"" +
-               anchor + "\">" + words + "</text>";
+               numberText(value.inScaleUnits()) + "</text><text x=\"" + numberText(x) +
+               "\" y=\"160\" font-size=\"24\" text-anchor=\"" + anchor + "\">" + words + "</text>";
     };
     return svg + end(left, scale.min, "start", scale.labels.empty() ? "unrelated" : escaped(scale.labels.front()).c_str()) +
-           end(left + width, scale.max, "end", scale.labels.empty() ? "totally the same" : escaped(scale.labels.back()).c_str()) + "</svg>\n";
+           end(left + width, scale.max, "end", scale.labels.empty() ? "totally the same" : escaped(scale.labels.back()).c_str()) +
+           "</svg>\n";
 }
 
 std::string scaleCard(const database::StudyFacts& facts, const protocols::Scale& scale)
@@ -106,12 +106,12 @@ std::string scaleCard(const database::StudyFacts& facts, const protocols::Scale&
     std::string body = "<p>Please learn this line by heart: you will not see it later.</p>\n" + scaleDrawing(scale);
     if (scale.labels.empty())
         body += "<p><b>" + numberText(scale.min.inScaleUnits()) + "</b> is like sandpaper beside silk. <b>" +
-                numberText(scale.max.inScaleUnits()) + "</b> is like two pieces of the same fabric. You may say any number between, in steps of " +
+                numberText(scale.max.inScaleUnits()) +
+                "</b> is like two pieces of the same fabric. You may say any number between, in steps of " +
                 numberText(scale.step.inScaleUnits()) + ".</p>\n";
     else {
         body += "<ol start=\"" + numberText(scale.min.inScaleUnits()) + "\">";
-        for (const auto& label : scale.labels)
-            body += "<li>" + escaped(label) + "</li>";
+        for (const auto& label : scale.labels) body += "<li>" + escaped(label) + "</li>";
         body += "</ol>\n";
     }
     return page(facts.name + ": the scale", body);
@@ -127,8 +127,8 @@ int writeSheets(const database::StudyStore& store, const std::filesystem::path& 
     std::error_code failure;
     std::filesystem::create_directories(out, failure);
     if (failure)
-        throw protocols::environmentFault({"cannot make the folder (" + failure.message() + ")", out.string(), "a writable place",
-                                           "choose another one"});
+        throw protocols::environmentFault(
+            {"cannot make the folder (" + failure.message() + ")", out.string(), "a writable place", "choose another one"});
     writeFile(out / "labels.html", labelsPage(facts, sets));
     writeFile(out / "preparation.html", preparationPage(facts, sets));
     for (const auto& phase : protocol.phases)

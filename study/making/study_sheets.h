@@ -2,9 +2,9 @@
 // which piece carries which code, and the card of the scale to memorise.
 #pragma once
 
-#include "database/study_store.h"
-
 #include <filesystem>
+
+#include "database/study_store.h"
 
 namespace study::commands {
 

@@ -1,10 +1,10 @@
 #include "study/players/expected_touch.h"
 
-#include "protocols/files/errors.h"
-#include "rendering/composition/render_fabrics.h"
-
 #include <algorithm>
 #include <cstdio>
+
+#include "protocols/files/errors.h"
+#include "rendering/composition/render_fabrics.h"
 
 namespace study::commands {
 
@@ -54,12 +54,10 @@ std::map<protocols::FabricId, Percept> expectedTouch(const database::StudyFacts&
             request.samples[fabric] = {0, sampleAt(dataset, fabric, Modality::Tactile, place),
                                        sampleAt(dataset, fabric, Modality::Friction, place)};
         const auto rendering = renderFabrics(dataset, request);
-        for (const auto& [fabric, image] : rendering.conditions.front().images)
-            felt[fabric].push_back(feel(image));
+        for (const auto& [fabric, image] : rendering.conditions.front().images) felt[fabric].push_back(feel(image));
     }
     std::map<protocols::FabricId, Percept> expected;
-    for (const auto& [fabric, percepts] : felt)
-        expected[fabric] = mean(percepts);
+    for (const auto& [fabric, percepts] : felt) expected[fabric] = mean(percepts);
     return expected;
 }
 

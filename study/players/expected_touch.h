@@ -2,11 +2,11 @@
 // told in simulated_participant.h).
 #pragma once
 
-#include "database/study_store.h"
-#include "study/players/percept.h"
-
 #include <filesystem>
 #include <map>
+
+#include "database/study_store.h"
+#include "study/players/percept.h"
 
 namespace study::commands {
 

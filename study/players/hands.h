@@ -2,9 +2,9 @@
 // widgets. Both take the same events and show the same state.
 #pragma once
 
-#include "study/session/driver.h"
-
 #include <optional>
+
+#include "study/session/driver.h"
 
 namespace study::commands {
 

@@ -1,11 +1,10 @@
 #include "study/players/percept.h"
 
-#include "rendering/display/stroke.h"
-
-#include <opencv2/core.hpp>
-
 #include <algorithm>
 #include <cmath>
+#include <opencv2/core.hpp>
+
+#include "rendering/display/stroke.h"
 
 namespace study::commands {
 
@@ -33,8 +32,7 @@ std::array<double, Percept::bands> bandPower(const std::vector<double>& coeffici
     std::array<double, Percept::bands> power{};
     for (int k = 1; k < spectrum.cols / 2; ++k) {
         const double octave = std::log2(k * sampleRateHz / spectrum.cols / lowestBandHz);
-        if (octave < 0 || octave >= Percept::bands)
-            continue;
+        if (octave < 0 || octave >= Percept::bands) continue;
         const auto value = spectrum.at<cv::Vec2d>(k);
         power[static_cast<int>(octave)] += 2 * (value[0] * value[0] + value[1] * value[1]) / (spectrum.cols * windowPower);
     }
@@ -54,16 +52,15 @@ Percept feel(const cv::Mat& image)
         for (int stroke = 0; stroke < strokesAlongEachAxis; ++stroke) {
             auto coefficient = strokeForce(image, lines * (2 * stroke + 1) / (2 * strokesAlongEachAxis), vertical, options);
             double mean = 0;
-            for (double& value : coefficient)
-                mean += (value /= options.normalForceN);
+            for (double& value : coefficient) mean += (value /= options.normalForceN);
             mean /= static_cast<double>(coefficient.size());
             sum += mean;
             const auto bands = bandPower(coefficient, mean, options.sampleRateHz);
-            for (int band = 0; band < Percept::bands; ++band)
-                power[band] += bands[band] / strokesAlongEachAxis;
+            for (int band = 0; band < Percept::bands; ++band) power[band] += bands[band] / strokesAlongEachAxis;
         }
         for (int band = 0; band < Percept::bands; ++band)
-            percept.texture[band + (vertical ? Percept::bands : 0)] = std::log10(std::max(std::sqrt(power[band]), leastNoticedRms));
+            percept.texture[band + (vertical ? Percept::bands : 0)] =
+                std::log10(std::max(std::sqrt(power[band]), leastNoticedRms));
     }
     percept.slipperiness = std::log(sum / (2 * strokesAlongEachAxis));
     return percept;
@@ -77,8 +74,7 @@ double slipperinessDistance(const Percept& a, const Percept& b)
 double textureDistance(const Percept& a, const Percept& b)
 {
     double squares = 0;
-    for (std::size_t i = 0; i < a.texture.size(); ++i)
-        squares += (a.texture[i] - b.texture[i]) * (a.texture[i] - b.texture[i]);
+    for (std::size_t i = 0; i < a.texture.size(); ++i) squares += (a.texture[i] - b.texture[i]) * (a.texture[i] - b.texture[i]);
     return std::sqrt(squares / static_cast<double>(a.texture.size())) / textureJnd;
 }
 

@@ -2,9 +2,8 @@
 // from place to place. Computed from strokes (rendering/stroke.h), along both axes of the image.
 #pragma once
 
-#include <opencv2/core/mat.hpp>
-
 #include <array>
+#include <opencv2/core/mat.hpp>
 #include <vector>
 
 namespace study::commands {

@@ -1,15 +1,14 @@
 #include "study/players/script.h"
 
-#include "protocols/condition.h"
-#include "protocols/files/errors.h"
-
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <tuple>
+
+#include "protocols/condition.h"
+#include "protocols/files/errors.h"
 
 namespace study::commands {
 
@@ -18,8 +17,8 @@ namespace {
 using nlohmann::json;
 using What = ScriptedEvent::What;
 
-const std::map<std::string, What> eventNames{{"pause", What::Pause}, {"resume", What::Resume}, {"correct", What::Correct},
-                                             {"void", What::Void},   {"crash", What::Crash},   {"note", What::Note},
+const std::map<std::string, What> eventNames{{"pause", What::Pause},       {"resume", What::Resume}, {"correct", What::Correct},
+                                             {"void", What::Void},         {"crash", What::Crash},   {"note", What::Note},
                                              {"withdraw", What::Withdraw}, {"answer", What::Answer}, {"touch", What::Touch},
                                              {"expect", What::Expect}};
 
@@ -37,8 +36,7 @@ std::string textField(const json& entry, const char* field, const std::string& w
 
 ScriptedResponse responseFrom(const json& value, const std::string& where)
 {
-    if (value.is_string())
-        return value.get<std::string>();
+    if (value.is_string()) return value.get<std::string>();
     if (!value.is_number())
         throw fault("an answer that is neither text nor a number", where, "correct, foil:1, a fabric id, or a rating");
     const double tenths = value.get<double>() * 10;
@@ -56,8 +54,7 @@ ScriptedPlace placeFrom(const json& entry, const std::string& where)
         place.attempt = entry["attempt"].get<int>();
     }
     if (entry.contains("trial")) {
-        if (!entry["trial"].is_number_integer())
-            throw fault("trial is no whole number", where, "\"trial\": N, from 1");
+        if (!entry["trial"].is_number_integer()) throw fault("trial is no whole number", where, "\"trial\": N, from 1");
         place.trial = protocols::TrialNumber{entry["trial"].get<int>()};
         return place;
     }
@@ -88,12 +85,10 @@ ScriptedAnswer answerFrom(const json& entry, const std::string& where)
     ScriptedAnswer answer;
     answer.question = protocols::QuestionId(textField(entry, "question", where));
     answer.place = placeFrom(entry, where);
-    if (!entry.contains("answer"))
-        throw fault("no answer", where, "\"answer\": ...");
+    if (!entry.contains("answer")) throw fault("no answer", where, "\"answer\": ...");
     answer.response = responseFrom(entry["answer"], where);
     answer.seconds = entry.contains("seconds") ? secondsIn(entry, "seconds", 1e-9, where) : 1.0;
-    if (entry.contains("touch_seconds"))
-        answer.touchSeconds = secondsIn(entry, "touch_seconds", 0, where);
+    if (entry.contains("touch_seconds")) answer.touchSeconds = secondsIn(entry, "touch_seconds", 0, where);
     answer.touchedByDisplay = entry.value("touched_by", json()) == "display";
     return answer;
 }
@@ -103,8 +98,7 @@ ScriptedExpectation expectationFrom(const json& entry, const std::string& where)
 {
     ScriptedExpectation expectation;
     for (const auto& [field, target] : {std::pair{"stage", &expectation.stage}, {"question", &expectation.question}})
-        if (entry.contains(field))
-            *target = textField(entry, field, where);
+        if (entry.contains(field)) *target = textField(entry, field, where);
     for (const auto& [field, target] : {std::pair{"presentation", &expectation.presentation}, {"trial", &expectation.trial}})
         if (entry.contains(field)) {
             if (!entry[field].is_number_integer())
@@ -119,28 +113,26 @@ ScriptedEvent eventFrom(const json& entry, const std::string& where)
     ScriptedEvent event;
     const auto name = eventNames.find(textField(entry, "do", where));
     if (name == eventNames.end())
-        throw fault("unknown event \"" + entry["do"].get<std::string>() + "\"", where, "pause, resume, correct, void, crash, note, withdraw, answer, touch or expect");
+        throw fault("unknown event \"" + entry["do"].get<std::string>() + "\"", where,
+                    "pause, resume, correct, void, crash, note, withdraw, answer, touch or expect");
     event.what = name->second;
     event.beforeAnswer = entry.contains("before_answer");
     const char* count = event.beforeAnswer ? "before_answer" : "after_answer";
     if (!entry.contains(count) || !entry[count].is_number_integer() || entry[count].get<int>() < (event.beforeAnswer ? 1 : 0))
         throw fault("an event without its place", where, "before_answer or after_answer: N, counted from 1");
     event.answersStoredBefore = entry[count].get<int>() - (event.beforeAnswer ? 1 : 0);
-    if (event.what == What::Correct)
-        event.question = protocols::QuestionId(textField(entry, "question", where));
+    if (event.what == What::Correct) event.question = protocols::QuestionId(textField(entry, "question", where));
     if (event.what == What::Correct || event.what == What::Answer) {
-        if (!entry.contains("answer"))
-            throw fault("an event without its answer", where, "\"answer\": ...");
+        if (!entry.contains("answer")) throw fault("an event without its answer", where, "\"answer\": ...");
         event.response = responseFrom(entry["answer"], where);
     }
-    if (event.what == What::Expect)
-        event.expectation = expectationFrom(entry, where);
+    if (event.what == What::Expect) event.expectation = expectationFrom(entry, where);
     event.isFlag = entry.value("flag", json()) == true;
     event.mustFail = entry.value("must_fail", json()) == true;
     if (event.what == What::Answer && !event.mustFail)
-        throw fault("an answer among the events that need not fail", where, "\"must_fail\": true; answers stand under \"answers\"");
-    if (entry.contains("refusal"))
-        event.refusal = textField(entry, "refusal", where);
+        throw fault("an answer among the events that need not fail", where,
+                    "\"must_fail\": true; answers stand under \"answers\"");
+    if (entry.contains("refusal")) event.refusal = textField(entry, "refusal", where);
     event.text = entry.value(event.what == What::Note ? "text" : "why", std::string());
     return event;
 }
@@ -149,8 +141,7 @@ void checkQuestions(const Script& script, const protocols::Protocol& protocol)
 {
     std::set<protocols::QuestionId> known;
     for (const auto& phase : protocol.phases)
-        for (const auto& question : phase.questions)
-            known.insert(question.id);
+        for (const auto& question : phase.questions) known.insert(question.id);
     for (const auto& answer : script.answers)
         if (!known.contains(answer.question))
             throw fault("the protocol asks no question " + answer.question.value, script.where, "the questions of the protocol");
@@ -160,11 +151,11 @@ void checkDoubled(const Script& script)
 {
     std::set<std::tuple<protocols::QuestionId, ScriptedPlace>> seen;
     for (const auto& answer : script.answers) {
-        if (seen.emplace(answer.question, answer.place).second)
-            continue;
+        if (seen.emplace(answer.question, answer.place).second) continue;
         const std::string place = answer.place.trial ? "trial " + std::to_string(answer.place.trial->value)
                                                      : answer.place.condition.value + ", " + answer.place.fabric.value;
-        throw fault("doubled answer to " + answer.question.value + " for " + place, script.where, "one answer for each question and rendering");
+        throw fault("doubled answer to " + answer.question.value + " for " + place, script.where,
+                    "one answer for each question and rendering");
     }
 }
 
@@ -178,8 +169,7 @@ const ScriptedAnswer* Script::answerTo(const protocols::QuestionId& question, co
         });
         return found == answers.end() ? nullptr : &*found;
     };
-    if (const auto* ofAttempt = find(place))
-        return ofAttempt;
+    if (const auto* ofAttempt = find(place)) return ofAttempt;
     ScriptedPlace ofAny = place;
     ofAny.attempt.reset();
     return find(ofAny);
@@ -198,10 +188,8 @@ Script scriptFromJson(std::string_view text, const std::string& where, const pro
     Script script;
     script.where = where;
     script.participant = protocols::ParticipantId(textField(root, "participant", where));
-    if (script.participant.empty())
-        throw fault("an empty participant id", where, "\"participant\": \"S01\"");
-    if (!root.contains("answers") || !root["answers"].is_array())
-        throw fault("no list of answers", where, "\"answers\": [...]");
+    if (script.participant.empty()) throw fault("an empty participant id", where, "\"participant\": \"S01\"");
+    if (!root.contains("answers") || !root["answers"].is_array()) throw fault("no list of answers", where, "\"answers\": [...]");
     for (std::size_t i = 0; i < root["answers"].size(); ++i)
         script.answers.push_back(answerFrom(root["answers"][i], where + ", answer " + std::to_string(i + 1)));
     if (root.contains("events"))

@@ -2,15 +2,15 @@
 // what happens on the way. Reading it finds every malformed or doubled answer before anything is stored.
 #pragma once
 
-#include "protocols/ids.h"
-#include "protocols/protocol.h"
-
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
+
+#include "protocols/ids.h"
+#include "protocols/protocol.h"
 
 namespace study::commands {
 
@@ -21,7 +21,7 @@ struct ScriptedPlace {
     std::optional<protocols::TrialNumber> trial;  ///< by number, else by rendering
     protocols::ConditionId condition;             ///< "catch" for the blank glass of a catch trial
     protocols::FabricId fabric;
-    std::optional<int> attempt = std::nullopt;    ///< of presentations that were voided and given again; from 1
+    std::optional<int> attempt = std::nullopt;  ///< of presentations that were voided and given again; from 1
     auto operator<=>(const ScriptedPlace&) const = default;
 };
 
@@ -29,16 +29,16 @@ struct ScriptedAnswer {
     protocols::QuestionId question;
     ScriptedPlace place;
     ScriptedResponse response;
-    double seconds = 0;  ///< > 0; from the touch, where one is scripted, else from the question
+    double seconds = 0;                  ///< > 0; from the touch, where one is scripted, else from the question
     std::optional<double> touchSeconds;  ///< from the question to the first touch
     bool touchedByDisplay = false;
 };
 
 /// What must be true when its turn comes; what is not set is not looked at.
 struct ScriptedExpectation {
-    std::optional<std::string> stage;      ///< as session::nameOf() names it: "Presenting", "OnBreak", "PlacingTray (paused)"
-    std::optional<std::string> question;   ///< the one that is asked
-    std::optional<int> presentation;       ///< how far in the order, from 1
+    std::optional<std::string> stage;     ///< as session::nameOf() names it: "Presenting", "OnBreak", "PlacingTray (paused)"
+    std::optional<std::string> question;  ///< the one that is asked
+    std::optional<int> presentation;      ///< how far in the order, from 1
     std::optional<int> trial;
 };
 
@@ -49,10 +49,10 @@ struct ScriptedEvent {
     bool beforeAnswer = false;    ///< while the next answer is being given; else right after the last one
     protocols::QuestionId question;
     std::optional<ScriptedResponse> response;
-    std::string text;             ///< why, or the note
-    bool isFlag = false;          ///< of a note
-    bool mustFail = false;        ///< the session must refuse it ...
-    std::string refusal;          ///< ... with a reason that holds this text
+    std::string text;       ///< why, or the note
+    bool isFlag = false;    ///< of a note
+    bool mustFail = false;  ///< the session must refuse it ...
+    std::string refusal;    ///< ... with a reason that holds this text
     ScriptedExpectation expectation;
 };
 

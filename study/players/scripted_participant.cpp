@@ -1,12 +1,12 @@
 #include "study/players/scripted_participant.h"
 
-#include "protocols/files/errors.h"
-#include "study/session/preparation.h"
-#include "study/session/session_moves.h"
-
 #include <algorithm>
 #include <csignal>
 #include <map>
+
+#include "protocols/files/errors.h"
+#include "study/session/preparation.h"
+#include "study/session/session_moves.h"
 
 namespace study::commands {
 
@@ -19,16 +19,26 @@ using What = ScriptedEvent::What;
 std::string loggedKind(What what)
 {
     switch (what) {
-    case What::Pause: return kindOf(Paused{});
-    case What::Resume: return kindOf(Resumed{});
-    case What::Correct: return kindOf(Corrected{});
-    case What::Void: return kindOf(Voided{});
-    case What::Crash: return {};  // leaves no record; see skipPassed()
-    case What::Note: return kindOf(Noted{});
-    case What::Withdraw: return kindOf(WithdrawnEvent{});
-    case What::Touch: return kindOf(Touched{});
-    case What::Answer: return {};  // always one that must fail
-    case What::Expect: return {};
+        case What::Pause:
+            return kindOf(Paused{});
+        case What::Resume:
+            return kindOf(Resumed{});
+        case What::Correct:
+            return kindOf(Corrected{});
+        case What::Void:
+            return kindOf(Voided{});
+        case What::Crash:
+            return {};  // leaves no record; see skipPassed()
+        case What::Note:
+            return kindOf(Noted{});
+        case What::Withdraw:
+            return kindOf(WithdrawnEvent{});
+        case What::Touch:
+            return kindOf(Touched{});
+        case What::Answer:
+            return {};  // always one that must fail
+        case What::Expect:
+            return {};
     }
     return {};
 }
@@ -87,8 +97,8 @@ void Player::skipPassed(const std::vector<database::EventRecord>& logged)
 std::string Player::placeName(int index, const protocols::QuestionId& question) const
 {
     const auto& trial = m_trials.trials[index];
-    return m_script.participant.value + ", trial " + std::to_string(trial.number.value) + " (" + trial.presentationCode.value + "), " +
-           question.value;
+    return m_script.participant.value + ", trial " + std::to_string(trial.number.value) + " (" + trial.presentationCode.value +
+           "), " + question.value;
 }
 
 std::string Player::placeOfEvent() const
@@ -102,67 +112,63 @@ void Player::actInVain(const EventBody& event, const std::string& refusalText)
     if (!refusal)
         throw protocols::workFailed({"\"" + kindOf(event) + "\" was accepted", placeOfEvent(), "a refusal (must_fail)", ""});
     if (refusal->reason.find(refusalText) == std::string::npos)
-        throw protocols::workFailed(
-            {"\"" + kindOf(event) + "\" was refused with \"" + refusal->reason + "\"", placeOfEvent(), "\"" + refusalText + "\"", ""});
+        throw protocols::workFailed({"\"" + kindOf(event) + "\" was refused with \"" + refusal->reason + "\"", placeOfEvent(),
+                                     "\"" + refusalText + "\"", ""});
 }
 
 void Player::expect(const ScriptedExpectation& expected) const
 {
     const State& state = m_hands.state();
     const auto check = [&](const std::string& what, const std::string& is, const std::string& wanted) {
-        if (is != wanted)
-            throw protocols::workFailed({what + " is " + (is.empty() ? "none" : is), placeOfEvent(), wanted, ""});
+        if (is != wanted) throw protocols::workFailed({what + " is " + (is.empty() ? "none" : is), placeOfEvent(), wanted, ""});
     };
     const auto* presenting = std::get_if<Presenting>(&state.stage);
     const auto* tray = std::get_if<PlacingTray>(&state.stage);
     const int index = presenting ? presenting->index : tray ? tray->index : -1;
-    if (expected.stage)
-        check("the stage", nameOf(state), *expected.stage);
+    if (expected.stage) check("the stage", nameOf(state), *expected.stage);
     if (expected.presentation)
         check("the presentation", std::to_string(state.position + 1), std::to_string(*expected.presentation));
     if (expected.trial)
         check("the trial", index < 0 ? "" : std::to_string(m_trials.trials[index].number.value), std::to_string(*expected.trial));
     if (expected.question)
-        check("the question", presenting ? m_trials.protocol.phases[m_trials.trials[index].phase].questions[presenting->question].id.value : "",
+        check("the question",
+              presenting ? m_trials.protocol.phases[m_trials.trials[index].phase].questions[presenting->question].id.value : "",
               *expected.question);
 }
 
 void Player::act(const EventBody& event)
 {
     if (const auto refusal = m_hands.perform(event))
-        throw protocols::badInput({"the session refuses \"" + kindOf(event) + "\" after " + std::to_string(m_hands.state().answersStored) +
-                                       " answers: " + refusal->reason,
+        throw protocols::badInput({"the session refuses \"" + kindOf(event) + "\" after " +
+                                       std::to_string(m_hands.state().answersStored) + " answers: " + refusal->reason,
                                    m_script.where, "a script that a session can follow",
                                    "mend the script; what was answered before is stored"});
 }
 
 Response Player::responseFor(const ScriptedResponse& scripted, int index, const protocols::QuestionId& question) const
 {
-    if (const auto* rating = std::get_if<protocols::Tenths>(&scripted))
-        return *rating;
+    if (const auto* rating = std::get_if<protocols::Tenths>(&scripted)) return *rating;
     const auto& text = std::get<std::string>(scripted);
     const auto& trial = m_trials.trials[index];
     const auto& truth = m_trials.key.entries.at(trial.fileCode).fabric;
     const auto& phase = m_trials.protocol.phases[trial.phase];
-    const auto asked = std::find_if(phase.questions.begin(), phase.questions.end(), [&](const auto& q) { return q.id == question; });
+    const auto asked =
+        std::find_if(phase.questions.begin(), phase.questions.end(), [&](const auto& q) { return q.id == question; });
     const auto kind = asked == phase.questions.end() ? protocols::AnswerKind::Choice : answerKindOf(phase, *asked);
-    if (kind == protocols::AnswerKind::Words)
-        return Words{text};
-    if (kind == protocols::AnswerKind::SameDifferent && (text == "same" || text == "different"))
-        return Sameness{text == "same"};
+    if (kind == protocols::AnswerKind::Words) return Words{text};
+    if (kind == protocols::AnswerKind::SameDifferent && (text == "same" || text == "different")) return Sameness{text == "same"};
     if (kind == protocols::AnswerKind::SameDifferent && (text == "correct" || text == "wrong"))
         return Sameness{(trial.alternatives.front() == truth) == (text == "correct")};
-    if (text == "correct")
-        return truth;
+    if (text == "correct") return truth;
     std::vector<protocols::FabricId> foils;
     std::copy_if(trial.alternatives.begin(), trial.alternatives.end(), std::back_inserter(foils),
                  [&](const auto& fabric) { return fabric != truth; });
     for (std::size_t k = 0; k < foils.size(); ++k)
-        if (text == "foil:" + std::to_string(k + 1))
-            return foils[k];
+        if (text == "foil:" + std::to_string(k + 1)) return foils[k];
     const protocols::FabricId fabric(text);
     if (std::find(trial.alternatives.begin(), trial.alternatives.end(), fabric) == trial.alternatives.end())
-        throw protocols::badInput({"answer \"" + text + "\" is not on the tray", m_script.where + ": " + placeName(index, question),
+        throw protocols::badInput({"answer \"" + text + "\" is not on the tray",
+                                   m_script.where + ": " + placeName(index, question),
                                    "correct, foil:1 .. foil:" + std::to_string(foils.size()) + " or a fabric of the tray",
                                    "mend the script and run the same command again; what was answered before is stored"});
     return fabric;
@@ -183,19 +189,26 @@ Corrected Player::correctionOf(const ScriptedEvent& event) const
 EventBody Player::bodyOf(const ScriptedEvent& event) const
 {
     switch (event.what) {
-    case What::Pause: return Paused{};
-    case What::Resume: return Resumed{};
-    case What::Void: return Voided{event.text};
-    case What::Note: return Noted{event.text, event.isFlag};
-    case What::Withdraw: return WithdrawnEvent{event.text};
-    case What::Touch: return Touched{};
-    case What::Correct: return correctionOf(event);
-    case What::Answer:
-        if (const auto* rating = std::get_if<protocols::Tenths>(&*event.response))
-            return Answered{*rating};
-        return Answered{protocols::FabricId(std::get<std::string>(*event.response))};
-    case What::Crash:
-    case What::Expect: break;
+        case What::Pause:
+            return Paused{};
+        case What::Resume:
+            return Resumed{};
+        case What::Void:
+            return Voided{event.text};
+        case What::Note:
+            return Noted{event.text, event.isFlag};
+        case What::Withdraw:
+            return WithdrawnEvent{event.text};
+        case What::Touch:
+            return Touched{};
+        case What::Correct:
+            return correctionOf(event);
+        case What::Answer:
+            if (const auto* rating = std::get_if<protocols::Tenths>(&*event.response)) return Answered{*rating};
+            return Answered{protocols::FabricId(std::get<std::string>(*event.response))};
+        case What::Crash:
+        case What::Expect:
+            break;
     }
     return Paused{};
 }
@@ -217,11 +230,9 @@ bool Player::performDueEvent()
     const auto& state = m_hands.state();
     for (std::size_t i = 0; i < m_script.events.size(); ++i) {
         const auto& event = m_script.events[i];
-        if (m_passed[i] || event.answersStoredBefore != state.answersStored)
-            continue;
+        if (m_passed[i] || event.answersStoredBefore != state.answersStored) continue;
         // "Before the answer" means while the rendering is on the display; a resume follows its pause at once.
-        if (event.beforeAnswer && !state.paused && !std::holds_alternative<Presenting>(state.stage))
-            return false;
+        if (event.beforeAnswer && !state.paused && !std::holds_alternative<Presenting>(state.stage)) return false;
         m_passed[i] = true;
         perform(event);
         return true;
@@ -237,8 +248,7 @@ void Player::answer(const Presenting& presenting)
     const State& state = m_hands.state();
     const int attempt = attemptAt(state, state.position);
     const auto* scripted = m_script.answerTo(question, {trial.number, {}, {}, attempt});
-    if (!scripted)
-        scripted = m_script.answerTo(question, {std::nullopt, entry.condition, entry.fabric, attempt});
+    if (!scripted) scripted = m_script.answerTo(question, {std::nullopt, entry.condition, entry.fabric, attempt});
     if (!scripted)
         throw protocols::badInput({"no answer", m_script.where + ": " + placeName(presenting.index, question),
                                    "an answer to every question and rendering of the protocol",
@@ -255,10 +265,8 @@ void Player::answer(const Presenting& presenting)
 void Player::moveOn()
 {
     const Stage stage = m_hands.state().stage;
-    if (m_hands.state().paused)
-        return act(Resumed{});
-    if (const auto preparation = nextOfPreparation(m_trials.protocol, stage))
-        return act(*preparation);
+    if (m_hands.state().paused) return act(Resumed{});
+    if (const auto preparation = nextOfPreparation(m_trials.protocol, stage)) return act(*preparation);
     if (std::holds_alternative<PlacingTray>(stage)) {
         m_clock.advanceSeconds(2);
         return act(TrayReady{});
@@ -268,11 +276,10 @@ void Player::moveOn()
 
 void Player::play(const std::function<void(int)>& progress)
 {
-    while (!std::holds_alternative<Finished>(m_hands.state().stage) && !std::holds_alternative<Withdrawn>(m_hands.state().stage)) {
-        if (!performDueEvent())
-            moveOn();
-        if (progress)
-            progress(m_hands.state().answersStored);
+    while (!std::holds_alternative<Finished>(m_hands.state().stage) &&
+           !std::holds_alternative<Withdrawn>(m_hands.state().stage)) {
+        if (!performDueEvent()) moveOn();
+        if (progress) progress(m_hands.state().answersStored);
     }
     while (performDueEvent()) {
     }
@@ -280,8 +287,8 @@ void Player::play(const std::function<void(int)>& progress)
 
 }  // namespace
 
-void playScript(const Script& script, const ScriptedTrials& trials, const std::vector<database::EventRecord>& logged, Hands& hands,
-                session::VirtualClock& clock, const std::function<void(int)>& progress)
+void playScript(const Script& script, const ScriptedTrials& trials, const std::vector<database::EventRecord>& logged,
+                Hands& hands, session::VirtualClock& clock, const std::function<void(int)>& progress)
 {
     Player player(script, trials, hands, clock);
     player.skipPassed(logged);

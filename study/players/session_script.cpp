@@ -1,11 +1,11 @@
 #include "study/players/session_script.h"
 
+#include <algorithm>
+#include <set>
+
 #include "study/commands/json_output.h"
 #include "study/session/driver.h"
 #include "study/session/session_moves.h"
-
-#include <algorithm>
-#include <set>
 
 namespace study::commands {
 
@@ -16,8 +16,7 @@ using nlohmann::ordered_json;
 
 ordered_json jsonOf(const Response& response)
 {
-    if (const auto* rating = std::get_if<protocols::Tenths>(&response))
-        return rating->inScaleUnits();
+    if (const auto* rating = std::get_if<protocols::Tenths>(&response)) return rating->inScaleUnits();
     return textOf(response);
 }
 
@@ -34,8 +33,7 @@ public:
         const EventBody body = eventFromRecord(record.kind, record.payloadJson);
         write(body, record.atNs);
         auto outcome = apply(m_plan, m_state, {body, record.atNs});
-        if (auto* step = std::get_if<Step>(&outcome))
-            m_state = std::move(step->next);
+        if (auto* step = std::get_if<Step>(&outcome)) m_state = std::move(step->next);
     }
 
 private:
@@ -44,7 +42,10 @@ private:
         if (const auto* answered = std::get_if<Answered>(&body))
             m_script["answers"].push_back(answer(std::get<Presenting>(m_state.stage), *answered, atNs));
         else if (const auto* corrected = std::get_if<Corrected>(&body))
-            add({{"do", "correct"}, {"question", corrected->question.value}, {"answer", jsonOf(corrected->response)}, {"why", corrected->why}},
+            add({{"do", "correct"},
+                 {"question", corrected->question.value},
+                 {"answer", jsonOf(corrected->response)},
+                 {"why", corrected->why}},
                 false);
         else if (const auto* voided = std::get_if<Voided>(&body))
             add({{"do", "void"}, {"why", voided->why}}, true);
@@ -79,15 +80,13 @@ private:
             entry["condition"] = m_naming.entries.at(trial.fileCode).condition;
             entry["fabric"] = m_naming.entries.at(trial.fileCode).fabric.value;
         }
-        if (m_hasVoids)
-            entry["attempt"] = attemptAt(m_state, m_state.position);
+        if (m_hasVoids) entry["attempt"] = attemptAt(m_state, m_state.position);
         entry["answer"] = jsonOf(answered.response);
         const std::int64_t from = asked.touchedAtNs.value_or(asked.readyAtNs);
         entry["seconds"] = std::max<double>(1e-9, static_cast<double>(atNs - from) / 1e9);
         if (asked.touchedAtNs) {
             entry["touch_seconds"] = static_cast<double>(*asked.touchedAtNs - asked.readyAtNs) / 1e9;
-            if (asked.touchedBy == TouchSource::Display)
-                entry["touched_by"] = "display";
+            if (asked.touchedBy == TouchSource::Display) entry["touched_by"] = "display";
         }
         return entry;
     }
@@ -105,19 +104,19 @@ void writeScripts(const database::StudyStore& store, const Naming& naming, const
 {
     std::set<protocols::ParticipantId> erased;
     for (const auto& erasure : store.erasures())
-        if (erasure.answersToo)
-            erased.insert(erasure.participant);
+        if (erasure.answersToo) erased.insert(erasure.participant);
     for (const auto& enrolment : store.enrolments()) {
-        if (erased.contains(enrolment.participant))
-            continue;
-        ordered_json script{{"schema", "vis2hap.script/1"}, {"participant", enrolment.participant.value},
-                            {"answers", ordered_json::array()}, {"events", ordered_json::array()}};
+        if (erased.contains(enrolment.participant)) continue;
+        ordered_json script{{"schema", "vis2hap.script/1"},
+                            {"participant", enrolment.participant.value},
+                            {"answers", ordered_json::array()},
+                            {"events", ordered_json::array()}};
         const auto log = store.events(enrolment.participant);
-        const bool hasVoids = std::any_of(log.begin(), log.end(), [](const auto& record) { return record.kind == kindOf(Voided{}); });
+        const bool hasVoids =
+            std::any_of(log.begin(), log.end(), [](const auto& record) { return record.kind == kindOf(Voided{}); });
         const Plan plan = readPlan(store, enrolment.participant);
         Recorder recorder(plan, naming, script, hasVoids);
-        for (const auto& record : log)
-            recorder.follow(record);
+        for (const auto& record : log) recorder.follow(record);
         writeFile(out / (enrolment.participant.value + ".json"), script.dump(1) + "\n");
     }
 }

@@ -1,9 +1,9 @@
 // Recorded sessions as scripts (schema vis2hap.script/1) that replay to the same rows.
 #pragma once
 
-#include "study/records/stored_study.h"
-
 #include <filesystem>
+
+#include "study/records/stored_study.h"
 
 namespace study::commands {
 

@@ -1,11 +1,11 @@
 #include "study/players/simulated_participant.h"
 
-#include "protocols/files/errors.h"
-#include "study/session/preparation.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "protocols/files/errors.h"
+#include "study/session/preparation.h"
 
 namespace study::commands {
 
@@ -16,10 +16,8 @@ namespace {
 /// Q2 asks for slipperiness, Q3 for texture, every other rating (Q4, realism) for both.
 double slipperinessWeightOf(const protocols::QuestionId& question, const PerceptualModel& model)
 {
-    if (question.value == "Q2")
-        return 1.0;
-    if (question.value == "Q3")
-        return 0.0;
+    if (question.value == "Q2") return 1.0;
+    if (question.value == "Q3") return 0.0;
     return model.slipperinessWeight;
 }
 
@@ -27,7 +25,9 @@ double slipperinessWeightOf(const protocols::QuestionId& question, const Percept
 
 SimulatedParticipant::SimulatedParticipant(const Percepts& percepts, std::uint64_t seed, const std::string& participant,
                                            PerceptualModel model)
-    : m_percepts(percepts), m_model(model), m_random(protocols::Random::stream(seed, "simulated participant " + participant)),
+    : m_percepts(percepts),
+      m_model(model),
+      m_random(protocols::Random::stream(seed, "simulated participant " + participant)),
       m_shift(m_model.personShift * m_random.normal())
 {
 }
@@ -45,19 +45,19 @@ SimulatedParticipant::Judgement SimulatedParticipant::match(const protocols::Bli
 {
     std::vector<double> distances;
     for (const auto& fabric : trial.alternatives)
-        distances.push_back(distance(trial.fileCode, fabric, m_model.slipperinessWeight) + m_model.sensoryNoise * m_random.normal());
+        distances.push_back(distance(trial.fileCode, fabric, m_model.slipperinessWeight) +
+                            m_model.sensoryNoise * m_random.normal());
     auto nearest = std::min_element(distances.begin(), distances.end()) - distances.begin();
     auto sorted = distances;
     std::sort(sorted.begin(), sorted.end());
     const double margin = sorted.size() > 1 ? sorted[1] - sorted[0] : 0;
-    if (m_random.uniform() < m_model.lapseRate)
-        nearest = static_cast<std::ptrdiff_t>(m_random.below(distances.size()));
+    if (m_random.uniform() < m_model.lapseRate) nearest = static_cast<std::ptrdiff_t>(m_random.below(distances.size()));
     const double seconds = (6.0 + 6.0 * std::exp(-margin)) * std::exp(0.25 * m_random.normal());
     return {trial.alternatives[nearest], seconds};
 }
 
-SimulatedParticipant::Judgement SimulatedParticipant::rate(const protocols::BlindedTrial& trial, const protocols::QuestionId& question,
-                                                           const protocols::Scale& scale)
+SimulatedParticipant::Judgement SimulatedParticipant::rate(const protocols::BlindedTrial& trial,
+                                                           const protocols::QuestionId& question, const protocols::Scale& scale)
 {
     const double noisy = distance(trial.fileCode, trial.alternatives.front(), slipperinessWeightOf(question, m_model)) +
                          m_model.sensoryNoise * m_random.normal();
@@ -84,10 +84,14 @@ SimulatedParticipant::Judgement SimulatedParticipant::answer(const protocols::Bl
                                                              const protocols::Question& question)
 {
     switch (answerKindOf(phase, question)) {
-    case protocols::AnswerKind::Choice: return match(trial);
-    case protocols::AnswerKind::Rating: return rate(trial, question.id, *phase.scale);
-    case protocols::AnswerKind::SameDifferent: return compare(trial);
-    case protocols::AnswerKind::Words: return {Words{}, 1.0};  // says nothing
+        case protocols::AnswerKind::Choice:
+            return match(trial);
+        case protocols::AnswerKind::Rating:
+            return rate(trial, question.id, *phase.scale);
+        case protocols::AnswerKind::SameDifferent:
+            return compare(trial);
+        case protocols::AnswerKind::Words:
+            return {Words{}, 1.0};  // says nothing
     }
     return {};
 }
@@ -97,8 +101,8 @@ void playSimulated(SimulatedParticipant& participant, const Plan& plan, Hands& h
 {
     const auto act = [&](const EventBody& event) {
         if (const auto refusal = hands.perform(event))
-            throw protocols::workFailed({"the session refuses \"" + kindOf(event) + "\": " + refusal->reason, "simulated participant",
-                                         "", "report this with the study folder"});
+            throw protocols::workFailed({"the session refuses \"" + kindOf(event) + "\": " + refusal->reason,
+                                         "simulated participant", "", "report this with the study folder"});
     };
     const auto answer = [&](const Presenting& presenting) {
         const auto& trial = plan.trials[presenting.index];
@@ -113,8 +117,7 @@ void playSimulated(SimulatedParticipant& participant, const Plan& plan, Hands& h
     };
     while (true) {
         const Stage stage = hands.state().stage;
-        if (std::holds_alternative<Finished>(stage) || std::holds_alternative<Withdrawn>(stage))
-            return;
+        if (std::holds_alternative<Finished>(stage) || std::holds_alternative<Withdrawn>(stage)) return;
         clock.advanceSeconds(1);
         if (hands.state().paused)
             act(Resumed{});
@@ -124,8 +127,7 @@ void playSimulated(SimulatedParticipant& participant, const Plan& plan, Hands& h
             act(TrayReady{});
         else
             answer(std::get<Presenting>(stage));
-        if (progress)
-            progress(hands.state().answersStored);
+        if (progress) progress(hands.state().answersStored);
     }
 }
 

@@ -3,18 +3,12 @@
 //
 // Expectation (expected_touch.h): the fabric's own measured relief and friction at several places, as
 // friction that grows with height (the paper's account of ploughing, section III.B) scaled by the mean
-// coefficient, brought to the display by the range law over the study's fabrics. That is the touch that a participant familiarised with the display learns
-// to expect; it presupposes the paper's account, so simulated results are no evidence for it.
-// Judgement: distances in just-noticeable differences plus noise of the senses; Q1 takes the nearest
-// fabric on the tray, with lapses that guess; ratings fall with the distance, shifted and spread by
-// the person's own use of the scale. Response time grows where the alternatives lie close together.
+// coefficient, brought to the display by the range law over the study's fabrics. That is the touch that a participant
+// familiarised with the display learns to expect; it presupposes the paper's account, so simulated results are no evidence for
+// it. Judgement: distances in just-noticeable differences plus noise of the senses; Q1 takes the nearest fabric on the tray, with
+// lapses that guess; ratings fall with the distance, shifted and spread by the person's own use of the scale. Response time grows
+// where the alternatives lie close together.
 #pragma once
-
-#include "protocols/allocation.h"
-#include "protocols/random.h"
-#include "study/players/hands.h"
-#include "study/players/percept.h"
-#include "study/session/clock.h"
 
 #include <cstdint>
 #include <functional>
@@ -22,15 +16,21 @@
 #include <string>
 #include <vector>
 
+#include "protocols/allocation.h"
+#include "protocols/random.h"
+#include "study/players/hands.h"
+#include "study/players/percept.h"
+#include "study/session/clock.h"
+
 namespace study::commands {
 
 struct PerceptualModel {
-    double sensoryNoise = 1.0;       ///< SD of the noise on each distance, just-noticeable differences
-    double lapseRate = 0.05;         ///< share of trials answered by guessing
-    double slipperinessWeight = 0.4; ///< of slipperiness against texture in Q1 and in questions of realism
-    double ratingFall = 5.0;         ///< distance at which a rating has fallen to 1/e of the scale
-    double ratingNoise = 1.0;        ///< SD from trial to trial, scale points
-    double personShift = 0.5;        ///< SD of a person's own shift of all ratings, scale points
+    double sensoryNoise = 1.0;        ///< SD of the noise on each distance, just-noticeable differences
+    double lapseRate = 0.05;          ///< share of trials answered by guessing
+    double slipperinessWeight = 0.4;  ///< of slipperiness against texture in Q1 and in questions of realism
+    double ratingFall = 5.0;          ///< distance at which a rating has fallen to 1/e of the scale
+    double ratingNoise = 1.0;         ///< SD from trial to trial, scale points
+    double personShift = 0.5;         ///< SD of a person's own shift of all ratings, scale points
 };
 
 /// What is felt of each stimulus and expected of each fabric.
@@ -41,7 +41,8 @@ struct Percepts {
 
 class SimulatedParticipant {
 public:
-    SimulatedParticipant(const Percepts& percepts, std::uint64_t seed, const std::string& participant, PerceptualModel model = {});
+    SimulatedParticipant(const Percepts& percepts, std::uint64_t seed, const std::string& participant,
+                         PerceptualModel model = {});
 
     struct Judgement {
         session::Response response;

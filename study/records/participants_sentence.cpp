@@ -1,8 +1,5 @@
 #include "study/records/participants_sentence.h"
 
-#include "stats/kernels/descriptive.h"
-#include "study/session/driver.h"
-
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -11,6 +8,9 @@
 #include <optional>
 #include <set>
 #include <vector>
+
+#include "stats/kernels/descriptive.h"
+#include "study/session/driver.h"
 
 namespace study::commands {
 
@@ -44,16 +44,14 @@ std::string described(const std::string& fact, const std::vector<double>& number
     const auto [low, high] = std::minmax_element(numbers.begin(), numbers.end());
     const stats::Description all = stats::describe(numbers);
     std::string text = fact + " mean " + oneDecimal(*all.mean);
-    if (all.sd.exists())
-        text += ", SD " + oneDecimal(*all.sd) + ", " + oneDecimal(*low) + " to " + oneDecimal(*high);
+    if (all.sd.exists()) text += ", SD " + oneDecimal(*all.sd) + ", " + oneDecimal(*low) + " to " + oneDecimal(*high);
     return numbers.size() < people ? text + " (" + std::to_string(people - numbers.size()) + " not told)" : text;
 }
 
 std::string counted(const std::string& fact, const std::vector<std::string>& values, std::size_t people)
 {
     std::map<std::string, std::size_t> counts;
-    for (const auto& value : values)
-        ++counts[inLowerCase(value)];
+    for (const auto& value : values) ++counts[inLowerCase(value)];
     std::size_t others = 0;
     std::string text;
     for (const auto& [value, count] : counts) {
@@ -62,10 +60,8 @@ std::string counted(const std::string& fact, const std::vector<std::string>& val
         else
             text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + value;
     }
-    if (others > 0)
-        text += (text.empty() ? "" : ", ") + std::to_string(others) + " other";
-    if (values.size() < people)
-        text += (text.empty() ? "" : ", ") + std::to_string(people - values.size()) + " not told";
+    if (others > 0) text += (text.empty() ? "" : ", ") + std::to_string(others) + " other";
+    if (values.size() < people) text += (text.empty() ? "" : ", ") + std::to_string(people - values.size()) + " not told";
     return fact + ": " + text;
 }
 
@@ -76,8 +72,7 @@ std::vector<std::string> valuesOf(const database::StudyStore& store, const std::
     std::vector<std::string> values;
     for (const auto& enrolment : store.enrolments()) {
         const auto known = facts.find(enrolment.participant);
-        if (enrolment.state == database::SlotState::Withdrawn || known == facts.end() || !known->second.contains(fact))
-            continue;
+        if (enrolment.state == database::SlotState::Withdrawn || known == facts.end() || !known->second.contains(fact)) continue;
         values.push_back(known->second.at(fact));
     }
     return values;
@@ -87,8 +82,7 @@ std::string clauseOf(const std::string& fact, const std::vector<std::string>& va
 {
     std::vector<double> numbers;
     for (const auto& value : values)
-        if (const auto number = numberOf(value))
-            numbers.push_back(*number);
+        if (const auto number = numberOf(value)) numbers.push_back(*number);
     return numbers.size() == values.size() ? described(fact, numbers, people) : counted(fact, values, people);
 }
 
@@ -99,8 +93,7 @@ std::string participantsSentence(const database::StudyStore& store)
     std::set<std::string> names;
     for (const auto& [participant, facts] : store.personalFacts())
         for (const auto& [fact, value] : facts)
-            if (fact != session::debriefingFact)
-                names.insert(fact);
+            if (fact != session::debriefingFact) names.insert(fact);
     const auto enrolments = store.enrolments();
     const auto people = static_cast<std::size_t>(std::count_if(
         enrolments.begin(), enrolments.end(), [](const auto& e) { return e.state != database::SlotState::Withdrawn; }));
@@ -108,8 +101,7 @@ std::string participantsSentence(const database::StudyStore& store)
     for (const auto& name : names)
         if (const auto values = valuesOf(store, name); !values.empty())
             clauses += (clauses.empty() ? "" : "; ") + clauseOf(name, values, people);
-    if (clauses.empty())
-        return {};
+    if (clauses.empty()) return {};
     return std::to_string(people) + (people == 1 ? " participant (" : " participants (") + clauses + ").";
 }
 

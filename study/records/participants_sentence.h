@@ -1,9 +1,9 @@
 // Who took part, in one sentence for a report: counts and facts, never a person.
 #pragma once
 
-#include "database/study_store.h"
-
 #include <string>
+
+#include "database/study_store.h"
 
 namespace study::commands {
 

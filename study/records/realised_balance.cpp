@@ -1,11 +1,11 @@
 #include "study/records/realised_balance.h"
 
-#include "database/keys.h"
-#include "protocols/condition.h"
-
 #include <algorithm>
 #include <map>
 #include <set>
+
+#include "database/keys.h"
+#include "protocols/condition.h"
 
 namespace study::commands {
 
@@ -18,8 +18,7 @@ template <class Name>
 std::map<Name, int> numbered(const std::set<Name>& names)
 {
     std::map<Name, int> numbers;
-    for (const Name& name : names)
-        numbers.emplace(name, static_cast<int>(numbers.size()));
+    for (const Name& name : names) numbers.emplace(name, static_cast<int>(numbers.size()));
     return numbers;
 }
 
@@ -36,8 +35,7 @@ Numbers numbersOf(const database::StudyStore& store)
     std::set<protocols::FabricId> fabrics;
     for (const auto& [code, entry] : numbers.key.entries) {
         fabrics.insert(entry.fabric);
-        if (entry.label.value != protocols::catchTrialId().value)
-            labels.insert(entry.label);
+        if (entry.label.value != protocols::catchTrialId().value) labels.insert(entry.label);
     }
     numbers.labels = numbered(labels);
     numbers.fabrics = numbered(fabrics);
@@ -48,10 +46,11 @@ DesignTrial designTrialOf(const protocols::BlindedTrial& trial, const Numbers& n
 {
     const auto& entry = numbers.key.entries.at(trial.fileCode);
     const auto label = numbers.labels.find(entry.label);
-    DesignTrial design{trial.phase, label == numbers.labels.end() ? protocols::catchTrialLabel : label->second,
-                       numbers.fabrics.at(entry.fabric), {}};
-    for (const auto& fabric : trial.alternatives)
-        design.alternatives.push_back(numbers.fabrics.at(fabric));
+    DesignTrial design{trial.phase,
+                       label == numbers.labels.end() ? protocols::catchTrialLabel : label->second,
+                       numbers.fabrics.at(entry.fabric),
+                       {}};
+    for (const auto& fabric : trial.alternatives) design.alternatives.push_back(numbers.fabrics.at(fabric));
     return design;
 }
 
@@ -61,15 +60,12 @@ std::map<protocols::ParticipantId, std::vector<int>> presentedTrials(const datab
     std::map<protocols::ParticipantId, std::map<int, std::int64_t>> lastStored;
     std::map<protocols::ParticipantId, std::vector<std::pair<std::int64_t, int>>> order;
     for (const auto& answer : store.answers())
-        if (!answer.voided)
-            lastStored[answer.participant].emplace(answer.record.trial.value, answer.event);
+        if (!answer.voided) lastStored[answer.participant].emplace(answer.record.trial.value, answer.event);
     std::map<protocols::ParticipantId, std::vector<int>> trials;
     for (const auto& [participant, byTrial] : lastStored) {
-        for (const auto& [trial, event] : byTrial)
-            order[participant].emplace_back(event, trial);
+        for (const auto& [trial, event] : byTrial) order[participant].emplace_back(event, trial);
         std::sort(order[participant].begin(), order[participant].end());
-        for (const auto& [event, trial] : order[participant])
-            trials[participant].push_back(trial);
+        for (const auto& [event, trial] : order[participant]) trials[participant].push_back(trial);
     }
     return trials;
 }
@@ -83,8 +79,7 @@ protocols::BalanceCertificate realisedBalance(const database::StudyStore& store,
     protocols::Design design;
     for (const auto& enrolment : store.enrolments()) {
         const auto own = presented.find(enrolment.participant);
-        if (enrolment.state == database::SlotState::Withdrawn || own == presented.end())
-            continue;
+        if (enrolment.state == database::SlotState::Withdrawn || own == presented.end()) continue;
         const auto list = store.trials(enrolment.slot);
         auto& trials = design.participants.emplace_back();
         for (const int number : own->second)

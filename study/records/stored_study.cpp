@@ -1,13 +1,13 @@
 #include "study/records/stored_study.h"
 
-#include "protocols/condition.h"
-#include "protocols/protocol_json.h"
-#include "study/records/participants_sentence.h"
-
 #include <algorithm>
 #include <set>
 #include <tuple>
 #include <utility>
+
+#include "protocols/condition.h"
+#include "protocols/protocol_json.h"
+#include "study/records/participants_sentence.h"
 
 namespace study::commands {
 
@@ -16,8 +16,7 @@ namespace {
 void describeProtocol(const protocols::Protocol& protocol, reports::StudyData& data)
 {
     data.equivalenceBounds = protocol.equivalenceBounds;
-    for (const auto& contrast : protocol.planned)
-        data.planned.emplace_back(contrast.a.value, contrast.b.value);
+    for (const auto& contrast : protocol.planned) data.planned.emplace_back(contrast.a.value, contrast.b.value);
     const int sameOrDifferent = 2;
     bool isFirstChoice = true;
     for (const auto& phase : protocol.phases) {
@@ -25,8 +24,7 @@ void describeProtocol(const protocols::Protocol& protocol, reports::StudyData& d
             if (!question.inWords)
                 data.questions.push_back({question.id.value, question.text, !phase.scale,
                                           phase.scale ? 0 : phase.alternatives.value_or(sameOrDifferent)});
-        if (!phase.scale && std::exchange(isFirstChoice, false))
-            data.alternatives = phase.alternatives.value_or(sameOrDifferent);
+        if (!phase.scale && std::exchange(isFirstChoice, false)) data.alternatives = phase.alternatives.value_or(sameOrDifferent);
         if (phase.scale) {
             data.scaleMin = phase.scale->min.inScaleUnits();
             data.scaleMax = phase.scale->max.inScaleUnits();
@@ -61,8 +59,7 @@ reports::Response responseOf(const database::CurrentAnswer& answer, const Naming
         response.answerSlot = slot != record.alternatives.end() ? static_cast<int>(slot - record.alternatives.begin())
                                                                 : int(*record.answer == "different");
     }
-    if (record.rating)
-        response.rating = record.rating->inScaleUnits();
+    if (record.rating) response.rating = record.rating->inScaleUnits();
     return response;
 }
 
@@ -71,8 +68,7 @@ reports::Response responseOf(const database::CurrentAnswer& answer, const Naming
 bool isCorrect(const database::AnswerRecord& record, const protocols::FabricId& truth)
 {
     const bool same = record.alternatives.front() == truth;
-    if (*record.answer == "same" || *record.answer == "different")
-        return same == (*record.answer == "same");
+    if (*record.answer == "same" || *record.answer == "different") return same == (*record.answer == "same");
     return *record.answer == truth.value;
 }
 
@@ -94,14 +90,11 @@ Naming namingOf(const database::StudyStore& store, const protocols::Protocol& pr
     if (permission) {
         for (const auto& [code, entry] : readAllocationKey(store, *permission).entries)
             naming.entries[code] = {entry.fabric, entry.condition.value};
-        for (const auto& condition : protocol.conditions)
-            naming.conditions.push_back(condition.value);
+        for (const auto& condition : protocol.conditions) naming.conditions.push_back(condition.value);
         return naming;
     }
-    for (const auto& [code, entry] : readMaskedKey(store).entries)
-        naming.entries[code] = {entry.fabric, entry.label.value};
-    for (std::size_t k = 1; k <= protocol.conditions.size(); ++k)
-        naming.conditions.push_back("K" + std::to_string(k));
+    for (const auto& [code, entry] : readMaskedKey(store).entries) naming.entries[code] = {entry.fabric, entry.label.value};
+    for (std::size_t k = 1; k <= protocol.conditions.size(); ++k) naming.conditions.push_back("K" + std::to_string(k));
     return naming;
 }
 
@@ -122,18 +115,15 @@ reports::StudyData studyData(const database::StudyStore& store)
         data.planned.clear();
     else
         data.signalsJson = facts.signalsJson;
-    for (const auto& fabric : facts.fabrics)
-        data.fabrics.push_back(fabric.value);
+    for (const auto& fabric : facts.fabrics) data.fabrics.push_back(fabric.value);
     describeParticipants(store, data);
     const std::size_t questions = data.questions.size();
     std::set<std::string> analysed(data.participants.begin(), data.participants.end()), asked;
-    for (const auto& question : data.questions)
-        asked.insert(question.id);
+    for (const auto& question : data.questions) asked.insert(question.id);
     data.expectedResponses = store.slots().size() * static_cast<std::size_t>(protocol.presentationsPerPhase()) * questions;
     std::set<std::tuple<protocols::ParticipantId, protocols::TrialNumber, int>> voided;
     for (const auto& answer : store.answers()) {
-        if (!analysed.contains(answer.participant.value))
-            continue;
+        if (!analysed.contains(answer.participant.value)) continue;
         const auto& entry = naming.entries.at(answer.record.fileCode);
         if (answer.voided)
             voided.emplace(answer.participant, answer.record.trial, answer.attempt);

@@ -2,14 +2,14 @@
 // condition names once its unblinding is recorded.
 #pragma once
 
-#include "database/keys.h"
-#include "database/study_store.h"
-#include "reports/study_data.h"
-
 #include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
+
+#include "database/keys.h"
+#include "database/study_store.h"
+#include "reports/study_data.h"
 
 namespace study::commands {
 

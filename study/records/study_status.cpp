@@ -1,14 +1,14 @@
 #include "study/records/study_status.h"
 
-#include "protocols/counterbalancing.h"
-#include "reports/report.h"
-#include "study/records/realised_balance.h"
-#include "study/records/stored_study.h"
-
 #include <cstdarg>
 #include <cstdio>
 #include <map>
 #include <set>
+
+#include "protocols/counterbalancing.h"
+#include "reports/report.h"
+#include "study/records/realised_balance.h"
+#include "study/records/stored_study.h"
 
 namespace study::commands {
 
@@ -25,8 +25,7 @@ ordered_json answersOf(const database::StudyStore& store, const protocols::Parti
             ++(answer.voided ? voided : answered);
             corrected += answer.corrections > 0;
         }
-    for (const auto& flag : store.flags())
-        flagged += flag.participant == participant;
+    for (const auto& flag : store.flags()) flagged += flag.participant == participant;
     return {{"answers", answered}, {"voided", voided}, {"corrected", corrected}, {"flagged", flagged}};
 }
 
@@ -50,7 +49,8 @@ ordered_json withdrawnOf(const database::StudyStore& store, const std::vector<da
     ordered_json rows = ordered_json::array();
     for (const auto& enrolment : store.enrolments())
         if (enrolment.state == database::SlotState::Withdrawn) {
-            ordered_json row{{"slot", enrolment.slot}, {"participant", enrolment.participant.value}, {"kind", nameOf(enrolment.kind)}};
+            ordered_json row{
+                {"slot", enrolment.slot}, {"participant", enrolment.participant.value}, {"kind", nameOf(enrolment.kind)}};
             row.update(answersOf(store, enrolment.participant, answers));
             rows.push_back(row);
         }
@@ -60,8 +60,7 @@ ordered_json withdrawnOf(const database::StudyStore& store, const std::vector<da
 ordered_json rangesOf(const protocols::BalanceCertificate& balance)
 {
     ordered_json ranges = ordered_json::array();
-    for (const auto& range : balance.ranges)
-        ranges.push_back({{"what", range.what}, {"min", range.min}, {"max", range.max}});
+    for (const auto& range : balance.ranges) ranges.push_back({{"what", range.what}, {"min", range.min}, {"max", range.max}});
     return ranges;
 }
 
@@ -86,10 +85,10 @@ std::string peopleText(const ordered_json& status)
             text += line("  slot %2d  free\n", slot["slot"].get<int>());
             continue;
         }
-        text += line("  slot %2d  %-8s %-9s %-9s %d of %d answers, %d voided, %d corrected, %d flagged\n", slot["slot"].get<int>(),
-                     word(slot, "participant").c_str(), word(slot, "kind").c_str(), word(slot, "state").c_str(),
-                     slot["answers"].get<int>(), expected, slot["voided"].get<int>(), slot["corrected"].get<int>(),
-                     slot["flagged"].get<int>());
+        text += line("  slot %2d  %-8s %-9s %-9s %d of %d answers, %d voided, %d corrected, %d flagged\n",
+                     slot["slot"].get<int>(), word(slot, "participant").c_str(), word(slot, "kind").c_str(),
+                     word(slot, "state").c_str(), slot["answers"].get<int>(), expected, slot["voided"].get<int>(),
+                     slot["corrected"].get<int>(), slot["flagged"].get<int>());
     }
     for (const auto& one : status["withdrawn"])
         text += line("  withdrew: %s (slot %d, %d answers, not analysed; the slot is free again or taken anew)\n",
@@ -124,8 +123,7 @@ ordered_json statusOf(const database::StudyStore& store)
     std::map<std::string, int> kinds{{"human", 0}, {"scripted", 0}, {"simulated", 0}}, states;
     for (const auto& slot : store.slots()) {
         ++states[nameOf(slot.state)];
-        if (slot.state != database::SlotState::Free)
-            ++kinds[nameOf(slot.kind)];
+        if (slot.state != database::SlotState::Free) ++kinds[nameOf(slot.kind)];
     }
     json["kinds"] = kinds;
     json["states"] = states;
@@ -147,8 +145,7 @@ std::string textOf(const ordered_json& status)
     text += "balance of the running orders:\n" + balanceText(status["balance"]);
     if (!status["balance_presented"].empty())
         text += "balance of what was presented so far:\n" + balanceText(status["balance_presented"]);
-    for (const auto& stamp : status["stamps"])
-        text += "note: " + stamp.get<std::string>() + "\n";
+    for (const auto& stamp : status["stamps"]) text += "note: " + stamp.get<std::string>() + "\n";
     for (const auto& flag : status["quality"])
         text += "flag: " + (flag["participant"].is_string() ? flag["participant"].get<std::string>() + " " : std::string()) +
                 word(flag, "flag") + ": " + word(flag, "why") + "\n";

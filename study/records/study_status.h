@@ -1,11 +1,10 @@
 // How a study stands: who is where, balance planned and reached, flags on the data. Blinded.
 #pragma once
 
-#include "database/study_store.h"
-
 #include <nlohmann/json.hpp>
-
 #include <string>
+
+#include "database/study_store.h"
 
 namespace study::commands {
 

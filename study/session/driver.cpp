@@ -4,8 +4,8 @@
 #include <iterator>
 
 #include "protocols/files/errors.h"
-#include "protocols/protocol_json.h"
 #include "protocols/files/sha256.h"
+#include "protocols/protocol_json.h"
 #include "study/session/session_moves.h"
 
 namespace study::session {
@@ -29,10 +29,13 @@ Plan planOf(const StudyStore& store, const database::Enrolment& enrolment)
 {
     const database::StudyFacts facts = store.facts();
     Plan plan{protocols::protocolFromJson(protocolTextFor(store, enrolment), store.folder().protocol().string()),
-              store.trials(enrolment.slot), facts.fabricNames, {}};
+              store.trials(enrolment.slot),
+              facts.fabricNames,
+              {}};
     const std::size_t slot = static_cast<std::size_t>(enrolment.slot) - 1;
     if (slot < facts.swatches.size()) plan.fabricNames = facts.swatches[slot];
-    for (const database::FamiliarisationItem& item : facts.familiarisation) plan.familiarisation.push_back({item.name, item.fileCode});
+    for (const database::FamiliarisationItem& item : facts.familiarisation)
+        plan.familiarisation.push_back({item.name, item.fileCode});
     return plan;
 }
 
@@ -134,10 +137,11 @@ void requireKeptProtocol(const StudyStore& store)
     std::ifstream stream(file, std::ios::binary);
     const std::string text{std::istreambuf_iterator<char>(stream), {}};
     if (stream && protocols::sha256(text) == store.protocolVersions().back().sha256) return;
-    throw protocols::badInput({stream ? "the protocol was changed after the study was made" : "the protocol cannot be read", file.string(),
-                               "the text that the study keeps",
+    throw protocols::badInput({stream ? "the protocol was changed after the study was made" : "the protocol cannot be read",
+                               file.string(), "the text that the study keeps",
                                "take the change over with `vis2hap study amend " + study +
-                                   " --who NAME --why TEXT`, or put the kept text back with `vis2hap study amend " + study + " --undo`"});
+                                   " --who NAME --why TEXT`, or put the kept text back with `vis2hap study amend " + study +
+                                   " --undo`"});
 }
 
 void Driver::replayLog()

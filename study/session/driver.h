@@ -3,15 +3,15 @@
 // session goes on where the last acknowledged event left it.
 #pragma once
 
+#include <optional>
+#include <string>
+#include <vector>
+
 #include "database/study_store.h"
 #include "rendering/display/display.h"
 #include "rendering/display/stimulus_bank.h"
 #include "study/session/clock.h"
 #include "study/session/session.h"
-
-#include <optional>
-#include <string>
-#include <vector>
 
 namespace study::session {
 
@@ -28,22 +28,22 @@ void requireKeptProtocol(const database::StudyStore& store);
 struct View {
     State state;
     std::string participant;
-    std::string phaseName;                    ///< "Q1", "Q2-Q4"
-    protocols::PresentationCode code;         ///< while a trial is on; else empty
-    std::vector<std::string> tray;            ///< the codes on the fabric pieces in slots A, B, C
+    std::string phaseName;             ///< "Q1", "Q2-Q4"
+    protocols::PresentationCode code;  ///< while a trial is on; else empty
+    std::vector<std::string> tray;     ///< the codes on the fabric pieces in slots A, B, C
     std::vector<protocols::FabricId> trayIds;
     std::optional<protocols::Question> question;  ///< the one now asked, or asked next in PlacingTray
     std::optional<protocols::Scale> scale;        ///< of that question
-    int presentation = 0, presentations = 0;  ///< progress, from 1; voided ones add to the total
+    int presentation = 0, presentations = 0;      ///< progress, from 1; voided ones add to the total
     int answersStored = 0, answersInAll = 0;
     std::optional<protocols::AnswerKind> answerKind;  ///< of that question
-    double minutesLeft = 0;                   ///< by the protocol's seconds, from five presentations on by this participant's own
-    double sittingMinutes = 0;                ///< since this sitting began, at the last event
+    double minutesLeft = 0;     ///< by the protocol's seconds, from five presentations on by this participant's own
+    double sittingMinutes = 0;  ///< since this sitting began, at the last event
     int presentationsToBreak = 0;
-    bool sittingIsPrepared = true;            ///< else its refresher and checklist are due
-    std::vector<std::string> familiarisation; ///< names of the fabrics for getting to know the display
+    bool sittingIsPrepared = true;                ///< else its refresher and checklist are due
+    std::vector<std::string> familiarisation;     ///< names of the fabrics for getting to know the display
     std::vector<protocols::Tenths> placesToName;  ///< in scale training
-    std::optional<std::string> lastAnswer;    ///< read-back: "Q3: 5.5"
+    std::optional<std::string> lastAnswer;        ///< read-back: "Q3: 5.5"
     std::optional<protocols::QuestionId> lastQuestion;
 };
 

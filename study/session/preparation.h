@@ -1,9 +1,9 @@
 // The way of a willing participant around the trials, for whoever plays a session without a person.
 #pragma once
 
-#include "study/session/session.h"
-
 #include <optional>
+
+#include "study/session/session.h"
 
 namespace study::session {
 

@@ -36,9 +36,9 @@
 // Kept in every state: `order` holds each trial once and once more for each void, phases together, blocks
 // ascending; Presenting and PlacingTray are of trial order[position]; `answers` holds no two answers to the
 // same question of the same trial and none of a voided presentation.
-#include "study/session/session_moves.h"
-
 #include <algorithm>
+
+#include "study/session/session_moves.h"
 
 namespace study::session {
 

@@ -1,9 +1,9 @@
 #include "study/session/session_moves.h"
 
-#include "protocols/random.h"
-
 #include <algorithm>
 #include <cstdlib>
+
+#include "protocols/random.h"
 
 namespace study::session {
 
@@ -48,10 +48,14 @@ std::optional<std::string> faultOfRating(const protocols::Scale& scale, protocol
 const char* whatIsAskedFor(protocols::AnswerKind kind)
 {
     switch (kind) {
-        case protocols::AnswerKind::Choice: return "one of the fabrics on the tray";
-        case protocols::AnswerKind::Rating: return "a number on the scale";
-        case protocols::AnswerKind::SameDifferent: return "same or different";
-        case protocols::AnswerKind::Words: return "words";
+        case protocols::AnswerKind::Choice:
+            return "one of the fabrics on the tray";
+        case protocols::AnswerKind::Rating:
+            return "a number on the scale";
+        case protocols::AnswerKind::SameDifferent:
+            return "same or different";
+        case protocols::AnswerKind::Words:
+            return "words";
     }
     return "";
 }
@@ -62,7 +66,6 @@ const protocols::Scale* scaleOf(const Plan& plan)
         if (phase.scale) return &*phase.scale;
     return nullptr;
 }
-
 
 constexpr std::int64_t minuteNs = 60LL * 1000 * 1000 * 1000;
 
@@ -240,7 +243,8 @@ void presentAgain(const Plan& plan, State& state, int index, int fromPosition)
     const int size = static_cast<int>(state.order.size()), phase = phaseIndexAt(plan, state, fromPosition);
     const int next = fromPosition + 1;
     // Voided afterwards, when its break has come: the block then beginning takes it, if it is of the same phase.
-    const bool blockIsOver = fromPosition < state.position && blockEndsBefore(state, next) && phaseIndexAt(plan, state, next) == phase;
+    const bool blockIsOver =
+        fromPosition < state.position && blockEndsBefore(state, next) && phaseIndexAt(plan, state, next) == phase;
     const int block = placeAt(state, blockIsOver ? next : fromPosition).block;
     int end = next;
     while (end < size && placeAt(state, end).block == block && phaseIndexAt(plan, state, end) == phase) ++end;

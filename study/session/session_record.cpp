@@ -58,7 +58,8 @@ FactsGiven factsOf(const Json& payload)
 
 ChecklistDone checklistOf(const Json& payload)
 {
-    return {payload.at("ticked").get<std::vector<std::string>>(), payload.at("readings").get<std::map<std::string, std::string>>()};
+    return {payload.at("ticked").get<std::vector<std::string>>(),
+            payload.at("readings").get<std::map<std::string, std::string>>()};
 }
 
 Touched touchOf(const Json& payload)
@@ -78,7 +79,8 @@ constexpr Kind kinds[] = {
     {"begun", [](const Json&) -> EventBody { return Begun{}; }},
     {"consented", [](const Json&) -> EventBody { return Consented{}; }},
     {"facts_given", [](const Json& payload) -> EventBody { return factsOf(payload); }},
-    {"familiarisation_shown", [](const Json& payload) -> EventBody { return FamiliarisationShown{payload.at("item").get<int>()}; }},
+    {"familiarisation_shown",
+     [](const Json& payload) -> EventBody { return FamiliarisationShown{payload.at("item").get<int>()}; }},
     {"familiarisation_done", [](const Json&) -> EventBody { return FamiliarisationDone{}; }},
     {"scale_placed",
      [](const Json& payload) -> EventBody {
@@ -97,50 +99,53 @@ constexpr Kind kinds[] = {
     {"resumed", [](const Json&) -> EventBody { return Resumed{}; }},
     {"withdrawn", [](const Json& payload) -> EventBody { return WithdrawnEvent{payload.at("why").get<std::string>()}; }},
     {"noted",
-     [](const Json& payload) -> EventBody { return Noted{payload.at("text").get<std::string>(), payload.value("flag", false)}; }},
+     [](const Json& payload) -> EventBody {
+         return Noted{payload.at("text").get<std::string>(), payload.value("flag", false)};
+     }},
     {"debriefed", [](const Json&) -> EventBody { return Debriefed{}; }},
 };
 static_assert(std::size(kinds) == std::variant_size_v<EventBody>);
 
 Json payloadOf(const EventBody& body)
 {
-    return std::visit(Overloaded{[](const Answered& event) { return jsonOf(event.response); },
-                                 [](const Corrected& event) {
-                                     Json payload{{"question", event.question.value}};
-                                     payload.update(jsonOf(event.response));
-                                     payload["why"] = event.why;
-                                     return payload;
-                                 },
-                                 [](const Voided& event) {
-                                     return Json{{"why", event.why}};
-                                 },
-                                 [](const WithdrawnEvent& event) {
-                                     return Json{{"why", event.why}};
-                                 },
-                                 [](const Noted& event) {
-                                     return event.isFlag ? Json{{"text", event.text}, {"flag", true}} : Json{{"text", event.text}};
-                                 },
-                                 [](const FactsGiven& event) {
-                                     Json given = Json::array();
-                                     for (const auto& [fact, value] : event.facts) given.push_back(fact);
-                                     return Json{{"given", given}};
-                                 },
-                                 [](const FamiliarisationShown& event) {
-                                     return Json{{"item", event.item}};
-                                 },
-                                 [](const ScalePlaced& event) {
-                                     return Json{{"shown", event.shown.value}, {"spoken", event.spoken.value}};
-                                 },
-                                 [](const ChecklistDone& event) {
-                                     return Json{{"ticked", event.ticked}, {"readings", event.readings}};
-                                 },
-                                 [](const Touched& event) {
-                                     Json payload{{"by", event.by == TouchSource::Display ? "display" : "operator"}};
-                                     if (event.agoNs != 0) payload["ago_ns"] = event.agoNs;
-                                     return payload;
-                                 },
-                                 [](const auto&) { return Json::object(); }},
-                      body);
+    return std::visit(
+        Overloaded{[](const Answered& event) { return jsonOf(event.response); },
+                   [](const Corrected& event) {
+                       Json payload{{"question", event.question.value}};
+                       payload.update(jsonOf(event.response));
+                       payload["why"] = event.why;
+                       return payload;
+                   },
+                   [](const Voided& event) {
+                       return Json{{"why", event.why}};
+                   },
+                   [](const WithdrawnEvent& event) {
+                       return Json{{"why", event.why}};
+                   },
+                   [](const Noted& event) {
+                       return event.isFlag ? Json{{"text", event.text}, {"flag", true}} : Json{{"text", event.text}};
+                   },
+                   [](const FactsGiven& event) {
+                       Json given = Json::array();
+                       for (const auto& [fact, value] : event.facts) given.push_back(fact);
+                       return Json{{"given", given}};
+                   },
+                   [](const FamiliarisationShown& event) {
+                       return Json{{"item", event.item}};
+                   },
+                   [](const ScalePlaced& event) {
+                       return Json{{"shown", event.shown.value}, {"spoken", event.spoken.value}};
+                   },
+                   [](const ChecklistDone& event) {
+                       return Json{{"ticked", event.ticked}, {"readings", event.readings}};
+                   },
+                   [](const Touched& event) {
+                       Json payload{{"by", event.by == TouchSource::Display ? "display" : "operator"}};
+                       if (event.agoNs != 0) payload["ago_ns"] = event.agoNs;
+                       return payload;
+                   },
+                   [](const auto&) { return Json::object(); }},
+        body);
 }
 
 }  // namespace
@@ -167,7 +172,8 @@ std::string textOf(const Response& response)
     return std::visit(Overloaded{[](const protocols::FabricId& fabric) { return fabric.value; },
                                  [](const protocols::Tenths& rating) {
                                      const int size = std::abs(rating.value);
-                                     return (rating.value < 0 ? "-" : "") + std::to_string(size / 10) + "." + std::to_string(size % 10);
+                                     return (rating.value < 0 ? "-" : "") + std::to_string(size / 10) + "." +
+                                            std::to_string(size % 10);
                                  },
                                  [](const Sameness& said) { return std::string(said.same ? "same" : "different"); },
                                  [](const Words& said) { return said.text; }},

@@ -1,11 +1,11 @@
 #include "protocols/allocation.h"
-#include "protocols/files/errors.h"
-#include "protocols/protocol_json.h"
 
 #include <QtTest>
-
 #include <algorithm>
 #include <set>
+
+#include "protocols/files/errors.h"
+#include "protocols/protocol_json.h"
 
 using namespace protocols;
 
@@ -144,8 +144,7 @@ private Q_SLOTS:
     {
         const std::string text = toJson(masked(m_allocation.key));
         QVERIFY(text.find("condition") == std::string::npos);
-        for (const ConditionId& id : m_protocol.conditions)
-            QVERIFY(text.find("\"" + id.value + "\"") == std::string::npos);
+        for (const ConditionId& id : m_protocol.conditions) QVERIFY(text.find("\"" + id.value + "\"") == std::string::npos);
     }
 
     void malformedKeysAreRefused_data()

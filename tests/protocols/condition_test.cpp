@@ -1,7 +1,8 @@
 #include "protocols/condition.h"
-#include "protocols/files/errors.h"
 
 #include <QtTest>
+
+#include "protocols/files/errors.h"
 
 using namespace protocols;
 
@@ -27,8 +28,8 @@ private Q_SLOTS:
     void groupsFollowTheSignals()
     {
         for (const Condition& condition : allConditions()) {
-            const bool generated = condition.relief == ReliefSource::GeneratedHeight ||
-                                   condition.friction == FrictionSource::GeneratedTrace;
+            const bool generated =
+                condition.relief == ReliefSource::GeneratedHeight || condition.friction == FrictionSource::GeneratedTrace;
             QCOMPARE(condition.group == ConditionGroup::Generated, generated);
             QVERIFY(condition.relief != ReliefSource::None || condition.friction != FrictionSource::None);
         }
@@ -51,11 +52,16 @@ private Q_SLOTS:
     {
         QTest::addColumn<QString>("list");
         QTest::addColumn<QString>("named");
-        QTest::newRow("unknown") << "v_grey,velvet" << "'velvet'";
-        QTest::newRow("doubled in two spellings") << "h&f,h+f" << "'h&f'";
-        QTest::newRow("empty") << "" << "''";
-        QTest::newRow("trailing comma") << "f," << "''";
-        QTest::newRow("capital letters") << "V_GREY" << "'V_GREY'";
+        QTest::newRow("unknown") << "v_grey,velvet"
+                                 << "'velvet'";
+        QTest::newRow("doubled in two spellings") << "h&f,h+f"
+                                                  << "'h&f'";
+        QTest::newRow("empty") << ""
+                               << "''";
+        QTest::newRow("trailing comma") << "f,"
+                                        << "''";
+        QTest::newRow("capital letters") << "V_GREY"
+                                         << "'V_GREY'";
     }
 
     void wrongListsAreRefusedByName()

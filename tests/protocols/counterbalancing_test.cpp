@@ -1,13 +1,13 @@
 #include "protocols/counterbalancing.h"
-#include "protocols/protocol_json.h"
 
 #include <QElapsedTimer>
 #include <QtTest>
-
 #include <algorithm>
 #include <functional>
 #include <map>
 #include <set>
+
+#include "protocols/protocol_json.h"
 
 using namespace protocols;
 
@@ -75,9 +75,8 @@ double hitsBy(const Rule& rule, const Design& design)
 
 int appearances(const std::vector<DesignTrial>& list, int fabric)
 {
-    return static_cast<int>(std::ranges::count_if(list, [&](const DesignTrial& t) {
-        return std::ranges::find(t.alternatives, fabric) != t.alternatives.end();
-    }));
+    return static_cast<int>(std::ranges::count_if(
+        list, [&](const DesignTrial& t) { return std::ranges::find(t.alternatives, fabric) != t.alternatives.end(); }));
 }
 
 int appearancesInSlot(const std::vector<DesignTrial>& list, std::size_t at, int fabric)
@@ -162,7 +161,7 @@ private Q_SLOTS:
         QTest::addColumn<int>("conditions");
         QTest::addColumn<int>("fabrics");
         QTest::addColumn<int>("alternatives");
-        QTest::addColumn<int>("slack");    // how far counts of a kind may differ
+        QTest::addColumn<int>("slack");     // how far counts of a kind may differ
         QTest::addColumn<bool>("repeats");  // unavoidable
         QTest::newRow("six fabrics, five conditions") << 10 << 5 << 6 << 3 << 1 << false;
         QTest::newRow("two participants") << 2 << 9 << 7 << 3 << 1 << false;

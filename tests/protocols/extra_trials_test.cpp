@@ -2,7 +2,6 @@
 #include "protocols/extra_trials.h"
 
 #include <QtTest>
-
 #include <map>
 #include <set>
 

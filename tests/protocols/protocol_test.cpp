@@ -1,10 +1,9 @@
-#include "protocols/files/errors.h"
-#include "protocols/protocol_json.h"
-
 #include <QTemporaryDir>
 #include <QtTest>
-
 #include <fstream>
+
+#include "protocols/files/errors.h"
+#include "protocols/protocol_json.h"
 
 using namespace protocols;
 
@@ -53,12 +52,15 @@ private Q_SLOTS:
     void otherKindsOfQuestionsAreRead()
     {
         const Protocol protocol = protocolFromJson(
-            smallProtocol(R"("phases": [{"questions": ["Q1"], "alternatives": 3}, {"questions": ["Q2"], "scale": {"min": 0, "max": 10}}])",
-                          R"("question_texts": {"S1": "Same?", "L1": "Do you agree?", "N1": "Why?"},
+            smallProtocol(
+                R"("phases": [{"questions": ["Q1"], "alternatives": 3}, {"questions": ["Q2"], "scale": {"min": 0, "max": 10}}])",
+                R"("question_texts": {"S1": "Same?", "L1": "Do you agree?", "N1": "Why?"},
  "phases": [{"questions": ["S1", "N1"], "same_different": true, "free_text": ["N1"], "catch_trials": 2},
             {"questions": ["L1"], "scale": {"min": 1, "max": 3, "step": 1, "sections": 2, "labels": ["no", "so so", "yes"]}}],
  "swatches": "fresh", "second_entry": true, "familiarisation_fabrics": 2, "break_after_minutes": 15,
- "readings": ["temperature in °C"])").toStdString(), "study.json");
+ "readings": ["temperature in °C"])")
+                .toStdString(),
+            "study.json");
         const Phase& first = protocol.phases[0];
         QVERIFY(first.sameDifferent);
         QCOMPARE(first.catchTrials, 2);

@@ -2,7 +2,6 @@
 #include "protocols/random.h"
 
 #include <QtTest>
-
 #include <numeric>
 
 using protocols::Random;
@@ -64,7 +63,7 @@ private Q_SLOTS:
             sum += x;
             squares += x * x;
         }
-        QVERIFY(std::abs(sum / draws) < 0.013);            // four standard errors
+        QVERIFY(std::abs(sum / draws) < 0.013);  // four standard errors
         QVERIFY(std::abs(squares / draws - 1) < 0.018);
     }
 

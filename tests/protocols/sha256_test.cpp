@@ -1,10 +1,10 @@
-#include "protocols/files/errors.h"
 #include "protocols/files/sha256.h"
 
 #include <QTemporaryDir>
 #include <QtTest>
-
 #include <fstream>
+
+#include "protocols/files/errors.h"
 
 class Sha256Test : public QObject {
     Q_OBJECT

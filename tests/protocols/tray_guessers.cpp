@@ -131,7 +131,8 @@ private:
         for (std::size_t at = 1; at < length; ++at) {
             for (std::size_t to = 0; to < m_slots; ++to) {
                 double reached = 0;
-                for (std::size_t from = 0; from < m_slots; ++from) reached += forward[at - 1][from] * step(participant, at - 1, from, to);
+                for (std::size_t from = 0; from < m_slots; ++from)
+                    reached += forward[at - 1][from] * step(participant, at - 1, from, to);
                 forward[at][to] *= reached;
             }
             normalise(forward[at]);
@@ -165,7 +166,8 @@ private:
         normalise(joint);
         for (std::size_t from = 0; from < m_slots; ++from)
             for (std::size_t to = 0; to < m_slots; ++to)
-                m_pair.expected[pairCell(m_trays[participant][at][from], m_trays[participant][at + 1][to])] += joint[from * m_slots + to];
+                m_pair.expected[pairCell(m_trays[participant][at][from], m_trays[participant][at + 1][to])] +=
+                    joint[from * m_slots + to];
     }
 
     const SeenTrays& m_trays;
@@ -330,7 +332,8 @@ double hitsOf(const Belief& belief, const Design& design)
         for (std::size_t at = 0; at < belief[participant].size(); ++at) {
             const auto& own = belief[participant][at];
             const DesignTrial& trial = design.participants[participant][at];
-            const auto isTrue = static_cast<std::size_t>(std::ranges::find(trial.alternatives, trial.fabric) - trial.alternatives.begin());
+            const auto isTrue =
+                static_cast<std::size_t>(std::ranges::find(trial.alternatives, trial.fabric) - trial.alternatives.begin());
             const double best = *std::ranges::max_element(own) - 1e-9;
             if (own[isTrue] >= best)
                 hits += 1.0 / static_cast<double>(std::ranges::count_if(own, [&](double value) { return value >= best; }));

@@ -2,10 +2,10 @@
 // They are as strong as we could make them: the test that they stay at chance is worth no more than they.
 #pragma once
 
+#include <vector>
+
 #include "protocols/counterbalancing.h"
 #include "protocols/random.h"
-
-#include <vector>
 
 namespace tray_guessers {
 

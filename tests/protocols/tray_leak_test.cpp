@@ -1,13 +1,12 @@
 // Whoever joins all that is visible of a choice phase, over all participants and presentations, names the
 // true slot no more often than by chance.
-#include "protocols/protocol_json.h"
-#include "tests/protocols/tray_guessers.h"
-
 #include <QtTest>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
+
+#include "protocols/protocol_json.h"
+#include "tests/protocols/tray_guessers.h"
 
 using namespace protocols;
 

@@ -1,15 +1,15 @@
-// Ball presses into a sensor whose light is known: three lamps, each brighter for slopes towards it (a little curved), unevenly over the frame;
-// the gel bridges from the ball's edge to rest. What a calibration should find again.
+// Ball presses into a sensor whose light is known: three lamps, each brighter for slopes towards it (a little curved), unevenly
+// over the frame; the gel bridges from the ball's edge to rest. What a calibration should find again.
 #pragma once
-
-#include "protocols/random.h"
-#include "rendering/signals/ball_presses.h"
 
 #include <cmath>
 #include <numbers>
 #include <opencv2/core.hpp>
 #include <string>
 #include <vector>
+
+#include "protocols/random.h"
+#include "rendering/signals/ball_presses.h"
 
 namespace tests {
 
@@ -49,7 +49,8 @@ inline SimulatedPresses simulatedPresses(int count, double contactPx = 13, doubl
                 const double u = 2.0 * x / width - 1, v = 2.0 * y / height - 1;
                 const auto slope = slopeAt(x, y);
                 const auto level = simulatedBackground(u, v) + simulatedLight(slope.x, slope.y, u, v);
-                for (int c = 0; c < 3; ++c) frame.at<cv::Vec3b>(y, x)[c] = cv::saturate_cast<uchar>(level[c] + noise * random.normal());
+                for (int c = 0; c < 3; ++c)
+                    frame.at<cv::Vec3b>(y, x)[c] = cv::saturate_cast<uchar>(level[c] + noise * random.normal());
             }
         return frame;
     };
@@ -57,7 +58,8 @@ inline SimulatedPresses simulatedPresses(int count, double contactPx = 13, doubl
     for (int i = 0; i < count; ++i) {
         const cv::Point2d centre(25 + 110.0 * ((i * 7) % count) / count, 25 + 70.0 * ((i * 3) % count) / count);
         const auto slopeAt = [&](int x, int y) {
-            const double dx = x - centre.x, dy = y - centre.y, r = std::max(1e-9, std::hypot(dx, dy)), inside = std::min(r, contactPx);
+            const double dx = x - centre.x, dy = y - centre.y, r = std::max(1e-9, std::hypot(dx, dy)),
+                         inside = std::min(r, contactPx);
             double steep = inside / std::sqrt(ball * ball - inside * inside);
             if (r > contactPx) steep *= std::exp(-(r - contactPx) / 4);
             return cv::Point2d(-dx / r * steep, -dy / r * steep);

@@ -13,8 +13,7 @@ inline std::uint32_t crc32(const std::string& bytes)
     std::uint32_t crc = 0xFFFFFFFFU;
     for (const char byte : bytes) {
         crc ^= static_cast<unsigned char>(byte);
-        for (int bit = 0; bit < 8; ++bit)
-            crc = (crc >> 1U) ^ ((crc & 1U) != 0 ? 0xEDB88320U : 0U);
+        for (int bit = 0; bit < 8; ++bit) crc = (crc >> 1U) ^ ((crc & 1U) != 0 ? 0xEDB88320U : 0U);
     }
     return ~crc;
 }
@@ -29,8 +28,7 @@ inline std::uint32_t numberAt(const std::string& bytes, std::size_t at, int widt
 
 inline void putCrc(std::string& bytes, std::size_t at, std::uint32_t crc)
 {
-    for (unsigned i = 0; i < 4; ++i)
-        bytes[at + i] = static_cast<char>(crc >> (8 * i) & 0xFFU);
+    for (unsigned i = 0; i < 4; ++i) bytes[at + i] = static_cast<char>(crc >> (8 * i) & 0xFFU);
 }
 
 /// Fills every tensor of at least 1000 bytes with `number`, the bytes of one NaN.
@@ -40,16 +38,13 @@ inline std::string withNumbersSpoilt(std::string bytes, const std::string& numbe
     for (std::size_t at = bytes.find(entryMark); at != std::string::npos; at = bytes.find(entryMark, at + 4)) {
         const std::size_t size = numberAt(bytes, at + 24, 4), nameLength = numberAt(bytes, at + 28, 2);
         const std::size_t local = numberAt(bytes, at + 42, 4);
-        if (bytes.substr(at + 46, nameLength).find("/data/") == std::string::npos || size < 1000)
-            continue;
+        if (bytes.substr(at + 46, nameLength).find("/data/") == std::string::npos || size < 1000) continue;
         const std::size_t data = local + 30 + numberAt(bytes, local + 26, 2) + numberAt(bytes, local + 28, 2);
-        for (std::size_t i = 0; i + number.size() <= size; i += number.size())
-            bytes.replace(data + i, number.size(), number);
+        for (std::size_t i = 0; i + number.size() <= size; i += number.size()) bytes.replace(data + i, number.size(), number);
         const std::uint32_t crc = crc32(bytes.substr(data, size));
         putCrc(bytes, at + 16, crc);
         putCrc(bytes, local + 14, crc);
-        if (bytes.compare(data + size, 4, std::string("PK\x07\x08", 4)) == 0)
-            putCrc(bytes, data + size + 4, crc);
+        if (bytes.compare(data + size, 4, std::string("PK\x07\x08", 4)) == 0) putCrc(bytes, data + size + 4, crc);
     }
     return bytes;
 }

@@ -15,7 +15,8 @@ private Q_SLOTS:
     void spoiltTablesGiveNumbersOrANamedRefusal()
     {
         const std::string seed =
-            "participant,fabric,condition,Q1_correct,Q2,Q3,Q4,note\n\"P 1\",F01,h_g+f_g,1,5.5,4,3,\"said \"\"soft\"\",\nthen rough\"\n"
+            "participant,fabric,condition,Q1_correct,Q2,Q3,Q4,note\n\"P 1\",F01,h_g+f_g,1,5.5,4,3,\"said \"\"soft\"\",\nthen "
+            "rough\"\n"
             "P2,F01,h,0,NA,,7e0,\nP2,F02,h,1,1,2,3,x\r\n";
         auto random = protocols::Random::stream(7, "tables");
         QElapsedTimer clock;

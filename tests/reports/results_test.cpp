@@ -57,9 +57,9 @@ private Q_SLOTS:
     void meansStandBesideThoseWithoutFlaggedParticipants()
     {
         // P01 rates everything 9; the others rate by fabric and question.
-        const auto data = builders::study(4, 5, {"v_grey", "h&f", "f"},
-                                          {[](int, int f, int) { return f % 2 == 0; },
-                                           [](int p, int f, int, int q) { return p == 0 ? 9.0 : 0.5 * q + f; }});
+        const auto data = builders::study(
+            4, 5, {"v_grey", "h&f", "f"},
+            {[](int, int f, int) { return f % 2 == 0; }, [](int p, int f, int, int q) { return p == 0 ? 9.0 : 0.5 * q + f; }});
         const Json screening = reports::statistics(data)["screening"];
         QCOMPARE(screening["excluded"].size(), std::size_t(1));
         QCOMPARE(screening["excluded"][0]["participant"], "P01");

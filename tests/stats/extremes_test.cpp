@@ -4,16 +4,16 @@
 #include <limits>
 #include <numbers>
 
-#include "stats/tests/bootstrap.h"
 #include "stats/kernels/descriptive.h"
 #include "stats/kernels/distributions.h"
+#include "stats/metrics/trace_error.h"
+#include "stats/tests/bootstrap.h"
 #include "stats/tests/intraclass.h"
 #include "stats/tests/one_way_anova.h"
 #include "stats/tests/rank_tests.h"
 #include "stats/tests/repeated_measures.h"
 #include "stats/tests/sign_flip.h"
 #include "stats/tests/t_tests.h"
-#include "stats/metrics/trace_error.h"
 #include "stats/tests/wilcoxon.h"
 #include "tests/stats/stream.h"
 

@@ -146,14 +146,22 @@ private Q_SLOTS:
     {
         QTest::addColumn<QString>("kind");
         QTest::addColumn<QString>("why");
-        QTest::addRow("nothing") << "nothing" << "no choices";
-        QTest::addRow("all missing") << "missing" << "no choices";
-        QTest::addRow("all right") << "right" << "every choice was right";
-        QTest::addRow("all wrong") << "wrong" << "every choice was wrong";
-        QTest::addRow("half a choice") << "half" << "neither right";
-        QTest::addRow("one condition") << "one" << "one condition";
-        QTest::addRow("one person") << "person" << "belong to one p";
-        QTest::addRow("by person") << "by person" << "no finite estimate";
+        QTest::addRow("nothing") << "nothing"
+                                 << "no choices";
+        QTest::addRow("all missing") << "missing"
+                                     << "no choices";
+        QTest::addRow("all right") << "right"
+                                   << "every choice was right";
+        QTest::addRow("all wrong") << "wrong"
+                                   << "every choice was wrong";
+        QTest::addRow("half a choice") << "half"
+                                       << "neither right";
+        QTest::addRow("one condition") << "one"
+                                       << "one condition";
+        QTest::addRow("one person") << "person"
+                                    << "belong to one p";
+        QTest::addRow("by person") << "by person"
+                                   << "no finite estimate";
     }
 
     void refusalsSayWhy()

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "stats/models/crossed_study.h"
 #include "stats/kernels/distributions.h"
+#include "stats/models/crossed_study.h"
 #include "stats/power/simulated_study.h"
 #include "tests/stats/shared_study.h"
 
@@ -334,15 +334,24 @@ private Q_SLOTS:
     {
         QTest::addColumn<QString>("kind");
         QTest::addColumn<QString>("why");
-        QTest::addRow("nothing") << "nothing" << "needs more values";
-        QTest::addRow("all missing") << "missing" << "needs more values";
-        QTest::addRow("infinite") << "infinite" << "not finite";
-        QTest::addRow("constant") << "constant" << "no variation";
-        QTest::addRow("one group") << "one group" << "belong to one p";
-        QTest::addRow("a group each") << "group each" << "cannot be told from the residual";
-        QTest::addRow("same groups") << "same groups" << "divide the values alike";
-        QTest::addRow("determined") << "determined" << "determined by those before it";
-        QTest::addRow("no residual") << "no residual" << "no residual variation";
+        QTest::addRow("nothing") << "nothing"
+                                 << "needs more values";
+        QTest::addRow("all missing") << "missing"
+                                     << "needs more values";
+        QTest::addRow("infinite") << "infinite"
+                                  << "not finite";
+        QTest::addRow("constant") << "constant"
+                                  << "no variation";
+        QTest::addRow("one group") << "one group"
+                                   << "belong to one p";
+        QTest::addRow("a group each") << "group each"
+                                      << "cannot be told from the residual";
+        QTest::addRow("same groups") << "same groups"
+                                     << "divide the values alike";
+        QTest::addRow("determined") << "determined"
+                                    << "determined by those before it";
+        QTest::addRow("no residual") << "no residual"
+                                     << "no residual variation";
     }
 
     void refusalsSayWhy()

@@ -6,10 +6,10 @@
 #include <limits>
 #include <vector>
 
-#include "stats/tests/binomial.h"
 #include "stats/kernels/decimal_grid.h"
 #include "stats/kernels/descriptive.h"
 #include "stats/kernels/distributions.h"
+#include "stats/tests/binomial.h"
 #include "stats/tests/equivalence.h"
 #include "stats/tests/multiplicity.h"
 #include "stats/tests/rank_tests.h"

@@ -1,8 +1,5 @@
 #include "tests/support/open_window.h"
 
-#include "protocols/files/errors.h"
-#include "tests/support/played_session.h"
-
 #include <QAbstractButton>
 #include <QAbstractItemView>
 #include <QAction>
@@ -14,6 +11,9 @@
 #include <QProgressBar>
 #include <QRegularExpression>
 #include <QTest>
+
+#include "protocols/files/errors.h"
+#include "tests/support/played_session.h"
 
 namespace tests::support {
 
@@ -56,8 +56,7 @@ void addTexts(std::vector<QString>& texts, const QWidget& widget)
     for (const QString& text : {widget.windowTitle(), widget.toolTip(), widget.statusTip(), widget.whatsThis(),
                                 widget.accessibleName(), widget.accessibleDescription(), widget.objectName()})
         texts.push_back(text);
-    if (const auto* label = qobject_cast<const QLabel*>(&widget))
-        texts.push_back(label->text());
+    if (const auto* label = qobject_cast<const QLabel*>(&widget)) texts.push_back(label->text());
     if (const auto* button = qobject_cast<const QAbstractButton*>(&widget))
         texts.push_back(QString(button->text()).replace(QLatin1String("&&"), QLatin1String("&")));
     if (const auto* line = qobject_cast<const QLineEdit*>(&widget)) {
@@ -72,19 +71,15 @@ void addTexts(std::vector<QString>& texts, const QWidget& widget)
         for (const QString& text : {action->text(), action->toolTip(), action->statusTip(), action->whatsThis()})
             texts.push_back(text);
     if (const auto* box = qobject_cast<const QComboBox*>(&widget))
-        for (int item = 0; item < box->count(); ++item)
-            texts.push_back(box->itemText(item));
-    if (const auto* bar = qobject_cast<const QProgressBar*>(&widget))
-        texts.push_back(bar->format());
-    if (const auto* view = qobject_cast<const QAbstractItemView*>(&widget))
-        addItemTexts(texts, *view);
+        for (int item = 0; item < box->count(); ++item) texts.push_back(box->itemText(item));
+    if (const auto* bar = qobject_cast<const QProgressBar*>(&widget)) texts.push_back(bar->format());
+    if (const auto* view = qobject_cast<const QAbstractItemView*>(&widget)) addItemTexts(texts, *view);
 }
 
 study::app::AppOptions withFakes(study::app::AppOptions options, const std::shared_ptr<DisplayRecord>& display,
                                  const std::shared_ptr<VirtualClock>& clock)
 {
-    if (!options.clock)
-        options.clock = clock;
+    if (!options.clock) options.clock = clock;
     options.openDisplay = [display](const std::string&) { return std::make_unique<RecordingDisplay>(display); };
     return options;
 }
@@ -96,10 +91,7 @@ database::StudyFolder WindowTest::newStudy(const StudyRecipe& recipe)
     return buildStudy(m_folder.path().toStdString() + "/study" + std::to_string(++m_made), recipe);
 }
 
-ShownWindow::ShownWindow(const study::app::AppOptions& options) : window(options), hands(window)
-{
-    window.show();
-}
+ShownWindow::ShownWindow(const study::app::AppOptions& options) : window(options), hands(window) { window.show(); }
 
 OpenWindow::OpenWindow(const database::StudyFolder& study, const study::app::AppOptions& options)
     : OpenWindow(study, options, DisplayRecord{})
@@ -119,8 +111,7 @@ OpenWindow::OpenWindow(const database::StudyFolder& study, const study::app::App
 void OpenWindow::perform(const EventBody& event)
 {
     m_clock->advanceSeconds(1.5);
-    if (const auto refusal = m_hands.perform(event))
-        throw std::logic_error("refused: " + refusal->reason);
+    if (const auto refusal = m_hands.perform(event)) throw std::logic_error("refused: " + refusal->reason);
 }
 
 void OpenWindow::enrolAndBegin(const std::string& participant)
@@ -132,11 +123,9 @@ void OpenWindow::enrolAndBegin(const std::string& participant)
 EventBody OpenWindow::nextEvent()
 {
     const auto* presenting = std::get_if<Presenting>(&view().state.stage);
-    if (presenting && !presenting->touchedAtNs)
-        return Touched{};
+    if (presenting && !presenting->touchedAtNs) return Touched{};
     const auto event = tests::support::nextEvent(view(), m_hands.plan());
-    if (!event)
-        throw std::logic_error("the session is over");
+    if (!event) throw std::logic_error("the session is over");
     return *event;
 }
 
@@ -145,14 +134,12 @@ void OpenWindow::playTo(const std::string& stage, const std::string& question)
     const auto isThere = [&] {
         return nameOf(view().state) == stage && (question.empty() || (view().question && view().question->id.value == question));
     };
-    while (!isThere())
-        perform(nextEvent());
+    while (!isThere()) perform(nextEvent());
 }
 
 void OpenWindow::playToEnd()
 {
-    while (!std::holds_alternative<Finished>(view().state.stage))
-        perform(nextEvent());
+    while (!std::holds_alternative<Finished>(view().state.stage)) perform(nextEvent());
 }
 
 QString OpenWindow::message(const char* objectName)
@@ -166,8 +153,7 @@ std::vector<QString> textsIn(const QWidget& root)
     std::vector<QString> texts;
     addTexts(texts, root);
     const auto children = root.findChildren<QWidget*>();
-    for (const QWidget* widget : children)
-        addTexts(texts, *widget);
+    for (const QWidget* widget : children) addTexts(texts, *widget);
     return texts;
 }
 
@@ -178,8 +164,7 @@ std::vector<QString> textsNaming(const std::set<QString>& words, const std::vect
     for (const QString& text : texts) {
         const QStringList tokens = text.split(between, Qt::SkipEmptyParts);
         for (const QString& token : tokens)
-            if (words.contains(token) || words.contains(QString(token).remove(QLatin1Char('&'))))
-                named.push_back(text);
+            if (words.contains(token) || words.contains(QString(token).remove(QLatin1Char('&')))) named.push_back(text);
     }
     return named;
 }

@@ -1,16 +1,15 @@
 // A small study open in the real window, with a still clock, a display that can fail, and hands.
 #pragma once
 
-#include "study/app/gui_hands.h"
-#include "study/app/main_window.h"
-#include "tests/support/study_builder.h"
-
 #include <QTemporaryDir>
-
 #include <functional>
 #include <memory>
 #include <set>
 #include <string>
+
+#include "study/app/gui_hands.h"
+#include "study/app/main_window.h"
+#include "tests/support/study_builder.h"
 
 namespace tests::support {
 
@@ -74,8 +73,7 @@ public:
     Widget& widget(const char* objectName)
     {
         for (Widget* found : m_window->currentPage()->template findChildren<Widget*>(QString::fromLatin1(objectName)))
-            if (found->isVisible())
-                return *found;
+            if (found->isVisible()) return *found;
         throw std::logic_error(std::string(objectName) + " is not to be seen");
     }
     /// Text of the message on the page; empty where none is shown.

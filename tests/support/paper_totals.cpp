@@ -24,10 +24,10 @@ const std::vector<PaperTotal>& paperTotals()
     // ("around 5.5"); f_g above v_shape by 0.9 (slipperiness) and 0.4 (realism); h_g above f_g by 0.2
     // (texture) and 0.1 (realism); t_grey the lowest of the measured; f and h above f_g and h_g.
     static const std::vector<PaperTotal> totals{
-        {"v_grey", 27, {5.1, 5.4, 5.4}, true, true},    {"v_shape", 28, {5.0, 5.6, 5.5}, false, false},
-        {"f_g", 39, {5.9, 6.2, 5.9}, true, false},      {"h_g", 41, {5.8, 6.4, 6.0}, false, false},
-        {"h_g&f_g", 46, {6.3, 6.8, 6.6}, false, true},  {"t_grey", 30, {5.2, 5.5, 5.3}, false, false},
-        {"f", 43, {6.4, 6.3, 6.2}, false, false},       {"h", 46, {6.1, 6.8, 6.5}, false, false},
+        {"v_grey", 27, {5.1, 5.4, 5.4}, true, true},   {"v_shape", 28, {5.0, 5.6, 5.5}, false, false},
+        {"f_g", 39, {5.9, 6.2, 5.9}, true, false},     {"h_g", 41, {5.8, 6.4, 6.0}, false, false},
+        {"h_g&f_g", 46, {6.3, 6.8, 6.6}, false, true}, {"t_grey", 30, {5.2, 5.5, 5.3}, false, false},
+        {"f", 43, {6.4, 6.3, 6.2}, false, false},      {"h", 46, {6.1, 6.8, 6.5}, false, false},
         {"h&f", 50, {6.6, 7.0, 6.9}, true, true},
     };
     return totals;
@@ -44,14 +44,16 @@ std::vector<nlohmann::ordered_json> paperScripts(const std::vector<std::string>&
             for (std::size_t f = 0; f < fabrics.size(); ++f) {
                 const int k = p * static_cast<int>(fabrics.size()) + static_cast<int>(f);
                 const auto answer = [&](const char* question, const nlohmann::ordered_json& value, double seconds) {
-                    script["answers"].push_back({{"question", question}, {"condition", total.condition}, {"fabric", fabrics[f]},
-                                                 {"answer", value}, {"seconds", seconds}});
+                    script["answers"].push_back({{"question", question},
+                                                 {"condition", total.condition},
+                                                 {"fabric", fabrics[f]},
+                                                 {"answer", value},
+                                                 {"seconds", seconds}});
                 };
                 // Spread the correct ones evenly over the 70 pairs of participant and fabric.
                 const bool correct = (k + 1) * total.correct / 70 > k * total.correct / 70;
                 answer("Q1", correct ? "correct" : k % 2 ? "foil:1" : "foil:2", 7.5 + k % 5);
-                for (int q = 0; q < 3; ++q)
-                    answer(q == 0 ? "Q2" : q == 1 ? "Q3" : "Q4", rating(total.ratings[q], k), 3 + k % 3);
+                for (int q = 0; q < 3; ++q) answer(q == 0 ? "Q2" : q == 1 ? "Q3" : "Q4", rating(total.ratings[q], k), 3 + k % 3);
             }
         scripts.push_back(script);
     }

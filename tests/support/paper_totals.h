@@ -3,7 +3,6 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
-
 #include <string>
 #include <vector>
 
@@ -11,10 +10,10 @@ namespace support {
 
 struct PaperTotal {
     std::string condition;
-    int correct;             ///< of 70 matches; the paper prints correct / 7 with one decimal
-    double ratings[3];       ///< mean of Q2, Q3, Q4
-    bool correctPublished;   ///< else chosen
-    bool ratingsPublished;   ///< else chosen
+    int correct;            ///< of 70 matches; the paper prints correct / 7 with one decimal
+    double ratings[3];      ///< mean of Q2, Q3, Q4
+    bool correctPublished;  ///< else chosen
+    bool ratingsPublished;  ///< else chosen
 };
 
 /// In the order of the conditions.

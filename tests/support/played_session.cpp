@@ -117,10 +117,14 @@ Response responseTo(const View& view)
 {
     const unsigned draw = fingerprint(view.code.value + view.question->id.value);
     switch (*view.answerKind) {
-        case protocols::AnswerKind::Choice: return view.trayIds[draw % view.trayIds.size()];
-        case protocols::AnswerKind::Rating: return ratingFrom(draw, view.scale.value());
-        case protocols::AnswerKind::SameDifferent: return Sameness{draw % 2 == 0};
-        case protocols::AnswerKind::Words: return Words{"as number " + std::to_string(draw % 9)};
+        case protocols::AnswerKind::Choice:
+            return view.trayIds[draw % view.trayIds.size()];
+        case protocols::AnswerKind::Rating:
+            return ratingFrom(draw, view.scale.value());
+        case protocols::AnswerKind::SameDifferent:
+            return Sameness{draw % 2 == 0};
+        case protocols::AnswerKind::Words:
+            return Words{"as number " + std::to_string(draw % 9)};
     }
     return Words{};
 }

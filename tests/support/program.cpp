@@ -14,8 +14,7 @@ QProcessEnvironment environmentWith(const QStringList& more)
     environment.remove("DISPLAY");
     environment.remove("WAYLAND_DISPLAY");
     environment.remove("QT_QPA_PLATFORM");
-    for (const auto& entry : more)
-        environment.insert(entry.section('=', 0, 0), entry.section('=', 1));
+    for (const auto& entry : more) environment.insert(entry.section('=', 0, 0), entry.section('=', 1));
     return environment;
 }
 
@@ -25,8 +24,7 @@ QStringList Ended::complaints() const
 {
     QStringList lines;
     for (const auto& line : err.split('\n', Qt::SkipEmptyParts))
-        if (line.startsWith("vis2hap:"))
-            lines << line;
+        if (line.startsWith("vis2hap:")) lines << line;
     return lines;
 }
 

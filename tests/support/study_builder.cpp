@@ -7,8 +7,8 @@
 #include "database/study_store.h"
 #include "protocols/allocation.h"
 #include "protocols/counterbalancing.h"
-#include "protocols/protocol_json.h"
 #include "protocols/files/sha256.h"
+#include "protocols/protocol_json.h"
 #include "rendering/display/stimulus_bank.h"
 
 namespace tests::support {

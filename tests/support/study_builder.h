@@ -22,8 +22,8 @@ struct StudyRecipe {
     std::uint64_t designSeed = 1;
     std::uint64_t keySeed = 2;
     int imageWidthPx = 16, imageHeightPx = 10;  ///< image n is constant, of value 10 n
-    std::string protocol = {};     ///< JSON text, instead of the one that follows from the above
-    bool hasSwatchCodes = false;   ///< else fabric pieces go by their names
+    std::string protocol = {};                  ///< JSON text, instead of the one that follows from the above
+    bool hasSwatchCodes = false;                ///< else fabric pieces go by their names
     int familiarisationImages = 0;
     /// What each condition is called in the keys: itself where nothing stands here. The images are others then.
     std::map<std::string, std::string> keyNames = {};

@@ -1,10 +1,9 @@
 #include "tests/support/typed_answers.h"
 
-#include "study/app/state/rating_text.h"
-
 #include <QTest>
-
 #include <algorithm>
+
+#include "study/app/state/rating_text.h"
 
 namespace tests::support {
 
@@ -41,15 +40,9 @@ std::string nowAsked(OpenWindow& open)
     return open.view().participant + " " + std::to_string(number.value) + " " + open.view().question->id.value;
 }
 
-void pressKey(OpenWindow& open, Qt::Key key)
-{
-    QTest::keyClick(open.window().focusWidget(), key);
-}
+void pressKey(OpenWindow& open, Qt::Key key) { QTest::keyClick(open.window().focusWidget(), key); }
 
-void typeText(OpenWindow& open, const QString& text)
-{
-    QTest::keyClicks(open.window().focusWidget(), text);
-}
+void typeText(OpenWindow& open, const QString& text) { QTest::keyClicks(open.window().focusWidget(), text); }
 
 void answerByKeys(OpenWindow& open, const Response& response, QChar point)
 {

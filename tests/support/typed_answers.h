@@ -1,12 +1,12 @@
 // What was typed into the window and what the study stored of it, in one form to compare.
 #pragma once
 
-#include "database/study_store.h"
-#include "tests/support/open_window.h"
-
 #include <map>
 #include <string>
 #include <vector>
+
+#include "database/study_store.h"
+#include "tests/support/open_window.h"
 
 namespace tests::support {
 

@@ -10,14 +10,17 @@ using Json = nlohmann::ordered_json;
 
 std::string wholeProtocolText(const WholeProtocol& wanted)
 {
-    const Json phases = {
-        {{"questions", {"Q1", "W1"}}, {"alternatives", 3}, {"free_text", {"W1"}}},
-        {{"questions", {"S1"}}, {"same_different", true}},
-        {{"questions", {"Q2", "Q3"}}, {"scale", {{"min", 0}, {"max", 10}, {"step", 0.1}, {"sections", 9}}}},
-        {{"questions", {"L1"}},
-         {"scale", {{"min", 1}, {"max", 5}, {"step", 1}, {"sections", 4},
-                    {"labels", {"not at all", "hardly", "partly", "mostly", "fully"}}}}},
-        {{"questions", {"C1"}}, {"scale", {{"min", 0}, {"max", 10}, {"step", 0.1}, {"sections", 1}}}}};
+    const Json phases = {{{"questions", {"Q1", "W1"}}, {"alternatives", 3}, {"free_text", {"W1"}}},
+                         {{"questions", {"S1"}}, {"same_different", true}},
+                         {{"questions", {"Q2", "Q3"}}, {"scale", {{"min", 0}, {"max", 10}, {"step", 0.1}, {"sections", 9}}}},
+                         {{"questions", {"L1"}},
+                          {"scale",
+                           {{"min", 1},
+                            {"max", 5},
+                            {"step", 1},
+                            {"sections", 4},
+                            {"labels", {"not at all", "hardly", "partly", "mostly", "fully"}}}}},
+                         {{"questions", {"C1"}}, {"scale", {{"min", 0}, {"max", 10}, {"step", 0.1}, {"sections", 1}}}}};
     const Json texts = {{"Q1", "Which of the three pieces does the rendering match?"},
                         {"W1", "How does the rendering feel, in your own words?"},
                         {"S1", "Are the rendering and the piece the same fabric?"},

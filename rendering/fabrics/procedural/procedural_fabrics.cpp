@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "protocols/files/errors.h"
+#include "protocols/files/whole_file.h"
 #include "protocols/random.h"
 #include "rendering/fabrics/procedural/photograph.h"
 #include "rendering/fabrics/procedural/stroke_rig.h"
@@ -14,7 +15,6 @@
 #include "rendering/fabrics/procedural/surface.h"
 #include "rendering/fabrics/procedural/tactile_press.h"
 #include "rendering/images/image_io.h"
-#include "protocols/files/whole_file.h"
 
 namespace rendering::fabrics {
 

@@ -7,11 +7,11 @@
 #include <set>
 #include <tuple>
 
-#include "protocols/files/errors.h"
-#include "protocols/random.h"
 #include "protocols/files/csv_table.h"
-#include "rendering/fabrics/dataset.h"
+#include "protocols/files/errors.h"
 #include "protocols/files/whole_file.h"
+#include "protocols/random.h"
+#include "rendering/fabrics/dataset.h"
 
 namespace rendering::fabrics {
 

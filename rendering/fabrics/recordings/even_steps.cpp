@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "protocols/files/errors.h"
 #include "protocols/files/csv_table.h"
+#include "protocols/files/errors.h"
 
 namespace rendering::fabrics {
 

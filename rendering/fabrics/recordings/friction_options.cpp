@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "protocols/files/errors.h"
 #include "protocols/files/csv_table.h"
+#include "protocols/files/errors.h"
 #include "rendering/fabrics/recordings/import_sources.h"
 
 namespace rendering::fabrics {

@@ -25,14 +25,14 @@ struct Interval {
 enum class Found { Automatically, Not, AsStated };
 
 struct FrictionOptions {
-    std::optional<Axis> normal;    ///< none: found by name
-    std::vector<Axis> tangential;  ///< one keeps its sign, two are taken together as sqrt(x^2 + y^2); none: by name
-    std::string forceUnit;         ///< of columns that state none: "N", "mN", "gf", ...; empty: N
-    Found zero = Found::Automatically;   ///< unloaded samples, whose mean is subtracted from every force
-    Interval zeroInterval;               ///< where zero is AsStated
-    Found trim = Found::Automatically;   ///< the steady slide
-    Interval trimInterval;               ///< where trim is AsStated
-    std::optional<double> rateHz;        ///< none: the median of the record's own steps
+    std::optional<Axis> normal;         ///< none: found by name
+    std::vector<Axis> tangential;       ///< one keeps its sign, two are taken together as sqrt(x^2 + y^2); none: by name
+    std::string forceUnit;              ///< of columns that state none: "N", "mN", "gf", ...; empty: N
+    Found zero = Found::Automatically;  ///< unloaded samples, whose mean is subtracted from every force
+    Interval zeroInterval;              ///< where zero is AsStated
+    Found trim = Found::Automatically;  ///< the steady slide
+    Interval trimInterval;              ///< where trim is AsStated
+    std::optional<double> rateHz;       ///< none: the median of the record's own steps
 };
 
 /// "auto", "none" or "FROM,TO" in seconds. Throws badInput naming `option`.

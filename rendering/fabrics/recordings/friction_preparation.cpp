@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "protocols/files/errors.h"
 #include "protocols/files/csv_table.h"
+#include "protocols/files/errors.h"
 
 namespace rendering::fabrics {
 

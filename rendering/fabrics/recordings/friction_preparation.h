@@ -15,22 +15,22 @@ namespace rendering::fabrics {
 
 struct PreparedRecord {
     // As recorded, after zero and joined axes; for the plot.
-    std::vector<double> timeS;                ///< from 0
+    std::vector<double> timeS;                 ///< from 0
     std::vector<double> tangentialN, normalN;  ///< N, or the quantity and nothing
 
-    std::optional<Rows> zeroRows;                ///< unloaded; their means were subtracted
+    std::optional<Rows> zeroRows;  ///< unloaded; their means were subtracted
     double zeroNormalN = 0;
-    std::vector<double> zeroTangentialN;         ///< one an axis
-    bool normalTurned = false;                   ///< compression was negative
+    std::vector<double> zeroTangentialN;  ///< one an axis
+    bool normalTurned = false;            ///< compression was negative
     Slide slide;
-    std::size_t leftOut = 0;                     ///< of the steady part: too little normal force
+    std::size_t leftOut = 0;  ///< of the steady part: too little normal force
 
     // As kept.
-    TimeBase base;            ///< of the steady part's own stamps
-    std::string resampling;   ///< "none", "linear between neighbours", "mean over each period"
+    TimeBase base;           ///< of the steady part's own stamps
+    std::string resampling;  ///< "none", "linear between neighbours", "mean over each period"
     double stepS = 0;
     std::vector<double> values, evenNormalN;  ///< at even steps
-    double mean = 0;          ///< of the coefficient, or of the quantity
+    double mean = 0;                          ///< of the coefficient, or of the quantity
     double sd = 0;
     std::vector<std::string> warnings;
 };

@@ -1,10 +1,10 @@
 // The friction part of dataset.h: records as CSV, whose header says what they are.
 #include <cmath>
 
-#include "protocols/files/errors.h"
 #include "protocols/files/csv_table.h"
-#include "rendering/fabrics/dataset.h"
+#include "protocols/files/errors.h"
 #include "protocols/files/whole_file.h"
+#include "rendering/fabrics/dataset.h"
 
 namespace rendering::fabrics {
 

@@ -1,9 +1,9 @@
 #include "rendering/fabrics/recordings/import.h"
 
 #include "protocols/files/errors.h"
+#include "protocols/files/whole_file.h"
 #include "rendering/fabrics/recordings/import_kinds.h"
 #include "rendering/fabrics/recordings/import_stage.h"
-#include "protocols/files/whole_file.h"
 
 namespace rendering::fabrics {
 

@@ -36,8 +36,8 @@ struct ImportRequest {
     /// importers link no codec. Returns CV_8UC3 RGB, throws badInput.
     std::function<cv::Mat(const std::filesystem::path&)> decodeOther;
     std::optional<ImportedSensor> sensor = {};  ///< of tactile frames
-    FrictionOptions friction = {};     ///< of friction records
-    std::filesystem::path plots = {};  ///< folder for a picture of each stroke, F01-000.svg; empty: none
+    FrictionOptions friction = {};              ///< of friction records
+    std::filesystem::path plots = {};           ///< folder for a picture of each stroke, F01-000.svg; empty: none
 };
 
 /// What was imported, a line each for people: "F01 Linen: slide, 812 samples, taxel_sum_counts (counts, not a coefficient), ...".

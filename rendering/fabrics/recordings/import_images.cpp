@@ -3,12 +3,12 @@
 #include <map>
 #include <opencv2/imgproc.hpp>
 
-#include "protocols/files/errors.h"
 #include "protocols/files/csv_table.h"
+#include "protocols/files/errors.h"
+#include "protocols/files/whole_file.h"
 #include "rendering/fabrics/recordings/import_kinds.h"
 #include "rendering/fabrics/recordings/import_sources.h"
 #include "rendering/images/image_io.h"
-#include "protocols/files/whole_file.h"
 
 namespace rendering::fabrics {
 
@@ -128,7 +128,8 @@ constexpr const char* calibrationName = "tactile-calibration.json";
 void takeSensor(const ImportedSensor& sensor, const Dataset& dataset, cv::Mat& reference)
 {
     const fs::path known = dataset.folder / dataset.tactileCalibration;
-    if (!dataset.tactileCalibration.empty() && (dataset.tactileCalibration == "known" || readWholeFile(known) != sensor.calibration))
+    if (!dataset.tactileCalibration.empty() &&
+        (dataset.tactileCalibration == "known" || readWholeFile(known) != sensor.calibration))
         throw protocols::badInput({"its tactile frames are read by another calibration", known.string(), "one sensor a data set",
                                    "import the frames of another sensor into another data set"});
     if (reference.empty())

@@ -22,14 +22,14 @@ Lines importFrictionFiles(const ImportRequest& request, ImportStage& stage);
 
 /// A stroke as an instrument recorded it, before it is brought to even time steps.
 struct RawRecord {
-    std::string where = {};            ///< file, and the part of it
-    std::string instrument = {};       ///< "slide", "tribometer", ...
+    std::string where = {};       ///< file, and the part of it
+    std::string instrument = {};  ///< "slide", "tribometer", ...
     std::string quantity = "mu";  ///< what `values` are; unused where forces are given
-    std::string meaning = {};          ///< for people: "coefficient = Traction Force / Pin Load"
+    std::string meaning = {};     ///< for people: "coefficient = Traction Force / Pin Load"
     std::vector<double> timeS = {};
-    std::vector<double> values = {};   ///< the quantity, or the tangential force where `normalN` is given
+    std::vector<double> values = {};             ///< the quantity, or the tangential force where `normalN` is given
     std::vector<double> secondTangentialN = {};  ///< of the axis across; empty where there is one axis
-    std::vector<double> normalN = {};  ///< as the sensor signs it; empty unless both forces are known
+    std::vector<double> normalN = {};            ///< as the sensor signs it; empty unless both forces are known
     std::optional<double> speedMmPerS = {};
 };
 

@@ -4,11 +4,11 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
-#include "protocols/files/errors.h"
 #include "protocols/files/csv_table.h"
+#include "protocols/files/errors.h"
+#include "protocols/files/whole_file.h"
 #include "rendering/fabrics/recordings/import_kinds.h"
 #include "rendering/fabrics/recordings/import_sources.h"
-#include "protocols/files/whole_file.h"
 
 namespace rendering::fabrics {
 

@@ -27,8 +27,8 @@ inline constexpr std::size_t fewestToJudge = 50;
 double loadedLevel(std::span<const double> normalN);
 
 /// Ten or more samples at the beginning or end of a record (the longer of the two) whose normal force
-/// stays within a tenth of the way from rest to load, but for the tenth of them next to the contact; none where there are no such, or where rest is
-/// more than a quarter of the load: then it was no rest.
+/// stays within a tenth of the way from rest to load, but for the tenth of them next to the contact; none where there are no
+/// such, or where rest is more than a quarter of the load: then it was no rest.
 std::optional<Rows> unloadedRows(std::span<const double> normalN);
 
 struct Slide {

@@ -1,12 +1,11 @@
 #include "rendering/models/networks/batches.h"
 
-#include "rendering/models/ring_spectrum.h"
-
+#include <algorithm>
+#include <cmath>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include <algorithm>
-#include <cmath>
+#include "rendering/models/ring_spectrum.h"
 
 namespace rendering::models {
 
@@ -16,11 +15,13 @@ cv::Mat turnedAsTaken(const cv::Mat& image, cv::Point2d centre, double angleDeg,
 {
     // getRotationMatrix2D turns anticlockwise for positive angles; WARP_INVERSE_MAP is not set, so the
     // matrix maps source to destination.
-    cv::Mat turn = cv::getRotationMatrix2D(cv::Point2f(static_cast<float>(centre.x), static_cast<float>(centre.y)), angleDeg, 1 / zoom);
+    cv::Mat turn =
+        cv::getRotationMatrix2D(cv::Point2f(static_cast<float>(centre.x), static_cast<float>(centre.y)), angleDeg, 1 / zoom);
     turn.at<double>(0, 2) += (side - 1) / 2.0 - centre.x;
     turn.at<double>(1, 2) += (side - 1) / 2.0 - centre.y;
     cv::Mat crop;
-    cv::warpAffine(image, crop, turn, {side, side}, image.type() == CV_32FC1 ? cv::INTER_CUBIC : cv::INTER_LINEAR, cv::BORDER_REFLECT_101);
+    cv::warpAffine(image, crop, turn, {side, side}, image.type() == CV_32FC1 ? cv::INTER_CUBIC : cv::INTER_LINEAR,
+                   cv::BORDER_REFLECT_101);
     return crop;
 }
 
@@ -50,8 +51,7 @@ constexpr double mostZoom = 1.5;
 
 double drawZoom(protocols::Random& random)
 {
-    if (random.below(oneInSoManyZoomed) != 0)
-        return 1;
+    if (random.below(oneInSoManyZoomed) != 0) return 1;
     return std::exp(random.uniform(-std::log(mostZoom), std::log(mostZoom)));
 }
 
@@ -63,8 +63,7 @@ Jitter drawJitter(protocols::Random& random)
     Jitter jitter;
     jitter.grey = random.below(oneInSoManyGrey) == 0;
     const double brightness = random.uniform(0.85, 1.15);
-    for (float& gain : jitter.gain)
-        gain = static_cast<float>(brightness * random.uniform(0.95, 1.05));
+    for (float& gain : jitter.gain) gain = static_cast<float>(brightness * random.uniform(0.95, 1.05));
     jitter.noise = static_cast<float>(random.uniform(0, 0.02));
     return jitter;
 }
@@ -77,8 +76,7 @@ void appendPhotograph(std::vector<float>& out, const cv::Mat& crop, const Jitter
                 const cv::Vec3b& pixel = crop.at<cv::Vec3b>(row, column);
                 const float shade = jitter.grey ? static_cast<float>(pixel[0] + pixel[1] + pixel[2]) / 3 : pixel[channel];
                 float value = shade / 255.0F * jitter.gain[channel];
-                if (jitter.noise > 0)
-                    value += jitter.noise * static_cast<float>(random.normal());
+                if (jitter.noise > 0) value += jitter.noise * static_cast<float>(random.normal());
                 out.push_back(std::clamp(value, 0.0F, 1.0F));
             }
 }
@@ -86,8 +84,7 @@ void appendPhotograph(std::vector<float>& out, const cv::Mat& crop, const Jitter
 void appendMap(std::vector<float>& out, const cv::Mat& map, float scale)
 {
     for (int row = 0; row < map.rows; ++row)
-        for (int column = 0; column < map.cols; ++column)
-            out.push_back(map.at<float>(row, column) * scale);
+        for (int column = 0; column < map.cols; ++column) out.push_back(map.at<float>(row, column) * scale);
 }
 
 template <class Sample>
@@ -102,8 +99,7 @@ const Sample& partner(const std::vector<Sample>& samples, int index, bool aligne
 {
     if (aligned)
         for (const Sample& sample : samples)
-            if (sample.index == index)
-                return sample;
+            if (sample.index == index) return sample;
     return drawn(samples, random);
 }
 
@@ -112,17 +108,17 @@ void flipJointly(cv::Mat& photograph, cv::Mat& height, protocols::Random& random
     for (const int axis : {0, 1})
         if (random.below(2) == 1) {
             cv::flip(photograph, photograph, axis);
-            if (!height.empty())
-                cv::flip(height, height, axis);
+            if (!height.empty()) cv::flip(height, height, axis);
         }
 }
 
 /// Where both show one place, the crop keeps to what both show.
-cv::Point2d photographCentre(const TrainingData& data, const TrainingPhotograph& photograph, const TrainingHeight& height, double side,
-                             double angleDeg, protocols::Random& random)
+cv::Point2d photographCentre(const TrainingData& data, const TrainingPhotograph& photograph, const TrainingHeight& height,
+                             double side, double angleDeg, protocols::Random& random)
 {
     const cv::Size whole = photograph.rgb.size(), felt = height.heightMm.size();
-    const cv::Size shared = data.aligned ? cv::Size(std::min(whole.width, felt.width), std::min(whole.height, felt.height)) : whole;
+    const cv::Size shared =
+        data.aligned ? cv::Size(std::min(whole.width, felt.width), std::min(whole.height, felt.height)) : whole;
     return drawCentre(shared, side, angleDeg, random) +
            cv::Point2d((whole.width - shared.width) / 2.0, (whole.height - shared.height) / 2.0);
 }
@@ -132,8 +128,7 @@ cv::Point2d heightCentre(const TrainingData& data, const TrainingPhotograph& pho
                          const TrainingHeight& height, double side, double angleDeg, protocols::Random& random)
 {
     const cv::Point2d free = drawCentre(height.heightMm.size(), side, angleDeg, random);
-    if (!data.aligned || height.index != photograph.index)
-        return free;
+    if (!data.aligned || height.index != photograph.index) return free;
     const double turn = (photograph.rotationDeg - height.rotationDeg) * CV_PI / 180;
     const double x = photographAt.x - (photograph.rgb.cols - 1) / 2.0, y = photographAt.y - (photograph.rgb.rows - 1) / 2.0;
     return {(height.heightMm.cols - 1) / 2.0 + x * std::cos(turn) - y * std::sin(turn),
@@ -156,8 +151,7 @@ void appendOther(Batch& batch, const TrainingData& data, const FabricSamples& fa
 
 void appendRings(Batch& batch, const TrainingHeight& height, const cv::Mat& felt, double zoom)
 {
-    if (felt.empty())
-        return;
+    if (felt.empty()) return;
     const std::vector<float> rings = zoom == 1 ? height.rings : ringPowers(felt, batch.crop);
     batch.rings.insert(batch.rings.end(), rings.begin(), rings.end());
 }
@@ -179,15 +173,13 @@ void appendDrawn(Batch& batch, const TrainingData& data, const FabricSamples& fa
         const cv::Point2d heightAt = heightCentre(data, photograph, photographAt, height, shownPx, heightAngle, random);
         felt = turnedCrop(height.heightMm, heightAt, heightAngle, batch.crop + 2 * batch.margin, zoom) / zoom;
     }
-    if (wish.augment)
-        flipJointly(seen, felt, random);
+    if (wish.augment) flipJointly(seen, felt, random);
     appendPhotograph(batch.photographs, seen, wish.augment ? drawJitter(random) : Jitter{}, random);
     appendMap(batch.heights, felt, static_cast<float>(1 / data.architecture.heightScaleMm));
     appendMap(batch.logRatios, stroke.target.logRatio, 1);
     batch.means.push_back(stroke.target.mean);
     appendRings(batch, height, felt, zoom);
-    if (!wish.augment)
-        appendOther(batch, data, fabric, angle, random);
+    if (!wish.augment) appendOther(batch, data, fabric, angle, random);
 }
 
 }  // namespace
@@ -197,12 +189,12 @@ cv::Mat turnedCrop(const cv::Mat& image, cv::Point2d centre, double angleDeg, in
     const cv::Rect whole(static_cast<int>(std::floor(centre.x - (side - 1) / 2.0)),
                          static_cast<int>(std::floor(centre.y - (side - 1) / 2.0)), side, side);
     const cv::Rect inside = whole & cv::Rect(0, 0, image.cols, image.rows);
-    if (std::abs(angleDeg) < 1e-9 && zoom == 1 && inside == whole)
-        return image(whole).clone();
+    if (std::abs(angleDeg) < 1e-9 && zoom == 1 && inside == whole) return image(whole).clone();
     return turnedAsTaken(image, centre, angleDeg, side, zoom);
 }
 
-Batch drawBatch(const TrainingData& data, const std::vector<FabricSamples>& part, const BatchWish& wish, protocols::Random& random)
+Batch drawBatch(const TrainingData& data, const std::vector<FabricSamples>& part, const BatchWish& wish,
+                protocols::Random& random)
 {
     Batch batch;
     batch.size = wish.size;
@@ -213,8 +205,7 @@ Batch drawBatch(const TrainingData& data, const std::vector<FabricSamples>& part
     std::vector<std::size_t> deck;
     for (int i = 0; i < wish.size; ++i) {
         if (deck.empty()) {
-            for (std::size_t fabric = 0; fabric < part.size(); ++fabric)
-                deck.push_back(fabric);
+            for (std::size_t fabric = 0; fabric < part.size(); ++fabric) deck.push_back(fabric);
             random.shuffle(deck);
         }
         appendDrawn(batch, data, part[deck.back()], wish, random);

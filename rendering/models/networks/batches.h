@@ -3,12 +3,11 @@
 // place.
 #pragma once
 
+#include <opencv2/core/mat.hpp>
+#include <vector>
+
 #include "protocols/random.h"
 #include "rendering/models/networks/training_data.h"
-
-#include <opencv2/core/mat.hpp>
-
-#include <vector>
 
 namespace rendering::models {
 
@@ -37,7 +36,8 @@ struct BatchWish {
 };
 
 /// Fabrics in turn of a shuffled deck.
-Batch drawBatch(const TrainingData& data, const std::vector<FabricSamples>& part, const BatchWish& wish, protocols::Random& random);
+Batch drawBatch(const TrainingData& data, const std::vector<FabricSamples>& part, const BatchWish& wish,
+                protocols::Random& random);
 
 /// The crop of `image` of `side` px whose centre lies at `centre`, turned by `angleDeg` anticlockwise, a
 /// pixel of it showing `zoom` pixels of the image,

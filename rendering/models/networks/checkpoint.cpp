@@ -34,8 +34,7 @@ Checkpoint readCheckpoint(const std::filesystem::path& file, const std::string& 
         return protocols::badInput({what, file.string(), "the checkpoint of a broken-off run with the same data set and options",
                                     "train again without --resume"});
     };
-    if (!std::filesystem::exists(file))
-        throw refuse("there is no checkpoint to resume from");
+    if (!std::filesystem::exists(file)) throw refuse("there is no checkpoint to resume from");
     torch::serialize::InputArchive archive = readArchive(file);
     Checkpoint checkpoint;
     try {

@@ -12,12 +12,12 @@
 namespace rendering::models {
 
 struct Checkpoint {
-    std::string fingerprint;               ///< data set and settings of the run
-    std::string validationBefore = "null"; ///< JSON: figures of the untrained networks
+    std::string fingerprint;                ///< data set and settings of the run
+    std::string validationBefore = "null";  ///< JSON: figures of the untrained networks
     int step = 0, bestStep = 0;
-    double bestDistance = 1e300;           ///< of the validations so far
+    double bestDistance = 1e300;  ///< of the validations so far
     int validationsWithoutBetter = 0;
-    double elapsedS = 0;                   ///< of optimisation, over all sittings
+    double elapsedS = 0;  ///< of optimisation, over all sittings
 };
 
 std::filesystem::path checkpointOf(const std::filesystem::path& model);

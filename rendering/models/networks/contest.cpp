@@ -1,10 +1,10 @@
 #include "rendering/models/networks/contest.h"
 
-#include "rendering/models/networks/batch_tensors.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include "rendering/models/networks/batch_tensors.h"
 
 namespace rendering::models {
 
@@ -24,8 +24,7 @@ torch::optim::Adam adam(std::vector<torch::Tensor> parameters, double learningRa
 std::vector<torch::Tensor> parametersOf(const Generators& generators)
 {
     std::vector<torch::Tensor> all = generators.height->parameters();
-    for (const torch::Tensor& parameter : generators.friction->parameters())
-        all.push_back(parameter);
+    for (const torch::Tensor& parameter : generators.friction->parameters()) all.push_back(parameter);
     return all;
 }
 
@@ -35,8 +34,7 @@ std::vector<torch::Tensor> stateOf(const Generators& generators)
     std::vector<torch::Tensor> all = parametersOf(generators);
     for (const torch::nn::Module* module : {static_cast<const torch::nn::Module*>(generators.height.get()),
                                             static_cast<const torch::nn::Module*>(generators.friction.get())})
-        for (const torch::Tensor& buffer : module->buffers())
-            all.push_back(buffer);
+        for (const torch::Tensor& buffer : module->buffers()) all.push_back(buffer);
     return all;
 }
 
@@ -62,8 +60,7 @@ void setRate(torch::optim::Adam& optimiser, double rate)
 
 void requireGradients(torch::nn::Module& module, bool wanted)
 {
-    for (torch::Tensor& parameter : module.parameters())
-        parameter.set_requires_grad(wanted);
+    for (torch::Tensor& parameter : module.parameters()) parameter.set_requires_grad(wanted);
 }
 
 }  // namespace
@@ -71,9 +68,12 @@ void requireGradients(torch::nn::Module& module, bool wanted)
 LossWeights weightsFor(Objective objective)
 {
     switch (objective) {
-    case Objective::Default: return defaultWeights();
-    case Objective::Reference: return referenceWeights();
-    case Objective::L1Only: return l1OnlyWeights();
+        case Objective::Default:
+            return defaultWeights();
+        case Objective::Reference:
+            return referenceWeights();
+        case Objective::L1Only:
+            return l1OnlyWeights();
     }
     return {};
 }
@@ -136,24 +136,24 @@ StepLosses Contest::step(int number, double fraction)
     const std::int64_t size = pairs.photograph.size(0);
     // In a reference training the spectrum is not asked for, and the summary not computed.
     const torch::Tensor rings = m_weights.rings > 0 ? m_generators.height->rings(pairs.photograph) : torch::Tensor();
-    const Touch generated{m_generators.height->forward(pairs.photograph), rings,
-                          {all.logRatio.narrow(0, 0, size), all.mean.narrow(0, 0, size)}};
+    const Touch generated{
+        m_generators.height->forward(pairs.photograph), rings, {all.logRatio.narrow(0, 0, size), all.mean.narrow(0, 0, size)}};
     const Touch measured = pairs.measuredFor(generated.height);
     StepLosses losses;
-    if (m_weights.adversarial > 0)
-        losses.discriminator = stepDiscriminator(pairs.photograph, measured, generated);
+    if (m_weights.adversarial > 0) losses.discriminator = stepDiscriminator(pairs.photograph, measured, generated);
 
     m_generatorSteps.zero_grad();
     const Touch compared{generated.height, rings, all};
-    const Touch truth{measured.height, measured.rings,
+    const Touch truth{measured.height,
+                      measured.rings,
                       {torch::cat({measured.friction.logRatio, strokes.friction.logRatio}, 0),
                        torch::cat({measured.friction.mean, strokes.friction.mean}, 0)}};
     const torch::Tensor apart = distance(compared, truth, m_weights, scalesOf(m_data));
     torch::Tensor sum = apart;
     if (m_weights.adversarial > 0) {
         requireGradients(*m_discriminator, false);
-        const torch::Tensor adversarial =
-            adversarialLoss(m_discriminator->forward(pairs.photograph, generated.friction, generated.height), m_weights.adversary);
+        const torch::Tensor adversarial = adversarialLoss(
+            m_discriminator->forward(pairs.photograph, generated.friction, generated.height), m_weights.adversary);
         losses.generators = adversarial.item<double>();
         sum = sum + m_weights.adversarial * adversarial;
     }
@@ -180,15 +180,13 @@ double Contest::stepDiscriminator(const torch::Tensor& photograph, const Touch& 
 /// The average follows faster at first, when the networks are still raw.
 void Contest::follow(int number)
 {
-    if (averages())
-        approach(m_average, m_generators, 1 - std::min(averageKeeps, (number + 1.0) / (number + 10.0)));
+    if (averages()) approach(m_average, m_generators, 1 - std::min(averageKeeps, (number + 1.0) / (number + 10.0)));
 }
 
 bool Contest::finite()
 {
     for (const torch::Tensor& parameter : parametersOf(m_generators))
-        if (!torch::isfinite(parameter).all().item<bool>())
-            return false;
+        if (!torch::isfinite(parameter).all().item<bool>()) return false;
     return true;
 }
 

@@ -3,13 +3,13 @@
 // Included by this folder's torch sources only.
 #pragma once
 
+#include <future>
+
 #include "rendering/models/networks/batches.h"
 #include "rendering/models/networks/losses.h"
 #include "rendering/models/networks/progress_lines.h"
 #include "rendering/models/networks/training.h"
 #include "rendering/models/networks/weights.h"
-
-#include <future>
 
 namespace rendering::models {
 

@@ -1,10 +1,10 @@
 // From what G_h says of a photograph to the height map. Included by this folder's torch sources only.
 #pragma once
 
+#include <torch/torch.h>
+
 #include "rendering/models/architecture.h"
 #include "rendering/models/ring_spectrum.h"
-
-#include <torch/torch.h>
 
 namespace rendering::models {
 

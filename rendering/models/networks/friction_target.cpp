@@ -1,12 +1,11 @@
 #include "rendering/models/networks/friction_target.h"
 
-#include "protocols/files/errors.h"
-
-#include <opencv2/core.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <opencv2/core.hpp>
+
+#include "protocols/files/errors.h"
 
 namespace rendering::models {
 

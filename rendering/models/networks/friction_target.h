@@ -3,13 +3,12 @@
 // slipperiness and texture are learnt apart, and the mean cannot get lost in an inverse transform.
 #pragma once
 
-#include "rendering/models/architecture.h"
-#include "rendering/signals/spectrogram.h"
-
 #include <opencv2/core/mat.hpp>
-
 #include <span>
 #include <vector>
+
+#include "rendering/models/architecture.h"
+#include "rendering/signals/spectrogram.h"
 
 namespace rendering::models {
 

@@ -1,21 +1,20 @@
 #include "rendering/models/networks/inference.h"
 
+#include <algorithm>
+#include <cmath>
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+#include <optional>
+#include <thread>
+
 #include "protocols/files/errors.h"
 #include "rendering/models/networks/finished_relief.h"
 #include "rendering/models/networks/friction_target.h"
+#include "rendering/models/networks/weights.h"
 #include "rendering/models/photograph_at_pitch.h"
 #include "rendering/models/photograph_features.h"
 #include "rendering/models/ring_spectrum.h"
-#include "rendering/models/networks/weights.h"
 #include "rendering/signals/spectrogram.h"
-
-#include <opencv2/core.hpp>
-#include <opencv2/imgproc.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <optional>
-#include <thread>
 
 namespace rendering::models {
 
@@ -36,32 +35,29 @@ torch::Tensor tensorOf(const cv::Mat& rgb)
 /// The turns and mirrorings of the square: bit 0 mirrors columns, bit 1 rows, bit 2 swaps both axes.
 torch::Tensor turned(torch::Tensor image, int turn)
 {
-    if ((turn & 4) != 0)
-        image = image.transpose(2, 3);
-    if ((turn & 1) != 0)
-        image = image.flip({3});
-    if ((turn & 2) != 0)
-        image = image.flip({2});
+    if ((turn & 4) != 0) image = image.transpose(2, 3);
+    if ((turn & 1) != 0) image = image.flip({3});
+    if ((turn & 2) != 0) image = image.flip({2});
     return image.contiguous();
 }
 
 torch::Tensor turnedBack(torch::Tensor image, int turn)
 {
-    if ((turn & 1) != 0)
-        image = image.flip({3});
-    if ((turn & 2) != 0)
-        image = image.flip({2});
-    if ((turn & 4) != 0)
-        image = image.transpose(2, 3);
+    if ((turn & 1) != 0) image = image.flip({3});
+    if ((turn & 2) != 0) image = image.flip({2});
+    if ((turn & 4) != 0) image = image.transpose(2, 3);
     return image.contiguous();
 }
 
 std::vector<int> turnsOf(Quality quality)
 {
     switch (quality) {
-    case Quality::Fast: return {0};
-    case Quality::Balanced: return {0, 3};
-    case Quality::Accurate: return {0, 1, 2, 3, 4, 5, 6, 7};
+        case Quality::Fast:
+            return {0};
+        case Quality::Balanced:
+            return {0, 3};
+        case Quality::Accurate:
+            return {0, 1, 2, 3, 4, 5, 6, 7};
     }
     return {};
 }
@@ -76,8 +72,7 @@ std::vector<cv::Point> cropCorners(const cv::Size& size, int side, Quality quali
     };
     std::vector<cv::Point> corners;
     for (int row = 0; row < across; ++row)
-        for (int column = 0; column < across; ++column)
-            corners.emplace_back(along(size.width, column), along(size.height, row));
+        for (int column = 0; column < across; ++column) corners.emplace_back(along(size.width, column), along(size.height, row));
     return corners;
 }
 
@@ -92,10 +87,13 @@ int marginOf(const cv::Size& photograph, Quality quality)
 int iterationsOf(Quality quality)
 {
     switch (quality) {
-    // A quarter of balanced's: the mean is exact all the same; what the texture loses is not measured apart.
-    case Quality::Fast: return 8;
-    case Quality::Balanced: return signals::GriffinLimOptions::of(signals::InversionQuality::Fast).iterations;
-    case Quality::Accurate: return signals::GriffinLimOptions::of(signals::InversionQuality::Accurate).iterations;
+        // A quarter of balanced's: the mean is exact all the same; what the texture loses is not measured apart.
+        case Quality::Fast:
+            return 8;
+        case Quality::Balanced:
+            return signals::GriffinLimOptions::of(signals::InversionQuality::Fast).iterations;
+        case Quality::Accurate:
+            return signals::GriffinLimOptions::of(signals::InversionQuality::Accurate).iterations;
     }
     return 0;
 }
@@ -104,9 +102,12 @@ int iterationsOf(Quality quality)
 int passesOf(Quality quality)
 {
     switch (quality) {
-    case Quality::Fast: return 1;
-    case Quality::Balanced: return 3;
-    case Quality::Accurate: return 6;
+        case Quality::Fast:
+            return 1;
+        case Quality::Balanced:
+            return 3;
+        case Quality::Accurate:
+            return 6;
     }
     return 1;
 }
@@ -114,8 +115,8 @@ int passesOf(Quality quality)
 void requireFinite(const cv::Mat& values)
 {
     if (!cv::checkRange(values))
-        throw protocols::badInput({"the model gives numbers that are not finite", "weights", "a model that was trained to its end",
-                                   "train again or take the shipped weights"});
+        throw protocols::badInput({"the model gives numbers that are not finite", "weights",
+                                   "a model that was trained to its end", "train again or take the shipped weights"});
 }
 
 }  // namespace
@@ -146,21 +147,18 @@ struct LoadedModel::Parts {
             }
         const cv::Mat relief = result({0, 0, rgb.cols, rgb.rows}) * architecture.heightScaleMm;
         requireFinite(relief);  // a filter would spread one bad number over the whole map
-        if (!architecture.imposesSpectrum)
-            return relief;
+        if (!architecture.imposesSpectrum) return relief;
         return withRingPowers(relief, wantedRings(rgb, recognition, quality), ringFilter(architecture, passesOf(quality)));
     }
 
     /// As remembered of the fabrics that look like it; the stranger the photograph, the more G_h is asked.
     std::vector<float> wantedRings(const cv::Mat& rgb, const std::optional<Recognised>& recognition, Quality quality) const
     {
-        if (!recognition || recognition->rings.empty())
-            return predictedRings(rgb, quality);
+        if (!recognition || recognition->rings.empty()) return predictedRings(rgb, quality);
         std::vector<float> all(recognition->rings.begin(), recognition->rings.end());
         if (const auto strange = static_cast<float>(recognition->strangeness); strange > 0) {
             const std::vector<float> predicted = predictedRings(rgb, quality);
-            for (std::size_t i = 0; i < all.size(); ++i)
-                all[i] += strange * (predicted[i] - all[i]);
+            for (std::size_t i = 0; i < all.size(); ++i) all[i] += strange * (predicted[i] - all[i]);
         }
         return all;
     }
@@ -192,8 +190,7 @@ struct LoadedModel::Parts {
         const torch::Tensor photograph = tensorOf(seen);
         torch::Tensor sum = torch::zeros({1, 1, seen.rows, seen.cols});
         const std::vector<int> turns = turnsOf(quality);
-        for (const int turn : turns)
-            sum += turnedBack(generators.height->forward(turned(photograph, turn)), turn);
+        for (const int turn : turns) sum += turnedBack(generators.height->forward(turned(photograph, turn)), turn);
         sum /= static_cast<double>(turns.size());
         const cv::Mat whole(seen.rows, seen.cols, CV_32F, sum.data_ptr<float>());
         return whole({margin, margin, seen.cols - 2 * margin, seen.rows - 2 * margin}).clone();
@@ -233,8 +230,7 @@ GeneratedSignals LoadedModel::generate(const PhotographToTouch& photograph, cons
     cv::Mat rgb = photographAtPitch(photograph, architecture.mmPerPixel).rgb;
     const std::optional<Recognised> recognition = m_parts->recognise(rgb);
     // A lamp that the networks have never seen must not pass for the long waves of a fabric.
-    if (recognition && recognition->strangeness > 0)
-        rgb = evenlyLit(rgb);
+    if (recognition && recognition->strangeness > 0) rgb = evenlyLit(rgb);
     GeneratedSignals signals;
     if (recognition) {
         signals.photograph.distance = recognition->distance;

@@ -1,10 +1,10 @@
 // Photographs through the trained generators: the work of vis2hap-nn. No torch in this header.
 #pragma once
 
-#include "rendering/models/generation.h"
-
 #include <filesystem>
 #include <memory>
+
+#include "rendering/models/generation.h"
 
 namespace rendering::models {
 

@@ -1,9 +1,9 @@
 #include "rendering/models/networks/losses.h"
 
-#include "rendering/models/networks/ring_tensors.h"
-
 #include <algorithm>
 #include <cmath>
+
+#include "rendering/models/networks/ring_tensors.h"
 
 namespace rendering::models {
 
@@ -78,8 +78,7 @@ LossWeights l1OnlyWeights()
 
 torch::Tensor discriminatorLoss(const torch::Tensor& logitsOfReal, const torch::Tensor& logitsOfGenerated, Adversary adversary)
 {
-    if (adversary == Adversary::Hinge)
-        return torch::relu(1 - logitsOfReal).mean() + torch::relu(1 + logitsOfGenerated).mean();
+    if (adversary == Adversary::Hinge) return torch::relu(1 - logitsOfReal).mean() + torch::relu(1 + logitsOfGenerated).mean();
     // -log sigmoid(x) = softplus(-x); -log(1 - sigmoid(x)) = softplus(x).
     return torch::softplus(-logitsOfReal).mean() + torch::softplus(logitsOfGenerated).mean();
 }
@@ -93,8 +92,7 @@ Registered registered(const torch::Tensor& maps, const torch::Tensor& windows)
 {
     const torch::NoGradGuard still;
     const std::int64_t side = maps.size(3), wide = windows.size(3), places = wide - side + 1;
-    if (places == 1)
-        return {windows, torch::ones({maps.size(0)})};
+    if (places == 1) return {windows, torch::ones({maps.size(0)})};
     const torch::Tensor centred = maps.detach() - maps.detach().mean({2, 3}, true);
     const auto transformed = [&](const torch::Tensor& image) { return torch::fft::rfft2(image, c10::IntArrayRef({wide, wide})); };
     const torch::Tensor products =
@@ -140,8 +138,7 @@ torch::Tensor distance(const Touch& generated, const Touch& measured, const Loss
                         weights.mean / scales.meanFriction * l1(generated.friction.mean, measured.friction.mean) +
                         weights.logMean * l1(generated.friction.mean.log(), measured.friction.mean.log());
     const auto add = [&](double weight, auto apart) {
-        if (weight > 0)
-            sum = sum + weight * apart(generated.height, measured.height);
+        if (weight > 0) sum = sum + weight * apart(generated.height, measured.height);
     };
     add(weights.pixel, l1);
     add(weights.structure,
@@ -149,8 +146,7 @@ torch::Tensor distance(const Touch& generated, const Touch& measured, const Loss
     add(weights.sorted, sortedDistance);
     add(weights.spectrum, spectrumDistance);
     add(weights.radial, radialDistance);
-    if (weights.rings > 0)
-        sum = sum + weights.rings * l1(generated.rings, measured.rings);
+    if (weights.rings > 0) sum = sum + weights.rings * l1(generated.rings, measured.rings);
     return sum;
 }
 

@@ -1,10 +1,10 @@
 #include "rendering/models/networks/networks.h"
 
-#include "rendering/models/ring_spectrum.h"
-#include "rendering/models/networks/ring_tensors.h"
-
 #include <algorithm>
 #include <cmath>
+
+#include "rendering/models/networks/ring_tensors.h"
+#include "rendering/models/ring_spectrum.h"
 
 namespace rendering::models {
 
@@ -41,7 +41,10 @@ nn::Sequential same(int in, int out)
     return chain;
 }
 
-nn::Upsample doubling() { return nn::Upsample(nn::UpsampleOptions().scale_factor(std::vector<double>{2, 2}).mode(torch::kNearest)); }
+nn::Upsample doubling()
+{
+    return nn::Upsample(nn::UpsampleOptions().scale_factor(std::vector<double>{2, 2}).mode(torch::kNearest));
+}
 
 nn::Sequential spectrogramDecoder(int c)
 {
@@ -204,8 +207,7 @@ torch::Tensor BoundedConvolutionImpl::boundedWeight()
         const torch::NoGradGuard still;
         const auto unit = [](const torch::Tensor& vector) { return vector / (vector.norm() + 1e-12); };
         input = unit(torch::mv(matrix.t(), m_direction));
-        if (is_training())
-            m_direction.copy_(unit(torch::mv(matrix, input)));
+        if (is_training()) m_direction.copy_(unit(torch::mv(matrix, input)));
     }
     return m_weight / (torch::dot(m_direction.clone(), torch::mv(matrix, input)) + 1e-12);
 }
@@ -244,8 +246,7 @@ void orderChannelsLast(torch::nn::Module& module)
 {
     const torch::NoGradGuard still;
     for (torch::Tensor& parameter : module.parameters())
-        if (parameter.dim() == 4)
-            parameter.set_data(parameter.contiguous(torch::MemoryFormat::ChannelsLast));
+        if (parameter.dim() == 4) parameter.set_data(parameter.contiguous(torch::MemoryFormat::ChannelsLast));
 }
 
 }  // namespace rendering::models

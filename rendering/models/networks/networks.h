@@ -4,9 +4,9 @@
 // Included by this folder's torch sources only.
 #pragma once
 
-#include "rendering/models/architecture.h"
-
 #include <torch/torch.h>
+
+#include "rendering/models/architecture.h"
 
 namespace rendering::models {
 

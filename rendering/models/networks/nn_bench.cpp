@@ -1,6 +1,17 @@
 #include "rendering/models/networks/nn_bench.h"
 
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <numeric>
+#include <opencv2/core.hpp>
+#include <optional>
+
 #include "protocols/files/errors.h"
+#include "protocols/files/whole_file.h"
 #include "rendering/fabrics/dataset.h"
 #include "rendering/fabrics/procedural/procedural_fabrics.h"
 #include "rendering/models/exchange.h"
@@ -9,18 +20,6 @@
 #include "rendering/models/temporary_folder.h"
 #include "rendering/signals/friction_trace.h"
 #include "rendering/signals/photometric_stereo.h"
-#include "protocols/files/whole_file.h"
-
-#include <nlohmann/json.hpp>
-#include <opencv2/core.hpp>
-
-#include <algorithm>
-#include <chrono>
-#include <cmath>
-#include <cstdlib>
-#include <fstream>
-#include <numeric>
-#include <optional>
 
 namespace rendering::models {
 
@@ -44,8 +43,7 @@ double spread(const cv::Mat& map)
 std::optional<double> measuredSpread(const fabrics::Dataset& dataset, const protocols::FabricId& fabric)
 {
     const std::vector<int> indices = fabrics::sampleIndices(dataset, fabric, Modality::Tactile);
-    if (indices.empty() || dataset.tactileCalibration.empty())
-        return std::nullopt;
+    if (indices.empty() || dataset.tactileCalibration.empty()) return std::nullopt;
     if (dataset.tactileCalibration == "known") {
         const std::optional<cv::Mat> known = fabrics::readKnownHeight(dataset, fabric, indices.front());
         return known ? std::optional(spread(*known)) : std::nullopt;
@@ -58,11 +56,9 @@ std::optional<double> measuredSpread(const fabrics::Dataset& dataset, const prot
 std::optional<double> measuredMean(const fabrics::Dataset& dataset, const protocols::FabricId& fabric)
 {
     const std::vector<int> indices = fabrics::sampleIndices(dataset, fabric, Modality::Friction);
-    if (indices.empty())
-        return std::nullopt;
+    if (indices.empty()) return std::nullopt;
     const fabrics::FrictionRecord record = fabrics::readFriction(dataset, fabric, indices.front());
-    if (!record.isCoefficient())
-        return std::nullopt;
+    if (!record.isCoefficient()) return std::nullopt;
     return signals::frictionTrace(record, fabric.value).mean;
 }
 
@@ -71,8 +67,7 @@ std::vector<BenchCase> casesOf(const fabrics::Dataset& dataset)
     std::vector<BenchCase> cases;
     for (const fabrics::FabricInfo& fabric : dataset.fabrics) {
         const std::vector<int> indices = fabrics::sampleIndices(dataset, fabric.id, Modality::Visual);
-        if (indices.empty())
-            continue;
+        if (indices.empty()) continue;
         cases.push_back({{fabrics::readPhotograph(dataset, fabric.id, indices.front()), dataset.cameraMmPerPixel},
                          measuredMean(dataset, fabric.id),
                          measuredSpread(dataset, fabric.id)});
@@ -87,8 +82,7 @@ double peakMb()
 {
     std::ifstream status("/proc/self/status");
     for (std::string line; std::getline(status, line);)
-        if (line.starts_with("VmHWM:"))
-            return std::strtod(line.c_str() + 6, nullptr) * 1024 / 1e6;
+        if (line.starts_with("VmHWM:")) return std::strtod(line.c_str() + 6, nullptr) * 1024 / 1e6;
     return 0;
 }
 
@@ -124,8 +118,8 @@ double average(const std::vector<double>& values)
     return values.empty() ? 0 : std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-BenchRow benchQuality(const LoadedModel& model, const std::vector<BenchCase>& cases, const std::vector<GeneratedSignals>& accurate,
-                      Quality quality)
+BenchRow benchQuality(const LoadedModel& model, const std::vector<BenchCase>& cases,
+                      const std::vector<GeneratedSignals>& accurate, Quality quality)
 {
     using Clock = std::chrono::steady_clock;
     GenerationOptions options;
@@ -144,12 +138,12 @@ BenchRow benchQuality(const LoadedModel& model, const std::vector<BenchCase>& ca
         cv::absdiff(signals.heightMm, accurate[i].heightMm, apart);
         height.push_back(cv::mean(apart)[0]);
         friction.push_back(std::abs(signals.meanFriction / accurate[i].meanFriction - 1));
-        if (cases[i].meanFriction)
-            meanError.push_back(std::abs(signals.meanFriction / *cases[i].meanFriction - 1));
+        if (cases[i].meanFriction) meanError.push_back(std::abs(signals.meanFriction / *cases[i].meanFriction - 1));
         if (cases[i].heightSpreadMm && *cases[i].heightSpreadMm > 0)
             spreadError.push_back(std::abs(spread(signals.heightMm) / *cases[i].heightSpreadMm - 1));
     }
-    return {quality, median(milliseconds), median(at128), average(height), average(friction), average(meanError), average(spreadError)};
+    return {quality,           median(milliseconds), median(at128),       average(height),
+            average(friction), average(meanError),   average(spreadError)};
 }
 
 }  // namespace
@@ -178,8 +172,7 @@ BenchTable benchGenerators(const std::filesystem::path& model, const std::filesy
     GenerationOptions accurate;
     accurate.quality = Quality::Accurate;
     std::vector<GeneratedSignals> best;
-    for (const BenchCase& one : cases)
-        best.push_back(loaded.generate(one.photograph, accurate));
+    for (const BenchCase& one : cases) best.push_back(loaded.generate(one.photograph, accurate));
     for (const Quality quality : {Quality::Fast, Quality::Balanced, Quality::Accurate})
         table.rows.push_back(benchQuality(loaded, cases, best, quality));
     return table;
@@ -191,10 +184,9 @@ std::string asText(const BenchTable& table)
     std::string text = "generators, " + std::to_string(table.photographs) + " photographs of " + table.dataset + "\n";
     for (const BenchRow& row : table.rows)
         text += nameOf(row.quality) + ": " + number(row.millisecondsPerPhotograph, 10) + " ms a photograph (" +
-                number(row.millisecondsAt128, 10) + " ms of 128x128), height " +
-                number(row.heightDeviationFromAccurateMm, 1e5) + " mm from accurate, mean friction " +
-                number(100 * row.meanFrictionRelativeError, 100) + " % from measured, relief " +
-                number(100 * row.heightSpreadRelativeError, 100) + " % from measured\n";
+                number(row.millisecondsAt128, 10) + " ms of 128x128), height " + number(row.heightDeviationFromAccurateMm, 1e5) +
+                " mm from accurate, mean friction " + number(100 * row.meanFrictionRelativeError, 100) +
+                " % from measured, relief " + number(100 * row.heightSpreadRelativeError, 100) + " % from measured\n";
     text += "memory: " + number(table.peakMbAt128, 1) + " MB after a photograph of 128x128, " + number(table.peakMbAtLargest, 1) +
             " MB after the largest, " + std::to_string(largestSidePx) + "x" + std::to_string(largestSidePx) + "\n";
     return text;
@@ -211,9 +203,10 @@ std::string asJson(const BenchTable& table)
                         {"mean_friction_deviation_from_accurate", row.frictionDeviationFromAccurate},
                         {"mean_friction_relative_error", row.meanFrictionRelativeError},
                         {"height_spread_relative_error", row.heightSpreadRelativeError}});
-    const nlohmann::ordered_json json{{"schema", "vis2hap.bench-generation/1"}, {"model", table.model}, {"dataset", table.dataset},
-                                      {"photographs", table.photographs}, {"qualities", rows},
-                                      {"peak_mb_at_128", table.peakMbAt128}, {"peak_mb_at_largest", table.peakMbAtLargest}};
+    const nlohmann::ordered_json json{
+        {"schema", "vis2hap.bench-generation/1"},     {"model", table.model}, {"dataset", table.dataset},
+        {"photographs", table.photographs},           {"qualities", rows},    {"peak_mb_at_128", table.peakMbAt128},
+        {"peak_mb_at_largest", table.peakMbAtLargest}};
     return json.dump(1) + "\n";
 }
 

@@ -2,22 +2,22 @@
 // of every quality, and the memory that inference takes. No torch in this header.
 #pragma once
 
-#include "rendering/models/generation.h"
-
 #include <filesystem>
 #include <string>
 #include <vector>
+
+#include "rendering/models/generation.h"
 
 namespace rendering::models {
 
 struct BenchRow {
     Quality quality = Quality::Fast;
-    double millisecondsPerPhotograph = 0;       ///< median, height and friction
-    double millisecondsAt128 = 0;               ///< the same of the photographs' middle 128 x 128 px
-    double heightDeviationFromAccurateMm = 0;   ///< mean absolute
-    double frictionDeviationFromAccurate = 0;   ///< of the mean, relative
-    double meanFrictionRelativeError = 0;       ///< against the fabric's measured mean
-    double heightSpreadRelativeError = 0;       ///< standard deviation against the fabric's measured one
+    double millisecondsPerPhotograph = 0;      ///< median, height and friction
+    double millisecondsAt128 = 0;              ///< the same of the photographs' middle 128 x 128 px
+    double heightDeviationFromAccurateMm = 0;  ///< mean absolute
+    double frictionDeviationFromAccurate = 0;  ///< of the mean, relative
+    double meanFrictionRelativeError = 0;      ///< against the fabric's measured mean
+    double heightSpreadRelativeError = 0;      ///< standard deviation against the fabric's measured one
 };
 
 struct BenchTable {

@@ -1,17 +1,8 @@
 // vis2hap-nn: the second executable, the only one that loads libtorch. `vis2hap train` and the first
 // generated signal start it; it can be called by hand too.
-#include "protocols/files/errors.h"
-#include "rendering/models/child_process.h"
-#include "rendering/models/exchange.h"
-#include "rendering/models/networks/inference.h"
-#include "rendering/models/networks/nn_bench.h"
-#include "rendering/models/networks/peer_step.h"
-#include "rendering/models/networks/training.h"
-
-#include <CLI/CLI.hpp>
-
 #include <unistd.h>
 
+#include <CLI/CLI.hpp>
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
@@ -20,6 +11,14 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+
+#include "protocols/files/errors.h"
+#include "rendering/models/child_process.h"
+#include "rendering/models/exchange.h"
+#include "rendering/models/networks/inference.h"
+#include "rendering/models/networks/nn_bench.h"
+#include "rendering/models/networks/peer_step.h"
+#include "rendering/models/networks/training.h"
 
 namespace {
 
@@ -47,7 +46,9 @@ void offerTraining(CLI::App& app, const std::string& command)
     train->add_option("--hold-out", wish->heldOut, "fabrics to leave out, F03,F07")->delimiter(',');
     train->add_flag("--reference", wish->reference, "the paper's losses to the letter");
     train->add_flag("--l1-only", wish->l1Only, "the paper's L1 loss alone, without a discriminator: a control for evaluate");
-    train->add_option("--split", options.split, "what the 8:1:1 split divides: location (default), sample, augmented (the paper's, with its leak)")
+    train
+        ->add_option("--split", options.split,
+                     "what the 8:1:1 split divides: location (default), sample, augmented (the paper's, with its leak)")
         ->transform(CLI::CheckedTransformer(std::map<std::string, models::SplitBy>{{"location", models::SplitBy::Location},
                                                                                    {"sample", models::SplitBy::Sample},
                                                                                    {"augmented", models::SplitBy::Augmented}}));
@@ -58,7 +59,8 @@ void offerTraining(CLI::App& app, const std::string& command)
     train->add_option("--learning-rate", options.learningRate, "of the generators at the start (default 0.001)");
     train->add_option("--checkpoint-every", options.checkpointEvery, "steps (default 100)");
     train->add_option("--validate-every", options.validateEvery, "steps (default 250)");
-    train->add_option("--patience", options.patience, "validations without a better one, after which training stops (default 12)");
+    train->add_option("--patience", options.patience,
+                      "validations without a better one, after which training stops (default 12)");
     train->add_option("--validation-pairs", options.validationPairs, "pairs that the validation figures rest on (default 60)");
     train->add_option("--threads", options.threads, "default: all of the machine");
     train->callback([wish, steps, minutes, command] {
@@ -67,8 +69,7 @@ void offerTraining(CLI::App& app, const std::string& command)
             chosen.minutes = wish->minutes;
         else
             chosen.steps = steps->count() > 0 ? wish->steps : 5000;
-        for (const std::string& id : wish->heldOut)
-            chosen.heldOut.emplace_back(id);
+        for (const std::string& id : wish->heldOut) chosen.heldOut.emplace_back(id);
         if (wish->reference && wish->l1Only)
             throw protocols::badInput({"both --reference and --l1-only", "train", "one of them", ""});
         chosen.objective = wish->reference ? models::Objective::Reference
@@ -118,7 +119,8 @@ void offerBench(CLI::App& app)
 void offerPeerSteps(CLI::App& app)
 {
     auto folder = std::make_shared<std::string>();
-    CLI::App* steps = app.add_subcommand("peer-steps", "training steps and inference to be timed in turns with others (see peer_step.h)");
+    CLI::App* steps =
+        app.add_subcommand("peer-steps", "training steps and inference to be timed in turns with others (see peer_step.h)");
     steps->add_option("FOLDER", *folder, "peer.pt is written into it")->required();
     steps->callback([folder] { models::servePeerSteps(*folder, std::cin, std::cout); });
 }
@@ -128,8 +130,7 @@ std::string commandLine(int argc, char** argv)
 {
     std::string command = "vis2hap";
     for (int i = 1; i < argc; ++i)
-        if (std::string_view(argv[i]) != "--resume")
-            command += std::string(" ") + argv[i];
+        if (std::string_view(argv[i]) != "--resume") command += std::string(" ") + argv[i];
     return command;
 }
 
@@ -144,14 +145,11 @@ int failed(const std::string& what, protocols::ExitCode code)
 void setUpThreads(char** argv)
 {
     const auto missing = models::missingThreadSettings();
-    if (missing.empty())
-        return;
-    for (const auto& [name, value] : missing)
-        ::setenv(name.c_str(), value.c_str(), 1);
+    if (missing.empty()) return;
+    for (const auto& [name, value] : missing) ::setenv(name.c_str(), value.c_str(), 1);
     std::error_code none;
     const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", none);
-    if (!none)
-        ::execv(self.c_str(), argv);
+    if (!none) ::execv(self.c_str(), argv);
 }
 
 int run(int argc, char** argv)
@@ -165,8 +163,7 @@ int run(int argc, char** argv)
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& fault) {
-        if (fault.get_exit_code() == 0)
-            return app.exit(fault);
+        if (fault.get_exit_code() == 0) return app.exit(fault);
         return failed(fault.what(), protocols::ExitCode::BadInput);
     }
     return 0;
@@ -183,7 +180,8 @@ int main(int argc, char** argv)
     } catch (const protocols::Error& fault) {
         return failed(fault.what(), fault.exitCode());
     } catch (const std::bad_alloc&) {
-        return failed("the memory does not suffice; close other programs or use fewer or smaller pictures", ExitCode::Environment);
+        return failed("the memory does not suffice; close other programs or use fewer or smaller pictures",
+                      ExitCode::Environment);
     } catch (const std::filesystem::filesystem_error& fault) {
         return failed(fault.what(), ExitCode::Environment);
     } catch (const std::exception& fault) {

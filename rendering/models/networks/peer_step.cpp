@@ -1,16 +1,15 @@
 #include "rendering/models/networks/peer_step.h"
 
-#include "rendering/models/ring_spectrum.h"
-#include "rendering/models/networks/weights.h"
-
-#include <opencv2/core.hpp>
-
 #include <algorithm>
 #include <chrono>
 #include <functional>
+#include <opencv2/core.hpp>
 #include <string>
 #include <thread>
 #include <vector>
+
+#include "rendering/models/networks/weights.h"
+#include "rendering/models/ring_spectrum.h"
 
 namespace rendering::models {
 
@@ -45,8 +44,7 @@ private:
 std::vector<torch::Tensor> parametersOf(const Generators& generators)
 {
     std::vector<torch::Tensor> all = generators.height->parameters();
-    for (const torch::Tensor& parameter : generators.friction->parameters())
-        all.push_back(parameter);
+    for (const torch::Tensor& parameter : generators.friction->parameters()) all.push_back(parameter);
     return all;
 }
 
@@ -85,10 +83,8 @@ void PeerStep::write(const std::filesystem::path& file)
 {
     torch::serialize::OutputArchive archive;
     const auto writeAll = [&](const std::string& prefix, torch::nn::Module& module) {
-        for (auto& item : module.named_parameters())
-            archive.write(prefix + item.key(), item.value().detach());
-        for (auto& item : module.named_buffers())
-            archive.write(prefix + item.key(), item.value().detach());
+        for (auto& item : module.named_parameters()) archive.write(prefix + item.key(), item.value().detach());
+        for (auto& item : module.named_buffers()) archive.write(prefix + item.key(), item.value().detach());
     };
     writeAll("height.", *m_generators.height);
     writeAll("friction.", *m_generators.friction);
@@ -100,14 +96,17 @@ void PeerStep::write(const std::filesystem::path& file)
     cv::Mat averages = ringAverages(m_architecture.crop, m_architecture.crop);
     const std::pair<const char*, torch::Tensor> named[] = {
         {"ring_averages", torch::from_blob(averages.data, {averages.rows, averages.cols})},
-        {"photograph", m_photograph},      {"target_height", m_height},
-        {"target_rings", m_rings},         {"target_ratio", m_friction.logRatio},
-        {"target_mean", m_friction.mean},  {"answer_height", height},
+        {"photograph", m_photograph},
+        {"target_height", m_height},
+        {"target_rings", m_rings},
+        {"target_ratio", m_friction.logRatio},
+        {"target_mean", m_friction.mean},
+        {"answer_height", height},
         {"answer_rings", m_generators.height->rings(m_photograph)},
-        {"answer_ratio", friction.logRatio.contiguous()}, {"answer_mean", friction.mean},
+        {"answer_ratio", friction.logRatio.contiguous()},
+        {"answer_mean", friction.mean},
         {"answer_logits", m_discriminator->forward(m_photograph, friction, height)}};
-    for (const auto& [name, tensor] : named)
-        archive.write(name, tensor);
+    for (const auto& [name, tensor] : named) archive.write(name, tensor);
     writeArchive(file, archive);
 }
 
@@ -122,8 +121,8 @@ torch::Tensor PeerStep::discriminatorLoss(const FrictionGuess& friction, const t
 torch::Tensor PeerStep::generatorLoss(const FrictionGuess& friction, const torch::Tensor& height)
 {
     return -m_discriminator->forward(m_photograph, friction, height).mean() + (height - m_height).abs().mean() +
-           (m_generators.height->rings(m_photograph) - m_rings).abs().mean() + (friction.logRatio - m_friction.logRatio).abs().mean() +
-           (friction.mean - m_friction.mean).abs().mean();
+           (m_generators.height->rings(m_photograph) - m_rings).abs().mean() +
+           (friction.logRatio - m_friction.logRatio).abs().mean() + (friction.mean - m_friction.mean).abs().mean();
 }
 
 void PeerStep::train()
@@ -146,8 +145,7 @@ void PeerStep::train()
 void PeerStep::infer()
 {
     const torch::NoGradGuard still;
-    if (m_discriminator->is_training())
-        setTraining(false);
+    if (m_discriminator->is_training()) setTraining(false);
     const torch::Tensor one = m_photograph.narrow(0, 0, 1);
     m_generators.friction->forward(one);
     m_generators.height->forward(one);

@@ -17,10 +17,7 @@ std::string minutes(double seconds)
 }
 
 /// Three significant places, without the locale's decimal comma.
-std::string figure(double value)
-{
-    return nlohmann::json(std::round(value * 1000) / 1000).dump();
-}
+std::string figure(double value) { return nlohmann::json(std::round(value * 1000) / 1000).dump(); }
 
 }  // namespace
 
@@ -28,8 +25,7 @@ bool StepLosses::finite() const { return std::isfinite(discriminator) && std::is
 
 void ProgressLines::say(const std::string& line)
 {
-    if (m_barShown)
-        m_out << '\n';
+    if (m_barShown) m_out << '\n';
     m_barShown = false;
     m_out << line << std::endl;
 }
@@ -50,7 +46,8 @@ void ProgressLines::step(int number, double fraction, const StepLosses& losses, 
     m_smooth.generators = keep * m_smooth.generators + (1 - keep) * losses.generators;
     m_smooth.distance = keep * m_smooth.distance + (1 - keep) * losses.distance;
     const std::string text = "step " + std::to_string(number) + "  D " + figure(m_smooth.discriminator) + "  G " +
-                             figure(m_smooth.generators) + "  distance " + figure(m_smooth.distance) + "  " + minutes(remainingS) + " left";
+                             figure(m_smooth.generators) + "  distance " + figure(m_smooth.distance) + "  " +
+                             minutes(remainingS) + " left";
     const auto now = std::chrono::steady_clock::now();
     if (m_terminal) {
         bar(fraction, text);
@@ -62,12 +59,10 @@ void ProgressLines::step(int number, double fraction, const StepLosses& losses, 
 
 void ProgressLines::validated(int number, const nlohmann::ordered_json& figures, bool better)
 {
-    if (figures.is_null())
-        return;
+    if (figures.is_null()) return;
     std::string text = "validation at step " + std::to_string(number) + (better ? " (the best so far)" : "") + ":";
     for (const auto& [name, value] : figures.items())
-        if (value.is_object())
-            text += " " + name + " " + figure(value.at("generated").get<double>());
+        if (value.is_object()) text += " " + name + " " + figure(value.at("generated").get<double>());
     say(text);
 }
 

@@ -1,11 +1,11 @@
 // What a training run tells on the way: a bar on a terminal, plain lines else.
 #pragma once
 
-#include "rendering/models/model_card.h"
-
 #include <chrono>
 #include <ostream>
 #include <string>
+
+#include "rendering/models/model_card.h"
 
 namespace rendering::models {
 

@@ -1,11 +1,10 @@
 #include "rendering/models/networks/ring_tensors.h"
 
-#include "rendering/models/ring_spectrum.h"
-
-#include <opencv2/core.hpp>
-
 #include <map>
 #include <mutex>
+#include <opencv2/core.hpp>
+
+#include "rendering/models/ring_spectrum.h"
 
 namespace rendering::models {
 

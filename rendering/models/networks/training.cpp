@@ -1,20 +1,20 @@
 #include "rendering/models/networks/training.h"
 
-#include "protocols/files/errors.h"
-#include "rendering/models/networks/checkpoint.h"
-#include "rendering/models/networks/contest.h"
-#include "rendering/models/photograph_features.h"
-#include "rendering/models/networks/progress_lines.h"
-#include "rendering/models/ring_spectrum.h"
-#include "rendering/models/training_log.h"
-#include "rendering/models/networks/validation.h"
-#include "rendering/models/networks/weights.h"
-
 #include <malloc.h>
 
 #include <chrono>
 #include <cmath>
 #include <thread>
+
+#include "protocols/files/errors.h"
+#include "rendering/models/networks/checkpoint.h"
+#include "rendering/models/networks/contest.h"
+#include "rendering/models/networks/progress_lines.h"
+#include "rendering/models/networks/validation.h"
+#include "rendering/models/networks/weights.h"
+#include "rendering/models/photograph_features.h"
+#include "rendering/models/ring_spectrum.h"
+#include "rendering/models/training_log.h"
 
 namespace rendering::models {
 
@@ -29,10 +29,8 @@ void checkOptions(const TrainingOptions& options)
     };
     if (options.steps.has_value() == options.minutes.has_value())
         refuse("both or neither of --steps and --minutes", "one of them");
-    if (options.steps && *options.steps < 1)
-        refuse("--steps " + std::to_string(*options.steps), "at least 1");
-    if (options.minutes && !(*options.minutes > 0))
-        refuse("--minutes is not positive", "minutes of wall time");
+    if (options.steps && *options.steps < 1) refuse("--steps " + std::to_string(*options.steps), "at least 1");
+    if (options.minutes && !(*options.minutes > 0)) refuse("--minutes is not positive", "minutes of wall time");
     if (options.crop < 32 || options.crop > largestCrop || options.crop % 16 != 0)
         refuse("--crop " + std::to_string(options.crop), "a multiple of 16 from 32 to " + std::to_string(largestCrop));
     if (options.baseChannels > mostChannels)
@@ -46,15 +44,13 @@ void checkOptions(const TrainingOptions& options)
 std::string fingerprint(const TrainingOptions& options, const TrainingData& data, const std::string& datasetHash)
 {
     std::string text = datasetHash;
-    for (const auto number : {options.seed, options.splitSeed})
-        text += "|" + std::to_string(number);
-    for (const int number : {options.batch, options.crop, options.baseChannels, options.validateEvery, options.patience,
-                             options.validationPairs})
+    for (const auto number : {options.seed, options.splitSeed}) text += "|" + std::to_string(number);
+    for (const int number :
+         {options.batch, options.crop, options.baseChannels, options.validateEvery, options.patience, options.validationPairs})
         text += "|" + std::to_string(number);
     text += "|" + std::to_string(options.learningRate) + "|" + nameOf(options.objective) + "|" + nameOf(options.split) + "|" +
             (options.steps ? "steps " + std::to_string(*options.steps) : "minutes " + std::to_string(*options.minutes));
-    for (const protocols::FabricId& id : options.heldOut)
-        text += "|" + id.value;
+    for (const protocols::FabricId& id : options.heldOut) text += "|" + id.value;
     return text + "|" + std::to_string(data.trainingHashes.size());
 }
 
@@ -93,8 +89,7 @@ Familiarity familiarityOf(const TrainingData& data)
     const auto features = [](const std::vector<FabricSamples>& part) {
         std::vector<std::vector<float>> all;
         for (const FabricSamples& fabric : part)
-            for (const TrainingPhotograph& photograph : fabric.photographs)
-                all.push_back(photographFeatures(photograph.rgb));
+            for (const TrainingPhotograph& photograph : fabric.photographs) all.push_back(photographFeatures(photograph.rgb));
         return all;
     };
     return fitFamiliarity(features(data.training), features(data.validation),
@@ -131,8 +126,7 @@ public:
         wanted.crop = options.crop;
         wanted.imposesSpectrum = options.objective == Objective::Default && dataset.pairing == fabrics::Pairing::Weak;
         m_data = readTrainingData(dataset, wanted, reading, [&](int done, int total) { m_lines.reading(done, total); });
-        for (const std::string& note : m_data.notes)
-            m_lines.say(note);
+        for (const std::string& note : m_data.notes) m_lines.say(note);
         m_datasetHash = fabrics::hashOf(dataset);
         m_lines.say("training on " + std::to_string(m_data.trainingHashes.size()) + " files of " +
                     std::to_string(m_data.training.size()) + " fabrics");
@@ -156,8 +150,7 @@ public:
         const double before = state.elapsedS;
         while (!ended(state)) {
             const StepLosses losses = contest.step(state.step, fractionDone(state));
-            if (!losses.finite())
-                stopAt(state.step + 1);
+            if (!losses.finite()) stopAt(state.step + 1);
             ++state.step;
             state.elapsedS = before + std::chrono::duration<double>(Clock::now() - started).count();
             m_lines.step(state.step, fractionDone(state), losses, remainingS(state));
@@ -166,11 +159,9 @@ public:
                 log.losses(state.step, std::vector<NamedValue>{{"discriminator", losses.discriminator},
                                                                {"generators", losses.generators},
                                                                {"distance", losses.distance}});
-            if (last || state.step % m_options.validateEvery == 0)
-                validate(contest, state, log);
+            if (last || state.step % m_options.validateEvery == 0) validate(contest, state, log);
             if (last || state.step % m_options.checkpointEvery == 0 || ended(state)) {
-                if (!contest.finite())
-                    stopAt(state.step);
+                if (!contest.finite()) stopAt(state.step);
                 writeCheckpoint(checkpoint, state, [&](auto& archive) { contest.save(archive); });
             }
         }
@@ -196,8 +187,7 @@ private:
 
     nlohmann::ordered_json figures(Generators& generators) const
     {
-        if (m_data.validation.empty())
-            return nullptr;
+        if (m_data.validation.empty()) return nullptr;
         protocols::Random random = protocols::Random::stream(m_options.seed, "validation");
         return validationFigures(m_data, generators, weightsFor(m_options.objective), m_options.validationPairs, random);
     }
@@ -206,8 +196,7 @@ private:
     /// losses come from a contest, always.
     void validate(Contest& contest, Checkpoint& state, TrainingLog& log)
     {
-        if (!contest.finite())
-            stopAt(state.step);
+        if (!contest.finite()) stopAt(state.step);
         const nlohmann::ordered_json now = figures(contest.result());
         const double distance = now.is_null() ? -state.step : now.at("distance").at("generated").get<double>();
         const bool better = m_options.objective == Objective::Reference || distance < state.bestDistance;
@@ -218,12 +207,10 @@ private:
             contest.keepAsBest();
         }
         m_lines.validated(state.step, now, better);
-        if (now.is_null())
-            return;
+        if (now.is_null()) return;
         std::vector<NamedValue> values;
         for (const auto& [name, value] : now.items())
-            if (value.is_object())
-                values.push_back({name, value.at("generated").get<double>()});
+            if (value.is_object()) values.push_back({name, value.at("generated").get<double>()});
         log.validation(state.step, values);
         log.pictures(state.step, sampleRows(m_data, contest.result(), m_options.seed));
         m_lines.say("distance " + sparkline(log.valuesOf("distance")));
@@ -258,14 +245,11 @@ private:
         card.objective = nameOf(m_options.objective);
         card.split = nameOf(m_options.split);
         card.photographs = familiarityOf(m_data);
-        if (m_options.objective == Objective::Default)
-            card.frictionByTexture = frictionByTexture(m_data);
-        for (const protocols::FabricId& id : m_options.heldOut)
-            card.heldOut.push_back(id.value);
+        if (m_options.objective == Objective::Default) card.frictionByTexture = frictionByTexture(m_data);
+        for (const protocols::FabricId& id : m_options.heldOut) card.heldOut.push_back(id.value);
         card.datasetName = m_dataset.name;
         card.datasetHash = m_datasetHash;
-        card.validation = {{"before", nlohmann::ordered_json::parse(state.validationBefore)},
-                           {"after", figures(best)}};
+        card.validation = {{"before", nlohmann::ordered_json::parse(state.validationBefore)}, {"after", figures(best)}};
         writeModel(m_options.out, best, card);
         m_lines.finished(card);
     }
@@ -282,9 +266,12 @@ private:
 std::string nameOf(Objective objective)
 {
     switch (objective) {
-    case Objective::Default: return "default";
-    case Objective::Reference: return "reference";
-    case Objective::L1Only: return "l1-only";
+        case Objective::Default:
+            return "default";
+        case Objective::Reference:
+            return "reference";
+        case Objective::L1Only:
+            return "l1-only";
     }
     return {};
 }
@@ -301,7 +288,8 @@ void train(const fabrics::Dataset& dataset, const TrainingOptions& options, std:
     checkOptions(options);
     requireWritable(options.out);
     keepFreedMemory();
-    torch::set_num_threads(options.threads > 0 ? options.threads : static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
+    torch::set_num_threads(options.threads > 0 ? options.threads
+                                               : static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
     Run(dataset, options, log, terminal).go();
 }
 

@@ -2,15 +2,15 @@
 // checkpoints that a broken-off run resumes from bit for bit. No torch in this header.
 #pragma once
 
-#include "rendering/fabrics/dataset.h"
-#include "rendering/models/networks/training_data.h"
-
 #include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <ostream>
 #include <string>
 #include <vector>
+
+#include "rendering/fabrics/dataset.h"
+#include "rendering/models/networks/training_data.h"
 
 namespace rendering::models {
 
@@ -28,9 +28,9 @@ std::string nameOf(Objective objective);
 inline constexpr int registrationMarginPx = 36;
 
 struct TrainingOptions {
-    std::filesystem::path out;                ///< the weights; the model card is written beside them
-    std::optional<int> steps;                 ///< exactly one of steps and minutes
-    std::optional<double> minutes;            ///< wall time of the optimisation
+    std::filesystem::path out;      ///< the weights; the model card is written beside them
+    std::optional<int> steps;       ///< exactly one of steps and minutes
+    std::optional<double> minutes;  ///< wall time of the optimisation
     std::uint64_t seed = 1;
     std::uint64_t splitSeed = 1;
     SplitBy split = SplitBy::Location;
@@ -38,15 +38,15 @@ struct TrainingOptions {
     Objective objective = Objective::Default;
     bool resume = false;
     int batch = 8;
-    int crop = 128;                           ///< px, multiple of 16
+    int crop = 128;  ///< px, multiple of 16
     int baseChannels = 16;
-    double learningRate = 1e-3;               ///< of the generators, falling to a fiftieth along a cosine
-    int checkpointEvery = 100;                ///< steps
-    int validateEvery = 250;                  ///< steps
-    int patience = 12;                        ///< validations without a better one, after which training stops
+    double learningRate = 1e-3;  ///< of the generators, falling to a fiftieth along a cosine
+    int checkpointEvery = 100;   ///< steps
+    int validateEvery = 250;     ///< steps
+    int patience = 12;           ///< validations without a better one, after which training stops
     int validationPairs = 60;
-    int threads = 0;                          ///< 0: as many as the machine has
-    std::string command;                      ///< as typed, for the model card
+    int threads = 0;      ///< 0: as many as the machine has
+    std::string command;  ///< as typed, for the model card
 };
 
 /// MODEL.log: the folder with the curves and sample pictures of a training (training_log.h).

@@ -1,20 +1,19 @@
 #include "rendering/models/networks/training_data.h"
 
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+#include <set>
+#include <utility>
+
 #include "protocols/files/errors.h"
 #include "protocols/files/sha256.h"
 #include "rendering/fabrics/location_split.h"
 #include "rendering/models/ring_spectrum.h"
 #include "rendering/signals/friction_trace.h"
 #include "rendering/signals/photometric_stereo.h"
-
-#include <opencv2/core.hpp>
-#include <opencv2/imgproc.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <map>
-#include <set>
-#include <utility>
 
 namespace rendering::models {
 
@@ -30,15 +29,14 @@ using protocols::FabricId;
 struct Reading {
     const Dataset& dataset;
     TrainingData& data;
-    cv::Mat reference;                                   ///< untouched sensor
-    std::optional<signals::Calibration> calibration;     ///< none: heights are known
-    double photographScale = 1;  ///< resampling factor from the camera's pitch to the model's
+    cv::Mat reference;                                ///< untouched sensor
+    std::optional<signals::Calibration> calibration;  ///< none: heights are known
+    double photographScale = 1;                       ///< resampling factor from the camera's pitch to the model's
 };
 
 cv::Mat resampled(const cv::Mat& image, double factor)
 {
-    if (std::abs(factor - 1) < 1e-3)
-        return image;
+    if (std::abs(factor - 1) < 1e-3) return image;
     cv::Mat result;
     const cv::Size size(std::max(1, static_cast<int>(std::lround(image.cols * factor))),
                         std::max(1, static_cast<int>(std::lround(image.rows * factor))));
@@ -74,24 +72,25 @@ void readSample(const Reading& reading, const SamplePlace& place, FabricSamples&
 {
     const Dataset& dataset = reading.dataset;
     switch (place.modality) {
-    case Modality::Visual:
-        samples.photographs.push_back(
-            {place.index, resampled(fabrics::readPhotograph(dataset, place.fabric, place.index), reading.photographScale),
-             place.rotationDeg.value_or(0)});
-        return;
-    case Modality::Tactile:
-        samples.heights.push_back({place.index, asFloat(heightAt(reading, place)), place.rotationDeg.value_or(0), {}});
-        samples.heights.back().rings = ringPowers(samples.heights.back().heightMm, reading.data.architecture.crop);
-        return;
-    case Modality::Friction: {
-        const fabrics::FrictionRecord record = fabrics::readFriction(dataset, place.fabric, place.index);
-        const std::string file = fabrics::samplePath(dataset, place.fabric, place.modality, place.index).string();
-        if (!record.isCoefficient())
-            throw protocols::badInput({"the friction record holds " + record.quantity + ", not a coefficient", file,
-                                       "columns t_s,normal_n,tangential_n or t_s,mu", "train on another data set"});
-        samples.strokes.push_back({place.index, frictionTarget(signals::frictionTrace(record, file).values, reading.data.architecture)});
-        return;
-    }
+        case Modality::Visual:
+            samples.photographs.push_back(
+                {place.index, resampled(fabrics::readPhotograph(dataset, place.fabric, place.index), reading.photographScale),
+                 place.rotationDeg.value_or(0)});
+            return;
+        case Modality::Tactile:
+            samples.heights.push_back({place.index, asFloat(heightAt(reading, place)), place.rotationDeg.value_or(0), {}});
+            samples.heights.back().rings = ringPowers(samples.heights.back().heightMm, reading.data.architecture.crop);
+            return;
+        case Modality::Friction: {
+            const fabrics::FrictionRecord record = fabrics::readFriction(dataset, place.fabric, place.index);
+            const std::string file = fabrics::samplePath(dataset, place.fabric, place.modality, place.index).string();
+            if (!record.isCoefficient())
+                throw protocols::badInput({"the friction record holds " + record.quantity + ", not a coefficient", file,
+                                           "columns t_s,normal_n,tangential_n or t_s,mu", "train on another data set"});
+            samples.strokes.push_back(
+                {place.index, frictionTarget(signals::frictionTrace(record, file).values, reading.data.architecture)});
+            return;
+        }
     }
 }
 
@@ -99,12 +98,9 @@ std::size_t bytesOf(const FabricSamples& samples)
 {
     const auto size = [](const cv::Mat& mat) { return mat.total() * mat.elemSize(); };
     std::size_t bytes = 0;
-    for (const TrainingPhotograph& photograph : samples.photographs)
-        bytes += size(photograph.rgb);
-    for (const TrainingHeight& height : samples.heights)
-        bytes += size(height.heightMm);
-    for (const TrainingStroke& stroke : samples.strokes)
-        bytes += size(stroke.target.logRatio);
+    for (const TrainingPhotograph& photograph : samples.photographs) bytes += size(photograph.rgb);
+    for (const TrainingHeight& height : samples.heights) bytes += size(height.heightMm);
+    for (const TrainingStroke& stroke : samples.strokes) bytes += size(stroke.target.logRatio);
     return bytes;
 }
 
@@ -130,9 +126,9 @@ std::set<FabricId> usableFabrics(const Dataset& dataset, const TrainingDataOptio
     }
     for (const Modality modality : {Modality::Visual, Modality::Tactile, Modality::Friction})
         if (having[modality] == 0)
-            throw protocols::badInput({"there are no samples of the signal '" + fabrics::nameOf(modality) + "'",
-                                       dataset.folder.string(), "photographs, GelSight frames and friction records of each fabric",
-                                       "add them to the data set"});
+            throw protocols::badInput(
+                {"there are no samples of the signal '" + fabrics::nameOf(modality) + "'", dataset.folder.string(),
+                 "photographs, GelSight frames and friction records of each fabric", "add them to the data set"});
     if (usable.empty())
         throw protocols::badInput({"no fabric is left to train on", dataset.folder.string(),
                                    "a fabric with all three signals that is not held out", ""});
@@ -141,8 +137,7 @@ std::set<FabricId> usableFabrics(const Dataset& dataset, const TrainingDataOptio
 
 void checkCanBeTrained(const Dataset& dataset, const TrainingDataOptions& options)
 {
-    for (const FabricId& id : options.heldOut)
-        dataset.fabric(id);
+    for (const FabricId& id : options.heldOut) dataset.fabric(id);
     if (!dataset.tactileMmPerPixel || dataset.tactileCalibration.empty())
         throw protocols::badInput({"heights cannot be had from the GelSight frames", (dataset.folder / "dataset.json").string(),
                                    "tactile.mm_per_pixel and tactile.calibration", "calibrate the sensor first"});
@@ -187,9 +182,12 @@ std::vector<std::pair<SamplePlace, Part>> everywhere(std::vector<std::pair<Sampl
 std::vector<std::pair<SamplePlace, Part>> partsOf(const Dataset& dataset, const TrainingDataOptions& options)
 {
     switch (options.split) {
-    case SplitBy::Sample: return fabrics::splitBySample(dataset, options.splitSeed);
-    case SplitBy::Location: return fabrics::splitByLocation(dataset, options.splitSeed);
-    case SplitBy::Augmented: return everywhere(fabrics::splitBySample(dataset, options.splitSeed));
+        case SplitBy::Sample:
+            return fabrics::splitBySample(dataset, options.splitSeed);
+        case SplitBy::Location:
+            return fabrics::splitByLocation(dataset, options.splitSeed);
+        case SplitBy::Augmented:
+            return everywhere(fabrics::splitBySample(dataset, options.splitSeed));
     }
     return {};
 }
@@ -199,9 +197,12 @@ std::vector<std::pair<SamplePlace, Part>> partsOf(const Dataset& dataset, const 
 std::string nameOf(SplitBy split)
 {
     switch (split) {
-    case SplitBy::Sample: return "sample";
-    case SplitBy::Location: return "location";
-    case SplitBy::Augmented: return "augmented";
+        case SplitBy::Sample:
+            return "sample";
+        case SplitBy::Location:
+            return "location";
+        case SplitBy::Augmented:
+            return "augmented";
     }
     return {};
 }
@@ -219,8 +220,8 @@ TrainingData readTrainingData(const Dataset& dataset, const Architecture& wanted
     setSpectrogramShape(data.architecture);
     data.aligned = dataset.pairing == fabrics::Pairing::Aligned;
     const std::set<FabricId> usable = usableFabrics(dataset, options, data.notes);
-    Reading reading{dataset, data, {}, {},
-                    dataset.cameraMmPerPixel.value_or(data.architecture.mmPerPixel) / data.architecture.mmPerPixel};
+    Reading reading{
+        dataset, data, {}, {}, dataset.cameraMmPerPixel.value_or(data.architecture.mmPerPixel) / data.architecture.mmPerPixel};
     if (dataset.tactileCalibration != "known") {
         reading.reference = fabrics::readTactileReference(dataset);
         reading.calibration = signals::readCalibration(dataset.folder / dataset.tactileCalibration);
@@ -229,13 +230,13 @@ TrainingData readTrainingData(const Dataset& dataset, const Architecture& wanted
 
     std::map<FabricId, FabricSamples> training, validation;
     std::vector<std::pair<SamplePlace, Part>> split = partsOf(dataset, options);
-    std::erase_if(split, [&](const auto& entry) { return !usable.contains(entry.first.fabric) || entry.second == Part::Testing; });
+    std::erase_if(split,
+                  [&](const auto& entry) { return !usable.contains(entry.first.fabric) || entry.second == Part::Testing; });
     const std::size_t share = options.memoryBytes / usable.size() / 2;  // photographs and heights fill it, strokes are small
     std::map<std::pair<FabricId, Modality>, std::size_t> used;
     int done = 0, leftOut = 0;
     for (const auto& [place, part] : split) {
-        if (progress)
-            progress(done++, static_cast<int>(split.size()));
+        if (progress) progress(done++, static_cast<int>(split.size()));
         FabricSamples& samples = part == Part::Training ? training[place.fabric] : validation[place.fabric];
         samples.fabric = place.fabric;
         FabricSamples one;
@@ -253,8 +254,7 @@ TrainingData readTrainingData(const Dataset& dataset, const Architecture& wanted
             data.trainingHashes.push_back(
                 protocols::sha256OfFile(fabrics::samplePath(dataset, place.fabric, place.modality, place.index)));
     }
-    if (leftOut > 0)
-        data.notes.push_back(std::to_string(leftOut) + " samples were left out to stay within the memory budget");
+    if (leftOut > 0) data.notes.push_back(std::to_string(leftOut) + " samples were left out to stay within the memory budget");
     for (auto& [id, samples] : training)
         if (samples.complete())
             data.training.push_back(std::move(samples));
@@ -264,8 +264,7 @@ TrainingData readTrainingData(const Dataset& dataset, const Architecture& wanted
         throw protocols::badInput({"no fabric is left to train on", dataset.folder.string(),
                                    "a fabric with samples of all three signals in the training part", ""});
     for (auto& [id, samples] : validation)
-        if (samples.complete())
-            data.validation.push_back(std::move(samples));
+        if (samples.complete()) data.validation.push_back(std::move(samples));
     std::sort(data.trainingHashes.begin(), data.trainingHashes.end());
     setScales(data);
     return data;

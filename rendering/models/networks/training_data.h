@@ -2,15 +2,14 @@
 // memory at one pitch. The testing part is never read. Drawing from them is batches.h.
 #pragma once
 
+#include <functional>
+#include <opencv2/core/mat.hpp>
+#include <string>
+#include <vector>
+
 #include "rendering/fabrics/dataset.h"
 #include "rendering/models/architecture.h"
 #include "rendering/models/networks/friction_target.h"
-
-#include <opencv2/core/mat.hpp>
-
-#include <functional>
-#include <string>
-#include <vector>
 
 namespace rendering::models {
 
@@ -43,7 +42,7 @@ struct FabricSamples {
 struct TrainingData {
     Architecture architecture;  ///< pitch, spectrogram and scales as the data set has them
     bool aligned = false;
-    double heightRangeMm = 1;   ///< highest less lowest of the training maps
+    double heightRangeMm = 1;                         ///< highest less lowest of the training maps
     std::vector<FabricSamples> training, validation;  ///< fabrics that have all three signals
     std::vector<std::string> trainingHashes;          ///< SHA-256 of every file trained on, sorted
     std::vector<std::string> notes;                   ///< what was left out and why, a line each
@@ -51,16 +50,16 @@ struct TrainingData {
 
 /// By which units a data set is divided 8:1:1.
 enum class SplitBy {
-    Sample,     ///< the paper's: places may overlap across the parts
-    Location,   ///< overlapping places stay together
-    Augmented   ///< the paper's after augmentation: every original has copies in every part, so nothing is unseen
+    Sample,    ///< the paper's: places may overlap across the parts
+    Location,  ///< overlapping places stay together
+    Augmented  ///< the paper's after augmentation: every original has copies in every part, so nothing is unseen
 };
 std::string nameOf(SplitBy split);
 
 struct TrainingDataOptions {
     std::uint64_t splitSeed = 1;
     SplitBy split = SplitBy::Location;
-    std::vector<protocols::FabricId> heldOut;       ///< fabrics that training never sees
+    std::vector<protocols::FabricId> heldOut;        ///< fabrics that training never sees
     std::size_t memoryBytes = std::size_t{3} << 30;  ///< budget of the cached samples
 };
 

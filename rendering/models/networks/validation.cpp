@@ -1,15 +1,14 @@
 #include "rendering/models/networks/validation.h"
 
-#include "rendering/models/networks/batch_tensors.h"
-#include "rendering/models/networks/contest.h"
-#include "rendering/models/networks/finished_relief.h"
-
-#include <opencv2/core.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <opencv2/core.hpp>
 #include <string>
+
+#include "rendering/models/networks/batch_tensors.h"
+#include "rendering/models/networks/contest.h"
+#include "rendering/models/networks/finished_relief.h"
 
 namespace rendering::models {
 
@@ -59,14 +58,16 @@ private:
 cv::Mat inMillimetres(const torch::Tensor& map, double heightScaleMm)
 {
     const torch::Tensor flat = map.contiguous();
-    return cv::Mat(static_cast<int>(flat.size(1)), static_cast<int>(flat.size(2)), CV_32F, flat.data_ptr<float>()) * heightScaleMm;
+    return cv::Mat(static_cast<int>(flat.size(1)), static_cast<int>(flat.size(2)), CV_32F, flat.data_ptr<float>()) *
+           heightScaleMm;
 }
 
 /// [3, H, W] in 0..1.
 cv::Mat asPicture(const torch::Tensor& photograph)
 {
     const torch::Tensor bytes = (photograph.permute({1, 2, 0}) * 255).round().clamp(0, 255).to(torch::kByte).contiguous();
-    return cv::Mat(static_cast<int>(bytes.size(0)), static_cast<int>(bytes.size(1)), CV_8UC3, bytes.data_ptr<std::uint8_t>()).clone();
+    return cv::Mat(static_cast<int>(bytes.size(0)), static_cast<int>(bytes.size(1)), CV_8UC3, bytes.data_ptr<std::uint8_t>())
+        .clone();
 }
 
 /// Enough places to compare by.

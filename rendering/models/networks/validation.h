@@ -2,15 +2,14 @@
 // Included by this folder's torch sources only.
 #pragma once
 
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <vector>
+
 #include "rendering/models/networks/batches.h"
 #include "rendering/models/networks/losses.h"
-#include "rendering/models/training_log.h"
 #include "rendering/models/networks/weights.h"
-
-#include <nlohmann/json.hpp>
-
-#include <cstdint>
-#include <vector>
+#include "rendering/models/training_log.h"
 
 namespace rendering::models {
 

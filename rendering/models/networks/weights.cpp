@@ -1,10 +1,10 @@
 #include "rendering/models/networks/weights.h"
 
-#include "protocols/files/errors.h"
-#include "protocols/files/sha256.h"
-
 #include <fstream>
 #include <sstream>
+
+#include "protocols/files/errors.h"
+#include "protocols/files/sha256.h"
 
 namespace rendering::models {
 
@@ -23,10 +23,8 @@ template <class Visit>
 void eachTensor(Generators& generators, Visit visit)
 {
     const auto visitAll = [&](const std::string& prefix, torch::nn::Module& module) {
-        for (auto& item : module.named_parameters())
-            visit(prefix + item.key(), item.value(), true);
-        for (auto& item : module.named_buffers())
-            visit(prefix + item.key(), item.value(), false);
+        for (auto& item : module.named_parameters()) visit(prefix + item.key(), item.value(), true);
+        for (auto& item : module.named_buffers()) visit(prefix + item.key(), item.value(), false);
     };
     visitAll("height.", *generators.height);
     visitAll("friction.", *generators.friction);
@@ -46,8 +44,7 @@ void roundToHalf(Generators& generators)
 {
     const torch::NoGradGuard still;
     eachTensor(generators, [](const std::string&, torch::Tensor& tensor, bool parameter) {
-        if (parameter)
-            tensor.copy_(tensor.to(torch::kHalf).to(torch::kFloat));
+        if (parameter) tensor.copy_(tensor.to(torch::kHalf).to(torch::kFloat));
     });
 }
 
@@ -61,8 +58,7 @@ void writeArchive(const std::filesystem::path& file, torch::serialize::OutputArc
 torch::serialize::InputArchive readArchive(const std::filesystem::path& file)
 {
     std::ifstream stream(file, std::ios::binary);
-    if (!stream)
-        throw notAModel(file, "it cannot be read");
+    if (!stream) throw notAModel(file, "it cannot be read");
     torch::serialize::InputArchive archive;
     try {
         archive.load_from(stream);

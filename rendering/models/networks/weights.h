@@ -2,11 +2,11 @@
 // Included by this folder's torch sources only.
 #pragma once
 
-#include "rendering/models/model_card.h"
-#include "rendering/models/networks/networks.h"
-
 #include <filesystem>
 #include <string>
+
+#include "rendering/models/model_card.h"
+#include "rendering/models/networks/networks.h"
 
 namespace rendering::models {
 

@@ -1,14 +1,13 @@
 #include "study/app/pages/checklist_page.h"
 
-#include "study/app/pieces/line_form.h"
-#include "study/app/pieces/pieces.h"
-#include "study/app/pieces/tick_box.h"
-
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QVBoxLayout>
-
 #include <algorithm>
+
+#include "study/app/pieces/line_form.h"
+#include "study/app/pieces/pieces.h"
+#include "study/app/pieces/tick_box.h"
 
 namespace study::app {
 
@@ -36,8 +35,7 @@ void ChecklistPage::begin(const SessionFacts& facts)
 {
     emptyOut(*m_rows);
     m_boxes.clear();
-    for (const QString& line : facts.checklist)
-        m_rows->addWidget(rowFor(line));
+    for (const QString& line : facts.checklist) m_rows->addWidget(rowFor(line));
     m_readings->setCaptions(facts.readings);
     m_readings->setVisible(!facts.readings.isEmpty());
     letFollow(facts.readings.isEmpty() ? static_cast<QWidget&>(*this) : *m_readings, {m_action});
@@ -51,8 +49,7 @@ QWidget* ChecklistPage::rowFor(const QString& line)
     auto* text = label("checkText", Type::Body, row);
     text->setText(line);
     text->setBuddy(box);
-    for (QWidget* part : {static_cast<QWidget*>(box), static_cast<QWidget*>(text)})
-        part->installEventFilter(this);
+    for (QWidget* part : {static_cast<QWidget*>(box), static_cast<QWidget*>(text)}) part->installEventFilter(this);
     // Ticking goes down the list by itself, so that a row of spaces ticks all.
     connect(box, &QCheckBox::toggled, this, [this] { firstFocus().setFocus(); });
     auto* layout = new QHBoxLayout(row);
@@ -78,15 +75,13 @@ void ChecklistPage::confirm()
         return;
     }
     session::ChecklistDone done{{}, m_readings->given()};
-    for (const QCheckBox* box : m_boxes)
-        done.ticked.push_back(box->accessibleName().toStdString());
+    for (const QCheckBox* box : m_boxes) done.ticked.push_back(box->accessibleName().toStdString());
     Q_EMIT eventAsked(done);
 }
 
 bool ChecklistPage::eventFilter(QObject* watched, QEvent* event)
 {
-    if (event->type() == QEvent::KeyPress && pressKey(static_cast<QKeyEvent*>(event)->key()))
-        return true;
+    if (event->type() == QEvent::KeyPress && pressKey(static_cast<QKeyEvent*>(event)->key())) return true;
     if (const auto* text = qobject_cast<QLabel*>(watched); text && event->type() == QEvent::MouseButtonRelease)
         static_cast<QCheckBox*>(text->buddy())->toggle();
     return StagePage::eventFilter(watched, event);
@@ -94,19 +89,15 @@ bool ChecklistPage::eventFilter(QObject* watched, QEvent* event)
 
 bool ChecklistPage::pressKey(int key)
 {
-    if (!isEnter(key))
-        return false;
-    if (!m_readings->goOn())
-        confirm();
+    if (!isEnter(key)) return false;
+    if (!m_readings->goOn()) confirm();
     return true;
 }
 
 QWidget& ChecklistPage::firstFocus()
 {
-    if (QCheckBox* open = firstUnticked())
-        return *open;
-    if (QWidget* reading = m_readings->firstOpen())
-        return *reading;
+    if (QCheckBox* open = firstUnticked()) return *open;
+    if (QWidget* reading = m_readings->firstOpen()) return *reading;
     return *m_action;
 }
 

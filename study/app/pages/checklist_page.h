@@ -2,9 +2,9 @@
 // instruments are written if there are any. Stamped when it is done.
 #pragma once
 
-#include "study/app/pages/stage_page.h"
-
 #include <QCheckBox>
+
+#include "study/app/pages/stage_page.h"
 
 class QPushButton;
 class QVBoxLayout;

@@ -51,8 +51,7 @@ void CorrectionPanel::showQuestions()
 void CorrectionPanel::showAnswer(std::size_t place)
 {
     m_which = place;
-    for (std::size_t i = 0; i < m_questions.size(); ++i)
-        m_questions[i]->setChecked(i == place);
+    for (std::size_t i = 0; i < m_questions.size(); ++i) m_questions[i]->setChecked(i == place);
     m_old->setText(m_correctables[place].current);
     m_entry->ask(m_correctables[place].form);
     letReasonFollow(*m_entry);
@@ -85,9 +84,6 @@ bool CorrectionPanel::pressKey(int key)
     return Panel::pressKey(key);
 }
 
-QWidget& CorrectionPanel::firstFocus()
-{
-    return m_entry->firstFocus();
-}
+QWidget& CorrectionPanel::firstFocus() { return m_entry->firstFocus(); }
 
 }  // namespace study::app

@@ -1,10 +1,5 @@
 #include "study/app/pages/data_page.h"
 
-#include "study/app/pieces/flow_layout.h"
-#include "study/app/state/in_background.h"
-#include "study/app/pieces/pieces.h"
-#include "study/app/pages/stage_page.h"
-
 #include <QApplication>
 #include <QDir>
 #include <QFileDialog>
@@ -18,10 +13,14 @@
 #include <QTimer>
 #include <QTreeWidget>
 #include <QVBoxLayout>
-
 #include <algorithm>
 #include <stdexcept>
 #include <utility>
+
+#include "study/app/pages/stage_page.h"
+#include "study/app/pieces/flow_layout.h"
+#include "study/app/pieces/pieces.h"
+#include "study/app/state/in_background.h"
 
 namespace study::app {
 
@@ -97,8 +96,7 @@ DataPage::DataPage(const LookAtData& look, QWidget* parent)
 DataPage::~DataPage()
 {
     // Before the pieces go that the work tells of itself on.
-    for (InBackground* work : {m_checking, m_drawing, m_reading})
-        work->stop();
+    for (InBackground* work : {m_checking, m_drawing, m_reading}) work->stop();
 }
 
 void DataPage::build()
@@ -157,25 +155,17 @@ void DataPage::build()
     m_area = scrolling("dataArea", page, this);
     outer->addWidget(m_area);
     QWidget* const inOrder[] = {m_folderField, m_browse, m_open, m_back, m_faults, m_fabrics, m_before, m_after};
-    for (std::size_t i = 1; i < std::size(inOrder); ++i)
-        setTabOrder(inOrder[i - 1], inOrder[i]);
+    for (std::size_t i = 1; i < std::size(inOrder); ++i) setTabOrder(inOrder[i - 1], inOrder[i]);
 }
 
-bool DataPage::isBusy() const
-{
-    return m_reading->isBusy() || m_drawing->isBusy() || m_checking->isBusy() || m_isDrawingDue;
-}
+bool DataPage::isBusy() const { return m_reading->isBusy() || m_drawing->isBusy() || m_checking->isBusy() || m_isDrawingDue; }
 
-void DataPage::focusFirst()
-{
-    m_folderField->setFocus();
-}
+void DataPage::focusFirst() { m_folderField->setFocus(); }
 
 void DataPage::browse()
 {
     const QString chosenFolder = QFileDialog::getExistingDirectory(this, tr("Fabric data set"), m_folderField->text());
-    if (!chosenFolder.isEmpty())
-        m_folderField->setText(QDir::toNativeSeparators(chosenFolder));
+    if (!chosenFolder.isEmpty()) m_folderField->setText(QDir::toNativeSeparators(chosenFolder));
 }
 
 void DataPage::open(const QString& asked)
@@ -231,8 +221,7 @@ void DataPage::checkFiles()
     m_faults->hide();
     m_checking->run([this, folder = m_folder.toStdString()](const std::atomic<bool>& isStopping) -> InBackground::Then {
         const auto progress = [&](double share) {
-            if (isStopping)
-                throw Stopped();
+            if (isStopping) throw Stopped();
             QMetaObject::invokeMethod(
                 m_checked,
                 [this, share] {
@@ -278,8 +267,7 @@ void DataPage::chooseFabric()
 void DataPage::stepSample(int step)
 {
     const auto* fabric = chosen();
-    if (!fabric || m_sample + step < 0 || m_sample + step >= fabric->samples)
-        return;
+    if (!fabric || m_sample + step < 0 || m_sample + step >= fabric->samples) return;
     m_sample += step;
     enable();
     draw();
@@ -289,11 +277,9 @@ void DataPage::draw()
 {
     m_isDrawingDue = false;
     const auto* fabric = chosen();
-    if (!fabric || fabric->samples == 0)
-        return;
+    if (!fabric || fabric->samples == 0) return;
     m_isDrawnAgain = m_drawing->isBusy();  // what is being drawn is waited for, but not shown
-    if (m_isDrawnAgain)
-        return;
+    if (m_isDrawnAgain) return;
     constexpr int marginsPx = 76;
     const DataSheetRequest request{.folder = m_folder.toStdString(),
                                    .fabric = fabric->id,
@@ -314,8 +300,7 @@ void DataPage::draw()
 void DataPage::drawSoon()
 {
     // Once, when the window has come to rest.
-    if (m_isDrawingDue || m_folder.isEmpty())
-        return;
+    if (m_isDrawingDue || m_folder.isEmpty()) return;
     m_isDrawingDue = true;
     constexpr int restMs = 150;
     QTimer::singleShot(restMs, this, &DataPage::draw);
@@ -323,8 +308,7 @@ void DataPage::drawSoon()
 
 void DataPage::showSheet(const DataSheet& sheet)
 {
-    if (m_isDrawnAgain)
-        return draw();
+    if (m_isDrawnAgain) return draw();
     m_sheet->setPixmap(QPixmap::fromImage(sheet.picture));
     m_sheet->setAccessibleName(sheet.description);
     m_sheet->setToolTip(sheet.description);
@@ -348,13 +332,11 @@ void DataPage::enable()
     for (QWidget* one : {static_cast<QWidget*>(m_about), static_cast<QWidget*>(m_fabrics), static_cast<QWidget*>(m_checked),
                          static_cast<QWidget*>(m_sheet)})
         one->setVisible(isOpen);
-    if (!isOpen)
-        m_faults->hide();
+    if (!isOpen) m_faults->hide();
     for (QWidget* one : {static_cast<QWidget*>(m_sampleLabel), static_cast<QWidget*>(m_before), static_cast<QWidget*>(m_after),
                          static_cast<QWidget*>(m_keys)})
         one->setVisible(fabric != nullptr);
-    if (!fabric)
-        return;
+    if (!fabric) return;
     m_sampleLabel->setText(fabric->samples == 0
                                ? tr("%1: no samples").arg(fabric->id)
                                : tr("%1, sample %2 of %3").arg(fabric->id).arg(m_sample + 1).arg(fabric->samples));
@@ -366,8 +348,7 @@ void DataPage::enable()
 void DataPage::changeEvent(QEvent* event)
 {
     QWidget::changeEvent(event);
-    if (event->type() != QEvent::StyleChange && event->type() != QEvent::FontChange)
-        return;
+    if (event->type() != QEvent::StyleChange && event->type() != QEvent::FontChange) return;
     QMetaObject::invokeMethod(this, &DataPage::arrange, Qt::QueuedConnection);
     drawSoon();
 }
@@ -375,8 +356,7 @@ void DataPage::changeEvent(QEvent* event)
 void DataPage::resizeEvent(QResizeEvent* event)
 {
     QWidget::resizeEvent(event);
-    if (event->oldSize().width() != event->size().width())
-        drawSoon();
+    if (event->oldSize().width() != event->size().width()) drawSoon();
 }
 
 void DataPage::keyPressEvent(QKeyEvent* event)

@@ -2,12 +2,11 @@
 // fabric's signals on a sheet, sample by sample.
 #pragma once
 
-#include "study/app/state/data_look.h"
-
 #include <QWidget>
-
 #include <atomic>
 #include <optional>
+
+#include "study/app/state/data_look.h"
 
 class QBoxLayout;
 class QLabel;

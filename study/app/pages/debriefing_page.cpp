@@ -1,10 +1,10 @@
 #include "study/app/pages/debriefing_page.h"
 
+#include <QVBoxLayout>
+
 #include "study/app/pieces/pieces.h"
 #include "study/app/pieces/step_list.h"
 #include "study/app/pieces/words_field.h"
-
-#include <QVBoxLayout>
 
 namespace study::app {
 
@@ -17,8 +17,9 @@ DebriefingPage::DebriefingPage(QWidget* parent)
     steps->tell({tr("Ask: “What did you go by when you compared? Was anything unpleasant or odd?”"),
                  tr("Ask: “What do you think this was about?” Then tell them what the study is for.")});
     auto* rights = quietLabel("rightsText", this);
-    rights->setText(tr("Nothing has to be written. It is kept apart from the answers and can be erased later. "
-                       "Shift and Enter begin a new line."));
+    rights->setText(
+        tr("Nothing has to be written. It is kept apart from the answers and can be erased later. "
+           "Shift and Enter begin a new line."));
     auto* action = mainButton("confirmButton", tr("Finish the session (Enter)"), this);
     auto* column = new QVBoxLayout(this);
     column->setSpacing(14);
@@ -32,27 +33,17 @@ DebriefingPage::DebriefingPage(QWidget* parent)
     connect(action, &QPushButton::clicked, this, &DebriefingPage::confirm);
 }
 
-void DebriefingPage::begin(const SessionFacts&)
-{
-    m_notes->clear();
-}
+void DebriefingPage::begin(const SessionFacts&) { m_notes->clear(); }
 
-void DebriefingPage::confirm()
-{
-    Q_EMIT eventAsked(session::Debriefed{m_notes->words().toStdString()});
-}
+void DebriefingPage::confirm() { Q_EMIT eventAsked(session::Debriefed{m_notes->words().toStdString()}); }
 
 bool DebriefingPage::pressKey(int key)
 {
-    if (!isEnter(key))
-        return false;
+    if (!isEnter(key)) return false;
     confirm();
     return true;
 }
 
-QWidget& DebriefingPage::firstFocus()
-{
-    return *m_notes;
-}
+QWidget& DebriefingPage::firstFocus() { return *m_notes; }
 
 }  // namespace study::app

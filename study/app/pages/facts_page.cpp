@@ -1,22 +1,21 @@
 #include "study/app/pages/facts_page.h"
 
+#include <QVBoxLayout>
+
 #include "study/app/pieces/line_form.h"
 #include "study/app/pieces/pieces.h"
-
-#include <QVBoxLayout>
 
 namespace study::app {
 
 FactsPage::FactsPage(QWidget* parent)
-    : StagePage(parent),
-      m_form(new LineForm("fact", this)),
-      m_action(mainButton("confirmButton", tr("Go on (Enter)"), this))
+    : StagePage(parent), m_form(new LineForm("fact", this)), m_action(mainButton("confirmButton", tr("Go on (Enter)"), this))
 {
     auto* head = new PageHead(this);
     head->tell(tr("About the participant"), tr("Ask, and write what they tell. Every line may stay empty."));
     auto* rights = quietLabel("rightsText", this);
-    rights->setText(tr("Say: “You need not tell any of this. It is kept apart from your answers, and you can have it erased "
-                       "later.”"));
+    rights->setText(
+        tr("Say: “You need not tell any of this. It is kept apart from your answers, and you can have it erased "
+           "later.”"));
     auto* column = new QVBoxLayout(this);
     column->setSpacing(14);
     column->addWidget(head);
@@ -34,17 +33,12 @@ void FactsPage::begin(const SessionFacts& facts)
     letFollow(*m_form, {m_action});
 }
 
-void FactsPage::confirm()
-{
-    Q_EMIT eventAsked(session::FactsGiven{m_form->given()});
-}
+void FactsPage::confirm() { Q_EMIT eventAsked(session::FactsGiven{m_form->given()}); }
 
 bool FactsPage::pressKey(int key)
 {
-    if (!isEnter(key))
-        return false;
-    if (!m_form->goOn())
-        confirm();
+    if (!isEnter(key)) return false;
+    if (!m_form->goOn()) confirm();
     return true;
 }
 

@@ -1,10 +1,10 @@
 #include "study/app/pages/familiarisation_page.h"
 
+#include <QVBoxLayout>
+
 #include "study/app/pieces/flow_layout.h"
 #include "study/app/pieces/pieces.h"
 #include "study/app/pieces/step_list.h"
-
-#include <QVBoxLayout>
 
 namespace study::app {
 
@@ -41,15 +41,16 @@ void FamiliarisationPage::begin(const SessionFacts& facts)
 void FamiliarisationPage::showSteps()
 {
     QStringList steps{tr("Seat the participant so that the display and the tray are within reach of one hand.")};
-    if (!m_strokeWords.isEmpty())
-        steps << tr("Say: “%1”").arg(m_strokeWords);
+    if (!m_strokeWords.isEmpty()) steps << tr("Say: “%1”").arg(m_strokeWords);
     if (m_fabrics.empty())
         steps << tr("Let them stroke some fabrics on the table, and then the glass of the display.");
     else
-        steps << tr("Put one of these fabrics on the table and its image on the display, by its number. Let them stroke both; "
-                    "then take the next.");
-    steps << tr("Say: “Soon you will compare what you feel on the glass with a piece of fabric on the tray. There is no right "
-                "answer and no hurry.”");
+        steps << tr(
+            "Put one of these fabrics on the table and its image on the display, by its number. Let them stroke both; "
+            "then take the next.");
+    steps << tr(
+        "Say: “Soon you will compare what you feel on the glass with a piece of fabric on the tray. There is no right "
+        "answer and no hurry.”");
     m_steps->tell(steps);
 }
 
@@ -74,16 +75,14 @@ void FamiliarisationPage::setFabrics(const std::vector<std::string>& fabrics)
 
 void FamiliarisationPage::present(const session::View& view)
 {
-    if (view.familiarisation != m_fabrics)
-        setFabrics(view.familiarisation);
+    if (view.familiarisation != m_fabrics) setFabrics(view.familiarisation);
     const auto shown = std::get<session::Familiarising>(view.state.stage).shown;
-    for (std::size_t item = 0; item < m_buttons.size(); ++item)
-        m_buttons[item]->setChecked(shown == static_cast<int>(item));
+    for (std::size_t item = 0; item < m_buttons.size(); ++item) m_buttons[item]->setChecked(shown == static_cast<int>(item));
     if (m_fabrics.empty())
         showText(*m_shown, {});
     else if (shown)
-        showText(*m_shown, tr("On the display now: %1.")
-                               .arg(QString::fromStdString(m_fabrics.at(static_cast<std::size_t>(*shown)))));
+        showText(*m_shown,
+                 tr("On the display now: %1.").arg(QString::fromStdString(m_fabrics.at(static_cast<std::size_t>(*shown)))));
     else
         showText(*m_shown, tr("The display is clear. Press the number of a fabric to show its image."));
 }
@@ -100,9 +99,6 @@ bool FamiliarisationPage::pressKey(int key)
     return true;
 }
 
-QWidget& FamiliarisationPage::firstFocus()
-{
-    return *m_action;
-}
+QWidget& FamiliarisationPage::firstFocus() { return *m_action; }
 
 }  // namespace study::app

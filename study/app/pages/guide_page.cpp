@@ -1,10 +1,10 @@
 #include "study/app/pages/guide_page.h"
 
+#include <QVBoxLayout>
+
 #include "study/app/pieces/flow_layout.h"
 #include "study/app/pieces/pieces.h"
 #include "study/app/pieces/step_list.h"
-
-#include <QVBoxLayout>
 
 namespace study::app {
 
@@ -29,23 +29,27 @@ GuidePage::GuidePage(QWidget* parent)
 void GuidePage::present(const session::View& view)
 {
     const auto guide = guideFor(view, m_facts, m_isPreparationDue);
-    if (!guide)
-        return;
+    if (!guide) return;
     m_guide = *guide;
     m_head->tell(m_guide.title, m_guide.lead);
     m_steps->tell(m_guide.steps);
     setButtonText(*m_action, m_guide.action);
     m_second->setVisible(m_guide.second.has_value());
-    if (m_guide.second)
-        setButtonText(*m_second, m_guide.second->text);
+    if (m_guide.second) setButtonText(*m_second, m_guide.second->text);
 }
 
 void GuidePage::act(GuideAct act)
 {
     switch (act) {
-    case GuideAct::Send: Q_EMIT eventAsked(session::EventBody(m_guide.event)); break;
-    case GuideAct::Leave: Q_EMIT leaveAsked(); break;
-    case GuideAct::DeclinePreparation: Q_EMIT preparationDeclined(); break;
+        case GuideAct::Send:
+            Q_EMIT eventAsked(session::EventBody(m_guide.event));
+            break;
+        case GuideAct::Leave:
+            Q_EMIT leaveAsked();
+            break;
+        case GuideAct::DeclinePreparation:
+            Q_EMIT preparationDeclined();
+            break;
     }
 }
 
@@ -60,9 +64,6 @@ bool GuidePage::pressKey(int key)
     return true;
 }
 
-QWidget& GuidePage::firstFocus()
-{
-    return *m_action;
-}
+QWidget& GuidePage::firstFocus() { return *m_action; }
 
 }  // namespace study::app

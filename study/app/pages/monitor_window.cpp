@@ -1,15 +1,14 @@
 #include "study/app/pages/monitor_window.h"
 
-#include "study/app/state/flag_reading.h"
-#include "study/app/pieces/pieces.h"
-
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QTimer>
 #include <QTreeWidget>
 #include <QVBoxLayout>
-
 #include <cmath>
+
+#include "study/app/pieces/pieces.h"
+#include "study/app/state/flag_reading.h"
 
 namespace study::app {
 
@@ -19,13 +18,10 @@ constexpr int msBetweenLooks = 2000;
 
 QString sinceText(const std::optional<double>& minutes)
 {
-    if (!minutes)
-        return {};
-    if (*minutes < 1)
-        return MonitorWindow::tr("just now");
+    if (!minutes) return {};
+    if (*minutes < 1) return MonitorWindow::tr("just now");
     const int minutesInADay = 24 * 60;
-    if (*minutes >= minutesInADay)
-        return MonitorWindow::tr("%1 days ago").arg(std::lround(*minutes / minutesInADay));
+    if (*minutes >= minutesInADay) return MonitorWindow::tr("%1 days ago").arg(std::lround(*minutes / minutesInADay));
     return MonitorWindow::tr("%1 min ago").arg(static_cast<int>(*minutes));
 }
 
@@ -48,8 +44,7 @@ QString sentenceOf(const MonitorFlag& flag)
 {
     const QString name = QString::fromStdString(flag.flag).replace(QLatin1Char('_'), QLatin1Char(' '));
     const QString why = QString::fromStdString(flag.why);
-    if (flag.participant.empty())
-        return QStringLiteral("%1: %2").arg(name, why);
+    if (flag.participant.empty()) return QStringLiteral("%1: %2").arg(name, why);
     return QStringLiteral("%1, %2: %3").arg(QString::fromStdString(flag.participant), name, why);
 }
 
@@ -73,14 +68,15 @@ MonitorWindow::MonitorWindow(const std::filesystem::path& study, const AppOption
     setType(*m_rows, Type::Plain);
     m_rows->setRootIsDecorated(false);
     m_rows->setAllColumnsShowFocus(true);
-    m_rows->setHeaderLabels({tr("Place"), tr("Participant"), tr("Where"), tr("At"), tr("Answers"), tr("Missing"),
-                             tr("Void"), tr("Last event")});
+    m_rows->setHeaderLabels(
+        {tr("Place"), tr("Participant"), tr("Where"), tr("At"), tr("Answers"), tr("Missing"), tr("Void"), tr("Last event")});
     m_rows->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_rows->header()->setFocusPolicy(Qt::NoFocus);
     m_flagsCaption->setText(tr("Flags"));
     auto* hint = quietLabel("monitorHint", this, Type::Small);
-    hint->setText(tr("Reads only; looks again every two seconds.   ·   At: the presentation.   ·   Missing: answers to "
-                     "presentations that were voided and not given again yet.   ·   Close: Esc"));
+    hint->setText(
+        tr("Reads only; looks again every two seconds.   ·   At: the presentation.   ·   Missing: answers to "
+           "presentations that were voided and not given again yet.   ·   Close: Esc"));
 
     auto* page = new QWidget(this);
     auto* column = new QVBoxLayout(page);
@@ -88,8 +84,7 @@ MonitorWindow::MonitorWindow(const std::filesystem::path& study, const AppOption
     for (QWidget* part : {static_cast<QWidget*>(m_title), static_cast<QWidget*>(m_summary), static_cast<QWidget*>(m_message)})
         column->addWidget(part);
     column->addWidget(m_rows, 1);
-    for (QWidget* part : {m_flagsCaption, m_flags, hint, lookHint(page)})
-        column->addWidget(part);
+    for (QWidget* part : {m_flagsCaption, m_flags, hint, lookHint(page)}) column->addWidget(part);
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
     outer->addWidget(scrolling("monitorArea", page, this));
@@ -121,17 +116,17 @@ void MonitorWindow::tell(const MonitorOverview& overview)
         m_answersAtFlags = overview.answers;
         m_flagReading->begin();
     }
-    if (m_shown == overview)
-        return;
+    if (m_shown == overview) return;
     m_shown = overview;
     setWindowTitle(tr("%1 – monitor – Vis2Hap").arg(overview.study));
     m_title->setText(overview.study);
-    m_summary->setText(tr("%1 of %2 answers  ·  %3").arg(overview.answers).arg(overview.answersInAll)
+    m_summary->setText(tr("%1 of %2 answers  ·  %3")
+                           .arg(overview.answers)
+                           .arg(overview.answersInAll)
                            .arg(overview.isBlinded ? tr("blinded") : tr("unblinded")));
     const int chosen = m_rows->indexOfTopLevelItem(m_rows->currentItem());
     m_rows->clear();
-    for (const MonitorOverview::Row& row : overview.rows)
-        new QTreeWidgetItem(m_rows, cellsOf(row));
+    for (const MonitorOverview::Row& row : overview.rows) new QTreeWidgetItem(m_rows, cellsOf(row));
     m_rows->setCurrentItem(m_rows->topLevelItem(chosen));
     m_rows->setMinimumHeight(m_rows->fontMetrics().height() * 9);
 }
@@ -139,15 +134,14 @@ void MonitorWindow::tell(const MonitorOverview& overview)
 void MonitorWindow::showFlags(const std::vector<MonitorFlag>& flags)
 {
     QStringList sentences;
-    for (const MonitorFlag& flag : flags)
-        sentences << sentenceOf(flag);
+    for (const MonitorFlag& flag : flags) sentences << sentenceOf(flag);
     m_flags->setText(sentences.isEmpty() ? tr("None so far.") : sentences.join(QLatin1Char('\n')));
 }
 
 void MonitorWindow::keyPressEvent(QKeyEvent* event)
 {
-    const bool isClosing = event->key() == Qt::Key_Escape ||
-                           (event->key() == Qt::Key_Q && event->modifiers().testFlag(Qt::ControlModifier));
+    const bool isClosing =
+        event->key() == Qt::Key_Escape || (event->key() == Qt::Key_Q && event->modifiers().testFlag(Qt::ControlModifier));
     if (isClosing)
         close();
     else

@@ -2,11 +2,11 @@
 // the console, on the same computer or wherever the study's folder is shared.
 #pragma once
 
-#include "study/app/state/app_options.h"
-#include "study/app/pieces/looks.h"
-#include "study/app/state/monitor.h"
-
 #include <QWidget>
+
+#include "study/app/pieces/looks.h"
+#include "study/app/state/app_options.h"
+#include "study/app/state/monitor.h"
 
 class QLabel;
 class QTreeWidget;

@@ -1,17 +1,16 @@
 #include "study/app/pages/new_study_page.h"
 
-#include "study/app/pieces/pieces.h"
-#include "study/app/pages/stage_page.h"
-#include "study/app/state/study_making.h"
-
 #include <QFileDialog>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QProgressBar>
 #include <QVBoxLayout>
-
 #include <charconv>
+
+#include "study/app/pages/stage_page.h"
+#include "study/app/pieces/pieces.h"
+#include "study/app/state/study_making.h"
 
 namespace study::app {
 
@@ -28,10 +27,7 @@ std::optional<Number> wholeNumberFrom(const QString& typed)
     return fault == std::errc() && end == text.data() + text.size() ? std::optional(number) : std::nullopt;
 }
 
-std::filesystem::path pathOf(const QLineEdit& line)
-{
-    return line.text().trimmed().toStdString();
-}
+std::filesystem::path pathOf(const QLineEdit& line) { return line.text().trimmed().toStdString(); }
 
 }  // namespace
 
@@ -62,8 +58,8 @@ NewStudyPage::NewStudyPage(MakeStudy make, QWidget* parent)
     form->setHorizontalSpacing(16);
     form->setVerticalSpacing(12);
     form->setColumnStretch(1, 1);
-    m_study = addPath(*form, "newStudyFolderField", tr("Study folder"), tr("a folder that does not exist yet"),
-                      Browse::NewFolder);
+    m_study =
+        addPath(*form, "newStudyFolderField", tr("Study folder"), tr("a folder that does not exist yet"), Browse::NewFolder);
     m_dataset = addPath(*form, "datasetField", tr("Fabric data set"), tr("the folder that holds dataset.json"), Browse::Folder);
     m_protocol = addPath(*form, "protocolField", tr("Protocol file"), tr("empty: the study of the paper"), Browse::File);
     addRow(*form, tr("Participants"), m_participants);
@@ -134,8 +130,7 @@ void NewStudyPage::browseFor(QLineEdit& target, Browse browse)
     else
         chosen = QFileDialog::getExistingDirectory(
             this, browse == Browse::Folder ? tr("Fabric data set") : tr("Where to make it"), target.text());
-    if (!chosen.isEmpty())
-        target.setText(browse == Browse::NewFolder ? chosen + QStringLiteral("/study") : chosen);
+    if (!chosen.isEmpty()) target.setText(browse == Browse::NewFolder ? chosen + QStringLiteral("/study") : chosen);
 }
 
 std::optional<NewStudyRequest> NewStudyPage::request()
@@ -145,16 +140,13 @@ std::optional<NewStudyRequest> NewStudyPage::request()
         m_message->tellHint(text);
         return std::nullopt;
     };
-    if (m_study->text().trimmed().isEmpty())
-        return told(m_study, tr("Name a folder for the study; it is made for you."));
+    if (m_study->text().trimmed().isEmpty()) return told(m_study, tr("Name a folder for the study; it is made for you."));
     if (m_dataset->text().trimmed().isEmpty())
         return told(m_dataset, tr("Name the fabric data set that the stimuli are made from."));
     const auto seed = wholeNumberFrom<std::uint64_t>(m_seed->text());
-    if (!seed)
-        return told(m_seed, tr("The seed is a whole number, 0 or larger."));
+    if (!seed) return told(m_seed, tr("The seed is a whole number, 0 or larger."));
     NewStudyRequest filled{pathOf(*m_study), pathOf(*m_dataset), std::nullopt, std::nullopt, *seed};
-    if (!m_protocol->text().trimmed().isEmpty())
-        filled.protocol = pathOf(*m_protocol);
+    if (!m_protocol->text().trimmed().isEmpty()) filled.protocol = pathOf(*m_protocol);
     if (!m_participants->text().trimmed().isEmpty()) {
         filled.participants = wholeNumberFrom<int>(m_participants->text());
         if (!filled.participants || *filled.participants < 1)
@@ -167,22 +159,30 @@ void NewStudyPage::make()
 {
     m_message->clearMessage();
     const auto filled = request();
-    if (!filled || m_making)
-        return;
+    if (!filled || m_making) return;
     m_making = std::make_unique<StudyMaking>(m_make, *filled, nullptr);
-    connect(m_making.get(), &StudyMaking::progressed, this, [this](double fraction, const QString& what) {
-        m_bar->setValue(static_cast<int>(fraction * progressSteps));
-        m_doing->setText(what);
-    }, Qt::QueuedConnection);
-    connect(m_making.get(), &StudyMaking::failed, this, [this](const QString& why) {
-        end();
-        m_message->tellFault(why);
-    }, Qt::QueuedConnection);
-    connect(m_making.get(), &StudyMaking::done, this, [this] {
-        const QString folder = QString::fromStdString(m_making->request().study.string());
-        end();
-        Q_EMIT made(folder);
-    }, Qt::QueuedConnection);
+    connect(
+        m_making.get(), &StudyMaking::progressed, this,
+        [this](double fraction, const QString& what) {
+            m_bar->setValue(static_cast<int>(fraction * progressSteps));
+            m_doing->setText(what);
+        },
+        Qt::QueuedConnection);
+    connect(
+        m_making.get(), &StudyMaking::failed, this,
+        [this](const QString& why) {
+            end();
+            m_message->tellFault(why);
+        },
+        Qt::QueuedConnection);
+    connect(
+        m_making.get(), &StudyMaking::done, this,
+        [this] {
+            const QString folder = QString::fromStdString(m_making->request().study.string());
+            end();
+            Q_EMIT made(folder);
+        },
+        Qt::QueuedConnection);
     m_doing->setText(tr("The study is being made."));
     m_bar->setValue(0);
     enable();
@@ -198,13 +198,11 @@ void NewStudyPage::end()
 
 void NewStudyPage::enable()
 {
-    for (QWidget* input : m_inputs)
-        input->setEnabled(!m_making);
+    for (QWidget* input : m_inputs) input->setEnabled(!m_making);
     m_doing->setVisible(m_making != nullptr);
     m_bar->setVisible(m_making != nullptr);
     setButtonText(*m_back, m_making ? tr("Stop the making (Esc)") : tr("Back (Esc)"));
-    if (m_making)
-        m_back->setFocus();
+    if (m_making) m_back->setFocus();
 }
 
 void NewStudyPage::goBack()
@@ -218,10 +216,7 @@ void NewStudyPage::goBack()
     m_doing->setText(tr("Stopping…"));
 }
 
-void NewStudyPage::focusFirst()
-{
-    m_study->setFocus();
-}
+void NewStudyPage::focusFirst() { m_study->setFocus(); }
 
 void NewStudyPage::keyPressEvent(QKeyEvent* event)
 {

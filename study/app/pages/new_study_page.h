@@ -1,13 +1,12 @@
 // The form for a new study, and how far its making is. Paths may be typed or browsed to.
 #pragma once
 
-#include "study/app/state/app_options.h"
-
 #include <QWidget>
-
 #include <memory>
 #include <optional>
 #include <vector>
+
+#include "study/app/state/app_options.h"
 
 class QGridLayout;
 class QLabel;

@@ -1,10 +1,10 @@
 #include "study/app/pages/panel.h"
 
-#include "study/app/pieces/flow_layout.h"
-#include "study/app/pieces/pieces.h"
-
 #include <QGridLayout>
 #include <QVBoxLayout>
+
+#include "study/app/pieces/flow_layout.h"
+#include "study/app/pieces/pieces.h"
 
 namespace study::app {
 
@@ -55,10 +55,7 @@ void Panel::addRow(const QString& caption, QWidget* control)
     m_form->addWidget(control, row, 1);
 }
 
-void Panel::letReasonFollow(const QWidget& controls)
-{
-    letFollow(controls, {m_reason, m_action, m_back});
-}
+void Panel::letReasonFollow(const QWidget& controls) { letFollow(controls, {m_reason, m_action, m_back}); }
 
 void Panel::open(const Texts& texts)
 {
@@ -71,18 +68,13 @@ void Panel::open(const Texts& texts)
     setButtonText(*m_action, texts.action);
 }
 
-void Panel::focusReason()
-{
-    m_reason->setFocus();
-}
+void Panel::focusReason() { m_reason->setFocus(); }
 
 void Panel::confirm()
 {
-    if (!isReady())
-        return;
+    if (!isReady()) return;
     const bool isEmpty = m_reason->text().trimmed().isEmpty();
-    const bool mayGo = !isEmpty || m_texts.empty == Empty::IsFine ||
-                       (m_texts.empty == Empty::IsAskedAgain && m_isAskedAgain);
+    const bool mayGo = !isEmpty || m_texts.empty == Empty::IsFine || (m_texts.empty == Empty::IsAskedAgain && m_isAskedAgain);
     if (mayGo) {
         Q_EMIT eventAsked(eventFor(isEmpty ? std::string() : m_reason->text().toStdString()));
         return;
@@ -103,9 +95,6 @@ bool Panel::pressKey(int key)
     return true;
 }
 
-QWidget& Panel::firstFocus()
-{
-    return *m_reason;
-}
+QWidget& Panel::firstFocus() { return *m_reason; }
 
 }  // namespace study::app

@@ -1,11 +1,11 @@
 #include "study/app/pages/question_page.h"
 
+#include <QVBoxLayout>
+
 #include "study/app/pieces/answer_entry.h"
 #include "study/app/pieces/flow_layout.h"
 #include "study/app/pieces/pieces.h"
 #include "study/app/pieces/question_head.h"
-
-#include <QVBoxLayout>
 
 namespace study::app {
 
@@ -57,8 +57,7 @@ void QuestionPage::present(const session::View& view)
 {
     m_head->present(view);
     m_touch->present(view);
-    if (isSameQuestion(view))
-        return;  // a touch, a note or a fault keeps what is being entered
+    if (isSameQuestion(view)) return;  // a touch, a note or a fault keeps what is being entered
     m_shown = std::get<Presenting>(view.state.stage);
     m_shownCode = view.code;
     m_firstEntry.reset();
@@ -71,8 +70,7 @@ void QuestionPage::showReadBack()
     setButtonText(*m_store, isFirstOfTwo ? tr("Now a second time (Enter)") : tr("Store the answer (Enter)"));
     const ReadBack readBack = m_entry->readBack();
     QStringList sentences{readBack.text};
-    if (m_firstEntry)
-        sentences.prepend(tr("Second entry."));
+    if (m_firstEntry) sentences.prepend(tr("Second entry."));
     if (readBack.isComplete)
         sentences.append(isFirstOfTwo ? tr("Enter, then enter the same once more.") : tr("Enter stores it."));
     m_readBack->setText(sentences.join(QLatin1Char(' ')));
@@ -111,10 +109,7 @@ void QuestionPage::takeEntry(const Response& response)
     Q_EMIT hinted(differing);
 }
 
-bool QuestionPage::isForWriting() const
-{
-    return m_entry->form().kind == protocols::AnswerKind::Words;
-}
+bool QuestionPage::isForWriting() const { return m_entry->form().kind == protocols::AnswerKind::Words; }
 
 bool QuestionPage::pressKey(int key)
 {
@@ -123,17 +118,12 @@ bool QuestionPage::pressKey(int key)
         return true;
     }
     // Before T: a tray of twenty slots would have a letter of its own there.
-    if (m_entry->pressKey(key))
-        return true;
-    if (key != Qt::Key_T)
-        return false;
+    if (m_entry->pressKey(key)) return true;
+    if (key != Qt::Key_T) return false;
     Q_EMIT eventAsked(session::Touched{});
     return true;
 }
 
-QWidget& QuestionPage::firstFocus()
-{
-    return m_entry->firstFocus();
-}
+QWidget& QuestionPage::firstFocus() { return m_entry->firstFocus(); }
 
 }  // namespace study::app

@@ -3,9 +3,9 @@
 // agree; the engine is told one answer.
 #pragma once
 
-#include "study/app/pages/stage_page.h"
-
 #include <optional>
+
+#include "study/app/pages/stage_page.h"
 
 class QLabel;
 class QPushButton;

@@ -1,16 +1,15 @@
 #include "study/app/pages/scale_training_page.h"
 
+#include <QHBoxLayout>
+#include <QVBoxLayout>
+#include <cstdlib>
+#include <utility>
+
 #include "study/app/pieces/flow_layout.h"
 #include "study/app/pieces/pieces.h"
 #include "study/app/pieces/rating_field.h"
-#include "study/app/state/rating_text.h"
 #include "study/app/pieces/scale_line.h"
-
-#include <QHBoxLayout>
-#include <QVBoxLayout>
-
-#include <cstdlib>
-#include <utility>
+#include "study/app/state/rating_text.h"
 
 namespace study::app {
 
@@ -87,13 +86,13 @@ void ScaleTrainingPage::tellWhatToDo(bool isRefresher)
     const QString low = textOf(m_scale.min), high = textOf(m_scale.max);
     m_anchors->setVisible(!isRefresher);
     if (isRefresher)
-        m_head->tell(tr("The scale, once more"), m_scale.labels.empty()
-                         ? tr("Show this line again: %1 is unrelated, %2 is totally the same.").arg(low, high)
-                         : tr("Show this line again, from %1 to %2.").arg(low, high));
+        m_head->tell(tr("The scale, once more"),
+                     m_scale.labels.empty() ? tr("Show this line again: %1 is unrelated, %2 is totally the same.").arg(low, high)
+                                            : tr("Show this line again, from %1 to %2.").arg(low, high));
     else
-        m_head->tell(tr("The scale, to be memorised"), m_scale.sections > 1
-                         ? tr("Show this line. It has equal sections, and only its ends carry a number.")
-                         : tr("Show this line. Only its ends carry a number."));
+        m_head->tell(tr("The scale, to be memorised"),
+                     m_scale.sections > 1 ? tr("Show this line. It has equal sections, and only its ends carry a number.")
+                                          : tr("Show this line. Only its ends carry a number."));
 }
 
 void ScaleTrainingPage::tellAnchors()
@@ -135,13 +134,10 @@ QString ScaleTrainingPage::deviation(const ScalePlaced& placed) const
     const int off = placed.spoken.value - placed.shown.value;
     const int span = m_scale.max.value - m_scale.min.value;
     const QString far = textOf(Tenths{std::abs(off)}), shown = textOf(placed.shown), spoken = textOf(placed.spoken);
-    if (off == 0)
-        return tr("They said %1, and that is just where the mark was.").arg(spoken);
-    if (std::abs(off) * 20 <= span)
-        return tr("They said %1, the mark was at %2: very close.").arg(spoken, shown);
+    if (off == 0) return tr("They said %1, and that is just where the mark was.").arg(spoken);
+    if (std::abs(off) * 20 <= span) return tr("They said %1, the mark was at %2: very close.").arg(spoken, shown);
     const QString way = off > 0 ? tr("%1 too high").arg(far) : tr("%1 too low").arg(far);
-    if (std::abs(off) * 10 <= span)
-        return tr("They said %1, the mark was at %2: close, %3.").arg(spoken, shown, way);
+    if (std::abs(off) * 10 <= span) return tr("They said %1, the mark was at %2: close, %3.").arg(spoken, shown, way);
     return tr("They said %1, the mark was at %2: %3. Let them look at the ends and the sections once more.")
         .arg(spoken, shown, way);
 }
@@ -177,8 +173,7 @@ bool ScaleTrainingPage::pressKey(int key)
 
 QWidget& ScaleTrainingPage::firstFocus()
 {
-    if (m_place)
-        return *m_spoken;
+    if (m_place) return *m_spoken;
     return *m_action;
 }
 

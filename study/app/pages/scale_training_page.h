@@ -2,9 +2,9 @@
 // a number, one after another, to which the participant says the number. Shortened in later sittings.
 #pragma once
 
-#include "study/app/pages/stage_page.h"
-
 #include <optional>
+
+#include "study/app/pages/stage_page.h"
 
 class QLabel;
 class QPushButton;
@@ -35,8 +35,8 @@ private:
     QString deviation(const session::ScalePlaced& placed) const;
 
     protocols::Scale m_scale;
-    std::optional<protocols::Tenths> m_place;         ///< to be named now
-    std::optional<session::ScalePlaced> m_asked;      ///< not known to be stored yet
+    std::optional<protocols::Tenths> m_place;     ///< to be named now
+    std::optional<session::ScalePlaced> m_asked;  ///< not known to be stored yet
     std::optional<session::ScalePlaced> m_lastNamed;
     PageHead* m_head;
     ScaleLine* m_line;

@@ -1,19 +1,18 @@
 #include "study/app/pages/session_page.h"
 
-#include "study/app/pages/correction_panel.h"
-#include "study/app/pages/guide_page.h"
-#include "study/app/pieces/pieces.h"
-#include "study/app/pages/reason_panel.h"
-#include "study/app/pieces/session_footer.h"
-#include "study/app/pieces/session_header.h"
-#include "study/app/pages/stage_stack.h"
-#include "study/app/pages/tray_page.h"
-
 #include <QKeyEvent>
 #include <QShortcut>
 #include <QVBoxLayout>
-
 #include <algorithm>
+
+#include "study/app/pages/correction_panel.h"
+#include "study/app/pages/guide_page.h"
+#include "study/app/pages/reason_panel.h"
+#include "study/app/pages/stage_stack.h"
+#include "study/app/pages/tray_page.h"
+#include "study/app/pieces/pieces.h"
+#include "study/app/pieces/session_footer.h"
+#include "study/app/pieces/session_header.h"
 
 namespace study::app {
 
@@ -73,8 +72,7 @@ void SessionPage::bindKeysWhileWriting()
         shortcut->setContext(Qt::WidgetWithChildrenShortcut);
         shortcut->setAutoRepeat(false);
         connect(shortcut, &QShortcut::activated, this, [this, key] {
-            if (!m_footer->pressKey(key))
-                pageInFront().pressKey(key);
+            if (!m_footer->pressKey(key)) pageInFront().pressKey(key);
         });
     }
 }
@@ -113,12 +111,10 @@ void SessionPage::present(const View& view, bool canCorrect)
     m_header->present(view);
     m_footer->present(view, canCorrect);
     m_stages->guide().offerPreparation(offersPreparation());
-    if (std::holds_alternative<Presenting>(view.state.stage))
-        m_stages->tray().setPlaced(view.trayIds);
+    if (std::holds_alternative<Presenting>(view.state.stage)) m_stages->tray().setPlaced(view.trayIds);
     StagePage& page = pageOf(view);
     page.present(view);
-    if (!m_panel)
-        bringForward(page);
+    if (!m_panel) bringForward(page);
 }
 
 void SessionPage::goOnUnprepared()
@@ -132,15 +128,11 @@ void SessionPage::goOnUnprepared()
 
 StagePage& SessionPage::pageOf(const View& view) const
 {
-    if (view.state.paused || offersPreparation())
-        return m_stages->guide();
+    if (view.state.paused || offersPreparation()) return m_stages->guide();
     return m_stages->pageOf(view.state.stage);
 }
 
-StagePage& SessionPage::pageInFront() const
-{
-    return m_panel ? *m_panel : pageOf(m_view);
-}
+StagePage& SessionPage::pageInFront() const { return m_panel ? *m_panel : pageOf(m_view); }
 
 void SessionPage::bringForward(StagePage& page)
 {
@@ -164,8 +156,7 @@ void SessionPage::openPanel(StagePage& panel)
 
 void SessionPage::closePanel()
 {
-    if (!m_panel)
-        return;
+    if (!m_panel) return;
     m_panel = nullptr;
     m_message->clearMessage();
     m_footer->setPanelOpen(false);
@@ -182,17 +173,22 @@ void SessionPage::settle()
 void SessionPage::tell(const QString& text, Tone tone)
 {
     switch (tone) {
-    case Tone::Done: m_message->tellDone(text); break;
-    case Tone::Hint:
-    case Tone::Refusal: m_message->tellHint(text); break;
-    case Tone::Fault: m_message->tellFault(text); break;
+        case Tone::Done:
+            m_message->tellDone(text);
+            break;
+        case Tone::Hint:
+        case Tone::Refusal:
+            m_message->tellHint(text);
+            break;
+        case Tone::Fault:
+            m_message->tellFault(text);
+            break;
     }
 }
 
 bool SessionPage::pressKey(int key)
 {
-    if (isEnter(key) && pressFocusedButton())
-        return true;
+    if (isEnter(key) && pressFocusedButton()) return true;
     return pageInFront().pressKey(key) || m_footer->pressKey(key) || m_stages->scrollBy(key);
 }
 
@@ -202,8 +198,7 @@ bool SessionPage::pressFocusedButton() const
     auto* focused = qobject_cast<QPushButton*>(focusWidget());
     const bool isSideButton = focused && focused->isVisible() && focused->isEnabled() && !focused->isCheckable() &&
                               focused->property("role").toString() != QLatin1String("main");
-    if (isSideButton)
-        focused->click();
+    if (isSideButton) focused->click();
     return isSideButton;
 }
 
@@ -212,8 +207,7 @@ void SessionPage::keyPressEvent(QKeyEvent* event)
     const bool isPlain = (event->modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier)) == 0;
     // A key held down must not run through several presentations.
     const bool isTaken = isPlain && (event->isAutoRepeat() || pressKey(event->key()));
-    if (!isTaken)
-        QWidget::keyPressEvent(event);
+    if (!isTaken) QWidget::keyPressEvent(event);
 }
 
 }  // namespace study::app

@@ -2,9 +2,9 @@
 // opened by wish. Shows what it is given and asks for events; the engine is elsewhere.
 #pragma once
 
-#include "study/app/state/session_controller.h"
-
 #include <QWidget>
+
+#include "study/app/state/session_controller.h"
 
 namespace study::app {
 

@@ -1,7 +1,6 @@
 #include "study/app/pages/stage_guides.h"
 
 #include <QCoreApplication>
-
 #include <cmath>
 
 namespace study::app {
@@ -10,10 +9,7 @@ using namespace session;
 
 namespace {
 
-QString tr(const char* text)
-{
-    return QCoreApplication::translate("study::app::Guide", text);
-}
+QString tr(const char* text) { return QCoreApplication::translate("study::app::Guide", text); }
 
 Guide introduction()
 {
@@ -40,18 +36,20 @@ Guide consent(const SessionFacts& facts)
 QStringList breakSteps()
 {
     return {tr("The participant may lift the mask, drink and move the hand."),
-            tr("Clean the glass and the finger, and let both dry."),
-            tr("Before you go on, the mask is on again.")};
+            tr("Clean the glass and the finger, and let both dry."), tr("Before you go on, the mask is on again.")};
 }
 
 QString breakTitle(const OnBreak& onBreak, const View& view)
 {
     switch (onBreak.reason) {
-    case BreakReason::Block: return tr("Break");
-    case BreakReason::Phase: return tr("Break: now other questions");
-    case BreakReason::Time: return tr("Break: it has been a while");
-    case BreakReason::SittingOver:
-        return tr("This sitting has lasted %1 minutes").arg(std::lround(view.sittingMinutes));
+        case BreakReason::Block:
+            return tr("Break");
+        case BreakReason::Phase:
+            return tr("Break: now other questions");
+        case BreakReason::Time:
+            return tr("Break: it has been a while");
+        case BreakReason::SittingOver:
+            return tr("This sitting has lasted %1 minutes").arg(std::lround(view.sittingMinutes));
     }
     return {};
 }
@@ -60,13 +58,14 @@ QString breakLead(const OnBreak& onBreak, const View& view)
 {
     const QString done = tr("Done so far: %1 of %2 answers. The display is off.").arg(view.answersStored).arg(view.answersInAll);
     switch (onBreak.reason) {
-    case BreakReason::Block:
-    case BreakReason::Time: return done;
-    case BreakReason::Phase:
-        return tr("Next come the questions %1. Explain them before the mask is on. %2")
-            .arg(QString::fromStdString(view.phaseName), done);
-    case BreakReason::SittingOver:
-        return tr("A tired hand feels less. Stop here with Q and go on another day; everything is kept. %1").arg(done);
+        case BreakReason::Block:
+        case BreakReason::Time:
+            return done;
+        case BreakReason::Phase:
+            return tr("Next come the questions %1. Explain them before the mask is on. %2")
+                .arg(QString::fromStdString(view.phaseName), done);
+        case BreakReason::SittingOver:
+            return tr("A tired hand feels less. Stop here with Q and go on another day; everything is kept. %1").arg(done);
     }
     return done;
 }
@@ -150,8 +149,7 @@ struct GuideOfStage {
 
 std::optional<Guide> guideFor(const View& view, const SessionFacts& facts, bool isPreparationDue)
 {
-    if (isPreparationDue)
-        return laterSitting(view);
+    if (isPreparationDue) return laterSitting(view);
     return view.state.paused ? std::optional(paused()) : std::visit(GuideOfStage{view, facts}, view.state.stage);
 }
 

@@ -1,12 +1,11 @@
 // What the operator is told at each stage that is confirmed and no more.
 #pragma once
 
+#include <QStringList>
+#include <optional>
+
 #include "study/app/state/session_facts.h"
 #include "study/session/driver.h"
-
-#include <QStringList>
-
-#include <optional>
 
 namespace study::app {
 
@@ -21,12 +20,12 @@ struct Guide {
         GuideAct act = GuideAct::Leave;
     };
     QString title;
-    QString lead;                           ///< one sentence under the title
+    QString lead;  ///< one sentence under the title
     QStringList steps;
-    QString action;                         ///< on the button that Enter presses
-    session::EventBody event;               ///< what it sends
+    QString action;            ///< on the button that Enter presses
+    session::EventBody event;  ///< what it sends
     GuideAct act = GuideAct::Send;
-    std::optional<Second> second = {};      ///< another way to go on
+    std::optional<Second> second = {};  ///< another way to go on
 };
 
 /// Empty for stages that have a page of their own. `isPreparationDue`: a later sitting has begun, and its

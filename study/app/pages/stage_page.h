@@ -1,10 +1,10 @@
 // What the pages of a running session have in common: they are given a view, show it, and ask for events.
 #pragma once
 
+#include <QWidget>
+
 #include "study/app/state/session_facts.h"
 #include "study/session/driver.h"
-
-#include <QWidget>
 
 namespace study::app {
 
@@ -30,9 +30,6 @@ Q_SIGNALS:
     void hinted(const QString& text);
 };
 
-inline bool isEnter(int key)
-{
-    return key == Qt::Key_Return || key == Qt::Key_Enter;
-}
+inline bool isEnter(int key) { return key == Qt::Key_Return || key == Qt::Key_Enter; }
 
 }  // namespace study::app

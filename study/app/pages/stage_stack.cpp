@@ -1,21 +1,20 @@
 #include "study/app/pages/stage_stack.h"
 
+#include <QApplication>
+#include <QScrollBar>
+#include <algorithm>
+
 #include "study/app/pages/checklist_page.h"
 #include "study/app/pages/correction_panel.h"
 #include "study/app/pages/debriefing_page.h"
 #include "study/app/pages/facts_page.h"
 #include "study/app/pages/familiarisation_page.h"
 #include "study/app/pages/guide_page.h"
-#include "study/app/pieces/pieces.h"
 #include "study/app/pages/question_page.h"
 #include "study/app/pages/reason_panel.h"
 #include "study/app/pages/scale_training_page.h"
 #include "study/app/pages/tray_page.h"
-
-#include <QApplication>
-#include <QScrollBar>
-
-#include <algorithm>
+#include "study/app/pieces/pieces.h"
 
 namespace study::app {
 
@@ -84,14 +83,10 @@ Page* StageStack::add(const char* areaName)
 
 void StageStack::begin(const SessionFacts& facts)
 {
-    for (StagePage* page : m_pages)
-        page->begin(facts);
+    for (StagePage* page : m_pages) page->begin(facts);
 }
 
-StagePage& StageStack::pageOf(const Stage& stage) const
-{
-    return std::visit(PageOfStage{*this}, stage);
-}
+StagePage& StageStack::pageOf(const Stage& stage) const { return std::visit(PageOfStage{*this}, stage); }
 
 void StageStack::bringForward(StagePage& page)
 {
@@ -105,8 +100,7 @@ void StageStack::bringForward(StagePage& page)
 
 bool StageStack::scrollBy(int key)
 {
-    if (key != Qt::Key_PageDown && key != Qt::Key_PageUp)
-        return false;
+    if (key != Qt::Key_PageDown && key != Qt::Key_PageUp) return false;
     QScrollBar& bar = *static_cast<QScrollArea*>(currentWidget())->verticalScrollBar();
     bar.setValue(bar.value() + (key == Qt::Key_PageDown ? bar.pageStep() : -bar.pageStep()));
     return true;

@@ -2,11 +2,10 @@
 // is decided here.
 #pragma once
 
-#include "study/app/pages/stage_page.h"
-
 #include <QStackedWidget>
-
 #include <vector>
+
+#include "study/app/pages/stage_page.h"
 
 namespace study::app {
 

@@ -1,15 +1,15 @@
 #include "study/app/pages/start_page.h"
 
-#include "study/app/pieces/flow_layout.h"
-#include "study/app/pieces/pieces.h"
-#include "study/app/pages/stage_page.h"
-
 #include <QDir>
 #include <QFileDialog>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QListWidget>
 #include <QVBoxLayout>
+
+#include "study/app/pages/stage_page.h"
+#include "study/app/pieces/flow_layout.h"
+#include "study/app/pieces/pieces.h"
 
 namespace study::app {
 
@@ -69,8 +69,7 @@ StartPage::StartPage(QWidget* parent)
     connect(m_open, &QPushButton::clicked, this, [this] { open(m_folder->text()); });
     connect(m_recent, &QListWidget::itemActivated, this, [this](QListWidgetItem* item) { open(item->text()); });
     connect(m_recent, &QListWidget::currentTextChanged, this, [this](const QString& folder) {
-        if (!folder.isEmpty())
-            m_folder->setText(folder);
+        if (!folder.isEmpty()) m_folder->setText(folder);
     });
     connect(m_browse, &QPushButton::clicked, this, &StartPage::browse);
     connect(m_new, &QPushButton::clicked, this, &StartPage::newStudyAsked);
@@ -84,16 +83,12 @@ void StartPage::present(const QStringList& recentFolders, bool canMakeStudies, b
     m_recent->addItems(recentFolders);
     m_recent->setVisible(!recentFolders.isEmpty());
     m_recentCaption->setVisible(!recentFolders.isEmpty());
-    if (!recentFolders.isEmpty())
-        m_recent->setCurrentRow(0);
+    if (!recentFolders.isEmpty()) m_recent->setCurrentRow(0);
     m_new->setVisible(canMakeStudies);
     m_data->setVisible(canLookAtData);
 }
 
-void StartPage::tellFault(const QString& text)
-{
-    m_message->tellFault(text);
-}
+void StartPage::tellFault(const QString& text) { m_message->tellFault(text); }
 
 void StartPage::focusFirst()
 {
@@ -117,8 +112,7 @@ void StartPage::open(const QString& folder)
 void StartPage::browse()
 {
     const QString chosen = QFileDialog::getExistingDirectory(this, tr("Study folder"), m_folder->text());
-    if (!chosen.isEmpty())
-        m_folder->setText(QDir::toNativeSeparators(chosen));
+    if (!chosen.isEmpty()) m_folder->setText(QDir::toNativeSeparators(chosen));
 }
 
 void StartPage::keyPressEvent(QKeyEvent* event)

@@ -1,8 +1,5 @@
 #include "study/app/pages/study_page.h"
 
-#include "study/app/pieces/pieces.h"
-#include "study/app/pages/stage_page.h"
-
 #include <QFrame>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -10,8 +7,10 @@
 #include <QRegularExpression>
 #include <QTreeWidget>
 #include <QVBoxLayout>
-
 #include <algorithm>
+
+#include "study/app/pages/stage_page.h"
+#include "study/app/pieces/pieces.h"
 
 namespace study::app {
 
@@ -104,8 +103,7 @@ QFrame* StudyPage::card(const char* objectName, const QString& caption, const QS
     text->setText(hint);
     column->addWidget(title);
     column->addWidget(text);
-    for (QWidget* control : controls)
-        column->addWidget(control);
+    for (QWidget* control : controls) column->addWidget(control);
     return made;
 }
 
@@ -132,8 +130,7 @@ void StudyPage::resizeEvent(QResizeEvent* event)
 void StudyPage::changeEvent(QEvent* event)
 {
     QWidget::changeEvent(event);
-    if (event->type() == QEvent::StyleChange || event->type() == QEvent::FontChange)
-        arrangeSoon();
+    if (event->type() == QEvent::StyleChange || event->type() == QEvent::FontChange) arrangeSoon();
 }
 
 void StudyPage::showEvent(QShowEvent* event)
@@ -157,8 +154,10 @@ void StudyPage::present(const StudyOverview& overview, database::ParticipantKind
     m_folder->setText(overview.folder);
     const int free = overview.placesIn(SlotState::Free);
     const int withdrawn = overview.placesIn(SlotState::Withdrawn);
-    const QString counts = tr("Finished %1  ·  under way %2  ·  free %3").arg(overview.placesIn(SlotState::Finished))
-                               .arg(overview.placesIn(SlotState::Started)).arg(free);
+    const QString counts = tr("Finished %1  ·  under way %2  ·  free %3")
+                               .arg(overview.placesIn(SlotState::Finished))
+                               .arg(overview.placesIn(SlotState::Started))
+                               .arg(free);
     m_summary->setText(withdrawn > 0 ? tr("%1  ·  withdrawn %2").arg(counts).arg(withdrawn) : counts);
     m_participant->setText(free > 0 ? overview.nextParticipant : QString());
     m_participant->setEnabled(free > 0);
@@ -175,11 +174,9 @@ void StudyPage::showPlaces()
         row->setText(numberColumn, QString::number(place.number));
         row->setText(participantColumn, place.participant.isEmpty() ? QStringLiteral("–") : place.participant);
         row->setText(stateColumn, stateText(place));
-        row->setText(answersColumn, place.state == SlotState::Free
-                                        ? QString()
-                                        : tr("%1 of %2").arg(place.answers).arg(m_overview.answersInAll));
-        if (!toResume && canResume(place))
-            toResume = row;
+        row->setText(answersColumn,
+                     place.state == SlotState::Free ? QString() : tr("%1 of %2").arg(place.answers).arg(m_overview.answersInAll));
+        if (!toResume && canResume(place)) toResume = row;
     }
     m_places->setCurrentItem(toResume);
     showChosen();
@@ -190,15 +187,26 @@ QString StudyPage::stateText(const StudyOverview::Place& place) const
 {
     QString text;
     switch (place.state) {
-    case SlotState::Free: text = tr("free"); break;
-    case SlotState::Started: text = tr("under way"); break;
-    case SlotState::Finished: text = tr("finished"); break;
-    case SlotState::Withdrawn: text = tr("withdrawn, place freed"); break;
+        case SlotState::Free:
+            text = tr("free");
+            break;
+        case SlotState::Started:
+            text = tr("under way");
+            break;
+        case SlotState::Finished:
+            text = tr("finished");
+            break;
+        case SlotState::Withdrawn:
+            text = tr("withdrawn, place freed");
+            break;
     }
     switch (place.kind) {
-    case database::ParticipantKind::Human: return text;
-    case database::ParticipantKind::Scripted: return place.participant.isEmpty() ? text : tr("%1, scripted").arg(text);
-    case database::ParticipantKind::Simulated: return place.participant.isEmpty() ? text : tr("%1, simulated").arg(text);
+        case database::ParticipantKind::Human:
+            return text;
+        case database::ParticipantKind::Scripted:
+            return place.participant.isEmpty() ? text : tr("%1, scripted").arg(text);
+        case database::ParticipantKind::Simulated:
+            return place.participant.isEmpty() ? text : tr("%1, simulated").arg(text);
     }
     return text;
 }
@@ -240,16 +248,13 @@ void StudyPage::enrol()
     if (!isParticipantName(participant))
         m_message->tellHint(tr("Write a short code of letters and digits, such as %1.").arg(m_overview.nextParticipant));
     else if (isTaken)
-        m_message->tellHint(tr("%1 has a place already. Choose it in the list to go on with it, or write another code.")
-                                .arg(participant));
+        m_message->tellHint(
+            tr("%1 has a place already. Choose it in the list to go on with it, or write another code.").arg(participant));
     else
         Q_EMIT sessionAsked(participant);
 }
 
-void StudyPage::tellFault(const QString& text)
-{
-    m_message->tellFault(text);
-}
+void StudyPage::tellFault(const QString& text) { m_message->tellFault(text); }
 
 void StudyPage::focusFirst()
 {

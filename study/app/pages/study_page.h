@@ -2,9 +2,9 @@
 // names and counts, nothing of what was shown or answered.
 #pragma once
 
-#include "study/app/state/open_study.h"
-
 #include <QWidget>
+
+#include "study/app/state/open_study.h"
 
 class QBoxLayout;
 class QFrame;

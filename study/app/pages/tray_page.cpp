@@ -1,11 +1,11 @@
 #include "study/app/pages/tray_page.h"
 
-#include "study/app/state/answer_form.h"
-#include "study/app/pieces/pieces.h"
-#include "study/app/pieces/slot_card.h"
-
 #include <QGridLayout>
 #include <QVBoxLayout>
+
+#include "study/app/pieces/pieces.h"
+#include "study/app/pieces/slot_card.h"
+#include "study/app/state/answer_form.h"
 
 namespace study::app {
 
@@ -58,8 +58,7 @@ void TrayPage::present(const session::View& view)
     m_code->setText(QString::fromStdString(view.code.value));
     showCards(view);
     bool isAnyNew = false;
-    for (std::size_t place = 0; place < view.trayIds.size(); ++place)
-        isAnyNew = isAnyNew || isNew(view, place);
+    for (std::size_t place = 0; place < view.trayIds.size(); ++place) isAnyNew = isAnyNew || isNew(view, place);
     if (!isAnyNew)
         m_task->setText(tr("Nothing to change."));
     else
@@ -76,23 +75,18 @@ void TrayPage::showCards(const session::View& view)
     // Kept for the next tray: making a card takes longer than showing one.
     for (std::size_t place = 0; place < m_cards.size(); ++place) {
         const bool isNeeded = place < view.tray.size();
-        if (isNeeded)
-            m_cards[place]->tell(nameOfPiece(view.tray[place]), isNew(view, place), view.tray.size() > 1);
+        if (isNeeded) m_cards[place]->tell(nameOfPiece(view.tray[place]), isNew(view, place), view.tray.size() > 1);
         m_cards[place]->setVisible(isNeeded);
     }
 }
 
 bool TrayPage::pressKey(int key)
 {
-    if (!isEnter(key))
-        return false;
+    if (!isEnter(key)) return false;
     Q_EMIT eventAsked(session::TrayReady{});
     return true;
 }
 
-QWidget& TrayPage::firstFocus()
-{
-    return *m_ready;
-}
+QWidget& TrayPage::firstFocus() { return *m_ready; }
 
 }  // namespace study::app

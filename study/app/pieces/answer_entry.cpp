@@ -1,10 +1,10 @@
 #include "study/app/pieces/answer_entry.h"
 
+#include <QVBoxLayout>
+
 #include "study/app/pieces/choice_controls.h"
 #include "study/app/pieces/rating_controls.h"
 #include "study/app/pieces/words_controls.h"
-
-#include <QVBoxLayout>
 
 namespace study::app {
 
@@ -27,10 +27,13 @@ AnswerEntry::AnswerEntry(QWidget* parent)
 EntryControls& AnswerEntry::controlsFor(protocols::AnswerKind kind) const
 {
     switch (kind) {
-    case protocols::AnswerKind::Choice:
-    case protocols::AnswerKind::SameDifferent: return *m_choice;
-    case protocols::AnswerKind::Rating: return *m_rating;
-    case protocols::AnswerKind::Words: return *m_words;
+        case protocols::AnswerKind::Choice:
+        case protocols::AnswerKind::SameDifferent:
+            return *m_choice;
+        case protocols::AnswerKind::Rating:
+            return *m_rating;
+        case protocols::AnswerKind::Words:
+            return *m_words;
     }
     return *m_choice;
 }
@@ -39,8 +42,7 @@ void AnswerEntry::ask(const AnswerForm& form)
 {
     m_form = form;
     EntryControls& needed = controlsFor(form.kind);
-    if (m_shown != &needed)
-        m_shown->hide();
+    if (m_shown != &needed) m_shown->hide();
     m_shown = &needed;
     m_shown->show();
     m_shown->ask(form);

@@ -1,9 +1,9 @@
 #include "study/app/pieces/choice_controls.h"
 
-#include "study/app/pieces/pieces.h"
-
 #include <QPushButton>
 #include <QVBoxLayout>
+
+#include "study/app/pieces/pieces.h"
 
 namespace study::app {
 
@@ -40,8 +40,7 @@ void ChoiceControls::ask(const AnswerForm& form)
 
 QPushButton* ChoiceControls::buttonAt(std::size_t place)
 {
-    if (place < m_buttons.size())
-        return m_buttons[place];
+    if (place < m_buttons.size()) return m_buttons[place];
     auto* made = button("", {}, this);
     setRole(*made, "answer");
     setType(*made, Type::Lead, Weight::Bold);
@@ -55,26 +54,22 @@ QPushButton* ChoiceControls::buttonAt(std::size_t place)
 void ChoiceControls::choose(std::size_t place)
 {
     m_chosen = place;
-    for (std::size_t i = 0; i < m_buttons.size(); ++i)
-        m_buttons[i]->setChecked(i == place);
+    for (std::size_t i = 0; i < m_buttons.size(); ++i) m_buttons[i]->setChecked(i == place);
     setFocus();
     Q_EMIT changed();
 }
 
 std::variant<session::Response, NoAnswer> ChoiceControls::give()
 {
-    if (m_chosen)
-        return m_form.options[*m_chosen].response;
+    if (m_chosen) return m_form.options[*m_chosen].response;
     return NoAnswer{tr("Choose first: press the letter of the answer that the participant gives.")};
 }
 
 ReadBack ChoiceControls::readBack() const
 {
-    if (!m_chosen)
-        return {tr("Press the letter that the participant says.")};
+    if (!m_chosen) return {tr("Press the letter that the participant says.")};
     const AnswerForm::Option& option = m_form.options[*m_chosen];
-    if (m_form.kind == AnswerKind::SameDifferent)
-        return {tr("Read back: “%1.”").arg(option.spoken), true};
+    if (m_form.kind == AnswerKind::SameDifferent) return {tr("Read back: “%1.”").arg(option.spoken), true};
     return {tr("Read back: “%1.” (%2)").arg(option.spoken, option.name), true};
 }
 
@@ -82,8 +77,7 @@ bool ChoiceControls::pressKey(int key)
 {
     for (std::size_t place = 0; place < m_form.options.size(); ++place) {
         const bool isDigit = key == Qt::Key_1 + static_cast<int>(place) && place < 9;
-        if (!isDigit && key != m_form.options[place].letter.front().unicode())
-            continue;
+        if (!isDigit && key != m_form.options[place].letter.front().unicode()) continue;
         choose(place);
         return true;
     }

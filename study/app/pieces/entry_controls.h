@@ -2,11 +2,10 @@
 // being entered and store nothing.
 #pragma once
 
-#include "study/app/state/answer_form.h"
-
 #include <QWidget>
-
 #include <variant>
+
+#include "study/app/state/answer_form.h"
 
 namespace study::app {
 

@@ -1,7 +1,6 @@
 #include "study/app/pieces/flow_layout.h"
 
 #include <QWidget>
-
 #include <algorithm>
 
 namespace study::app {
@@ -13,10 +12,7 @@ FlowLayout::FlowLayout(int gapPx, int rowGapPx, QWidget* parent) : QLayout(paren
 
 FlowLayout::~FlowLayout() = default;
 
-void FlowLayout::addItem(QLayoutItem* item)
-{
-    m_items.emplace_back(item);
-}
+void FlowLayout::addItem(QLayoutItem* item) { m_items.emplace_back(item); }
 
 QLayoutItem* FlowLayout::itemAt(int index) const
 {
@@ -25,17 +21,13 @@ QLayoutItem* FlowLayout::itemAt(int index) const
 
 QLayoutItem* FlowLayout::takeAt(int index)
 {
-    if (index < 0 || index >= count())
-        return nullptr;
+    if (index < 0 || index >= count()) return nullptr;
     QLayoutItem* taken = m_items[static_cast<std::size_t>(index)].release();
     m_items.erase(m_items.begin() + index);
     return taken;
 }
 
-int FlowLayout::heightForWidth(int width) const
-{
-    return place(QRect(0, 0, width, 0), Placing::Try);
-}
+int FlowLayout::heightForWidth(int width) const { return place(QRect(0, 0, width, 0), Placing::Try); }
 
 QSize FlowLayout::sizeHint() const
 {
@@ -51,8 +43,7 @@ QSize FlowLayout::minimumSize() const
 {
     QSize largest;
     for (const auto& item : m_items)
-        if (!item->isEmpty())
-            largest = largest.expandedTo(item->minimumSize());
+        if (!item->isEmpty()) largest = largest.expandedTo(item->minimumSize());
     return largest;
 }
 
@@ -67,12 +58,10 @@ int FlowLayout::place(const QRect& rect, Placing placing) const
     int top = rect.y(), right = rect.x(), height = 0;
     std::size_t first = 0;
     for (std::size_t i = 0; i < m_items.size(); ++i) {
-        if (m_items[i]->isEmpty())
-            continue;
+        if (m_items[i]->isEmpty()) continue;
         const QSize wanted = m_items[i]->sizeHint();
         if (right > rect.x() && right + wanted.width() > rect.right() + 1) {
-            if (placing == Placing::Do)
-                placeRow(rect, first, i, top, height);
+            if (placing == Placing::Do) placeRow(rect, first, i, top, height);
             top += height + m_rowGapPx;
             right = rect.x();
             height = 0;
@@ -81,8 +70,7 @@ int FlowLayout::place(const QRect& rect, Placing placing) const
         right += wanted.width() + m_gapPx;
         height = std::max(height, wanted.height());
     }
-    if (placing == Placing::Do)
-        placeRow(rect, first, m_items.size(), top, height);
+    if (placing == Placing::Do) placeRow(rect, first, m_items.size(), top, height);
     return top + height - rect.y();
 }
 
@@ -90,8 +78,7 @@ void FlowLayout::placeRow(const QRect& rect, std::size_t first, std::size_t end,
 {
     int left = rect.x();
     for (std::size_t i = first; i < end; ++i) {
-        if (m_items[i]->isEmpty())
-            continue;
+        if (m_items[i]->isEmpty()) continue;
         const QSize wanted = m_items[i]->sizeHint();
         const int width = std::min(wanted.width(), rect.width());
         m_items[i]->setGeometry(QRect(left, top + (height - wanted.height()) / 2, width, wanted.height()));

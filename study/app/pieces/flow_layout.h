@@ -3,7 +3,6 @@
 #pragma once
 
 #include <QLayout>
-
 #include <memory>
 #include <vector>
 

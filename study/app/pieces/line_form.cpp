@@ -1,8 +1,8 @@
 #include "study/app/pieces/line_form.h"
 
-#include "study/app/pieces/pieces.h"
-
 #include <QGridLayout>
+
+#include "study/app/pieces/pieces.h"
 
 namespace study::app {
 
@@ -44,8 +44,7 @@ std::map<std::string, std::string> LineForm::given() const
 QWidget* LineForm::firstOpen() const
 {
     for (QLineEdit* line : m_lines)
-        if (line->text().isEmpty())
-            return line;
+        if (line->text().isEmpty()) return line;
     return m_lines.empty() ? nullptr : m_lines.back();
 }
 

@@ -3,7 +3,6 @@
 
 #include <QStringList>
 #include <QWidget>
-
 #include <map>
 #include <string>
 #include <vector>

@@ -1,10 +1,10 @@
 #include "study/app/pieces/looks.h"
 
-#include "study/app/state/recent_studies.h"
-
 #include <QApplication>
 #include <QShortcut>
 #include <QWidget>
+
+#include "study/app/state/recent_studies.h"
 
 namespace study::app {
 

@@ -2,12 +2,11 @@
 // Ctrl −, Ctrl 0, and Ctrl D for a dark room).
 #pragma once
 
-#include "study/app/state/appearance.h"
-
 #include <QObject>
 #include <QSettings>
-
 #include <memory>
+
+#include "study/app/state/appearance.h"
 
 namespace study::app {
 

@@ -1,12 +1,12 @@
 #include "study/app/pieces/pieces.h"
 
-#include "study/app/pieces/flow_layout.h"
-
 #include <QApplication>
 #include <QHBoxLayout>
 #include <QStyle>
 #include <QVBoxLayout>
 #include <QVariant>
+
+#include "study/app/pieces/flow_layout.h"
 
 namespace study::app {
 
@@ -15,11 +15,9 @@ namespace {
 /// The style sheet is asked again where the widget has been styled already.
 void setStyledProperty(QWidget& widget, const char* property, const char* value)
 {
-    if (widget.property(property).toString() == QLatin1String(value))
-        return;
+    if (widget.property(property).toString() == QLatin1String(value)) return;
     widget.setProperty(property, QString::fromLatin1(value));
-    if (!widget.testAttribute(Qt::WA_WState_Polished))
-        return;
+    if (!widget.testAttribute(Qt::WA_WState_Polished)) return;
     widget.style()->unpolish(&widget);
     widget.style()->polish(&widget);
 }
@@ -32,10 +30,7 @@ void setType(QWidget& widget, Type type, Weight weight)
     setStyledProperty(widget, "weight", weight == Weight::Bold ? "bold" : "normal");
 }
 
-void setRole(QWidget& widget, const char* role)
-{
-    setStyledProperty(widget, "role", role);
-}
+void setRole(QWidget& widget, const char* role) { setStyledProperty(widget, "role", role); }
 
 QLabel* label(const char* objectName, Type type, QWidget* parent, Weight weight)
 {
@@ -89,8 +84,7 @@ QPushButton* plainButton(const char* objectName, const QString& text, QWidget* p
 FlowLayout* actionsRow(std::initializer_list<QWidget*> actions)
 {
     auto* row = new FlowLayout(14, 8);
-    for (QWidget* action : actions)
-        row->addWidget(action);
+    for (QWidget* action : actions) row->addWidget(action);
     return row;
 }
 
@@ -124,8 +118,7 @@ QScrollArea* scrolling(const char* objectName, QWidget* page, QWidget* parent)
     row->setContentsMargins(marginPx, 22, marginPx, 18);
     row->setSpacing(0);
     page->setMaximumWidth(widestPx);
-    if (page->layout())
-        page->layout()->setContentsMargins(0, 0, 0, 0);
+    if (page->layout()) page->layout()->setContentsMargins(0, 0, 0, 0);
     row->addWidget(page, 1);
     row->addStretch(0);
     area->setWidget(whole);
@@ -133,8 +126,7 @@ QScrollArea* scrolling(const char* objectName, QWidget* page, QWidget* parent)
     whole->setAutoFillBackground(false);
     // A control that gets the focus below the edge comes into sight.
     QObject::connect(qApp, &QApplication::focusChanged, area, [area](QWidget*, QWidget* now) {
-        if (now && area->isVisible() && area->isAncestorOf(now))
-            area->ensureWidgetVisible(now, 0, marginPx);
+        if (now && area->isVisible() && area->isAncestorOf(now)) area->ensureWidgetVisible(now, 0, marginPx);
     });
     return area;
 }
@@ -151,11 +143,9 @@ void letFollow(const QWidget& controls, std::initializer_list<QWidget*> followin
 {
     QWidget* before = nullptr;
     for (QWidget* control : controls.findChildren<QWidget*>())
-        if (control->focusPolicy() & Qt::TabFocus)
-            before = control;
+        if (control->focusPolicy() & Qt::TabFocus) before = control;
     for (QWidget* next : following) {
-        if (before)
-            QWidget::setTabOrder(before, next);
+        if (before) QWidget::setTabOrder(before, next);
         before = next;
     }
 }
@@ -173,9 +163,7 @@ void showText(QLabel& target, const QString& text)
 }
 
 PageHead::PageHead(QWidget* parent)
-    : QWidget(parent),
-      m_title(label("pageTitle", Type::Title, this, Weight::Bold)),
-      m_lead(label("pageLead", Type::Lead, this))
+    : QWidget(parent), m_title(label("pageTitle", Type::Title, this, Weight::Bold)), m_lead(label("pageLead", Type::Lead, this))
 {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);

@@ -3,14 +3,13 @@
 // control a name for screen readers.
 #pragma once
 
-#include "study/app/state/appearance.h"
-
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QScrollArea>
-
 #include <initializer_list>
+
+#include "study/app/state/appearance.h"
 
 namespace study::app {
 

@@ -2,10 +2,10 @@
 // touch.
 #pragma once
 
+#include <QWidget>
+
 #include "study/app/state/session_facts.h"
 #include "study/session/driver.h"
-
-#include <QWidget>
 
 class QLabel;
 class QPushButton;

@@ -1,13 +1,13 @@
 #include "study/app/pieces/rating_controls.h"
 
+#include <QHBoxLayout>
+#include <QVBoxLayout>
+
 #include "study/app/pieces/flow_layout.h"
 #include "study/app/pieces/pieces.h"
 #include "study/app/pieces/rating_field.h"
-#include "study/app/state/rating_text.h"
 #include "study/app/pieces/scale_line.h"
-
-#include <QHBoxLayout>
-#include <QVBoxLayout>
+#include "study/app/state/rating_text.h"
 
 namespace study::app {
 
@@ -42,8 +42,7 @@ RatingControls::RatingControls(QWidget* parent)
 void RatingControls::ask(const AnswerForm& form)
 {
     const Scale scale = form.scale.value_or(Scale{});
-    if (scale != m_scale)
-        setScale(scale);
+    if (scale != m_scale) setScale(scale);
     m_rating->clear();
     showTyped();
 }
@@ -80,8 +79,7 @@ void RatingControls::showTyped()
 std::variant<session::Response, NoAnswer> RatingControls::give()
 {
     const auto typed = ratingFromText(m_rating->text(), *m_scale);
-    if (const auto* rating = std::get_if<Tenths>(&typed))
-        return *rating;
+    if (const auto* rating = std::get_if<Tenths>(&typed)) return *rating;
     return NoAnswer{std::get<NoRating>(typed).why};
 }
 
@@ -96,9 +94,6 @@ ReadBack RatingControls::readBack() const
                          : std::get<NoRating>(typed).why};
 }
 
-QWidget& RatingControls::firstFocus()
-{
-    return *m_rating;
-}
+QWidget& RatingControls::firstFocus() { return *m_rating; }
 
 }  // namespace study::app

@@ -1,13 +1,12 @@
 #include "study/app/pieces/scale_line.h"
 
-#include "study/app/pieces/pieces.h"
-#include "study/app/state/rating_text.h"
-
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
-
 #include <algorithm>
+
+#include "study/app/pieces/pieces.h"
+#include "study/app/state/rating_text.h"
 
 namespace study::app {
 
@@ -28,8 +27,7 @@ ScaleLine::ScaleLine(Use use, QWidget* parent) : QWidget(parent), m_use(use)
     setType(*this, use == Use::Show ? Type::Words : Type::Lead);
     setFocusPolicy(use == Use::Pick ? Qt::StrongFocus : Qt::NoFocus);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    if (use == Use::Pick)
-        setCursor(Qt::PointingHandCursor);
+    if (use == Use::Pick) setCursor(Qt::PointingHandCursor);
     describe();
 }
 
@@ -42,8 +40,7 @@ void ScaleLine::setScale(const protocols::Scale& scale)
 
 void ScaleLine::setRating(std::optional<Tenths> rating)
 {
-    if (rating == m_rating)
-        return;
+    if (rating == m_rating) return;
     m_rating = rating;
     describe();
     update();
@@ -76,10 +73,7 @@ QSize ScaleLine::sizeHint() const
     return {fontMetrics().height() * 18, static_cast<int>(fontMetrics().height() * 2.9)};
 }
 
-QSize ScaleLine::minimumSizeHint() const
-{
-    return {fontMetrics().height() * 8, sizeHint().height()};
-}
+QSize ScaleLine::minimumSizeHint() const { return {fontMetrics().height() * 8, sizeHint().height()}; }
 
 void ScaleLine::paintEvent(QPaintEvent*)
 {
@@ -137,8 +131,7 @@ void ScaleLine::mousePressEvent(QMouseEvent* event)
 
 void ScaleLine::mouseMoveEvent(QMouseEvent* event)
 {
-    if (m_use == Use::Pick && event->buttons().testFlag(Qt::LeftButton))
-        pickAt(event->position().x());
+    if (m_use == Use::Pick && event->buttons().testFlag(Qt::LeftButton)) pickAt(event->position().x());
 }
 
 void ScaleLine::keyPressEvent(QKeyEvent* event)

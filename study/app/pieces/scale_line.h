@@ -3,11 +3,10 @@
 // or move by the arrow keys, while a rating is entered.
 #pragma once
 
-#include "protocols/protocol.h"
-
 #include <QWidget>
-
 #include <optional>
+
+#include "protocols/protocol.h"
 
 namespace study::app {
 

@@ -1,10 +1,9 @@
 #include "study/app/pieces/session_footer.h"
 
-#include "study/app/pieces/flow_layout.h"
-#include "study/app/pieces/pieces.h"
-
 #include <QVBoxLayout>
 
+#include "study/app/pieces/flow_layout.h"
+#include "study/app/pieces/pieces.h"
 
 namespace study::app {
 
@@ -37,8 +36,7 @@ SessionFooter::SessionFooter(QWidget* parent)
     m_lastAnswer->setContentsMargins(0, 0, 10, 0);
     auto* row = new FlowLayout(0, 0);
     row->addWidget(m_lastAnswer);
-    for (const Key& one : m_keys)
-        row->addWidget(one.button);
+    for (const Key& one : m_keys) row->addWidget(one.button);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(28, 8, 22, 8);
     column->addLayout(row);
@@ -59,12 +57,11 @@ QPushButton* SessionFooter::add(const char* objectName, const QString& text, int
 
 void SessionFooter::setWriting(bool isWriting)
 {
-    if (m_isWriting == isWriting)
-        return;
+    if (m_isWriting == isWriting) return;
     m_isWriting = isWriting;
     for (const Key& one : m_keys)
         setButtonText(*one.button, isWriting && one.key != Qt::Key_Escape ? tr("%1 (Alt %2)").arg(one.text, one.name)
-                                                                         : tr("%1 (%2)").arg(one.text, one.name));
+                                                                          : tr("%1 (%2)").arg(one.text, one.name));
 }
 
 void SessionFooter::present(const session::View& view, bool canCorrect)

@@ -1,11 +1,10 @@
 // The line below every page of a session: the last answer read back, and what can be done at any time.
 #pragma once
 
-#include "study/app/state/session_controller.h"
-
 #include <QFrame>
-
 #include <vector>
+
+#include "study/app/state/session_controller.h"
 
 class QLabel;
 class QPushButton;

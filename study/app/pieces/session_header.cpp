@@ -1,13 +1,12 @@
 #include "study/app/pieces/session_header.h"
 
-#include "study/app/pieces/flow_layout.h"
-#include "study/app/pieces/pieces.h"
-
 #include <QProgressBar>
 #include <QVBoxLayout>
-
 #include <algorithm>
 #include <cmath>
+
+#include "study/app/pieces/flow_layout.h"
+#include "study/app/pieces/pieces.h"
 
 namespace study::app {
 
@@ -59,9 +58,9 @@ void SessionHeader::present(const session::View& view)
     m_answers->setText(tr("Answers %1 of %2").arg(view.answersStored).arg(view.answersInAll));
     const int minutes = std::max(1, static_cast<int>(std::lround(view.minutesLeft)));
     showText(*m_timeLeft, isBetween ? QString() : tr("About %1 min left").arg(minutes));
-    showText(*m_sitting, isOver ? QString() : tr("This sitting %1 of %2 min")
-                                                     .arg(static_cast<int>(view.sittingMinutes))
-                                                     .arg(m_sittingMinutes));
+    showText(*m_sitting, isOver
+                             ? QString()
+                             : tr("This sitting %1 of %2 min").arg(static_cast<int>(view.sittingMinutes)).arg(m_sittingMinutes));
     showText(*m_nextBreak,
              isBetween || view.presentationsToBreak <= 0 ? QString() : tr("Next break in %1").arg(view.presentationsToBreak));
     m_bar->setRange(0, std::max(1, view.answersInAll));

@@ -1,9 +1,9 @@
 // The line above every page of a session: who, which part, how far, how long still and already, when the next break is.
 #pragma once
 
-#include "study/app/state/session_controller.h"
-
 #include <QFrame>
+
+#include "study/app/state/session_controller.h"
 
 class QLabel;
 class QProgressBar;

@@ -1,9 +1,9 @@
 #include "study/app/pieces/slot_card.h"
 
-#include "study/app/pieces/pieces.h"
-
 #include <QHBoxLayout>
 #include <QVBoxLayout>
+
+#include "study/app/pieces/pieces.h"
 
 namespace study::app {
 

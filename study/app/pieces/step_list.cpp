@@ -1,8 +1,8 @@
 #include "study/app/pieces/step_list.h"
 
-#include "study/app/pieces/pieces.h"
-
 #include <QVBoxLayout>
+
+#include "study/app/pieces/pieces.h"
 
 namespace study::app {
 

@@ -3,7 +3,6 @@
 
 #include <QStringList>
 #include <QWidget>
-
 #include <vector>
 
 class QLabel;

@@ -1,17 +1,13 @@
 #include "study/app/pieces/tick_box.h"
 
-#include "study/app/pieces/pieces.h"
-
 #include <QPainter>
-
 #include <algorithm>
+
+#include "study/app/pieces/pieces.h"
 
 namespace study::app {
 
-TickBox::TickBox(QWidget* parent) : QCheckBox(parent)
-{
-    setType(*this, Type::Body);
-}
+TickBox::TickBox(QWidget* parent) : QCheckBox(parent) { setType(*this, Type::Body); }
 
 QSize TickBox::sizeHint() const
 {
@@ -34,8 +30,7 @@ void TickBox::paintEvent(QPaintEvent*)
     painter.setPen(QPen(isChecked() ? accent : palette().color(QPalette::PlaceholderText), 1.5));
     painter.setBrush(isChecked() ? accent : palette().color(QPalette::Base));
     painter.drawRoundedRect(box, 3, 3);
-    if (!isChecked())
-        return;
+    if (!isChecked()) return;
     const auto at = [&](double x, double y) { return QPointF(box.x() + x * box.width(), box.y() + y * box.height()); };
     const QColor mark = palette().color(QPalette::HighlightedText);
     painter.setPen(QPen(mark, std::max(2.0, side / 11), Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));

@@ -1,8 +1,8 @@
 #include "study/app/pieces/words_controls.h"
 
-#include "study/app/pieces/words_field.h"
-
 #include <QVBoxLayout>
+
+#include "study/app/pieces/words_field.h"
 
 namespace study::app {
 
@@ -27,8 +27,7 @@ void WordsControls::ask(const AnswerForm&)
 
 std::variant<session::Response, NoAnswer> WordsControls::give()
 {
-    if (!m_words->words().isEmpty() || m_isAskedAgain)
-        return session::Words{m_words->words().toStdString()};
+    if (!m_words->words().isEmpty() || m_isAskedAgain) return session::Words{m_words->words().toStdString()};
     m_isAskedAgain = true;
     return NoAnswer{tr("Nothing is written. Enter once more stores an answer without words.")};
 }
@@ -38,9 +37,6 @@ ReadBack WordsControls::readBack() const
     return {tr("Write what the participant says; Shift and Enter begin a new line."), true};
 }
 
-QWidget& WordsControls::firstFocus()
-{
-    return *m_words;
-}
+QWidget& WordsControls::firstFocus() { return *m_words; }
 
 }  // namespace study::app

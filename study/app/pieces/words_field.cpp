@@ -1,8 +1,8 @@
 #include "study/app/pieces/words_field.h"
 
-#include "study/app/pieces/pieces.h"
-
 #include <QKeyEvent>
+
+#include "study/app/pieces/pieces.h"
 
 namespace study::app {
 

@@ -1,10 +1,9 @@
 #include "study/app/state/answer_form.h"
 
-#include "study/app/state/rating_text.h"
-
 #include <QCoreApplication>
-
 #include <algorithm>
+
+#include "study/app/state/rating_text.h"
 
 namespace study::app {
 
@@ -13,10 +12,7 @@ using session::Response;
 
 namespace {
 
-QString tr(const char* text)
-{
-    return QCoreApplication::translate("study::app::AnswerForm", text);
-}
+QString tr(const char* text) { return QCoreApplication::translate("study::app::AnswerForm", text); }
 
 std::vector<AnswerForm::Option> optionsOfTray(const std::vector<protocols::FabricId>& tray,
                                               const std::vector<std::string>& pieces)
@@ -34,10 +30,7 @@ std::vector<AnswerForm::Option> sameOrDifferent()
             {session::Sameness{false}, QStringLiteral("D"), tr("Different"), tr("different")}};
 }
 
-QString wordsOf(const Response& response)
-{
-    return QString::fromStdString(std::get<session::Words>(response).text);
-}
+QString wordsOf(const Response& response) { return QString::fromStdString(std::get<session::Words>(response).text); }
 
 bool agree(const Response& first, const Response& second)
 {
@@ -52,38 +45,36 @@ AnswerForm formOf(const session::View& view)
     return formOf(view.answerKind.value_or(AnswerKind::Choice), view.trayIds, view.tray, view.scale);
 }
 
-AnswerForm formOf(AnswerKind kind, const std::vector<protocols::FabricId>& tray,
-                  const std::vector<std::string>& pieces, const std::optional<protocols::Scale>& scale)
+AnswerForm formOf(AnswerKind kind, const std::vector<protocols::FabricId>& tray, const std::vector<std::string>& pieces,
+                  const std::optional<protocols::Scale>& scale)
 {
     switch (kind) {
-    case AnswerKind::Choice: return {kind, optionsOfTray(tray, pieces), std::nullopt};
-    case AnswerKind::Rating: return {kind, {}, scale};
-    case AnswerKind::SameDifferent: return {kind, sameOrDifferent(), std::nullopt};
-    case AnswerKind::Words: return {kind, {}, std::nullopt};
+        case AnswerKind::Choice:
+            return {kind, optionsOfTray(tray, pieces), std::nullopt};
+        case AnswerKind::Rating:
+            return {kind, {}, scale};
+        case AnswerKind::SameDifferent:
+            return {kind, sameOrDifferent(), std::nullopt};
+        case AnswerKind::Words:
+            return {kind, {}, std::nullopt};
     }
     return {};
 }
 
 QString textOf(const AnswerForm& form, const Response& response)
 {
-    if (const auto* rating = std::get_if<protocols::Tenths>(&response))
-        return textOf(*rating);
+    if (const auto* rating = std::get_if<protocols::Tenths>(&response)) return textOf(*rating);
     const auto option = std::find_if(form.options.begin(), form.options.end(),
                                      [&](const AnswerForm::Option& one) { return one.response == response; });
-    if (option == form.options.end())
-        return QString::fromStdString(session::textOf(response));
+    if (option == form.options.end()) return QString::fromStdString(session::textOf(response));
     return form.kind == AnswerKind::Choice ? QStringLiteral("%1    %2").arg(option->letter, option->name) : option->name;
 }
 
-QString nameOfPiece(const std::string& code)
-{
-    return tr("Piece %1").arg(QString::fromStdString(code));
-}
+QString nameOfPiece(const std::string& code) { return tr("Piece %1").arg(QString::fromStdString(code)); }
 
 QString disagreement(const AnswerForm& form, const Response& first, const Response& second)
 {
-    if (agree(first, second))
-        return {};
+    if (agree(first, second)) return {};
     return tr("The two entries differ: “%1” and “%2”. Ask the participant again; both entries start over.")
         .arg(textOf(form, first).simplified(), textOf(form, second).simplified());
 }

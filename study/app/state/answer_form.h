@@ -2,21 +2,17 @@
 // is asked and for a stored answer that is to be corrected.
 #pragma once
 
-#include "study/session/driver.h"
-
 #include <QString>
-
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "study/session/driver.h"
+
 namespace study::app {
 
 /// "A", "B", ... for tray slots from 0.
-inline QString slotLetter(std::size_t place)
-{
-    return QString(QChar(static_cast<char16_t>(u'A' + place)));
-}
+inline QString slotLetter(std::size_t place) { return QString(QChar(static_cast<char16_t>(u'A' + place))); }
 
 struct AnswerForm {
     /// One of several answers to choose from.

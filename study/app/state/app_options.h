@@ -2,15 +2,7 @@
 // settings are kept and how a new study is made. main and tests put it together; nothing here is global.
 #pragma once
 
-#include "database/study_store.h"
-#include "rendering/display/display.h"
-#include "study/app/state/data_look.h"
-#include "study/app/state/monitor.h"
-#include "study/app/state/screen_cover.h"
-#include "study/session/clock.h"
-
 #include <QSettings>
-
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -18,11 +10,18 @@
 #include <optional>
 #include <string>
 
+#include "database/study_store.h"
+#include "rendering/display/display.h"
+#include "study/app/state/data_look.h"
+#include "study/app/state/monitor.h"
+#include "study/app/state/screen_cover.h"
+#include "study/session/clock.h"
+
 namespace study::app {
 
 /// What the form for a new study was filled with.
 struct NewStudyRequest {
-    std::filesystem::path study;                    ///< a folder that does not exist yet
+    std::filesystem::path study;  ///< a folder that does not exist yet
     std::filesystem::path dataset;
     std::optional<std::filesystem::path> protocol;  ///< none: the paper's study
     std::optional<int> participants;                ///< none: as the protocol says
@@ -43,11 +42,11 @@ struct AppOptions {
     std::optional<std::filesystem::path> study;  ///< opened at the start
     std::string display = "none";                ///< specification for `openDisplay`
     OpenDisplay openDisplay = app::openDisplay;
-    MakeStudy makeStudy;                         ///< empty: the window makes no studies
-    std::shared_ptr<session::Clock> clock;       ///< empty: the system's
-    std::shared_ptr<QSettings> settings;         ///< recent studies and looks; empty: nothing is remembered
-    LookAtData lookAtData;                       ///< empty: the window shows no data sets
-    ReadFlags readFlags;                         ///< for the monitor; empty: it shows no flags
+    MakeStudy makeStudy;                    ///< empty: the window makes no studies
+    std::shared_ptr<session::Clock> clock;  ///< empty: the system's
+    std::shared_ptr<QSettings> settings;    ///< recent studies and looks; empty: nothing is remembered
+    LookAtData lookAtData;                  ///< empty: the window shows no data sets
+    ReadFlags readFlags;                    ///< for the monitor; empty: it shows no flags
     database::ParticipantKind kind = database::ParticipantKind::Human;
 };
 

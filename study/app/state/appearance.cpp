@@ -3,7 +3,6 @@
 #include <QApplication>
 #include <QStyle>
 #include <QStyleFactory>
-
 #include <algorithm>
 #include <cmath>
 
@@ -48,16 +47,30 @@ Appearance withPercent(Appearance appearance, int percent)
 Colours coloursOf(Theme theme)
 {
     if (theme == Theme::DarkRoom)
-        return {.background = QColor("#15181d"), .surface = QColor("#1f242c"), .text = QColor("#e8eaee"),
-                .quietText = QColor("#a9b1bd"), .line = QColor("#3d4653"), .offText = QColor("#6b7482"),
-                .accent = QColor("#8fb8ee"), .onAccent = QColor("#10161f"),
-                .attention = QColor("#4a3a12"), .onAttention = QColor("#ffe4a3"),
-                .fault = QColor("#57211f"), .onFault = QColor("#ffd9d6")};
-    return {.background = QColor("#f4f3ef"), .surface = QColor("#ffffff"), .text = QColor("#1d2430"),
-            .quietText = QColor("#566070"), .line = QColor("#c9cdd4"), .offText = QColor("#8b94a1"),
-            .accent = QColor("#1f5c99"), .onAccent = QColor("#ffffff"),
-            .attention = QColor("#fff0c9"), .onAttention = QColor("#5a4200"),
-            .fault = QColor("#fbdedb"), .onFault = QColor("#7a1b14")};
+        return {.background = QColor("#15181d"),
+                .surface = QColor("#1f242c"),
+                .text = QColor("#e8eaee"),
+                .quietText = QColor("#a9b1bd"),
+                .line = QColor("#3d4653"),
+                .offText = QColor("#6b7482"),
+                .accent = QColor("#8fb8ee"),
+                .onAccent = QColor("#10161f"),
+                .attention = QColor("#4a3a12"),
+                .onAttention = QColor("#ffe4a3"),
+                .fault = QColor("#57211f"),
+                .onFault = QColor("#ffd9d6")};
+    return {.background = QColor("#f4f3ef"),
+            .surface = QColor("#ffffff"),
+            .text = QColor("#1d2430"),
+            .quietText = QColor("#566070"),
+            .line = QColor("#c9cdd4"),
+            .offText = QColor("#8b94a1"),
+            .accent = QColor("#1f5c99"),
+            .onAccent = QColor("#ffffff"),
+            .attention = QColor("#fff0c9"),
+            .onAttention = QColor("#5a4200"),
+            .fault = QColor("#fbdedb"),
+            .onFault = QColor("#7a1b14")};
 }
 
 QPalette paletteOf(const Colours& c)
@@ -82,15 +95,9 @@ QPalette paletteOf(const Colours& c)
     return palette;
 }
 
-const char* nameOf(Type type)
-{
-    return rowOf(type).name;
-}
+const char* nameOf(Type type) { return rowOf(type).name; }
 
-double factorOf(Type type)
-{
-    return rowOf(type).factor;
-}
+double factorOf(Type type) { return rowOf(type).factor; }
 
 QString styleSheetOf(const Colours& c, double basePoints)
 {
@@ -138,7 +145,7 @@ QScrollBar::add-line, QScrollBar::sub-line { width: 0; height: 0; }
 QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
 )");
     QString filled = sheet;
-    const QColor inOrder[] = {c.background, c.surface,   c.text,        c.quietText, c.line,   c.accent,
+    const QColor inOrder[] = {c.background, c.surface,   c.text,        c.quietText, c.line,    c.accent,
                               c.onAccent,   c.attention, c.onAttention, c.fault,     c.onFault, c.offText};
     for (int place = static_cast<int>(std::size(inOrder)); place >= 1; --place)
         filled.replace(QStringLiteral("%%1").arg(place), inOrder[place - 1].name());
@@ -147,15 +154,9 @@ QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
     return filled + QStringLiteral("*[weight=\"bold\"] { font-weight: bold; }\n");
 }
 
-Appearance larger(Appearance appearance)
-{
-    return withPercent(appearance, appearance.textPercent + percentStep);
-}
+Appearance larger(Appearance appearance) { return withPercent(appearance, appearance.textPercent + percentStep); }
 
-Appearance smaller(Appearance appearance)
-{
-    return withPercent(appearance, appearance.textPercent - percentStep);
-}
+Appearance smaller(Appearance appearance) { return withPercent(appearance, appearance.textPercent - percentStep); }
 
 void applyAppearance(const Appearance& appearance, const QFont& base)
 {
@@ -163,8 +164,7 @@ void applyAppearance(const Appearance& appearance, const QFont& base)
     font.setPointSizeF(std::max(6.0, base.pointSizeF() * appearance.textPercent / 100.0));
     const Colours colours = coloursOf(appearance.theme);
     const QString sheet = styleSheetOf(colours, font.pointSizeF());
-    if (qApp->styleSheet() == sheet && QApplication::font() == font)
-        return;
+    if (qApp->styleSheet() == sheet && QApplication::font() == font) return;
     if (QApplication::style()->name().compare(QLatin1String("fusion"), Qt::CaseInsensitive) != 0)
         QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
     QApplication::setPalette(paletteOf(colours));

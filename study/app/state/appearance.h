@@ -25,9 +25,9 @@ double factorOf(Type type);
 /// The colours of a theme by what they mean.
 struct Colours {
     QColor background, surface, text, quietText, line;
-    QColor offText;                  ///< of what cannot be pressed now
-    QColor accent, onAccent;         ///< the main action and what is chosen
-    QColor attention, onAttention;   ///< refusals and hints
+    QColor offText;                 ///< of what cannot be pressed now
+    QColor accent, onAccent;        ///< the main action and what is chosen
+    QColor attention, onAttention;  ///< refusals and hints
     QColor fault, onFault;
 };
 Colours coloursOf(Theme theme);

@@ -2,15 +2,14 @@
 // itself. main and tests put them together.
 #pragma once
 
-#include "study/app/state/appearance.h"
-
 #include <QImage>
 #include <QString>
 #include <QStringList>
-
 #include <filesystem>
 #include <functional>
 #include <vector>
+
+#include "study/app/state/appearance.h"
 
 namespace study::app {
 

@@ -11,16 +11,13 @@ FlagReading::FlagReading(ReadFlags read, std::filesystem::path study, QObject* p
 
 FlagReading::~FlagReading()
 {
-    if (m_thread.joinable())
-        m_thread.join();
+    if (m_thread.joinable()) m_thread.join();
 }
 
 void FlagReading::begin()
 {
-    if (m_isUnderWay || !m_read)
-        return;
-    if (m_thread.joinable())
-        m_thread.join();
+    if (m_isUnderWay || !m_read) return;
+    if (m_thread.joinable()) m_thread.join();
     m_isUnderWay = true;
     m_thread = std::thread([this] { work(); });
 }

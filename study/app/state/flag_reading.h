@@ -2,12 +2,11 @@
 // to the window's thread by one queued signal.
 #pragma once
 
-#include "study/app/state/monitor.h"
-
 #include <QObject>
-
 #include <filesystem>
 #include <thread>
+
+#include "study/app/state/monitor.h"
 
 namespace study::app {
 

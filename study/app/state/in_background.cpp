@@ -12,8 +12,7 @@ void InBackground::run(Work work)
         QMetaObject::invokeMethod(
             this,
             [this, run, then] {
-                if (run != m_run)
-                    return;  // stopped since
+                if (run != m_run) return;  // stopped since
                 m_isBusy = false;
                 then();
             },
@@ -25,8 +24,7 @@ void InBackground::stop()
 {
     ++m_run;
     m_isStopping = true;
-    if (m_thread.joinable())
-        m_thread.join();
+    if (m_thread.joinable()) m_thread.join();
     m_isBusy = false;
 }
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <QObject>
-
 #include <atomic>
 #include <functional>
 #include <thread>

@@ -1,14 +1,13 @@
 #include "study/app/state/monitor.h"
 
+#include <QCoreApplication>
+#include <QDateTime>
+#include <algorithm>
+#include <set>
+
 #include "protocols/protocol_json.h"
 #include "study/session/driver.h"
 #include "study/session/session_moves.h"
-
-#include <QCoreApplication>
-#include <QDateTime>
-
-#include <algorithm>
-#include <set>
 
 namespace study::app {
 
@@ -16,10 +15,7 @@ using namespace session;
 
 namespace {
 
-QString tr(const char* text)
-{
-    return QCoreApplication::translate("study::app::Monitor", text);
-}
+QString tr(const char* text) { return QCoreApplication::translate("study::app::Monitor", text); }
 
 struct StageText {
     const Plan& plan;
@@ -52,8 +48,7 @@ State stateAfter(const Plan& plan, const std::vector<database::EventRecord>& log
     State state;
     for (const database::EventRecord& record : log) {
         auto outcome = apply(plan, state, {eventFromRecord(record.kind, record.payloadJson), record.atNs});
-        if (auto* step = std::get_if<Step>(&outcome))
-            state = std::move(step->next);
+        if (auto* step = std::get_if<Step>(&outcome)) state = std::move(step->next);
     }
     return state;
 }
@@ -64,8 +59,7 @@ int missingCells(const Plan& plan, const State& state)
     for (int position = 0; position < state.position && position < static_cast<int>(state.order.size()); ++position)
         passed.insert(state.order[static_cast<std::size_t>(position)].index);
     int missing = 0;
-    for (const int index : passed)
-        missing += questionsOf(plan, index) - answersTo(state, index);
+    for (const int index : passed) missing += questionsOf(plan, index) - answersTo(state, index);
     return missing;
 }
 
@@ -73,8 +67,7 @@ std::optional<double> minutesBetween(const std::string& earlier, const std::stri
 {
     const auto from = QDateTime::fromString(QString::fromStdString(earlier), Qt::ISODateWithMs);
     const auto to = QDateTime::fromString(QString::fromStdString(later), Qt::ISODateWithMs);
-    if (!from.isValid() || !to.isValid())
-        return std::nullopt;
+    if (!from.isValid() || !to.isValid()) return std::nullopt;
     return static_cast<double>(from.msecsTo(to)) / 60000.0;
 }
 
@@ -107,8 +100,7 @@ MonitorOverview::Row rowOf(const database::StudyStore& store, const database::En
     row.answersInAll = plan.protocol.answersPerParticipant();
     row.missing = missingCells(plan, state);
     row.voided = row.presentations - static_cast<int>(plan.trials.size());
-    if (!log.empty())
-        row.minutesSinceEvent = minutesBetween(log.back().wallTime, now);
+    if (!log.empty()) row.minutesSinceEvent = minutesBetween(log.back().wallTime, now);
     return row;
 }
 
@@ -123,15 +115,12 @@ MonitorOverview monitorOverview(const database::StudyStore& store, const std::st
     const auto enrolments = store.enrolments();
     for (const database::Slot& slot : store.slots()) {
         for (const database::Enrolment& one : enrolments)
-            if (one.slot == slot.number)
-                seen.rows.push_back(rowOf(store, one, now));
-        if (slot.state == database::SlotState::Free)
-            seen.rows.push_back({.place = slot.number});
+            if (one.slot == slot.number) seen.rows.push_back(rowOf(store, one, now));
+        if (slot.state == database::SlotState::Free) seen.rows.push_back({.place = slot.number});
         seen.answersInAll += protocol.answersPerParticipant();
     }
     for (const MonitorOverview::Row& row : seen.rows)
-        if (row.state != database::SlotState::Withdrawn)
-            seen.answers += row.answers;
+        if (row.state != database::SlotState::Withdrawn) seen.answers += row.answers;
     return seen;
 }
 

@@ -2,14 +2,13 @@
 // Blinded: places, stages and counts, nothing of what was shown or answered, and no running scores. Reads only.
 #pragma once
 
-#include "database/study_store.h"
-
 #include <QString>
-
 #include <functional>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "database/study_store.h"
 
 namespace study::app {
 
@@ -29,20 +28,20 @@ struct MonitorOverview {
         int place = 0;
         database::SlotState state = database::SlotState::Free;
         database::ParticipantKind kind = database::ParticipantKind::Human;
-        QString participant = {};      ///< empty while the place is free
-        QString stage = {};            ///< "question Q2", "break", "paused (tray)"
+        QString participant = {};  ///< empty while the place is free
+        QString stage = {};        ///< "question Q2", "break", "paused (tray)"
         int presentation = 0, presentations = 0;
         int answers = 0, answersInAll = 0;  ///< valid ones; of a whole session, voided presentations given again
-        int missing = 0;               ///< cells passed without a valid answer: voided, and not yet presented again
-        int voided = 0;                ///< presentations
+        int missing = 0;                    ///< cells passed without a valid answer: voided, and not yet presented again
+        int voided = 0;                     ///< presentations
         std::optional<double> minutesSinceEvent = {};
         bool operator==(const Row&) const = default;
     };
     QString study;
     bool isBlinded = true;
-    std::vector<Row> rows;      ///< by place; one who withdrew before the one who took the place over
-    int answers = 0;            ///< valid, of those who did not withdraw
-    int answersInAll = 0;       ///< of the whole study
+    std::vector<Row> rows;  ///< by place; one who withdrew before the one who took the place over
+    int answers = 0;        ///< valid, of those who did not withdraw
+    int answersInAll = 0;   ///< of the whole study
     bool operator==(const MonitorOverview&) const = default;
 };
 

@@ -1,29 +1,25 @@
 #include "study/app/state/open_study.h"
 
+#include <QCoreApplication>
+#include <algorithm>
+#include <map>
+
 #include "protocols/files/errors.h"
 #include "protocols/protocol_json.h"
 #include "study/session/driver.h"
-
-#include <QCoreApplication>
-
-#include <algorithm>
-#include <map>
 
 namespace study::app {
 
 OpenStudy::OpenStudy(const std::filesystem::path& folder)
     : m_store(database::StudyFolder{folder}, database::StudyStore::Access::Write),
       m_facts(m_store.facts()),
-      m_protocol(protocols::protocolFromJson(m_store.protocolVersions().back().json,
-                                             database::StudyFolder{folder}.protocol().string())),
+      m_protocol(
+          protocols::protocolFromJson(m_store.protocolVersions().back().json, database::StudyFolder{folder}.protocol().string())),
       m_bank(database::StudyFolder{folder}.stimuli(), m_store.stimulusHashes())
 {
 }
 
-QString OpenStudy::name() const
-{
-    return QString::fromStdString(m_facts.name);
-}
+QString OpenStudy::name() const { return QString::fromStdString(m_facts.name); }
 
 int StudyOverview::placesIn(database::SlotState state) const
 {
@@ -34,18 +30,19 @@ StudyOverview OpenStudy::overview() const
 {
     std::map<protocols::ParticipantId, int> stored;
     for (const auto& answer : m_store.answers())
-        if (!answer.voided)
-            ++stored[answer.participant];
-    StudyOverview seen{name(), QString::fromStdString(m_store.folder().folder.string()), {}, m_protocol.answersPerParticipant(),
+        if (!answer.voided) ++stored[answer.participant];
+    StudyOverview seen{name(),
+                       QString::fromStdString(m_store.folder().folder.string()),
+                       {},
+                       m_protocol.answersPerParticipant(),
                        QString::fromStdString(m_store.nextParticipantId().value)};
     const auto enrolments = m_store.enrolments();
     for (const auto& slot : m_store.slots()) {
         for (const auto& one : enrolments)
             if (one.slot == slot.number)
-                seen.places.push_back({one.slot, one.state, QString::fromStdString(one.participant.value), one.kind,
-                                       stored[one.participant]});
-        if (slot.state == database::SlotState::Free)
-            seen.places.push_back({slot.number, slot.state, {}, slot.kind, 0});
+                seen.places.push_back(
+                    {one.slot, one.state, QString::fromStdString(one.participant.value), one.kind, stored[one.participant]});
+        if (slot.state == database::SlotState::Free) seen.places.push_back({slot.number, slot.state, {}, slot.kind, 0});
     }
     return seen;
 }

@@ -2,14 +2,13 @@
 // blinded overview that the study page shows.
 #pragma once
 
+#include <QString>
+#include <filesystem>
+#include <vector>
+
 #include "database/study_store.h"
 #include "protocols/protocol.h"
 #include "rendering/display/stimulus_bank.h"
-
-#include <QString>
-
-#include <filesystem>
-#include <vector>
 
 namespace study::app {
 
@@ -21,7 +20,7 @@ struct StudyOverview {
         database::SlotState state = database::SlotState::Free;
         QString participant;  ///< empty while free
         database::ParticipantKind kind = database::ParticipantKind::Human;
-        int answers = 0;      ///< stored and not voided
+        int answers = 0;  ///< stored and not voided
         bool operator==(const Place&) const = default;
     };
     QString name;

@@ -1,7 +1,6 @@
 #include "study/app/state/rating_text.h"
 
 #include <QCoreApplication>
-
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -16,10 +15,7 @@ using protocols::Tenths;
 
 namespace {
 
-QString tr(const char* text)
-{
-    return QCoreApplication::translate("study::app::ratingFromText", text);
-}
+QString tr(const char* text) { return QCoreApplication::translate("study::app::ratingFromText", text); }
 
 /// Digits alone; empty for anything else or for numbers too long to be a rating.
 std::optional<int> digits(const std::string& text)
@@ -34,13 +30,11 @@ std::optional<int> digits(const std::string& text)
 std::optional<int> tenths(std::string text)
 {
     const bool isNegative = text.starts_with('-');
-    if (isNegative)
-        text.erase(0, 1);
+    if (isNegative) text.erase(0, 1);
     const auto point = text.find('.');
     const auto whole = digits(text.substr(0, point));
     const auto decimal = point == std::string::npos ? std::optional(0) : digits(text.substr(point + 1));
-    if (!whole || !decimal || (point != std::string::npos && text.size() - point != 2))
-        return std::nullopt;
+    if (!whole || !decimal || (point != std::string::npos && text.size() - point != 2)) return std::nullopt;
     const int value = *whole * 10 + *decimal;
     return isNegative ? -value : value;
 }
@@ -50,8 +44,7 @@ std::optional<int> tenths(std::string text)
 std::variant<Tenths, NoRating> ratingFromText(const QString& typed, const Scale& scale)
 {
     const QString plain = typed.trimmed().replace(QLatin1Char(','), QLatin1Char('.'));
-    if (plain.isEmpty())
-        return NoRating{tr("Type the number that the participant says.")};
+    if (plain.isEmpty()) return NoRating{tr("Type the number that the participant says.")};
     const auto value = tenths(plain.toStdString());
     if (!value)
         return NoRating{tr("“%1” is not a rating: type a number with at most one decimal, such as 5.4.").arg(typed.trimmed())};
@@ -68,8 +61,7 @@ QString textOf(Tenths rating)
 {
     const int size = std::abs(rating.value);
     QString text = QString::number(size / 10);
-    if (size % 10 != 0)
-        text += QLatin1Char('.') + QString::number(size % 10);
+    if (size % 10 != 0) text += QLatin1Char('.') + QString::number(size % 10);
     return rating.value < 0 ? QLatin1Char('-') + text : text;
 }
 
@@ -77,8 +69,7 @@ QString wordedText(Tenths rating, const Scale& scale)
 {
     const int step = (rating.value - scale.min.value) / scale.step.value;
     const bool hasWords = scale.holds(rating) && step < static_cast<int>(scale.labels.size());
-    if (!hasWords)
-        return textOf(rating);
+    if (!hasWords) return textOf(rating);
     return QStringLiteral("%1, %2").arg(textOf(rating), QString::fromStdString(scale.labels[static_cast<std::size_t>(step)]));
 }
 
@@ -86,10 +77,8 @@ QString rangeText(const Scale& scale)
 {
     const QString from = textOf(scale.min), to = textOf(scale.max);
     const int wholePoint = 10;
-    if (scale.step.value == 1)
-        return tr("from %1 to %2, one decimal").arg(from, to);
-    if (scale.step.value == wholePoint)
-        return tr("from %1 to %2, whole numbers").arg(from, to);
+    if (scale.step.value == 1) return tr("from %1 to %2, one decimal").arg(from, to);
+    if (scale.step.value == wholePoint) return tr("from %1 to %2, whole numbers").arg(from, to);
     return tr("from %1 to %2 in steps of %3").arg(from, to, textOf(scale.step));
 }
 

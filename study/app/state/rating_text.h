@@ -2,11 +2,10 @@
 // computer's locale is.
 #pragma once
 
-#include "protocols/protocol.h"
-
 #include <QString>
-
 #include <variant>
+
+#include "protocols/protocol.h"
 
 namespace study::app {
 

@@ -2,7 +2,6 @@
 
 #include <QApplication>
 #include <QFileInfo>
-
 #include <algorithm>
 
 namespace study::app {
@@ -14,10 +13,7 @@ constexpr auto recentKey = "recentStudies";
 constexpr auto darkKey = "darkRoom";
 constexpr auto percentKey = "textPercent";
 
-bool systemIsDark()
-{
-    return QApplication::palette().color(QPalette::Window).lightness() < 128;
-}
+bool systemIsDark() { return QApplication::palette().color(QPalette::Window).lightness() < 128; }
 
 }  // namespace
 
@@ -30,8 +26,7 @@ QStringList recentStudies(const QSettings* settings)
 
 void rememberStudy(QSettings* settings, const QString& folder)
 {
-    if (!settings)
-        return;
+    if (!settings) return;
     QStringList folders = settings->value(recentKey).toStringList();
     folders.removeAll(folder);
     folders.prepend(folder);
@@ -41,16 +36,14 @@ void rememberStudy(QSettings* settings, const QString& folder)
 Appearance rememberedAppearance(const QSettings* settings)
 {
     const Theme ofSystem = systemIsDark() ? Theme::DarkRoom : Theme::Light;
-    if (!settings)
-        return {ofSystem, 100};
+    if (!settings) return {ofSystem, 100};
     const bool isDark = settings->value(darkKey, ofSystem == Theme::DarkRoom).toBool();
     return {isDark ? Theme::DarkRoom : Theme::Light, std::clamp(settings->value(percentKey, 100).toInt(), 75, 250)};
 }
 
 void rememberAppearance(QSettings* settings, const Appearance& appearance)
 {
-    if (!settings)
-        return;
+    if (!settings) return;
     settings->setValue(darkKey, appearance.theme == Theme::DarkRoom);
     settings->setValue(percentKey, appearance.textPercent);
 }

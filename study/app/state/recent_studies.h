@@ -2,10 +2,10 @@
 // is remembered and nothing fails.
 #pragma once
 
-#include "study/app/state/appearance.h"
-
 #include <QSettings>
 #include <QStringList>
+
+#include "study/app/state/appearance.h"
 
 namespace study::app {
 

@@ -1,12 +1,11 @@
 #include "study/app/state/screen_cover.h"
 
-#include "protocols/files/errors.h"
-
 #include <QApplication>
 #include <QScreen>
 #include <QWidget>
-
 #include <charconv>
+
+#include "protocols/files/errors.h"
 
 namespace study::app {
 
@@ -23,11 +22,9 @@ struct Specification {
 
 Specification partsOf(const std::string& text)
 {
-    if (text.starts_with(coverKind))
-        return {"none", text.substr(coverKind.size())};
+    if (text.starts_with(coverKind)) return {"none", text.substr(coverKind.size())};
     const auto place = text.rfind("," + std::string(coverKind));
-    if (place == std::string::npos)
-        return {text, std::nullopt};
+    if (place == std::string::npos) return {text, std::nullopt};
     return {text.substr(0, place), text.substr(place + 1 + coverKind.size())};
 }
 
@@ -38,14 +35,13 @@ QScreen& screenNumbered(const std::string& number, const std::string& specificat
     const auto [end, fault] = std::from_chars(number.data(), number.data() + number.size(), index);
     const bool isNumber = fault == std::errc() && end == number.data() + number.size();
     const bool isThere = isNumber && index >= 0 && index < screens.size();
-    if (isThere && screens.size() > 1)
-        return *screens[index];
+    if (isThere && screens.size() > 1) return *screens[index];
     const std::string count = std::to_string(screens.size());
-    throw protocols::badInput({.what = isThere ? "covering the only screen would hide the console"
-                                               : "there is no screen " + number + " to cover",
-                               .where = "display '" + specification + "'",
-                               .expected = "a screen beside the console's; this computer has " + count + ", counted from 0",
-                               .nextStep = "connect the display's screen, or leave \"cover\" out and stamp touches by key T"});
+    throw protocols::badInput(
+        {.what = isThere ? "covering the only screen would hide the console" : "there is no screen " + number + " to cover",
+         .where = "display '" + specification + "'",
+         .expected = "a screen beside the console's; this computer has " + count + ", counted from 0",
+         .nextStep = "connect the display's screen, or leave \"cover\" out and stamp touches by key T"});
 }
 
 }  // namespace
@@ -81,11 +77,9 @@ protected:
     {
         const bool isTouch = event->type() == QEvent::TouchBegin || event->type() == QEvent::MouseButtonPress ||
                              event->type() == QEvent::MouseButtonDblClick;
-        if (!isTouch)
-            return QWidget::event(event);
+        if (!isTouch) return QWidget::event(event);
         event->accept();  // else the system would make a mouse press of a finger's touch
-        if (touched)
-            touched({});
+        if (touched) touched({});
         return true;
     }
 };
@@ -107,10 +101,7 @@ void ScreenCover::show(const cv::Mat& frictionImage)
     m_felt->show(frictionImage);
 }
 
-std::string ScreenCover::name() const
-{
-    return m_felt->name() + " under a covered screen";
-}
+std::string ScreenCover::name() const { return m_felt->name() + " under a covered screen"; }
 
 void ScreenCover::onTouched(std::function<void(const rendering::Touch&)> touched)
 {
@@ -121,8 +112,7 @@ void ScreenCover::onTouched(std::function<void(const rendering::Touch&)> touched
 std::unique_ptr<rendering::HapticDisplay> openDisplay(const std::string& specification)
 {
     const Specification parts = partsOf(specification);
-    if (!parts.screen)
-        return rendering::openDisplay(parts.felt);
+    if (!parts.screen) return rendering::openDisplay(parts.felt);
     QScreen& screen = screenNumbered(*parts.screen, specification);
     return std::make_unique<ScreenCover>(rendering::openDisplay(parts.felt), screen);
 }

@@ -2,10 +2,10 @@
 // stroked, and asked when it is touched. What is felt there is another display's business, which it wraps.
 #pragma once
 
-#include "rendering/display/display.h"
-
 #include <memory>
 #include <string>
+
+#include "rendering/display/display.h"
 
 class QScreen;
 class QWidget;
@@ -35,7 +35,8 @@ private:
 };
 
 /// What rendering::openDisplay takes, and "cover:N" for the screen N (0 is the main one), alone or behind another kind:
-/// "folder:DIR,cover:1", "exec:COMMAND,cover:1". Throws badInput for a screen that is not there, or where no other is left for the console.
+/// "folder:DIR,cover:1", "exec:COMMAND,cover:1". Throws badInput for a screen that is not there, or where no other is left for
+/// the console.
 std::unique_ptr<rendering::HapticDisplay> openDisplay(const std::string& specification);
 
 }  // namespace study::app

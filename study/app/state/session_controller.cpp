@@ -1,8 +1,8 @@
 #include "study/app/state/session_controller.h"
 
-#include "protocols/files/errors.h"
-
 #include <algorithm>
+
+#include "protocols/files/errors.h"
 
 namespace study::app {
 
@@ -14,8 +14,7 @@ namespace {
 QString confirmationOf(const session::EventBody& event)
 {
     const auto* noted = std::get_if<session::Noted>(&event);
-    if (noted)
-        return noted->isFlag ? SessionController::tr("Flagged.") : SessionController::tr("The note is stored.");
+    if (noted) return noted->isFlag ? SessionController::tr("Flagged.") : SessionController::tr("The note is stored.");
     if (std::holds_alternative<session::Corrected>(event))
         return SessionController::tr("Corrected. The old answer stays in the record.");
     if (std::holds_alternative<session::Voided>(event))
@@ -25,8 +24,9 @@ QString confirmationOf(const session::EventBody& event)
 
 QString withNextStep(const QString& trouble, bool isPaused)
 {
-    return isPaused ? SessionController::tr("%1. The session is paused and no answer is lost; when this is mended, press Enter "
-                                            "to go on.")
+    return isPaused ? SessionController::tr(
+                          "%1. The session is paused and no answer is lost; when this is mended, press Enter "
+                          "to go on.")
                           .arg(trouble)
                     : SessionController::tr("%1. This was not stored; when it is mended, do it again.").arg(trouble);
 }
@@ -48,8 +48,7 @@ SessionController::SessionController(database::StudyStore& store, const protocol
 
 void SessionController::watchDisplay()
 {
-    if (m_display->descriptorToWatch() < 0)
-        return;
+    if (m_display->descriptorToWatch() < 0) return;
     m_watch = std::make_unique<QSocketNotifier>(m_display->descriptorToWatch(), QSocketNotifier::Read);
     connect(m_watch.get(), &QSocketNotifier::activated, this, [this] { attendDisplay(); });
 }
@@ -95,14 +94,14 @@ void SessionController::tellWhatCame(const QString& trouble)
 void SessionController::displayTouched(const rendering::Touch& touch)
 {
     const auto* presenting = std::get_if<session::Presenting>(&m_view.state.stage);
-    if (presenting && !presenting->touchedAtNs)
-        send(session::Touched{session::TouchSource::Display, touch.ago.count()});
+    if (presenting && !presenting->touchedAtNs) send(session::Touched{session::TouchSource::Display, touch.ago.count()});
 }
 
 const protocols::Question& SessionController::questionOf(const StoredAnswer& answer) const
 {
     const auto& trial = plan().trials.at(static_cast<std::size_t>(answer.index));
-    return plan().protocol.phases.at(static_cast<std::size_t>(trial.phase))
+    return plan()
+        .protocol.phases.at(static_cast<std::size_t>(trial.phase))
         .questions.at(static_cast<std::size_t>(answer.question));
 }
 
@@ -127,10 +126,9 @@ std::vector<Correctable> SessionController::correctables() const
     const auto& answers = m_view.state.answers;
     for (auto answer = answers.rbegin(); answer != answers.rend(); ++answer) {
         const protocols::QuestionId& question = questionOf(*answer).id;
-        const bool isKnown = std::any_of(latest.begin(), latest.end(),
-                                         [&](const Correctable& other) { return other.question == question; });
-        if (!isKnown)
-            latest.push_back(correctableOf(*answer));
+        const bool isKnown =
+            std::any_of(latest.begin(), latest.end(), [&](const Correctable& other) { return other.question == question; });
+        if (!isKnown) latest.push_back(correctableOf(*answer));
     }
     return latest;
 }
@@ -142,8 +140,7 @@ bool SessionController::canCorrect() const
 
 QString strokeText(const SessionFacts& facts)
 {
-    if (facts.strokeWords.isEmpty())
-        return {};
+    if (facts.strokeWords.isEmpty()) return {};
     return SessionController::tr("Say, where it is needed: “%1”").arg(facts.strokeWords);
 }
 
@@ -151,8 +148,7 @@ SessionFacts SessionController::facts() const
 {
     const auto listOf = [](const std::vector<std::string>& texts) {
         QStringList list;
-        for (const std::string& text : texts)
-            list << QString::fromStdString(text);
+        for (const std::string& text : texts) list << QString::fromStdString(text);
         return list;
     };
     const protocols::Protocol& protocol = plan().protocol;

@@ -3,18 +3,17 @@
 // that carries file codes.
 #pragma once
 
+#include <QObject>
+#include <QSocketNotifier>
+#include <QString>
+#include <exception>
+#include <optional>
+#include <vector>
+
 #include "study/app/state/answer_form.h"
 #include "study/app/state/app_options.h"
 #include "study/app/state/session_facts.h"
 #include "study/session/driver.h"
-
-#include <QObject>
-#include <QSocketNotifier>
-#include <QString>
-
-#include <exception>
-#include <optional>
-#include <vector>
 
 namespace study::app {
 
@@ -38,9 +37,9 @@ class SessionController : public QObject {
     Q_OBJECT
 public:
     /// Enrols the participant or finds where they were. Throws protocols::Error as Driver does.
-    SessionController(database::StudyStore& store, const protocols::ParticipantId& participant,
-                      rendering::StimulusBank& bank, std::unique_ptr<rendering::HapticDisplay> display,
-                      std::shared_ptr<session::Clock> clock, database::ParticipantKind kind, QObject* parent);
+    SessionController(database::StudyStore& store, const protocols::ParticipantId& participant, rendering::StimulusBank& bank,
+                      std::unique_ptr<rendering::HapticDisplay> display, std::shared_ptr<session::Clock> clock,
+                      database::ParticipantKind kind, QObject* parent);
 
     /// Never throws: refusals and faults are signalled, and kept in lastOutcome().
     void send(const session::EventBody& event);

@@ -1,8 +1,8 @@
 #include "study/app/state/study_making.h"
 
-#include "protocols/files/errors.h"
-
 #include <exception>
+
+#include "protocols/files/errors.h"
 
 namespace study::app {
 
@@ -14,8 +14,7 @@ StudyMaking::StudyMaking(MakeStudy make, NewStudyRequest request, QObject* paren
 StudyMaking::~StudyMaking()
 {
     stop();
-    if (m_thread.joinable())
-        m_thread.join();
+    if (m_thread.joinable()) m_thread.join();
 }
 
 void StudyMaking::begin()

@@ -2,13 +2,12 @@
 // to the window's thread, one queued signal each.
 #pragma once
 
-#include "study/app/state/app_options.h"
-
 #include <QObject>
 #include <QString>
-
 #include <atomic>
 #include <thread>
+
+#include "study/app/state/app_options.h"
 
 namespace study::app {
 

@@ -81,7 +81,8 @@ private Q_SLOTS:
         QCOMPARE(cv::norm(map.values, relief(cv::Rect(110, 100, 1280, 800)), cv::NORM_INF), 0.0);
         QCOMPARE(map.extension, std::string("none (cropped)"));
         QCOMPARE(compose(conditionNamed("v_grey"), reliefOnly(ramp(800, 1280)), Scale::Pixels).extension, std::string("none"));
-        QCOMPARE(compose(conditionNamed("v_grey"), reliefOnly(ramp(500, 2000)), Scale::Pixels, Extension::Mirror).extension, std::string("mirror"));
+        QCOMPARE(compose(conditionNamed("v_grey"), reliefOnly(ramp(500, 2000)), Scale::Pixels, Extension::Mirror).extension,
+                 std::string("mirror"));
     }
 
     void traceRunsAlongTheStroke()
@@ -341,8 +342,7 @@ private Q_SLOTS:
         smooth.meanFriction = 0.2;
         const auto imageOf = [](const char* condition, const Sources& sources, const std::vector<Sources>& all) {
             std::vector<ScaledMap> maps;
-            for (const auto& one : all)
-                maps.push_back(compose(conditionNamed(condition), one, Scale::Pixels, Extension::Mirror));
+            for (const auto& one : all) maps.push_back(compose(conditionNamed(condition), one, Scale::Pixels, Extension::Mirror));
             return mapToDisplay(compose(conditionNamed(condition), sources, Scale::Pixels, Extension::Mirror), rangeOf(maps));
         };
         const cv::Mat alone = imageOf("h&f", smooth, {smooth}), reliefAlone = imageOf("h", smooth, {smooth});

@@ -12,9 +12,9 @@
 #include <nlohmann/json.hpp>
 #include <opencv2/core.hpp>
 
-#include "tests/rendering/refusal.h"
 #include "rendering/images/image_io.h"
 #include "rendering/signals/photometric_stereo.h"
+#include "tests/rendering/refusal.h"
 
 using namespace rendering;
 using protocols::ConditionId;
@@ -405,9 +405,10 @@ private Q_SLOTS:
         const auto rendering = renderFabrics(small.dataset, request);
         const auto lines = unfamiliarPhotographs(rendering);
         QCOMPARE(lines.size(), std::size_t{2});  // the third photograph's distance is not told
-        QCOMPARE(QString::fromStdString(lines[0]),
-                 "photograph 0 of F01 is unlike every photograph that the model was trained on (distance 9.1, 99 % of known fabrics "
-                 "lie below 3.2); what it generates is a guess");
+        QCOMPARE(
+            QString::fromStdString(lines[0]),
+            "photograph 0 of F01 is unlike every photograph that the model was trained on (distance 9.1, 99 % of known fabrics "
+            "lie below 3.2); what it generates is a guess");
         QVERIFY(QString::fromStdString(lines[1]).startsWith("these weights do not tell"));
         QCOMPARE(cutPhotographs(rendering).size(), std::size_t{1});
         const auto json = nlohmann::json::parse(renderJson(small.dataset, request, rendering))["photographs"];

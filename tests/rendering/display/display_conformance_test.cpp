@@ -8,9 +8,9 @@
 #include <algorithm>
 #include <opencv2/core.hpp>
 
-#include "tests/rendering/refusal.h"
 #include "rendering/display/display_check.h"
 #include "rendering/images/image_io.h"
+#include "tests/rendering/refusal.h"
 
 using namespace rendering;
 using namespace std::chrono_literals;

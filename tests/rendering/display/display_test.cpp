@@ -6,8 +6,8 @@
 #include <fstream>
 #include <opencv2/core.hpp>
 
-#include "tests/rendering/refusal.h"
 #include "rendering/images/image_io.h"
+#include "tests/rendering/refusal.h"
 
 using namespace rendering;
 
@@ -64,7 +64,8 @@ private Q_SLOTS:
     void unknownDisplayIsRefused_data()
     {
         QTest::addColumn<QString>("specification");
-        for (const char* text : {"", "tanvas", "folder:", "folder", "None", "exec", "udp:host:1"}) QTest::addRow("'%s'", text) << text;
+        for (const char* text : {"", "tanvas", "folder:", "folder", "None", "exec", "udp:host:1"})
+            QTest::addRow("'%s'", text) << text;
     }
     void unknownDisplayIsRefused()
     {

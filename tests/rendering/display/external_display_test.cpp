@@ -16,8 +16,8 @@
 #include <thread>
 
 #include "protocols/random.h"
-#include "tests/rendering/refusal.h"
 #include "rendering/images/image_io.h"
+#include "tests/rendering/refusal.h"
 
 using namespace rendering;
 using namespace std::chrono_literals;
@@ -234,7 +234,9 @@ private Q_SLOTS:
     {
         const auto port = std::to_string(freePort());
         const auto fault = refusalOf([&] { ExternalDisplay(DriverAddress{{}, "127.0.0.1", port}, impatient); });
-        QVERIFY2(fault.contains("the display's driver cannot be reached (Connection refused)") && fault.contains("tcp:127.0.0.1:" + QString::fromStdString(port)), qPrintable(fault));
+        QVERIFY2(fault.contains("the display's driver cannot be reached (Connection refused)") &&
+                     fault.contains("tcp:127.0.0.1:" + QString::fromStdString(port)),
+                 qPrintable(fault));
     }
 
     void addressesAreUnderstood_data()

@@ -7,8 +7,8 @@
 #include <numbers>
 #include <opencv2/core.hpp>
 
-#include "tests/rendering/refusal.h"
 #include "protocols/files/csv_table.h"
+#include "tests/rendering/refusal.h"
 
 using namespace rendering;
 

@@ -7,9 +7,9 @@
 #include <memory>
 #include <set>
 
-#include "tests/rendering/fabric_files.h"
 #include "protocols/files/csv_table.h"
 #include "rendering/fabrics/dataset_check.h"
+#include "tests/rendering/fabric_files.h"
 
 using namespace fabric_files;
 using namespace rendering;

@@ -4,10 +4,10 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
-#include "tests/rendering/fabric_files.h"
 #include "rendering/fabrics/dataset_check.h"
 #include "rendering/fabrics/recordings/friction_plot.h"
 #include "rendering/fabrics/recordings/import.h"
+#include "tests/rendering/fabric_files.h"
 #include "tests/rendering/stroke_text.h"
 
 using namespace fabric_files;
@@ -131,8 +131,8 @@ private Q_SLOTS:
 
         m_options.forceUnit.clear();
         QVERIFY(contains(refusalOf([&] { imported(stroke_text::twoForces(milli)); }), "--force-unit"));
-        QVERIFY(
-            contains(refusalOf([&] { imported(stroke_text::twoForces(milli, "t_s,fn (mN),ft [N]")); }), "the mean coefficient is"));
+        QVERIFY(contains(refusalOf([&] { imported(stroke_text::twoForces(milli, "t_s,fn (mN),ft [N]")); }),
+                         "the mean coefficient is"));
         Stroke faint;
         faint.unit = 0.001;
         QVERIFY(contains(refusalOf([&] { imported(stroke_text::twoForces(faint)); }), "0.05 to 1000 N"));

@@ -7,8 +7,8 @@
 #include <memory>
 #include <numeric>
 
-#include "tests/rendering/fabric_files.h"
 #include "rendering/fabrics/dataset_check.h"
+#include "tests/rendering/fabric_files.h"
 
 using namespace fabric_files;
 using namespace rendering;

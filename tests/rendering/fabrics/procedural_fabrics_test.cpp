@@ -8,13 +8,13 @@
 #include <opencv2/imgproc.hpp>
 #include <set>
 
-#include "tests/rendering/fabric_files.h"
 #include "rendering/fabrics/dataset_check.h"
 #include "rendering/fabrics/procedural/lattice_noise.h"
 #include "rendering/fabrics/procedural/photograph.h"
 #include "rendering/fabrics/procedural/stroke_rig.h"
 #include "rendering/fabrics/procedural/structures.h"
 #include "rendering/fabrics/procedural/tactile_press.h"
+#include "tests/rendering/fabric_files.h"
 
 using namespace fabric_files;
 using namespace rendering;

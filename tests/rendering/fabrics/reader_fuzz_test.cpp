@@ -6,13 +6,13 @@
 #include <nlohmann/json.hpp>
 #include <variant>
 
-#include "tests/rendering/fabric_files.h"
 #include "protocols/random.h"
 #include "rendering/fabrics/recordings/friction_plot.h"
 #include "rendering/fabrics/recordings/friction_preparation.h"
 #include "rendering/fabrics/recordings/import_kinds.h"
 #include "rendering/signals/friction_trace.h"
 #include "rendering/signals/spectrogram_file.h"
+#include "tests/rendering/fabric_files.h"
 #include "tests/rendering/stroke_text.h"
 #include "tests/support/mutated_files.h"
 

@@ -1,5 +1,5 @@
-// Image readers fed with spoilt files: PNG, TIFF, .npy, PGM, TrueMap and calibrations each give a whole image or a named refusal. A few seconds
-// with a fixed seed; VIS2HAP_FUZZ_SECONDS=600 for longer.
+// Image readers fed with spoilt files: PNG, TIFF, .npy, PGM, TrueMap and calibrations each give a whole image or a named refusal.
+// A few seconds with a fixed seed; VIS2HAP_FUZZ_SECONDS=600 for longer.
 #include <QElapsedTimer>
 #include <QTemporaryDir>
 #include <QTest>
@@ -13,8 +13,8 @@
 #include "protocols/files/errors.h"
 #include "protocols/random.h"
 #include "rendering/images/image_io.h"
-#include "rendering/signals/calibration.h"
 #include "rendering/images/true_map.h"
+#include "rendering/signals/calibration.h"
 #include "tests/support/mutated_files.h"
 
 namespace {
@@ -26,7 +26,8 @@ cv::Mat noise(int rows, int columns, int type)
     protocols::Random random(6);
     cv::Mat image(rows, columns, type);
     for (int i = 0; i < rows; ++i)
-        for (std::size_t byte = 0; byte < image.cols * image.elemSize(); ++byte) image.ptr<uchar>(i)[byte] = static_cast<uchar>(random.below(256));
+        for (std::size_t byte = 0; byte < image.cols * image.elemSize(); ++byte)
+            image.ptr<uchar>(i)[byte] = static_cast<uchar>(random.below(256));
     return image;
 }
 
@@ -57,9 +58,10 @@ std::string trueMapBytes()
     return bytes;
 }
 
-const char* const sensorJson = "{\"schema\":\"vis2hap.calibration/1\",\"kind\":\"network\",\"light\":\"own\",\"channels\":1,"
-                               "\"by_place\":false,\"light_scale\":2,\"sizes\":[1,2,2],\"weights\":[[1,2,3,4],[5,6,7,8,9,10]],"
-                               "\"mm_per_pixel\":0.1,\"high_pass_cutoff_mm\":null,\"zero_percentile\":2}";
+const char* const sensorJson =
+    "{\"schema\":\"vis2hap.calibration/1\",\"kind\":\"network\",\"light\":\"own\",\"channels\":1,"
+    "\"by_place\":false,\"light_scale\":2,\"sizes\":[1,2,2],\"weights\":[[1,2,3,4],[5,6,7,8,9,10]],"
+    "\"mm_per_pixel\":0.1,\"high_pass_cutoff_mm\":null,\"zero_percentile\":2}";
 
 /// Touches every byte of what was read, so that a sanitizer sees it.
 void use(const cv::Mat& image)
@@ -67,7 +69,8 @@ void use(const cv::Mat& image)
     if (image.empty()) throw std::runtime_error("an image without pixels was read");
     volatile double sum = 0;
     for (int i = 0; i < image.rows; ++i)
-        for (std::size_t byte = 0; byte < static_cast<std::size_t>(image.cols) * image.elemSize(); ++byte) sum = sum + image.ptr<uchar>(i)[byte];
+        for (std::size_t byte = 0; byte < static_cast<std::size_t>(image.cols) * image.elemSize(); ++byte)
+            sum = sum + image.ptr<uchar>(i)[byte];
 }
 
 }  // namespace
@@ -79,7 +82,8 @@ private Q_SLOTS:
     void spoiltImagesAreReadWholeOrRefusedByName_data()
     {
         QTest::addColumn<QString>("name");
-        for (const char* name : {"grey.png", "colour.png", "deep.png", "height.tiff", "array.npy", "image.pgm", "map.tmd", "sensor.json"})
+        for (const char* name :
+             {"grey.png", "colour.png", "deep.png", "height.tiff", "array.npy", "image.pgm", "map.tmd", "sensor.json"})
             QTest::newRow(name) << QString(name);
     }
     void spoiltImagesAreReadWholeOrRefusedByName()
@@ -103,7 +107,8 @@ private Q_SLOTS:
                 ++refused;
             } catch (const std::exception& fault) {
                 std::ofstream(m_folder.filePath("found").toStdString(), std::ios::binary) << spoilt;
-                QFAIL(qPrintable(QString("%1 (the file, base64: %2)").arg(fault.what(), QString(QByteArray::fromStdString(spoilt).toBase64()).left(2000))));
+                QFAIL(qPrintable(QString("%1 (the file, base64: %2)")
+                                     .arg(fault.what(), QString(QByteArray::fromStdString(spoilt).toBase64()).left(2000))));
             }
         }
         qInfo("%d read, %d refused", read, refused);
@@ -125,8 +130,7 @@ private:
     {
         const std::string name = file.filename().string();
         if (name == "map.tmd") return trueMapBytes();
-        if (name == "sensor.json")
-            return sensorJson;
+        if (name == "sensor.json") return sensorJson;
         if (name == "height.tiff") rendering::writeTiff(file, heights(11, 13));
         if (name == "array.npy") rendering::writeNpy(file, heights(11, 13));
         if (name == "image.pgm") rendering::writePgm(file, noise(11, 13, CV_8UC1));

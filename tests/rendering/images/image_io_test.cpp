@@ -3,8 +3,8 @@
 
 #include <functional>
 
-#include "tests/rendering/fabric_files.h"
 #include "protocols/files/whole_file.h"
+#include "tests/rendering/fabric_files.h"
 
 using namespace fabric_files;
 using namespace rendering;

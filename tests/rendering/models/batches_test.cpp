@@ -1,13 +1,12 @@
 // What a batch holds: crops where they are expected, pairs that belong together.
 #include "rendering/models/networks/batches.h"
-#include "rendering/models/ring_spectrum.h"
 
 #include <QTest>
-
+#include <cmath>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include <cmath>
+#include "rendering/models/ring_spectrum.h"
 
 using namespace rendering::models;
 
@@ -32,7 +31,8 @@ TrainingData slopes(bool aligned)
             }
         fabric.photographs.push_back(photograph);
         fabric.heights.push_back(height);
-        fabric.strokes.push_back({index, {cv::Mat(data.architecture.rows, data.architecture.frames, CV_32F, cv::Scalar(index)), 0.3F}});
+        fabric.strokes.push_back(
+            {index, {cv::Mat(data.architecture.rows, data.architecture.frames, CV_32F, cv::Scalar(index)), 0.3F}});
     }
     data.training = data.validation = {fabric};
     return data;
@@ -87,8 +87,10 @@ private Q_SLOTS:
         for (std::size_t i = 0; i < 40; ++i) {
             const float* height = batch.heights.data() + i * plane;
             // The slope of the plane, whatever its direction: away from mirrored borders the same in every crop.
-            const float right = (height[16 * 32 + 22] - height[16 * 32 + 10]) / 12, down = (height[22 * 32 + 16] - height[10 * 32 + 16]) / 12;
-            QVERIFY2(std::abs(std::hypot(right, down) - std::sqrt(2.0F) / 255) < 0.1F / 255, qPrintable(QString::number(std::hypot(right, down) * 255)));
+            const float right = (height[16 * 32 + 22] - height[16 * 32 + 10]) / 12,
+                        down = (height[22 * 32 + 16] - height[10 * 32 + 16]) / 12;
+            QVERIFY2(std::abs(std::hypot(right, down) - std::sqrt(2.0F) / 255) < 0.1F / 255,
+                     qPrintable(QString::number(std::hypot(right, down) * 255)));
         }
     }
 

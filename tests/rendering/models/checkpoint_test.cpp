@@ -1,7 +1,4 @@
 // A training run killed while it writes its checkpoint, a hundred times.
-#include "rendering/fabrics/procedural/procedural_fabrics.h"
-#include "rendering/models/child_process.h"
-
 #include <QElapsedTimer>
 #include <QFile>
 #include <QProcess>
@@ -9,8 +6,10 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QThread>
-
 #include <filesystem>
+
+#include "rendering/fabrics/procedural/procedural_fabrics.h"
+#include "rendering/models/child_process.h"
 
 using namespace rendering;
 
@@ -24,15 +23,34 @@ private:
 
     QStringList endlessRun() const
     {
-        return {"train", text("fabrics"), "--out", text("model.pt"), "--steps", "1000000", "--crop", "32", "--channels", "2",
-                "--batch", "2", "--checkpoint-every", "1", "--validate-every", "1000000", "--validation-pairs", "2", "--threads", "1"};
+        return {"train",
+                text("fabrics"),
+                "--out",
+                text("model.pt"),
+                "--steps",
+                "1000000",
+                "--crop",
+                "32",
+                "--channels",
+                "2",
+                "--batch",
+                "2",
+                "--checkpoint-every",
+                "1",
+                "--validate-every",
+                "1000000",
+                "--validation-pairs",
+                "2",
+                "--threads",
+                "1"};
     }
 
     /// Kills the run so many microseconds after its first checkpoint has begun to be written; what it had said.
     QString killedWhileWriting(bool resume, int delayUs) const
     {
         QProcess run;
-        run.start(QString::fromStdString(models::generatorProgram().string()), resume ? endlessRun() << "--resume" : endlessRun());
+        run.start(QString::fromStdString(models::generatorProgram().string()),
+                  resume ? endlessRun() << "--resume" : endlessRun());
         const std::filesystem::path unfinished = (text("model.pt") + ".checkpoint.part").toStdString();
         QElapsedTimer waited;
         waited.start();
@@ -47,8 +65,7 @@ private:
 private Q_SLOTS:
     void initTestCase()
     {
-        for (const auto& [name, value] : models::missingThreadSettings())
-            qputenv(name.c_str(), QByteArray::fromStdString(value));
+        for (const auto& [name, value] : models::missingThreadSettings()) qputenv(name.c_str(), QByteArray::fromStdString(value));
         fabrics::ProceduralOptions options;
         options.fabrics = 1;
         options.samples = 4;

@@ -1,20 +1,19 @@
 // Photographs unlike all that a model was trained on are told from other places on known fabrics.
+#include "rendering/models/familiarity.h"
+
+#include <QTemporaryDir>
+#include <QTest>
+#include <cmath>
+#include <limits>
+#include <opencv2/core.hpp>
+
 #include "protocols/files/errors.h"
 #include "rendering/fabrics/dataset.h"
 #include "rendering/fabrics/procedural/procedural_fabrics.h"
 #include "rendering/images/image_io.h"
-#include "rendering/models/familiarity.h"
 #include "rendering/models/photograph_features.h"
 #include "rendering/models/ring_spectrum.h"
 #include "tests/rendering/shared_data.h"
-
-#include <opencv2/core.hpp>
-
-#include <QTemporaryDir>
-#include <QTest>
-
-#include <cmath>
-#include <limits>
 
 using namespace rendering;
 using models::Familiarity;
@@ -44,7 +43,9 @@ private Q_SLOTS:
         const auto dataset = fabrics::makeProceduralFabrics(m_folder.filePath("fabrics").toStdString(), options);
         for (const fabrics::FabricInfo& fabric : dataset.fabrics)
             for (int index = 0; index < 12; ++index)
-                (index < 7 ? m_training : index < 10 ? m_validation : m_elsewhere)
+                (index < 7    ? m_training
+                 : index < 10 ? m_validation
+                              : m_elsewhere)
                     .push_back(models::photographFeatures(fabrics::readPhotograph(dataset, fabric.id, index)));
         m_familiarity = models::fitFamiliarity(m_training, m_validation);
     }
@@ -80,10 +81,10 @@ private Q_SLOTS:
     void realFabricsAreToldFromProceduralOnes()
     {
         const auto folder = sharedData("fabricbtdf_photos");
-        if (!std::filesystem::exists(folder))
-            QSKIP("the shared data are not here");
+        if (!std::filesystem::exists(folder)) QSKIP("the shared data are not here");
         for (const char* name : {"twill1_R.png", "twill3_R.png", "satin1_R.png", "satin2_R.png"})
-            QVERIFY(models::recognised(m_familiarity, models::photographFeatures(readPng(folder / name))).distance > m_familiarity.threshold);
+            QVERIFY(models::recognised(m_familiarity, models::photographFeatures(readPng(folder / name))).distance >
+                    m_familiarity.threshold);
     }
 
     void aFewHundredAreKeptAndTheRareAmongThem()
@@ -129,9 +130,11 @@ private Q_SLOTS:
     {
         // Two fabrics far apart; the second was photographed twice.
         const std::vector<Features> training{plain(-1), plain(1), plain(1.02F)};
-        const models::KnownFabrics fabrics{{0, 1, 1}, {std::vector<double>(models::ringCount, -4), std::vector<double>(models::ringCount, -9)}};
+        const models::KnownFabrics fabrics{
+            {0, 1, 1}, {std::vector<double>(models::ringCount, -4), std::vector<double>(models::ringCount, -9)}};
         const Familiarity familiarity = models::fitFamiliarity(training, training, fabrics);
-        const models::Recognised first = models::recognised(familiarity, plain(-0.99F)), second = models::recognised(familiarity, plain(1.01F));
+        const models::Recognised first = models::recognised(familiarity, plain(-0.99F)),
+                                 second = models::recognised(familiarity, plain(1.01F));
         QCOMPARE(first.strangeness, 0.0);
         QCOMPARE(first.rings.size(), std::size_t{models::ringCount});
         for (int ring = 0; ring < models::ringCount; ++ring) {
@@ -162,7 +165,8 @@ private Q_SLOTS:
     void memoryIsReadBackAndNonsenseInItRefused()
     {
         const std::vector<Features> training{plain(-1), plain(1)};
-        const models::KnownFabrics fabrics{{0, 1}, {std::vector<double>(models::ringCount, -4), std::vector<double>(models::ringCount, -9)}};
+        const models::KnownFabrics fabrics{
+            {0, 1}, {std::vector<double>(models::ringCount, -4), std::vector<double>(models::ringCount, -9)}};
         const Familiarity familiarity = models::fitFamiliarity(training, {}, fabrics);
         auto json = models::familiarityJson(familiarity);
         QCOMPARE(models::familiarityFrom(json), familiarity);
@@ -186,7 +190,8 @@ private Q_SLOTS:
     void nonsenseIsRefused_data()
     {
         QTest::addColumn<QString>("harm");
-        for (const char* harm : {"features_mean short", "features_sd zero", "nearest none", "nearest short", "threshold negative"})
+        for (const char* harm :
+             {"features_mean short", "features_sd zero", "nearest none", "nearest short", "threshold negative"})
             QTest::newRow(harm) << harm;
     }
 

@@ -1,15 +1,14 @@
 // The mean friction that a texture lets expect, for photographs like none in training.
-#include "protocols/files/errors.h"
-#include "protocols/random.h"
 #include "rendering/models/friction_prior.h"
 
+#include <QTest>
+#include <cmath>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
-
-#include <QTest>
-
-#include <cmath>
 #include <vector>
+
+#include "protocols/files/errors.h"
+#include "protocols/random.h"
 
 using namespace rendering::models;
 
@@ -23,8 +22,7 @@ cv::Mat cloth(double threadPx, double contrast, std::uint64_t seed, int rows = 2
     protocols::Random random(seed);
     cv::Mat noise(rows, columns, CV_32F), rgb;
     for (int row = 0; row < rows; ++row)
-        for (int column = 0; column < columns; ++column)
-            noise.at<float>(row, column) = static_cast<float>(random.normal());
+        for (int column = 0; column < columns; ++column) noise.at<float>(row, column) = static_cast<float>(random.normal());
     cv::GaussianBlur(noise, noise, {}, threadPx / 3);
     cv::Scalar mean, deviation;
     cv::meanStdDev(noise, mean, deviation);
@@ -66,7 +64,8 @@ private Q_SLOTS:
     void noAnswerLiesBeyondWhatWasTrainedOn()
     {
         const FrictionPrior prior = learnt();
-        for (const cv::Mat& rgb : {cloth(6, 0.001, 1), cloth(6, 2, 2), cloth(1, 0.5, 3), cv::Mat(256, 256, CV_8UC3, cv::Scalar::all(0))}) {
+        for (const cv::Mat& rgb :
+             {cloth(6, 0.001, 1), cloth(6, 2, 2), cloth(1, 0.5, 3), cv::Mat(256, 256, CV_8UC3, cv::Scalar::all(0))}) {
             const double expected = expectedFriction(prior, textureCoefficients(rgb, side));
             QVERIFY(expected >= 0.2 * 0.999 && expected <= 0.4 * 1.001);
         }
@@ -91,34 +90,35 @@ private Q_SLOTS:
         const std::vector<double> bright = textureCoefficients(cloth(6, 0.1, 4), side);
         const std::vector<double> dark = textureCoefficients(cloth(6, 0.1, 4, 256, 256, 70), side);
         for (int i = 0; i < textureCoefficientCount; ++i)
-            QVERIFY2(std::abs(bright[static_cast<std::size_t>(i)] - dark[static_cast<std::size_t>(i)]) < 0.1, qPrintable(QString::number(i)));
+            QVERIFY2(std::abs(bright[static_cast<std::size_t>(i)] - dark[static_cast<std::size_t>(i)]) < 0.1,
+                     qPrintable(QString::number(i)));
     }
 
     void anyPictureHasCoefficients()
     {
-        for (const cv::Mat& rgb : {cv::Mat(1, 1, CV_8UC3, cv::Scalar::all(255)), cv::Mat(300, 2, CV_8UC3, cv::Scalar::all(0)), cloth(6, 0.2, 5, 130, 700)})
-            for (const double coefficient : textureCoefficients(rgb, side))
-                QVERIFY(std::isfinite(coefficient));
+        for (const cv::Mat& rgb : {cv::Mat(1, 1, CV_8UC3, cv::Scalar::all(255)), cv::Mat(300, 2, CV_8UC3, cv::Scalar::all(0)),
+                                   cloth(6, 0.2, 5, 130, 700)})
+            for (const double coefficient : textureCoefficients(rgb, side)) QVERIFY(std::isfinite(coefficient));
     }
 
     void fabricPhotographedTenTimesCountsAsMuchAsOneOfOnePhotograph()
     {
-        const std::vector<double> coarse = textureCoefficients(cloth(9, 0.2, 1), side), fine = textureCoefficients(cloth(4, 0.05, 2), side);
+        const std::vector<double> coarse = textureCoefficients(cloth(9, 0.2, 1), side),
+                                  fine = textureCoefficients(cloth(4, 0.05, 2), side);
         std::vector<KnownTexture> textures(10, {coarse, std::log(0.4), 0.1});
         textures.push_back({fine, std::log(0.2), 1});
         const FrictionPrior equal = fitFrictionPrior(std::vector<KnownTexture>{{coarse, std::log(0.4)}, {fine, std::log(0.2)}});
         const FrictionPrior many = fitFrictionPrior(textures);
         QVERIFY(std::abs(many.logFriction - equal.logFriction) < 1e-9);
-        for (std::size_t i = 0; i < equal.slope.size(); ++i)
-            QVERIFY(std::abs(many.slope[i] - equal.slope[i]) < 1e-9);
+        for (std::size_t i = 0; i < equal.slope.size(); ++i) QVERIFY(std::abs(many.slope[i] - equal.slope[i]) < 1e-9);
     }
 
     void oneFabricAnswersWithItsOwnFriction()
     {
-        const FrictionPrior prior = fitFrictionPrior(std::vector<KnownTexture>{{textureCoefficients(cloth(6, 0.1, 6), side), std::log(0.33)}});
+        const FrictionPrior prior =
+            fitFrictionPrior(std::vector<KnownTexture>{{textureCoefficients(cloth(6, 0.1, 6), side), std::log(0.33)}});
         QVERIFY(std::abs(expectedFriction(prior, textureCoefficients(cloth(9, 0.2, 7), side)) - 0.33) < 1e-9);
-        for (const double slope : prior.slope)
-            QCOMPARE(slope, 0.0);
+        for (const double slope : prior.slope) QCOMPARE(slope, 0.0);
         QVERIFY_THROWS_EXCEPTION(protocols::Error, fitFrictionPrior({}));
     }
 

@@ -1,18 +1,17 @@
 // Generated signals by the shipped weights, through the second executable as the program uses it.
-#include "protocols/files/errors.h"
-#include "rendering/fabrics/dataset.h"
-#include "rendering/fabrics/procedural/procedural_fabrics.h"
 #include "rendering/models/generation.h"
-
-#include <opencv2/core.hpp>
 
 #include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
-
 #include <cmath>
 #include <functional>
 #include <numeric>
+#include <opencv2/core.hpp>
+
+#include "protocols/files/errors.h"
+#include "rendering/fabrics/dataset.h"
+#include "rendering/fabrics/procedural/procedural_fabrics.h"
 
 using namespace rendering;
 using models::GeneratedSignals;
@@ -68,8 +67,7 @@ protocols::ExitCode codeOfFault(const std::function<void()>& work, QString* line
     try {
         work();
     } catch (const protocols::Error& fault) {
-        if (line != nullptr)
-            *line = QString::fromUtf8(fault.what());
+        if (line != nullptr) *line = QString::fromUtf8(fault.what());
         return fault.exitCode();
     }
     return protocols::ExitCode::Done;
@@ -94,8 +92,7 @@ private:
     {
         const QString name = m_folder.filePath("stand-in.sh");
         QFile file(name);
-        if (!file.open(QIODevice::WriteOnly | QIODevice::Truncate))
-            return {};
+        if (!file.open(QIODevice::WriteOnly | QIODevice::Truncate)) return {};
         file.write(QByteArray("#!/bin/sh\n") + body + "\n");
         file.close();
         file.setPermissions(QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
@@ -141,14 +138,14 @@ private Q_SLOTS:
     {
         double sum = 0;
         std::vector<PhotographToTouch> photographs;
-        for (const fabrics::FabricInfo& fabric : m_dataset.fabrics)
-            photographs.push_back(photograph(fabric.id.value.c_str()));
+        for (const fabrics::FabricInfo& fabric : m_dataset.fabrics) photographs.push_back(photograph(fabric.id.value.c_str()));
         const std::vector<GeneratedSignals> answers = generated(photographs);
         for (std::size_t i = 0; i < answers.size(); ++i) {
             const fabrics::FrictionRecord record = fabrics::readFriction(m_dataset, m_dataset.fabrics[i].id, 0);
             sum += std::abs(answers[i].meanFriction / meanOf(record.values) - 1);
         }
-        QVERIFY2(sum / static_cast<double>(answers.size()) < 0.15, qPrintable(QString::number(sum / static_cast<double>(answers.size()))));
+        QVERIFY2(sum / static_cast<double>(answers.size()) < 0.15,
+                 qPrintable(QString::number(sum / static_cast<double>(answers.size()))));
     }
 
     void onlyWhatIsAskedForIsComputed()
@@ -204,7 +201,8 @@ private Q_SLOTS:
         QCOMPARE(answers[2].trace, answers[3].trace);
         const double level = cv::mean(answers[2].heightMm)[0];
         for (int i = 0; i < 2; ++i) {
-            QVERIFY(cv::norm(answers[static_cast<std::size_t>(i)].heightMm, answers[2].heightMm, cv::NORM_L1) / (256 * 256) < 0.5 * level);
+            QVERIFY(cv::norm(answers[static_cast<std::size_t>(i)].heightMm, answers[2].heightMm, cv::NORM_L1) / (256 * 256) <
+                    0.5 * level);
             QVERIFY(std::abs(answers[static_cast<std::size_t>(i)].meanFriction / answers[2].meanFriction - 1) < 0.2);
         }
         QVERIFY(cv::norm(answers[0].heightMm, answers[2].heightMm, cv::NORM_INF) > 0);
@@ -220,7 +218,8 @@ private Q_SLOTS:
 
     void missingLibtorchIsAnEnvironmentFault()
     {
-        const Instead unloadable(script("echo 'error while loading shared libraries: libtorch.so.1.13: cannot open' >&2; exit 127"));
+        const Instead unloadable(
+            script("echo 'error while loading shared libraries: libtorch.so.1.13: cannot open' >&2; exit 127"));
         QString line;
         QCOMPARE(codeOfFault([&] { generated({photograph("F01")}); }, &line), protocols::ExitCode::Environment);
         QVERIFY2(line.contains("libtorch.so.1.13") && line.contains("libtorch-dev"), qPrintable(line));

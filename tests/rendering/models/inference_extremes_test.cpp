@@ -1,24 +1,22 @@
 // Photographs as a laboratory may feed them: very large, very long, grey, many at once, of unknown things.
+#include <QTemporaryDir>
+#include <QTest>
+#include <cmath>
+#include <filesystem>
+#include <functional>
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "protocols/files/whole_file.h"
 #include "rendering/fabrics/dataset.h"
-#include "rendering/fabrics/recordings/import.h"
 #include "rendering/fabrics/procedural/procedural_fabrics.h"
+#include "rendering/fabrics/recordings/import.h"
 #include "rendering/images/image_io.h"
 #include "rendering/models/generation.h"
 #include "rendering/models/model_card.h"
 #include "rendering/models/photograph_at_pitch.h"
 #include "rendering/models/photograph_features.h"
 #include "rendering/models/ring_spectrum.h"
-#include "protocols/files/whole_file.h"
-
-#include <opencv2/core.hpp>
-#include <opencv2/imgproc.hpp>
-
-#include <QTemporaryDir>
-#include <QTest>
-
-#include <cmath>
-#include <filesystem>
-#include <functional>
 
 using namespace rendering;
 using models::GeneratedSignals;
@@ -35,7 +33,8 @@ GenerationOptions fast()
     return options;
 }
 
-std::vector<GeneratedSignals> generated(const std::vector<PhotographToTouch>& photographs, const GenerationOptions& options = fast())
+std::vector<GeneratedSignals> generated(const std::vector<PhotographToTouch>& photographs,
+                                        const GenerationOptions& options = fast())
 {
     return models::generate(photographs, options);
 }
@@ -55,8 +54,7 @@ void verifyFinite(const GeneratedSignals& signals)
     QVERIFY(cv::checkRange(signals.heightMm, true, nullptr, 0, 100));
     QVERIFY(cv::checkRange(signals.spectrogram, true, nullptr, 0, 1e6));
     QVERIFY(std::isfinite(signals.meanFriction) && signals.meanFriction > 0);
-    for (const double value : signals.trace)
-        QVERIFY(std::isfinite(value));
+    for (const double value : signals.trace) QVERIFY(std::isfinite(value));
 }
 
 }  // namespace
@@ -110,7 +108,8 @@ private Q_SLOTS:
     void manyAtOnceAreEachAsByItself()
     {
         const cv::Mat odd = large(300, 77);
-        const std::vector<PhotographToTouch> photographs{photograph(0), {odd, std::nullopt}, photograph(2), {odd, 0.1}, photograph(0)};
+        const std::vector<PhotographToTouch> photographs{
+            photograph(0), {odd, std::nullopt}, photograph(2), {odd, 0.1}, photograph(0)};
         GenerationOptions balanced;
         const auto together = generated(photographs, balanced);
         for (std::size_t i = 0; i < photographs.size(); ++i)
@@ -136,13 +135,13 @@ private Q_SLOTS:
         const cv::Size shown(std::min(width, models::largestSidePx), std::min(height, models::largestSidePx));
         const cv::Mat middle = whole({(width - shown.width) / 2, (height - shown.height) / 2, shown.width, shown.height});
         const bool isHuge = shown.area() > 1000000;  // once is slow enough
-        const auto answers = isHuge ? generated({{whole, std::nullopt}}) : generated({{whole, std::nullopt}, {middle, std::nullopt}});
+        const auto answers =
+            isHuge ? generated({{whole, std::nullopt}}) : generated({{whole, std::nullopt}, {middle, std::nullopt}});
         QCOMPARE(answers[0].heightMm.cols, shown.width);
         QCOMPARE(answers[0].heightMm.rows, shown.height);
         QVERIFY(answers[0].photograph.middleOnly);
         verifyFinite(answers[0]);
-        if (isHuge)
-            return;
+        if (isHuge) return;
         QVERIFY(!answers[1].photograph.middleOnly);
         QCOMPARE(cv::norm(answers[0].heightMm, answers[1].heightMm, cv::NORM_INF), 0.0);
         QCOMPARE(answers[0].trace, answers[1].trace);
@@ -179,7 +178,8 @@ private Q_SLOTS:
         request.out = m_folder.filePath("imported").toStdString();
         fabrics::importRecordings(request);
         const auto imported = fabrics::readDataset(request.out);
-        const auto answers = generated({{colour, std::nullopt}, {fabrics::readPhotograph(imported, imported.fabrics[0].id, 0), std::nullopt}});
+        const auto answers =
+            generated({{colour, std::nullopt}, {fabrics::readPhotograph(imported, imported.fabrics[0].id, 0), std::nullopt}});
         verifyFinite(answers[0]);
         QCOMPARE(cv::norm(answers[0].heightMm, answers[1].heightMm, cv::NORM_INF), 0.0);
         const auto coloured = generated({photograph(1)}).front();
@@ -207,7 +207,8 @@ private Q_SLOTS:
         QVERIFY(answers[1].photograph.unfamiliar());
         QCOMPARE(answers[1].photograph.usualDistance, card.photographs->threshold);
         const cv::Mat seen = models::photographAtPitch(photograph(0), card.architecture.mmPerPixel).rgb;
-        QCOMPARE(*answers[0].photograph.distance, models::recognised(*card.photographs, models::photographFeatures(seen)).distance);
+        QCOMPARE(*answers[0].photograph.distance,
+                 models::recognised(*card.photographs, models::photographFeatures(seen)).distance);
     }
 
     void rememberedFabricDecidesHowRoughAKnownPhotographFeels()
@@ -220,8 +221,7 @@ private Q_SLOTS:
             GenerationOptions options = fast();
             options.model = withCard("remembering.pt", [&](models::ModelCardFields& card) {
                 std::vector<double> stronger = rings;
-                for (double& ring : stronger)
-                    ring += std::log(strength);
+                for (double& ring : stronger) ring += std::log(strength);
                 card.photographs = models::fitFamiliarity(known, {}, {{0}, {stronger}});
             });
             cv::Scalar mean, deviation;
@@ -241,7 +241,8 @@ private Q_SLOTS:
         always.logFriction = always.lowest = always.highest = std::log(0.77);
         GenerationOptions options = fast();
         options.model = withCard("expecting.pt", [&](models::ModelCardFields& card) {
-            card.photographs = models::fitFamiliarity(std::vector<std::vector<float>>{models::photographFeatures(photograph(0).photograph)}, {});
+            card.photographs =
+                models::fitFamiliarity(std::vector<std::vector<float>>{models::photographFeatures(photograph(0).photograph)}, {});
             card.frictionByTexture = always;
         });
         cv::Mat noise(256, 256, CV_8UC3);
@@ -255,7 +256,8 @@ private Q_SLOTS:
         const double farAway = *answers[1].photograph.distance;
         const auto meanAt = [&](double strangeness) {
             options.model = withCard("half-way.pt", [&](models::ModelCardFields& card) {
-                card.photographs = models::fitFamiliarity(std::vector<std::vector<float>>{models::photographFeatures(photograph(0).photograph)}, {});
+                card.photographs = models::fitFamiliarity(
+                    std::vector<std::vector<float>>{models::photographFeatures(photograph(0).photograph)}, {});
                 card.photographs->threshold = farAway / (1 + strangeness);
                 card.frictionByTexture = always;
             });
@@ -277,7 +279,8 @@ private Q_SLOTS:
                 const std::vector<std::vector<float>> known{models::photographFeatures(photograph(0).photograph)};
                 const models::KnownFabrics flat{{0}, {std::vector<double>(models::ringCount, -13)}};
                 card.photographs = models::fitFamiliarity(known, {}, remembering ? flat : models::KnownFabrics{});
-                card.photographs->threshold = models::recognised(*card.photographs, models::photographFeatures(noise)).distance / (1 + strangeness);
+                card.photographs->threshold =
+                    models::recognised(*card.photographs, models::photographFeatures(noise)).distance / (1 + strangeness);
             });
             cv::Scalar mean, deviation;
             cv::meanStdDev(generated({{noise, photograph(0).mmPerPixel}}, options).front().heightMm, mean, deviation);
@@ -315,11 +318,15 @@ private Q_SLOTS:
         const auto card = models::readModelCardFields(models::shippedModel());
         cv::Mat fine;
         cv::resize(photograph(0).photograph, fine, {}, 2, 2, cv::INTER_CUBIC);
-        const auto familiarity = models::fitFamiliarity(
-            std::vector<std::vector<float>>{models::photographFeatures(photograph(0).photograph), models::photographFeatures(photograph(1).photograph)}, {});
+        const auto familiarity =
+            models::fitFamiliarity(std::vector<std::vector<float>>{models::photographFeatures(photograph(0).photograph),
+                                                                   models::photographFeatures(photograph(1).photograph)},
+                                   {});
         const auto distance = [&](std::optional<double> mmPerPixel) {
             return models::recognised(familiarity,
-                                      models::photographFeatures(models::photographAtPitch({fine, mmPerPixel}, card.architecture.mmPerPixel).rgb)).distance;
+                                      models::photographFeatures(
+                                          models::photographAtPitch({fine, mmPerPixel}, card.architecture.mmPerPixel).rgb))
+                .distance;
         };
         QVERIFY(distance(card.architecture.mmPerPixel / 2) < 0.5 * distance(std::nullopt));
     }

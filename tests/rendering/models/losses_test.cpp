@@ -1,14 +1,14 @@
 // What the networks are told: distances against known answers, and losses at the extremes.
 #include "rendering/models/networks/losses.h"
-#include "rendering/models/ring_spectrum.h"
-#include "rendering/models/networks/ring_tensors.h"
-#include "stats/metrics/image_metrics.h"
 
 #include <QTest>
-#include <opencv2/core.hpp>
-
 #include <cmath>
+#include <opencv2/core.hpp>
 #include <vector>
+
+#include "rendering/models/networks/ring_tensors.h"
+#include "rendering/models/ring_spectrum.h"
+#include "stats/metrics/image_metrics.h"
 
 using namespace rendering::models;
 
@@ -107,7 +107,8 @@ private Q_SLOTS:
             for (int i = 0; i < 2; ++i) {
                 const std::vector<float> powers = ringPowers(cv::Mat(side, side, CV_32F, maps[i].data_ptr<float>()), side);
                 for (int ring = 0; ring < ringCount; ++ring)
-                    QVERIFY(std::abs(std::log(means[i][ring].item<double>() + ringFloorMm2) - static_cast<double>(powers[static_cast<std::size_t>(ring)])) < 1e-3);
+                    QVERIFY(std::abs(std::log(means[i][ring].item<double>() + ringFloorMm2) -
+                                     static_cast<double>(powers[static_cast<std::size_t>(ring)])) < 1e-3);
             }
         }
     }
@@ -131,11 +132,9 @@ private Q_SLOTS:
         torch::manual_seed(3);
         BoundedConvolution layer(6, 8, std::vector<std::int64_t>{1, 1}, 1, true);
         const torch::NoGradGuard still;
-        for (torch::Tensor& parameter : layer->parameters())
-            parameter.mul_(parameter.dim() == 4 ? 20 : 0);
+        for (torch::Tensor& parameter : layer->parameters()) parameter.mul_(parameter.dim() == 4 ? 20 : 0);
         const torch::Tensor input = torch::randn({64, 6, 1, 1});
-        for (int i = 0; i < 50; ++i)
-            layer->forward(input);
+        for (int i = 0; i < 50; ++i) layer->forward(input);
         const torch::Tensor gains = layer->forward(input).flatten(1).norm(2, 1) / input.flatten(1).norm(2, 1);
         QVERIFY2(number(gains.max()) < 1.001 && number(gains.max()) > 0.6, qPrintable(QString::number(number(gains.max()))));
     }

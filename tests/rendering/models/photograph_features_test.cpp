@@ -1,17 +1,16 @@
 // A photograph's numbers say which fabric it is of, whatever the place, the turn and the size.
-#include "protocols/files/errors.h"
-#include "rendering/fabrics/dataset.h"
-#include "rendering/fabrics/procedural/procedural_fabrics.h"
 #include "rendering/models/photograph_features.h"
-
-#include <opencv2/core.hpp>
-#include <opencv2/imgproc.hpp>
 
 #include <QTemporaryDir>
 #include <QTest>
-
 #include <algorithm>
 #include <cmath>
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "protocols/files/errors.h"
+#include "rendering/fabrics/dataset.h"
+#include "rendering/fabrics/procedural/procedural_fabrics.h"
 
 using namespace rendering;
 using models::photographFeatures;
@@ -21,8 +20,7 @@ namespace {
 double apart(const std::vector<float>& a, const std::vector<float>& b)
 {
     double sum = 0;
-    for (std::size_t i = 0; i < a.size(); ++i)
-        sum += std::pow(static_cast<double>(a[i]) - static_cast<double>(b[i]), 2);
+    for (std::size_t i = 0; i < a.size(); ++i) sum += std::pow(static_cast<double>(a[i]) - static_cast<double>(b[i]), 2);
     return std::sqrt(sum);
 }
 
@@ -44,8 +42,7 @@ private:
     {
         double nearest = 1e9;
         for (std::size_t other = 0; other < m_dataset.fabrics.size(); ++other)
-            if (other != fabric)
-                nearest = std::min(nearest, apart(features, photographFeatures(photograph(other, 1))));
+            if (other != fabric) nearest = std::min(nearest, apart(features, photographFeatures(photograph(other, 1))));
         return nearest;
     }
 
@@ -85,7 +82,7 @@ private Q_SLOTS:
             for (const int turn : {cv::ROTATE_90_CLOCKWISE, cv::ROTATE_180, cv::ROTATE_90_COUNTERCLOCKWISE}) {
                 cv::Mat turned;
                 cv::rotate(picture, turned, turn);
-                QVERIFY2(apart(features, photographFeatures(turned)) < 0.02, 
+                QVERIFY2(apart(features, photographFeatures(turned)) < 0.02,
                          qPrintable(QString::number(apart(features, photographFeatures(turned)))));
             }
             cv::Mat mirrored;
@@ -98,7 +95,8 @@ private Q_SLOTS:
     {
         const cv::Mat whole = photograph(3, 0);
         cv::Mat slanted;
-        cv::warpAffine(whole, slanted, cv::getRotationMatrix2D({128, 128}, 33, 1), {256, 256}, cv::INTER_CUBIC, cv::BORDER_REFLECT);
+        cv::warpAffine(whole, slanted, cv::getRotationMatrix2D({128, 128}, 33, 1), {256, 256}, cv::INTER_CUBIC,
+                       cv::BORDER_REFLECT);
         const std::vector<float> features = photographFeatures(slanted({48, 48, 160, 160}));
         QVERIFY(apart(features, photographFeatures(whole)) < nearestOther(features, 3));
     }
@@ -124,12 +122,10 @@ private Q_SLOTS:
         QFETCH(int, height);
         QFETCH(int, value);
         cv::Mat picture(height, width, CV_8UC3, cv::Scalar::all(std::max(0, value)));
-        if (value < 0)
-            cv::randu(picture, 0, 256);
+        if (value < 0) cv::randu(picture, 0, 256);
         const std::vector<float> features = photographFeatures(picture);
         QCOMPARE(static_cast<int>(features.size()), models::photographFeatureCount);
-        for (const float feature : features)
-            QVERIFY(std::isfinite(feature) && std::abs(feature) < 20);
+        for (const float feature : features) QVERIFY(std::isfinite(feature) && std::abs(feature) < 20);
     }
 
     void onlyColourPicturesAreTaken()

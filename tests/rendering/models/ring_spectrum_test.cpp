@@ -1,15 +1,14 @@
 // Radial spectra of height maps, and maps brought to a wanted one.
-#include "protocols/random.h"
 #include "rendering/models/ring_spectrum.h"
 
 #include <QTest>
-
-#include <opencv2/core.hpp>
-#include <opencv2/imgproc.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "protocols/random.h"
 
 using namespace rendering::models;
 
@@ -24,8 +23,7 @@ cv::Mat noise(const cv::Size& size, double deviationMm, double smoothPx, std::ui
     for (int row = 0; row < map.rows; ++row)
         for (int column = 0; column < map.cols; ++column)
             map.at<float>(row, column) = static_cast<float>(deviationMm * random.normal());
-    if (smoothPx > 0)
-        cv::GaussianBlur(map, map, {}, smoothPx);
+    if (smoothPx > 0) cv::GaussianBlur(map, map, {}, smoothPx);
     return map + 0.5;
 }
 
@@ -49,8 +47,7 @@ double deviation(const cv::Mat& map)
 double largestDifference(const std::vector<float>& a, const std::vector<float>& b)
 {
     double most = 0;
-    for (std::size_t i = 0; i < a.size(); ++i)
-        most = std::max(most, static_cast<double>(std::abs(a[i] - b[i])));
+    for (std::size_t i = 0; i < a.size(); ++i) most = std::max(most, static_cast<double>(std::abs(a[i] - b[i])));
     return most;
 }
 
@@ -92,8 +89,7 @@ private Q_SLOTS:
         const std::vector<float> powers = ringPowers(waves({256, 256}, 0.05, 12), side);
         const std::vector<float> nearby = ringPowers(waves({256, 256}, 0.05, 12.12), side);
         for (std::size_t i = 0; i < powers.size(); ++i)
-            if (powers[i] > std::log(1e-3))
-                QVERIFY2(std::abs(powers[i] - nearby[i]) < 0.25, qPrintable(QString::number(i)));
+            if (powers[i] > std::log(1e-3)) QVERIFY2(std::abs(powers[i] - nearby[i]) < 0.25, qPrintable(QString::number(i)));
     }
 
     void averagesAreTheWeightsOfTheRings()
@@ -102,27 +98,23 @@ private Q_SLOTS:
         QCOMPARE(rows.size(), cv::Size(side * side, ringCount));
         cv::Mat sums;
         cv::reduce(rows, sums, 1, cv::REDUCE_SUM);
-        for (int ring = 0; ring < ringCount; ++ring)
-            QVERIFY(std::abs(sums.at<float>(ring) - 1) < 1e-4F);
+        for (int ring = 0; ring < ringCount; ++ring) QVERIFY(std::abs(sums.at<float>(ring) - 1) < 1e-4F);
         QCOMPARE(rows.at<float>(0, 0), 0.0F);  // the mean belongs to none
         // 13 cycles a window to the right: between the two rings whose middles lie around.
         const double place = ringPlace(13.0 / side, side);
-        for (int ring = 0; ring < ringCount; ++ring)
-            QCOMPARE(rows.at<float>(ring, 13) > 0, std::abs(ring - place) < 1);
+        for (int ring = 0; ring < ringCount; ++ring) QCOMPARE(rows.at<float>(ring, 13) > 0, std::abs(ring - place) < 1);
     }
 
     void flatMapHasTheFloor()
     {
         const std::vector<float> powers = ringPowers(cv::Mat(200, 200, CV_32F, cv::Scalar(0.2)), side);
-        for (std::size_t i = 0; i < powers.size(); ++i)
-            QVERIFY(std::abs(powers[i] - std::log(ringFloorMm2)) < 1e-3);
+        for (std::size_t i = 0; i < powers.size(); ++i) QVERIFY(std::abs(powers[i] - std::log(ringFloorMm2)) < 1e-3);
     }
 
     void smallMapIsContinued()
     {
         for (const cv::Size size : {cv::Size(1, 1), cv::Size(3, 200), cv::Size(60, 60)})
-            for (const float power : ringPowers(noise(size, 0.05, 1, 5), side))
-                QVERIFY(std::isfinite(power));
+            for (const float power : ringPowers(noise(size, 0.05, 1, 5), side)) QVERIFY(std::isfinite(power));
     }
 
     void narrowRingsOfSmallCropsHaveTheirNeighboursPower()
@@ -152,7 +144,8 @@ private Q_SLOTS:
         const std::vector<float> reached = ringPowers(made, side);
         // The widest waves hardly fit into a window; of the finest the blurred map has nothing to be strengthened.
         for (std::size_t i = 1; i < 12; ++i)
-            QVERIFY2(std::abs(reached[i] - wanted[i]) < 0.5, qPrintable(QString("%1: %2 for %3").arg(i).arg(reached[i]).arg(wanted[i])));
+            QVERIFY2(std::abs(reached[i] - wanted[i]) < 0.5,
+                     qPrintable(QString("%1: %2 for %3").arg(i).arg(reached[i]).arg(wanted[i])));
         QVERIFY(std::abs(deviation(made) / deviation(fine) - 1) < 0.15);
     }
 
@@ -170,8 +163,7 @@ private Q_SLOTS:
     {
         const cv::Mat before = waves({200, 168}, 0.02, 9);
         std::vector<float> wanted = ringPowers(before, side);
-        for (float& power : wanted)
-            power += 1.4F;  // twice as high
+        for (float& power : wanted) power += 1.4F;  // twice as high
         const cv::Mat after = withRingPowers(before, wanted, {.side = side, .mostGain = 4, .zeroPercentile = 0});
         const cv::Mat inner = before({20, 20, 160, 128}), same = after({20, 20, 160, 128});
         cv::Mat correlation;
@@ -194,7 +186,8 @@ private Q_SLOTS:
     void anySizeIsAnswered()
     {
         for (const cv::Size size : {cv::Size(1, 1), cv::Size(1, 50), cv::Size(129, 17), cv::Size(300, 17)}) {
-            const cv::Mat made = withRingPowers(noise(size, 0.05, 0, 13), std::vector<float>(ringCount, -6), {.side = side, .passes = 3});
+            const cv::Mat made =
+                withRingPowers(noise(size, 0.05, 0, 13), std::vector<float>(ringCount, -6), {.side = side, .passes = 3});
             QCOMPARE(made.size(), size);
             QVERIFY(cv::checkRange(made));
         }

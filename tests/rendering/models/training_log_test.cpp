@@ -1,19 +1,18 @@
 // The folder that a training run leaves: tables, curves and sample pictures, the same whether the run
 // was broken off or not.
-#include "protocols/files/errors.h"
-#include "rendering/images/image_io.h"
 #include "rendering/models/training_log.h"
-#include "protocols/files/whole_file.h"
-
-#include <opencv2/core.hpp>
 
 #include <QTemporaryDir>
 #include <QTest>
 #include <QXmlStreamReader>
-
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <opencv2/core.hpp>
+
+#include "protocols/files/errors.h"
+#include "protocols/files/whole_file.h"
+#include "rendering/images/image_io.h"
 
 using namespace rendering;
 using models::NamedValue;
@@ -23,17 +22,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::vector<NamedValue> lossesAt(int step)
-{
-    return {{"l1", 1.0 / step}, {"generator", 0.5 + 0.1 * std::sin(step)}};
-}
+std::vector<NamedValue> lossesAt(int step) { return {{"l1", 1.0 / step}, {"generator", 0.5 + 0.1 * std::sin(step)}}; }
 
 std::vector<SampleRow> samples()
 {
     const cv::Mat photograph(64, 64, CV_8UC3, cv::Scalar(200, 40, 40));
     cv::Mat ramp(48, 64, CV_32FC1), higher;
-    for (int x = 0; x < 64; ++x)
-        ramp.col(x).setTo(0.001 * x);
+    for (int x = 0; x < 64; ++x) ramp.col(x).setTo(0.001 * x);
     higher = ramp * 2;
     return {{"F01", photograph, ramp, higher}, {"F02", photograph, cv::Mat(), ramp}};
 }
@@ -133,8 +128,7 @@ private Q_SLOTS:
     void curvesAreAPictureOfEveryColumn()
     {
         TrainingLog log(at("curves"));
-        for (int step = 1; step <= 3000; step += 2)
-            log.losses(step, lossesAt(step));
+        for (int step = 1; step <= 3000; step += 2) log.losses(step, lossesAt(step));
         log.validation(3000, std::vector<NamedValue>{{"ssim", 0.4}});
         const std::string svg = readWholeFile(at("curves") / "curves.svg");
         QXmlStreamReader reader(QByteArray::fromStdString(svg));
@@ -145,8 +139,7 @@ private Q_SLOTS:
                 const bool title = reader.attributes().value("class") == QLatin1String("title");
                 const QString words = reader.readElementText();
                 saysLogarithmic = saysLogarithmic || words.contains("logarithmic");
-                if (title)
-                    titles << words;
+                if (title) titles << words;
             }
         QVERIFY2(!reader.hasError(), qPrintable(reader.errorString()));
         QCOMPARE(titles, QStringList({"loss: l1", "loss: generator", "validation: ssim"}));
@@ -188,8 +181,7 @@ private Q_SLOTS:
         QCOMPARE(models::sparkline(std::vector<double>{3, 3}), "▄▄");
         QCOMPARE(models::sparkline({}), "");
         std::vector<double> many(1000);
-        for (std::size_t i = 0; i < many.size(); ++i)
-            many[i] = static_cast<double>(i);
+        for (std::size_t i = 0; i < many.size(); ++i) many[i] = static_cast<double>(i);
         const QString line = QString::fromStdString(models::sparkline(many, 16));
         QVERIFY(line.size() <= 16 && line.startsWith("▁") && line.endsWith("█"));
     }

@@ -1,4 +1,18 @@
 // Training by the real command on a tiny procedural data set.
+#include <QDir>
+#include <QElapsedTimer>
+#include <QFile>
+#include <QProcess>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QTest>
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <set>
+
 #include "protocols/files/sha256.h"
 #include "rendering/fabrics/dataset.h"
 #include "rendering/fabrics/location_split.h"
@@ -7,21 +21,6 @@
 #include "rendering/models/model_card.h"
 #include "rendering/signals/calibration.h"
 #include "tests/rendering/spoilt_archive.h"
-
-#include <QDir>
-#include <QElapsedTimer>
-#include <QFile>
-#include <QProcess>
-#include <QStandardPaths>
-#include <QTemporaryDir>
-#include <QTest>
-
-#include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <map>
-#include <set>
 
 using namespace rendering;
 using fabrics::Part;
@@ -58,8 +57,26 @@ private:
     /// A run small enough for a test: 64 px crops, narrow networks.
     QStringList smallRun(const char* out, int steps) const
     {
-        return {"train", text("fabrics"), "--out", text(out), "--steps", QString::number(steps), "--crop", "64", "--channels", "4",
-                "--batch", "3", "--seed", "5", "--checkpoint-every", "4", "--validation-pairs", "12", "--threads", "1"};
+        return {"train",
+                text("fabrics"),
+                "--out",
+                text(out),
+                "--steps",
+                QString::number(steps),
+                "--crop",
+                "64",
+                "--channels",
+                "4",
+                "--batch",
+                "3",
+                "--seed",
+                "5",
+                "--checkpoint-every",
+                "4",
+                "--validation-pairs",
+                "12",
+                "--threads",
+                "1"};
     }
 
     /// Kills a run of 24 steps as soon as its first checkpoint is there.
@@ -70,8 +87,7 @@ private:
         const QString checkpoint = text(out) + ".checkpoint";
         QElapsedTimer waited;
         waited.start();
-        while (!QFile::exists(checkpoint) && waited.elapsed() < 120000)
-            QTest::qWait(2);
+        while (!QFile::exists(checkpoint) && waited.elapsed() < 120000) QTest::qWait(2);
         broken.kill();
         broken.waitForFinished();
         QVERIFY(QFile::exists(checkpoint));
@@ -98,8 +114,8 @@ private Q_SLOTS:
         QVERIFY(outcome.output.contains("left"));
         const models::ModelCardFields card = models::readModelCardFields(at("model.pt"));
         QCOMPARE(card.steps, 160);
-        const std::map<const char*, double> shares{{"distance", 0.8},     {"mean_friction_relative_error", 0.8},
-                                                   {"height_l1_mm", 0.95}, {"log_ratio_l1", 0.95}};
+        const std::map<const char*, double> shares{
+            {"distance", 0.8}, {"mean_friction_relative_error", 0.8}, {"height_l1_mm", 0.95}, {"log_ratio_l1", 0.95}};
         for (const auto& [figure, share] : shares) {
             const double before = card.validation.at("before").at(figure).at("generated").get<double>();
             const double after = card.validation.at("after").at(figure).at("generated").get<double>();
@@ -110,7 +126,8 @@ private Q_SLOTS:
         QCOMPARE(card.photographs->fabricOf.size(), card.photographs->nearest.size());
         QVERIFY(card.frictionByTexture && card.frictionByTexture->lowest < card.frictionByTexture->highest);
         const fabrics::Dataset dataset = fabrics::readDataset(at("fabrics"));
-        QCOMPARE(card.architecture.zeroPercentile, signals::readCalibration(dataset.folder / dataset.tactileCalibration).zeroPercentile);
+        QCOMPARE(card.architecture.zeroPercentile,
+                 signals::readCalibration(dataset.folder / dataset.tactileCalibration).zeroPercentile);
         QVERIFY(!std::filesystem::exists(at("model.pt.checkpoint")));
         QVERIFY(std::filesystem::file_size(at("model.pt")) < (4U << 20U));
     }
@@ -122,7 +139,8 @@ private Q_SLOTS:
         std::vector<std::string> expected;
         std::set<std::string> others;
         for (const auto& [place, part] : fabrics::splitByLocation(dataset, 1)) {
-            const std::string hash = protocols::sha256OfFile(fabrics::samplePath(dataset, place.fabric, place.modality, place.index));
+            const std::string hash =
+                protocols::sha256OfFile(fabrics::samplePath(dataset, place.fabric, place.modality, place.index));
             if (part == Part::Training)
                 expected.push_back(hash);
             else
@@ -131,8 +149,7 @@ private Q_SLOTS:
         std::sort(expected.begin(), expected.end());
         QVERIFY(others.size() >= 9);
         QCOMPARE(card.trainingSampleHashes, expected);
-        for (const std::string& hash : card.trainingSampleHashes)
-            QVERIFY(!others.contains(hash));
+        for (const std::string& hash : card.trainingSampleHashes) QVERIFY(!others.contains(hash));
         QVERIFY(card.trainedOnProceduralSet);
         QCOMPARE(card.sha256, protocols::sha256OfFile(at("model.pt")));
         QVERIFY(card.trainingCommand.starts_with("vis2hap train "));
@@ -140,7 +157,8 @@ private Q_SLOTS:
 
     void heldOutFabricLeavesNoTrace()
     {
-        const Outcome outcome = run(smallRun("held.pt", 1) << "--hold-out" << "F02,F03");
+        const Outcome outcome = run(smallRun("held.pt", 1) << "--hold-out"
+                                                           << "F02,F03");
         QVERIFY2(outcome.exitCode == 0, qPrintable(outcome.errors));
         const models::ModelCardFields card = models::readModelCardFields(at("held.pt"));
         QCOMPARE(card.heldOut, (std::vector<std::string>{"F02", "F03"}));
@@ -178,7 +196,8 @@ private Q_SLOTS:
 
     void wildLearningRateStopsTheRunAndWritesNothing()
     {
-        const Outcome outcome = run(smallRun("wild.pt", 40) << "--learning-rate" << "1e30");
+        const Outcome outcome = run(smallRun("wild.pt", 40) << "--learning-rate"
+                                                            << "1e30");
         QCOMPARE(outcome.exitCode, 1);
         QCOMPARE(outcome.errors.trimmed().count('\n'), 0);
         QVERIFY2(outcome.errors.contains("no longer a number"), qPrintable(outcome.errors));
@@ -220,7 +239,10 @@ private Q_SLOTS:
 
     void splitAfterAugmentationLeavesNothingUnseen()
     {
-        QCOMPARE(run(smallRun("augmented.pt", 1) << "--split" << "augmented").exitCode, 0);
+        QCOMPARE(run(smallRun("augmented.pt", 1) << "--split"
+                                                 << "augmented")
+                     .exitCode,
+                 0);
         const models::ModelCardFields card = models::readModelCardFields(at("augmented.pt"));
         QCOMPARE(card.split, std::string("augmented"));
         const fabrics::Dataset dataset = fabrics::readDataset(at("fabrics"));
@@ -230,7 +252,12 @@ private Q_SLOTS:
     void trainingStopsWhereValidationNoLongerImproves()
     {
         QStringList call = smallRun("early.pt", 400);
-        call << "--validate-every" << "1" << "--patience" << "1" << "--learning-rate" << "0.05";
+        call << "--validate-every"
+             << "1"
+             << "--patience"
+             << "1"
+             << "--learning-rate"
+             << "0.05";
         const Outcome outcome = run(call);
         QVERIFY2(outcome.exitCode == 0, qPrintable(outcome.errors));
         const models::ModelCardFields card = models::readModelCardFields(at("early.pt"));
@@ -273,8 +300,8 @@ private Q_SLOTS:
         QTest::newRow("no steps") << QStringList{"train", fabrics, "--out", out, "--steps", "0"} << 2 << "--steps";
         QTest::newRow("odd crop") << QStringList{"train", fabrics, "--out", out, "--steps", "1", "--crop", "50"} << 2 << "--crop";
         QTest::newRow("unknown split") << QStringList{"train", fabrics, "--out", out, "--split", "weather"} << 2 << "--split";
-        QTest::newRow("two kinds of losses") << QStringList{"train", fabrics, "--out", out, "--reference", "--l1-only"} << 2
-                                             << "--l1-only";
+        QTest::newRow("two kinds of losses")
+            << QStringList{"train", fabrics, "--out", out, "--reference", "--l1-only"} << 2 << "--l1-only";
         QTest::newRow("unknown fabric") << QStringList{"train", fabrics, "--out", out, "--steps", "1", "--hold-out", "F77"} << 2
                                         << "F77";
         QTest::newRow("nothing left") << QStringList{"train", fabrics, "--out", out, "--steps", "1", "--hold-out", "F01,F02,F03"}
@@ -283,8 +310,8 @@ private Q_SLOTS:
                                            << "no checkpoint";
         QTest::newRow("no folder for the weights")
             << QStringList{"train", fabrics, "--out", text("none/no.pt"), "--steps", "1", "--crop", "64"} << 3 << "none/no.pt";
-        QTest::newRow("a folder for the weights") << QStringList{"train", fabrics, "--out", text("fabrics"), "--steps", "1"} << 2
-                                                  << "fabrics";
+        QTest::newRow("a folder for the weights")
+            << QStringList{"train", fabrics, "--out", text("fabrics"), "--steps", "1"} << 2 << "fabrics";
     }
 
     void wrongCallsAreRefusedInOneLine()
@@ -302,8 +329,7 @@ private Q_SLOTS:
     void dataSetWithoutFrictionIsRefusedByName()
     {
         std::filesystem::copy(at("fabrics"), at("untouched"), std::filesystem::copy_options::recursive);
-        for (const char* fabric : {"F01", "F02", "F03"})
-            std::filesystem::remove_all(at("untouched") / fabric / "friction");
+        for (const char* fabric : {"F01", "F02", "F03"}) std::filesystem::remove_all(at("untouched") / fabric / "friction");
         const Outcome outcome = run({"train", text("untouched"), "--out", text("no.pt"), "--steps", "1"});
         QCOMPARE(outcome.exitCode, 2);
         QVERIFY2(outcome.errors.contains("friction"), qPrintable(outcome.errors));

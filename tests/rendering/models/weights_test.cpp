@@ -1,19 +1,17 @@
 // Weights files and model cards that cannot be used are refused in one line; the shipped ones load.
+#include <QTemporaryDir>
+#include <QTest>
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <opencv2/core.hpp>
+
 #include "protocols/files/errors.h"
 #include "protocols/files/sha256.h"
 #include "rendering/models/generation.h"
 #include "rendering/models/model_card.h"
 #include "tests/rendering/spoilt_archive.h"
-
-#include <opencv2/core.hpp>
-
-#include <QTemporaryDir>
-#include <QTest>
-
-#include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 
 using namespace rendering;
 namespace fs = std::filesystem;
@@ -80,8 +78,7 @@ private Q_SLOTS:
         QVERIFY(card.told.trainingCommand.find("train") != std::string::npos);
         QVERIFY(card.told.trainingSampleHashes.size() > 1000);
         QVERIFY(std::ranges::is_sorted(card.told.trainingSampleHashes));
-        for (const std::string& hash : card.told.trainingSampleHashes)
-            QCOMPARE(hash.size(), std::size_t{64});
+        for (const std::string& hash : card.told.trainingSampleHashes) QCOMPARE(hash.size(), std::size_t{64});
         QVERIFY(card.photographs && card.photographs->fabricRings.size() == 15 && card.frictionByTexture);
         const auto& after = card.validation.at("after");
         QVERIFY(after.at("mean_friction_relative_error").at("generated").get<double>() < 0.1);
@@ -99,7 +96,8 @@ private Q_SLOTS:
     void cardIsReadBackAsWritten()
     {
         const models::ModelCardFields card = models::readModelCardFields(models::shippedModel());
-        QCOMPARE(QString::fromStdString(models::cardText(card)), QString::fromStdString(bytesOf(models::cardOf(models::shippedModel()))));
+        QCOMPARE(QString::fromStdString(models::cardText(card)),
+                 QString::fromStdString(bytesOf(models::cardOf(models::shippedModel()))));
     }
 
     void unusableWeightsAreRefused_data()
@@ -107,8 +105,8 @@ private Q_SLOTS:
         QTest::addColumn<QString>("harm");
         for (const char* harm : {"truncated", "truncated, card fits", "empty, card fits", "no archive, card fits", "not finite",
                                  "altered byte", "missing", "card missing", "card of another schema", "card no JSON",
-                                 "card of other networks", "card with absurd sizes",
-                                 "card with nonsense on photographs", "card with nonsense on friction", "card with a hollow zero"})
+                                 "card of other networks", "card with absurd sizes", "card with nonsense on photographs",
+                                 "card with nonsense on friction", "card with a hollow zero"})
             QTest::newRow(harm) << harm;
     }
 
@@ -142,8 +140,7 @@ private Q_SLOTS:
             alterCard(harm, card);
         const QString fault = faultOfGenerating();
         QVERIFY2(fault.startsWith("2 ") && fault.contains("model.pt") && !fault.contains('\n'), qPrintable(fault));
-        if (harm == "not finite")
-            QVERIFY2(fault.contains("not finite"), qPrintable(fault));
+        if (harm == "not finite") QVERIFY2(fault.contains("not finite"), qPrintable(fault));
     }
 
 private:

@@ -7,9 +7,9 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "tests/rendering/refusal.h"
-#include "rendering/signals/press_folder.h"
 #include "rendering/signals/photometric_stereo.h"
+#include "rendering/signals/press_folder.h"
+#include "tests/rendering/refusal.h"
 #include "tests/rendering/shared_data.h"
 #include "tests/rendering/simulated_presses.h"
 
@@ -37,7 +37,8 @@ private Q_SLOTS:
         for (std::size_t i = 0; i < 6; ++i) made.presses.presses[i] = shallow.presses.presses[i];
         const auto located = locate(made.presses);
         for (std::size_t i = 0; i < 12; ++i)
-            QVERIFY2(std::abs(located.circles[i].radiusPx - (i < 6 ? 9 : 13)) < 1.2, qPrintable(QString::number(located.circles[i].radiusPx)));
+            QVERIFY2(std::abs(located.circles[i].radiusPx - (i < 6 ? 9 : 13)) < 1.2,
+                     qPrintable(QString::number(located.circles[i].radiusPx)));
     }
 
     void calibrationReadsPressesItHasNotSeen_data()
@@ -58,7 +59,8 @@ private Q_SLOTS:
         const auto located = locate(made.presses);
         const auto score = crossValidated(made.presses, located.circles, MapQuality(quality));
         QCOMPARE(score.presses.size(), std::size_t(12));
-        qInfo("%.2f degrees, %.3f mm, peak %.2f of %.2f mm", score.normalErrorDeg, score.depthErrorMm, score.peakMm, score.ballPeakMm);
+        qInfo("%.2f degrees, %.3f mm, peak %.2f of %.2f mm", score.normalErrorDeg, score.depthErrorMm, score.peakMm,
+              score.ballPeakMm);
         QVERIFY(score.normalErrorDeg < degrees);
         QVERIFY(score.depthErrorMm < depthMm);
         QVERIFY(std::abs(score.peakMm - score.ballPeakMm) < 0.15);
@@ -107,7 +109,8 @@ private Q_SLOTS:
     void swappedChannelsAreNamed()
     {
         auto made = tests::simulatedPresses(6);
-        cv::Mat other(made.presses.background.size(), CV_8UC3, cv::Scalar(60, 0, 0));  // a sensor whose red and blue are far apart
+        cv::Mat other(made.presses.background.size(), CV_8UC3,
+                      cv::Scalar(60, 0, 0));  // a sensor whose red and blue are far apart
         made.presses.background += other;
         for (auto& press : made.presses.presses) press.frame += other;
         cv::cvtColor(made.presses.background, made.presses.background, cv::COLOR_RGB2BGR);
@@ -172,8 +175,8 @@ private Q_SLOTS:
         const auto presses = rendering::readBallPresses(folder, 2.0, 0.1245);
         const auto located = locate(presses);
         const auto score = crossValidated(presses, located.circles, MapQuality::Balanced);
-        qInfo("%.2f degrees, %.4f mm in contact, peak %.2f mm (%.2f to %.2f), contact %.1f px", score.normalErrorDeg, score.depthErrorMm, score.peakMm,
-              score.lowestPeakMm, score.highestPeakMm, located.contactPx);
+        qInfo("%.2f degrees, %.4f mm in contact, peak %.2f mm (%.2f to %.2f), contact %.1f px", score.normalErrorDeg,
+              score.depthErrorMm, score.peakMm, score.lowestPeakMm, score.highestPeakMm, located.contactPx);
         QVERIFY(score.normalErrorDeg <= 6);
         QVERIFY(score.depthErrorMm <= 0.08);
         QVERIFY(std::abs(score.peakMm - 1) <= 0.15);

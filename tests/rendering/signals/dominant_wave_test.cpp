@@ -1,13 +1,12 @@
 // The strongest wave of made-up and of real pictures.
-#include "protocols/random.h"
 #include "rendering/signals/dominant_wave.h"
 
 #include <QTest>
-
-#include <opencv2/core.hpp>
-
 #include <cmath>
 #include <numbers>
+#include <opencv2/core.hpp>
+
+#include "protocols/random.h"
 
 using namespace rendering::signals;
 

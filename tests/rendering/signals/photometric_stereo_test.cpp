@@ -7,8 +7,8 @@
 #include <numbers>
 #include <opencv2/core.hpp>
 
-#include "tests/rendering/refusal.h"
 #include "rendering/fabrics/procedural/tactile_press.h"
+#include "tests/rendering/refusal.h"
 
 using namespace rendering::signals;
 
@@ -237,7 +237,8 @@ private Q_SLOTS:
         QCOMPARE(height.size(), frame.size());
         QVERIFY(cv::checkRange(height));
         QVERIFY(!hasOutside(lightOf(reference, reference, LightMeasure::AgainstReference)));
-        const cv::Mat nowhere = contactOf(cv::Mat::zeros(rows, columns, CV_32FC1), slopesFromFrame(reference, reference, calibration));
+        const cv::Mat nowhere =
+            contactOf(cv::Mat::zeros(rows, columns, CV_32FC1), slopesFromFrame(reference, reference, calibration));
         QCOMPARE(cv::countNonZero(nowhere), 0);
         QVERIFY(cv::checkRange(heightInContact(slopesFromFrame(frame, reference, calibration), nowhere, {0.05, 0.05})));
     }

@@ -31,8 +31,8 @@ class RoughnessTest : public QObject {
 private Q_SLOTS:
     void waveHasTheValuesOfItsFormula()
     {
-        // 0.1 cos(k x): Sq 0.1 / sqrt 2; along x the autocorrelation is cos(k x) and falls to 0.2 at acos(0.2) / k; Sdr is the mean of
-        // sqrt(1 + slope^2) - 1, by Simpson's rule over one wave: 0.0584.
+        // 0.1 cos(k x): Sq 0.1 / sqrt 2; along x the autocorrelation is cos(k x) and falls to 0.2 at acos(0.2) / k; Sdr is the
+        // mean of sqrt(1 + slope^2) - 1, by Simpson's rule over one wave: 0.0584.
         const Pitch pitch{0.02, 0.05};
         const double k = 2 * std::numbers::pi / 1.28;
         cv::Mat wave(100, 640, CV_64FC1);
@@ -42,7 +42,8 @@ private Q_SLOTS:
         QVERIFY(std::abs(found.sqMm - 0.1 / std::sqrt(2)) < 1e-4);
         QVERIFY2(std::abs(found.salMm - std::acos(0.2) / k) < 0.01, qPrintable(QString::number(found.salMm)));
         double area = 0;
-        for (int i = 0; i < 1000; ++i) area += std::sqrt(1 + std::pow(0.1 * k * std::sin(2 * std::numbers::pi * i / 1000), 2)) - 1;
+        for (int i = 0; i < 1000; ++i)
+            area += std::sqrt(1 + std::pow(0.1 * k * std::sin(2 * std::numbers::pi * i / 1000), 2)) - 1;
         QVERIFY2(std::abs(found.sdr - area / 1000) < 0.001, qPrintable(QString::number(found.sdr)));
     }
 

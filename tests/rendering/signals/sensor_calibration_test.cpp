@@ -1,16 +1,15 @@
-// A calibration file says all that reading a frame needs, and is refused by its field where it does not; a map fitted to known slopes reads
-// them again; a sensor of several lamps is calibrated on a surface of known height.
-#include "rendering/signals/calibration.h"
-
+// A calibration file says all that reading a frame needs, and is refused by its field where it does not; a map fitted to known
+// slopes reads them again; a sensor of several lamps is calibrated on a surface of known height.
 #include <QTest>
 #include <cmath>
 #include <numbers>
 #include <opencv2/core.hpp>
 
 #include "protocols/random.h"
-#include "tests/rendering/refusal.h"
+#include "rendering/signals/calibration.h"
 #include "rendering/signals/photometric_stereo.h"
 #include "rendering/signals/surface_calibration.h"
+#include "tests/rendering/refusal.h"
 
 using namespace rendering::signals;
 
@@ -44,7 +43,8 @@ double slopeError(const SlopeMap& map, const SlopeSamples& samples)
     double sum = 0;
     for (std::size_t i = 0; i < samples.size(); ++i) {
         const int row = static_cast<int>(i) / 50, column = static_cast<int>(i) % 50;
-        sum += std::pow(found.x.at<float>(row, column) - samples.slopes[2 * i], 2) + std::pow(found.y.at<float>(row, column) - samples.slopes[2 * i + 1], 2);
+        sum += std::pow(found.x.at<float>(row, column) - samples.slopes[2 * i], 2) +
+               std::pow(found.y.at<float>(row, column) - samples.slopes[2 * i + 1], 2);
     }
     return std::sqrt(sum / (2.0 * static_cast<double>(samples.size())));
 }
@@ -91,7 +91,8 @@ private Q_SLOTS:
             options.quality = quality;
             return slopeError(fitSlopeMap(samples, options), samples);
         };
-        const double linear = errorAt(MapQuality::Fast), polynomial = errorAt(MapQuality::Balanced), network = errorAt(MapQuality::Accurate);
+        const double linear = errorAt(MapQuality::Fast), polynomial = errorAt(MapQuality::Balanced),
+                     network = errorAt(MapQuality::Accurate);
         qInfo("linear %.4f, polynomial %.4f, network %.4f", linear, polynomial, network);
         QVERIFY(polynomial < 0.3 * linear);
         QVERIFY(network < 0.7 * linear);
@@ -105,7 +106,8 @@ private Q_SLOTS:
         double together = 0, known = 0;
         for (std::size_t i = 0; i < samples.size(); ++i) {
             const int row = static_cast<int>(i) / 50, column = static_cast<int>(i) % 50;
-            together += found.x.at<float>(row, column) * samples.slopes[2 * i] + found.y.at<float>(row, column) * samples.slopes[2 * i + 1];
+            together += found.x.at<float>(row, column) * samples.slopes[2 * i] +
+                        found.y.at<float>(row, column) * samples.slopes[2 * i + 1];
             known += std::pow(samples.slopes[2 * i], 2) + std::pow(samples.slopes[2 * i + 1], 2);
         }
         QVERIFY2(std::abs(together / known - 1) < 0.01, qPrintable(QString::number(together / known)));
@@ -121,13 +123,27 @@ private Q_SLOTS:
         QTest::addColumn<QString>("from");
         QTest::addColumn<QString>("to");
         QTest::addColumn<QString>("named");
-        QTest::newRow("degree of 60") << "\"degree\": 3" << "\"degree\": 60" << "degree";
-        QTest::newRow("no degree") << "\"degree\"" << "\"grade\"" << "degree";
-        QTest::newRow("place") << "\"by_place\": true" << "\"by_place\": 1" << "by_place";
-        QTest::newRow("too few coefficients") << "\"by_place\": true" << "\"by_place\": false" << "coefficients";
-        QTest::newRow("channels") << "\"channels\": 3" << "\"channels\": 0" << "channels";
-        QTest::newRow("light") << "\"reference\"" << "\"moon\"" << "light";
-        QTest::newRow("sensor") << "\"width\": 160" << "\"width\": 1.5" << "width";
+        QTest::newRow("degree of 60") << "\"degree\": 3"
+                                      << "\"degree\": 60"
+                                      << "degree";
+        QTest::newRow("no degree") << "\"degree\""
+                                   << "\"grade\""
+                                   << "degree";
+        QTest::newRow("place") << "\"by_place\": true"
+                               << "\"by_place\": 1"
+                               << "by_place";
+        QTest::newRow("too few coefficients") << "\"by_place\": true"
+                                              << "\"by_place\": false"
+                                              << "coefficients";
+        QTest::newRow("channels") << "\"channels\": 3"
+                                  << "\"channels\": 0"
+                                  << "channels";
+        QTest::newRow("light") << "\"reference\""
+                               << "\"moon\""
+                               << "light";
+        QTest::newRow("sensor") << "\"width\": 160"
+                                << "\"width\": 1.5"
+                                << "width";
     }
     void malformedMapsAreRefusedByTheirField()
     {
@@ -165,10 +181,13 @@ private Q_SLOTS:
             for (int j = 0; j < columns; ++j) {
                 const double x = j * pitch, y = i * pitch;
                 height.at<float>(i, j) = static_cast<float>(0.05 * std::cos(k * x) * std::cos(0.8 * k * y));
-                const double p = -0.05 * k * std::sin(k * x) * std::cos(0.8 * k * y), q = -0.04 * k * std::cos(k * x) * std::sin(0.8 * k * y);
+                const double p = -0.05 * k * std::sin(k * x) * std::cos(0.8 * k * y),
+                             q = -0.04 * k * std::cos(k * x) * std::sin(0.8 * k * y);
                 for (int lamp = 0; lamp < 4; ++lamp) {
                     const double angle = std::numbers::pi * lamp / 2, towards = -(p * std::cos(angle) + q * std::sin(angle));
-                    const double level = (110 + 30 * std::cos(angle) * (2.0 * j / columns - 1) + 20 * std::sin(angle) * (2.0 * i / rows - 1)) * (1 + 1.2 * towards);
+                    const double level =
+                        (110 + 30 * std::cos(angle) * (2.0 * j / columns - 1) + 20 * std::sin(angle) * (2.0 * i / rows - 1)) *
+                        (1 + 1.2 * towards);
                     lamps[static_cast<std::size_t>(lamp)].at<uchar>(i, j) = cv::saturate_cast<uchar>(level + random.normal());
                 }
             }

@@ -7,10 +7,10 @@
 #include <opencv2/imgproc.hpp>
 
 #include "protocols/random.h"
-#include "tests/rendering/refusal.h"
 #include "rendering/images/image_io.h"
-#include "rendering/signals/surface_integration.h"
 #include "rendering/images/true_map.h"
+#include "rendering/signals/surface_integration.h"
+#include "tests/rendering/refusal.h"
 #include "tests/rendering/shared_data.h"
 
 using namespace rendering::signals;
@@ -214,7 +214,8 @@ private Q_SLOTS:
         dyed = grey.clone();
         for (int i = 0; i < dyed.rows; ++i)
             for (int j = 0; j < dyed.cols; ++j)
-                if ((i / 10 + j / 10) % 2) dyed.at<cv::Vec3b>(i, j)[0] = cv::saturate_cast<uchar>(dyed.at<cv::Vec3b>(i, j)[0] * 0.4);
+                if ((i / 10 + j / 10) % 2)
+                    dyed.at<cv::Vec3b>(i, j)[0] = cv::saturate_cast<uchar>(dyed.at<cv::Vec3b>(i, j)[0] * 0.4);
         QVERIFY2(colourVariation(dyed) > coloursSpoilShading, qPrintable(QString::number(colourVariation(dyed))));
         QVERIFY(std::isfinite(colourVariation(cv::Mat(1, 1, CV_8UC3, cv::Scalar::all(0)))));
     }

@@ -8,8 +8,8 @@
 #include <iterator>
 #include <opencv2/core.hpp>
 
-#include "tests/rendering/refusal.h"
 #include "rendering/images/image_io.h"
+#include "tests/rendering/refusal.h"
 
 using namespace rendering;
 using namespace rendering::signals;

@@ -8,8 +8,8 @@
 #include <opencv2/core.hpp>
 
 #include "protocols/random.h"
-#include "tests/rendering/refusal.h"
 #include "rendering/signals/friction_trace.h"
+#include "tests/rendering/refusal.h"
 
 using namespace rendering::signals;
 

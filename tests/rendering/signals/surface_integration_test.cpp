@@ -9,9 +9,9 @@
 #include <tuple>
 
 #include "protocols/random.h"
-#include "tests/rendering/refusal.h"
-#include "rendering/signals/cosine_transform.h"
 #include "rendering/images/true_map.h"
+#include "rendering/signals/cosine_transform.h"
+#include "tests/rendering/refusal.h"
 #include "tests/rendering/shared_data.h"
 
 using namespace rendering::signals;
@@ -98,7 +98,8 @@ KnownSurface weave(double pixels)
     const double w = 2 * std::numbers::pi / (pixels * surfacePitch.x);
     return surfaceFrom([w](double x, double y) {
         const double a = w * x + 0.7, b = w * y + 1.1;
-        return std::tuple{0.05 * std::cos(a) * std::cos(b), -0.05 * w * std::sin(a) * std::cos(b), -0.05 * w * std::cos(a) * std::sin(b)};
+        return std::tuple{0.05 * std::cos(a) * std::cos(b), -0.05 * w * std::sin(a) * std::cos(b),
+                          -0.05 * w * std::cos(a) * std::sin(b)};
     });
 }
 
@@ -337,7 +338,9 @@ private Q_SLOTS:
     void noiseIsNoSurface()
     {
         const Slopes noise{randomImage(40, 50), randomImage(50, 40).t()};
-        const auto residual = [](const Slopes& slopes, const Pitch& pitch) { return curlResidual(slopes, integrate(slopes, pitch), pitch); };
+        const auto residual = [](const Slopes& slopes, const Pitch& pitch) {
+            return curlResidual(slopes, integrate(slopes, pitch), pitch);
+        };
         QVERIFY(std::abs(residual(noise, {0.1, 0.1}) - 0.7) < 0.1);
         const auto known = weave(12);
         QVERIFY(residual(known.slopes, surfacePitch) < 0.001);

@@ -1,12 +1,12 @@
 // Every kind of answer through the real widgets: as it is typed, entered twice, corrected and flagged; who stamps the
 // first touch; what the pieces of fabric are called.
-#include "tests/support/played_session.h"
-#include "tests/support/typed_answers.h"
-#include "tests/support/whole_protocol.h"
-
 #include <QLabel>
 #include <QPushButton>
 #include <QTest>
+
+#include "tests/support/played_session.h"
+#include "tests/support/typed_answers.h"
+#include "tests/support/whole_protocol.h"
 
 using namespace study::session;
 using namespace tests::support;
@@ -15,20 +15,15 @@ using protocols::Tenths;
 
 namespace {
 
-bool isFinished(OpenWindow& open)
-{
-    return std::holds_alternative<Finished>(open.view().state.stage);
-}
+bool isFinished(OpenWindow& open) { return std::holds_alternative<Finished>(open.view().state.stage); }
 
 /// Another answer of the same kind.
 Response otherThan(const Response& right, const View& view)
 {
     if (const auto* fabric = std::get_if<protocols::FabricId>(&right))
         return view.trayIds[view.trayIds.front() == *fabric ? 1 : 0];
-    if (const auto* rating = std::get_if<Tenths>(&right))
-        return Tenths{rating->value == 10 ? 20 : 10};
-    if (const auto* said = std::get_if<Sameness>(&right))
-        return Sameness{!said->same};
+    if (const auto* rating = std::get_if<Tenths>(&right)) return Tenths{rating->value == 10 ? 20 : 10};
+    if (const auto* said = std::get_if<Sameness>(&right)) return Sameness{!said->same};
     return Words{"something else"};
 }
 
@@ -53,8 +48,7 @@ private Q_SLOTS:
 void AppAnswersTest::secondEntryMustAgree_data()
 {
     QTest::addColumn<QString>("question");
-    for (const char* question : {"Q1", "W1", "S1", "Q2", "L1"})
-        QTest::newRow(question) << question;
+    for (const char* question : {"Q1", "W1", "S1", "Q2", "L1"}) QTest::newRow(question) << question;
 }
 
 void AppAnswersTest::secondEntryMustAgree()
@@ -132,18 +126,14 @@ void AppAnswersTest::correctionsOfEveryKindOfAnswer()
     for (const auto& correctable : open.window().session()->correctables()) {
         const std::string question = correctable.question.value;
         Response now = Words{"other words"};
-        if (question == "Q1")
-            now = correctable.form.options[correctable.current.startsWith('A') ? 1 : 0].response;
-        if (question == "S1")
-            now = Sameness{correctable.current != "Same"};
-        if (question == "Q2")
-            now = Tenths{correctable.current == "3.3" ? 44 : 33};
+        if (question == "Q1") now = correctable.form.options[correctable.current.startsWith('A') ? 1 : 0].response;
+        if (question == "S1") now = Sameness{correctable.current != "Same"};
+        if (question == "Q2") now = Tenths{correctable.current == "3.3" ? 44 : 33};
         open.perform(Corrected{correctable.question, now, "misheard"});
         QVERIFY2(open.message().contains("Corrected"), qPrintable(open.message()));
     }
     int changed = 0;
-    for (const auto& [asked, answer] : answersIn(folder))
-        changed += kept.at(asked) != answer ? 1 : 0;
+    for (const auto& [asked, answer] : answersIn(folder)) changed += kept.at(asked) != answer ? 1 : 0;
     QCOMPARE(changed, 4);  // Q1, W1, S1, Q2: the last of each
 }
 
@@ -220,8 +210,7 @@ void AppAnswersTest::piecesGoByTheirCodesAlone()
         names.insert(QString::fromStdString(name));
     while (!isFinished(open)) {
         for (const QString& text : textsIn(open.window()))
-            for (const QString& name : names)
-                QVERIFY2(!text.contains(name), qPrintable(text));
+            for (const QString& name : names) QVERIFY2(!text.contains(name), qPrintable(text));
         if (std::holds_alternative<PlacingTray>(open.view().state.stage)) {
             const QString piece = open.widget<QLabel>("slotPiece").text();
             QCOMPARE(piece, QString("Piece %1").arg(QString::fromStdString(open.view().tray.front())));

@@ -1,10 +1,6 @@
 // Nothing that a running session leaves anywhere names a condition: in windows, logs, file names, running orders and
 // exports. And two studies whose keys differ only by which condition is which cannot be told apart by any of them.
-#include "protocols/condition.h"
-#include "tests/support/played_session.h"
-#include "tests/support/program.h"
-#include "tests/support/typed_answers.h"
-#include "tests/support/whole_protocol.h"
+#include <unistd.h>
 
 #include <QApplication>
 #include <QDir>
@@ -14,9 +10,13 @@
 #include <QPlainTextEdit>
 #include <QTemporaryFile>
 #include <QTest>
-
 #include <cstdio>
-#include <unistd.h>
+
+#include "protocols/condition.h"
+#include "tests/support/played_session.h"
+#include "tests/support/program.h"
+#include "tests/support/typed_answers.h"
+#include "tests/support/whole_protocol.h"
 
 using namespace study::session;
 using namespace tests::support;
@@ -38,8 +38,7 @@ WholeProtocol nineConditions()
 {
     WholeProtocol wanted;
     wanted.conditions.clear();
-    for (const auto& condition : protocols::allConditions())
-        wanted.conditions.emplace_back(condition.id);
+    for (const auto& condition : protocols::allConditions()) wanted.conditions.emplace_back(condition.id);
     wanted.breakAfter = 9;
     return wanted;
 }
@@ -83,8 +82,7 @@ std::vector<QString> textsOfAllWindows()
 {
     std::vector<QString> texts;
     for (const QWidget* window : QApplication::topLevelWidgets())
-        for (const QString& text : textsIn(*window))
-            texts.push_back(text);
+        for (const QString& text : textsIn(*window)) texts.push_back(text);
     return texts;
 }
 
@@ -92,8 +90,7 @@ QStringList namesOfFilesIn(const QString& folder)
 {
     QStringList names;
     QDirIterator files(folder, QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot, QDirIterator::Subdirectories);
-    while (files.hasNext())
-        names << QDir(folder).relativeFilePath(files.next());
+    while (files.hasNext()) names << QDir(folder).relativeFilePath(files.next());
     names.sort();
     return names;
 }
@@ -103,8 +100,7 @@ QMap<QString, QByteArray> contentsOf(const QString& folder)
     QMap<QString, QByteArray> contents;
     for (const QString& name : namesOfFilesIn(folder)) {
         QFile file(QDir(folder).filePath(name));
-        if (file.open(QIODevice::ReadOnly))
-            contents[name] = file.readAll();
+        if (file.open(QIODevice::ReadOnly)) contents[name] = file.readAll();
     }
     return contents;
 }
@@ -134,7 +130,6 @@ private:
     void look(OpenWindow& open, Seen& seen);
     void panelsAndPause(OpenWindow& open, Seen& seen);
     QMap<QString, QByteArray> writtenOf(const QString& study);
-
 
 private Q_SLOTS:
     void initTestCase() { QApplication::setCursorFlashTime(0); }  // a cursor that blinks makes other pictures
@@ -177,14 +172,12 @@ void AppBlindingTest::look(OpenWindow& open, Seen& seen)
 void AppBlindingTest::panelsAndPause(OpenWindow& open, Seen& seen)
 {
     for (const char* footerButton : {"voidButton", "noteButton", "flagButton", "correctButton", "withdrawButton"}) {
-        if (!open.widget<QWidget>(footerButton).isEnabled())
-            continue;
+        if (!open.widget<QWidget>(footerButton).isEnabled()) continue;
         open.hands().click(QString::fromLatin1(footerButton));
         look(open, seen);
         open.hands().pressKey(Qt::Key_Escape);
     }
-    if (open.view().state.paused || std::holds_alternative<Finished>(open.view().state.stage))
-        return;
+    if (open.view().state.paused || std::holds_alternative<Finished>(open.view().state.stage)) return;
     open.perform(Paused{});
     look(open, seen);
     open.perform(Resumed{});
@@ -203,10 +196,8 @@ Seen AppBlindingTest::playAndLook(const StudyRecipe& recipe)
         open.window().startSession(ParticipantId("P01"));
         for (int steps = 1; !std::holds_alternative<Finished>(open.view().state.stage); ++steps) {
             look(open, seen);
-            if (steps % 17 == 0)
-                panelsAndPause(open, seen);
-            if (steps == 60)
-                open.perform(Voided{"a piece fell down"});
+            if (steps % 17 == 0) panelsAndPause(open, seen);
+            if (steps == 60) open.perform(Voided{"a piece fell down"});
             open.perform(open.nextEvent());
         }
         look(open, seen);
@@ -234,8 +225,7 @@ QMap<QString, QByteArray> AppBlindingTest::writtenOf(const QString& study)
     };
     run({"study", "status", study});
     run({"study", "plan", study, "--csv", out + "/plan.csv"});
-    for (const char* format : {"csv", "json", "script"})
-        run({"export", study, "--out", out + "/" + format, "--format", format});
+    for (const char* format : {"csv", "json", "script"}) run({"export", study, "--out", out + "/" + format, "--format", format});
     auto written = contentsOf(out);
     written["(said)"] = said;
     return written;
@@ -251,20 +241,16 @@ void AppBlindingTest::nothingNamesACondition()
         QVERIFY2(leaks.empty(), leaks.empty() ? "" : qPrintable(where + ": " + leaks.front().left(300)));
     };
     std::set<QString> shown;
-    for (const auto& texts : seen.texts)
-        shown.insert(texts.begin(), texts.end());
+    for (const auto& texts : seen.texts) shown.insert(texts.begin(), texts.end());
     QVERIFY(shown.size() > 400);
     // In windows neither what the stimuli's files are called nor the labels of the masked key.
     std::set<QString> hiddenInWindows = ids;
     const database::StudyStore store({filePath("study").toStdString()}, database::StudyStore::Access::Read);
-    for (const auto& [code, hash] : store.stimulusHashes())
-        hiddenInWindows.insert(QString::fromStdString(code.value));
-    for (int label = 1; label <= 9; ++label)
-        hiddenInWindows.insert(QStringLiteral("K%1").arg(label));
+    for (const auto& [code, hash] : store.stimulusHashes()) hiddenInWindows.insert(QString::fromStdString(code.value));
+    for (int label = 1; label <= 9; ++label) hiddenInWindows.insert(QStringLiteral("K%1").arg(label));
     require({shown.begin(), shown.end()}, "a window", hiddenInWindows);
     require({seen.log}, "the log", hiddenInWindows);
-    for (const QString& name : namesOfFilesIn(filePath("study")))
-        require({name}, "a file's name", ids);
+    for (const QString& name : namesOfFilesIn(filePath("study"))) require({name}, "a file's name", ids);
     QVERIFY(seen.files.size() > 4);
     for (auto file = seen.files.begin(); file != seen.files.end(); ++file)
         require({file.key(), QString::fromUtf8(file.value())}, file.key(), ids);
@@ -289,8 +275,7 @@ void AppBlindingTest::studiesWithOtherConditionsLookTheSame()
     }
     QCOMPARE(first.log, second.log);
     QCOMPARE(first.files.keys(), second.files.keys());
-    for (const QString& file : first.files.keys())
-        QVERIFY2(first.files[file] == second.files[file], qPrintable(file));
+    for (const QString& file : first.files.keys()) QVERIFY2(first.files[file] == second.files[file], qPrintable(file));
 }
 
 QTEST_MAIN(AppBlindingTest)

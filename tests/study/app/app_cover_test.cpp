@@ -1,19 +1,18 @@
 // The cover of a touch screen: black, out of the keyboard's way, and a teller of touches. On two screens of the
 // offscreen platform; where a second one is missing, a skip says so.
-#include "protocols/files/errors.h"
-#include "study/app/state/screen_cover.h"
-#include "tests/support/open_window.h"
-#include "tests/support/played_session.h"
+#include <poll.h>
 
 #include <QApplication>
 #include <QFile>
 #include <QPointingDevice>
 #include <QScreen>
 #include <QTest>
-
 #include <opencv2/core/mat.hpp>
 
-#include <poll.h>
+#include "protocols/files/errors.h"
+#include "study/app/state/screen_cover.h"
+#include "tests/support/open_window.h"
+#include "tests/support/played_session.h"
 
 using namespace study::app;
 using namespace study::session;
@@ -29,8 +28,7 @@ constexpr auto twoScreens = R"({"screens": [
 QWidget* cover()
 {
     for (QWidget* window : QApplication::topLevelWidgets())
-        if (window->objectName() == "screenCover")
-            return window;
+        if (window->objectName() == "screenCover") return window;
     return nullptr;
 }
 
@@ -52,8 +50,7 @@ class AppCoverTest : public tests::support::WindowTest {
 private Q_SLOTS:
     void init()
     {
-        if (QGuiApplication::screens().size() < 2)
-            QSKIP("the platform gives one screen only");
+        if (QGuiApplication::screens().size() < 2) QSKIP("the platform gives one screen only");
     }
     void coversItsScreenWithBlack();
     void reportsFingersAndMouse();
@@ -107,7 +104,8 @@ void AppCoverTest::passesImagesOnToTheDisplayUnderIt()
 
 void AppCoverTest::driverUnderTheCoverTellsItsTouchesToo()
 {
-    const auto display = openDisplay("exec:" VIS2HAP_REFERENCE_DISPLAY " '" + filePath("felt").toStdString() + "' --touch-after 10,cover:1");
+    const auto display =
+        openDisplay("exec:" VIS2HAP_REFERENCE_DISPLAY " '" + filePath("felt").toStdString() + "' --touch-after 10,cover:1");
     int touches = 0;
     display->onTouched([&](const rendering::Touch&) { ++touches; });
     display->show(cv::Mat(8, 8, CV_8UC1, cv::Scalar(200)));
@@ -123,11 +121,16 @@ void AppCoverTest::screensThatAreNotThereAreRefused_data()
 {
     QTest::addColumn<QString>("specification");
     QTest::addColumn<QString>("told");
-    QTest::newRow("beyond the last") << "cover:2" << "no screen 2";
-    QTest::newRow("no number") << "cover:left" << "no screen left";
-    QTest::newRow("nothing") << "none,cover:" << "no screen";
-    QTest::newRow("negative") << "cover:-1" << "no screen -1";
-    QTest::newRow("unknown kind under it") << "magic,cover:1" << "unknown display";
+    QTest::newRow("beyond the last") << "cover:2"
+                                     << "no screen 2";
+    QTest::newRow("no number") << "cover:left"
+                               << "no screen left";
+    QTest::newRow("nothing") << "none,cover:"
+                             << "no screen";
+    QTest::newRow("negative") << "cover:-1"
+                              << "no screen -1";
+    QTest::newRow("unknown kind under it") << "magic,cover:1"
+                                           << "unknown display";
 }
 
 void AppCoverTest::screensThatAreNotThereAreRefused()

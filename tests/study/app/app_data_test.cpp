@@ -1,11 +1,4 @@
 // Looking at a data set before a study is made: the real page over real files, by keys alone.
-#include "study/app/pages/data_page.h"
-#include "study/commands/look_at_data.h"
-#include "tests/rendering/fabric_files.h"
-#include "tests/support/open_window.h"
-
-#include "rendering/fabrics/procedural/procedural_fabrics.h"
-
 #include <QLabel>
 #include <QLineEdit>
 #include <QPlainTextEdit>
@@ -13,6 +6,12 @@
 #include <QScrollBar>
 #include <QTest>
 #include <QTreeWidget>
+
+#include "rendering/fabrics/procedural/procedural_fabrics.h"
+#include "study/app/pages/data_page.h"
+#include "study/commands/look_at_data.h"
+#include "tests/rendering/fabric_files.h"
+#include "tests/support/open_window.h"
 
 using namespace study::app;
 using tests::support::ShownWindow;
@@ -80,8 +79,7 @@ void AppDataTest::fabricsAreGoneThroughByKeysAlone()
     QCOMPARE(sampleIn(page), QString("F01, sample 1 of 3"));
     press(shown, Qt::Key_PageDown);
     QCOMPARE(sampleIn(page), QString("F01, sample 2 of 3"));
-    for (int more = 0; more < 5; ++more)
-        press(shown, Qt::Key_PageDown);
+    for (int more = 0; more < 5; ++more) press(shown, Qt::Key_PageDown);
     QCOMPARE(sampleIn(page), QString("F01, sample 3 of 3"));
     QTRY_VERIFY(!page.isBusy() && sheetIn(page).contains("F01 visual 002.png"));
     press(shown, Qt::Key_Down);
@@ -111,8 +109,7 @@ void AppDataTest::sheetOfAFabricShowsItsSignals()
     std::set<QRgb> colours;
     const QImage drawn = sheet.toImage();
     for (int x = 0; x < drawn.width(); x += 5)
-        for (int y = 0; y < drawn.height(); y += 5)
-            colours.insert(drawn.pixel(x, y));
+        for (int y = 0; y < drawn.height(); y += 5) colours.insert(drawn.pixel(x, y));
     QVERIFY(colours.size() > 200);
 }
 
@@ -209,8 +206,7 @@ void AppDataTest::leavingStopsTheCheck()
 void AppDataTest::pageIsSavedAsPicture()
 {
     const QString folder = qEnvironmentVariable("VIS2HAP_SCREENSHOTS");
-    if (folder.isEmpty())
-        QSKIP("VIS2HAP_SCREENSHOTS names no folder, so no page is saved");
+    if (folder.isEmpty()) QSKIP("VIS2HAP_SCREENSHOTS names no folder, so no page is saved");
     const QFont font = QApplication::font();
     ShownWindow shown(lookingOptions());
     shown.window.resize(1300, 1150);

@@ -1,20 +1,19 @@
 // A session with a display behind a driver, in the real window: what can be felt at every stage, first touches, and a
 // driver that dies in the middle.
-#include "rendering/images/image_io.h"
-#include "study/app/state/screen_cover.h"
-#include "tests/support/open_window.h"
-#include "tests/support/played_session.h"
+#include <signal.h>
+#include <unistd.h>
 
 #include <QElapsedTimer>
 #include <QFile>
 #include <QLabel>
 #include <QProcess>
 #include <QTest>
-
 #include <opencv2/core.hpp>
 
-#include <signal.h>
-#include <unistd.h>
+#include "rendering/images/image_io.h"
+#include "study/app/state/screen_cover.h"
+#include "tests/support/open_window.h"
+#include "tests/support/played_session.h"
 
 using namespace study::app;
 using namespace study::session;
@@ -64,8 +63,7 @@ class AppDisplayTest : public tests::support::WindowTest {
     template <class Stage>
     void stepTo(ShownWindow& shown)
     {
-        while (!std::holds_alternative<Stage>(shown.hands.view().state.stage))
-            step(shown);
+        while (!std::holds_alternative<Stage>(shown.hands.view().state.stage)) step(shown);
     }
     QString messageIn(ShownWindow& shown) { return shown.window.currentPage()->findChild<QLabel*>("sessionMessage")->text(); }
 
@@ -184,8 +182,7 @@ void AppDisplayTest::driverThatStaysDeadSaysWhatToDo()
     list.start("ps", {"-eo", "pid,args"});
     QVERIFY(list.waitForFinished());
     for (const QString& line : QString::fromUtf8(list.readAllStandardOutput()).split('\n'))
-        if (line.contains("vis2hap-reference-display " + felt()))
-            ::kill(line.trimmed().section(' ', 0, 0).toInt(), SIGKILL);
+        if (line.contains("vis2hap-reference-display " + felt())) ::kill(line.trimmed().section(' ', 0, 0).toInt(), SIGKILL);
     QTest::qWait(50);
     QVERIFY(!shown.hands.view().state.paused);  // nothing was felt: nobody need know yet
     shown.window.session()->send(TrayReady{});
@@ -234,8 +231,7 @@ int main(int argc, char** argv)
         display->show(cv::Mat(8, 8, CV_8UC1, cv::Scalar(99)));
         std::puts("shown");
         std::fflush(stdout);
-        while (true)
-            ::pause();
+        while (true) ::pause();
     }
     QApplication application(argc, argv);
     AppDisplayTest test;

@@ -1,10 +1,6 @@
 // What goes wrong around a session is told on the page where it happens, with what to do, and loses no answer: a
 // protocol edited in mid-study, a study open elsewhere, a stimulus altered, a full disk, a display that cannot be opened.
-#include "protocols/files/errors.h"
-#include "tests/support/counting_vfs.h"
-#include "tests/support/played_session.h"
-#include "tests/support/typed_answers.h"
-#include "tests/support/whole_protocol.h"
+#include <unistd.h>
 
 #include <QFile>
 #include <QGuiApplication>
@@ -12,7 +8,11 @@
 #include <QLineEdit>
 #include <QTest>
 
-#include <unistd.h>
+#include "protocols/files/errors.h"
+#include "tests/support/counting_vfs.h"
+#include "tests/support/played_session.h"
+#include "tests/support/typed_answers.h"
+#include "tests/support/whole_protocol.h"
 
 using namespace study::app;
 using namespace study::session;
@@ -119,15 +119,13 @@ void AppFaultsTest::alteredStimulusPausesAndNamesTheFile()
     QVERIFY2(open.message().contains("stimulus was altered") && open.message().contains(".pgm"), qPrintable(open.message()));
     QVERIFY2(open.message().contains("backup") && open.message().contains("no answer is lost"), qPrintable(open.message()));
     const auto after = answersIn(folder);
-    for (const auto& [asked, answer] : before)
-        QCOMPARE(after.at(asked), answer);
+    for (const auto& [asked, answer] : before) QCOMPARE(after.at(asked), answer);
 }
 
 void AppFaultsTest::fullDiskKeepsTheEntryUntilThereIsRoom_data()
 {
     QTest::addColumn<QString>("question");
-    for (const char* question : {"Q1", "W1", "S1", "Q2"})
-        QTest::newRow(question) << question;
+    for (const char* question : {"Q1", "W1", "S1", "Q2"}) QTest::newRow(question) << question;
 }
 
 void AppFaultsTest::fullDiskKeepsTheEntryUntilThereIsRoom()
@@ -170,8 +168,7 @@ void AppFaultsTest::displayThatCannotBeOpenedIsToldOnTheStudyPage()
 
 void AppFaultsTest::theOnlyScreenIsNotCovered()
 {
-    if (QGuiApplication::screens().size() > 1)
-        QSKIP("there is more than one screen");
+    if (QGuiApplication::screens().size() > 1) QSKIP("there is more than one screen");
     try {
         study::app::openDisplay("cover:0");
         QFAIL("the console would be hidden");

@@ -1,12 +1,5 @@
 // How every page looks: names for screen readers, themes, text sizes. With VIS2HAP_SCREENSHOTS=FOLDER every page is
 // saved there as PNG: light, dark, and with text at 200 percent.
-#include "study/app/state/appearance.h"
-#include "study/app/pages/data_page.h"
-#include "study/app/pages/monitor_window.h"
-#include "study/app/pieces/scale_line.h"
-#include "tests/support/open_window.h"
-#include "tests/support/whole_protocol.h"
-
 #include <QAbstractButton>
 #include <QAbstractItemView>
 #include <QAbstractScrollArea>
@@ -17,6 +10,13 @@
 #include <QPlainTextEdit>
 #include <QScrollBar>
 #include <QTest>
+
+#include "study/app/pages/data_page.h"
+#include "study/app/pages/monitor_window.h"
+#include "study/app/pieces/scale_line.h"
+#include "study/app/state/appearance.h"
+#include "tests/support/open_window.h"
+#include "tests/support/whole_protocol.h"
 
 using namespace study::app;
 using namespace study::session;
@@ -47,7 +47,8 @@ LookAtData someData()
 {
     LookAtData look;
     look.open = [](const std::filesystem::path&) {
-        return DataOverview{"Fifteen fabrics", "signals of different places; photographs 0.05 mm a pixel; CC0-1.0",
+        return DataOverview{"Fifteen fabrics",
+                            "signals of different places; photographs 0.05 mm a pixel; CC0-1.0",
                             {{"F01", "Linen", "plain weave", 225, 225, 225, 225, 225}, {"F02", "Felt", "", 3, 0, 0, 2, 3}}};
     };
     look.draw = [](const DataSheetRequest& request) {
@@ -66,8 +67,7 @@ QStringList cutTextsIn(const QWidget& page)
 {
     QStringList cut;
     for (const QWidget* widget : page.findChildren<QWidget*>()) {
-        if (!widget->isVisible())
-            continue;
+        if (!widget->isVisible()) continue;
         const auto* label = qobject_cast<const QLabel*>(widget);
         const bool isButton = qobject_cast<const QAbstractButton*>(widget);
         const bool isTooLow = label && label->wordWrap() && label->height() < label->heightForWidth(label->width());
@@ -75,8 +75,12 @@ QStringList cutTextsIn(const QWidget& page)
         const bool isTooSmall = isOneLine && widget->width() < widget->minimumSizeHint().width();
         const bool isOutside = (isButton || label) && !widget->parentWidget()->rect().contains(widget->geometry());
         if (isTooLow || isTooSmall || isOutside)
-            cut << QStringLiteral("%1 (%2x%3, wants %4x%5)").arg(widget->objectName()).arg(widget->width()).arg(widget->height())
-                       .arg(widget->minimumSizeHint().width()).arg(widget->heightForWidth(widget->width()));
+            cut << QStringLiteral("%1 (%2x%3, wants %4x%5)")
+                       .arg(widget->objectName())
+                       .arg(widget->width())
+                       .arg(widget->height())
+                       .arg(widget->minimumSizeHint().width())
+                       .arg(widget->heightForWidth(widget->width()));
     }
     return cut;
 }
@@ -298,10 +302,10 @@ void AppLooksTest::themesCanBeRead()
     QFETCH(Theme, theme);
     const Colours c = coloursOf(theme);
     QVERIFY(contrastOf(Qt::black, Qt::white) > 20.9);
-    for (const auto& [front, back] : {std::pair(c.text, c.background), std::pair(c.text, c.surface),
-                                      std::pair(c.quietText, c.background), std::pair(c.quietText, c.surface),
-                                      std::pair(c.onAccent, c.accent), std::pair(c.onAttention, c.attention),
-                                      std::pair(c.onFault, c.fault), std::pair(c.text, c.line)})
+    for (const auto& [front, back] :
+         {std::pair(c.text, c.background), std::pair(c.text, c.surface), std::pair(c.quietText, c.background),
+          std::pair(c.quietText, c.surface), std::pair(c.onAccent, c.accent), std::pair(c.onAttention, c.attention),
+          std::pair(c.onFault, c.fault), std::pair(c.text, c.line)})
         QVERIFY2(contrastOf(front, back) >= 4.5, qPrintable(front.name() + " on " + back.name()));
 }
 
@@ -355,8 +359,7 @@ void AppLooksTest::keysChangeTheLooks()
 void AppLooksTest::pagesAreSavedAsPictures()
 {
     const QString folder = qEnvironmentVariable("VIS2HAP_SCREENSHOTS");
-    if (folder.isEmpty())
-        QSKIP("VIS2HAP_SCREENSHOTS names no folder, so no page is saved");
+    if (folder.isEmpty()) QSKIP("VIS2HAP_SCREENSHOTS names no folder, so no page is saved");
     QVERIFY(QDir().mkpath(folder));
     struct Variant {
         const char* name;

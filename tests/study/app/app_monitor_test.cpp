@@ -1,15 +1,15 @@
 // The live monitor of the principal investigator: who is where, what is missing, flags; while a session runs in another
 // window, and without a word of what is shown or answered.
+#include <QLabel>
+#include <QTest>
+#include <QThread>
+#include <QTreeWidget>
+
 #include "protocols/files/errors.h"
 #include "study/app/pages/monitor_window.h"
 #include "tests/support/played_session.h"
 #include "tests/support/typed_answers.h"
 #include "tests/support/whole_protocol.h"
-
-#include <QLabel>
-#include <QTest>
-#include <QThread>
-#include <QTreeWidget>
 
 using namespace study::app;
 using namespace study::session;
@@ -25,8 +25,7 @@ private:
     {
         const auto& tree = *monitor.findChild<QTreeWidget*>("monitorRows");
         QStringList cells;
-        for (int column = 0; column < tree.columnCount(); ++column)
-            cells << tree.topLevelItem(row)->text(column);
+        for (int column = 0; column < tree.columnCount(); ++column) cells << tree.topLevelItem(row)->text(column);
         return cells.join('|');
     }
 
@@ -185,8 +184,7 @@ void AppMonitorTest::tellsNothingThatIsHiddenNorAnyScore()
     const auto leaks = textsNaming(hidden, textsIn(monitor));
     QVERIFY2(leaks.empty(), leaks.empty() ? "" : qPrintable(leaks.front()));
     for (const QString& text : textsIn(monitor))
-        for (const char* score : {"correct", "mean", "proportion", "rating"})
-            QVERIFY2(!text.contains(score), qPrintable(text));
+        for (const char* score : {"correct", "mean", "proportion", "rating"}) QVERIFY2(!text.contains(score), qPrintable(text));
 }
 
 void AppMonitorTest::erasedParticipantsHaveNoStage()

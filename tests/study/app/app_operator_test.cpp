@@ -1,9 +1,9 @@
 // What an experimenter meets on the way through a session: corrections, notes, voids, withdrawal, a dead
 // display, a key held down. Through the real widgets.
-#include "tests/support/typed_answers.h"
-
 #include <QLabel>
 #include <QTest>
+
+#include "tests/support/typed_answers.h"
 
 using namespace study::session;
 using namespace tests::support;
@@ -103,8 +103,7 @@ void AppOperatorTest::voidedPresentationComesAgain()
     QCOMPARE(open.view().presentations, presentations + 1);
     QVERIFY(open.view().code.value != code);
     int voided = 0;
-    for (const auto& stored : storedIn(folder))
-        voided += stored.voided ? 1 : 0;
+    for (const auto& stored : storedIn(folder)) voided += stored.voided ? 1 : 0;
     QCOMPARE(voided, 1);
 }
 
@@ -155,8 +154,7 @@ void AppOperatorTest::trayMarksOnlyWhatHasToBeChanged()
         open.playTo("PlacingTray");
         const auto& now = open.view().trayIds;
         QString expected;
-        for (std::size_t place = 0; place < now.size(); ++place)
-            expected += now[place] == before[place] ? '0' : '1';
+        for (std::size_t place = 0; place < now.size(); ++place) expected += now[place] == before[place] ? '0' : '1';
         QCOMPARE(marked(), expected);
     }
 }

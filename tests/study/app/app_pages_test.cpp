@@ -1,10 +1,4 @@
 // The pages around a session: opening and making studies, who is where, the checklist; and numbers as typed.
-#include "protocols/files/errors.h"
-#include "study/app/pages/checklist_page.h"
-#include "study/app/state/rating_text.h"
-#include "study/app/pieces/scale_line.h"
-#include "tests/support/open_window.h"
-
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
@@ -12,6 +6,12 @@
 #include <QTest>
 #include <QThread>
 #include <QTreeWidget>
+
+#include "protocols/files/errors.h"
+#include "study/app/pages/checklist_page.h"
+#include "study/app/pieces/scale_line.h"
+#include "study/app/state/rating_text.h"
+#include "tests/support/open_window.h"
 
 using namespace study::app;
 using namespace study::session;
@@ -72,8 +72,7 @@ void AppPagesTest::typedNumbersBecomeRatings()
     const auto read = ratingFromText(typed, protocols::Scale{});
     const auto* rating = std::get_if<Tenths>(&read);
     QCOMPARE(rating ? rating->value : -1, tenths);
-    if (!rating)
-        QVERIFY(!std::get<NoRating>(read).why.isEmpty());
+    if (!rating) QVERIFY(!std::get<NoRating>(read).why.isEmpty());
 }
 
 void AppPagesTest::placesOnTheLineAreSteps()
@@ -134,8 +133,7 @@ QString AppPagesTest::placeAt(OpenWindow& open, int row)
 {
     const auto& places = open.widget<QTreeWidget>("placesList");
     QStringList texts;
-    for (int column = 0; column < 4; ++column)
-        texts << places.topLevelItem(row)->text(column);
+    for (int column = 0; column < 4; ++column) texts << places.topLevelItem(row)->text(column);
     return texts.join('|');
 }
 

@@ -1,12 +1,12 @@
 // The stages of a session around and between its presentations, through the real widgets.
+#include <QLabel>
+#include <QPushButton>
+#include <QTest>
+
 #include "study/app/state/rating_text.h"
 #include "tests/support/played_session.h"
 #include "tests/support/typed_answers.h"
 #include "tests/support/whole_protocol.h"
-
-#include <QLabel>
-#include <QPushButton>
-#include <QTest>
 
 using namespace study::session;
 using namespace tests::support;
@@ -15,10 +15,7 @@ using protocols::Tenths;
 
 namespace {
 
-bool isFinished(OpenWindow& open)
-{
-    return std::holds_alternative<Finished>(open.view().state.stage);
-}
+bool isFinished(OpenWindow& open) { return std::holds_alternative<Finished>(open.view().state.stage); }
 
 /// What the operator does at the present stage, with nothing but keys to whatever has the focus.
 struct Keys {
@@ -48,8 +45,7 @@ struct Keys {
     }
     void operator()(const CheckingList&) const
     {
-        for (int line = 0; line < 6; ++line)
-            pressKey(open, Qt::Key_Space);
+        for (int line = 0; line < 6; ++line) pressKey(open, Qt::Key_Space);
         typeText(open, "21.5");
         enter();
         typeText(open, "40");
@@ -103,13 +99,11 @@ void AppStagesTest::everyStageAndAnswerByKeyboardAlone()
     OpenWindow open(folder);
     QVERIFY(QTest::qWaitForWindowActive(&open.window()));
     pressKey(open, Qt::Key_Return);  // enrols
-    for (int steps = 0; !isFinished(open) && steps < 500; ++steps)
-        std::visit(Keys{open, typed}, open.view().state.stage);
+    for (int steps = 0; !isFinished(open) && steps < 500; ++steps) std::visit(Keys{open, typed}, open.view().state.stage);
     QVERIFY(isFinished(open));
     QCOMPARE(static_cast<int>(typed.size()), answersOf({}));
     QCOMPARE(answersIn(folder), typed);
-    for (const auto& stored : storedIn(folder))
-        QCOMPARE(stored.seconds, 2.0);  // of the injected clock, from touch to answer
+    for (const auto& stored : storedIn(folder)) QCOMPARE(stored.seconds, 2.0);  // of the injected clock, from touch to answer
     pressKey(open, Qt::Key_Return);
     QTRY_COMPARE(open.window().currentPage()->objectName(), QString("studyPage"));
     const auto facts = open.window().study()->store().personalFacts().at(ParticipantId("P01"));

@@ -1,16 +1,15 @@
 // Sessions through the real window: whole ones by keyboard and by mouse, ratings as they are typed, and going on
 // after the window was closed. What is stored is compared with what was typed.
-#include "study/app/pieces/scale_line.h"
-#include "tests/support/played_session.h"
-#include "tests/support/typed_answers.h"
-
 #include <QElapsedTimer>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QTest>
-
 #include <algorithm>
+
+#include "study/app/pieces/scale_line.h"
+#include "tests/support/played_session.h"
+#include "tests/support/typed_answers.h"
 
 using namespace study::session;
 using namespace tests::support;
@@ -19,20 +18,11 @@ using protocols::Tenths;
 
 namespace {
 
-bool isPresenting(OpenWindow& open)
-{
-    return std::holds_alternative<Presenting>(open.view().state.stage);
-}
+bool isPresenting(OpenWindow& open) { return std::holds_alternative<Presenting>(open.view().state.stage); }
 
-bool isFinished(OpenWindow& open)
-{
-    return std::holds_alternative<Finished>(open.view().state.stage);
-}
+bool isFinished(OpenWindow& open) { return std::holds_alternative<Finished>(open.view().state.stage); }
 
-void clickOn(OpenWindow& open, const char* objectName)
-{
-    QTest::mouseClick(&open.widget<QWidget>(objectName), Qt::LeftButton);
-}
+void clickOn(OpenWindow& open, const char* objectName) { QTest::mouseClick(&open.widget<QWidget>(objectName), Qt::LeftButton); }
 
 /// One answer by mouse alone; ratings on the line.
 void answerByMouse(OpenWindow& open, const Response& response)
@@ -175,13 +165,20 @@ void AppTest::ratingThatIsNoneIsRefusedOnThePage_data()
 {
     QTest::addColumn<QString>("typed");
     QTest::addColumn<QString>("told");
-    QTest::newRow("above the scale") << "11" << "outside the scale";
-    QTest::newRow("just above") << "10.1" << "outside the scale";
-    QTest::newRow("below the scale") << "-1" << "outside the scale";
-    QTest::newRow("two decimals") << "5.45" << "at most one decimal";
-    QTest::newRow("two points") << "5.4.3" << "at most one decimal";
-    QTest::newRow("unfinished") << "5." << "at most one decimal";
-    QTest::newRow("nothing") << "" << "Type the number";
+    QTest::newRow("above the scale") << "11"
+                                     << "outside the scale";
+    QTest::newRow("just above") << "10.1"
+                                << "outside the scale";
+    QTest::newRow("below the scale") << "-1"
+                                     << "outside the scale";
+    QTest::newRow("two decimals") << "5.45"
+                                  << "at most one decimal";
+    QTest::newRow("two points") << "5.4.3"
+                                << "at most one decimal";
+    QTest::newRow("unfinished") << "5."
+                                << "at most one decimal";
+    QTest::newRow("nothing") << ""
+                             << "Type the number";
 }
 
 void AppTest::ratingThatIsNoneIsRefusedOnThePage()

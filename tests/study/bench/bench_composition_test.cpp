@@ -17,11 +17,16 @@ private Q_SLOTS:
         QTest::addColumn<QString>("stage");
         QTest::addColumn<QString>("quality");
         QTest::addColumn<double>("most");
-        QTest::newRow("pixels") << "nine conditions 800x1280, pixels" << "tile" << 3.0;
-        QTest::newRow("physical") << "nine conditions 800x1280, physical" << "tile" << 10.0;
-        QTest::newRow("resampling") << "friction record resampled" << "linear" << 0.5;
-        QTest::newRow("round trip") << "spectrogram round trip" << "complex" << 1e-12;
-        QTest::newRow("mean") << "mean through a magnitude alone" << "fast" << 0.1;
+        QTest::newRow("pixels") << "nine conditions 800x1280, pixels"
+                                << "tile" << 3.0;
+        QTest::newRow("physical") << "nine conditions 800x1280, physical"
+                                  << "tile" << 10.0;
+        QTest::newRow("resampling") << "friction record resampled"
+                                    << "linear" << 0.5;
+        QTest::newRow("round trip") << "spectrogram round trip"
+                                    << "complex" << 1e-12;
+        QTest::newRow("mean") << "mean through a magnitude alone"
+                              << "fast" << 0.1;
     }
     void errorsAreWithinWhatIsPromised()
     {

@@ -1,15 +1,14 @@
 // Friction images and friction records through the program, as users run it: both scales, a range that was saved, a
 // condition beside the paper's nine in a whole study, and strokes from a file.
-#include "tests/rendering/stroke_text.h"
-#include "tests/support/program.h"
-
 #include <QDir>
 #include <QImage>
 #include <QTemporaryDir>
 #include <QtTest>
-
 #include <fstream>
 #include <nlohmann/json.hpp>
+
+#include "tests/rendering/stroke_text.h"
+#include "tests/support/program.h"
 
 using support::mustRun;
 using support::runProgram;
@@ -37,7 +36,8 @@ private Q_SLOTS:
 
     void whatIsLostIsPrintedAndSaved()
     {
-        const auto ended = mustRun({"render", m_fabrics, "--condition", "v_grey,f,h", "--out", path("mm"), "--scale", "physical"});
+        const auto ended =
+            mustRun({"render", m_fabrics, "--condition", "v_grey,f,h", "--out", path("mm"), "--scale", "physical"});
         for (const char* part : {"F01: ", "F04: ", "tile, ", "of its variance lost", "traces along x"})
             QVERIFY2(ended.out.contains(part), qPrintable(ended.out));
         const auto condition = readJson(path("mm/render.json"))["conditions"]["h"];
@@ -52,7 +52,8 @@ private Q_SLOTS:
     {
         mustRun({"render", m_fabrics, "--fabric", "F01", "--condition", "v_grey,gradient", "--out", path("ten")});
         QVERIFY(QFile::exists(path("ten/F01/gradient.png")));
-        const auto told = mustRun({"render", m_fabrics, "--fabric", "F01", "--condition", "gradient", "--explain", "--out", path("ten")});
+        const auto told =
+            mustRun({"render", m_fabrics, "--fabric", "F01", "--condition", "gradient", "--explain", "--out", path("ten")});
         QVERIFY(told.out.contains("gradient of the height") && told.out.contains("no libtorch"));
         const auto refused = runProgram({"render", m_fabrics, "--condition", "gradients", "--out", path("ten")});
         QCOMPARE(refused.exitCode, 2);
@@ -64,12 +65,13 @@ private Q_SLOTS:
         mustRun({"render", m_fabrics, "--condition", "f", "--out", path("twice")});
         const auto same = mustRun({"render", m_fabrics, "--fabric", "F01", "--condition", "f", "--out", path("twice")});
         QVERIFY2(!same.err.contains("warning"), qPrintable(same.err));
-        const auto other =
-            mustRun({"render", m_fabrics, "--fabric", "F01", "--condition", "f", "--out", path("twice"), "--range-percentiles", "1,99"});
+        const auto other = mustRun(
+            {"render", m_fabrics, "--fabric", "F01", "--condition", "f", "--out", path("twice"), "--range-percentiles", "1,99"});
         QVERIFY2(other.err.contains("warning") && other.err.contains("images of F02, F03, F04"), qPrintable(other.err));
         QCOMPARE(readJson(path("twice/render.json"))["conditions"]["f"]["mapped_otherwise"].size(), std::size_t(3));
         for (const char* wrong : {"5", "99,1", "a,b", "0,200"}) {
-            const auto refused = runProgram({"render", m_fabrics, "--condition", "f", "--out", path("never"), "--range-percentiles", wrong});
+            const auto refused =
+                runProgram({"render", m_fabrics, "--condition", "f", "--out", path("never"), "--range-percentiles", wrong});
             QCOMPARE(refused.exitCode, 2);
         }
         QVERIFY(!QFile::exists(path("never/render.json")));
@@ -94,7 +96,8 @@ private Q_SLOTS:
             {"questions":["Q2"],"scale":{"min":0,"max":10,"step":0.1,"sections":9}}],
             "planned":[["gradient","h"]],"familiarisation_fabrics":0})");
         const QString study = path("study");
-        mustRun({"study", "new", study, "--dataset", m_fabrics, "--protocol", path("protocol.json"), "--seed", "3", "--key-seed", "4"});
+        mustRun({"study", "new", study, "--dataset", m_fabrics, "--protocol", path("protocol.json"), "--seed", "3", "--key-seed",
+                 "4"});
         QVERIFY(readJson(study + "/allocation-key.json").dump().find("gradient") != std::string::npos);
         QVERIFY(readJson(study + "/masked-key.json").dump().find("gradient") == std::string::npos);
         mustRun({"simulate", study, "--dataset", m_fabrics});
@@ -123,7 +126,8 @@ private Q_SLOTS:
         mustRun({"render", path("set"), "--condition", "f", "--out", path("felt"), "--scale", "physical"});
         for (const auto& wrong : {QStringList{"--zero", "9"}, QStringList{"--trim", "3,2"}, QStringList{"--force-unit", "stone"},
                                   QStringList{"--normal", "fq"}, QStringList{"--rate", "0"}}) {
-            const auto refused = runProgram(QStringList{"import", "friction-csv", path("Felt_1.csv"), "--out", path("no")} + wrong);
+            const auto refused =
+                runProgram(QStringList{"import", "friction-csv", path("Felt_1.csv"), "--out", path("no")} + wrong);
             QCOMPARE(refused.exitCode, 2);
             QVERIFY(!QFile::exists(path("no")));
         }

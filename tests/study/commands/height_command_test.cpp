@@ -1,18 +1,17 @@
-// vis2hap calibrate and vis2hap height, as someone with a sensor types them: presses to a calibration and its report, frames, gradients and normal
-// maps to heights in mm; what is wrong is named, and nothing is left behind then.
-#include "rendering/images/image_io.h"
-#include "tests/rendering/simulated_presses.h"
-#include "tests/support/program.h"
-
+// vis2hap calibrate and vis2hap height, as someone with a sensor types them: presses to a calibration and its report, frames,
+// gradients and normal maps to heights in mm; what is wrong is named, and nothing is left behind then.
 #include <QDir>
 #include <QFile>
 #include <QTemporaryDir>
 #include <QtTest>
-
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <opencv2/core.hpp>
+
+#include "rendering/images/image_io.h"
+#include "tests/rendering/simulated_presses.h"
+#include "tests/support/program.h"
 
 using nlohmann::json;
 
@@ -21,8 +20,7 @@ namespace {
 json jsonIn(const QString& file)
 {
     QFile in(file);
-    if (!in.open(QIODevice::ReadOnly))
-        throw std::runtime_error(("not there: " + file).toStdString());
+    if (!in.open(QIODevice::ReadOnly)) throw std::runtime_error(("not there: " + file).toStdString());
     return json::parse(in.readAll().toStdString());
 }
 
@@ -52,7 +50,8 @@ private Q_SLOTS:
 
     void pressesBecomeACalibrationWithItsQuality()
     {
-        const auto ended = support::mustRun({"calibrate", m_presses, "--ball-radius", "2", "--mm-per-pixel", "0.125", "--out", m_sensor});
+        const auto ended =
+            support::mustRun({"calibrate", m_presses, "--ball-radius", "2", "--mm-per-pixel", "0.125", "--out", m_sensor});
         QVERIFY2(ended.out.contains("cross-validated") && ended.out.contains("accurate"), qPrintable(ended.out));
         QCOMPARE(jsonIn(m_sensor)["kind"].get<std::string>(), std::string("polynomial"));
         const auto report = jsonIn(m_folder.filePath("sensor-quality.json"));
@@ -67,8 +66,9 @@ private Q_SLOTS:
 
     void furtherPressesAreScoredApart()
     {
-        const auto ended = support::mustRun({"calibrate", m_presses, "--ball-radius", "2", "--mm-per-pixel", "0.125", "--out", m_folder.filePath("tested.json"),
-                                             "--quality", "fast", "--test", m_presses, "--json"});
+        const auto ended =
+            support::mustRun({"calibrate", m_presses, "--ball-radius", "2", "--mm-per-pixel", "0.125", "--out",
+                              m_folder.filePath("tested.json"), "--quality", "fast", "--test", m_presses, "--json"});
         const auto report = json::parse(ended.out.toStdString());
         QCOMPARE(report["test"]["presses"].size(), std::size_t(10));
         QVERIFY(report["test"]["depth_error_mm"].get<double>() < 0.1);
@@ -79,7 +79,8 @@ private Q_SLOTS:
         const QString out = m_folder.filePath("heights");
         support::mustRun({"height", m_presses + "/press_3.png", "--calibration", m_sensor, "--out", out});
         const cv::Mat height = rendering::readTiff((out + "/press_3.tiff").toStdString());
-        QVERIFY2(std::abs(highest(height) - (2 - std::sqrt(4 - 1.625 * 1.625))) < 0.2, qPrintable(QString::number(highest(height))));
+        QVERIFY2(std::abs(highest(height) - (2 - std::sqrt(4 - 1.625 * 1.625))) < 0.2,
+                 qPrintable(QString::number(highest(height))));
         const auto facts = jsonIn(out + "/press_3.json");
         QCOMPARE(facts["contact"].get<std::string>(), std::string("part"));
         QVERIFY(facts["curl_residual"].get<double>() < 0.5);
@@ -90,18 +91,20 @@ private Q_SLOTS:
 
     void framesOfACalibratedSensorBecomeADataSetWithHeights()
     {
-        const QString felt = m_folder.filePath("frames/Felt"), set = m_folder.filePath("set"), images = m_folder.filePath("images");
+        const QString felt = m_folder.filePath("frames/Felt"), set = m_folder.filePath("set"),
+                      images = m_folder.filePath("images");
         QVERIFY(QDir().mkpath(felt));
-        for (const char* press : {"/press_1.png", "/press_2.png"})
-            QVERIFY(QFile::copy(m_presses + press, felt + press));
-        const auto ended = support::mustRun({"import", "gelsight", m_folder.filePath("frames"), "--calibration", m_sensor, "--out", set});
+        for (const char* press : {"/press_1.png", "/press_2.png"}) QVERIFY(QFile::copy(m_presses + press, felt + press));
+        const auto ended =
+            support::mustRun({"import", "gelsight", m_folder.filePath("frames"), "--calibration", m_sensor, "--out", set});
         QVERIFY2(ended.out.contains("calibrated"), qPrintable(ended.out));
         QCOMPARE(jsonIn(set + "/dataset.json")["tactile"]["mm_per_pixel"].get<double>(), 0.125);
         support::mustRun({"render", set, "--condition", "h", "--out", images});
         QVERIFY(QFile::exists(images + "/F01/h.png"));
 
         // Another calibration for the same frames would read them as another sensor's.
-        const auto refused = support::runProgram({"import", "gelsight", m_folder.filePath("frames"), "--calibration", m_folder.filePath("tested.json"), "--out", set});
+        const auto refused = support::runProgram(
+            {"import", "gelsight", m_folder.filePath("frames"), "--calibration", m_folder.filePath("tested.json"), "--out", set});
         QCOMPARE(refused.exitCode, 2);
         QVERIFY2(refused.err.contains("another calibration"), qPrintable(refused.err));
     }
@@ -111,7 +114,8 @@ private Q_SLOTS:
         const QString other = m_folder.filePath("other.png"), out = m_folder.filePath("nothing");
         cv::Mat background = rendering::readPng((m_presses + "/background.png").toStdString());
         rendering::writePng(other.toStdString(), background * 0.6);
-        const auto ended = support::runProgram({"height", m_presses + "/press_3.png", "--calibration", m_sensor, "--background", other, "--out", out});
+        const auto ended = support::runProgram(
+            {"height", m_presses + "/press_3.png", "--calibration", m_sensor, "--background", other, "--out", out});
         QCOMPARE(ended.exitCode, 2);
         QVERIFY2(ended.err.contains("not of the calibrated sensor"), qPrintable(ended.err));
         QVERIFY2(!QDir(out).exists(), "nothing is left behind");
@@ -121,11 +125,11 @@ private Q_SLOTS:
     {
         cv::Mat height(40, 50, CV_64FC1), x(40, 50, CV_64FC1), y(40, 50, CV_64FC1);
         protocols::Random random(4);
-        for (double& value : cv::Mat_<double>(height))
-            value = random.normal();
+        for (double& value : cv::Mat_<double>(height)) value = random.normal();
         for (int i = 0; i < 40; ++i)
             for (int j = 0; j < 50; ++j) {
-                const int left = std::max(0, j - 1), right = std::min(49, j + 1), above = std::max(0, i - 1), below = std::min(39, i + 1);
+                const int left = std::max(0, j - 1), right = std::min(49, j + 1), above = std::max(0, i - 1),
+                          below = std::min(39, i + 1);
                 x.at<double>(i, j) = (height.at<double>(i, right) - height.at<double>(i, left)) / ((right - left) * 0.02);
                 y.at<double>(i, j) = (height.at<double>(below, j) - height.at<double>(above, j)) / ((below - above) * 0.05);
             }
@@ -150,7 +154,8 @@ private Q_SLOTS:
         cv::Mat normals(64, 64, CV_8UC3);
         for (int i = 0; i < 64; ++i)
             for (int j = 0; j < 64; ++j) {
-                const double p = 0.3 * std::sin(0.3 * j + 0.2 * i), q = 0.2 * std::sin(0.3 * j + 0.2 * i), length = std::sqrt(1 + p * p + q * q);
+                const double p = 0.3 * std::sin(0.3 * j + 0.2 * i), q = 0.2 * std::sin(0.3 * j + 0.2 * i),
+                             length = std::sqrt(1 + p * p + q * q);
                 const auto stored = [&](double n) { return cv::saturate_cast<uchar>(255 * (n / length + 1) / 2); };
                 normals.at<cv::Vec3b>(i, j) = {stored(-p), stored(-q), stored(1)};  // y points down, which nobody has said
             }
@@ -170,14 +175,33 @@ private Q_SLOTS:
         QTest::newRow("no source") << QStringList{"height", "--out", "x"} << "one source";
         QTest::newRow("no calibration") << QStringList{"height", "frame.png", "--out", "x"} << "calibration";
         QTest::newRow("no ball") << QStringList{"calibrate", "presses", "--out", "x.json"} << "--ball-radius";
-        QTest::newRow("no folder") << QStringList{"calibrate", "/nowhere", "--ball-radius", "2", "--mm-per-pixel", "0.1", "--out", "x.json"} << "/nowhere";
-        QTest::newRow("unknown kind") << QStringList{"height", "--gradients", "a.npy", "b.npy", "--kind", "sideways", "--out", "x"} << "--kind";
-        QTest::newRow("cut-off that is no number") << QStringList{"height", "--normals", "n.png", "--cutoff", "nan", "--out", "x"} << "--cutoff";
-        QTest::newRow("contact of gradients") << QStringList{"height", "--gradients", "a.npy", "b.npy", "--contact", "whole", "--out", "x"} << "--contact";
-        QTest::newRow("unknown contact") << QStringList{"height", m_presses + "/press_1.png", "--calibration", m_sensor, "--contact", "foo", "--out", "x"} << "foo";
-        QTest::newRow("pitch of frames") << QStringList{"height", m_presses + "/press_1.png", "--calibration", m_sensor, "--pitch", "3", "--out", "x"} << "--pitch";
-        QTest::newRow("folder as calibration") << QStringList{"height", m_presses + "/press_1.png", "--calibration", m_presses, "--out", m_folder.filePath("x")} << "calibration";
-        QTest::newRow("one name twice") << QStringList{"height", m_presses + "/press_1.png", m_presses + "/press_1.png", "--calibration", m_sensor, "--out", m_folder.filePath("x")} << "press_1.png";
+        QTest::newRow("no folder") << QStringList{"calibrate",      "/nowhere", "--ball-radius", "2",
+                                                  "--mm-per-pixel", "0.1",      "--out",         "x.json"}
+                                   << "/nowhere";
+        QTest::newRow("unknown kind") << QStringList{"height", "--gradients", "a.npy", "b.npy",
+                                                     "--kind", "sideways",    "--out", "x"}
+                                      << "--kind";
+        QTest::newRow("cut-off that is no number")
+            << QStringList{"height", "--normals", "n.png", "--cutoff", "nan", "--out", "x"} << "--cutoff";
+        QTest::newRow("contact of gradients")
+            << QStringList{"height", "--gradients", "a.npy", "b.npy", "--contact", "whole", "--out", "x"} << "--contact";
+        QTest::newRow("unknown contact") << QStringList{"height",        m_presses + "/press_1.png",
+                                                        "--calibration", m_sensor,
+                                                        "--contact",     "foo",
+                                                        "--out",         "x"}
+                                         << "foo";
+        QTest::newRow("pitch of frames") << QStringList{"height",        m_presses + "/press_1.png",
+                                                        "--calibration", m_sensor,
+                                                        "--pitch",       "3",
+                                                        "--out",         "x"}
+                                         << "--pitch";
+        QTest::newRow("folder as calibration")
+            << QStringList{"height", m_presses + "/press_1.png", "--calibration", m_presses, "--out", m_folder.filePath("x")}
+            << "calibration";
+        QTest::newRow("one name twice")
+            << QStringList{"height", m_presses + "/press_1.png", m_presses + "/press_1.png", "--calibration", m_sensor,
+                           "--out",  m_folder.filePath("x")}
+            << "press_1.png";
         QTest::newRow("no recordings") << QStringList{"bench", "signals", "--data", "/nowhere"} << "/nowhere";
     }
     void wrongCallsAreNamed()

@@ -1,18 +1,17 @@
 // The main job through the program, as users run it: fabrics -> study -> scripted participants ->
 // report; killed and resumed; through the window; and what happens on bad input.
-#include "tests/support/paper_totals.h"
-#include "tests/support/program.h"
-
 #include <QDir>
 #include <QImage>
 #include <QProcess>
 #include <QRandomGenerator>
 #include <QTemporaryDir>
 #include <QtTest>
-
 #include <csignal>
 #include <fstream>
 #include <set>
+
+#include "tests/support/paper_totals.h"
+#include "tests/support/program.h"
 
 using support::Ended;
 using support::mustRun;
@@ -32,15 +31,13 @@ void writeText(const QString& file, const std::string& text) { std::ofstream(fil
 QStringList rowsWithoutTimes(const QString& csv)
 {
     QFile file(csv);
-    if (!file.open(QIODevice::ReadOnly))
-        return {};
+    if (!file.open(QIODevice::ReadOnly)) return {};
     QStringList rows;
     const auto lines = QString::fromUtf8(file.readAll()).split('\n', Qt::SkipEmptyParts);
     const QStringList columns = lines.front().split(',');
     // The alternatives' cell is quoted and holds commas; times are the columns from ready_at to stored_at and wall_time.
     const QRegularExpression times(R"(,(\d+),(\d*),(\w*),(\d+),(\d+),(\d+),([01]),[^,]*,([^,]*)$)");
-    for (const auto& line : lines)
-        rows << QString(line).replace(times, R"(,\6,\7,\8)");
+    for (const auto& line : lines) rows << QString(line).replace(times, R"(,\6,\7,\8)");
     return rows;
 }
 
@@ -113,7 +110,8 @@ void MainJobTest::initTestCase()
 
 void MainJobTest::renderPutsEveryImageAtTheDisplaysSize()
 {
-    const auto ended = mustRun({"render", m_fabrics, "--fabric", "F01", "--condition", "v_grey,h+f", "--out", path("rendered"), "--explain"});
+    const auto ended =
+        mustRun({"render", m_fabrics, "--fabric", "F01", "--condition", "v_grey,h+f", "--out", path("rendered"), "--explain"});
     QVERIFY(ended.out.contains("photometric"));
     QVERIFY(!QFile::exists(path("rendered/F01/h_g.png")));
     for (const char* name : {"v_grey", "h+f"}) {
@@ -236,15 +234,15 @@ void MainJobTest::reportsStayBlindedUntilTheStudyIsUnblinded()
     QFile page(path("blinded-report/index.html"));
     QVERIFY(page.open(QIODevice::ReadOnly));
     const auto text = QString::fromUtf8(page.readAll());
-    for (const char* id : {"v_grey", "v_shape", "t_grey", "h_g&amp;f_g", "h&amp;f"})
-        QVERIFY2(!text.contains(id), id);
+    for (const char* id : {"v_grey", "v_shape", "t_grey", "h_g&amp;f_g", "h&amp;f"}) QVERIFY2(!text.contains(id), id);
 }
 
 void MainJobTest::sessionsLoadNeitherTorchNorCodecs()
 {
     const auto study = newStudy("lean");
     const auto scripts = writeScripts("lean", 1);
-    const QList<QStringList> calls{{"replay", study, scripts[0]}, {"study", "status", study}, {"report", study, "--out", path("lean-report")}};
+    const QList<QStringList> calls{
+        {"replay", study, scripts[0]}, {"study", "status", study}, {"report", study, "--out", path("lean-report")}};
     for (const auto& call : calls) {
         const auto ended = mustRun(call, {"LD_DEBUG=files", "LD_DEBUG_OUTPUT=" + path("loaded")});
         const auto logs = QDir(m_folder.path()).entryInfoList({"loaded.*"});
@@ -284,8 +282,9 @@ void MainJobTest::badInputIsOneLineAndTheRightExitCode_data()
     QTest::newRow("a study folder that exists") << QStringList{"study", "new", m_study, "--dataset", m_fabrics} << 2 << "exists";
     QTest::newRow("unknown condition to render")
         << QStringList{"render", m_fabrics, "--condition", "h_x", "--out", path("bad2")} << 2 << "h_x";
-    QTest::newRow("unknown fabric") << QStringList{"render", m_fabrics, "--fabric", "F99", "--condition", "h", "--out", path("bad3")} << 2
-                                    << "F99";
+    QTest::newRow("unknown fabric") << QStringList{"render",      m_fabrics, "--fabric", "F99",
+                                                   "--condition", "h",       "--out",    path("bad3")}
+                                    << 2 << "F99";
     auto script = support::paperScripts(m_studyFabrics)[0];
     script["answers"].push_back(script["answers"][0]);
     writeText(path("doubled.json"), script.dump());
@@ -297,8 +296,7 @@ void MainJobTest::badInputIsOneLineAndTheRightExitCode_data()
     // A data set without photographs.
     const QString bare = path("no-photos");
     QProcess::execute("cp", {"-r", m_fabrics, bare});
-    for (const auto& fabric : QDir(bare).entryList({"F*"}, QDir::Dirs))
-        QDir(bare + "/" + fabric + "/visual").removeRecursively();
+    for (const auto& fabric : QDir(bare).entryList({"F*"}, QDir::Dirs)) QDir(bare + "/" + fabric + "/visual").removeRecursively();
     QTest::newRow("no photographs for v_grey")
         << QStringList{"render", bare, "--condition", "v_grey", "--out", path("bad4")} << 2 << "F01";
 
@@ -318,11 +316,9 @@ void MainJobTest::badInputIsOneLineAndTheRightExitCode()
     QFETCH(QString, named);
     const auto ended = runProgram(arguments);
     QVERIFY2(ended.exitCode == exitCode, qPrintable(QString::number(ended.exitCode) + ": " + ended.err));
-    if (arguments.front() != "verify")
-        QVERIFY2(ended.complaints().size() == 1, qPrintable(ended.err));
+    if (arguments.front() != "verify") QVERIFY2(ended.complaints().size() == 1, qPrintable(ended.err));
     QVERIFY2((ended.err + ended.out).contains(named), qPrintable(ended.err));
-    for (const char* out : {"bad1", "bad2", "bad3", "bad4"})
-        QVERIFY2(!QFile::exists(path(out)), out);
+    for (const char* out : {"bad1", "bad2", "bad3", "bad4"}) QVERIFY2(!QFile::exists(path(out)), out);
 }
 
 void MainJobTest::anExportedSessionReplaysToTheSameRows()

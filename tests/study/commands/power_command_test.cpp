@@ -1,7 +1,6 @@
 // vis2hap power, asked by someone who plans a study.
-#include <QtTest>
 #include <QTemporaryDir>
-
+#include <QtTest>
 #include <nlohmann/json.hpp>
 
 #include "tests/support/program.h"
@@ -19,8 +18,7 @@ json powerOf(const QStringList& arguments)
 json testNamed(const json& answer, const std::string& name)
 {
     for (const auto& test : answer["tests"])
-        if (test["test"] == name)
-            return test;
+        if (test["test"] == name) return test;
     return {};
 }
 
@@ -35,9 +33,10 @@ private Q_SLOTS:
         m_small = m_folder.filePath("small.json");
         QFile out(m_small);
         QVERIFY(out.open(QIODevice::WriteOnly));
-        out.write("{\"schema\":\"vis2hap.protocol/1\",\"name\":\"Small\",\"participants\":12,\"fabrics\":4,"
-                  "\"conditions\":[\"v_grey\",\"f\",\"h\"],\"phases\":[{\"questions\":[\"Q2\"],"
-                  "\"scale\":{\"min\":0,\"max\":10,\"step\":0.5,\"sections\":9}}]}");
+        out.write(
+            "{\"schema\":\"vis2hap.protocol/1\",\"name\":\"Small\",\"participants\":12,\"fabrics\":4,"
+            "\"conditions\":[\"v_grey\",\"f\",\"h\"],\"phases\":[{\"questions\":[\"Q2\"],"
+            "\"scale\":{\"min\":0,\"max\":10,\"step\":0.5,\"sections\":9}}]}");
     }
 
     void thePapersStudyDetectsThreeQuartersOfAPoint()
@@ -69,11 +68,12 @@ private Q_SLOTS:
     {
         const auto answer = powerOf({"--protocol", m_small, "--calibrate", "100"});
         QCOMPARE(answer["design"]["conditions"].get<int>(), 3);
-        for (const auto& test : answer["tests"])
-            QVERIFY(test["question"] != "choices");
+        for (const auto& test : answer["tests"]) QVERIFY(test["question"] != "choices");
         QVERIFY(answer["calibration"].size() > 10);
         const auto more = powerOf({"--protocol", m_small, "--participants", "40"});
-        const auto detected = [](const json& from) { return testNamed(from, "Friedman")["detected_with_80_percent"].get<double>(); };
+        const auto detected = [](const json& from) {
+            return testNamed(from, "Friedman")["detected_with_80_percent"].get<double>();
+        };
         QVERIFY(detected(more) < detected(answer));
     }
 

@@ -1,12 +1,12 @@
 // vis2hap view, stroke and display check, as they are typed.
-#include "tests/rendering/fabric_files.h"
-#include "tests/support/program.h"
-#include "tests/support/study_builder.h"
-
 #include <QImage>
 #include <QProcess>
 #include <QTemporaryDir>
 #include <QtTest>
+
+#include "tests/rendering/fabric_files.h"
+#include "tests/support/program.h"
+#include "tests/support/study_builder.h"
 
 using support::Ended;
 using support::runProgram;
@@ -23,8 +23,7 @@ private Q_SLOTS:
     {
         fabric_files::smallDataset(pathAt("set"));
         cv::Mat image(60, 90, CV_8UC1);
-        for (int i = 0; i < 60 * 90; ++i)
-            image.data[i] = static_cast<unsigned char>(i * 13 % 256);
+        for (int i = 0; i < 60 * 90; ++i) image.data[i] = static_cast<unsigned char>(i * 13 % 256);
         rendering::writePgm(pathAt("image.pgm"), image);
     }
 

@@ -45,7 +45,8 @@ public:
             for (const PhotographToTouch& one : photographs) {
                 const auto& [fabric, index] = m_known.at(bytesOf(one.photograph));
                 const auto trace = m_measured.trace(fabric, index);
-                answers.push_back({m_measured.height(fabric, index), 0.05, {}, trace.values, trace.mmPerSample, trace.mean, {}, {}});
+                answers.push_back(
+                    {m_measured.height(fabric, index), 0.05, {}, trace.values, trace.mmPerSample, trace.mean, {}, {}});
             }
             return answers;
         };

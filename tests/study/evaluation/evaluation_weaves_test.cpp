@@ -1,18 +1,16 @@
 // Photographs without measurements: is the weave kept? With made-up generators, no torch; and the shipped
 // weights on real twills.
+#include <QTemporaryDir>
+#include <QTest>
+#include <cmath>
+#include <filesystem>
+#include <numbers>
+#include <opencv2/imgproc.hpp>
+
 #include "rendering/fabrics/dataset.h"
 #include "rendering/images/image_io.h"
 #include "study/evaluation/weaves.h"
 #include "tests/rendering/shared_data.h"
-
-#include <QTemporaryDir>
-#include <QTest>
-
-#include <opencv2/imgproc.hpp>
-
-#include <cmath>
-#include <filesystem>
-#include <numbers>
 
 namespace fabrics = rendering::fabrics;
 namespace models = rendering::models;
@@ -27,8 +25,8 @@ cv::Mat waves(double periodPx, double directionDeg)
     for (int row = 0; row < picture.rows; ++row)
         for (int column = 0; column < picture.cols; ++column) {
             const double along = column * std::cos(angle) + row * std::sin(angle);
-            picture.at<cv::Vec3b>(row, column) =
-                cv::Vec3b::all(static_cast<unsigned char>(std::lround(120 + 40 * std::sin(2 * std::numbers::pi * along / periodPx))));
+            picture.at<cv::Vec3b>(row, column) = cv::Vec3b::all(
+                static_cast<unsigned char>(std::lround(120 + 40 * std::sin(2 * std::numbers::pi * along / periodPx))));
         }
     return picture;
 }
@@ -65,7 +63,8 @@ private:
 
     void write(const char* fabric, const cv::Mat& photograph)
     {
-        const std::filesystem::path file = fabrics::samplePath(m_dataset, protocols::FabricId(fabric), fabrics::Modality::Visual, 0);
+        const std::filesystem::path file =
+            fabrics::samplePath(m_dataset, protocols::FabricId(fabric), fabrics::Modality::Visual, 0);
         std::filesystem::create_directories(file.parent_path());
         rendering::writePng(file, photograph);
     }
@@ -75,7 +74,8 @@ private Q_SLOTS:
     {
         m_dataset.folder = m_folder.path().toStdString();
         m_dataset.name = "weaves";
-        m_dataset.fabrics = {{protocols::FabricId("F01"), "oblique", ""}, {protocols::FabricId("F02"), "upright", ""},
+        m_dataset.fabrics = {{protocols::FabricId("F01"), "oblique", ""},
+                             {protocols::FabricId("F02"), "upright", ""},
                              {protocols::FabricId("F03"), "blank", ""}};
         write("F01", waves(7, 30));
         write("F02", waves(11, 90));

@@ -1,17 +1,16 @@
 // Photographs that a model knows nothing like of are told to who renders them and printed in the study's report.
-#include "protocols/files/sha256.h"
-#include "rendering/images/image_io.h"
-#include "rendering/models/model_card.h"
-#include "rendering/models/photograph_features.h"
-#include "protocols/files/whole_file.h"
-#include "tests/support/program.h"
-
 #include <QDir>
 #include <QTemporaryDir>
 #include <QtTest>
-
 #include <filesystem>
 #include <nlohmann/json.hpp>
+
+#include "protocols/files/sha256.h"
+#include "protocols/files/whole_file.h"
+#include "rendering/images/image_io.h"
+#include "rendering/models/model_card.h"
+#include "rendering/models/photograph_features.h"
+#include "tests/support/program.h"
 
 using namespace rendering;
 using support::mustRun;
@@ -19,10 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-nlohmann::ordered_json readJson(const QString& file)
-{
-    return nlohmann::ordered_json::parse(readWholeFile(file.toStdString()));
-}
+nlohmann::ordered_json readJson(const QString& file) { return nlohmann::ordered_json::parse(readWholeFile(file.toStdString())); }
 
 int countIn(const QString& text, const char* part) { return static_cast<int>(text.count(part)); }
 
@@ -45,9 +41,9 @@ private:
         std::vector<std::vector<float>> known;
         for (const QString& fabric : fabrics)
             for (const char* file : {"000.png", "001.png"})
-                known.push_back(models::photographFeatures(readPng((m_fabrics + "/" + fabric + "/visual/" + file).toStdString())));
-        if (!known.empty())
-            card.photographs = models::fitFamiliarity(known, {});
+                known.push_back(
+                    models::photographFeatures(readPng((m_fabrics + "/" + fabric + "/visual/" + file).toStdString())));
+        if (!known.empty()) card.photographs = models::fitFamiliarity(known, {});
         fs::copy_file(models::shippedModel(), path(name).toStdString());
         writeWholeFile(models::cardOf(path(name).toStdString()), models::cardText(card));
         return path(name);
@@ -63,13 +59,16 @@ private Q_SLOTS:
     void renderNamesThemAndSavesTheDistances()
     {
         const QString model = modelKnowing("knows-all.pt", {"F01", "F02", "F03", "F04", "F05", "F06", "F07", "F08"});
-        const auto known = mustRun({"render", m_fabrics, "--condition", "h_g", "--fabric", "F02", "--out", path("known"), "--model", model});
+        const auto known =
+            mustRun({"render", m_fabrics, "--condition", "h_g", "--fabric", "F02", "--out", path("known"), "--model", model});
         QVERIFY2(!known.err.contains("unlike"), qPrintable(known.err));
         QCOMPARE(readJson(path("known/render.json"))["photographs"]["F02"]["unfamiliar"].get<bool>(), false);
 
         const QString other = modelKnowing("knows-one.pt", {"F01"});
-        const auto ended = mustRun({"render", m_fabrics, "--condition", "h_g,v_grey", "--out", path("unknown"), "--model", other});
-        QVERIFY2(ended.err.contains("photograph 0 of F05 is unlike every photograph that the model was trained on (distance "), qPrintable(ended.err));
+        const auto ended =
+            mustRun({"render", m_fabrics, "--condition", "h_g,v_grey", "--out", path("unknown"), "--model", other});
+        QVERIFY2(ended.err.contains("photograph 0 of F05 is unlike every photograph that the model was trained on (distance "),
+                 qPrintable(ended.err));
         QVERIFY2(!ended.err.contains("photograph 0 of F01"), qPrintable(ended.err));
         const auto saved = readJson(path("unknown/render.json"))["photographs"]["F05"];
         QVERIFY(saved["distance"].get<double>() > saved["usual_distance"].get<double>());
@@ -78,7 +77,8 @@ private Q_SLOTS:
 
     void weightsThatDoNotTellSaySoOnce()
     {
-        const auto ended = mustRun({"render", m_fabrics, "--condition", "h_g,f_g", "--out", path("untold"), "--model", modelKnowing("old.pt", {})});
+        const auto ended = mustRun(
+            {"render", m_fabrics, "--condition", "h_g,f_g", "--out", path("untold"), "--model", modelKnowing("old.pt", {})});
         QCOMPARE(countIn(ended.err, "these weights do not tell"), 1);
         const auto saved = readJson(path("untold/render.json"))["photographs"]["F01"];
         QVERIFY(saved["distance"].is_null() && !saved["why"]["distance"].get<std::string>().empty());
@@ -90,14 +90,14 @@ private Q_SLOTS:
     {
         const QString model = modelKnowing("for-study.pt", {"F01"});
         for (const QString& study : {QString("study"), QString("again")}) {  // the second reuses the images of the first
-            const auto made = mustRun({"study", "new", path(study), "--dataset", m_fabrics, "--seed", "3", "--key-seed", "4", "--model", model,
-                                       "--images", path("images"), "--allow-training-samples", "--participants", "2"});
+            const auto made =
+                mustRun({"study", "new", path(study), "--dataset", m_fabrics, "--seed", "3", "--key-seed", "4", "--model", model,
+                         "--images", path("images"), "--allow-training-samples", "--participants", "2"});
             QVERIFY2(countIn(made.err, "is unlike every photograph") >= 6, qPrintable(made.err));
             mustRun({"study", "status", path(study), "--json", path(study + ".json")});
             QString stamps;
             const auto status = readJson(path(study + ".json"));
-            for (const auto& stamp : status["stamps"])
-                stamps += QString::fromStdString(stamp.get<std::string>()) + "\n";
+            for (const auto& stamp : status["stamps"]) stamps += QString::fromStdString(stamp.get<std::string>()) + "\n";
             QVERIFY2(countIn(stamps, "is unlike every photograph that the model was trained on") >= 6, qPrintable(stamps));
         }
         mustRun({"simulate", path("study"), "--participants", "2", "--dataset", m_fabrics});

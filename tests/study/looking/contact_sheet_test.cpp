@@ -1,15 +1,13 @@
 // The contact sheet of a data set: a row a fabric, whatever signals there are, and a refusal where there are none.
-#include "protocols/files/errors.h"
-#include "rendering/fabrics/procedural/procedural_fabrics.h"
-#include "study/looking/render_sheet.h"
-
-#include <opencv2/core.hpp>
-
 #include <QImage>
 #include <QTemporaryDir>
 #include <QtTest>
-
 #include <filesystem>
+#include <opencv2/core.hpp>
+
+#include "protocols/files/errors.h"
+#include "rendering/fabrics/procedural/procedural_fabrics.h"
+#include "study/looking/render_sheet.h"
 
 using namespace rendering;
 using study::commands::contactSheetOf;
@@ -18,7 +16,8 @@ namespace fs = std::filesystem;
 namespace {
 
 /// As the generators answer, without starting them; the last photograph is called unlike those trained on.
-std::vector<models::GeneratedSignals> generated(std::span<const models::PhotographToTouch> photographs, const models::GenerationOptions&)
+std::vector<models::GeneratedSignals> generated(std::span<const models::PhotographToTouch> photographs,
+                                                const models::GenerationOptions&)
 {
     std::vector<models::GeneratedSignals> answers(photographs.size());
     for (std::size_t i = 0; i < answers.size(); ++i) {
@@ -27,8 +26,7 @@ std::vector<models::GeneratedSignals> generated(std::span<const models::Photogra
         answers[i].heightMmPerPixel = 0.05;
         answers[i].spectrogram = cv::Mat::ones(33, 7, CV_32FC1);
         answers[i].meanFriction = 0.3;
-        for (int k = 0; k < 200; ++k)
-            answers[i].trace.push_back(0.3 + 0.05 * std::sin(k * 0.4));
+        for (int k = 0; k < 200; ++k) answers[i].trace.push_back(0.3 + 0.05 * std::sin(k * 0.4));
         answers[i].traceMmPerSample = 5.0 / 60;
         answers[i].photograph = {i + 1 == answers.size() ? 9.0 : 1.0, 3.0, false, {}};
     }
@@ -38,8 +36,7 @@ std::vector<models::GeneratedSignals> generated(std::span<const models::Photogra
 RenderRequest requestFor(const fabrics::Dataset& dataset)
 {
     RenderRequest request;
-    for (const auto& fabric : dataset.fabrics)
-        request.fabrics.push_back(fabric.id);
+    for (const auto& fabric : dataset.fabrics) request.fabrics.push_back(fabric.id);
     request.generate = generated;
     return request;
 }
@@ -49,8 +46,7 @@ bool hasPicture(const QImage& image, const QRect& part)
 {
     int white = 0;
     for (int y = part.top(); y < part.bottom(); ++y)
-        for (int x = part.left(); x < part.right(); ++x)
-            white += image.pixel(x, y) == qRgb(255, 255, 255) ? 1 : 0;
+        for (int x = part.left(); x < part.right(); ++x) white += image.pixel(x, y) == qRgb(255, 255, 255) ? 1 : 0;
     return white < part.width() * part.height() / 2;
 }
 
@@ -72,8 +68,7 @@ private:
         const fs::path copy = m_folder.filePath(name).toStdString();
         fs::copy(m_dataset.folder, copy, fs::copy_options::recursive);
         for (const auto& fabric : m_dataset.fabrics)
-            for (const char* modality : modalities)
-                fs::remove_all(copy / fabric.id.value / modality);
+            for (const char* modality : modalities) fs::remove_all(copy / fabric.id.value / modality);
         return fabrics::readDataset(copy);
     }
 
@@ -92,7 +87,8 @@ private Q_SLOTS:
         QCOMPARE(sheet.rows.size(), std::size_t{2});
         const auto& row = sheet.rows[1];
         QCOMPARE(row.name, m_dataset.fabrics[1].name);
-        QVERIFY(!row.measuredHeight.values.empty() && !row.measuredFriction.values.empty() && !row.generatedFriction.values.empty());
+        QVERIFY(!row.measuredHeight.values.empty() && !row.measuredFriction.values.empty() &&
+                !row.generatedFriction.values.empty());
         QCOMPARE(row.frictionImages.size(), std::size_t{3});
         QVERIFY(sheet.rows[0].remark.empty());
         QVERIFY(QString::fromStdString(row.remark).contains("unlike"));
@@ -103,8 +99,7 @@ private Q_SLOTS:
         QCOMPARE(image.height(), 92 + 2 * 252 + 18);
         QVERIFY(image.width() > 1800);
         for (int fabric = 0; fabric < 2; ++fabric)
-            for (int map = 0; map < 3; ++map)
-                QVERIFY2(hasPicture(image, mapCell(fabric, map)), qPrintable(QString::number(map)));
+            for (int map = 0; map < 3; ++map) QVERIFY2(hasPicture(image, mapCell(fabric, map)), qPrintable(QString::number(map)));
         QVERIFY(image.copy(mapCell(0, 2)) != image.copy(mapCell(1, 2)));
     }
 

@@ -1,20 +1,18 @@
 // Signals as they are looked at: figures that tell a bad recording, axes that can be read off, pictures that show what is
 // there; and the stimuli of a study that still runs, which nobody sees.
+#include <QSet>
+#include <cmath>
+#include <limits>
+
+#include "database/study_store.h"
+#include "rendering/fabrics/procedural/procedural_fabrics.h"
 #include "study/looking/dataset_sheet.h"
 #include "study/looking/open_study.h"
 #include "study/looking/read_signal.h"
 #include "study/looking/relief_picture.h"
 #include "study/looking/sheet.h"
-
-#include "database/study_store.h"
-#include "rendering/fabrics/procedural/procedural_fabrics.h"
 #include "tests/rendering/fabric_files.h"
 #include "tests/support/study_builder.h"
-
-#include <QSet>
-
-#include <cmath>
-#include <limits>
 
 using namespace study::looking;
 using fabric_files::contains;
@@ -24,16 +22,12 @@ namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
-SeenMap& mapOf(SeenSignal& signal)
-{
-    return std::get<SeenMap>(signal.what);
-}
+SeenMap& mapOf(SeenSignal& signal) { return std::get<SeenMap>(signal.what); }
 
 QString warningsIn(const SeenSignal& signal)
 {
     QStringList texts;
-    for (const auto& warning : warningsOf(signal, factsOf(signal)))
-        texts << QString::fromStdString(warning);
+    for (const auto& warning : warningsOf(signal, factsOf(signal))) texts << QString::fromStdString(warning);
     return texts.join(' ');
 }
 
@@ -42,8 +36,7 @@ int coloursIn(const QImage& image)
 {
     QSet<QRgb> colours;
     for (int y = 0; y < image.height(); y += 3)
-        for (int x = 0; x < image.width(); x += 3)
-            colours.insert(image.pixel(x, y));
+        for (int x = 0; x < image.width(); x += 3) colours.insert(image.pixel(x, y));
     return static_cast<int>(colours.size());
 }
 
@@ -76,8 +69,7 @@ private Q_SLOTS:
     void smallWavesOnALargeHeightKeepTheirSq()
     {
         cv::Mat heights(100, 100, CV_32FC1);
-        for (int i = 0; i < 10000; ++i)
-            heights.at<float>(i / 100, i % 100) = 1024.0f + (i % 2 ? 0.125f : -0.125f);
+        for (int i = 0; i < 10000; ++i) heights.at<float>(i / 100, i % 100) = 1024.0f + (i % 2 ? 0.125f : -0.125f);
         const auto facts = factsOf(seenHeight(heights, {}, "t", "o"));
         QVERIFY(std::abs(facts.sq.value() - 0.125) < 1e-9);
     }
@@ -193,8 +185,7 @@ private Q_SLOTS:
     {
         fabric_files::smallDataset(at("low"));
         cv::Mat height = (cv::Mat_<float>(1, 3) << -0.1f, 0.2f, 0.3f);
-        for (const char* file : {"low/F01/height/000.tiff", "low.tiff"})
-            rendering::writeTiff(at(file), height);
+        for (const char* file : {"low/F01/height/000.tiff", "low.tiff"}) rendering::writeTiff(at(file), height);
         QVERIFY(warningsIn(readSignal(at("low/F01/height/000.tiff"))).contains("below 0"));
         QVERIFY(!warningsIn(readSignal(at("low.tiff"))).contains("below 0"));  // elsewhere any height is as good as another
     }
@@ -271,8 +262,7 @@ private Q_SLOTS:
     {
         QFETCH(QString, file);
         QFETCH(QByteArray, bytes);
-        if (!bytes.isNull())
-            fabric_files::write(at(file.toStdString()), bytes.toStdString());
+        if (!bytes.isNull()) fabric_files::write(at(file.toStdString()), bytes.toStdString());
         const auto refusal = refusalOf([&] { readSignal(at(file.toStdString())); });
         QVERIFY2(contains(refusal, file.toStdString()), refusal.c_str());
     }
@@ -300,8 +290,7 @@ private Q_SLOTS:
         QFETCH(double, wave);
         cv::Mat map(rows, columns, CV_32FC1);
         for (int i = 0; i < rows; ++i)
-            for (int j = 0; j < columns; ++j)
-                map.at<float>(i, j) = static_cast<float>(value + wave * std::sin(0.3 * (i + j)));
+            for (int j = 0; j < columns; ++j) map.at<float>(i, j) = static_cast<float>(value + wave * std::sin(0.3 * (i + j)));
         SeenTrace trace;
         for (int i = 0; i < rows * columns; ++i) {
             trace.places.push_back(0.1 * i);
@@ -377,8 +366,7 @@ private Q_SLOTS:
         // One long ridge across the picture: the side towards the upper left is lit.
         cv::Mat ridge(60, 60, CV_32FC1);
         for (int i = 0; i < 60; ++i)
-            for (int j = 0; j < 60; ++j)
-                ridge.at<float>(i, j) = static_cast<float>(-std::abs(j - 30));
+            for (int j = 0; j < 60; ++j) ridge.at<float>(i, j) = static_cast<float>(-std::abs(j - 30));
         const Relief relief = reliefOf(ridge, {300, 200}, QColor(200, 200, 200));
         QVERIFY(qGray(relief.picture.pixel(75, 150)) > qGray(relief.picture.pixel(225, 150)) + 20);
         QVERIFY(relief.pixelsPerUnit > 0);

@@ -1,9 +1,8 @@
 // The `signals` object of results.json: known errors come out, missing signals are said to be missing.
 #include "study/making/signal_quality.h"
 
-#include <opencv2/imgproc.hpp>
-
 #include <QtTest>
+#include <opencv2/imgproc.hpp>
 
 using rendering::FabricSignals;
 using rendering::Signal;

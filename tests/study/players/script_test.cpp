@@ -1,9 +1,10 @@
 // What a scripted participant's file may say, and what is found wrong before anything is stored.
-#include "protocols/files/errors.h"
-#include "protocols/protocol_json.h"
 #include "study/players/script.h"
 
 #include <QtTest>
+
+#include "protocols/files/errors.h"
+#include "protocols/protocol_json.h"
 
 using namespace study::commands;
 
@@ -13,8 +14,9 @@ protocols::Protocol paper() { return protocols::protocolFromJson(protocols::pape
 
 Script parse(const std::string& answers, const std::string& events = "[]")
 {
-    return scriptFromJson(R"({"schema":"vis2hap.script/1","participant":"S01","answers":)" + answers + R"(,"events":)" + events + "}",
-                          "s.json", paper());
+    return scriptFromJson(
+        R"({"schema":"vis2hap.script/1","participant":"S01","answers":)" + answers + R"(,"events":)" + events + "}", "s.json",
+        paper());
 }
 
 }  // namespace
@@ -56,15 +58,30 @@ private Q_SLOTS:
         QTest::addColumn<QString>("events");
         QTest::addColumn<QString>("named");
         const QString good = R"({"question":"Q2","condition":"v_grey","fabric":"F03","answer":5.5,"seconds":3.1})";
-        QTest::newRow("doubled") << "[" + good + "," + good + "]" << "[]" << "doubled answer to Q2 for v_grey, F03";
-        QTest::newRow("unknown condition") << R"([{"question":"Q2","condition":"w","fabric":"F03","answer":5}])" << "[]" << "h_g&f_g";
-        QTest::newRow("unknown question") << R"([{"question":"Q9","condition":"f","fabric":"F03","answer":5}])" << "[]" << "Q9";
-        QTest::newRow("hundredths") << R"([{"question":"Q2","condition":"f","fabric":"F03","answer":5.55}])" << "[]" << "tenths";
-        QTest::newRow("no answer") << R"([{"question":"Q2","condition":"f","fabric":"F03"}])" << "[]" << "answer 1";
-        QTest::newRow("negative time") << R"([{"question":"Q2","condition":"f","fabric":"F03","answer":5,"seconds":-1}])" << "[]"
+        QTest::newRow("doubled") << "[" + good + "," + good + "]"
+                                 << "[]"
+                                 << "doubled answer to Q2 for v_grey, F03";
+        QTest::newRow("unknown condition") << R"([{"question":"Q2","condition":"w","fabric":"F03","answer":5}])"
+                                           << "[]"
+                                           << "h_g&f_g";
+        QTest::newRow("unknown question") << R"([{"question":"Q9","condition":"f","fabric":"F03","answer":5}])"
+                                          << "[]"
+                                          << "Q9";
+        QTest::newRow("hundredths") << R"([{"question":"Q2","condition":"f","fabric":"F03","answer":5.55}])"
+                                    << "[]"
+                                    << "tenths";
+        QTest::newRow("no answer") << R"([{"question":"Q2","condition":"f","fabric":"F03"}])"
+                                   << "[]"
+                                   << "answer 1";
+        QTest::newRow("negative time") << R"([{"question":"Q2","condition":"f","fabric":"F03","answer":5,"seconds":-1}])"
+                                       << "[]"
                                        << "seconds";
-        QTest::newRow("unknown event") << "[]" << R"([{"after_answer":1,"do":"dance"}])" << "dance";
-        QTest::newRow("event without place") << "[]" << R"([{"do":"pause"}])" << "before_answer";
+        QTest::newRow("unknown event") << "[]"
+                                       << R"([{"after_answer":1,"do":"dance"}])"
+                                       << "dance";
+        QTest::newRow("event without place") << "[]"
+                                             << R"([{"do":"pause"}])"
+                                             << "before_answer";
     }
 
     void whatIsWrongIsNamed()

@@ -4,10 +4,10 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
+#include "protocols/files/errors.h"
 #include "study/commands/json_output.h"
 #include "study/players/script.h"
 #include "study/players/scripted_participant.h"
-#include "protocols/files/errors.h"
 #include "tests/support/played_session.h"
 #include "tests/support/study_builder.h"
 
@@ -25,14 +25,15 @@ std::vector<std::string> rowsOf(const database::StudyStore& store)
     std::vector<std::string> rows;
     for (const auto& answer : store.answers()) {
         const auto& record = answer.record;
-        rows.push_back(answer.participant.value + " " + std::to_string(record.trial.value) + " " + std::to_string(answer.attempt) + " " +
-                       record.question.value + " " + record.fileCode.value + " " +
-                       (record.answer ? *record.answer : std::to_string(record.rating->value)) + " " + std::to_string(answer.seconds) +
-                       " touched " + (record.touchedAtNs ? std::to_string(*record.touchedAtNs - record.readyAtNs) + record.touchedBy : "no") +
-                       " corrections " + std::to_string(answer.corrections) + (answer.voided ? " void" : "") + " note '" + record.note + "'");
+        rows.push_back(answer.participant.value + " " + std::to_string(record.trial.value) + " " +
+                       std::to_string(answer.attempt) + " " + record.question.value + " " + record.fileCode.value + " " +
+                       (record.answer ? *record.answer : std::to_string(record.rating->value)) + " " +
+                       std::to_string(answer.seconds) + " touched " +
+                       (record.touchedAtNs ? std::to_string(*record.touchedAtNs - record.readyAtNs) + record.touchedBy : "no") +
+                       " corrections " + std::to_string(answer.corrections) + (answer.voided ? " void" : "") + " note '" +
+                       record.note + "'");
     }
-    for (const auto& flag : store.flags())
-        rows.push_back("flag " + std::to_string(flag.trial.value) + " " + flag.text);
+    for (const auto& flag : store.flags()) rows.push_back("flag " + std::to_string(flag.trial.value) + " " + flag.text);
     return rows;
 }
 
@@ -114,16 +115,22 @@ private Q_SLOTS:
     {
         QTest::addColumn<QString>("event");
         QTest::addColumn<QString>("fault");
-        QTest::newRow("a stage that is") << R"({"after_answer":4,"do":"expect","stage":"OnBreak"})" << "";
+        QTest::newRow("a stage that is") << R"({"after_answer":4,"do":"expect","stage":"OnBreak"})"
+                                         << "";
         QTest::newRow("a stage that is not") << R"({"after_answer":3,"do":"expect","stage":"OnBreak"})"
                                              << "the stage is PlacingTray";
-        QTest::newRow("a question that is asked") << R"({"before_answer":8,"do":"expect","question":"Q3","presentation":7})" << "";
-        QTest::newRow("a question that is not") << R"({"before_answer":8,"do":"expect","question":"Q2"})" << "the question is Q3";
-        QTest::newRow("refused, as it must") << R"({"before_answer":8,"do":"answer","answer":11,"must_fail":true,"refusal":"not on the scale"})"
-                                             << "";
-        QTest::newRow("accepted, though it must fail") << R"({"before_answer":8,"do":"touch","must_fail":true})" << "was accepted";
+        QTest::newRow("a question that is asked") << R"({"before_answer":8,"do":"expect","question":"Q3","presentation":7})"
+                                                  << "";
+        QTest::newRow("a question that is not") << R"({"before_answer":8,"do":"expect","question":"Q2"})"
+                                                << "the question is Q3";
+        QTest::newRow("refused, as it must")
+            << R"({"before_answer":8,"do":"answer","answer":11,"must_fail":true,"refusal":"not on the scale"})"
+            << "";
+        QTest::newRow("accepted, though it must fail") << R"({"before_answer":8,"do":"touch","must_fail":true})"
+                                                       << "was accepted";
         QTest::newRow("refused for another reason")
-            << R"({"before_answer":8,"do":"answer","answer":11,"must_fail":true,"refusal":"disk full"})" << "was refused with";
+            << R"({"before_answer":8,"do":"answer","answer":11,"must_fail":true,"refusal":"disk full"})"
+            << "was refused with";
     }
 
     void whatAScriptExpectsIsChecked()

@@ -1,14 +1,15 @@
 // The order of the conditions comes out of the signals, not out of a table: with a constant in place of
 // every friction image Q1 is at chance and ratings do not differ; with the real ones h&f beats v_grey.
-#include "protocols/allocation.h"
-#include "protocols/protocol_json.h"
-#include "rendering/fabrics/procedural/procedural_fabrics.h"
-#include "rendering/composition/render_fabrics.h"
-#include "study/players/expected_touch.h"
 #include "study/players/simulated_participant.h"
 
 #include <QTemporaryDir>
 #include <QtTest>
+
+#include "protocols/allocation.h"
+#include "protocols/protocol_json.h"
+#include "rendering/composition/render_fabrics.h"
+#include "rendering/fabrics/procedural/procedural_fabrics.h"
+#include "study/players/expected_touch.h"
 
 using namespace study::commands;
 using protocols::ConditionId;
@@ -50,8 +51,7 @@ Scores simulateStudy(const protocols::Protocol& protocol, const protocols::Alloc
         scores.proportionCorrect[condition] = sum.first / sum.second;
         scores.proportionCorrectInAll += sum.first / sum.second / static_cast<double>(correct.size());
     }
-    for (const auto& [condition, sum] : ratings)
-        scores.meanRating[condition] = sum.first / sum.second;
+    for (const auto& [condition, sum] : ratings) scores.meanRating[condition] = sum.first / sum.second;
     return scores;
 }
 
@@ -71,10 +71,10 @@ private Q_SLOTS:
         const auto dataset = makeProceduralFabrics(set, options);
 
         m_protocol = protocols::protocolFromJson(protocols::paperProtocolJson(), "paper");
-        m_protocol.conditions = {ConditionId("v_grey"), ConditionId("t_grey"), ConditionId("f"), ConditionId("h"), ConditionId("h&f")};
+        m_protocol.conditions = {ConditionId("v_grey"), ConditionId("t_grey"), ConditionId("f"), ConditionId("h"),
+                                 ConditionId("h&f")};
         m_protocol.planned.clear();
-        for (const auto& fabric : dataset.fabrics)
-            m_facts.fabrics.push_back(fabric.id);
+        for (const auto& fabric : dataset.fabrics) m_facts.fabrics.push_back(fabric.id);
         m_facts.datasetSha256 = hashOf(dataset);
         m_allocation = allocate(m_protocol, protocols::drawDesign(m_protocol, 1), m_facts.fabrics, 5);
 
@@ -85,22 +85,19 @@ private Q_SLOTS:
         m_percepts.fabrics = expectedTouch(m_facts, set);
         for (const auto& [code, entry] : m_allocation.key.entries)
             for (const auto& condition : rendering.conditions)
-                if (condition.condition == entry.condition)
-                    m_percepts.stimuli[code] = feel(condition.images.at(entry.fabric));
+                if (condition.condition == entry.condition) m_percepts.stimuli[code] = feel(condition.images.at(entry.fabric));
     }
 
     void constantImagesLeaveMatchesAtChanceAndRatingsEqual()
     {
         auto percepts = m_percepts;
-        for (auto& [code, percept] : percepts.stimuli)
-            percept = feel(cv::Mat(800, 1280, CV_8UC1, cv::Scalar(128)));
+        for (auto& [code, percept] : percepts.stimuli) percept = feel(cv::Mat(800, 1280, CV_8UC1, cv::Scalar(128)));
         double correct = 0;
         std::map<ConditionId, double> rating;
         for (int seed = 0; seed < seeds; ++seed) {
             const auto scores = simulateStudy(m_protocol, m_allocation, percepts, 100 + seed);
             correct += scores.proportionCorrectInAll / seeds;
-            for (const auto& [condition, mean] : scores.meanRating)
-                rating[condition] += mean / seeds;
+            for (const auto& [condition, mean] : scores.meanRating) rating[condition] += mean / seeds;
         }
         // 20 x 10 x 35 = 7,000 choices: the standard error of a third is 0.0056.
         QVERIFY2(qAbs(correct - 1.0 / 3) < 0.02, qPrintable(QString::number(correct)));
@@ -121,7 +118,8 @@ private Q_SLOTS:
             ratings += scores.meanRating.at(ConditionId("h&f")) > scores.meanRating.at(ConditionId("v_grey"));
             if (seed == 0)
                 for (const auto& [condition, proportion] : scores.proportionCorrect)
-                    qInfo("%-8s %.3f correct, mean rating %.2f", condition.value.c_str(), proportion, scores.meanRating.at(condition));
+                    qInfo("%-8s %.3f correct, mean rating %.2f", condition.value.c_str(), proportion,
+                          scores.meanRating.at(condition));
         }
         QVERIFY2(matches >= 19, qPrintable(QString::number(matches)));
         QVERIFY2(ratings >= 19, qPrintable(QString::number(ratings)));
@@ -132,8 +130,7 @@ private Q_SLOTS:
         SimulatedParticipant first(m_percepts, 3, "SIM01"), second(m_percepts, 3, "SIM01"), other(m_percepts, 4, "SIM01");
         int different = 0;
         for (const auto& trial : m_allocation.participants.front()) {
-            if (!m_protocol.phases[trial.phase].isChoice())
-                break;
+            if (!m_protocol.phases[trial.phase].isChoice()) break;
             const auto a = first.match(trial), b = second.match(trial), c = other.match(trial);
             QVERIFY(a.response == b.response && a.seconds == b.seconds);
             different += a.seconds != c.seconds;

@@ -1,10 +1,10 @@
 // The state machine alone: values in, values out.
-#include "study/session/session_moves.h"
-
 #include <QtTest>
 #include <iomanip>
 #include <iostream>
 #include <sstream>
+
+#include "study/session/session_moves.h"
 
 using namespace study::session;
 using protocols::FabricId;
@@ -114,7 +114,10 @@ Session debriefing()
     return session;
 }
 Session finished() { return debriefing() << Debriefed{"liked the silk"}; }
-Session familiarising() { return Session(fullPlan()) << SittingStarted{} << Begun{} << Consented{} << FactsGiven{{{"age", "24"}}}; }
+Session familiarising()
+{
+    return Session(fullPlan()) << SittingStarted{} << Begun{} << Consented{} << FactsGiven{{{"age", "24"}}};
+}
 
 std::vector<std::pair<std::string, Session>> gridStates()
 {
@@ -193,26 +196,46 @@ std::string printedGrid()
 
 //                      sitt begu cons fact fsho fami spla scal chec prep tray touc answ corr void brea paus resu with note debr
 const char* const drawnGrid =
-    "Enrolled                En   Co   .    .    .    .    .    .    .    .    .    .    .    .    .    .    Enp  .    Wi   En   .\n"
-    "Consenting              Co   .    As   .    .    .    .    .    .    .    .    .    .    .    .    .    Cop  .    Wi   Co   .\n"
-    "AskingFacts             As   .    .    Fa   .    .    .    .    .    .    .    .    .    .    .    .    Asp  .    Wi   As   .\n"
-    "Familiarising           Fa   .    .    .    Fa   Sc   .    .    .    .    .    .    .    .    .    .    Fap  .    Wi   Fa   .\n"
-    "ScaleTraining           Sc   .    .    .    .    .    Sc   Ch   .    .    .    .    .    .    .    .    Scp  .    Wi   Sc   .\n"
-    "CheckingList            Ch   .    .    .    .    .    .    .    Pl   .    .    .    .    .    .    .    Chp  .    Wi   Ch   .\n"
-    "PlacingTray, the first  Pl   .    .    .    .    .    .    .    .    .    Pr   .    .    .    .    .    Plp  .    Wi   Pl   .\n"
-    "PlacingTray, the second Pl   .    .    .    .    .    .    .    .    .    Pr   .    .    Pl   Pl   .    Plp  .    Wi   Pl   .\n"
-    "Presenting Q1           Pl   .    .    .    .    .    .    .    .    .    .    Pr   Pl   Pr   Pl   .    Plp  .    Wi   Pr   .\n"
-    "Presenting Q2, touched  Pl   .    .    .    .    .    .    .    .    .    .    .    Pr   Pr   Pl   .    Plp  .    Wi   Pr   .\n"
-    "Presenting Q3           Pl   .    .    .    .    .    .    .    .    .    .    Pr   Pl   Pr   Pl   .    Plp  .    Wi   Pr   .\n"
-    "OnBreak                 On   .    .    .    .    .    .    .    .    .    .    .    .    On   On   Pl   Onp  .    Wi   On   .\n"
-    "Debriefing              De   .    .    .    .    .    .    .    .    .    .    .    .    De   Pl   .    Dep  .    Wi   De   Fi\n"
-    "Finished                Fi   .    .    .    .    .    .    .    .    .    .    .    .    Fi   .    .    .    .    Wi   Fi   .\n"
-    "Withdrawn               Wi   .    .    .    .    .    .    .    .    .    .    .    .    .    .    .    .    .    .    Wi   .\n"
-    "Enrolled, paused        Enp  .    .    .    .    .    .    .    .    .    .    .    .    .    .    .    .    En   Wi   Enp  .\n"
-    "PlacingTray, paused     Plp  .    .    .    .    .    .    .    .    .    .    .    .    Plp  .    .    .    Pl   Wi   Plp  .\n"
-    "OnBreak, paused         Onp  .    .    .    .    .    .    .    .    .    .    .    .    Onp  .    .    .    On   Wi   Onp  .\n"
-    "PlacingTray, sitting 2  Pl   .    .    .    .    .    .    .    .    Sc   Pr   .    .    Pl   Pl   .    Plp  .    Wi   Pl   .\n"
-    "paused, sitting 2       Plp  .    .    .    .    .    .    .    .    Sc   .    .    .    Plp  .    .    .    Pl   Wi   Plp  .\n";
+    "Enrolled                En   Co   .    .    .    .    .    .    .    .    .    .    .    .    .    .    Enp  .    Wi   En   "
+    ".\n"
+    "Consenting              Co   .    As   .    .    .    .    .    .    .    .    .    .    .    .    .    Cop  .    Wi   Co   "
+    ".\n"
+    "AskingFacts             As   .    .    Fa   .    .    .    .    .    .    .    .    .    .    .    .    Asp  .    Wi   As   "
+    ".\n"
+    "Familiarising           Fa   .    .    .    Fa   Sc   .    .    .    .    .    .    .    .    .    .    Fap  .    Wi   Fa   "
+    ".\n"
+    "ScaleTraining           Sc   .    .    .    .    .    Sc   Ch   .    .    .    .    .    .    .    .    Scp  .    Wi   Sc   "
+    ".\n"
+    "CheckingList            Ch   .    .    .    .    .    .    .    Pl   .    .    .    .    .    .    .    Chp  .    Wi   Ch   "
+    ".\n"
+    "PlacingTray, the first  Pl   .    .    .    .    .    .    .    .    .    Pr   .    .    .    .    .    Plp  .    Wi   Pl   "
+    ".\n"
+    "PlacingTray, the second Pl   .    .    .    .    .    .    .    .    .    Pr   .    .    Pl   Pl   .    Plp  .    Wi   Pl   "
+    ".\n"
+    "Presenting Q1           Pl   .    .    .    .    .    .    .    .    .    .    Pr   Pl   Pr   Pl   .    Plp  .    Wi   Pr   "
+    ".\n"
+    "Presenting Q2, touched  Pl   .    .    .    .    .    .    .    .    .    .    .    Pr   Pr   Pl   .    Plp  .    Wi   Pr   "
+    ".\n"
+    "Presenting Q3           Pl   .    .    .    .    .    .    .    .    .    .    Pr   Pl   Pr   Pl   .    Plp  .    Wi   Pr   "
+    ".\n"
+    "OnBreak                 On   .    .    .    .    .    .    .    .    .    .    .    .    On   On   Pl   Onp  .    Wi   On   "
+    ".\n"
+    "Debriefing              De   .    .    .    .    .    .    .    .    .    .    .    .    De   Pl   .    Dep  .    Wi   De   "
+    "Fi\n"
+    "Finished                Fi   .    .    .    .    .    .    .    .    .    .    .    .    Fi   .    .    .    .    Wi   Fi   "
+    ".\n"
+    "Withdrawn               Wi   .    .    .    .    .    .    .    .    .    .    .    .    .    .    .    .    .    .    Wi   "
+    ".\n"
+    "Enrolled, paused        Enp  .    .    .    .    .    .    .    .    .    .    .    .    .    .    .    .    En   Wi   Enp  "
+    ".\n"
+    "PlacingTray, paused     Plp  .    .    .    .    .    .    .    .    .    .    .    .    Plp  .    .    .    Pl   Wi   Plp  "
+    ".\n"
+    "OnBreak, paused         Onp  .    .    .    .    .    .    .    .    .    .    .    .    Onp  .    .    .    On   Wi   Onp  "
+    ".\n"
+    "PlacingTray, sitting 2  Pl   .    .    .    .    .    .    .    .    Sc   Pr   .    .    Pl   Pl   .    Plp  .    Wi   Pl   "
+    ".\n"
+    "paused, sitting 2       Plp  .    .    .    .    .    .    .    .    Sc   .    .    .    Plp  .    .    .    Pl   Wi   Plp  "
+    ".\n";
 
 }  // namespace
 
@@ -413,7 +436,8 @@ private Q_SLOTS:
 
     void aLaterSittingBeginsWithTheRefresherAndTheChecklist()
     {
-        Session session = familiarising() << FamiliarisationDone{} << ScaleTrainingDone{} << ChecklistDone{{"The mask is on"}, {}};
+        Session session = familiarising() << FamiliarisationDone{} << ScaleTrainingDone{}
+                                          << ChecklistDone{{"The mask is on"}, {}};
         QVERIFY(session.refusalOf(SittingPrepared{}).contains("prepared already"));
         session.choose();
         session << Paused{} << SittingStarted{} << SittingPrepared{};

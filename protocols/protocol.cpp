@@ -167,11 +167,11 @@ std::vector<FixedPhase> fixedPhasesOf(const Protocol& p)
 
 }  // namespace
 
-AnswerKind answerKindOf(const Phase& phase, const Question& question)
+PhaseAnswer answerKindOf(const Phase& phase, const Question& question)
 {
-    if (question.inWords) return AnswerKind::Words;
-    if (phase.isChoice()) return AnswerKind::Choice;
-    return phase.sameDifferent ? AnswerKind::SameDifferent : AnswerKind::Rating;
+    if (question.inWords) return PhaseAnswer::Words;
+    if (phase.isChoice()) return PhaseAnswer::Choice;
+    return phase.sameDifferent ? PhaseAnswer::SameDifferent : PhaseAnswer::Rating;
 }
 
 int Protocol::presentations() const

@@ -8,21 +8,13 @@
 #include <utility>
 #include <vector>
 
+#include "protocols/answer_kind.h"
 #include "protocols/ids.h"
 
 namespace protocols {
 
-/// The Haptic Analog Scale: 0 unrelated, 10 totally the same; spoken in steps of `step`.
-struct Scale {
-    Tenths min{0};
-    Tenths max{100};
-    Tenths step{1};
-    int sections = 9;                 ///< equal sections of the line the participant memorises; 1: a plain line
-    std::vector<std::string> labels;  ///< a Likert scale's words, one a step from min to max; empty: numbers only
-
-    bool holds(Tenths rating) const { return rating >= min && rating <= max && (rating.value - min.value) % step.value == 0; }
-    bool operator==(const Scale&) const = default;
-};
+/// Until every caller has the new name.
+using Scale = RatingScale;
 
 /// One question with the words said to the participant.
 struct Question {
@@ -32,7 +24,7 @@ struct Question {
     bool operator==(const Question&) const = default;
 };
 
-enum class AnswerKind { Choice, Rating, SameDifferent, Words };
+enum class PhaseAnswer { Choice, Rating, SameDifferent, Words };
 
 /// A run of presentations, each condition x fabric once: a choice among `alternatives` fabrics (Q1),
 /// ratings on `scale` of one fabric (Q2-Q4, asked one after another), or whether the one fabric on the
@@ -49,7 +41,7 @@ struct Phase {
 };
 
 /// What an answer to a question of this phase is.
-AnswerKind answerKindOf(const Phase& phase, const Question& question);
+PhaseAnswer answerKindOf(const Phase& phase, const Question& question);
 
 struct PlannedContrast {
     ConditionId a;

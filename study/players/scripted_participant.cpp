@@ -154,10 +154,10 @@ Response Player::responseFor(const ScriptedResponse& scripted, int index, const 
     const auto& phase = m_trials.protocol.phases[trial.phase];
     const auto asked =
         std::find_if(phase.questions.begin(), phase.questions.end(), [&](const auto& q) { return q.id == question; });
-    const auto kind = asked == phase.questions.end() ? protocols::AnswerKind::Choice : answerKindOf(phase, *asked);
-    if (kind == protocols::AnswerKind::Words) return Words{text};
-    if (kind == protocols::AnswerKind::SameDifferent && (text == "same" || text == "different")) return Sameness{text == "same"};
-    if (kind == protocols::AnswerKind::SameDifferent && (text == "correct" || text == "wrong"))
+    const auto kind = asked == phase.questions.end() ? protocols::PhaseAnswer::Choice : answerKindOf(phase, *asked);
+    if (kind == protocols::PhaseAnswer::Words) return Words{text};
+    if (kind == protocols::PhaseAnswer::SameDifferent && (text == "same" || text == "different")) return Sameness{text == "same"};
+    if (kind == protocols::PhaseAnswer::SameDifferent && (text == "correct" || text == "wrong"))
         return Sameness{(trial.alternatives.front() == truth) == (text == "correct")};
     if (text == "correct") return truth;
     std::vector<protocols::FabricId> foils;

@@ -84,13 +84,13 @@ SimulatedParticipant::Judgement SimulatedParticipant::answer(const protocols::Bl
                                                              const protocols::Question& question)
 {
     switch (answerKindOf(phase, question)) {
-        case protocols::AnswerKind::Choice:
+        case protocols::PhaseAnswer::Choice:
             return match(trial);
-        case protocols::AnswerKind::Rating:
+        case protocols::PhaseAnswer::Rating:
             return rate(trial, question.id, *phase.scale);
-        case protocols::AnswerKind::SameDifferent:
+        case protocols::PhaseAnswer::SameDifferent:
             return compare(trial);
-        case protocols::AnswerKind::Words:
+        case protocols::PhaseAnswer::Words:
             return {Words{}, 1.0};  // says nothing
     }
     return {};

@@ -36,7 +36,7 @@ struct View {
     std::optional<protocols::Scale> scale;        ///< of that question
     int presentation = 0, presentations = 0;      ///< progress, from 1; voided ones add to the total
     int answersStored = 0, answersInAll = 0;
-    std::optional<protocols::AnswerKind> answerKind;  ///< of that question
+    std::optional<protocols::PhaseAnswer> answerKind;  ///< of that question
     double minutesLeft = 0;     ///< by the protocol's seconds, from five presentations on by this participant's own
     double sittingMinutes = 0;  ///< since this sitting began, at the last event
     int presentationsToBreak = 0;

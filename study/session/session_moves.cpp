@@ -45,16 +45,16 @@ std::optional<std::string> faultOfRating(const protocols::Scale& scale, protocol
            inTenths(scale.max.value) + " in steps of " + inTenths(scale.step.value) + ".";
 }
 
-const char* whatIsAskedFor(protocols::AnswerKind kind)
+const char* whatIsAskedFor(protocols::PhaseAnswer kind)
 {
     switch (kind) {
-        case protocols::AnswerKind::Choice:
+        case protocols::PhaseAnswer::Choice:
             return "one of the fabrics on the tray";
-        case protocols::AnswerKind::Rating:
+        case protocols::PhaseAnswer::Rating:
             return "a number on the scale";
-        case protocols::AnswerKind::SameDifferent:
+        case protocols::PhaseAnswer::SameDifferent:
             return "same or different";
-        case protocols::AnswerKind::Words:
+        case protocols::PhaseAnswer::Words:
             return "words";
     }
     return "";
@@ -167,11 +167,11 @@ std::optional<std::string> faultOf(const Plan& plan, int index, int question, co
 {
     const protocols::Phase& phase = phaseOf(plan, index);
     const protocols::Question& asked = questionOf(plan, index, question);
-    const protocols::AnswerKind kind = answerKindOf(phase, asked);
-    // Response's alternatives stand in the order of AnswerKind's values.
+    const protocols::PhaseAnswer kind = answerKindOf(phase, asked);
+    // Response's alternatives stand in the order of PhaseAnswer's values.
     if (response.index() != static_cast<std::size_t>(kind))
         return asked.id.value + " asks for " + whatIsAskedFor(kind) + ", not for " +
-               whatIsAskedFor(static_cast<protocols::AnswerKind>(response.index())) + ".";
+               whatIsAskedFor(static_cast<protocols::PhaseAnswer>(response.index())) + ".";
     if (const auto* fabric = std::get_if<protocols::FabricId>(&response)) return faultOfChoice(plan, index, *fabric);
     if (const auto* rating = std::get_if<protocols::Tenths>(&response))
         return faultOfRating(phase.scale.value_or(protocols::Scale{}), *rating);

@@ -64,8 +64,8 @@ private Q_SLOTS:
         const Phase& first = protocol.phases[0];
         QVERIFY(first.sameDifferent);
         QCOMPARE(first.catchTrials, 2);
-        QCOMPARE(answerKindOf(first, first.questions[0]), AnswerKind::SameDifferent);
-        QCOMPARE(answerKindOf(first, first.questions[1]), AnswerKind::Words);
+        QCOMPARE(answerKindOf(first, first.questions[0]), PhaseAnswer::SameDifferent);
+        QCOMPARE(answerKindOf(first, first.questions[1]), PhaseAnswer::Words);
         QCOMPARE(protocol.phases[1].scale->labels.size(), 3u);
         QCOMPARE(protocol.presentations(), 6 + 2 + 6);
         QCOMPARE(protocol.answersPerParticipant(), 2 * 8 + 6);

@@ -117,13 +117,13 @@ Response responseTo(const View& view)
 {
     const unsigned draw = fingerprint(view.code.value + view.question->id.value);
     switch (*view.answerKind) {
-        case protocols::AnswerKind::Choice:
+        case protocols::PhaseAnswer::Choice:
             return view.trayIds[draw % view.trayIds.size()];
-        case protocols::AnswerKind::Rating:
+        case protocols::PhaseAnswer::Rating:
             return ratingFrom(draw, view.scale.value());
-        case protocols::AnswerKind::SameDifferent:
+        case protocols::PhaseAnswer::SameDifferent:
             return Sameness{draw % 2 == 0};
-        case protocols::AnswerKind::Words:
+        case protocols::PhaseAnswer::Words:
             return Words{"as number " + std::to_string(draw % 9)};
     }
     return Words{};

@@ -46,7 +46,7 @@ void typeText(OpenWindow& open, const QString& text) { QTest::keyClicks(open.win
 
 void answerByKeys(OpenWindow& open, const Response& response, QChar point)
 {
-    if (open.view().answerKind == protocols::AnswerKind::Words)
+    if (open.view().answerKind == protocols::PhaseAnswer::Words)
         QTest::keyClick(open.window().focusWidget(), Qt::Key_T, Qt::AltModifier);  // letters are text there
     else
         pressKey(open, Qt::Key_T);

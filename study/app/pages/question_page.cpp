@@ -109,7 +109,7 @@ void QuestionPage::takeEntry(const Response& response)
     Q_EMIT hinted(differing);
 }
 
-bool QuestionPage::isForWriting() const { return m_entry->form().kind == protocols::AnswerKind::Words; }
+bool QuestionPage::isForWriting() const { return m_entry->form().kind == protocols::PhaseAnswer::Words; }
 
 bool QuestionPage::pressKey(int key)
 {

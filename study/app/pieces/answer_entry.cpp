@@ -24,15 +24,15 @@ AnswerEntry::AnswerEntry(QWidget* parent)
     }
 }
 
-EntryControls& AnswerEntry::controlsFor(protocols::AnswerKind kind) const
+EntryControls& AnswerEntry::controlsFor(protocols::PhaseAnswer kind) const
 {
     switch (kind) {
-        case protocols::AnswerKind::Choice:
-        case protocols::AnswerKind::SameDifferent:
+        case protocols::PhaseAnswer::Choice:
+        case protocols::PhaseAnswer::SameDifferent:
             return *m_choice;
-        case protocols::AnswerKind::Rating:
+        case protocols::PhaseAnswer::Rating:
             return *m_rating;
-        case protocols::AnswerKind::Words:
+        case protocols::PhaseAnswer::Words:
             return *m_words;
     }
     return *m_choice;

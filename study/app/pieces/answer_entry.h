@@ -23,7 +23,7 @@ Q_SIGNALS:
     void changed();
 
 private:
-    EntryControls& controlsFor(protocols::AnswerKind kind) const;
+    EntryControls& controlsFor(protocols::PhaseAnswer kind) const;
 
     AnswerForm m_form;
     EntryControls* m_choice;

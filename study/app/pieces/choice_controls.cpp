@@ -7,7 +7,7 @@
 
 namespace study::app {
 
-using protocols::AnswerKind;
+using protocols::PhaseAnswer;
 
 ChoiceControls::ChoiceControls(QWidget* parent) : EntryControls(parent), m_column(new QVBoxLayout(this))
 {
@@ -69,7 +69,7 @@ ReadBack ChoiceControls::readBack() const
 {
     if (!m_chosen) return {tr("Press the letter that the participant says.")};
     const AnswerForm::Option& option = m_form.options[*m_chosen];
-    if (m_form.kind == AnswerKind::SameDifferent) return {tr("Read back: “%1.”").arg(option.spoken), true};
+    if (m_form.kind == PhaseAnswer::SameDifferent) return {tr("Read back: “%1.”").arg(option.spoken), true};
     return {tr("Read back: “%1.” (%2)").arg(option.spoken, option.name), true};
 }
 

@@ -7,7 +7,7 @@
 
 namespace study::app {
 
-using protocols::AnswerKind;
+using protocols::PhaseAnswer;
 using session::Response;
 
 namespace {
@@ -42,20 +42,20 @@ bool agree(const Response& first, const Response& second)
 
 AnswerForm formOf(const session::View& view)
 {
-    return formOf(view.answerKind.value_or(AnswerKind::Choice), view.trayIds, view.tray, view.scale);
+    return formOf(view.answerKind.value_or(PhaseAnswer::Choice), view.trayIds, view.tray, view.scale);
 }
 
-AnswerForm formOf(AnswerKind kind, const std::vector<protocols::FabricId>& tray, const std::vector<std::string>& pieces,
+AnswerForm formOf(PhaseAnswer kind, const std::vector<protocols::FabricId>& tray, const std::vector<std::string>& pieces,
                   const std::optional<protocols::Scale>& scale)
 {
     switch (kind) {
-        case AnswerKind::Choice:
+        case PhaseAnswer::Choice:
             return {kind, optionsOfTray(tray, pieces), std::nullopt};
-        case AnswerKind::Rating:
+        case PhaseAnswer::Rating:
             return {kind, {}, scale};
-        case AnswerKind::SameDifferent:
+        case PhaseAnswer::SameDifferent:
             return {kind, sameOrDifferent(), std::nullopt};
-        case AnswerKind::Words:
+        case PhaseAnswer::Words:
             return {kind, {}, std::nullopt};
     }
     return {};
@@ -67,7 +67,7 @@ QString textOf(const AnswerForm& form, const Response& response)
     const auto option = std::find_if(form.options.begin(), form.options.end(),
                                      [&](const AnswerForm::Option& one) { return one.response == response; });
     if (option == form.options.end()) return QString::fromStdString(session::textOf(response));
-    return form.kind == AnswerKind::Choice ? QStringLiteral("%1    %2").arg(option->letter, option->name) : option->name;
+    return form.kind == PhaseAnswer::Choice ? QStringLiteral("%1    %2").arg(option->letter, option->name) : option->name;
 }
 
 QString nameOfPiece(const std::string& code) { return tr("Piece %1").arg(QString::fromStdString(code)); }

@@ -22,7 +22,7 @@ struct AnswerForm {
         QString name;    ///< "Piece 427", "Same"
         QString spoken;  ///< what the participant says and hears again: "A", "same"
     };
-    protocols::AnswerKind kind = protocols::AnswerKind::Choice;
+    protocols::PhaseAnswer kind = protocols::PhaseAnswer::Choice;
     std::vector<Option> options;            ///< of choices and of same or different
     std::optional<protocols::Scale> scale;  ///< of ratings
 };
@@ -31,7 +31,7 @@ struct AnswerForm {
 AnswerForm formOf(const session::View& view);
 
 /// `pieces`: the codes on the fabric pieces of `tray`, both in slot order.
-AnswerForm formOf(protocols::AnswerKind kind, const std::vector<protocols::FabricId>& tray,
+AnswerForm formOf(protocols::PhaseAnswer kind, const std::vector<protocols::FabricId>& tray,
                   const std::vector<std::string>& pieces, const std::optional<protocols::Scale>& scale);
 
 /// "B    Piece 427", "5.5", "Same", the words themselves.

@@ -52,8 +52,10 @@ public:
 
     double to(double driven)
     {
-        const double before = m_driven.value_or(driven);
-        m_force = m_driven && m_hasDelay ? m_keep * (m_force - before) + driven - (driven - before) * m_lag : driven;
+        if (m_driven && m_hasDelay)
+            m_force = m_keep * (m_force - *m_driven) + driven - (driven - *m_driven) * m_lag;
+        else
+            m_force = driven;
         m_driven = driven;
         return m_force;
     }

@@ -188,8 +188,10 @@ BalanceCertificate balanceOf(const Design& design, const Protocol& protocol)
         ranges.push_back(
             rangeOf("a fabric per stretch of the order" + phase, perStretch(trials, fabrics, labels, &DesignTrial::fabric)));
         certificate.immediateRepeats += repeatsIn(trials);
-        if (!protocol.phases[i].isChoice()) continue;
-        addChoiceRanges(trials, protocol, *protocol.phases[i].alternatives, phase, ranges);
+        const TrayRule rule = trayRuleOf(protocol.phases[i].task);
+        const auto* foils = std::get_if<TrueAmongFoils>(&rule);
+        if (!foils) continue;
+        addChoiceRanges(trials, protocol, foils->pieces, phase, ranges);
         certificate.repeatedFoilPairs += repeatedFoilSets(trials);
     }
     return certificate;

@@ -83,9 +83,9 @@ std::string longProtocol(int phases)
     return json.dump(2) + "\n";
 }
 
-Response someResponse(const View& view)
+GivenAnswer someResponse(const View& view)
 {
-    if (view.scale) return protocols::Tenths{(view.presentation * 7) % 101};
+    if (std::holds_alternative<protocols::Rating>(view.question->kind)) return protocols::Tenths{(view.presentation * 7) % 101};
     return view.trayIds[static_cast<std::size_t>(view.presentation) % view.trayIds.size()];
 }
 

@@ -79,7 +79,7 @@ std::string preparationPage(const database::StudyFacts& facts, const std::vector
 }
 
 /// The line with its equal sections; only the ends carry a number, for the participant memorises the rest.
-std::string scaleDrawing(const protocols::Scale& scale)
+std::string scaleDrawing(const protocols::RatingScale& scale)
 {
     const double width = 900, left = 60;
     std::string svg =
@@ -101,7 +101,7 @@ std::string scaleDrawing(const protocols::Scale& scale)
            "</svg>\n";
 }
 
-std::string scaleCard(const database::StudyFacts& facts, const protocols::Scale& scale)
+std::string scaleCard(const database::StudyFacts& facts, const protocols::RatingScale& scale)
 {
     std::string body = "<p>Please learn this line by heart: you will not see it later.</p>\n" + scaleDrawing(scale);
     if (scale.labels.empty())
@@ -131,11 +131,7 @@ int writeSheets(const database::StudyStore& store, const std::filesystem::path& 
             {"cannot make the folder (" + failure.message() + ")", out.string(), "a writable place", "choose another one"});
     writeFile(out / "labels.html", labelsPage(facts, sets));
     writeFile(out / "preparation.html", preparationPage(facts, sets));
-    for (const auto& phase : protocol.phases)
-        if (phase.scale) {
-            writeFile(out / "scale-card.html", scaleCard(facts, *phase.scale));
-            break;
-        }
+    if (const auto* scale = memorisedScaleOf(protocol)) writeFile(out / "scale-card.html", scaleCard(facts, *scale));
     std::printf("%s: pages to print\n", out.c_str());
     return 0;
 }

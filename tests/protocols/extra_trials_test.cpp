@@ -19,8 +19,8 @@ Protocol sameDifferentProtocol(int participants, int fabrics)
     protocol.participants = participants;
     protocol.fabricCount = fabrics;
     Phase phase;
-    phase.questions = {{QuestionId("S1"), "Is it the same fabric?"}};
-    phase.sameDifferent = true;
+    phase.task = SameDifferent{};
+    phase.questions = {{QuestionId("S1"), "Is it the same fabric?", phase.task}};
     protocol.phases = {phase};
     return protocol;
 }

@@ -42,8 +42,7 @@ private Q_SLOTS:
         QTest::newRow("F") << stats::fisherUpper(3.7, 2, 11) << Expected{0.059042092633061573, -2.8295046549911317};
         QTest::newRow("F, p near 1") << stats::fisherUpper(0.2, 3.5, 8.25)
                                      << Expected{0.91526688861612444, -0.088539574689731288};
-        QTest::newRow("F below the smallest double")
-            << stats::fisherUpper(5000, 40, 300) << Expected{0, -918.51937316645523};
+        QTest::newRow("F below the smallest double") << stats::fisherUpper(5000, 40, 300) << Expected{0, -918.51937316645523};
         QTest::newRow("F = 0") << stats::fisherUpper(0, 2, 11) << Expected{1, 0};
         QTest::newRow("chi-squared") << stats::chiSquaredUpper(7.5, 3) << Expected{0.057558451972636407, -2.8549542914761807};
         QTest::newRow("chi-squared, p near 1")

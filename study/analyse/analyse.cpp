@@ -5,7 +5,7 @@
 #include "study/analyse/analyse_answer.h"
 #include "study/analyse/analyse_inputs.h"
 
-namespace study::commands {
+namespace study::analyse {
 
 namespace {
 
@@ -57,4 +57,4 @@ ordered_json answerOf(const json& request, const std::filesystem::path& folder)
     }
 }
 
-}  // namespace study::commands
+}  // namespace study::analyse

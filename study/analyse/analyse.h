@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-namespace study::commands {
+namespace study::analyse {
 
 struct AnalysisRequest {
     const nlohmann::json& inputs;
@@ -38,4 +38,4 @@ const std::vector<Analysis>& analyses();
 /// the analysis is not defined for these data.
 nlohmann::ordered_json answerOf(const nlohmann::json& request, const std::filesystem::path& folder);
 
-}  // namespace study::commands
+}  // namespace study::analyse

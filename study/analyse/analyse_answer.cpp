@@ -5,7 +5,7 @@
 
 #include "stats/kernels/distributions.h"
 
-namespace study::commands {
+namespace study::analyse {
 
 using nlohmann::ordered_json;
 
@@ -82,4 +82,4 @@ ordered_json Answer::json() const
 
 ordered_json degenerate(const std::string& reason) { return {{"status", "degenerate"}, {"reason", reason}}; }
 
-}  // namespace study::commands
+}  // namespace study::analyse

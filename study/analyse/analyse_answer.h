@@ -7,7 +7,7 @@
 
 #include "stats/kernels/value.h"
 
-namespace study::commands {
+namespace study::analyse {
 
 class Answer {
 public:
@@ -36,4 +36,4 @@ nlohmann::ordered_json numberJson(double number);
 /// The analysis is not defined for these data.
 nlohmann::ordered_json degenerate(const std::string& reason);
 
-}  // namespace study::commands
+}  // namespace study::analyse

@@ -10,7 +10,7 @@
 #include "study/analyse/analyse_answer.h"
 #include "study/analyse/analyse_inputs.h"
 
-namespace study::commands {
+namespace study::analyse {
 
 namespace {
 
@@ -81,4 +81,4 @@ std::vector<Analysis> analysesOfCounts()
     return {{"binomial", binomial}, {"mafc_dprime", forcedChoice}, {"mcnemar", mcnemar}, {"p_adjust", pAdjust}};
 }
 
-}  // namespace study::commands
+}  // namespace study::analyse

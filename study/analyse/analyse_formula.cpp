@@ -7,7 +7,7 @@
 
 #include "study/analyse/analyse_inputs.h"
 
-namespace study::commands {
+namespace study::analyse {
 
 /// A number, a name, or an operation on one or two nodes.
 struct Formula::Node {
@@ -283,4 +283,4 @@ Formula::Formula(Formula&&) noexcept = default;
 
 FormulaNumber Formula::evaluate(const std::vector<FormulaNumber>& values) const { return valueOf(*m_root, values); }
 
-}  // namespace study::commands
+}  // namespace study::analyse

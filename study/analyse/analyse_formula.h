@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace study::commands {
+namespace study::analyse {
 
 __extension__ typedef __int128 WideInteger;
 
@@ -38,4 +38,4 @@ private:
     std::unique_ptr<Node> m_root;
 };
 
-}  // namespace study::commands
+}  // namespace study::analyse

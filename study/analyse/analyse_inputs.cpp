@@ -8,7 +8,7 @@
 
 #include "study/analyse/analyse_recipe.h"
 
-namespace study::commands {
+namespace study::analyse {
 
 namespace {
 
@@ -146,4 +146,4 @@ std::vector<std::vector<double>> rowsAt(const json& inputs, const std::string& f
     return rows;
 }
 
-}  // namespace study::commands
+}  // namespace study::analyse

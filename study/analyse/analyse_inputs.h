@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace study::commands {
+namespace study::analyse {
 
 /// A request that cannot be understood; the text names the field and what was expected.
 struct RequestFault : std::runtime_error {
@@ -56,4 +56,4 @@ Choice choiceOr(const nlohmann::json& object, const std::string& field, const Na
     throw RequestFault("unknown " + field + " \"" + wanted + "\"; expected one of: " + known);
 }
 
-}  // namespace study::commands
+}  // namespace study::analyse

@@ -9,7 +9,7 @@
 #include "study/analyse/analyse_answer.h"
 #include "study/analyse/analyse_inputs.h"
 
-namespace study::commands {
+namespace study::analyse {
 
 namespace {
 
@@ -150,4 +150,4 @@ std::vector<Analysis> analysesOfMeans()
             {"bca_bootstrap_mean", bca}, {"jzs_bf10_one_sample", jzs}};
 }
 
-}  // namespace study::commands
+}  // namespace study::analyse

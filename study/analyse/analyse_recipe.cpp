@@ -8,7 +8,7 @@
 #include "study/analyse/analyse_formula.h"
 #include "study/analyse/analyse_inputs.h"
 
-namespace study::commands {
+namespace study::analyse {
 
 namespace {
 
@@ -159,4 +159,4 @@ RecipeArrays arraysOfRecipe(const std::string& text, const std::map<std::string,
 
 double valueOfFormula(const std::string& formula) { return Formula(formula, {}).evaluate({}).real; }
 
-}  // namespace study::commands
+}  // namespace study::analyse

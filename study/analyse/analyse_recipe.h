@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace study::commands {
+namespace study::analyse {
 
 struct RecipeArrays {
     std::map<std::string, std::vector<double>> arrays;  ///< by name, without its index
@@ -24,4 +24,4 @@ RecipeArrays arraysOfRecipe(const std::string& recipe, const std::map<std::strin
 /// A formula of numbers alone: "1/3", "sqrt(2)/2", "1e-3". Throws RequestFault.
 double valueOfFormula(const std::string& formula);
 
-}  // namespace study::commands
+}  // namespace study::analyse

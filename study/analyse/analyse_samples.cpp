@@ -7,7 +7,7 @@
 #include "study/analyse/analyse_answer.h"
 #include "study/analyse/analyse_inputs.h"
 
-namespace study::commands {
+namespace study::analyse {
 
 namespace {
 
@@ -89,4 +89,4 @@ std::vector<Analysis> analysesOfSamples()
             {"bis", balancedIntegration}};
 }
 
-}  // namespace study::commands
+}  // namespace study::analyse

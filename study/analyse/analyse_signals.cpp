@@ -12,7 +12,7 @@
 #include "study/analyse/analyse_inputs.h"
 #include "study/analyse/analyse_recipe.h"
 
-namespace study::commands {
+namespace study::analyse {
 
 namespace {
 
@@ -153,4 +153,4 @@ std::vector<Analysis> analysesOfSignals()
             {"registered_ssim", registeredSsim}};
 }
 
-}  // namespace study::commands
+}  // namespace study::analyse

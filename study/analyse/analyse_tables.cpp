@@ -10,7 +10,7 @@
 #include "study/analyse/analyse_answer.h"
 #include "study/analyse/analyse_inputs.h"
 
-namespace study::commands {
+namespace study::analyse {
 
 namespace {
 
@@ -112,4 +112,4 @@ std::vector<Analysis> analysesOfTables()
             {"oneway_anova", oneWay}};
 }
 
-}  // namespace study::commands
+}  // namespace study::analyse

@@ -6,7 +6,7 @@
 
 #include "stats/kernels/value.h"
 
-namespace study::commands {
+namespace study::analyse {
 
 inline void put(nlohmann::ordered_json& object, const std::string& field, const stats::Value& value)
 {
@@ -28,4 +28,4 @@ inline void put(nlohmann::ordered_json& object, const std::string& field, const 
     object["why"][field] = interval.low.exists() ? interval.high.why() : interval.low.why();
 }
 
-}  // namespace study::commands
+}  // namespace study::analyse

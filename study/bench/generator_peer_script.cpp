@@ -2,7 +2,7 @@
 // trains and asks them. Checked at every start: our parameters must give our answers.
 #include "study/bench/generator_peer.h"
 
-namespace study::commands {
+namespace study::bench {
 
 const char* const generatorPeerScript = R"peer(
 import os, sys, time, torch
@@ -176,4 +176,4 @@ for order in sys.stdin:
     else: break
 )peer";
 
-}  // namespace study::commands
+}  // namespace study::bench

@@ -11,7 +11,7 @@
 
 extern char** environ;
 
-namespace study::commands {
+namespace study::bench {
 
 namespace {
 
@@ -142,4 +142,4 @@ PeerTimes signalPeerTimes()
     return times;
 }
 
-}  // namespace study::commands
+}  // namespace study::bench

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-namespace study::commands {
+namespace study::bench {
 
 /// Milliseconds by stage and peer; no number where the peer or its package is not installed.
 using PeerTimes = std::map<std::string, std::map<std::string, std::optional<double>>>;
@@ -18,4 +18,4 @@ PeerTimes peerTimes();
 /// differences, in single precision). A few seconds.
 PeerTimes signalPeerTimes();
 
-}  // namespace study::commands
+}  // namespace study::bench

@@ -23,7 +23,7 @@ struct Export {
     const database::StudyStore& store;
     database::StudyFacts facts;
     protocols::Protocol protocol;
-    Naming naming;
+    records::Naming naming;
     fs::path out;
     std::set<std::string> wordQuestions;
 };
@@ -43,7 +43,7 @@ ordered_json rowOf(const Export& job, const CurrentAnswer& answer)
                      {"alternatives", alternatives}};
     row["answer"] = record.answer ? ordered_json(*record.answer) : ordered_json();
     const bool inWords = !record.rating && job.wordQuestions.contains(record.question.value);
-    row["correct"] = record.answer && !inWords ? ordered_json(isCorrect(record, entry.fabric) ? 1 : 0) : ordered_json();
+    row["correct"] = record.answer && !inWords ? ordered_json(records::isCorrect(record, entry.fabric) ? 1 : 0) : ordered_json();
     row["rating"] = record.rating ? ordered_json(record.rating->inScaleUnits()) : ordered_json();
     row["seconds"] = answer.seconds;
     row["ready_at"] = record.readyAtNs;
@@ -123,11 +123,11 @@ std::set<std::string> questionsInWords(const protocols::Protocol& protocol)
 
 int exportStudy(const std::string& study, const std::string& out, const std::string& format)
 {
-    const auto store = openStudy(study);
+    const auto store = records::openStudy(study);
     auto facts = store.facts();
-    const auto protocol = protocolOf(facts);
+    const auto protocol = records::protocolOf(facts);
     const Export job{
-        store, facts, protocol, namingOf(store, protocol, recordedUnblinding(store)), out, questionsInWords(protocol)};
+        store, facts, protocol, records::namingOf(store, protocol, recordedUnblinding(store)), out, questionsInWords(protocol)};
     std::error_code failure;
     fs::create_directories(job.out, failure);
     if (failure)
@@ -138,7 +138,7 @@ int exportStudy(const std::string& study, const std::string& out, const std::str
     else if (format == "json")
         writeJsonExport(job);
     else
-        writeScripts(job.store, job.naming, job.out);
+        players::writeScripts(job.store, job.naming, job.out);
     std::printf("%s: %zu answers as %s%s\n", out.c_str(), store.answers().size(), format.c_str(),
                 job.naming.blinded ? ", blinded (conditions as K-labels)" : "");
     return 0;

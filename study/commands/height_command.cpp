@@ -125,7 +125,7 @@ Reconstruction fromNormals(const HeightCall& call)
 {
     const auto pitch = pitchOf(call);
     Reconstruction result{fs::path(call.normals).stem().string(),
-                          signals::slopesFromNormals(rendering::readPicture(call.normals, decodeByQt)),
+                          signals::slopesFromNormals(rendering::readPicture(call.normals, looking::decodeByQt)),
                           {},
                           {}};
     result.facts = {{"from", "normals"}, {"kind", "point"}};
@@ -145,7 +145,7 @@ cv::Mat referenceOf(const HeightCall& call, const signals::Calibration& calibrat
     if (!fs::exists(file))
         throw protocols::badInput({"there is no frame of the untouched sensor", file.string(), "--background PNG",
                                    "name the frame taken before the presses"});
-    const cv::Mat reference = rendering::readPicture(file, decodeByQt);
+    const cv::Mat reference = rendering::readPicture(file, looking::decodeByQt);
     if (calibration.sensor)
         if (const auto difference = signals::differenceOf(*calibration.sensor, signals::lookOf(reference)))
             throw protocols::badInput({"this background is not of the calibrated sensor: " + *difference, file.string(),
@@ -220,7 +220,7 @@ std::vector<Reconstruction> fromFrames(const HeightCall& call)
     std::set<std::string> names;
     for (const auto& file : call.frames) {
         if (fs::is_directory(file)) throw protocols::badInput({"is a folder", file, "a frame", "name the frames in it"});
-        const cv::Mat frame = rendering::readPicture(file, decodeByQt);
+        const cv::Mat frame = rendering::readPicture(file, looking::decodeByQt);
         const std::string name = fs::path(file).stem().string();
         requireOfSensor(file, frame, reference);
         requireOwnName(file, name, names);

@@ -10,7 +10,9 @@
 
 #include "rendering/signals/photometric_stereo.h"
 
-namespace rendering {
+namespace study::looking {
+
+namespace signals = rendering::signals;
 
 namespace {
 
@@ -163,4 +165,4 @@ cv::Mat pressSheet(const signals::BallPresses& presses, const signals::Calibrati
     return sheet;
 }
 
-}  // namespace rendering
+}  // namespace study::looking

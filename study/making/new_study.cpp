@@ -9,18 +9,17 @@
 #include "protocols/condition.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/sha256.h"
+#include "protocols/files/whole_file.h"
 #include "protocols/protocol_json.h"
 #include "protocols/random.h"
 #include "rendering/composition/render_fabrics.h"
 #include "rendering/display/stimulus_bank.h"
-#include "study/commands/command_line.h"
-#include "study/commands/json_output.h"
 #include "study/making/image_folder.h"
 #include "study/making/sample_choice.h"
 #include "study/making/signal_quality.h"
 #include "study/session/clock.h"
 
-namespace study::commands {
+namespace study::making {
 
 namespace {
 
@@ -37,7 +36,8 @@ ProtocolText protocolText(const NewStudy& request)
 {
     const std::string where = request.protocol.empty() ? "the paper's protocol" : request.protocol.string();
     ProtocolText text;
-    text.json = request.protocol.empty() ? std::string(protocols::paperProtocolJson()) : readFile(request.protocol);
+    text.json =
+        request.protocol.empty() ? std::string(protocols::paperProtocolJson()) : rendering::readWholeFile(request.protocol);
     text.protocol = protocols::protocolFromJson(text.json, where);
     if (request.participants && *request.participants != text.protocol.participants) {
         auto json = nlohmann::ordered_json::parse(text.json);
@@ -273,7 +273,7 @@ MadeStudy makeStudy(const NewStudy& request, const StepProgress& progress)
     facts.fabrics = fabrics;
     for (const auto& fabric : fabrics) facts.fabricNames[fabric] = dataset.fabric(fabric).name;
     facts.createdAt = session::SystemClock().wallTime();
-    facts.programVersion = versionText();
+    facts.programVersion = request.programVersion;
 
     const auto images = friction(request, dataset, render, imageFolderKey(facts, render), progress);
     facts.signalsJson = images.signalsJson;
@@ -301,10 +301,10 @@ MadeStudy makeStudy(const NewStudy& request, const StepProgress& progress)
     const auto keys = database::writeKeys(folder, allocation.key);
     facts.keySha256 = keys.allocation;
     facts.maskedKeySha256 = keys.masked;
-    writeFile(folder.protocol(), text.json);
+    rendering::writeWholeFile(folder.protocol(), text.json);
     database::StudyStore::create(folder, facts, allocation.participants, hashes);
     unfinished.becomeStudy();
     return made;
 }
 
-}  // namespace study::commands
+}  // namespace study::making

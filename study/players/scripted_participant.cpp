@@ -8,7 +8,7 @@
 #include "study/session/preparation.h"
 #include "study/session/session_moves.h"
 
-namespace study::commands {
+namespace study::players {
 
 namespace {
 
@@ -295,4 +295,4 @@ void playScript(const Script& script, const ScriptedTrials& trials, const std::v
     player.play(progress);
 }
 
-}  // namespace study::commands
+}  // namespace study::players

@@ -7,7 +7,7 @@
 #include "protocols/files/errors.h"
 #include "study/session/preparation.h"
 
-namespace study::commands {
+namespace study::players {
 
 using namespace session;
 
@@ -131,4 +131,4 @@ void playSimulated(SimulatedParticipant& participant, const Plan& plan, Hands& h
     }
 }
 
-}  // namespace study::commands
+}  // namespace study::players

@@ -11,12 +11,12 @@ class BenchTest : public QObject {
 private Q_SLOTS:
     void everyStageHasItsErrorWithinBounds()
     {
-        const auto rows = rendering::benchSignals();
+        const auto rows = study::bench::benchSignals();
         const auto row = [&](const QString& stage, const QString& quality) {
             const auto found = std::find_if(rows.begin(), rows.end(), [&](const auto& one) {
                 return QString::fromStdString(one.stage).startsWith(stage) && one.quality == quality.toStdString();
             });
-            return found == rows.end() ? rendering::BenchRow{"", "", 0, 1e9, "", ""} : *found;
+            return found == rows.end() ? study::bench::BenchRow{"", "", 0, 1e9, "", ""} : *found;
         };
         for (const auto& one : rows) {
             qInfo("%-28s %-9s %8.2f ms  %.3g %s (%s)", one.stage.c_str(), one.quality.c_str(), one.milliseconds, one.error,

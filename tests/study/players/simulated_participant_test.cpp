@@ -11,7 +11,7 @@
 #include "rendering/fabrics/procedural/procedural_fabrics.h"
 #include "study/players/expected_touch.h"
 
-using namespace study::commands;
+using namespace study::players;
 using protocols::ConditionId;
 
 namespace {

@@ -52,18 +52,18 @@ public:
 
     double to(double driven)
     {
-        if (m_driven && m_hasDelay)
-            m_force = m_keep * (m_force - *m_driven) + driven - (driven - *m_driven) * m_lag;
+        if (m_isDriven && m_hasDelay)
+            m_force = m_keep * (m_force - m_driven) + driven - (driven - m_driven) * m_lag;
         else
             m_force = driven;
         m_driven = driven;
+        m_isDriven = true;
         return m_force;
     }
 
 private:
-    bool m_hasDelay;
-    double m_keep = 0, m_lag = 0, m_force = 0;
-    std::optional<double> m_driven;
+    bool m_hasDelay, m_isDriven = false;
+    double m_keep = 0, m_lag = 0, m_force = 0, m_driven = 0;
 };
 
 void requireUsable(const StrokeOptions& options)

@@ -17,6 +17,7 @@
 #include "rendering/models/child_process.h"
 #include "rendering/models/second_program.h"
 #include "rendering/models/temporary_folder.h"
+#include "study/bench/peer_programs.h"
 
 extern char** environ;
 
@@ -145,7 +146,7 @@ std::vector<std::string> wordsOf(const std::string& line)
 
 PeerComparison withPython(Partner& ours, const std::vector<std::string>& sizes, const std::filesystem::path& folder, int pairs)
 {
-    std::vector<std::string> command{"/usr/bin/python3", "-c", generatorPeerScript, folder.string()};
+    std::vector<std::string> command{"/usr/bin/python3", "-B", peerScript("generators_peer.py"), folder.string()};
     command.insert(command.end(), sizes.begin(), sizes.end());
     Partner python(command, "");
     const std::vector<std::string> ready = wordsOf(python.line());

@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "protocols/files/errors.h"
+#include "study/bench/peer_programs.h"
+
 class BenchTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
@@ -30,6 +33,13 @@ private Q_SLOTS:
         QVERIFY(row("shape from shading", "accurate").error < 0.5);
         QVERIFY(row("spectrogram and back", "complex").error < 1e-10);
         QVERIFY(row("spectrogram inversion", "accurate").error < 10);
+    }
+
+    void scriptsOfPeersAreFilesThatAreFound()
+    {
+        for (const char* script : {"statistics_peer.py", "statistics_peer.R", "signals_peer.py", "generators_peer.py"})
+            QVERIFY2(std::filesystem::exists(study::bench::peerScript(script)), script);
+        QVERIFY_EXCEPTION_THROWN(study::bench::peerScript("nobodys_peer.py"), protocols::Error);
     }
 };
 

@@ -31,7 +31,7 @@ const QList<Room>& rooms()
         {"rendering/fabrics/", "data sets: reader, checker, splits", {"rendering/images/", "protocols/"}},
         {"rendering/fabrics/procedural/",
          "procedural fabrics, simulated sensor and friction rig",
-         {"rendering/fabrics/", "rendering/images/", "protocols/"}},
+         {"rendering/fabrics/", "rendering/images/", "protocols/", "stats/kernels/"}},
         {"rendering/fabrics/recordings/",
          "importers of real recordings",
          {"rendering/fabrics/", "rendering/images/", "protocols/"}},

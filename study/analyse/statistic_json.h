@@ -1,4 +1,4 @@
-// Undefined numbers in JSON: null, with the reason in the object's "why".
+// Statistics in JSON. An undefined number is null, with its reason in the object's "why".
 #pragma once
 
 #include <nlohmann/json.hpp>

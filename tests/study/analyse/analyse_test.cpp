@@ -1,4 +1,4 @@
-// What a script sends to `vis2hap analyse` and what comes back: formulas, recipes, refusals.
+// Requests to `vis2hap analyse` and their answers: formulas, recipes, faults.
 #include "study/analyse/analyse.h"
 
 #include <QtTest>
@@ -141,7 +141,7 @@ private Q_SLOTS:
         QVERIFY(saysError(answerTo("", {}), "no analysis is named"));
         QVERIFY(saysError(answerTo("anova", {}), "unknown analysis \"anova\""));
         QVERIFY(saysError(answerTo("t_test", {{"kind", "pared"}, {"x", {1, 2}}}), "expected one of: one_sample"));
-        QVERIFY(saysError(answerTo("t_test", {{"kind", "one_sample"}}), "no x"));
+        QVERIFY(saysError(answerTo("t_test", {{"kind", "one_sample"}}), "have no x"));
         QVERIFY(saysError(answerTo("t_test", {{"kind", "one_sample"}, {"x", {1, "two"}}}), "value 2 of x"));
         QVERIFY(saysError(answerTo("binomial", {{"k", 2.5}, {"n", 5}}, {{"p0", "1/3"}}), "not a whole number"));
         QVERIFY(saysError(answerTo("friedman", {{"rows", {{1, 2}, {1}}}}), "differ in length"));

@@ -16,7 +16,7 @@
 #include "rendering/signals/shape_from_shading.h"
 #include "rendering/signals/surface_calibration.h"
 #include "study/bench/median_time.h"
-#include "study/looking/calibration_report.h"
+#include "study/measuring/calibration_report.h"
 
 namespace study::bench {
 
@@ -220,7 +220,7 @@ void addGroove(RecordingsBench& bench, const fs::path& folder, const Decode& dec
         const double time = millisecondsOf([&] {
             score = signals::scoreOf(signals::calibrationFrom(surface, 0, half, quality), surface, half, map.heightMm.rows);
         });
-        bench.rows.push_back({"groove from photographs", looking::nameOf(quality), time, 1000 * score.heightErrorMm, "um RMSE",
+        bench.rows.push_back({"groove from photographs", measuring::nameOf(quality), time, 1000 * score.heightErrorMm, "um RMSE",
                               text("learned on the top half, read on the bottom half, less a quadratic; slopes %.4f off; at "
                                    "least 12.5, aim 8 (balanced)",
                                    score.slopeError)});
@@ -238,15 +238,15 @@ void addPresses(RecordingsBench& bench, const fs::path& folder, const Decode& de
     const auto presses = rendering::readBallPresses(place, ballRadiusMm, ballMmPerPixel, decodeOther);
     const auto located = signals::locate(presses);
     for (const auto quality : {signals::MapQuality::Fast, signals::MapQuality::Balanced, signals::MapQuality::Accurate}) {
-        const auto trade = looking::tradeOf(presses, located, quality);
+        const auto trade = measuring::tradeOf(presses, located, quality);
         const auto& score = trade.score;
         const std::string note = text("%zu presses, cross-validated; contact found at %.1f px; fitted in %.2f s",
                                       presses.presses.size(), located.contactPx, trade.fitSeconds);
-        bench.rows.push_back({"ball presses, normals", looking::nameOf(quality), trade.millisecondsAFrame, score.normalErrorDeg,
+        bench.rows.push_back({"ball presses, normals", measuring::nameOf(quality), trade.millisecondsAFrame, score.normalErrorDeg,
                               "deg, median", note + "; at least 7, aim 6 (balanced)"});
-        bench.rows.push_back({"ball presses, depth", looking::nameOf(quality), trade.millisecondsAFrame, score.depthErrorMm,
+        bench.rows.push_back({"ball presses, depth", measuring::nameOf(quality), trade.millisecondsAFrame, score.depthErrorMm,
                               "mm in contact", "at least 0.095, aim 0.07 (balanced)"});
-        bench.rows.push_back({"ball presses, peak", looking::nameOf(quality), trade.millisecondsAFrame, score.peakMm,
+        bench.rows.push_back({"ball presses, peak", measuring::nameOf(quality), trade.millisecondsAFrame, score.peakMm,
                               "mm (1.0 pressed)",
                               text("%.2f to %.2f; with the gel's bridge around contact %.2f; 1.0 +- 0.2, aim 0.15",
                                    score.lowestPeakMm, score.highestPeakMm, score.peakOverGelMm)});

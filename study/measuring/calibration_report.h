@@ -7,7 +7,7 @@
 
 #include "rendering/signals/ball_presses.h"
 
-namespace study::looking {
+namespace study::measuring {
 
 struct QualityTrade {
     rendering::signals::MapQuality quality;
@@ -30,4 +30,4 @@ nlohmann::ordered_json jsonOf(const rendering::signals::CalibrationScore& score)
 cv::Mat pressSheet(const rendering::signals::BallPresses& presses, const rendering::signals::Calibration& calibration,
                    const rendering::signals::CalibrationScore& score);
 
-}  // namespace study::looking
+}  // namespace study::measuring

@@ -3,6 +3,7 @@
 
 #include <QTemporaryDir>
 #include <QtTest>
+#include <nlohmann/json.hpp>
 
 #include "protocols/files/errors.h"
 #include "protocols/files/whole_file.h"

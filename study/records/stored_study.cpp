@@ -9,7 +9,7 @@
 #include "protocols/protocol_json.h"
 #include "study/records/participants_sentence.h"
 
-namespace study::commands {
+namespace study::records {
 
 namespace {
 
@@ -125,4 +125,4 @@ reports::StudyData studyData(const database::StudyStore& store)
     return data;
 }
 
-}  // namespace study::commands
+}  // namespace study::records

@@ -11,7 +11,7 @@
 #include "database/study_store.h"
 #include "reports/data/study_data.h"
 
-namespace study::commands {
+namespace study::records {
 
 /// Opens for reading. Throws badInput where it is no study.
 database::StudyStore openStudy(const std::filesystem::path& study);
@@ -33,4 +33,4 @@ protocols::Protocol protocolOf(const database::StudyFacts& facts);
 
 reports::StudyData studyData(const database::StudyStore& store);
 
-}  // namespace study::commands
+}  // namespace study::records

@@ -1,5 +1,6 @@
 // The texts of the two keys (allocation.h).
 #include <map>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <utility>
 

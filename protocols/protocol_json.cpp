@@ -1,8 +1,10 @@
 #include "protocols/protocol_json.h"
+#include "protocols/files/whole_file.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <nlohmann/json.hpp>
 
 #include "protocols/condition.h"
 #include "protocols/files/errors.h"
@@ -157,7 +159,7 @@ Protocol protocolFromJson(std::string_view text, const std::string& where)
     return protocol;
 }
 
-Protocol readProtocol(const std::filesystem::path& file) { return protocolFromJson(readTextFile(file), file.string()); }
+Protocol readProtocol(const std::filesystem::path& file) { return protocolFromJson(readWholeFile(file), file.string()); }
 
 std::string_view paperProtocolJson() { return shipped::paperProtocol(); }
 

@@ -39,6 +39,15 @@ fs::path withoutTrailingSlash(const fs::path& folder)
     return whole.has_filename() ? whole : whole.parent_path();
 }
 
+/// The folder and its parents that do not exist yet, innermost first.
+std::vector<fs::path> missingOnes(const fs::path& folder)
+{
+    std::error_code unknown;
+    std::vector<fs::path> missing;
+    for (fs::path at = folder; !fs::exists(at, unknown) && at.has_relative_path(); at = at.parent_path()) missing.push_back(at);
+    return missing;
+}
+
 bool stands(const fs::path& place) { return fs::exists(fs::symlink_status(place)); }
 
 /// Both names exist before and after. Throws filesystem_error.
@@ -113,6 +122,7 @@ FolderDraft::FolderDraft(const fs::path& place, Earlier earlier)
     m_draft = unfinishedName(named);
     std::error_code problem;
     fs::remove_all(m_draft, problem);
+    m_madeParents = missingOnes(m_draft.parent_path());
     makeFolders(m_draft);
 }
 
@@ -120,6 +130,8 @@ FolderDraft::~FolderDraft()
 {
     std::error_code ignored;
     fs::remove_all(m_draft, ignored);
+    if (m_isInPlace) return;
+    for (const fs::path& parent : m_madeParents) fs::remove(parent, ignored);  // only where it is empty
 }
 
 fs::path FolderDraft::file(const fs::path& relative) const
@@ -137,6 +149,7 @@ void FolderDraft::putInPlace(const std::vector<fs::path>& last)
             joinPlace(last);
         else
             becomePlace();
+        m_isInPlace = true;
     } catch (const fs::filesystem_error& fault) {
         throw cannotPutInPlace(m_place, fault.code());
     }
@@ -170,11 +183,10 @@ void FolderDraft::joinPlace(const std::vector<fs::path>& last)
 
 void makeFolders(const fs::path& folder, Sync sync)
 {
+    const fs::path whole = withoutTrailingSlash(folder);
+    const std::vector<fs::path> missing = missingOnes(whole);
     std::error_code problem;
-    std::vector<fs::path> missing;
-    for (fs::path at = withoutTrailingSlash(folder); !fs::exists(at, problem) && at.has_relative_path(); at = at.parent_path())
-        missing.push_back(at);
-    fs::create_directories(folder, problem);
+    fs::create_directories(whole, problem);
     if (problem) throw cannotMake(folder, problem);
     if (sync == Sync::Now)
         for (const fs::path& made : missing) syncFolder(made.parent_path());

@@ -41,7 +41,9 @@ private:
     void joinPlace(const std::vector<std::filesystem::path>& last);
 
     std::filesystem::path m_place, m_draft;
+    std::vector<std::filesystem::path> m_madeParents;  ///< innermost first; removed with an abandoned draft
     Earlier m_earlier;
+    bool m_isInPlace = false;
     bool m_joins;  ///< the draft lies inside its place and moves there entry by entry
 };
 

@@ -41,10 +41,4 @@ ModelCardFields readModelCardFields(const std::filesystem::path& model);
 /// Throws badInput where the weights are missing or not the ones that the card was written for.
 void checkWeightsFile(const std::filesystem::path& model, const ModelCardFields& card);
 
-/// Writes beside, syncs and renames. Throws environmentFault.
-void writeSynced(const std::filesystem::path& file, const std::string& bytes);
-
-/// Long work asks before it begins. Throws badInput for a folder, environmentFault where nothing can be written.
-void requireWritable(const std::filesystem::path& file);
-
 }  // namespace rendering::models

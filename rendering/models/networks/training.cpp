@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "protocols/files/errors.h"
+#include "protocols/files/whole_file.h"
 #include "rendering/models/networks/checkpoint.h"
 #include "rendering/models/networks/contest.h"
 #include "rendering/models/networks/progress_lines.h"
@@ -286,7 +287,7 @@ std::filesystem::path logOf(const std::filesystem::path& model)
 void train(const fabrics::Dataset& dataset, const TrainingOptions& options, std::ostream& log, bool terminal)
 {
     checkOptions(options);
-    requireWritable(options.out);
+    protocols::requireWritable(options.out);
     keepFreedMemory();
     torch::set_num_threads(options.threads > 0 ? options.threads
                                                : static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));

@@ -1,6 +1,8 @@
 // Taking out what is known about a participant, without breaking the log: an erased entry keeps its hash
 // and its place in the chain, and the act says whose entries were emptied and up to which.
 #include "database/event_chain.h"
+
+#include <nlohmann/json.hpp>
 #include "database/schema.h"
 #include "database/store_connection.h"
 #include "protocols/files/errors.h"

@@ -1,6 +1,7 @@
 #include "database/event_chain.h"
 
 #include <QSqlRecord>
+#include <nlohmann/json.hpp>
 
 #include "protocols/files/sha256.h"
 

@@ -2,7 +2,7 @@
 // stored with it. Changing, removing or inserting a row breaks the chain from there on.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>

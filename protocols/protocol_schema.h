@@ -1,7 +1,7 @@
 // The part of a protocol's check that its JSON Schema (protocol.schema.json) says.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 

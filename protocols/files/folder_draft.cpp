@@ -123,7 +123,8 @@ FolderDraft::FolderDraft(const fs::path& place, Earlier earlier)
     std::error_code problem;
     fs::remove_all(m_draft, problem);
     m_madeParents = missingOnes(m_draft.parent_path());
-    makeFolders(m_draft);
+    makeFolders(m_draft.parent_path());
+    makeFolders(m_draft, Sync::Later);
 }
 
 FolderDraft::~FolderDraft()

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "protocols/files/errors.h"
@@ -250,7 +251,9 @@ private:
         for (const protocols::FabricId& id : m_options.heldOut) card.heldOut.push_back(id.value);
         card.datasetName = m_dataset.name;
         card.datasetHash = m_datasetHash;
-        card.validation = {{"before", nlohmann::ordered_json::parse(state.validationBefore)}, {"after", figures(best)}};
+        const nlohmann::ordered_json validation{{"before", nlohmann::ordered_json::parse(state.validationBefore)},
+                                                {"after", figures(best)}};
+        card.validationJson = validation.dump();
         writeModel(m_options.out, best, card);
         m_lines.finished(card);
     }

@@ -134,7 +134,8 @@ int writeSheets(const database::StudyStore& store, const std::filesystem::path& 
             {"cannot make the folder (" + failure.message() + ")", out.string(), "a writable place", "choose another one"});
     rendering::writeWholeFile(out / "labels.html", labelsPage(facts, sets));
     rendering::writeWholeFile(out / "preparation.html", preparationPage(facts, sets));
-    if (const auto* scale = memorisedScaleOf(protocol)) rendering::writeWholeFile(out / "scale-card.html", scaleCard(facts, *scale));
+    if (const auto* scale = memorisedScaleOf(protocol))
+        rendering::writeWholeFile(out / "scale-card.html", scaleCard(facts, *scale));
     std::printf("%s: pages to print\n", out.c_str());
     return 0;
 }

@@ -1,12 +1,11 @@
 #include "study/players/session_script.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <set>
 
-#include "study/players/player_answers.h"
-#include <nlohmann/json.hpp>
-
 #include "protocols/files/whole_file.h"
+#include "study/players/player_answers.h"
 #include "study/session/driver.h"
 #include "study/session/session_moves.h"
 #include "study/session/session_record.h"

@@ -33,7 +33,7 @@ database::StudyFolder makeStudy(const std::filesystem::path& path, const std::st
 {
     const database::StudyFolder folder{path};
     std::filesystem::create_directories(folder.stimuli());
-    rendering::writeWholeFile(folder.protocol(), protocolJson);
+    protocols::writeWholeFile(folder.protocol(), protocolJson);
     const auto protocol = protocols::protocolFromJson(protocolJson, "bench");
     database::StudyFacts facts;
     for (int fabric = 1; fabric <= protocol.fabricCount; ++fabric) facts.fabrics.emplace_back("F" + std::to_string(100 + fabric));

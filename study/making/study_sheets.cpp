@@ -4,6 +4,7 @@
 
 #include "protocols/files/csv_table.h"
 #include "protocols/files/errors.h"
+#include "protocols/files/number_text.h"
 #include "protocols/files/whole_file.h"
 #include "study/records/stored_study.h"
 
@@ -11,7 +12,7 @@ namespace study::making {
 
 namespace {
 
-using rendering::fabrics::shortest;
+using protocols::shortest;
 
 std::string escaped(const std::string& text)
 {
@@ -132,10 +133,10 @@ int writeSheets(const database::StudyStore& store, const std::filesystem::path& 
     if (failure)
         throw protocols::environmentFault(
             {"cannot make the folder (" + failure.message() + ")", out.string(), "a writable place", "choose another one"});
-    rendering::writeWholeFile(out / "labels.html", labelsPage(facts, sets));
-    rendering::writeWholeFile(out / "preparation.html", preparationPage(facts, sets));
+    protocols::writeWholeFile(out / "labels.html", labelsPage(facts, sets));
+    protocols::writeWholeFile(out / "preparation.html", preparationPage(facts, sets));
     if (const auto* scale = memorisedScaleOf(protocol))
-        rendering::writeWholeFile(out / "scale-card.html", scaleCard(facts, *scale));
+        protocols::writeWholeFile(out / "scale-card.html", scaleCard(facts, *scale));
     std::printf("%s: pages to print\n", out.c_str());
     return 0;
 }

@@ -236,7 +236,7 @@ cv::Mat withRingPowers(const cv::Mat& heightMm, const std::vector<float>& wanted
         const std::vector<float> present = ringPowers(made, filter.side);
         for (std::size_t i = 0; i < logGain.size(); ++i)
             logGain[i] = std::clamp(logGain[i] + 0.5 * static_cast<double>(wanted[i] - present[i]), -bound, bound);
-        made = signals::settled(spectrum.times(gainTable(logGain, filter.side)), {1, 1}, std::nullopt, filter.zeroPercentile);
+        made = signals::zeroedRelief(spectrum.times(gainTable(logGain, filter.side)), {1, 1}, std::nullopt, filter.zeroPercentile);
     }
     return made;
 }

@@ -147,7 +147,7 @@ cv::Mat referenceOf(const HeightCall& call, const signals::Calibration& calibrat
                                    "name the frame taken before the presses"});
     const cv::Mat reference = rendering::readPicture(file, decodeByQt);
     if (calibration.sensor)
-        if (const auto difference = signals::differenceOf(*calibration.sensor, signals::lookOf(reference)))
+        if (const auto difference = signals::differenceOf(*calibration.sensor, signals::appearanceOf(reference)))
             throw protocols::badInput({"this background is not of the calibrated sensor: " + *difference, file.string(),
                                        "a frame of the sensor of " + call.calibration,
                                        "calibrate this sensor, or take its own background"});
@@ -176,7 +176,7 @@ Reconstruction fromFrame(const HeightCall& call, const signals::Calibration& cal
     result.facts["curl_residual"] = signals::curlResidual(result.slopes, height, pitch);
     if (contact.empty()) {
         const auto cutoff = call.cutoffMm > 0 ? std::optional(call.cutoffMm) : calibration.highPassCutoffMm;
-        result.heightMm = signals::settled(height, pitch, cutoff, calibration.zeroPercentile);
+        result.heightMm = signals::zeroedRelief(height, pitch, cutoff, calibration.zeroPercentile);
         result.facts["contact"] = "whole frame";
         result.facts["high_pass_cutoff_mm"] = nullptr;
         if (cutoff) result.facts["high_pass_cutoff_mm"] = *cutoff;

@@ -14,6 +14,7 @@
 #include "rendering/fabrics/procedural/structures.h"
 #include "rendering/fabrics/procedural/surface.h"
 #include "rendering/fabrics/procedural/tactile_press.h"
+#include "rendering/fabrics/sample_places.h"
 #include "rendering/images/image_io.h"
 
 namespace rendering::fabrics {
@@ -23,11 +24,11 @@ namespace {
 namespace fs = std::filesystem;
 using protocols::Random;
 
-constexpr double fieldMm = 1000;  // places are drawn from a square of this side
+constexpr double fieldMm = 1000;  // Places are drawn from a square with this side.
 /// The five in-plane rotations in which a piece of fabric is photographed.
 constexpr double photographRotationsDeg[] = {0, 30, 60, 90, 135};
 
-/// One fabric, ready to be sampled.
+/// A fabric that is ready to be sampled.
 struct Cloth {
     FabricInfo info;
     FabricSurface surface;
@@ -67,22 +68,22 @@ Dataset describe(const fs::path& folder, const ProceduralOptions& options)
     return dataset;
 }
 
-/// Where a sample lies. Aligned: all three signals of an index lie at the place of its photograph.
-Place placeOf(const Cloth& cloth, Modality modality, int index, const ProceduralOptions& options)
+/// Place of a sample. In an aligned data set all three signals of an index lie at the place of its photograph.
+FabricPlace placeOf(const Cloth& cloth, Modality modality, int index, const ProceduralOptions& options)
 {
     const bool aligned = options.pairing == Pairing::Aligned;
     const std::string signal = aligned ? "place" : nameOf(modality) + "/place";
     Random random = Random::stream(options.seed, cloth.info.id.value + "/" + signal + "/" + std::to_string(index));
-    Place place{random.uniform(0, fieldMm), random.uniform(0, fieldMm), random.uniform(-3, 3)};
+    FabricPlace place{random.uniform(0, fieldMm), random.uniform(0, fieldMm), random.uniform(-3, 3)};
     if (aligned || modality == Modality::Visual) place.rotationDeg += photographRotationsDeg[index % 5];
-    // Kept as samples.csv says it, so that a reader can find the very place.
+    // Rounded as in samples.csv, so that a reader of that file finds exactly this place.
     const auto rounded = [](double value) { return std::round(value * 1000) / 1000; };
     return {rounded(place.xMm), rounded(place.yMm), rounded(place.rotationDeg)};
 }
 
 void makeSample(const Dataset& dataset, const Cloth& cloth, Modality modality, int index, const ProceduralOptions& options)
 {
-    const Place place = placeOf(cloth, modality, index, options);
+    const FabricPlace place = placeOf(cloth, modality, index, options);
     Random random = Random::stream(options.seed, cloth.info.id.value + "/" + nameOf(modality) + "/" + std::to_string(index));
     const fs::path file = samplePath(dataset, cloth.info.id, modality, index);
     switch (modality) {
@@ -103,8 +104,8 @@ void makeSample(const Dataset& dataset, const Cloth& cloth, Modality modality, i
 
 constexpr Modality modalities[] = {Modality::Visual, Modality::Tactile, Modality::Friction};
 
-/// Every sample of every fabric, shared out to threads by an atomic counter; each has its own stream
-/// of random numbers, so that the order in which they are made changes nothing.
+/// Makes every sample of every fabric; an atomic counter gives the threads their work. Each sample has its own
+/// stream of random numbers, so the order of the work does not change the result.
 void makeAllSamples(const Dataset& dataset, const std::vector<Cloth>& cloths, const ProceduralOptions& options,
                     const std::function<void(int, int)>& progress)
 {
@@ -142,7 +143,7 @@ std::vector<SamplePlace> placesOf(const std::vector<Cloth>& cloths, const Proced
     for (const Cloth& cloth : cloths)
         for (const Modality modality : modalities)
             for (int index = 0; index < options.samples; ++index) {
-                const Place place = placeOf(cloth, modality, index, options);
+                const FabricPlace place = placeOf(cloth, modality, index, options);
                 const std::string group = cloth.info.id.value + "/" +
                                           (options.pairing == Pairing::Aligned ? "place" : nameOf(modality)) + "/" +
                                           std::to_string(index);
@@ -155,17 +156,17 @@ void refuseImpossible(const fs::path& folder, const ProceduralOptions& options)
 {
     const int most = int(allStructures().size());
     if (options.fabrics < 1 || options.fabrics > most)
-        throw protocols::badInput(
-            {"cannot make " + std::to_string(options.fabrics) + " fabrics", "--fabrics", "1 to " + std::to_string(most), ""});
+        throw protocols::badInput({"cannot make " + std::to_string(options.fabrics) + " fabrics", "--fabrics",
+                                   "1 to " + std::to_string(most), "choose another number"});
     if (options.samples < 1 || options.samples > 100000)
         throw protocols::badInput(
-            {"cannot make " + std::to_string(options.samples) + " samples", "--samples", "1 to 100000", ""});
+            {"cannot make " + std::to_string(options.samples) + " samples", "--samples", "1 to 100000", "choose another number"});
     std::error_code problem;
     if (fs::exists(folder, problem) && !(fs::is_directory(folder, problem) && fs::is_empty(folder, problem)))
         throw protocols::badInput({"exists and is not empty", folder.string(), "a new or empty folder", "choose another folder"});
 }
 
-/// Runs `step` and turns what the file system refuses into the program's own fault.
+/// Runs `step` and turns a refusal of the file system into an environmentFault.
 template <class Step>
 void onDisk(const fs::path& folder, Step step)
 {
@@ -202,7 +203,7 @@ Dataset makeProceduralFabrics(const fs::path& folder, const ProceduralOptions& o
         writeSamplePlaces(dataset, placesOf(cloths, options));
         writeDatasetJson(dataset);
         onDisk(folder, [&] {
-            fs::remove(target);  // an empty folder of that name
+            fs::remove(target);  // Exists at most as an empty folder.
             fs::rename(unfinished, target);
         });
     } catch (...) {

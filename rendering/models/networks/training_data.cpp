@@ -58,7 +58,7 @@ cv::Mat heightAt(const Reading& reading, const SamplePlace& place)
                                    (dataset.folder / place.fabric.value / "height").string(),
                                    "known heights, as dataset.json says (calibration \"known\")", ""});
     const double pitch = reading.data.architecture.mmPerPixel;
-    return signals::settled(*known, {pitch, pitch}, std::nullopt, signals::Calibration{}.zeroPercentile);
+    return signals::zeroedRelief(*known, {pitch, pitch}, std::nullopt, signals::Calibration{}.zeroPercentile);
 }
 
 cv::Mat asFloat(const cv::Mat& map)

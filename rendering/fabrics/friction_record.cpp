@@ -1,16 +1,16 @@
-// The friction part of dataset.h: records as CSV, whose header says what they are.
+#include "rendering/fabrics/friction_record.h"
+
 #include <cmath>
 
 #include "protocols/files/csv_table.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/whole_file.h"
-#include "rendering/fabrics/dataset.h"
 
 namespace rendering::fabrics {
 
 namespace {
 
-constexpr double leastNormalN = 0.05;  // below it a coefficient is noise over noise
+constexpr double leastNormalN = 0.05;  // Below it the ratio of the forces is noise.
 
 std::string joined(const std::vector<std::string>& names)
 {
@@ -22,7 +22,7 @@ std::string joined(const std::vector<std::string>& names)
 protocols::Error unknownColumns(const CsvReader& reader)
 {
     return protocols::badInput({"has the columns " + joined(reader.columns()), reader.where(),
-                                "t_s,normal_n,tangential_n or t_s,mu or t_s and one named quantity", ""});
+                                "t_s,normal_n,tangential_n or t_s,mu or t_s and one named quantity", "rename the columns"});
 }
 
 std::string rowOf(const CsvReader& reader) { return reader.where() + ", row " + std::to_string(reader.rows()); }
@@ -31,7 +31,8 @@ void addTime(FrictionRecord& record, const CsvReader& reader, std::size_t column
 {
     const double time = reader.number(column);
     if (!record.timeS.empty() && !(time > record.timeS.back()))
-        throw protocols::badInput({"time does not increase", rowOf(reader) + ", column t_s", "rows in order of time", ""});
+        throw protocols::badInput(
+            {"time does not increase", rowOf(reader) + ", column t_s", "rows in order of time", "cut or sort the record"});
     record.timeS.push_back(time);
 }
 
@@ -40,10 +41,11 @@ double coefficientIn(const CsvReader& reader, std::size_t normal, std::size_t ta
     const double force = reader.number(normal);
     if (force <= leastNormalN)
         throw protocols::badInput({"the normal force is " + shortest(force) + " N", rowOf(reader) + ", column normal_n",
-                                   "more than 0.05 N: the probe must be in contact", "cut the record to the stroke"});
+                                   "more than 0.05 N, so that the probe is in contact", "cut the record to the stroke"});
     const double coefficient = reader.number(tangential) / force;
     if (!std::isfinite(coefficient))
-        throw protocols::badInput({"the forces have no finite ratio", rowOf(reader), "forces in N", ""});
+        throw protocols::badInput(
+            {"the forces have no finite ratio", rowOf(reader), "finite forces in N", "correct the row or remove it"});
     return coefficient;
 }
 
@@ -56,7 +58,8 @@ FrictionRecord readFriction(const Dataset& dataset, const protocols::FabricId& f
     if (!std::filesystem::exists(file))
         throw protocols::badInput(
             {"fabric " + fabric.value + " (" + info.name + ") has no friction sample " + std::to_string(index),
-             dataset.folder.string(), "", "import friction records, or choose a condition that does not need them"});
+             dataset.folder.string(), "an existing sample",
+             "import friction records, or choose a condition that does not need them"});
     const std::string bytes = readWholeFile(file);
     CsvReader reader(bytes, file.string());
     const auto time = reader.column("t_s"), normal = reader.column("normal_n"), tangential = reader.column("tangential_n");
@@ -70,7 +73,8 @@ FrictionRecord readFriction(const Dataset& dataset, const protocols::FabricId& f
         record.values.push_back(forces ? coefficientIn(reader, *normal, *tangential) : reader.number(value));
     }
     if (record.values.size() < 2)
-        throw protocols::badInput({"has " + std::to_string(record.values.size()) + " rows", reader.where(), "at least 2", ""});
+        throw protocols::badInput({"has " + std::to_string(record.values.size()) + " rows", reader.where(), "at least 2 rows",
+                                   "check that the record is complete"});
     record.sampleRateHz = double(record.timeS.size() - 1) / (record.timeS.back() - record.timeS.front());
     record.speedMmPerS = dataset.friction.speedMmPerS;
     return record;

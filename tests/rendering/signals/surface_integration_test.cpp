@@ -115,7 +115,7 @@ FormulaSurface ballCap(double radiusMm, double heightMm)
 }
 
 /// RMS difference after subtraction of the means, in percent of the range of the true surface.
-double percentOfRange(const cv::Mat& found, const cv::Mat& known)
+double errorInPercentOfRange(const cv::Mat& found, const cv::Mat& known)
 {
     double low = 0, high = 0;
     cv::minMaxLoc(known, &low, &high);
@@ -224,7 +224,7 @@ private Q_SLOTS:
         QFETCH(double, percentOfRange);
         for (const auto quality : {IntegrationQuality::Full, IntegrationQuality::Fast}) {
             const cv::Mat found = integrate(surface.slopes, surfacePitch, SlopeKind::Point, quality);
-            const double error = percentOfRange(found, surface.heightMm);
+            const double error = errorInPercentOfRange(found, surface.heightMm);
             qInfo("%.4f %% of the range", error);
             QVERIFY(error <= std::max(percentOfRange, quality == IntegrationQuality::Full ? 0.0 : 1e-3));
         }
@@ -332,7 +332,7 @@ private Q_SLOTS:
         QFETCH(double, mm);
         const auto known = weave(12);
         const Slopes slopes{known.slopes.x * mm, known.slopes.y * mm};
-        QVERIFY(percentOfRange(integrate(slopes, surfacePitch), known.heightMm * mm) < 0.005);
+        QVERIFY(errorInPercentOfRange(integrate(slopes, surfacePitch), known.heightMm * mm) < 0.005);
     }
 
     void noiseHasALargeCurlResidual()

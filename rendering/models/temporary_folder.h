@@ -1,4 +1,4 @@
-// A folder of its own under the system's temporary one, gone with this value.
+// A new folder in the system's temporary folder; it is deleted with this value.
 #pragma once
 
 #include <filesystem>
@@ -7,7 +7,7 @@ namespace rendering::models {
 
 class TemporaryFolder {
 public:
-    TemporaryFolder();  ///< throws environmentFault where none can be made
+    TemporaryFolder();  ///< throws environmentFault where no folder can be created
     ~TemporaryFolder();
     TemporaryFolder(const TemporaryFolder&) = delete;
     TemporaryFolder& operator=(const TemporaryFolder&) = delete;

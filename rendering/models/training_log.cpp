@@ -7,6 +7,7 @@
 #include "protocols/files/errors.h"
 #include "protocols/files/whole_file.h"
 #include "rendering/images/image_io.h"
+#include "rendering/models/training_curves.h"
 
 namespace rendering::models {
 
@@ -20,7 +21,7 @@ std::string pictureName(int step)
     return "samples-" + std::string(number.size() < 6 ? 6 - number.size() : 0, '0') + number + ".png";
 }
 
-/// Of one of our pictures, else none.
+/// Step in the name of a picture of a log; nullopt for other names.
 std::optional<int> stepOfPicture(const std::string& name)
 {
     const std::string before = "samples-", after = ".png";
@@ -47,8 +48,8 @@ TrainingLog::TrainingLog(fs::path folder, std::optional<int> resumeAtStep) : m_f
     std::error_code failure;
     fs::create_directories(m_folder, failure);
     if (failure)
-        throw protocols::environmentFault(
-            {"cannot make the folder (" + failure.message() + ")", m_folder.string(), "a writable place", ""});
+        throw protocols::environmentFault({"cannot make the folder (" + failure.message() + ")", m_folder.string(),
+                                           "a writable folder", "choose another folder"});
     removePicturesAfter(m_folder, resumeAtStep.value_or(-1));
     if (!resumeAtStep) {
         for (const char* name : {"losses.csv", "validation.csv", "curves.svg"}) fs::remove(m_folder / name);

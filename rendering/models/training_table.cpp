@@ -39,10 +39,11 @@ bool numberFrom(const std::string& cell, Number& value)
     return read.ec == std::errc() && read.ptr == cell.data() + cell.size();
 }
 
-protocols::Error unreadable(const std::filesystem::path& file, std::size_t line)
+protocols::Error notReadable(const std::filesystem::path& file, std::size_t line)
 {
-    return protocols::badInput({"no row of a training log", file.string() + ", line " + std::to_string(line),
-                                "a step and its numbers", "move the folder away: the run goes on without its past"});
+    return protocols::badInput({"is not a row of a training log", file.string() + ", line " + std::to_string(line),
+                                "a step and its numbers",
+                                "move the folder away; then the run continues without its earlier log"});
 }
 
 void readRow(TrainingTable& table, const std::string& line, const protocols::Error& fault)
@@ -106,11 +107,11 @@ TrainingTable readTrainingTable(const std::filesystem::path& file)
         const std::string row = text.substr(from, end - from);
         from = end + 1;
         if (++line > 1) {
-            readRow(table, row, unreadable(file, line));
+            readRow(table, row, notReadable(file, line));
             continue;
         }
         table.names = cellsOf(row);
-        if (table.names.front() != "step") throw unreadable(file, line);
+        if (table.names.front() != "step") throw notReadable(file, line);
         table.names.erase(table.names.begin());
     }
     return table;

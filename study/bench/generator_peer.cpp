@@ -174,7 +174,7 @@ PeerComparison withReferenceBlas(Partner& ours, int pairs)
         comparison.whyNot = "libblas3 is not installed";
         return comparison;
     }
-    Partner slow({secondProgram(), "peer-steps", folder.path().string()}, referenceBlas);
+    Partner slow({rendering::models::secondProgram(), "peer-steps", folder.path().string()}, referenceBlas);
     if (!slow.line().starts_with("ready"))
         comparison.whyNot = "vis2hap-nn does not start on it";
     else
@@ -188,10 +188,10 @@ std::vector<PeerComparison> compareGeneratorPeers(int pairs)
 {
     ::signal(SIGPIPE, SIG_IGN);  // NOLINT: a peer that ends early is told by name
     const rendering::models::TemporaryFolder folder;
-    Partner ours({secondProgram(), "peer-steps", folder.path().string()}, "");
+    Partner ours({rendering::models::secondProgram(), "peer-steps", folder.path().string()}, "");
     std::vector<std::string> ready = wordsOf(ours.line());
     if (ready.size() != 6 || ready[0] != "ready")
-        throw protocols::environmentFault({"the neural-network part cannot be started", secondProgram(),
+        throw protocols::environmentFault({"the neural-network part cannot be started", rendering::models::secondProgram(),
                                            "vis2hap-nn and libtorch",
                                            "install libtorch (apt-get install libtorch-dev) or run ./run again"});
     ready.erase(ready.begin());

@@ -91,7 +91,7 @@ void addGeneratorPeers(ordered_json& rows)
 
 ordered_json generatorRows(bool peers)
 {
-    const auto bench = ordered_json::parse(outputOfSecondProgram({"bench", "--json"}));
+    const auto bench = ordered_json::parse(rendering::models::outputOfSecondProgram({"bench", "--json"}));
     ordered_json rows = ordered_json::array();
     for (const auto& quality : bench["qualities"]) {
         char note[160];

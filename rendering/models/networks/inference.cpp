@@ -156,7 +156,7 @@ struct LoadedModel::Parts {
     {
         if (!recognition || recognition->rings.empty()) return predictedRings(rgb, quality);
         std::vector<float> all(recognition->rings.begin(), recognition->rings.end());
-        if (const auto strange = static_cast<float>(recognition->strangeness); strange > 0) {
+        if (const auto strange = static_cast<float>(recognition->unfamiliarity); strange > 0) {
             const std::vector<float> predicted = predictedRings(rgb, quality);
             for (std::size_t i = 0; i < all.size(); ++i) all[i] += strange * (predicted[i] - all[i]);
         }
@@ -204,10 +204,10 @@ struct LoadedModel::Parts {
         FrictionTarget target;
         target.logRatio = cv::Mat(architecture.rows, architecture.frames, CV_32F, logRatio.data_ptr<float>()).clone();
         target.mean = guess.mean.mean().item<float>();
-        if (card.frictionByTexture && recognition && recognition->strangeness > 0) {
-            const double reach = reachOfRegression(recognition->distance, card.photographs->threshold);
+        if (card.frictionByTexture && recognition && recognition->unfamiliarity > 0) {
+            const double reach = regressionWeight(recognition->distance, card.photographs->threshold);
             const double expected = expectedFriction(*card.frictionByTexture, textureCoefficients(rgb, architecture.crop), reach);
-            target.mean *= static_cast<float>(std::pow(expected / static_cast<double>(target.mean), recognition->strangeness));
+            target.mean *= static_cast<float>(std::pow(expected / static_cast<double>(target.mean), recognition->unfamiliarity));
         }
         return target;
     }
@@ -223,14 +223,14 @@ LoadedModel::LoadedModel(const std::filesystem::path& model, int threads) : m_pa
 
 LoadedModel::~LoadedModel() = default;
 
-GeneratedSignals LoadedModel::generate(const PhotographToTouch& photograph, const GenerationOptions& options) const
+GeneratedSignals LoadedModel::generate(const InputPhotograph& photograph, const GenerationOptions& options) const
 {
     const torch::NoGradGuard still;
     const Architecture& architecture = m_parts->architecture;
     cv::Mat rgb = photographAtPitch(photograph, architecture.mmPerPixel).rgb;
     const std::optional<Recognised> recognition = m_parts->recognise(rgb);
     // A lamp that the networks have never seen must not pass for the long waves of a fabric.
-    if (recognition && recognition->strangeness > 0) rgb = evenlyLit(rgb);
+    if (recognition && recognition->unfamiliarity > 0) rgb = evenlyLit(rgb);
     GeneratedSignals signals;
     if (recognition) {
         signals.photograph.distance = recognition->distance;

@@ -18,7 +18,7 @@ public:
     /// one crop of G_s, balanced two passes (as it is and turned by 180 degrees) and four crops, accurate eight passes (all turns
     /// and mirrorings of the square) and nine crops in four mirrorings; passes and crops are averaged. The spectrum is imposed
     /// in 1, 3 and 6 rounds, the trace's phases are sought in 8, 32 and 200.
-    GeneratedSignals generate(const PhotographToTouch& photograph, const GenerationOptions& options) const;
+    GeneratedSignals generate(const InputPhotograph& photograph, const GenerationOptions& options) const;
 
 private:
     struct Parts;

@@ -29,7 +29,7 @@ using fabrics::Modality;
 
 /// A photograph and what was measured on its fabric.
 struct BenchCase {
-    PhotographToTouch photograph;
+    InputPhotograph photograph;
     std::optional<double> meanFriction, heightSpreadMm;
 };
 
@@ -125,7 +125,7 @@ BenchRow benchQuality(const LoadedModel& model, const std::vector<BenchCase>& ca
     GenerationOptions options;
     options.quality = quality;
     std::vector<double> milliseconds, at128, height, friction, meanError, spreadError;
-    const auto timed = [&](const PhotographToTouch& photograph, std::vector<double>& times) {
+    const auto timed = [&](const InputPhotograph& photograph, std::vector<double>& times) {
         const Clock::time_point started = Clock::now();
         GeneratedSignals signals = model.generate(photograph, options);
         times.push_back(std::chrono::duration<double, std::milli>(Clock::now() - started).count());

@@ -86,10 +86,10 @@ void offerGeneration(CLI::App& app)
     CLI::App* generate = app.add_subcommand("generate", "answer a request folder (see exchange.h)");
     generate->add_option("FOLDER", *folder, "holds request.json; answer.json is written into it")->required();
     generate->callback([folder] {
-        const models::Request request = models::readRequest(*folder);
+        const models::GenerationRequest request = models::readRequest(*folder);
         const models::LoadedModel model(request.options.model);
         models::AnswerWriter answers(*folder);
-        for (const models::Request::Asked& photograph : request.photographs)
+        for (const models::RequestedPhotograph& photograph : request.photographs)
             answers.add(model.generate(models::readPhotograph(photograph), request.options));
         answers.finish();
     });

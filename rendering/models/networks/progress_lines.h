@@ -5,7 +5,7 @@
 #include <ostream>
 #include <string>
 
-#include "rendering/models/model_card.h"
+#include "rendering/models/model_card_fields.h"
 
 namespace rendering::models {
 

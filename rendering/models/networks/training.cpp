@@ -232,10 +232,10 @@ private:
         Generators& best = contest.best();
         roundToHalf(best);
         ModelCardFields card;
-        card.told.name = m_options.out.stem().string();
-        card.told.trainedOnProceduralSet = m_dataset.procedural;
-        card.told.trainingSampleHashes = m_data.trainingHashes;
-        card.told.trainingCommand = m_options.command;
+        card.summary.name = m_options.out.stem().string();
+        card.summary.trainedOnProceduralSet = m_dataset.procedural;
+        card.summary.trainingSampleHashes = m_data.trainingHashes;
+        card.summary.trainingCommand = m_options.command;
         card.architecture = m_data.architecture;
         card.seed = m_options.seed;
         card.splitSeed = m_options.splitSeed;

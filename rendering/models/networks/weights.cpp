@@ -75,7 +75,7 @@ void writeModel(const std::filesystem::path& model, Generators& generators, Mode
         archive.write(name, parameter ? tensor.detach().to(torch::kHalf) : tensor.detach());
     });
     writeArchive(model, archive);
-    card.told.sha256 = protocols::sha256OfFile(model);
+    card.summary.sha256 = protocols::sha256OfFile(model);
     writeSynced(cardOf(model), cardText(card));
 }
 

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "rendering/models/model_card.h"
+#include "rendering/models/model_card_fields.h"
 #include "rendering/models/networks/networks.h"
 
 namespace rendering::models {

@@ -37,7 +37,7 @@ const QList<Room>& rooms()
          {"rendering/fabrics/", "rendering/images/", "protocols/"}},
         {"rendering/signals/",
          "grey, photometric stereo, integration, shape from shading, spectrogram, friction trace",
-         {"rendering/fabrics/dataset.h", "rendering/images/", "protocols/"}},
+         {"rendering/fabrics/dataset.h", "rendering/fabrics/friction_record.h", "rendering/images/", "protocols/"}},
         {"rendering/models/",
          "what asks for generated signals, without libtorch",
          {"rendering/signals/", "rendering/fabrics/", "rendering/images/", "protocols/"}},

@@ -1,4 +1,4 @@
-// A folder for this run only, under the system's temporary folder. Nothing in it is synced.
+// A new folder in the system's temporary folder; it is deleted with this value.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +8,7 @@ namespace protocols {
 /// Vanishes with all it holds.
 class TemporaryFolder {
 public:
-    TemporaryFolder();  ///< throws environmentFault
+    TemporaryFolder();  ///< throws environmentFault where no folder can be created
     ~TemporaryFolder();
     TemporaryFolder(const TemporaryFolder&) = delete;
     TemporaryFolder& operator=(const TemporaryFolder&) = delete;

@@ -64,7 +64,7 @@ std::set<Signal> generatedOnes(const std::set<Signal>& needed)
 void generate(const Job& job, const RenderRequest& request, Rendering& rendering)
 {
     std::vector<FabricId> fabrics;
-    std::vector<models::PhotographToTouch> photographs;
+    std::vector<models::InputPhotograph> photographs;
     std::set<Signal> wanted;
     for (const auto& [fabric, needed] : job.needed) {
         const auto generated = generatedOnes(needed);

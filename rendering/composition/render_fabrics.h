@@ -41,7 +41,7 @@ struct RenderRequest {
     models::GenerationOptions generation;  ///< model and quality; what is generated follows from the conditions
 
     /// Asked at most once, with the photographs of all fabrics, and only where a condition needs it.
-    std::function<std::vector<models::GeneratedSignals>(std::span<const models::PhotographToTouch>,
+    std::function<std::vector<models::GeneratedSignals>(std::span<const models::InputPhotograph>,
                                                         const models::GenerationOptions&)>
         generate = models::generate;
 };

@@ -25,20 +25,20 @@ std::string sampleName(int index, const char* ending)
     return digits + ending;
 }
 
-/// Of the fabric and signal that are missing, by name.
-void needSample(const Dataset& dataset, const FabricId& fabric, Modality modality, int index)
+/// Throws badInput that names the fabric and the signal where the sample does not exist.
+void requireSample(const Dataset& dataset, const FabricId& fabric, Modality modality, int index)
 {
     const FabricInfo& info = dataset.fabric(fabric);
     if (fs::exists(samplePath(dataset, fabric, modality, index))) return;
     const auto there = sampleIndices(dataset, fabric, modality);
     const std::string what = there.empty() ? "has no " + nameOf(modality) + " samples"
                                            : "has no " + nameOf(modality) + " sample " + std::to_string(index);
-    throw protocols::badInput({"fabric " + fabric.value + (info.name.empty() ? "" : " (" + info.name + ")") + " " + what,
-                               dataset.folder.string(),
-                               there.empty() ? ""
-                                             : "one of " + std::to_string(there.size()) + " from " +
-                                                   std::to_string(there.front()) + " to " + std::to_string(there.back()),
-                               there.empty() ? "import that signal, or choose a condition that does not need it" : ""});
+    throw protocols::badInput(
+        {"fabric " + fabric.value + (info.name.empty() ? "" : " (" + info.name + ")") + " " + what, dataset.folder.string(),
+         there.empty() ? "at least one"
+                       : "one of " + std::to_string(there.size()) + " from " + std::to_string(there.front()) + " to " +
+                             std::to_string(there.back()),
+         there.empty() ? "import that signal, or choose a condition that does not need it" : "choose another sample"});
 }
 
 cv::Mat readColour(const fs::path& file)
@@ -47,7 +47,7 @@ cv::Mat readColour(const fs::path& file)
     if (image.type() != CV_8UC3)
         throw protocols::badInput(
             {"has " + std::to_string(image.channels()) + " channels of " + std::to_string(8 * image.elemSize1()) + " bits",
-             file.string(), "an 8-bit RGB image", ""});
+             file.string(), "an 8-bit RGB image", "convert it to 8-bit RGB"});
     return image;
 }
 
@@ -73,7 +73,8 @@ const FabricInfo& Dataset::fabric(const FabricId& id) const
     std::string known;
     for (const FabricInfo& info : fabrics) known += (known.empty() ? "" : ", ") + info.id.value;
     throw protocols::badInput({"there is no fabric \"" + id.value + "\"", (folder / "dataset.json").string(),
-                               known.empty() ? "nothing: the data set holds no fabrics" : "one of " + known, ""});
+                               known.empty() ? "at least one fabric in the data set" : "one of " + known,
+                               known.empty() ? "import or make fabrics first" : "correct the id"});
 }
 
 Dataset readDataset(const fs::path& folder)
@@ -81,7 +82,7 @@ Dataset readDataset(const fs::path& folder)
     const fs::path file = folder / "dataset.json";
     std::error_code problem;
     if (!fs::is_regular_file(file, problem))
-        throw protocols::badInput({"is no data set (there is no dataset.json)", folder.string(), "a data set folder",
+        throw protocols::badInput({"is not a data set (dataset.json is missing)", folder.string(), "a data set folder",
                                    "make one with `vis2hap fabrics make` or `vis2hap import`"});
     Dataset dataset = datasetFromJson(protocols::readWholeFile(file), file.string());
     dataset.folder = folder;
@@ -146,13 +147,13 @@ fs::path knownHeightPath(const Dataset& dataset, const FabricId& fabric, int ind
 
 cv::Mat readPhotograph(const Dataset& dataset, const FabricId& fabric, int index)
 {
-    needSample(dataset, fabric, Modality::Visual, index);
+    requireSample(dataset, fabric, Modality::Visual, index);
     return readColour(samplePath(dataset, fabric, Modality::Visual, index));
 }
 
 cv::Mat readTactileFrame(const Dataset& dataset, const FabricId& fabric, int index)
 {
-    needSample(dataset, fabric, Modality::Tactile, index);
+    requireSample(dataset, fabric, Modality::Tactile, index);
     return readColour(samplePath(dataset, fabric, Modality::Tactile, index));
 }
 
@@ -160,7 +161,7 @@ cv::Mat readTactileReference(const Dataset& dataset)
 {
     const fs::path file = dataset.folder / "tactile-reference.png";
     if (!fs::exists(file))
-        throw protocols::badInput({"is missing, so heights cannot be had from the tactile frames", file.string(),
+        throw protocols::badInput({"is missing, so heights cannot be computed from the tactile frames", file.string(),
                                    "a frame of the untouched sensor", "import one named background.png or reference.png"});
     return readColour(file);
 }
@@ -170,7 +171,8 @@ std::optional<cv::Mat> readKnownHeight(const Dataset& dataset, const FabricId& f
     const fs::path file = knownHeightPath(dataset, fabric, index);
     if (!fs::exists(file)) return std::nullopt;
     cv::Mat height = readTiff(file);
-    if (height.type() != CV_32FC1) throw protocols::badInput({"holds integers", file.string(), "32-bit float, mm", ""});
+    if (height.type() != CV_32FC1)
+        throw protocols::badInput({"holds integers", file.string(), "32-bit float, mm", "export it as 32-bit float"});
     return height;
 }
 

@@ -12,6 +12,8 @@
 #include "protocols/files/whole_file.h"
 #include "rendering/fabrics/dataset.h"
 #include "rendering/fabrics/dataset_json.h"
+#include "rendering/fabrics/friction_record.h"
+#include "rendering/fabrics/sample_places.h"
 #include "rendering/images/image_io.h"
 
 namespace rendering::fabrics {
@@ -24,19 +26,21 @@ constexpr Modality modalities[] = {Modality::Visual, Modality::Tactile, Modality
 
 std::string sizeText(cv::Size size) { return std::to_string(size.width) + " x " + std::to_string(size.height); }
 
-class Check {
+class DatasetCheck {
 public:
-    Check(const fs::path& folder, const std::function<void(int, int)>& progress) : m_folder(folder), m_progress(progress) {}
+    DatasetCheck(const fs::path& folder, const std::function<void(int, int)>& progress) : m_folder(folder), m_progress(progress)
+    {
+    }
 
     std::vector<std::string> run()
     {
         try {
             m_dataset = datasetFromJson(protocols::readWholeFile(m_folder / "dataset.json"), (m_folder / "dataset.json").string());
         } catch (const protocols::Error& error) {
-            return {error.what()};  // without it nothing says what else should be here
+            return {error.what()};  // The list of fabrics is missing, so no other file can be checked.
         }
         m_dataset.folder = m_folder;
-        if (m_dataset.fabrics.empty()) fault("dataset.json", "names no fabrics");
+        if (m_dataset.fabrics.empty()) fault("dataset.json", "lists no fabrics");
         checkFolders();
         for (const FabricInfo& fabric : m_dataset.fabrics)
             for (const Modality modality : modalities)
@@ -51,7 +55,7 @@ public:
 private:
     void fault(const fs::path& file, const std::string& what) { m_faults.push_back((m_folder / file).string() + ": " + what); }
 
-    /// What a reader throws is a fault of that file, worded with its name already.
+    /// False where the reader throws; its message, which names the file, becomes a fault.
     template <class Read>
     bool readable(Read read)
     {
@@ -95,8 +99,9 @@ private:
         const auto expected = filesOf(fabric, name);
         for (const auto& file : fs::directory_iterator(entry.path()))
             if (!expected.contains(file.path().filename().string()))
-                fault(relative / file.path().filename(), name == "height" ? "is a height without a tactile frame, or is misnamed"
-                                                                          : "is not named as a sample (000.png, 000.csv)");
+                fault(relative / file.path().filename(), name == "height"
+                                                             ? "is a height without a tactile frame, or its name is wrong"
+                                                             : "does not have the name of a sample (000.png, 000.csv)");
     }
 
     std::set<std::string> filesOf(const FabricInfo& fabric, const std::string& folder) const
@@ -106,7 +111,7 @@ private:
             for (const int index : sampleIndices(m_dataset, fabric.id, modality)) {
                 if (nameOf(modality) == folder)
                     names.insert(samplePath(m_dataset, fabric.id, modality, index).filename().string());
-                if (modality == Modality::Friction && folder == nameOf(modality))  // what the import did to it
+                if (modality == Modality::Friction && folder == nameOf(modality))  // The report of its import.
                     names.insert(samplePath(m_dataset, fabric.id, modality, index).stem().string() + ".json");
                 if (modality == Modality::Tactile && folder == "height")
                     names.insert(knownHeightPath(m_dataset, fabric.id, index).filename().string());
@@ -155,7 +160,7 @@ private:
         if (!height) return;
         const fs::path file = knownHeightPath(m_dataset, fabric.id, index).lexically_relative(m_folder);
         if (frameSize.area() > 0 && height->size() != frameSize)
-            fault(file, "is " + sizeText(height->size()) + ", the tactile frame " + sizeText(frameSize));
+            fault(file, "is " + sizeText(height->size()) + ", but the tactile frame is " + sizeText(frameSize));
         bool finite = true, positive = true;
         for (const float value : cv::Mat_<float>(*height)) {
             finite = finite && std::isfinite(value);
@@ -165,7 +170,7 @@ private:
         if (!positive) fault(file, "holds heights below 0");
     }
 
-    /// The commonest size of a signal is the right one.
+    /// Reports samples that differ from the most frequent size of their signal.
     void checkSizes()
     {
         for (const auto& [signal, sizes] : m_sizes) {
@@ -178,7 +183,7 @@ private:
             for (const auto& [file, size] : sizes)
                 if (size != usual)
                     fault(file.lexically_relative(m_folder),
-                          "is " + sizeText(size) + ", most " + signal + " samples are " + sizeText(usual));
+                          "is " + sizeText(size) + ", but most " + signal + " samples are " + sizeText(usual));
         }
     }
 
@@ -191,17 +196,17 @@ private:
                 const cv::Size size = readTactileReference(m_dataset).size();
                 if (!frames.empty() && frames.front().second != size)
                     fault("tactile-reference.png",
-                          "is " + sizeText(size) + ", the frames are " + sizeText(frames.front().second));
+                          "is " + sizeText(size) + ", but the frames are " + sizeText(frames.front().second));
             });
         } else if (calibrated && m_dataset.tactileCalibration != "known" && !frames.empty()) {
-            fault("tactile-reference.png", "is missing though the frames are calibrated");
+            fault("tactile-reference.png", "is missing, but the frames are calibrated");
         }
         if (!calibrated || m_dataset.tactileCalibration == "known") return;
         const fs::path file = m_folder / m_dataset.tactileCalibration;
         readable([&] {
             const nlohmann::json calibration = protocols::parseStrictJson(protocols::readWholeFile(file), file.string());
             if (!calibration.is_object() || calibration.value("schema", nlohmann::json()) != "vis2hap.calibration/1")
-                fault(m_dataset.tactileCalibration, "is no calibration (schema vis2hap.calibration/1)");
+                fault(m_dataset.tactileCalibration, "is not a calibration (schema vis2hap.calibration/1)");
         });
     }
 
@@ -210,16 +215,16 @@ private:
         if (!fs::exists(m_folder / "samples.csv")) return;
         std::vector<SamplePlace> places;
         if (!readable([&] { places = readSamplePlaces(m_dataset); })) return;
-        std::set<Key> listed;
+        std::set<SampleKey> listed;
         for (const SamplePlace& place : places) {
-            const Key key{place.fabric.value, place.modality, place.index};
+            const SampleKey key{place.fabric.value, place.modality, place.index};
             const std::string name = place.fabric.value + " " + nameOf(place.modality) + " " + std::to_string(place.index);
             if (!listed.insert(key).second)
                 fault("samples.csv", "lists " + name + " twice");
             else if (!m_present.contains(key))
                 fault("samples.csv", "lists " + name + ", which has no file");
         }
-        for (const Key& key : m_present)
+        for (const SampleKey& key : m_present)
             if (!listed.contains(key)) {
                 const auto& [fabric, modality, index] = key;
                 fault(samplePath(m_dataset, protocols::FabricId(fabric), modality, index).lexically_relative(m_folder),
@@ -227,7 +232,7 @@ private:
             }
     }
 
-    using Key = std::tuple<std::string, Modality, int>;
+    using SampleKey = std::tuple<std::string, Modality, int>;
 
     fs::path m_folder;
     const std::function<void(int, int)>& m_progress;
@@ -235,7 +240,7 @@ private:
     Dataset m_dataset;
     std::vector<std::string> m_faults;
     std::map<std::string, std::vector<std::pair<fs::path, cv::Size>>> m_sizes;
-    std::set<Key> m_present;
+    std::set<SampleKey> m_present;
 };
 
 }  // namespace
@@ -244,9 +249,9 @@ std::vector<std::string> faultsOfDataset(const fs::path& folder, const std::func
 {
     std::error_code problem;
     if (!fs::is_regular_file(folder / "dataset.json", problem))
-        throw protocols::badInput({"is no data set (there is no dataset.json)", folder.string(), "a data set folder",
+        throw protocols::badInput({"is not a data set (dataset.json is missing)", folder.string(), "a data set folder",
                                    "make one with `vis2hap fabrics make` or `vis2hap import`"});
-    return Check(folder, progress).run();
+    return DatasetCheck(folder, progress).run();
 }
 
 }  // namespace rendering::fabrics

@@ -1,4 +1,4 @@
-// Every fault of a data set, each with its file: `vis2hap fabrics check`.
+// The check of a data set that `vis2hap fabrics check` runs: every fault with its file.
 #pragma once
 
 #include <filesystem>
@@ -8,8 +8,8 @@
 
 namespace rendering::fabrics {
 
-/// Lines "file: fault"; empty for a sound data set. A folder that is no data set at all throws badInput.
-/// `progress(done, total)` counts samples; what it throws stops the check.
+/// Lines "file: fault"; empty for a sound data set. Throws badInput where the folder is not a data set.
+/// `progress(done, total)` counts samples; an exception that it throws ends the check.
 std::vector<std::string> faultsOfDataset(const std::filesystem::path& folder, const std::function<void(int, int)>& progress = {});
 
 }  // namespace rendering::fabrics

@@ -13,13 +13,13 @@ namespace {
 
 using nlohmann::json;
 
-/// One object of the file; knows its place for faults.
+/// An object of the file, with its path for faults.
 class Fields {
 public:
     Fields(const json& object, std::string where, std::string path)
         : m_object(object), m_where(std::move(where)), m_path(std::move(path))
     {
-        if (!object.is_object()) throw fault("", "is no object", "an object");
+        if (!object.is_object()) throw fault("", "is not an object", "an object");
     }
 
     const json* find(const char* name) const
@@ -37,8 +37,8 @@ public:
     std::string text(const char* name, std::optional<std::string> otherwise = std::nullopt) const
     {
         if (otherwise && !find(name)) return *otherwise;
-        const json& value = needed(name, "a text");
-        if (!value.is_string()) throw fault(name, "is no text", "a text");
+        const json& value = needed(name, "a string");
+        if (!value.is_string()) throw fault(name, "is not a string", "a string");
         return value.get<std::string>();
     }
 
@@ -61,7 +61,8 @@ public:
     protocols::Error fault(const std::string& name, const std::string& what, const std::string& expected) const
     {
         const std::string field = name.empty() ? m_path : m_path.empty() ? name : m_path + "." + name;
-        return protocols::badInput({(field.empty() ? "the file" : "\"" + field + "\"") + " " + what, m_where, expected, ""});
+        return protocols::badInput(
+            {(field.empty() ? "the file" : "\"" + field + "\"") + " " + what, m_where, expected, "correct the file"});
     }
 
 private:
@@ -72,14 +73,14 @@ private:
 std::vector<FabricInfo> fabricsIn(const Fields& fields, const std::string& where)
 {
     const json& list = fields.needed("fabrics", "a list of fabrics");
-    if (!list.is_array()) throw fields.fault("fabrics", "is no list", "a list of fabrics");
+    if (!list.is_array()) throw fields.fault("fabrics", "is not a list", "a list of fabrics");
     std::vector<FabricInfo> fabrics;
     std::set<std::string> seen;
     for (std::size_t i = 0; i < list.size(); ++i) {
         const Fields entry(list[i], where, "fabrics[" + std::to_string(i) + "]");
         const std::string id = entry.text("id");
         if (!isFolderName(id)) throw entry.fault("id", "is \"" + id + "\"", "a folder name of letters, digits, - and _");
-        if (!seen.insert(id).second) throw entry.fault("id", "is \"" + id + "\" a second time", "each id once");
+        if (!seen.insert(id).second) throw entry.fault("id", "repeats \"" + id + "\"", "each id once");
         fabrics.push_back({protocols::FabricId(id), entry.text("name", id), entry.text("structure", "")});
     }
     return fabrics;

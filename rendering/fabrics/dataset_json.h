@@ -1,4 +1,4 @@
-// dataset.json as text: reading it strictly, with the field in every fault, and writing it.
+// dataset.json as text: strict reading, with the field named in every fault, and writing.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace rendering::fabrics {
 
-/// `where` names the file in faults. Throws badInput. The folder of the result is empty.
+/// Reads a data set whose `folder` stays empty. `where` names the file in faults. Throws badInput.
 Dataset datasetFromJson(std::string_view text, const std::string& where);
 
 std::string toJson(const Dataset& dataset);

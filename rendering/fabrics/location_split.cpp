@@ -22,7 +22,7 @@ struct PixelSize {
     double width = 0, height = 0;
 };
 
-/// From the file's first 24 bytes: decoding thousands of pictures for their size would take minutes.
+/// Reads the size from the first 24 bytes; decoding thousands of pictures for their size would take minutes.
 std::optional<PixelSize> pngSize(const std::filesystem::path& file)
 {
     std::array<unsigned char, 24> head{};
@@ -34,31 +34,31 @@ std::optional<PixelSize> pngSize(const std::filesystem::path& file)
     return PixelSize{number(16), number(20)};
 }
 
-Footprint turnedAnyWay(Footprint footprint)
+Footprint squareForEveryAngle(Footprint footprint)
 {
     footprint.widthMm = footprint.heightMm = std::hypot(footprint.widthMm, footprint.heightMm);
     return footprint;
 }
 
-struct Axis {
+struct UnitVector {
     double x, y;
 };
 
-std::array<Axis, 2> axesOf(const Footprint& footprint)
+std::array<UnitVector, 2> axesOf(const Footprint& footprint)
 {
     const double angle = footprint.rotationDeg * std::numbers::pi / 180;
-    return {Axis{std::cos(angle), std::sin(angle)}, Axis{-std::sin(angle), std::cos(angle)}};
+    return {UnitVector{std::cos(angle), std::sin(angle)}, UnitVector{-std::sin(angle), std::cos(angle)}};
 }
 
-/// Half the length of a footprint's shadow on an axis.
-double reach(const Footprint& footprint, const Axis& axis)
+/// Half the length of a footprint's projection onto an axis.
+double halfProjection(const Footprint& footprint, const UnitVector& axis)
 {
     const auto own = axesOf(footprint);
     const auto share = [&](std::size_t i) { return std::abs(own[i].x * axis.x + own[i].y * axis.y); };
     return footprint.widthMm / 2 * share(0) + footprint.heightMm / 2 * share(1);
 }
 
-/// Sets that are joined one pair at a time.
+/// Disjoint sets that are joined one pair at a time.
 class JoinedSets {
 public:
     explicit JoinedSets(std::size_t count) : m_parent(count) { std::iota(m_parent.begin(), m_parent.end(), std::size_t{0}); }
@@ -74,7 +74,7 @@ private:
     std::vector<std::size_t> m_parent;
 };
 
-/// Samples of one fabric that stay together, by their numbers in the split.
+/// Samples of one fabric that stay together, as indices into the split.
 using Cluster = std::vector<std::size_t>;
 
 std::vector<Cluster> clustersOf(const Dataset& dataset, const Split& split, const std::vector<std::size_t>& samples)
@@ -98,19 +98,19 @@ std::vector<Cluster> clustersOf(const Dataset& dataset, const Split& split, cons
     return result;
 }
 
-using Counts = std::map<Modality, std::size_t>;
+using SampleCounts = std::map<Modality, std::size_t>;
 
-Counts countsOf(const Split& split, const Cluster& cluster)
+SampleCounts countsOf(const Split& split, const Cluster& cluster)
 {
-    Counts counts;
+    SampleCounts counts;
     for (const std::size_t sample : cluster) ++counts[split[sample].first.modality];
     return counts;
 }
 
-/// Samples that validation and testing each want of every signal; 0 where it has too few groups to be split.
-Counts wantedOf(const Split& split, const std::vector<Cluster>& clusters)
+/// Number of samples of each signal for validation, and the same for testing; 0 where fewer than three groups exist.
+SampleCounts wantedOf(const Split& split, const std::vector<Cluster>& clusters)
 {
-    Counts samples, groups, wanted;
+    SampleCounts samples, groups, wanted;
     for (const Cluster& cluster : clusters)
         for (const auto& [modality, count] : countsOf(split, cluster)) {
             samples[modality] += count;
@@ -121,11 +121,11 @@ Counts wantedOf(const Split& split, const std::vector<Cluster>& clusters)
     return wanted;
 }
 
-/// Puts whole clusters into `part` while they fit into what it still wants.
-void fill(Split& split, const std::vector<Cluster>& clusters, Part part, Counts wanted)
+/// Puts whole clusters into `part` as long as they fit into the number of samples that it still wants.
+void fill(Split& split, const std::vector<Cluster>& clusters, Part part, SampleCounts wanted)
 {
     for (const Cluster& cluster : clusters) {
-        const Counts counts = countsOf(split, cluster);
+        const SampleCounts counts = countsOf(split, cluster);
         const bool fits =
             split[cluster.front()].second == Part::Training &&
             std::all_of(counts.begin(), counts.end(), [&](const auto& entry) { return entry.second <= wanted[entry.first]; });
@@ -135,8 +135,8 @@ void fill(Split& split, const std::vector<Cluster>& clusters, Part part, Counts 
     }
 }
 
-/// Where no cluster was small enough, the smallest one serves: a part that is wanted is not left empty.
-void fillEmpty(Split& split, const std::vector<Cluster>& clusters, Part part, const Counts& wanted)
+/// Where no cluster was small enough, takes the smallest one, so that no wanted part stays empty.
+void fillEmpty(Split& split, const std::vector<Cluster>& clusters, Part part, const SampleCounts& wanted)
 {
     for (const auto& [modality, count] : wanted) {
         const auto holds = [&, modality = modality](const Cluster& cluster, Part where) {
@@ -162,7 +162,7 @@ std::optional<Footprint> footprintOf(const Dataset& dataset, const SamplePlace& 
     if (place.modality == Modality::Friction) {
         footprint.widthMm = dataset.friction.lengthMm;
         footprint.heightMm = strokeWidthMm;
-        if (!place.rotationDeg) {  // it ends somewhere on the circle about its start
+        if (!place.rotationDeg) {  // The stroke ends somewhere on the circle about its start.
             footprint.widthMm = footprint.heightMm = 2 * dataset.friction.lengthMm;
             return footprint;
         }
@@ -175,17 +175,17 @@ std::optional<Footprint> footprintOf(const Dataset& dataset, const SamplePlace& 
     if (!pitch || !size) return {};
     footprint.widthMm = size->width * *pitch;
     footprint.heightMm = size->height * *pitch;
-    return place.rotationDeg ? footprint : turnedAnyWay(footprint);
+    return place.rotationDeg ? footprint : squareForEveryAngle(footprint);
 }
 
 bool overlap(const Footprint& a, const Footprint& b)
 {
     const double mostReach = (std::hypot(a.widthMm, a.heightMm) + std::hypot(b.widthMm, b.heightMm)) / 2;
-    if (std::hypot(b.xMm - a.xMm, b.yMm - a.yMm) >= mostReach) return false;  // most pairs end here
-    for (const Footprint* of : {&a, &b})
-        for (const Axis& axis : axesOf(*of)) {
-            const double apart = std::abs((b.xMm - a.xMm) * axis.x + (b.yMm - a.yMm) * axis.y);
-            if (apart >= reach(a, axis) + reach(b, axis)) return false;
+    if (std::hypot(b.xMm - a.xMm, b.yMm - a.yMm) >= mostReach) return false;  // Decides most pairs cheaply.
+    for (const Footprint* footprint : {&a, &b})
+        for (const UnitVector& axis : axesOf(*footprint)) {
+            const double distance = std::abs((b.xMm - a.xMm) * axis.x + (b.yMm - a.yMm) * axis.y);
+            if (distance >= halfProjection(a, axis) + halfProjection(b, axis)) return false;
         }
     return true;
 }
@@ -200,7 +200,7 @@ std::vector<std::pair<SamplePlace, Part>> splitByLocation(const Dataset& dataset
     }
     for (const auto& [fabric, samples] : samplesOf) {
         std::vector<Cluster> clusters = clustersOf(dataset, split, samples);
-        const Counts wanted = wantedOf(split, clusters);
+        const SampleCounts wanted = wantedOf(split, clusters);
         protocols::Random random = protocols::Random::stream(seed, "location/" + fabric.value);
         random.shuffle(clusters);
         for (const Part part : {Part::Testing, Part::Validation}) fill(split, clusters, part, wanted);

@@ -16,7 +16,7 @@
 
 namespace rendering {
 
-static_assert(std::endian::native == std::endian::little, "arrays are copied from little-endian files as they stand");
+static_assert(std::endian::native == std::endian::little, "arrays are copied from little-endian files without byte swaps");
 
 namespace {
 
@@ -38,7 +38,7 @@ struct NpyHeader {
     std::size_t dataStart = 0;
 };
 
-/// The text after 'key': in numpy's header dictionary.
+/// Text after 'key': in the header dictionary of numpy.
 std::string_view valueAfter(std::string_view header, std::string_view key)
 {
     const auto at = header.find(key);
@@ -100,7 +100,7 @@ void widen(const char* from, double* to, std::size_t count)
     }
 }
 
-/// Elements that OpenCV holds as they stand, and those that become double.
+/// An element type of numpy and the OpenCV depth that holds it; `toDouble` is set where OpenCV has no such type.
 struct NpyType {
     char kind;
     int bytes;
@@ -161,10 +161,10 @@ cv::Mat readNpy(const std::filesystem::path& file)
     const std::uint64_t channels = shape.size() == 3 ? shape[2] : 1;
     if (rows == 0 || columns == 0 || (channels != 1 && channels != 3) || rows > largestElementCount ||
         columns > largestElementCount || rows * columns > largestElementCount)
-        throw notReadable(file, ".npy array", "an empty or too large shape, or one that is no image");
+        throw notReadable(file, ".npy array", "its shape is empty, too large or not that of an image");
     const std::size_t count = std::size_t(rows * columns * channels);
     if (bytes.size() - header.dataStart != count * std::size_t(header.bytes))
-        throw notReadable(file, ".npy array", "its data have another length than its shape says");
+        throw notReadable(file, ".npy array", "the length of its data does not match its shape");
     cv::Mat array(int(rows), int(columns), CV_MAKETYPE(type->depth, int(channels)));
     if (type->toDouble)
         type->toDouble(bytes.data() + header.dataStart, array.ptr<double>(), count);
@@ -184,7 +184,7 @@ void writeNpy(const std::filesystem::path& file, const cv::Mat& array, protocols
     header += stored->kind;
     header += std::to_string(stored->bytes) + "', 'fortran_order': False, 'shape': (" + std::to_string(array.rows) + ", " +
               std::to_string(array.cols) + (array.channels() == 3 ? ", 3), }" : "), }");
-    header.append((64 - (10 + header.size() + 1) % 64) % 64, ' ');  // numpy aligns the data to 64 bytes
+    header.append((64 - (10 + header.size() + 1) % 64) % 64, ' ');  // numpy aligns the data to 64 bytes.
     header += '\n';
     std::string bytes("\x93NUMPY\x01\x00", 8);
     bytes += char(header.size() % 256);
@@ -203,10 +203,10 @@ cv::Mat readPgm(const std::filesystem::path& file)
     const int width = pgmNumber(bytes, at, file);
     const int height = pgmNumber(bytes, at, file);
     if (pgmNumber(bytes, at, file) != 255) throw notReadable(file, "PGM", "its maximum is not 255");
-    ++at;  // one blank ends the header
+    ++at;  // A single blank ends the header.
     if (std::uint64_t(width) * std::uint64_t(height) > largestElementCount) throw notReadable(file, "PGM", "too many pixels");
     if (at > bytes.size() || bytes.size() - at != std::size_t(width) * std::size_t(height))
-        throw notReadable(file, "PGM", "its data have another length than its header says");
+        throw notReadable(file, "PGM", "the length of its data does not match its header");
     cv::Mat image(height, width, CV_8UC1);
     std::memcpy(image.data, bytes.data() + at, bytes.size() - at);
     return image;
@@ -223,19 +223,19 @@ void writePgm(const std::filesystem::path& file, const cv::Mat& image, protocols
 
 cv::Mat readImage(const std::filesystem::path& file)
 {
-    struct Reader {
+    struct FileReader {
         std::string_view ending;
         cv::Mat (*read)(const std::filesystem::path&);
     };
-    static constexpr Reader readers[] = {
+    static constexpr FileReader readers[] = {
         {".png", readPng}, {".tif", readTiff}, {".tiff", readTiff}, {".npy", readNpy}, {".pgm", readPgm}};
     std::string ending = file.extension().string();
     std::transform(ending.begin(), ending.end(), ending.begin(),
                    [](unsigned char c) { return char(c >= 'A' && c <= 'Z' ? c + 32 : c); });
-    for (const Reader& reader : readers)
+    for (const FileReader& reader : readers)
         if (reader.ending == ending) return reader.read(file);
     throw protocols::badInput(
-        {"has an ending that is not read", file.string(), ".png, .tif, .tiff, .npy or .pgm", "convert it to PNG"});
+        {"has an unknown file ending", file.string(), ".png, .tif, .tiff, .npy or .pgm", "convert it to PNG"});
 }
 
 }  // namespace rendering

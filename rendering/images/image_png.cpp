@@ -1,5 +1,7 @@
-// PNG through libpng. libpng reports errors by longjmp, so the functions that call setjmp hold no
-// object with a destructor; buffers live in the callers.
+// libpng reports errors by longjmp, so the functions that call setjmp hold no object with a destructor.
+// Their callers own the buffers.
+#include "rendering/images/image_png.h"
+
 #include <png.h>
 
 #include <csetjmp>
@@ -10,14 +12,13 @@
 
 #include "protocols/files/errors.h"
 #include "protocols/files/whole_file.h"
-#include "rendering/images/image_io.h"
 
 namespace rendering {
 
 namespace {
 
 constexpr std::uint64_t largestPixelCount = 1ull << 28;
-constexpr int compressionLevel = 3;  // levels above it cost several times the time for a few percent of size
+constexpr int compressionLevel = 3;  // Higher levels take several times as long for a few percent of the size.
 
 struct ByteSource {
     const unsigned char* bytes;
@@ -62,7 +63,7 @@ bool readHeader(Decoding& decoding)
     if (type == PNG_COLOR_TYPE_PALETTE || png_get_bit_depth(decoding.png, decoding.info) < 8) png_set_expand(decoding.png);
     if ((type & PNG_COLOR_MASK_ALPHA) != 0 || png_get_valid(decoding.png, decoding.info, PNG_INFO_tRNS) != 0)
         png_set_strip_alpha(decoding.png);
-    png_set_swap(decoding.png);  // 16-bit samples are big-endian in the file
+    png_set_swap(decoding.png);  // 16-bit samples are big-endian in the file.
     png_set_interlace_handling(decoding.png);
     png_read_update_info(decoding.png, decoding.info);
     decoding.width = png_get_image_width(decoding.png, decoding.info);
@@ -152,14 +153,16 @@ cv::Mat readPng(const std::filesystem::path& file)
         throw notReadable(file, "no PNG signature");
     ReadHandle handle;
     Decoding& decoding = handle.decoding;
-    if (!decoding.info) throw protocols::environmentFault({"not enough memory to decode", file.string(), "", ""});
+    if (!decoding.info)
+        throw protocols::environmentFault(
+            {"not enough memory to decode the image", file.string(), "", "close other programs and try again"});
     decoding.source = {reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size(), 0};
     if (!readHeader(decoding)) throw notReadable(file, decoding.message);
     const std::uint64_t pixels = std::uint64_t(decoding.width) * decoding.height;
     if (pixels > largestPixelCount)
         throw notReadable(file,
                           std::to_string(decoding.width) + " x " + std::to_string(decoding.height) + " pixels are too many");
-    // Deflate cannot shrink more than about 1032:1, so a larger promise is a lie that need not be allocated.
+    // Deflate shrinks data by at most about 1032:1. A header that promises more is false: refuse it before allocating.
     if (pixels * unsigned(decoding.channels) > bytes.size() * 1100ull + (1u << 20))
         throw notReadable(file, "the file is truncated");
     const int depth = decoding.bitDepth == 16 ? CV_16U : CV_8U;

@@ -1,5 +1,7 @@
-// TIFF through libtiff, from and to memory, with the error text of the handle at hand (libtiff's
-// global handlers would mix up threads).
+// libtiff reads from memory and writes to memory. Each handle keeps its own error text, because libtiff's
+// global handlers would mix up threads.
+#include "rendering/images/image_tiff.h"
+
 #include <tiffio.h>
 
 #include <algorithm>
@@ -12,7 +14,6 @@
 
 #include "protocols/files/errors.h"
 #include "protocols/files/whole_file.h"
-#include "rendering/images/image_io.h"
 
 namespace rendering {
 
@@ -121,7 +122,7 @@ cv::Mat readTiff(const std::filesystem::path& file)
         throw notReadable(file, "the file is truncated");
     cv::Mat image(int(height), int(width), type);
     if (TIFFScanlineSize64(tiff.get()) != std::uint64_t(width) * CV_ELEM_SIZE(type))
-        throw notReadable(file, "its rows have another length than its width says");
+        throw notReadable(file, "the length of its rows does not match its width");
     for (int row = 0; row < image.rows; ++row)
         if (TIFFReadScanline(tiff.get(), image.ptr(row), std::uint32_t(row)) < 0)
             throw notReadable(file, memory.message.empty() ? "truncated" : memory.message);
@@ -149,7 +150,7 @@ void writeTiff(const std::filesystem::path& file, const cv::Mat& image, protocol
             TIFFSetField(tiff.get(), TIFFTAG_ZIPQUALITY, 4);
             TIFFSetField(tiff.get(), TIFFTAG_ROWSPERSTRIP, std::uint32_t(image.rows));
         }
-        // libtiff scrambles the buffer it is given when a predictor is set, so each row is handed over as a copy.
+        // With a predictor libtiff changes the buffer that it gets, so each row is passed as a copy.
         std::string row(std::size_t(image.cols) * sizeof(float), '\0');
         for (int y = 0; good && y < image.rows; ++y) {
             std::memcpy(row.data(), image.ptr(y), row.size());

@@ -1,26 +1,26 @@
-// The numbers that fix the shape of the networks and the units of what they speak; stored in the
-// model card, so that weights and program agree or part with a clear message.
+// Sizes of the networks and units of their inputs and outputs. The model card stores them, so that weights of another
+// program version are refused with a clear message.
 #pragma once
 
 namespace rendering::models {
 
-/// Beyond them neither the memory of a training nor that of a card's reader is answered for.
+/// Upper bounds that keep the memory of training, and of reading a card, within reason.
 inline constexpr int largestCrop = 512, mostChannels = 256;
 
 struct Architecture {
-    int baseChannels = 16;   ///< channels of G_h at full resolution; the others are multiples
-    int crop = 128;          ///< side of a training crop and of the photograph that G_s takes, px, multiple of 16
-    int window = 64;         ///< of the short-time Fourier transform, samples
-    int hop = 16;            ///< samples
+    int baseChannels = 16;   ///< channels of G_h at full resolution; the other layers have multiples of it
+    int crop = 128;          ///< side in px of a training crop, and of the photograph that G_s takes; a multiple of 16
+    int window = 64;         ///< samples in a window of the short-time Fourier transform
+    int hop = 16;            ///< samples between windows
     int traceSamples = 480;  ///< 40 mm at 5 mm/s and 60 Hz
     int rows = 33;           ///< frequencies of the spectrogram
     int frames = 31;
-    double mmPerPixel = 0.05;  ///< pitch of photographs and heights as the networks see them
+    double mmPerPixel = 0.05;  ///< pitch of the photographs and heights in the networks
     double traceMmPerSample = 5.0 / 60.0;
-    double heightScaleMm = 0.1;      ///< one unit of G_h's output
-    double meanFrictionScale = 0.5;  ///< one unit of G_s's mean before its last non-linearity
-    bool imposesSpectrum = true;     ///< the relief is brought to the predicted or remembered radial spectrum (ring_spectrum.h)
-    double zeroPercentile = 2;       ///< percent of a measured map that lies at 0; a relief's, too, where the spectrum is imposed
+    double heightScaleMm = 0.1;      ///< millimetres per unit of G_h's output
+    double meanFrictionScale = 0.5;  ///< coefficient per unit of G_s's mean, before its last non-linearity
+    bool imposesSpectrum = true;     ///< the relief gets the predicted or known radial power spectrum (ring_spectrum.h)
+    double zeroPercentile = 2;       ///< percent of a measured map at or below 0; also of a relief with imposed spectrum
     bool operator==(const Architecture&) const = default;
 };
 

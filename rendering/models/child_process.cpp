@@ -13,7 +13,7 @@
 #include "protocols/files/errors.h"
 #include "protocols/files/whole_file.h"
 
-extern char** environ;  // NOLINT: the C library's own
+extern char** environ;  // NOLINT: declared by the C library.
 
 namespace rendering::models {
 
@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* install = "install libtorch-dev and libopenblas0-pthread, then build again";
 
-/// The last line that says anything; the child's own name in front of it is taken off.
+/// Last line that is not empty, without the program's name in front.
 std::string lastLine(const fs::path& messages)
 {
     std::istringstream stream(protocols::readIfPossible(messages).value_or(""));
@@ -42,7 +42,7 @@ std::vector<std::string> environmentForThreads()
     return variables;
 }
 
-/// As the C library wants lists of texts: pointers, the last one null.
+/// Pointers to texts with a null at the end, as the C library expects them.
 std::vector<char*> pointersTo(std::vector<std::string>& texts)
 {
     std::vector<char*> pointers;
@@ -66,8 +66,8 @@ pid_t started(const fs::path& program, const std::vector<std::string>& arguments
         ::posix_spawn(&child, program.c_str(), &actions, nullptr, pointersTo(words).data(), pointersTo(surroundings).data());
     posix_spawn_file_actions_destroy(&actions);
     if (fault != 0)
-        throw protocols::environmentFault({std::string("the generators' program cannot be started: ") + std::strerror(fault),
-                                           program.string(), "an executable file", install});
+        throw protocols::environmentFault({std::string("vis2hap-nn cannot be started: ") + std::strerror(fault), program.string(),
+                                           "an executable file", install});
     return child;
 }
 
@@ -76,11 +76,11 @@ int waitFor(pid_t child)
     int status = 0;
     while (::waitpid(child, &status, 0) < 0)
         if (errno != EINTR)
-            throw protocols::environmentFault({std::string("lost the generators' program: ") + std::strerror(errno), "", "", ""});
+            throw protocols::environmentFault({std::string("vis2hap-nn was lost: ") + std::strerror(errno), "", "", "try again"});
     return status;
 }
 
-protocols::Error told(int exitStatus, const std::string& line, const fs::path& program)
+protocols::Error errorFrom(int exitStatus, const std::string& line, const fs::path& program)
 {
     switch (exitStatus) {
         case 1:
@@ -90,8 +90,8 @@ protocols::Error told(int exitStatus, const std::string& line, const fs::path& p
         case 3:
             return protocols::environmentFault({line, "", "", ""});
         default:
-            return protocols::environmentFault({"the generators' program cannot be loaded: " + line, program.string(),
-                                                "libtorch where the loader finds it", install});
+            return protocols::environmentFault(
+                {"vis2hap-nn cannot be loaded: " + line, program.string(), "libtorch where the loader finds it", install});
     }
 }
 
@@ -101,7 +101,7 @@ std::vector<std::pair<std::string, std::string>> missingThreadSettings()
 {
     std::vector<std::pair<std::string, std::string>> missing;
     if (std::getenv("OMP_WAIT_POLICY") == nullptr && std::getenv("GOMP_SPINCOUNT") == nullptr)
-        missing.emplace_back("GOMP_SPINCOUNT", "10000");  // some ten microseconds
+        missing.emplace_back("GOMP_SPINCOUNT", "10000");  // About ten microseconds.
     if (std::getenv("OPENBLAS_NUM_THREADS") == nullptr) missing.emplace_back("OPENBLAS_NUM_THREADS", "1");
     return missing;
 }
@@ -114,7 +114,7 @@ fs::path generatorProgram()
     for (const fs::path& candidate : {folder / "vis2hap-nn", folder.parent_path() / "vis2hap-nn"})
         if (fs::is_regular_file(candidate, none)) return candidate;
     throw protocols::environmentFault(
-        {"the generators' program vis2hap-nn is missing", folder.string(), "it beside the program", install});
+        {"the program vis2hap-nn is missing", folder.string(), "vis2hap-nn beside the program", install});
 }
 
 void runGeneratorProgram(const std::vector<std::string>& arguments, const fs::path& messages)
@@ -122,9 +122,9 @@ void runGeneratorProgram(const std::vector<std::string>& arguments, const fs::pa
     const fs::path program = generatorProgram();
     const int status = waitFor(started(program, arguments, messages));
     if (WIFSIGNALED(status))
-        throw protocols::environmentFault({"the generators' program was ended by signal " + std::to_string(WTERMSIG(status)),
-                                           program.string(), "enough memory for it", "close other programs and try again"});
-    if (WEXITSTATUS(status) != 0) throw told(WEXITSTATUS(status), lastLine(messages), program);
+        throw protocols::environmentFault({"vis2hap-nn was ended by signal " + std::to_string(WTERMSIG(status)), program.string(),
+                                           "enough memory for it", "close other programs and try again"});
+    if (WEXITSTATUS(status) != 0) throw errorFrom(WEXITSTATUS(status), lastLine(messages), program);
 }
 
 }  // namespace rendering::models

@@ -1,4 +1,4 @@
-// Starting vis2hap-nn and telling what became of it in this program's own words.
+// Starts vis2hap-nn and turns its failures into errors of this program.
 #pragma once
 
 #include <filesystem>
@@ -8,19 +8,19 @@
 
 namespace rendering::models {
 
-/// What libtorch's libraries read from the environment when they load, as name and value, where the user has not chosen
-/// otherwise. OpenMP's threads wait by spinning for milliseconds unless told otherwise, which on a busy machine makes two
-/// threads many times slower than one; without any spinning, waking them takes as long as the small steps of one photograph.
-/// OpenBLAS's own threads would spin beside them and have next to nothing to do.
+/// Thread settings (name and value) that libtorch's libraries read from the environment when they load, without those that
+/// the user has set. By default OpenMP's idle threads spin for milliseconds, so on a busy machine two threads are many times
+/// slower than one. Without any spinning, waking them takes as long as the small steps of one photograph. OpenBLAS's own
+/// threads would spin beside them and have almost no work.
 std::vector<std::pair<std::string, std::string>> missingThreadSettings();
 
-/// Beside the running executable, or one folder above it (tests); the environment variable VIS2HAP_NN
-/// overrides. Throws environmentFault where it is not there.
+/// Path beside the running executable or one folder above it (tests); the environment variable VIS2HAP_NN overrides it.
+/// Throws environmentFault where the program does not exist.
 std::filesystem::path generatorProgram();
 
-/// Runs it to its end, its output going into the file `messages`. Its own error line is thrown again
-/// with its exit code (badInput, workFailed, environmentFault); a program that the loader cannot start
-/// (libtorch is missing) or that a signal ended is an environmentFault.
+/// Runs the program to its end; its output goes into the file `messages`. Throws its error line with its exit code (badInput,
+/// workFailed, environmentFault). Throws environmentFault where the loader cannot start it (libtorch is missing) or a signal
+/// ends it.
 void runGeneratorProgram(const std::vector<std::string>& arguments, const std::filesystem::path& messages);
 
 }  // namespace rendering::models

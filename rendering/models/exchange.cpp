@@ -44,7 +44,8 @@ Quality qualityNamed(std::string_view name)
 {
     for (const auto& [value, known] : qualities)
         if (name == known) return value;
-    throw protocols::badInput({"unknown quality '" + std::string(name) + "'", "--quality", "fast, balanced or accurate", ""});
+    throw protocols::badInput(
+        {"unknown quality '" + std::string(name) + "'", "--quality", "fast, balanced or accurate", "correct the option"});
 }
 
 RequestWriter::RequestWriter(fs::path folder, GenerationOptions options)
@@ -52,7 +53,7 @@ RequestWriter::RequestWriter(fs::path folder, GenerationOptions options)
 {
 }
 
-void RequestWriter::add(const PhotographToTouch& photograph)
+void RequestWriter::add(const InputPhotograph& photograph)
 {
     const std::string name = "photo" + std::to_string(m_photographs.size()) + ".npy";
     const cv::Mat whole = photograph.photograph.isContinuous() ? photograph.photograph : photograph.photograph.clone();
@@ -68,15 +69,15 @@ void RequestWriter::finish() const
     protocols::writeWholeFile(m_folder / "request.json", json.dump() + "\n", protocols::Sync::Later);
 }
 
-Request readRequest(const fs::path& folder)
+GenerationRequest readRequest(const fs::path& folder)
 {
     const fs::path file = folder / "request.json";
     const std::string text = protocols::readWholeFile(file);
-    Request request;
+    GenerationRequest request;
     try {
         const Json json = Json::parse(text);
         if (json.at("schema").get<std::string>() != requestSchema)
-            throw protocols::badInput({"another schema", file.string(), requestSchema, ""});
+            throw protocols::badInput({"has another schema", file.string(), requestSchema, "build both executables again"});
         const std::string model = json.at("model").get<std::string>();
         request.options.model = model.empty() ? shippedModel() : fs::path(model);
         request.options.quality = qualityNamed(json.at("quality").get<std::string>());
@@ -88,16 +89,17 @@ Request readRequest(const fs::path& folder)
                                            pitch.is_null() ? std::nullopt : std::optional(pitch.get<double>())});
         }
     } catch (const Json::exception& fault) {
-        throw protocols::badInput({fault.what(), file.string(), requestSchema, ""});
+        throw protocols::badInput({fault.what(), file.string(), requestSchema, "build both executables again"});
     }
     return request;
 }
 
-PhotographToTouch readPhotograph(const Request::Asked& photograph)
+InputPhotograph readPhotograph(const RequestedPhotograph& photograph)
 {
     const cv::Mat flat = readNpy(photograph.file);
     if (flat.type() != CV_8UC1 || flat.cols < 3 || flat.cols % 3 != 0)
-        throw protocols::badInput({"no photograph", photograph.file.string(), "uint8 [height x 3 width]", ""});
+        throw protocols::badInput(
+            {"is not a photograph", photograph.file.string(), "uint8 [height x 3 width]", "build both executables again"});
     return {flat.reshape(3), photograph.mmPerPixel};
 }
 
@@ -153,8 +155,8 @@ std::vector<GeneratedSignals> readAnswers(const fs::path& folder)
             answers.push_back(answer);
         }
     } catch (const std::exception& fault) {
-        throw protocols::workFailed({std::string("vis2hap-nn's answer cannot be read: ") + fault.what(), file.string(),
-                                     answerSchema, "build the program anew, so that both executables are of one version"});
+        throw protocols::workFailed({std::string("the answer of vis2hap-nn cannot be read: ") + fault.what(), file.string(),
+                                     answerSchema, "build both executables again, so that their versions match"});
     }
     return answers;
 }

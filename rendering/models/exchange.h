@@ -1,6 +1,5 @@
-// How the program and vis2hap-nn speak: a folder with request.json and one .npy a photograph, into
-// which the answers are written as answer.json and .npy files. Both sides use these functions, and
-// both hold one photograph at a time.
+// Files between the program and vis2hap-nn: a folder with request.json and one .npy file for each photograph, to which
+// vis2hap-nn adds answer.json and its .npy files. Both sides use these functions and hold one photograph at a time.
 //   request.json {"schema":"vis2hap.generate/1","model":FILE,"quality":"fast"|"balanced"|"accurate",
 //                 "height":bool,"friction":bool,"photographs":[{"file":"photo0.npy","mm_per_pixel":X|null}]}
 //   photoN.npy   uint8 [height x 3 width], R G B interleaved
@@ -21,23 +20,24 @@
 
 namespace rendering::models {
 
-struct Request {
-    struct Asked {
-        std::filesystem::path file;
-        std::optional<double> mmPerPixel;
-    };
-    std::vector<Asked> photographs;
+struct RequestedPhotograph {
+    std::filesystem::path file;
+    std::optional<double> mmPerPixel;
+};
+
+struct GenerationRequest {
+    std::vector<RequestedPhotograph> photographs;
     GenerationOptions options;
 };
 
 std::string nameOf(Quality quality);
-Quality qualityNamed(std::string_view name);  ///< throws badInput naming the three
+Quality qualityNamed(std::string_view name);  ///< throws badInput that lists the three
 
-/// Writes each photograph when it is added, request.json at the end.
+/// Writes each photograph when it is added, and request.json at the end.
 class RequestWriter {
 public:
     RequestWriter(std::filesystem::path folder, GenerationOptions options);
-    void add(const PhotographToTouch& photograph);
+    void add(const InputPhotograph& photograph);
     void finish() const;
 
 private:
@@ -46,10 +46,10 @@ private:
     nlohmann::ordered_json m_photographs = nlohmann::ordered_json::array();
 };
 
-Request readRequest(const std::filesystem::path& folder);            ///< throws badInput
-PhotographToTouch readPhotograph(const Request::Asked& photograph);  ///< throws badInput
+GenerationRequest readRequest(const std::filesystem::path& folder);     ///< throws badInput
+InputPhotograph readPhotograph(const RequestedPhotograph& photograph);  ///< throws badInput
 
-/// Writes the arrays of each answer when it is added, answer.json at the end.
+/// Writes the arrays of each answer when it is added, and answer.json at the end.
 class AnswerWriter {
 public:
     explicit AnswerWriter(std::filesystem::path folder);

@@ -14,9 +14,9 @@ namespace rendering::models {
 
 namespace {
 
-/// A feature that hardly varies in training must not make every other photograph look strange.
+/// A feature that hardly varies in training must not make every other photograph appear unfamiliar.
 constexpr double leastDeviation = 0.02;
-/// A single fabric photographed a few times would have a threshold of nearly nothing.
+/// Without it, a single fabric with a few photographs would have a threshold of nearly 0.
 constexpr double leastThreshold = 1;
 
 using Standardised = std::vector<double>;
@@ -50,18 +50,18 @@ double distanceToNearest(const std::vector<Standardised>& kept, const Standardis
     return std::sqrt(least);
 }
 
-/// Each fabric counts by a Gaussian of the distance to its nearest photograph; within a fabric that distance is about half the
-/// usual.
-constexpr double kernelOfUsual = 1.0 / 3;
+/// Kernel width as a share of the threshold. Distances within a fabric are about half the threshold.
+constexpr double kernelShare = 1.0 / 3;
 
-std::vector<double> remembered(const Familiarity& familiarity, const Standardised& point, double distance)
+/// Mean of the fabrics' spectra. The weight of a fabric is a Gaussian of the distance to its nearest photograph.
+std::vector<double> ringsOfSimilarFabrics(const Familiarity& familiarity, const Standardised& point, double distance)
 {
     std::vector<double> least(familiarity.fabricRings.size(), std::numeric_limits<double>::max());
     for (std::size_t i = 0; i < familiarity.nearest.size(); ++i) {
         double& fabric = least[static_cast<std::size_t>(familiarity.fabricOf[i])];
         fabric = std::min(fabric, squaredDistance(familiarity.nearest[i], point));
     }
-    const double width = kernelOfUsual * familiarity.threshold;
+    const double width = kernelShare * familiarity.threshold;
     std::vector<double> rings(familiarity.fabricRings.front().size(), 0);
     double total = 0;
     for (std::size_t fabric = 0; fabric < least.size(); ++fabric) {
@@ -77,15 +77,16 @@ void requireFeatures(std::span<const std::vector<float>> photographs)
 {
     for (const std::vector<float>& features : photographs)
         if (features.size() != static_cast<std::size_t>(photographFeatureCount))
-            throw protocols::badInput({std::to_string(features.size()) + " features of a photograph", "familiarity",
-                                       std::to_string(photographFeatureCount), "take those of photographFeatures"});
+            throw protocols::badInput({"a photograph has " + std::to_string(features.size()) + " features", "familiarity",
+                                       std::to_string(photographFeatureCount) + " features", "use photographFeatures()"});
 }
 
 void requireFabrics(const KnownFabrics& known, std::size_t photographs)
 {
     const auto isThere = [&](int fabric) { return fabric >= 0 && static_cast<std::size_t>(fabric) < known.rings.size(); };
     if (!known.fabricOf.empty() && (known.fabricOf.size() != photographs || !std::ranges::all_of(known.fabricOf, isThere)))
-        throw protocols::badInput({"photographs without a fabric", "familiarity", "the fabric of each photograph", ""});
+        throw protocols::badInput({"photographs without a fabric", "familiarity", "the fabric of each photograph",
+                                   "state one fabric for each training photograph"});
 }
 
 void fitScale(Familiarity& familiarity, std::span<const std::vector<float>> training)
@@ -109,7 +110,7 @@ Standardised standardised(const Familiarity& familiarity, const std::vector<floa
     return point;
 }
 
-/// Beginning with the first, always the one farthest from those taken (the first of equals); their numbers.
+/// Indices in the order of choice: the first point, then always the point farthest from those chosen (the first of equals).
 std::vector<std::size_t> spreadChoice(const std::vector<Standardised>& points)
 {
     std::vector<double> apart(points.size(), std::numeric_limits<double>::max());
@@ -170,7 +171,8 @@ bool sensible(const Familiarity& familiarity)
 Familiarity fitFamiliarity(std::span<const std::vector<float>> training, std::span<const std::vector<float>> validation,
                            const KnownFabrics& known)
 {
-    if (training.empty()) throw protocols::badInput({"no training photographs", "familiarity", "at least one", ""});
+    if (training.empty())
+        throw protocols::badInput({"there are no training photographs", "familiarity", "at least one", "add photographs"});
     requireFeatures(training);
     requireFeatures(validation);
     requireFabrics(known, training.size());
@@ -196,7 +198,7 @@ Recognised recognised(const Familiarity& familiarity, const std::vector<float>& 
     const Standardised point = standardised(familiarity, features);
     const double distance = distanceToNearest(familiarity.nearest, point);
     return {distance, std::clamp(distance / familiarity.threshold - 1, 0.0, 1.0),
-            familiarity.fabricOf.empty() ? std::vector<double>() : remembered(familiarity, point, distance)};
+            familiarity.fabricOf.empty() ? std::vector<double>() : ringsOfSimilarFabrics(familiarity, point, distance)};
 }
 
 nlohmann::ordered_json familiarityJson(const Familiarity& familiarity)
@@ -224,8 +226,9 @@ Familiarity familiarityFrom(const nlohmann::ordered_json& json)
         familiarity.fabricRings = json.at("fabric_rings").get<std::vector<std::vector<double>>>();
     }
     if (!sensible(familiarity))
-        throw protocols::badInput({"the numbers on known photographs cannot be right", "photographs",
-                                   std::to_string(photographFeatureCount) + " finite features of each", ""});
+        throw protocols::badInput({"the numbers on known photographs are impossible", "photographs",
+                                   std::to_string(photographFeatureCount) + " finite features of each",
+                                   "copy the card again, or train again"});
     return familiarity;
 }
 

@@ -15,12 +15,12 @@ namespace rendering::models {
 
 namespace {
 
-/// Share of the weights added to each square sum: the coefficients of a few fabrics hang together, and slopes would run off.
+/// Share of the weights that is added to each sum of squares, because the coefficients of a few fabrics are correlated.
 constexpr double ridge = 0.01;
 constexpr double leastDeviation = 0.02;
-constexpr double mostDeviations = 2.5;  ///< of a coefficient that counts: beyond lies nothing that was seen
-constexpr double leastBrightness = 5;   ///< grey levels: below it a camera's noise decides
-constexpr double noisePower = 1e-4;     ///< of brightness over its mean: what a dim photograph's rounding to 8 bits leaves
+constexpr double mostDeviations = 2.5;  ///< limit of a standardised coefficient; training photographs lie within
+constexpr double leastBrightness = 5;   ///< grey levels; the noise of the camera dominates below
+constexpr double noisePower = 1e-4;     ///< of brightness over its mean; the rounding of a dim photograph to 8 bits
 
 constexpr auto coefficientCount = static_cast<std::size_t>(textureCoefficientCount);
 
@@ -50,7 +50,7 @@ std::vector<double> standardised(const FrictionPrior& prior, const std::vector<d
     return result;
 }
 
-/// (X'WX + ridge) slope = X'Wy, the weights' sum 1
+/// Solves (X'WX + ridge) slope = X'Wy, where the weights sum to 1.
 void fitSlope(FrictionPrior& prior, std::span<const KnownTexture> textures)
 {
     const double all = totalWeight(textures);
@@ -97,7 +97,9 @@ std::vector<double> textureCoefficients(const cv::Mat& rgb, int side)
 
 FrictionPrior fitFrictionPrior(std::span<const KnownTexture> textures)
 {
-    if (textures.empty()) throw protocols::badInput({"no training photographs", "friction by texture", "at least one", ""});
+    if (textures.empty())
+        throw protocols::badInput(
+            {"there are no training photographs", "friction by texture", "at least one", "add photographs"});
     FrictionPrior prior;
     fitScale(prior, textures);
     prior.lowest = prior.highest = textures.front().logFriction;
@@ -110,14 +112,14 @@ FrictionPrior fitFrictionPrior(std::span<const KnownTexture> textures)
     return prior;
 }
 
-double reachOfRegression(double distance, double usualDistance) { return std::clamp(3 - distance / usualDistance / 2, 0.0, 1.0); }
+double regressionWeight(double distance, double usualDistance) { return std::clamp(3 - distance / usualDistance / 2, 0.0, 1.0); }
 
-double expectedFriction(const FrictionPrior& prior, const std::vector<double>& coefficients, double reach)
+double expectedFriction(const FrictionPrior& prior, const std::vector<double>& coefficients, double weight)
 {
     double logFriction = prior.logFriction;
     const std::vector<double> point = standardised(prior, coefficients);
     for (std::size_t i = 0; i < coefficientCount; ++i)
-        logFriction += reach * prior.slope[i] * std::clamp(point[i], -mostDeviations, mostDeviations);
+        logFriction += weight * prior.slope[i] * std::clamp(point[i], -mostDeviations, mostDeviations);
     return std::exp(std::clamp(logFriction, prior.lowest, prior.highest));
 }
 
@@ -141,8 +143,9 @@ FrictionPrior frictionPriorFrom(const nlohmann::ordered_json& json)
     prior.lowest = json.at("lowest").get<double>();
     prior.highest = json.at("highest").get<double>();
     if (!sensible(prior))
-        throw protocols::badInput({"the numbers on friction by texture cannot be right", "friction_by_texture",
-                                   std::to_string(textureCoefficientCount) + " finite coefficients", ""});
+        throw protocols::badInput({"the numbers on friction by texture are impossible", "friction_by_texture",
+                                   std::to_string(textureCoefficientCount) + " finite coefficients",
+                                   "copy the card again, or train again"});
     return prior;
 }
 

@@ -1,7 +1,7 @@
-// The mean friction that a photograph's texture alone lets expect. A network knows the fabrics it was
-// trained on and is at a loss with others; how strong the coarse and fine waves of a weave are tells
-// roughly how it rubs, whichever fabric it is. A ridge regression over fabrics says it, and speaks where
-// a photograph is unfamiliar (familiarity.h). No torch here.
+// Mean friction that is expected from the texture of a photograph alone. A network predicts poorly for fabrics that it
+// was not trained on. The strength of the coarse and fine waves of a weave predicts roughly how it rubs, for any fabric.
+// A ridge regression over the training fabrics uses this; it replaces the network's mean for unfamiliar photographs
+// (familiarity.h). No torch here.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -11,37 +11,37 @@
 
 namespace rendering::models {
 
-/// Of the radial spectrum of a photograph's brightness over its mean (rings of `side` px, ring_spectrum.h): the
-/// first cosine coefficients of its logarithm, as speech is described by those of its own. Finite for any CV_8UC3.
+/// The first cepstral coefficients of a photograph: cosine coefficients of the logarithm of its radial power spectrum
+/// (ring_spectrum.h, rings of `side` px). The brightness is divided by its mean first. Finite for any CV_8UC3.
 inline constexpr int textureCoefficientCount = 5;
 std::vector<double> textureCoefficients(const cv::Mat& rgb, int side);
 
-/// A photograph trained on, and the logarithm of its fabric's mean coefficient of friction.
+/// Texture of a training photograph, and the logarithm of the mean friction of its fabric.
 struct KnownTexture {
     std::vector<double> coefficients;
     double logFriction = 0;
-    double weight = 1;  ///< of this one; one over the photographs of its fabric makes fabrics equal
+    double weight = 1;  ///< one over the number of photographs of the fabric gives fabrics equal weight
 };
 
 struct FrictionPrior {
-    std::vector<double> mean, deviation;  ///< of the coefficients in training
-    std::vector<double> slope;            ///< of the logarithm of friction, per deviation
-    double logFriction = 0;               ///< at the mean
-    double lowest = 0, highest = 0;       ///< logarithms of friction in training; no answer lies beyond
+    std::vector<double> mean, deviation;  ///< of the coefficients over the training photographs
+    std::vector<double> slope;            ///< change of the logarithm of friction per standard deviation
+    double logFriction = 0;               ///< logarithm of friction at the mean
+    double lowest = 0, highest = 0;       ///< range of the logarithm of friction in training; limits every prediction
 };
 
-/// Throws badInput for no texture.
+/// Fits the regression. Throws badInput for no texture.
 FrictionPrior fitFrictionPrior(std::span<const KnownTexture> textures);
 
-/// How far a regression carries, 1 to 0: wholly up to four times the usual distance to known photographs, from six times on
-/// not at all.
-double reachOfRegression(double distance, double usualDistance);
+/// Weight of the regression, 1 to 0: 1 up to four times the usual distance to known photographs, then falling linearly to 0
+/// at six times.
+double regressionWeight(double distance, double usualDistance);
 
-/// Coefficient of friction; with less `reach` nearer to the typical one of all fabrics trained on.
-double expectedFriction(const FrictionPrior& prior, const std::vector<double>& coefficients, double reach = 1);
+/// Coefficient of friction. A smaller `weight` moves it towards the typical coefficient of the training fabrics.
+double expectedFriction(const FrictionPrior& prior, const std::vector<double>& coefficients, double weight = 1);
 
 nlohmann::ordered_json frictionPriorJson(const FrictionPrior& prior);
-/// Throws badInput for numbers that cannot be.
+/// Throws badInput for impossible numbers.
 FrictionPrior frictionPriorFrom(const nlohmann::ordered_json& json);
 
 }  // namespace rendering::models

@@ -5,7 +5,7 @@
 #include "protocols/files/errors.h"
 #include "rendering/models/child_process.h"
 #include "rendering/models/exchange.h"
-#include "rendering/models/model_card.h"
+#include "rendering/models/model_card_fields.h"
 #include "rendering/models/photograph_at_pitch.h"
 #include "protocols/files/temporary_folder.h"
 
@@ -13,25 +13,27 @@ namespace rendering::models {
 
 namespace {
 
-void checkPhotographs(std::span<const PhotographToTouch> photographs)
+void checkPhotographs(std::span<const InputPhotograph> photographs)
 {
-    for (const PhotographToTouch& photograph : photographs) {
+    for (const InputPhotograph& photograph : photographs) {
         if (photograph.photograph.empty() || photograph.photograph.type() != CV_8UC3)
-            throw protocols::badInput({"an empty photograph, or one that is not 8-bit RGB", "generators", "CV_8UC3", ""});
+            throw protocols::badInput(
+                {"the photograph is empty or not 8-bit RGB", "generators", "8-bit RGB", "convert it to 8-bit RGB"});
         if (photograph.mmPerPixel && !(*photograph.mmPerPixel > 1e-5 && *photograph.mmPerPixel < 100))
-            throw protocols::badInput({"a photograph's pitch is out of range", "generators", "millimetres a pixel", ""});
+            throw protocols::badInput({"the pitch of the photograph is out of range", "generators", "0.00001 to 100 mm per pixel",
+                                       "correct the pitch of the camera"});
     }
 }
 
-/// How a photograph was brought before the networks.
-struct Shown {
-    cv::Size size;  ///< of its part, its own pixels
+/// Part of a photograph that was passed to the networks.
+struct UsedPart {
+    cv::Size size;  ///< in the photograph's own pixels
     bool middleOnly = false;
     std::optional<double> assumedMmPerPixel;
 };
 
-/// Nothing is known of millimetres there, so the height lies on the photograph's own pixels.
-void backToPixels(GeneratedSignals& signals, const cv::Size& size, double mmPerPixel)
+/// Scales the height to the photograph's own pixels, because their size in millimetres is unknown.
+void scaleToPhotograph(GeneratedSignals& signals, const cv::Size& size, double mmPerPixel)
 {
     if (signals.heightMm.empty()) return;
     if (signals.heightMm.size() != size) cv::resize(signals.heightMm, signals.heightMm, size, 0, 0, cv::INTER_AREA);
@@ -40,7 +42,7 @@ void backToPixels(GeneratedSignals& signals, const cv::Size& size, double mmPerP
 
 }  // namespace
 
-std::vector<GeneratedSignals> generate(std::span<const PhotographToTouch> photographs, const GenerationOptions& options)
+std::vector<GeneratedSignals> generate(std::span<const InputPhotograph> photographs, const GenerationOptions& options)
 {
     if (photographs.empty()) return {};
     checkPhotographs(photographs);
@@ -51,13 +53,13 @@ std::vector<GeneratedSignals> generate(std::span<const PhotographToTouch> photog
     checkWeightsFile(wish.model, card);
     const protocols::TemporaryFolder folder;
     RequestWriter request(folder.path(), wish);
-    std::vector<Shown> shown;
-    for (const PhotographToTouch& photograph : photographs) {
+    std::vector<UsedPart> parts;
+    for (const InputPhotograph& photograph : photographs) {
         const double pitch =
             photograph.mmPerPixel.value_or(assumedMmPerPixel(photograph.photograph, card.architecture.mmPerPixel));
-        const SeenPhotograph seen = photographAtPitch({photograph.photograph, pitch}, card.architecture.mmPerPixel);
+        const PhotographAtPitch seen = photographAtPitch({photograph.photograph, pitch}, card.architecture.mmPerPixel);
         request.add({seen.rgb, card.architecture.mmPerPixel});
-        shown.push_back({seen.part.size(), seen.middleOnly, photograph.mmPerPixel ? std::nullopt : std::optional(pitch)});
+        parts.push_back({seen.part.size(), seen.middleOnly, photograph.mmPerPixel ? std::nullopt : std::optional(pitch)});
     }
     request.finish();
     runGeneratorProgram({"generate", folder.path().string()}, folder.path() / "messages");
@@ -65,11 +67,11 @@ std::vector<GeneratedSignals> generate(std::span<const PhotographToTouch> photog
     if (answers.size() != photographs.size())
         throw protocols::workFailed({"vis2hap-nn answered " + std::to_string(answers.size()) + " of " +
                                          std::to_string(photographs.size()) + " photographs",
-                                     "generators", "", ""});
+                                     "generators", "an answer for each photograph", "build both executables again"});
     for (std::size_t i = 0; i < answers.size(); ++i) {
-        answers[i].photograph.middleOnly = shown[i].middleOnly;
-        answers[i].photograph.assumedMmPerPixel = shown[i].assumedMmPerPixel;
-        if (shown[i].assumedMmPerPixel) backToPixels(answers[i], shown[i].size, *shown[i].assumedMmPerPixel);
+        answers[i].photograph.middleOnly = parts[i].middleOnly;
+        answers[i].photograph.assumedMmPerPixel = parts[i].assumedMmPerPixel;
+        if (parts[i].assumedMmPerPixel) scaleToPhotograph(answers[i], parts[i].size, *parts[i].assumedMmPerPixel);
     }
     return answers;
 }

@@ -11,12 +11,12 @@ namespace rendering::models {
 
 namespace {
 
-/// What is taken of one side: its pixels in the photograph and how many they become.
-struct Side {
+/// One side of the used part: pixels in the photograph, and pixels after scaling.
+struct UsedSide {
     int from = 0, length = 0, becomes = 0;
 };
 
-Side shownOf(int length, double factor)
+UsedSide usedSide(int length, double factor)
 {
     const double whole = std::max(1.0, std::round(length * factor));
     if (whole <= largestSidePx) return {0, length, static_cast<int>(whole)};
@@ -24,9 +24,9 @@ Side shownOf(int length, double factor)
     return {(length - taken) / 2, taken, largestSidePx};
 }
 
-/// Of the procedural fabrics at 0.05 mm a pixel: the finest (a silk satin) has a period of 5 px, most have 7 to 11.
+/// Among the procedural fabrics at 0.05 mm per pixel, silk satin is the finest with a period of 5 px; most have 7 to 11 px.
 constexpr double finestPeriodPx = 5, ordinaryPeriodPx = 9;
-/// Finer waves than 2.3 px are hardly resolved; more enlargement would show nothing new.
+/// Waves below 2.3 px are hardly resolved, so more enlargement would add nothing.
 constexpr double mostEnlargement = 4;
 
 }  // namespace
@@ -41,7 +41,7 @@ double assumedMmPerPixel(const cv::Mat& rgb, double modelMmPerPixel)
 
 cv::Mat evenlyLit(const cv::Mat& rgb)
 {
-    // Blurred on a small copy: a falling off has no details.
+    // Uneven light has no details, so a small copy is enough for the blur.
     constexpr double sigmaPx = 64, shrink = 8;
     cv::Mat grey, small, light, lit;
     cv::cvtColor(rgb, grey, cv::COLOR_RGB2GRAY);
@@ -56,13 +56,13 @@ cv::Mat evenlyLit(const cv::Mat& rgb)
     return lit;
 }
 
-SeenPhotograph photographAtPitch(const PhotographToTouch& photograph, double mmPerPixel)
+PhotographAtPitch photographAtPitch(const InputPhotograph& photograph, double mmPerPixel)
 {
     const double factor = photograph.mmPerPixel.value_or(mmPerPixel) / mmPerPixel;
-    const Side across = shownOf(photograph.photograph.cols, factor), down = shownOf(photograph.photograph.rows, factor);
+    const UsedSide across = usedSide(photograph.photograph.cols, factor), down = usedSide(photograph.photograph.rows, factor);
     const cv::Mat shown = photograph.photograph({across.from, down.from, across.length, down.length});
     const cv::Size size(across.becomes, down.becomes);
-    SeenPhotograph seen;
+    PhotographAtPitch seen;
     seen.part = {across.from, down.from, across.length, down.length};
     seen.middleOnly = shown.size() != photograph.photograph.size();
     if (size == shown.size())

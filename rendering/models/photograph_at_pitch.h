@@ -1,30 +1,30 @@
-// A photograph as a model sees it: at the pitch that the model was trained at, of a large one the middle.
+// A photograph as input of a model: scaled to the model's pitch and, if it is large, cropped to its middle.
 #pragma once
 
 #include "rendering/models/generation.h"
 
 namespace rendering::models {
 
-/// px at the model's pitch. Larger than any photograph of one place on a fabric needs to be; it bounds time and memory.
+/// Largest side in px at the model's pitch. It exceeds any photograph of one place on a fabric and limits time and memory.
 inline constexpr int largestSidePx = 2048;
 
-struct SeenPhotograph {
+struct PhotographAtPitch {
     cv::Mat rgb;              ///< CV_8UC3, own memory
-    cv::Rect part;            ///< what of the photograph is shown, its own pixels
-    bool middleOnly = false;  ///< what lies outside of the middle largestSidePx was cut off
+    cv::Rect part;            ///< the part of the photograph that is used, in its own pixels
+    bool middleOnly = false;  ///< true where the borders were cut off
 };
 
-/// The pitch that a photograph of unknown scale is taken to have, mm a pixel: the model's, but where its weave (dominant_wave.h)
-/// would then be finer than any the model was trained on, the one at which the weave has an ordinary period. So the networks
-/// see threads, not noise; period and direction stay those of the photograph.
+/// Pitch that is assumed for a photograph of unknown scale, in mm per pixel. It is the model's pitch, unless the weave
+/// (dominant_wave.h) would then be finer than any in the training data. In that case the weave gets an ordinary period, so
+/// that the networks see threads and not noise. Period and direction of the photograph itself stay.
 double assumedMmPerPixel(const cv::Mat& rgb, double modelMmPerPixel);
 
-/// `mmPerPixel`: of the model; the photograph's own pitch must be known. Only what is shown is brought to it, so that large
+/// `mmPerPixel`: pitch of the model; the photograph's own pitch must be known. Only the used part is scaled, so that large
 /// photographs cost little.
-SeenPhotograph photographAtPitch(const PhotographToTouch& photograph, double mmPerPixel);
+PhotographAtPitch photographAtPitch(const InputPhotograph& photograph, double mmPerPixel);
 
-/// The photograph with a lamp's slow falling off divided out (what varies over more than some 12 mm of fabric); its mean colour
-/// stays. CV_8UC3 as `rgb`.
+/// The photograph without the uneven light of a lamp: variation over more than about 12 mm of fabric is divided out, the mean
+/// brightness stays. CV_8UC3 like `rgb`.
 cv::Mat evenlyLit(const cv::Mat& rgb);
 
 }  // namespace rendering::models

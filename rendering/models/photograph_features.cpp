@@ -15,22 +15,22 @@ namespace {
 constexpr int tileSide = 128;
 constexpr int tilesAcross = 4;
 constexpr int bands = 12;
-constexpr double lowestFrequency = 1.0 / 32;  ///< cycles a pixel; the highest is 1/2, twelve third octaves above
-constexpr double leastDeviation = 0.003;      ///< of grey over illumination: what rounding to 8 bits leaves
-constexpr double leastShare = 1e-3;           ///< of the power: below it a camera's noise decides
+constexpr double lowestFrequency = 1.0 / 32;  ///< cycles per pixel; the highest, 1/2, lies twelve third octaves above
+constexpr double leastDeviation = 0.003;      ///< of grey over illumination; left by rounding to 8 bits
+constexpr double leastShare = 1e-3;           ///< of the power; the noise of the camera dominates below
 
-/// How much a step of one counts in a distance: by what tells fabrics apart and stays within a fabric.
-/// The spectrum says most of a weave; dye and lamp say little.
+/// Weights of the features in a distance. They are large for features that differ between fabrics and agree within one.
+/// The spectrum characterises a weave best; dye and lamp characterise it little.
 constexpr float colourWeight = 0.5F, contrastWeight = 2, skewnessWeight = 1.5F, bandWeight = 0.5F, regularityWeight = 3,
                 directionWeight = 0.75F;
 
-/// What is summed over the tiles.
-struct Sums {
+/// Sums over the tiles of a photograph.
+struct TileSums {
     cv::Scalar colour;
     double variance = 0, cube = 0;
-    cv::Mat power;                           ///< CV_64F [tileSide x tileSide] of the grey tile over its illumination
-    std::array<cv::Vec3d, 2> tensor{};       ///< xx, yy, xy of the slopes at two scales
-    std::array<double, 2> localCoherence{};  ///< of the tensor smoothed over a few threads
+    cv::Mat power;                           ///< CV_64F [tileSide x tileSide]: power spectrum of grey over illumination
+    std::array<cv::Vec3d, 2> tensor{};       ///< structure tensor (xx, yy, xy) at two scales
+    std::array<double, 2> localCoherence{};  ///< coherence of the tensor, smoothed over a few threads
     int tiles = 0;
 };
 
@@ -43,7 +43,7 @@ std::vector<int> tileStarts(int length)
     return starts;
 }
 
-/// Slowly varying brightness, at least one grey level. A blur of a few millimetres, done on a small copy.
+/// Slowly varying brightness, at least one grey level: a blur over a few millimetres, computed on a small copy.
 cv::Mat illumination(const cv::Mat& grey)
 {
     cv::Mat small, wide;
@@ -72,14 +72,14 @@ cv::Mat powerOf(const cv::Mat& texture)
     return power;
 }
 
-/// (l1 - l2) / (l1 + l2) of a structure tensor, 0 where nothing slopes.
+/// Coherence (l1 - l2) / (l1 + l2) of a structure tensor; 0 where there are no slopes.
 double coherence(double xx, double yy, double xy)
 {
     const double least = leastDeviation * leastDeviation / 4;
     return std::hypot(xx - yy, 2 * xy) / (xx + yy + least);
 }
 
-void addDirections(const cv::Mat& texture, int scale, Sums& sums)
+void addDirections(const cv::Mat& texture, int scale, TileSums& sums)
 {
     const auto at = static_cast<std::size_t>(scale);
     const double sigma = scale == 0 ? 1 : 3;
@@ -98,7 +98,7 @@ void addDirections(const cv::Mat& texture, int scale, Sums& sums)
     sums.localCoherence[at] += found / ((tileSide / 8.0) * (tileSide / 8.0));
 }
 
-void addTile(const cv::Mat& rgb, Sums& sums)
+void addTile(const cv::Mat& rgb, TileSums& sums)
 {
     cv::Mat grey;
     cv::cvtColor(rgb, grey, cv::COLOR_RGB2GRAY);
@@ -115,7 +115,7 @@ void addTile(const cv::Mat& rgb, Sums& sums)
     ++sums.tiles;
 }
 
-/// Band of each frequency bin, -1 outside of all.
+/// Band of each frequency bin; -1 outside all bands.
 int bandOf(int row, int column)
 {
     const auto cycles = [](int bin) { return static_cast<double>(bin <= tileSide / 2 ? bin : bin - tileSide) / tileSide; };
@@ -124,9 +124,9 @@ int bandOf(int row, int column)
     return std::clamp(static_cast<int>(3 * std::log2(frequency / lowestFrequency)), 0, bands - 1);
 }
 
-/// Logarithms of the bands' shares, then of the share of the strongest hundredth of all bins in the
-/// whole: high for threads in step, low for felt.
-void appendSpectrum(const Sums& sums, std::vector<float>& features)
+/// Appends the logarithms of the bands' shares of the power, and that of the strongest hundredth of all bins. The latter is
+/// high for regular threads and low for felt.
+void appendSpectrum(const TileSums& sums, std::vector<float>& features)
 {
     std::array<double, bands> inBand{};
     std::vector<double> bins;
@@ -149,7 +149,7 @@ void appendSpectrum(const Sums& sums, std::vector<float>& features)
     features.push_back(regularityWeight * static_cast<float>(std::log((strong + 0.01 * floor) / (total + floor))));
 }
 
-std::vector<float> featuresOf(const Sums& sums)
+std::vector<float> featuresOf(const TileSums& sums)
 {
     const double tiles = sums.tiles;
     const cv::Scalar colour = sums.colour / (255 * tiles);
@@ -173,15 +173,16 @@ std::vector<float> featuresOf(const Sums& sums)
 std::vector<float> photographFeatures(const cv::Mat& rgb)
 {
     if (rgb.empty() || rgb.type() != CV_8UC3)
-        throw protocols::badInput({"an empty photograph, or one that is not 8-bit RGB", "photograph", "CV_8UC3", ""});
+        throw protocols::badInput(
+            {"the photograph is empty or not 8-bit RGB", "photograph", "8-bit RGB", "convert it to 8-bit RGB"});
     cv::Mat wide = rgb;
     if (rgb.rows < tileSide || rgb.cols < tileSide) {
         const int below = std::max(0, tileSide - rgb.rows), right = std::max(0, tileSide - rgb.cols);
-        const cv::Rect looked(0, 0, std::min(rgb.cols, 1 << 15), std::min(rgb.rows, 1 << 15));
-        cv::copyMakeBorder(rgb(looked), wide, below / 2, below - below / 2, right / 2, right - right / 2,
+        const cv::Rect used(0, 0, std::min(rgb.cols, 1 << 15), std::min(rgb.rows, 1 << 15));
+        cv::copyMakeBorder(rgb(used), wide, below / 2, below - below / 2, right / 2, right - right / 2,
                            cv::BORDER_REFLECT_101 | cv::BORDER_ISOLATED);
     }
-    Sums sums;
+    TileSums sums;
     for (const int y : tileStarts(wide.rows))
         for (const int x : tileStarts(wide.cols)) addTile(wide({x, y, tileSide, tileSide}), sums);
     return featuresOf(sums);

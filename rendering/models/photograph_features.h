@@ -1,6 +1,6 @@
-// What a photograph of a fabric looks like, in a few numbers: colour, contrast, spectrum and
-// direction of its texture. Two photographs of one fabric lie near each other, whatever the place,
-// the turn and the size; used for finding known photographs like it, and so what is remembered of their fabrics.
+// Features of a photograph of a fabric: colour, contrast, and the spectrum and direction of its texture. Photographs of
+// one fabric have similar features, independent of place, rotation and size of the picture. They find similar known
+// photographs and thereby similar fabrics.
 #pragma once
 
 #include <opencv2/core/mat.hpp>
@@ -10,12 +10,11 @@ namespace rendering::models {
 
 inline constexpr int photographFeatureCount = 22;
 
-/// Three of mean colour (brightness, red - green, yellow - blue), contrast and skewness of the grey
-/// picture over its illumination, twelve shares of the power in third octaves of 1/2..1/32 cycles a
-/// pixel (logarithms), one of its regularity, four of direction at two scales (without the angle).
-/// `rgb`: CV_8UC3 of any size from 1 x 1; of a large picture 16 tiles of 128 px are looked at, a small
-/// one is mirrored. Always finite; scaled so that Euclidean distances make sense. Throws badInput for
-/// another kind of picture.
+/// Features, in order: mean colour (brightness, red - green, yellow - blue), contrast and skewness of the grey picture over
+/// its illumination, the logarithms of twelve shares of power in third octaves from 1/32 to 1/2 cycles per pixel, one of
+/// regularity, and four of direction at two scales (without the angle).
+/// `rgb`: CV_8UC3 of any size from 1 x 1. At most 16 tiles of 128 px of a large picture are used; a small one is mirrored.
+/// Always finite and scaled for Euclidean distances. Throws badInput for another type.
 std::vector<float> photographFeatures(const cv::Mat& rgb);
 
 }  // namespace rendering::models

@@ -14,18 +14,18 @@ namespace rendering::models {
 
 namespace {
 
-/// Which ring has its middle below a frequency, and how near the next one is.
+/// The ring below a frequency, and the share of the ring above it.
 struct RingPair {
-    int lower = -1;   ///< -1: outside all
-    float share = 0;  ///< of the ring above
+    int lower = -1;   ///< -1 outside all rings
+    float share = 0;  ///< weight of the ring above
 };
 
-/// A window's frequencies, one quarter of them: the others mirror it.
+/// Rings of a window's frequencies. Only one quarter is stored, because the others mirror it.
 struct Rings {
     int width = 0;
-    std::vector<RingPair> pairs;  ///< [(width / 2 + 1) x (width / 2 + 1)], row-major, cycles a window down and right
-    cv::Mat window;               ///< Hann
-    double sum = 0, energy = 0;   ///< of the window and of its square
+    std::vector<RingPair> pairs;  ///< [(width / 2 + 1) x (width / 2 + 1)], row-major; cycles per window down and to the right
+    cv::Mat window;               ///< Hann window
+    double sum = 0, energy = 0;   ///< sum of the window, and of its square
 
     const RingPair& at(int row, int column) const
     {
@@ -42,7 +42,7 @@ cv::Mat hannWindow(int side)
 
 RingPair ringPair(double frequency, int side)
 {
-    // A wave that fills the window but once is told apart from none badly enough; a longer one is not at all.
+    // A period as long as the window is barely detectable; a longer one is not.
     if (frequency * side < 0.9 || frequency > 0.5) return {};
     const double place = ringPlace(frequency, side);
     const int lower = std::min(static_cast<int>(place), ringCount - 2);
@@ -60,7 +60,7 @@ Rings makeRings(int width, int side)
     return rings;
 }
 
-/// Made once for each size that is asked for.
+/// Tables for one size, made at the first call.
 const Rings& ringsOf(int width, int side)
 {
     static std::mutex guard;
@@ -79,7 +79,7 @@ void addPowers(const cv::Mat& part, const Rings& rings, cv::Mat& sums)
     sums += planes[0].mul(planes[0]) + planes[1].mul(planes[1]);
 }
 
-/// Corners of windows that lie half over each other, the last one flush with the end.
+/// Corners of windows that overlap by half; the last window ends at the border.
 std::vector<int> cornersAlong(int length, int width)
 {
     std::vector<int> corners;
@@ -88,7 +88,7 @@ std::vector<int> cornersAlong(int length, int width)
     return corners;
 }
 
-/// In steps of eight: transforms stay fast, and few tables are kept.
+/// A multiple of eight, so that transforms are fast and few tables are kept.
 int widthOfWindows(const cv::Size& size, int side)
 {
     return std::max(side, std::min({size.width, size.height, 2 * side}) / 8 * 8);
@@ -102,7 +102,8 @@ cv::Mat atLeastAWindow(const cv::Mat& map, int side)
     return wide;
 }
 
-/// Means of the powers over each ring; an empty ring takes its lower neighbour's, the longest wave that of the first that is not.
+/// Mean power of each ring. An empty ring takes the value of its lower neighbour; empty rings at the long end take the first
+/// value.
 std::vector<double> averaged(const cv::Mat& powers, const Rings& rings)
 {
     std::vector<double> total(ringCount), weight(ringCount);
@@ -125,7 +126,8 @@ std::vector<double> averaged(const cv::Mat& powers, const Rings& rings)
 
 constexpr int gainsPerCycle = 4096;
 
-/// Gains between the rings' middles, by frequency in 1 / gainsPerCycle cycles a pixel up to a picture's corner.
+/// Gains by frequency, in steps of 1 / gainsPerCycle cycles per pixel up to the corner of the transform; interpolated
+/// between the rings.
 std::vector<float> gainTable(const std::vector<double>& logGain, int side)
 {
     std::vector<float> gains;
@@ -140,10 +142,10 @@ std::vector<float> gainTable(const std::vector<double>& logGain, int side)
     return gains;
 }
 
-/// A map's transform, which every pass of a filter begins from.
+/// Transform of a map, from which every pass of a filter starts.
 class Spectrum {
 public:
-    /// Of the map about its mean, mirrored by at most `mostBorder` px around.
+    /// `heightMm` without its mean, mirrored by at most `mostBorder` px on each side.
     Spectrum(const cv::Mat& heightMm, int mostBorder)
         : m_inner(std::min(mostBorder, heightMm.cols - 1), std::min(mostBorder, heightMm.rows - 1), heightMm.cols, heightMm.rows)
     {
@@ -181,7 +183,7 @@ private:
 
 double ringPlace(double frequency, int side)
 {
-    // The scale bends at a sixteenth of the highest frequency.
+    // The scale changes from linear to logarithmic at an eighth of the highest frequency.
     const double highest = side / 2.0, bend = side / 16.0;
     const double cycles = std::clamp(frequency * side, 1.0, highest);
     return (ringCount - 1) * std::log((cycles + bend) / (1 + bend)) / std::log((highest + bend) / (1 + bend));
@@ -236,7 +238,8 @@ cv::Mat withRingPowers(const cv::Mat& heightMm, const std::vector<float>& wanted
         const std::vector<float> present = ringPowers(made, filter.side);
         for (std::size_t i = 0; i < logGain.size(); ++i)
             logGain[i] = std::clamp(logGain[i] + 0.5 * static_cast<double>(wanted[i] - present[i]), -bound, bound);
-        made = signals::settled(spectrum.times(gainTable(logGain, filter.side)), {1, 1}, std::nullopt, filter.zeroPercentile);
+        made =
+            signals::zeroedRelief(spectrum.times(gainTable(logGain, filter.side)), {1, 1}, std::nullopt, filter.zeroPercentile);
     }
     return made;
 }

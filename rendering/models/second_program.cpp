@@ -25,11 +25,11 @@ namespace {
 
 protocols::Error cannotStart()
 {
-    return protocols::environmentFault({"the neural-network part cannot be started", secondProgram(), "vis2hap-nn and libtorch",
+    return protocols::environmentFault({"vis2hap-nn cannot be started", secondProgram(), "vis2hap-nn and libtorch",
                                         "install libtorch (apt-get install libtorch-dev) or run ./run again"});
 }
 
-/// A child whose standard output and error go where `actions` say.
+/// Starts a child whose standard output and error are redirected by `actions`.
 pid_t start(const std::vector<std::string>& arguments, const posix_spawn_file_actions_t* actions)
 {
     const std::string program = secondProgram();
@@ -49,7 +49,8 @@ int exitCodeOf(pid_t child)
     return WIFEXITED(status) ? WEXITSTATUS(status) : 1;
 }
 
-/// The loader complains in its own many words; asked for its usage first, the child tells us in silence.
+/// Throws environmentFault where the program cannot be loaded. The loader's own messages are long, so a silent trial run with
+/// --help comes first.
 void requireLoadable()
 {
     posix_spawn_file_actions_t actions;
@@ -85,7 +86,7 @@ std::string outputOfSecondProgram(const std::vector<std::string>& arguments)
     for (ssize_t n = 0; (n = read(ends[0], chunk.data(), chunk.size())) > 0;) text.append(chunk.data(), static_cast<size_t>(n));
     close(ends[0]);
     if (exitCodeOf(child) != 0)
-        throw protocols::workFailed({"the neural-network part failed", secondProgram(), "", "see the line above"});
+        throw protocols::workFailed({"vis2hap-nn failed", secondProgram(), "exit code 0", "see the line above"});
     return text;
 }
 

@@ -1,4 +1,4 @@
-// The second executable, vis2hap-nn, which alone links libtorch.
+// Runs the second executable, vis2hap-nn, for commands; only it links libtorch.
 #pragma once
 
 #include <string>
@@ -6,14 +6,14 @@
 
 namespace rendering::models {
 
-/// Its path: beside this program, or what VIS2HAP_NN names.
+/// Path of vis2hap-nn: beside this program, or the value of VIS2HAP_NN.
 std::string secondProgram();
 
-/// Runs `vis2hap-nn ARGUMENTS...` on this terminal and returns its exit code. Throws environmentFault
-/// where it, or the libtorch that it needs, is not there.
+/// Runs `vis2hap-nn ARGUMENTS...` on this terminal and returns its exit code. Throws environmentFault where vis2hap-nn or
+/// libtorch is missing.
 int runSecondProgram(const std::vector<std::string>& arguments);
 
-/// Its standard output. Throws environmentFault as above, workFailed where it fails.
+/// Returns the standard output. Throws environmentFault as above, workFailed where the program fails.
 std::string outputOfSecondProgram(const std::vector<std::string>& arguments);
 
 }  // namespace rendering::models

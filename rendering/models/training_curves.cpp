@@ -1,4 +1,6 @@
-// curves.svg: small panels, one a column, so that numbers of different sizes stay legible.
+// Small panels, one for each column, so that numbers of different size stay legible.
+#include "rendering/models/training_curves.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -12,14 +14,14 @@ namespace rendering::models {
 namespace {
 
 constexpr int panelWidth = 440, panelHeight = 190, left = 62, right = 16, top = 30, bottom = 30, mostPoints = 220;
-constexpr double logarithmicFrom = 30;  ///< greatest over least value
+constexpr double logarithmicFrom = 30;  ///< ratio of the greatest to the least value
 
-struct Point {
+struct CurvePoint {
     double step = 0, mean = 0, low = 0, high = 0;
 };
 
-/// Neighbouring steps averaged, so that thousands of steps make a picture of bounded size.
-std::vector<Point> pointsOf(const TrainingTable& table, const std::string& name)
+/// Averages over neighbouring steps, so that the size of the picture is bounded.
+std::vector<CurvePoint> pointsOf(const TrainingTable& table, const std::string& name)
 {
     const std::vector<double> values = table.column(name);
     std::vector<std::pair<int, double>> there;
@@ -27,10 +29,10 @@ std::vector<Point> pointsOf(const TrainingTable& table, const std::string& name)
         if (const double value = values[static_cast<std::size_t>(std::distance(table.rows.begin(), row))]; std::isfinite(value))
             there.emplace_back(row->first, value);
     const std::size_t together = (there.size() + mostPoints - 1) / mostPoints;
-    std::vector<Point> points;
+    std::vector<CurvePoint> points;
     for (std::size_t from = 0; from < there.size(); from += together) {
         const std::size_t end = std::min(there.size(), from + together);
-        Point point{0, 0, there[from].second, there[from].second};
+        CurvePoint point{0, 0, there[from].second, there[from].second};
         for (std::size_t i = from; i < end; ++i) {
             point.step += there[i].first / static_cast<double>(end - from);
             point.mean += there[i].second / static_cast<double>(end - from);
@@ -42,8 +44,8 @@ std::vector<Point> pointsOf(const TrainingTable& table, const std::string& name)
     return points;
 }
 
-/// "0.05", "20", "1e-05": at most three digits, always with a point.
-std::string shortly(double value)
+/// "0.05", "20", "1e-05": at most three digits, with a decimal point in every locale.
+std::string threeDigits(double value)
 {
     char text[32];
     std::snprintf(text, sizeof text, "%.3g", value);
@@ -57,7 +59,7 @@ std::string at(double pixel)
     return (tenths < 0 ? "-" : "") + std::to_string(std::labs(tenths) / 10) + "." + std::to_string(std::labs(tenths) % 10);
 }
 
-struct Scale {
+struct CurveScale {
     double low = 0, high = 1;
     bool logarithmic = false;
     double placed(double value) const
@@ -67,10 +69,10 @@ struct Scale {
     }
 };
 
-Scale scaleFor(const std::vector<Point>& points)
+CurveScale scaleFor(const std::vector<CurvePoint>& points)
 {
-    Scale scale{points.front().low, points.front().high, false};
-    for (const Point& point : points) {
+    CurveScale scale{points.front().low, points.front().high, false};
+    for (const CurvePoint& point : points) {
         scale.low = std::min(scale.low, point.low);
         scale.high = std::max(scale.high, point.high);
     }
@@ -82,8 +84,8 @@ Scale scaleFor(const std::vector<Point>& points)
     return scale;
 }
 
-/// Round steps on a plain axis, powers of ten (and the ends) on a logarithmic one.
-std::vector<double> ticksOf(const Scale& scale)
+/// Round steps on a linear axis; powers of ten, or the two ends, on a logarithmic one.
+std::vector<double> ticksOf(const CurveScale& scale)
 {
     std::vector<double> ticks;
     if (scale.logarithmic) {
@@ -110,28 +112,28 @@ std::string line(double x1, double y1, double x2, double y2)
     return "<path class=\"grid\" d=\"M" + at(x1) + " " + at(y1) + "L" + at(x2) + " " + at(y2) + "\"/>\n";
 }
 
-std::string panel(const std::string& title, const std::vector<Point>& points, double lastStep, int number)
+std::string panel(const std::string& title, const std::vector<CurvePoint>& points, double lastStep, int number)
 {
     const double x0 = (number % 2) * panelWidth, y0 = (number / 2) * panelHeight;
     std::string svg = text(x0 + left, y0 + 18, protocols::escapedMarkup(title), "start", "title");
     if (points.empty()) return svg + text(x0 + left, y0 + 50, "no finite values", "start", "tick");
-    const Scale scale = scaleFor(points);
+    const CurveScale scale = scaleFor(points);
     const auto x = [&](double step) { return x0 + left + step / std::max(1.0, lastStep) * (panelWidth - left - right); };
     const auto y = [&](double value) { return y0 + panelHeight - bottom - scale.placed(value) * (panelHeight - top - bottom); };
     svg += text(x0 + panelWidth - right, y0 + 18,
-                "last " + shortly(points.back().mean) + (scale.logarithmic ? ", logarithmic" : ""), "end", "tick");
+                "last " + threeDigits(points.back().mean) + (scale.logarithmic ? ", logarithmic" : ""), "end", "tick");
     for (const double tick : ticksOf(scale))
-        svg += line(x(0), y(tick), x(lastStep), y(tick)) + text(x(0) - 6, y(tick) + 4, shortly(tick), "end", "tick");
+        svg += line(x(0), y(tick), x(lastStep), y(tick)) + text(x(0) - 6, y(tick) + 4, threeDigits(tick), "end", "tick");
     for (const double tick : ticksOf({0, std::max(1.0, lastStep), false}))
-        svg += text(x(tick), y0 + panelHeight - bottom + 16, shortly(tick), "middle", "tick");
+        svg += text(x(tick), y0 + panelHeight - bottom + 16, threeDigits(tick), "middle", "tick");
     std::string band, back, mean;
-    for (const Point& point : points) {
+    for (const CurvePoint& point : points) {
         band += (band.empty() ? "M" : "L") + at(x(point.step)) + " " + at(y(point.high));
         back = "L" + at(x(point.step)) + " " + at(y(point.low)) + back;
         mean += (mean.empty() ? "M" : "L") + at(x(point.step)) + " " + at(y(point.mean));
     }
     svg += "<path class=\"band\" d=\"" + band + back + "Z\"/>\n<path class=\"mean\" d=\"" + mean + "\"/>\n";
-    for (const Point& point : points)
+    for (const CurvePoint& point : points)
         if (points.size() <= 40) svg += "<circle cx=\"" + at(x(point.step)) + "\" cy=\"" + at(y(point.mean)) + "\" r=\"2.2\"/>\n";
     return svg;
 }

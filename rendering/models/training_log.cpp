@@ -7,6 +7,7 @@
 #include "protocols/files/folder_draft.h"
 #include "protocols/files/whole_file.h"
 #include "rendering/images/image_io.h"
+#include "rendering/models/training_curves.h"
 
 namespace rendering::models {
 
@@ -20,7 +21,7 @@ std::string pictureName(int step)
     return "samples-" + std::string(number.size() < 6 ? 6 - number.size() : 0, '0') + number + ".png";
 }
 
-/// Of one of our pictures, else none.
+/// Step in the name of a picture of a log; nullopt for other names.
 std::optional<int> stepOfPicture(const std::string& name)
 {
     const std::string before = "samples-", after = ".png";

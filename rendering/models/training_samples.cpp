@@ -1,11 +1,10 @@
-// samples-STEP.png: photographs with measured and generated heights.
+#include "rendering/models/training_samples.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
-
-#include "rendering/models/training_log.h"
 
 namespace rendering::models {
 
@@ -18,7 +17,7 @@ void write(cv::Mat& sheet, const std::string& words, cv::Point where)
     cv::putText(sheet, words, where, cv::FONT_HERSHEY_SIMPLEX, 0.42, cv::Scalar::all(20), 1, cv::LINE_AA);
 }
 
-/// Into a square of cell x cell, its aspect kept.
+/// Draws a picture into a square of cell x cell and keeps its aspect ratio.
 void place(cv::Mat& sheet, const cv::Mat& picture, cv::Point corner)
 {
     const double factor = static_cast<double>(cell) / std::max(picture.cols, picture.rows);
@@ -66,7 +65,7 @@ std::string millimetres(double value)
     return text;
 }
 
-/// From the least height (black, below) to the greatest (white, above).
+/// Draws the scale from the least height (black, bottom) to the greatest (white, top).
 void placeScale(cv::Mat& sheet, std::pair<double, double> range, cv::Point corner)
 {
     for (int y = 0; y < cell; ++y) sheet({corner.x, corner.y + y, 14, 1}).setTo(cv::Scalar::all(255 - 255 * y / (cell - 1)));

@@ -27,8 +27,8 @@ bool numberFrom(const std::string& cell, Number& value)
 
 protocols::Error unreadable(const std::string& place)
 {
-    return protocols::badInput({"no row of a training log", place, "a step and its numbers",
-                                "move the folder away: the run continues without its past"});
+    return protocols::badInput({"is not a row of a training log", place, "a step and its numbers",
+                                "move the folder away; then the run continues without its earlier log"});
 }
 
 void readRow(TrainingTable& table, const std::vector<std::string>& cells, const std::string& place)

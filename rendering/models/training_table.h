@@ -1,4 +1,4 @@
-// Named numbers by training step: the rows of a CSV file.
+// Named numbers for each training step, as rows of a CSV file.
 #pragma once
 
 #include <filesystem>
@@ -16,20 +16,16 @@ struct NamedValue {
 
 struct TrainingTable {
     std::vector<std::string> names;
-    std::map<int, std::vector<double>> rows;  ///< by step, in the order of `names`; NaN where there is none
+    std::map<int, std::vector<double>> rows;  ///< for each step, in the order of `names`; NaN where a value is missing
 
     void put(int step, std::span<const NamedValue> values);
     void dropAfter(int step);
-    std::vector<double> column(const std::string& name) const;  ///< empty for an unknown one
+    std::vector<double> column(const std::string& name) const;  ///< empty for an unknown name
     bool operator==(const TrainingTable&) const = default;
 };
 
-/// Numbers in the shortest form that reads back; empty cells where there is none, "inf" and "-inf" as such.
+/// Numbers in the shortest form that reads back exactly; empty cells for missing values, "inf" and "-inf" for infinite ones.
 std::string csvText(const TrainingTable& table);
-TrainingTable readTrainingTable(const std::filesystem::path& file);  ///< a missing file is an empty table; throws badInput
-
-/// A panel a column, losses first: the mean of neighbouring steps over their band, logarithmic where
-/// positive values span more than a factor of thirty.
-std::string curvesSvg(const TrainingTable& losses, const TrainingTable& validation);
+TrainingTable readTrainingTable(const std::filesystem::path& file);  ///< empty for a missing file; throws badInput
 
 }  // namespace rendering::models

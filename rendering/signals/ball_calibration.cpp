@@ -1,21 +1,21 @@
-// From located presses to a calibration, and how well it reads presses that it has not seen.
+#include "rendering/signals/ball_calibration.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <opencv2/core.hpp>
 
-#include "rendering/signals/ball_presses.h"
 #include "rendering/signals/photometric_stereo.h"
 
 namespace rendering::signals {
 
 namespace {
 
-constexpr double farRadii = 1.9;  ///< of the ball: beyond it the gel is at rest
-constexpr int farSamplesAPress = 600;
-constexpr int pressDegree = 4;        ///< a cubic without slopes at rest is 0.4 degrees worse
-constexpr double pressRidge = 1e-3;   ///< less leaves the map free between few presses, and gains nothing with many
-constexpr double cutoffShare = 0.25;  ///< of the frame's shorter side: slower surfaces are taken out of frames of full contact
+constexpr double farRadii = 1.9;  ///< in ball radii; at this distance the gel is at rest
+constexpr int farSamplesPerPress = 600;
+constexpr int pressDegree = 4;        ///< a cubic without slopes at rest has an error that is 0.4 degrees larger
+constexpr double pressRidge = 1e-3;   ///< a smaller ridge leaves the map too free between few presses
+constexpr double cutoffShare = 0.25;  ///< of the frame's shorter side; frames of full contact lose longer waves
 
 double distance(const ContactCircle& circle, int x, int y) { return std::hypot(x - circle.centrePx.x, y - circle.centrePx.y); }
 
@@ -48,7 +48,7 @@ double medianOf(std::vector<double> values)
     return *middle;
 }
 
-/// Angles between the normals of two surfaces at the chosen places, degrees.
+/// Angles in degrees between the normals of two surfaces at the chosen places.
 std::vector<double> normalErrors(const Slopes& found, const Slopes& known, const cv::Mat& places)
 {
     std::vector<double> errors;
@@ -69,8 +69,8 @@ double highest(const cv::Mat& values, const cv::Mat& places)
     return most;
 }
 
-void append(CalibrationScore& all, std::vector<double>& errors, const Calibration& calibration, const BallPresses& presses,
-            const ContactCircle& circle, std::size_t press)
+void appendScore(CalibrationScore& all, std::vector<double>& errors, const Calibration& calibration, const BallPresses& presses,
+                 const ContactCircle& circle, std::size_t press)
 {
     const auto& [name, frame] = presses.presses[press];
     const Pitch pitch{presses.mmPerPixel, presses.mmPerPixel};
@@ -87,7 +87,7 @@ void append(CalibrationScore& all, std::vector<double>& errors, const Calibratio
     errors.insert(errors.end(), here.begin(), here.end());
 }
 
-CalibrationScore summed(CalibrationScore score, const std::vector<double>& errors, const BallPresses& presses)
+CalibrationScore withTotals(CalibrationScore score, const std::vector<double>& errors, const BallPresses& presses)
 {
     score.normalErrorDeg = medianOf(errors);
     if (score.presses.empty()) return score;
@@ -139,25 +139,25 @@ Calibration calibrationFrom(const BallPresses& presses, const std::vector<Contac
 {
     SlopeSamples samples;
     samples.channels = presses.background.channels();
-    const Slopes still{cv::Mat::zeros(presses.background.size(), CV_32FC1), cv::Mat::zeros(presses.background.size(), CV_32FC1)};
+    const Slopes flat{cv::Mat::zeros(presses.background.size(), CV_32FC1), cv::Mat::zeros(presses.background.size(), CV_32FC1)};
     for (const std::size_t press : chosen) {
         const cv::Mat light = lightOf(presses.presses[press].frame, presses.background, LightMeasure::AgainstReference);
         const cv::Mat contact = contactPlaces(presses, circles[press], 1), far = farPlaces(presses, circles[press]);
         samples.add(light, ballSlopes(presses, circles[press]), contact, std::max(1, cv::countNonZero(contact) / 4000));
-        samples.add(light, still, far, std::max(1, cv::countNonZero(far) / farSamplesAPress));
+        samples.add(light, flat, far, std::max(1, cv::countNonZero(far) / farSamplesPerPress));
     }
     FitOptions options;
     options.quality = quality;
     options.ridge = pressRidge;
     options.degree = pressDegree;
-    options.networkSamples = 3000;  // twice as many cost twice the time and gain nothing that shows
+    options.networkSamples = 3000;  // Twice as many take twice the time without a visible gain.
     options.networkSteps = 500;
     Calibration calibration;
     calibration.channels = samples.channels;
     calibration.map = fitSlopeMap(samples, options);
     calibration.mmPerPixel = presses.mmPerPixel;
     calibration.highPassCutoffMm = cutoffShare * std::min(presses.background.cols, presses.background.rows) * presses.mmPerPixel;
-    calibration.sensor = lookOf(presses.background);
+    calibration.sensor = appearanceOf(presses.background);
     return calibration;
 }
 
@@ -166,8 +166,8 @@ CalibrationScore scoreOf(const Calibration& calibration, const BallPresses& pres
 {
     CalibrationScore score;
     std::vector<double> errors;
-    for (const std::size_t press : chosen) append(score, errors, calibration, presses, circles[press], press);
-    return summed(std::move(score), errors, presses);
+    for (const std::size_t press : chosen) appendScore(score, errors, calibration, presses, circles[press], press);
+    return withTotals(std::move(score), errors, presses);
 }
 
 CalibrationScore crossValidated(const BallPresses& presses, const std::vector<ContactCircle>& circles, MapQuality quality)
@@ -179,9 +179,9 @@ CalibrationScore crossValidated(const BallPresses& presses, const std::vector<Co
         std::vector<std::size_t> others, left;
         for (std::size_t i = 0; i < count; ++i) (i % folds == fold ? left : others).push_back(i);
         const auto calibration = calibrationFrom(presses, circles, others, quality);
-        for (const std::size_t press : left) append(score, errors, calibration, presses, circles[press], press);
+        for (const std::size_t press : left) appendScore(score, errors, calibration, presses, circles[press], press);
     }
-    return summed(std::move(score), errors, presses);
+    return withTotals(std::move(score), errors, presses);
 }
 
 }  // namespace rendering::signals

@@ -16,18 +16,19 @@ using nlohmann::ordered_json;
 
 protocols::Error malformed(const std::string& where, const std::string& what, const std::string& expected)
 {
-    return protocols::badInput({.what = what, .where = where, .expected = expected, .nextStep = ""});
+    return protocols::badInput(
+        {.what = what, .where = where, .expected = expected, .nextStep = "make the file with vis2hap calibrate"});
 }
 
-/// A JSON object whose members are asked for by name; a fault names the source and the member.
-class Reading {
+/// A JSON object with access to its members by name; faults name the source and the member.
+class CalibrationFields {
 public:
-    Reading(const json& object, std::string where) : m_object(object), m_where(std::move(where)) {}
+    CalibrationFields(const json& object, std::string where) : m_object(object), m_where(std::move(where)) {}
 
     const json& member(const char* name) const
     {
         if (!m_object.contains(name))
-            throw malformed(m_where, std::string("the calibration lacks \"") + name + "\"", "a file made by vis2hap calibrate");
+            throw malformed(m_where, std::string("the calibration has no \"") + name + "\"", "this field");
         return m_object.at(name);
     }
     bool has(const char* name) const { return m_object.contains(name) && !m_object.at(name).is_null(); }
@@ -82,40 +83,40 @@ private:
     std::string m_where;
 };
 
-SlopeMap linearFrom(const Reading& reading, int channels)
+SlopeMap linearFrom(const CalibrationFields& reading, int channels)
 {
     const auto offset = reading.numbers("offset", 2);
     return LinearMap{reading.twoRows("gradient_from_rgb", static_cast<std::size_t>(channels)), {offset[0], offset[1]}};
 }
 
-SlopeMap polynomialFrom(const Reading& reading, int channels)
+SlopeMap polynomialFrom(const CalibrationFields& reading, int channels)
 {
     PolynomialMap map{reading.whole("degree", 1, 6), reading.yes("by_place"), reading.number("light_scale"), {}};
     map.coefficients = reading.twoRows("coefficients", monomials(channels + (map.byPlace ? 2 : 0), map.degree).size());
     return map;
 }
 
-SlopeMap networkFrom(const Reading& reading, int channels)
+SlopeMap networkFrom(const CalibrationFields& reading, int channels)
 {
     NetworkMap map{reading.yes("by_place"), reading.number("light_scale"), {}, {}};
     const json& sizes = reading.member("sizes");
     if (!sizes.is_array() || sizes.size() < 2 || sizes.size() > 8) throw reading.fault("sizes", "the units of 2 to 8 layers");
     for (const auto& size : sizes) {
         if (!size.is_number_integer() || size.get<int>() < 1 || size.get<int>() > 1024)
-            throw reading.fault("sizes", "1 to 1024 units a layer");
+            throw reading.fault("sizes", "1 to 1024 units for each layer");
         map.sizes.push_back(size.get<int>());
     }
     if (map.sizes.front() != channels + (map.byPlace ? 2 : 0) || map.sizes.back() != 2)
-        throw reading.fault("sizes", "as many inputs as the light has, and 2 outputs");
+        throw reading.fault("sizes", "one input for each number of the light, and 2 outputs");
     const json& weights = reading.member("weights");
-    if (!weights.is_array() || weights.size() + 1 != map.sizes.size()) throw reading.fault("weights", "one list a layer");
+    if (!weights.is_array() || weights.size() + 1 != map.sizes.size()) throw reading.fault("weights", "one list for each layer");
     for (std::size_t i = 0; i < weights.size(); ++i)
         map.weights.push_back(
             reading.numbersIn(weights[i], "weights", static_cast<std::size_t>(map.sizes[i + 1] * (map.sizes[i] + 1))));
     return map;
 }
 
-SlopeMap mapFrom(const Reading& reading, int channels)
+SlopeMap mapFrom(const CalibrationFields& reading, int channels)
 {
     const auto& kind = reading.member("kind");
     if (kind == "linear") return linearFrom(reading, channels);
@@ -124,19 +125,20 @@ SlopeMap mapFrom(const Reading& reading, int channels)
     throw reading.fault("kind", "\"linear\", \"polynomial\" or \"network\"");
 }
 
-LightMeasure lightFrom(const Reading& reading)
+LightMeasure lightFrom(const CalibrationFields& reading)
 {
     if (!reading.has("light") || reading.member("light") == "reference") return LightMeasure::AgainstReference;
     if (reading.member("light") == "own") return LightMeasure::AgainstOwnLight;
     throw reading.fault("light", "\"reference\" or \"own\"");
 }
 
-std::optional<SensorLook> sensorFrom(const Reading& reading, int channels, const std::string& where)
+std::optional<SensorAppearance> sensorFrom(const CalibrationFields& reading, int channels, const std::string& where)
 {
     if (!reading.has("sensor")) return std::nullopt;
-    const Reading sensor(reading.member("sensor"), where);
-    return SensorLook{sensor.whole("width", 1, 1 << 20), sensor.whole("height", 1, 1 << 20),
-                      sensor.numbers("colours", static_cast<std::size_t>(SensorLook::columns * SensorLook::rows * channels))};
+    const CalibrationFields sensor(reading.member("sensor"), where);
+    return SensorAppearance{
+        sensor.whole("width", 1, 1 << 20), sensor.whole("height", 1, 1 << 20),
+        sensor.numbers("colours", static_cast<std::size_t>(SensorAppearance::columns * SensorAppearance::rows * channels))};
 }
 
 void requireSound(const Calibration& calibration, const std::string& where)
@@ -145,7 +147,7 @@ void requireSound(const Calibration& calibration, const std::string& where)
     if (calibration.highPassCutoffMm && !(*calibration.highPassCutoffMm > 0))
         throw malformed(where, "high_pass_cutoff_mm is not above 0", "a wavelength in mm, or null");
     if (!(calibration.zeroPercentile >= 0 && calibration.zeroPercentile <= 50))
-        throw malformed(where, "zero_percentile is outside 0..50", "a low percentile, such as 2");
+        throw malformed(where, "zero_percentile is not from 0 to 50", "a low percentile, such as 2");
 }
 
 struct MapWriter {
@@ -176,8 +178,8 @@ struct MapWriter {
 Calibration calibrationFromJson(std::string_view text, const std::string& where)
 {
     const auto object = protocols::parseStrictJson(text, where);
-    if (!object.is_object()) throw malformed(where, "this is no calibration", "a JSON object");
-    const Reading reading(object, where);
+    if (!object.is_object()) throw malformed(where, "is not a calibration", "a JSON object");
+    const CalibrationFields reading(object, where);
     if (reading.member("schema") != "vis2hap.calibration/1") throw reading.fault("schema", "\"vis2hap.calibration/1\"");
     Calibration calibration;
     calibration.light = lightFrom(reading);
@@ -210,8 +212,8 @@ std::string toJson(const Calibration& calibration)
     if (calibration.sensor)
         object["sensor"] = {{"width", calibration.sensor->width},
                             {"height", calibration.sensor->height},
-                            {"columns", SensorLook::columns},
-                            {"rows", SensorLook::rows},
+                            {"columns", SensorAppearance::columns},
+                            {"rows", SensorAppearance::rows},
                             {"colours", calibration.sensor->colours}};
     return object.dump(2) + "\n";
 }

@@ -1,5 +1,5 @@
-// A GelSight sensor's calibration: how its light becomes slope and its slopes become settled height. Made by
-// ball_presses.h or surface_calibration.h, saved as JSON.
+// Calibration of a GelSight sensor: the map from light to slope, and the conversion of slopes to height. Made by
+// ball_calibration.h or surface_calibration.h, saved as JSON.
 #pragma once
 
 #include <filesystem>
@@ -15,20 +15,20 @@ namespace rendering::signals {
 
 struct Calibration {
     LightMeasure light = LightMeasure::AgainstReference;
-    int channels = 3;  ///< 3: a colour frame (R, G, B); else one a lamp
+    int channels = 3;  ///< 3 for a colour frame (R, G, B), else one for each lamp
     SlopeMap map = LinearMap{};
     double mmPerPixel = 0;
-    std::optional<double> highPassCutoffMm;  ///< longer waves are taken out; none: the slow surface stays
-    double zeroPercentile = 2;               ///< percent of pixels that come to lie at or below 0; 0..50
-    std::optional<SensorLook> sensor;        ///< of the untouched sensor it was made with
+    std::optional<double> highPassCutoffMm;  ///< removes longer waves; nullopt keeps the low-frequency surface
+    double zeroPercentile = 2;               ///< percent of pixels at or below height 0; 0 to 50
+    std::optional<SensorAppearance> sensor;  ///< appearance of the untouched sensor
     bool operator==(const Calibration&) const = default;
 };
 
-/// {"schema":"vis2hap.calibration/1","kind":"linear"|"polynomial"|"network","light":"reference"|"own","channels":3,
-///  "mm_per_pixel":..,"high_pass_cutoff_mm":..|null,"zero_percentile":..,"sensor":{..}, and of a linear map
-///  "gradient_from_rgb":[[3],[3]],"offset":[2]; of a polynomial "degree","by_place","light_scale","coefficients"; of a
-///  network "by_place","light_scale","sizes","weights"}. "light", "channels" and "sensor" may be missing. Throws
-/// badInput naming the source and the field.
+/// Reads {"schema":"vis2hap.calibration/1","kind":"linear"|"polynomial"|"network","light":"reference"|"own","channels":3,
+///  "mm_per_pixel":..,"high_pass_cutoff_mm":..|null,"zero_percentile":..,"sensor":{..}} with the fields of its kind:
+///  linear "gradient_from_rgb":[[3],[3]],"offset":[2]; polynomial "degree","by_place","light_scale","coefficients";
+///  network "by_place","light_scale","sizes","weights". "light", "channels" and "sensor" are optional. Throws badInput
+/// naming the source and the field.
 Calibration calibrationFromJson(std::string_view json, const std::string& where);
 Calibration readCalibration(const std::filesystem::path& file);
 std::string toJson(const Calibration& calibration);

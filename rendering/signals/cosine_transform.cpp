@@ -10,7 +10,7 @@ namespace rendering::signals {
 
 namespace {
 
-enum Direction { Inverse = 3, Forward = 2 };  // pocketfft's names of the two types
+enum Direction { Inverse = 3, Forward = 2 };  // Types of pocketfft's transform.
 
 template <class T>
 cv::Mat transformedAs(const cv::Mat& values, Direction direction)

@@ -22,7 +22,7 @@ cv::Mat greyOf(const cv::Mat& picture)
     return grey;
 }
 
-/// Corners of windows half over each other, thinned to a fixed number where the picture is long.
+/// Corners of windows that overlap by half; a long picture has at most mostWindowsAlong of them.
 std::vector<int> cornersAlong(int length, int side)
 {
     const int room = length - side, wanted = std::clamp(2 * room / side + 1, 1, mostWindowsAlong);
@@ -48,11 +48,11 @@ cv::Mat powersOf(const cv::Mat& grey, int side)
     return powers;
 }
 
-/// Signed frequency of a row or column of a transform, in steps of one cycle a window.
+/// Signed frequency of a row or column of a transform, in cycles per window.
 int stepsOf(int index, int side) { return index <= side / 2 ? index : index - side; }
 
-/// Half of the plane is enough: the other mirrors it.
-bool isLooked(int down, int right, int side)
+/// Searches half of the plane only, because the other half mirrors it.
+bool isSearched(int down, int right, int side)
 {
     const double steps = std::hypot(down, right);
     return (right > 0 || (right == 0 && down > 0)) && steps >= 4 && side / steps >= shortestPeriodPx;
@@ -77,7 +77,7 @@ std::optional<Peak> strongest(const cv::Mat& powers)
         for (int column = 0; column < side; ++column) {
             const int down = stepsOf(row, side), right = stepsOf(column, side);
             const double weighed = powers.at<float>(row, column) * std::hypot(down, right);
-            if (isLooked(down, right, side) && weighed > most) {
+            if (isSearched(down, right, side) && weighed > most) {
                 most = weighed;
                 best = Peak{down, right};
             }
@@ -85,7 +85,7 @@ std::optional<Peak> strongest(const cv::Mat& powers)
     return best;
 }
 
-/// Of all directions at nearly the peak's period.
+/// Median power over all directions at nearly the period of the peak.
 double medianAround(const cv::Mat& powers, const Peak& peak)
 {
     const int side = powers.rows;

@@ -1,4 +1,4 @@
-// The strongest wave of a picture: the period and direction by which a weave is recognised.
+// The strongest wave of a picture; its period and direction characterise a weave.
 #pragma once
 
 #include <opencv2/core/mat.hpp>
@@ -8,17 +8,17 @@ namespace rendering::signals {
 
 struct DominantWave {
     double periodPx = 0;
-    double directionDeg = 0;  ///< in which the wave runs, from the picture's rows towards its columns downwards, 0 <= x < 180
-    double prominence = 0;    ///< its power over the median of all directions at that period
+    double directionDeg = 0;  ///< direction of propagation, from the rows (0) towards the columns downwards; 0 <= x < 180
+    double prominence = 0;    ///< power divided by the median power over all directions at this period
 };
 
-/// Of a picture (one channel, or RGB turned grey), from 2.2 px to a quarter of the window; Welch's method over windows of
-/// at most 256 px (Hann, half shared), power weighted with frequency so that uneven light does not count as a weave, refined
-/// by the centre of mass of the peak. Empty where the picture is smaller than 32 px either way, constant, or no wave stands
-/// out by `leastProminence`.
+/// Finds the strongest wave with a period from 2.2 px to a quarter of the window. `picture`: one channel, or RGB, which
+/// becomes grey. Welch's method averages Hann windows of at most 256 px that overlap by half. The power is weighted by
+/// frequency, so that uneven light does not count as a weave. The centre of mass of the peak refines the result.
+/// Returns nullopt where a side is shorter than 32 px, the picture is constant, or no prominence reaches `leastProminence`.
 std::optional<DominantWave> dominantWave(const cv::Mat& picture, double leastProminence = 100);
 
-/// The angle between two waves, 0..90.
+/// Angle between the directions of two waves, 0 to 90 degrees.
 double angleBetween(const DominantWave& a, const DominantWave& b);
 
 }  // namespace rendering::signals

@@ -13,13 +13,13 @@ namespace rendering::signals {
 
 namespace {
 
-constexpr double otherSensorAbove = 0.06;  ///< mean difference of colour, 0..1; frames of one sensor differ by about 0.01
-constexpr int fitGrid = 96;                ///< the illumination is fitted to so many places along the longer side
+constexpr double otherSensorAbove = 0.06;  ///< mean difference of colour, 0 to 1; frames of one sensor differ by about 0.01
+constexpr int fitGrid = 96;                ///< number of fitted places along the longer side
 constexpr int cubicTerms = 10;
 
 double fullScale(const cv::Mat& frame) { return frame.depth() == CV_16U ? 65535 : 255; }
 
-std::string described(const cv::Mat& frame)
+std::string sizeAndType(const cv::Mat& frame)
 {
     return std::to_string(frame.cols) + " x " + std::to_string(frame.rows) + ", " + std::to_string(frame.channels()) +
            (frame.channels() == 1 ? " channel" : " channels") + " of " + std::to_string(8 * frame.elemSize1()) + " bits";
@@ -39,7 +39,7 @@ double medianOf(std::vector<double> values)
     return *middle;
 }
 
-double meanDifference(const SensorLook& a, const SensorLook& b, const std::vector<std::size_t>& channelOrder)
+double meanDifference(const SensorAppearance& a, const SensorAppearance& b, const std::vector<std::size_t>& channelOrder)
 {
     const std::size_t channels = channelOrder.size();
     double sum = 0;
@@ -72,10 +72,10 @@ cv::Mat logIllumination(const cv::Mat& channel)
             right += weights[s] * levels[s] * terms[s];
         }
         cv::solve(normal, right, surface, cv::DECOMP_CHOLESKY);
-        std::vector<double> off(levels.size());
-        for (std::size_t s = 0; s < levels.size(); ++s) off[s] = std::abs(levels[s] - terms[s].dot(surface));
-        const double spread = std::max(1e-6, 2 * 1.4826 * medianOf(off));
-        for (std::size_t s = 0; s < levels.size(); ++s) weights[s] = 1 / (1 + off[s] * off[s] / (spread * spread));
+        std::vector<double> deviations(levels.size());
+        for (std::size_t s = 0; s < levels.size(); ++s) deviations[s] = std::abs(levels[s] - terms[s].dot(surface));
+        const double spread = std::max(1e-6, 2 * 1.4826 * medianOf(deviations));
+        for (std::size_t s = 0; s < levels.size(); ++s) weights[s] = 1 / (1 + deviations[s] * deviations[s] / (spread * spread));
     }
     cv::Mat result(channel.size(), CV_32FC1);
     for (int i = 0; i < result.rows; ++i)
@@ -89,11 +89,11 @@ cv::Mat lightOf(const cv::Mat& frame, const cv::Mat& reference, LightMeasure mea
     const bool readable = !frame.empty() && (frame.depth() == CV_8U || frame.depth() == CV_16U);
     if (!readable ||
         (measure == LightMeasure::AgainstReference && (frame.type() != reference.type() || frame.size() != reference.size())))
-        throw protocols::badInput({.what = "the tactile frame (" + described(frame) + ") and its reference (" +
-                                           described(reference) + ") do not belong together",
+        throw protocols::badInput({.what = "the tactile frame (" + sizeAndType(frame) + ") does not match its reference (" +
+                                           sizeAndType(reference) + ")",
                                    .where = "",
-                                   .expected = "images of 8 or 16 bits, of one size and kind",
-                                   .nextStep = ""});
+                                   .expected = "images of 8 or 16 bits with one size and type",
+                                   .nextStep = "use the reference frame of the same sensor"});
     cv::Mat light;
     if (measure == LightMeasure::AgainstReference) {
         cv::subtract(frame, reference, light, cv::noArray(), CV_32F);
@@ -117,31 +117,31 @@ cv::Mat oneFrame(const std::vector<cv::Mat>& lamps)
     for (const auto& lamp : lamps)
         if (lamp.empty() || lamp.channels() != 1 || lamp.size() != lamps.front().size() || lamp.depth() != lamps.front().depth())
             throw protocols::badInput(
-                {.what = "the frames of the lamps differ (" + described(lamps.front()) + "; " + described(lamp) + ")",
+                {.what = "the frames of the lamps differ (" + sizeAndType(lamps.front()) + "; " + sizeAndType(lamp) + ")",
                  .where = "",
-                 .expected = "grey images of one size, one a lamp",
-                 .nextStep = ""});
+                 .expected = "grey images of one size, one for each lamp",
+                 .nextStep = "export all frames at one size"});
     cv::Mat frame;
     cv::merge(lamps, frame);
     return frame;
 }
 
-SensorLook lookOf(const cv::Mat& reference)
+SensorAppearance appearanceOf(const cv::Mat& reference)
 {
     cv::Mat coarse;
     reference.convertTo(coarse, CV_32F, 1 / fullScale(reference));
-    cv::resize(coarse, coarse, {SensorLook::columns, SensorLook::rows}, 0, 0, cv::INTER_AREA);
+    cv::resize(coarse, coarse, {SensorAppearance::columns, SensorAppearance::rows}, 0, 0, cv::INTER_AREA);
     const cv::Mat flat = coarse.reshape(1, 1);
     return {reference.cols, reference.rows, std::vector<double>(flat.begin<float>(), flat.end<float>())};
 }
 
-std::optional<std::string> differenceOf(const SensorLook& known, const SensorLook& found)
+std::optional<std::string> differenceOf(const SensorAppearance& known, const SensorAppearance& found)
 {
     if (known.width != found.width || known.height != found.height)
-        return "it has " + std::to_string(found.width) + " x " + std::to_string(found.height) + " pixels, the sensor " +
+        return "it has " + std::to_string(found.width) + " x " + std::to_string(found.height) + " pixels, but the sensor has " +
                std::to_string(known.width) + " x " + std::to_string(known.height);
-    if (known.colours.size() != found.colours.size()) return "it has another number of channels";
-    std::vector<std::size_t> order(known.colours.size() / (SensorLook::columns * SensorLook::rows));
+    if (known.colours.size() != found.colours.size()) return "its number of channels differs";
+    std::vector<std::size_t> order(known.colours.size() / (SensorAppearance::columns * SensorAppearance::rows));
     std::iota(order.begin(), order.end(), 0);
     const double asItIs = meanDifference(known, found, order);
     if (order.size() == 3) {
@@ -149,8 +149,8 @@ std::optional<std::string> differenceOf(const SensorLook& known, const SensorLoo
         if (asItIs > 0.02 && swapped < 0.5 * asItIs) return "its red and blue are swapped";
     }
     if (asItIs > otherSensorAbove)
-        return "its colours are off by " + std::to_string(std::lround(100 * asItIs)) +
-               " % of full scale: it shows another sensor or other light";
+        return "its colours differ by " + std::to_string(std::lround(100 * asItIs)) +
+               " % of full scale, so it shows another sensor or other light";
     return std::nullopt;
 }
 

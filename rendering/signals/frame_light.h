@@ -1,4 +1,4 @@
-// A frame as light alone, before it is read as slope: what differs from the untouched sensor, or, where no
+// Light of a tactile frame, before it is converted to slope: the difference from the untouched sensor or, where no
 // frame of the untouched sensor exists, from the frame's own smooth illumination.
 #pragma once
 
@@ -11,32 +11,32 @@ namespace rendering::signals {
 
 enum class LightMeasure {
     AgainstReference,  ///< (frame - reference) / full scale
-    AgainstOwnLight,   ///< frame / its illumination - 1: a cubic surface through most of ln(frame), a channel at a time
+    AgainstOwnLight,   ///< frame / illumination - 1, channel by channel; the illumination is a cubic surface in ln(frame)
 };
 
-/// CV_32FC(n). `frame`, and `reference` where it is asked for: 8 or 16 bits, n channels, one size. Throws badInput where
-/// they differ in size or kind.
+/// CV_32FC(n). `frame`, and `reference` where `measure` needs it: 8 or 16 bits, n channels, one size. Throws badInput where
+/// size or type differ.
 cv::Mat lightOf(const cv::Mat& frame, const cv::Mat& reference, LightMeasure measure);
 
-/// ln of the cubic surface that most pixels of one channel lie about (iteratively reweighted least squares, Cauchy
-/// weights): relief, dust and saturated places do not pull it. CV_32FC1.
+/// Logarithm of the illumination: the cubic surface through most pixels of one channel, CV_32FC1. Iteratively reweighted
+/// least squares with Cauchy weights, so that relief, dust and saturated pixels have little influence.
 cv::Mat logIllumination(const cv::Mat& channel);
 
-/// One-channel frames of one lamp each as the channels of one frame. Throws badInput for frames of different size or kind.
+/// Merges frames of one channel, one for each lamp. Throws badInput where size or depth differ.
 cv::Mat oneFrame(const std::vector<cv::Mat>& lamps);
 
-/// The colours of the untouched sensor, coarsely, so that another sensor or swapped channels are noticed.
-struct SensorLook {
+/// Coarse colours of the untouched sensor, which reveal another sensor or swapped channels.
+struct SensorAppearance {
     static constexpr int columns = 4, rows = 3;
     int width = 0, height = 0;
-    std::vector<double> colours;  ///< mean of each field, row by row, each channel; 0..1
-    bool operator==(const SensorLook&) const = default;
+    std::vector<double> colours;  ///< mean of each field, row by row, channel by channel; 0 to 1
+    bool operator==(const SensorAppearance&) const = default;
 };
 
-SensorLook lookOf(const cv::Mat& reference);
+SensorAppearance appearanceOf(const cv::Mat& reference);
 
-/// Why two looks are not those of one sensor, as a sentence's end ("its red and blue are swapped"); none: they are. Three
-/// channels only; others are compared in their order alone.
-std::optional<std::string> differenceOf(const SensorLook& known, const SensorLook& found);
+/// Reason why two appearances belong to different sensors, as the end of a sentence ("its red and blue are swapped").
+/// Returns nullopt where they match. Swapped channels are only recognised among three.
+std::optional<std::string> differenceOf(const SensorAppearance& known, const SensorAppearance& found);
 
 }  // namespace rendering::signals

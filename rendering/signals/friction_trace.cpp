@@ -10,36 +10,36 @@ namespace rendering::signals {
 
 namespace {
 
-void require(const fabrics::FrictionRecord& record, const std::string& where)
+void requireUsable(const fabrics::FrictionRecord& record, const std::string& where)
 {
     const auto& values = record.values;
     if (values.size() < static_cast<std::size_t>(shortestTrace))
         throw protocols::badInput({.what = "the friction record has only " + std::to_string(values.size()) + " samples",
                                    .where = where,
-                                   .expected = "at least " + std::to_string(shortestTrace),
-                                   .nextStep = ""});
+                                   .expected = "at least " + std::to_string(shortestTrace) + " samples",
+                                   .nextStep = "record a longer stroke"});
     const auto odd = std::find_if_not(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
     if (odd != values.end())
-        throw protocols::badInput({.what = "the friction record holds a value that is no number",
+        throw protocols::badInput({.what = "the friction record holds a value that is not a finite number",
                                    .where = where + ", sample " + std::to_string(odd - values.begin() + 1),
-                                   .expected = "a number in every row",
-                                   .nextStep = ""});
+                                   .expected = "a finite number in every row",
+                                   .nextStep = "correct the row or remove it"});
     if (!(record.sampleRateHz > 0) || !(record.speedMmPerS > 0))
         throw protocols::badInput({.what = "the friction record has no sample rate or stroke speed",
                                    .where = where,
                                    .expected = "sample_rate_hz and speed_mm_per_s above 0 in dataset.json",
-                                   .nextStep = ""});
+                                   .nextStep = "correct dataset.json"});
     const auto& t = record.timeS;
     if (t.empty()) return;
     const auto back = std::adjacent_find(t.begin(), t.end(), [](double a, double b) { return !(b > a); });
     if (t.size() != values.size() || back != t.end())
-        throw protocols::badInput({.what = "the time stamps of the friction record do not rise with its samples",
+        throw protocols::badInput({.what = "the time stamps of the friction record do not increase with its samples",
                                    .where = where + ", sample " + std::to_string(back - t.begin() + 1),
-                                   .expected = "each later than the one before",
-                                   .nextStep = ""});
+                                   .expected = "each time stamp later than the one before",
+                                   .nextStep = "sort or cut the record"});
 }
 
-/// Time stamps on the even grid, as far as their rounding goes.
+/// True where the time stamps lie on the even grid within their rounding.
 bool evenlySampled(const std::vector<double>& t, double rateHz)
 {
     for (std::size_t i = 0; i < t.size(); ++i)
@@ -57,7 +57,7 @@ double interpolated(const fabrics::FrictionRecord& record, double time)
     return record.values[right - 1] + share * (record.values[right] - record.values[right - 1]);
 }
 
-/// Mean of the samples within half a period of `time`; interpolated where there are none.
+/// Mean of the samples within half a period of `time`; interpolates where there are none.
 double averaged(const fabrics::FrictionRecord& record, double time, double periodS)
 {
     const auto& t = record.timeS;
@@ -68,7 +68,7 @@ double averaged(const fabrics::FrictionRecord& record, double time, double perio
     return std::accumulate(begin + first, begin + last, 0.0) / static_cast<double>(last - first);
 }
 
-/// Evenly spaced at `rateHz`. At less than two samples a period an average would only shift them in time.
+/// Values at `rateHz`. With fewer than two samples per period an average would only shift them in time, so it interpolates.
 std::vector<double> resampled(const fabrics::FrictionRecord& record, double rateHz, double ownRateHz)
 {
     const auto& t = record.timeS;
@@ -84,7 +84,7 @@ std::vector<double> resampled(const fabrics::FrictionRecord& record, double rate
 
 FrictionTrace frictionTrace(const fabrics::FrictionRecord& record, const std::string& where)
 {
-    require(record, where);
+    requireUsable(record, where);
     FrictionTrace trace{.values = record.values, .quantity = record.quantity, .sampleRateHz = record.sampleRateHz};
     const auto& t = record.timeS;
     if (!t.empty() && !evenlySampled(t, record.sampleRateHz)) {
@@ -92,10 +92,10 @@ FrictionTrace frictionTrace(const fabrics::FrictionRecord& record, const std::st
         trace.sampleRateHz = std::min(record.sampleRateHz, ownRateHz);
         trace.values = resampled(record, trace.sampleRateHz, ownRateHz);
         if (trace.values.size() < static_cast<std::size_t>(shortestTrace))
-            throw protocols::badInput({.what = "the friction record lasts too short a time for its sample rate",
+            throw protocols::badInput({.what = "the friction record is too short for its sample rate",
                                        .where = where,
                                        .expected = "at least " + std::to_string(shortestTrace) + " periods",
-                                       .nextStep = ""});
+                                       .nextStep = "record a longer stroke"});
     }
     trace.mean = std::accumulate(trace.values.begin(), trace.values.end(), 0.0) / static_cast<double>(trace.values.size());
     trace.mmPerSample = record.speedMmPerS / trace.sampleRateHz;

@@ -1,11 +1,10 @@
-// A friction record as the trace that spectrograms and friction images are made of: evenly sampled,
-// finite, with its mean as a value of its own.
+// A friction record as a trace for spectrograms and friction images: evenly sampled, finite, with its mean.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "rendering/fabrics/dataset.h"
+#include "rendering/fabrics/friction_record.h"
 
 namespace rendering::signals {
 
@@ -17,13 +16,12 @@ struct FrictionTrace {
     double mmPerSample = 0;  ///< stroke speed / sample rate
 };
 
-/// Shorter records say nothing about texture.
+/// Shorter records contain no usable texture.
 inline constexpr int shortestTrace = 8;
 
-/// Evenly spaced at the record's sample rate, or at its own mean rate where that is lower: uneven time
-/// stamps are interpolated linearly, denser ones averaged over each period. `where` names the record in
-/// errors. Throws badInput for fewer than shortestTrace samples, a value that is not finite, or time
-/// stamps that do not rise.
+/// Trace at the record's sample rate, or at its mean rate where that is lower. Uneven time stamps are interpolated
+/// linearly; denser ones are averaged over each period. `where` names the record in errors. Throws badInput for fewer
+/// than shortestTrace samples, a value that is not finite, or time stamps that do not increase.
 FrictionTrace frictionTrace(const fabrics::FrictionRecord& record, const std::string& where);
 
 }  // namespace rendering::signals

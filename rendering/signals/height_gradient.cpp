@@ -10,16 +10,16 @@ namespace rendering::signals {
 
 namespace {
 
-void require(const cv::Mat& heightMm, double mmPerPixel, const GradientOptions& options)
+void requireValid(const cv::Mat& heightMm, double mmPerPixel, const GradientOptions& options)
 {
     if (heightMm.empty() || heightMm.channels() != 1 || !cv::checkRange(heightMm))
-        throw protocols::badInput({.what = "a height map is empty or holds values that are not finite",
+        throw protocols::badInput({.what = "the height map is empty or holds values that are not finite",
                                    .where = "",
-                                   .expected = "a number at every place",
-                                   .nextStep = ""});
+                                   .expected = "a finite height at every pixel",
+                                   .nextStep = "fill the gaps of the height map"});
     if (!(mmPerPixel > 0 && std::isfinite(mmPerPixel)) ||
         !(options.leastSlope > 0 && options.mostSlope > options.leastSlope && std::isfinite(options.mostSlope)))
-        throw protocols::badInput({.what = "a gradient cannot be had without a pitch and bounds of the slope",
+        throw protocols::badInput({.what = "the gradient needs a pitch and bounds of the slope",
                                    .where = "",
                                    .expected = "mm per pixel above 0, 0 < least slope < most slope",
                                    .nextStep = "state tactile.mm_per_pixel in dataset.json"});
@@ -29,9 +29,9 @@ void require(const cv::Mat& heightMm, double mmPerPixel, const GradientOptions& 
 
 cv::Mat heightGradient(const cv::Mat& heightMm, double mmPerPixel, const GradientOptions& options)
 {
-    require(heightMm, mmPerPixel, options);
+    requireValid(heightMm, mmPerPixel, options);
     cv::Mat height;
-    heightMm.convertTo(height, CV_64F);  // a kilometre's last bit of 32 would be a slope
+    heightMm.convertTo(height, CV_64F);  // Differences of large 32-bit heights would only hold rounding.
     cv::Mat result(height.size(), CV_32FC1);
     const double least = options.leastSlope * options.leastSlope, most = options.mostSlope * options.mostSlope;
     const int rows = height.rows, columns = height.cols;

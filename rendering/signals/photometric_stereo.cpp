@@ -15,9 +15,9 @@ namespace rendering::signals {
 namespace {
 
 constexpr int contourLevels = 64;
-constexpr float flattestNormal = 0.02F;  ///< nz; slopes above 50 come from rounding
+constexpr float flattestNormal = 0.02F;  ///< nz; larger slopes than 1 / 0.02 come from rounding
 
-/// The value that `percent` of the pixels do not exceed.
+/// Value that `percent` of the pixels do not exceed.
 double percentile(const cv::Mat& values, double percent)
 {
     std::vector<float> sorted(values.begin<float>(), values.end<float>());
@@ -35,7 +35,7 @@ cv::Mat steepness(const Slopes& slopes)
     return result;
 }
 
-/// Mean steepness of the pixels between neighbouring levels of height, of those levels that hold enough pixels to be a contour.
+/// Mean steepness of the pixels between neighbouring levels of height; 0 for levels without pixels.
 std::array<double, contourLevels> steepnessByLevel(const cv::Mat& height, const cv::Mat& steep, double top)
 {
     std::array<double, contourLevels> sum{}, count{};
@@ -50,7 +50,7 @@ std::array<double, contourLevels> steepnessByLevel(const cv::Mat& height, const 
     return sum;
 }
 
-/// The steepest level between a tenth and nine tenths of the height, over five levels.
+/// Level between a tenth and nine tenths of the height with the largest steepness, summed over five levels.
 double edgeLevel(const std::array<double, contourLevels>& steep)
 {
     std::size_t best = contourLevels / 2;
@@ -73,18 +73,18 @@ Slopes slopesFromFrame(const cv::Mat& frame, const cv::Mat& reference, const Cal
     if (!frame.empty() && frame.channels() != calibration.channels)
         throw protocols::badInput({.what = "the tactile frame has " + std::to_string(frame.channels()) + " channels",
                                    .where = "",
-                                   .expected = std::to_string(calibration.channels) + ", as the sensor was calibrated with",
-                                   .nextStep = ""});
+                                   .expected = std::to_string(calibration.channels) + " channels, like the calibration",
+                                   .nextStep = "use the calibration of this sensor"});
     return slopesOf(calibration.map, lightOf(frame, reference, calibration.light));
 }
 
-cv::Mat settled(const cv::Mat& heightMm, const Pitch& pitch, std::optional<double> highPassCutoffMm, double zeroPercentile)
+cv::Mat zeroedRelief(const cv::Mat& heightMm, const Pitch& pitch, std::optional<double> highPassCutoffMm, double zeroPercentile)
 {
     const cv::Mat relief = highPassCutoffMm ? withoutLowFrequency(heightMm, pitch, *highPassCutoffMm) : heightMm;
     cv::Mat height;
     relief.convertTo(height, CV_32F);
     height -= percentile(height, zeroPercentile);
-    height.setTo(0, height <= 0);  // a maximum would let -0 pass
+    height.setTo(0, height <= 0);  // std::max would keep -0.
     return height;
 }
 
@@ -93,7 +93,7 @@ cv::Mat heightFromFrame(const cv::Mat& frame, const cv::Mat& reference, const Ca
 {
     const Pitch pitch{calibration.mmPerPixel, calibration.mmPerPixel};
     const cv::Mat height = integrate(slopesFromFrame(frame, reference, calibration), pitch, SlopeKind::Point, quality);
-    return settled(height, pitch, calibration.highPassCutoffMm, calibration.zeroPercentile);
+    return zeroedRelief(height, pitch, calibration.highPassCutoffMm, calibration.zeroPercentile);
 }
 
 bool hasOutside(const cv::Mat& light)
@@ -133,8 +133,10 @@ cv::Mat heightInContact(const Slopes& slopes, const cv::Mat& contact, const Pitc
 Slopes slopesFromNormals(const cv::Mat& image)
 {
     if (image.empty() || (image.type() != CV_8UC3 && image.type() != CV_16UC3))
-        throw protocols::badInput(
-            {.what = "this is no normal map", .where = "", .expected = "an RGB image of 8 or 16 bits", .nextStep = ""});
+        throw protocols::badInput({.what = "the image is not a normal map",
+                                   .where = "",
+                                   .expected = "an RGB image of 8 or 16 bits",
+                                   .nextStep = "export the normal map as RGB"});
     cv::Mat normals;
     image.convertTo(normals, CV_32F, 2.0 / (image.depth() == CV_16U ? 65535 : 255), -1);
     Slopes slopes{cv::Mat(image.size(), CV_32FC1), cv::Mat(image.size(), CV_32FC1)};

@@ -43,8 +43,8 @@ std::vector<fs::path> picturesIn(const fs::path& folder)
     if (failed)
         throw protocols::badInput({.what = "the folder of presses cannot be read (" + failed.message() + ")",
                                    .where = folder.string(),
-                                   .expected = "a folder with background.png and one picture a press",
-                                   .nextStep = ""});
+                                   .expected = "a folder with background.png and one picture for each press",
+                                   .nextStep = "check the path and its permissions"});
     std::sort(files.begin(), files.end());
     return files;
 }
@@ -71,17 +71,18 @@ signals::BallPresses readBallPresses(const fs::path& folder, double ballRadiusMm
     }
     if (presses.background.empty() || presses.presses.empty())
         throw protocols::badInput(
-            {.what = presses.background.empty() ? "there is no frame of the untouched sensor" : "there is no press",
+            {.what = presses.background.empty() ? "the folder has no frame of the untouched sensor" : "the folder has no press",
              .where = folder.string(),
-             .expected = "background.png and one picture a press",
-             .nextStep = ""});
+             .expected = "background.png and one picture for each press",
+             .nextStep = "add the missing pictures"});
     for (const auto& press : presses.presses)
         if (press.frame.size() != presses.background.size() || press.frame.type() != presses.background.type())
-            throw protocols::badInput({.what = "is of another size or kind than the background",
+            throw protocols::badInput({.what = "differs from the background in size or type",
                                        .where = (folder / press.name).string(),
                                        .expected = std::to_string(presses.background.cols) + " x " +
-                                                   std::to_string(presses.background.rows) + " pixels, colour, as many bits",
-                                       .nextStep = "take it out, or save it as the others"});
+                                                   std::to_string(presses.background.rows) +
+                                                   " pixels, colour, with the same number of bits",
+                                       .nextStep = "remove the picture, or save it like the others"});
     return presses;
 }
 

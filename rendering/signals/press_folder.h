@@ -1,22 +1,22 @@
-// A folder of ball presses: background.png (or reference.png), the untouched sensor, and every other picture a press, in the
-// order of their names. Other files (lists, licences) are left alone.
+// A folder of ball presses: background.png or reference.png shows the untouched sensor, every other picture is a press,
+// in order of name. Other files (lists, licences) are ignored.
 #pragma once
 
 #include <filesystem>
 #include <functional>
 
-#include "rendering/signals/ball_presses.h"
+#include "rendering/signals/press_location.h"
 
 namespace rendering {
 
-/// Reads pictures that image_io does not (JPEG ...); may be empty.
+/// Decoder of pictures that image_io does not read (JPEG and others); may be empty.
 using Decode = std::function<cv::Mat(const std::filesystem::path&)>;
 
-/// Throws badInput: no folder, no background, no press, an unreadable picture.
+/// Reads a folder. Throws badInput for a missing folder, background or press, and for an unreadable picture.
 signals::BallPresses readBallPresses(const std::filesystem::path& folder, double ballRadiusMm, double mmPerPixel,
                                      const Decode& decodeOther = {});
 
-/// By its ending, through image_io or `decodeOther`.
+/// Reads a picture through image_io or, for other file endings, through `decodeOther`.
 cv::Mat readPicture(const std::filesystem::path& file, const Decode& decodeOther);
 
 }  // namespace rendering

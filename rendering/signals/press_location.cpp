@@ -1,13 +1,16 @@
-// locate(): the circles of all presses and the light's model, in turn (a bundle adjustment).
+// locate() alternates between fitting the model of the light and refining the circles (a bundle adjustment).
+#include "rendering/signals/press_location.h"
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numeric>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
+#include <optional>
 
 #include "protocols/files/errors.h"
-#include "rendering/signals/ball_presses.h"
+#include "rendering/signals/frame_light.h"
 
 namespace rendering::signals {
 
@@ -15,21 +18,21 @@ namespace {
 
 constexpr int degree = 3;
 constexpr int rounds = 4;
-constexpr double windowRadii = 1.65;  ///< of the ball, around the centre: what the model is fitted to
+constexpr double windowRadii = 1.65;  ///< in ball radii; the model is fitted within this distance of the centre
 constexpr int mostWindowPixels = 1500;
-constexpr double ringPx = 0.5;             ///< between the rings of a profile
-constexpr double equalDepthPx = 0.75;      ///< radii that differ less are those of one depth, and the rest is noise
-constexpr double otherSensorAbove = 0.08;  ///< median far-field change of light; the gel's own is about 0.02
+constexpr double ringPx = 0.5;             ///< distance between the rings of a profile
+constexpr double equalDepthPx = 0.75;      ///< smaller differences of the radii are noise; the presses have one depth
+constexpr double otherSensorAbove = 0.08;  ///< median change of light far from the ball; the gel itself causes about 0.02
 
-/// One pixel's model terms: all monomials p^i q^j, 1 <= i + j <= degree, each constant, along u and along v.
+/// Model terms of a pixel: all monomials p^i q^j, 1 <= i + j <= degree, each times 1, u and v.
 constexpr int slopeTerms = 9;
 constexpr int terms = 3 * slopeTerms;
-using Terms = cv::Vec<double, terms>;
+using LightTerms = cv::Vec<double, terms>;
 
-Terms termsOf(double p, double q, double u, double v)
+LightTerms termsOf(double p, double q, double u, double v)
 {
     const double ps[] = {1, p, p * p, p * p * p}, qs[] = {1, q, q * q, q * q * q};
-    Terms all;
+    LightTerms all;
     int k = 0;
     for (int total = 1; total <= degree; ++total)
         for (int i = 0; i <= total; ++i) {
@@ -41,7 +44,7 @@ Terms termsOf(double p, double q, double u, double v)
     return all;
 }
 
-/// The gel's slope at a place relative to the ball's centre, px: towards the centre it rises.
+/// Slope of the gel at a place relative to the centre of the ball, in px; it rises towards the centre.
 cv::Point2d gelSlope(cv::Point2d from, double ballPx, double contactPx, double bridgePx)
 {
     const double r = std::max(1e-9, std::hypot(from.x, from.y)), inside = std::min(r, contactPx);
@@ -50,7 +53,7 @@ cv::Point2d gelSlope(cv::Point2d from, double ballPx, double contactPx, double b
     return {-from.x / r * steep, -from.y / r * steep};
 }
 
-/// Pixels around a place, evenly thinned.
+/// Evenly thinned pixels around a place.
 struct Window {
     std::vector<cv::Point> pixels;
 };
@@ -66,9 +69,9 @@ Window windowAround(cv::Point2d centre, double radius, cv::Size size, int step)
     return window;
 }
 
-class Locating {
+class PressLocator {
 public:
-    explicit Locating(const BallPresses& presses)
+    explicit PressLocator(const BallPresses& presses)
         : m_size(presses.background.size()), m_ballPx(presses.ballRadiusMm / presses.mmPerPixel)
     {
         for (const auto& press : presses.presses) {
@@ -83,7 +86,7 @@ public:
     std::size_t count() const { return m_light.size(); }
     const cv::Mat& light(std::size_t press) const { return m_light[press]; }
 
-    /// Where the light has changed most, over half the ball's width.
+    /// Circle at the place where the light, smoothed over half the ball's radius, changes most.
     ContactCircle firstGuess(std::size_t press) const
     {
         cv::Mat squares = m_light[press].mul(m_light[press]), strength;
@@ -101,7 +104,7 @@ public:
         double squares = 0, samples = 0;
         for (std::size_t i = 0; i < count(); ++i)
             for (const auto& pixel : windowOf(circles[i]).pixels) {
-                const Terms row = termsAt(circles[i], pixel, contactPx, bridgePx);
+                const LightTerms row = termsAt(circles[i], pixel, contactPx, bridgePx);
                 addOuter(normal, row);
                 const double* value = m_light[i].ptr<double>(pixel.y) + static_cast<std::ptrdiff_t>(pixel.x) * m_channels;
                 for (int k = 0; k < terms; ++k)
@@ -113,11 +116,11 @@ public:
         normal += 1e-6 * samples * cv::Mat::eye(terms, terms, CV_64FC1);
         PressModel model{{}, contactPx, bridgePx};
         cv::solve(normal, right, model.coefficients, cv::DECOMP_CHOLESKY);
-        residual = squares - model.coefficients.dot(right);  // of least squares, but for the ridge
+        residual = squares - model.coefficients.dot(right);  // Residual of least squares, apart from the ridge.
         return model;
     }
 
-    /// The radius and bridge under which the light is explained best: good enough to find the centres by.
+    /// Model with the contact radius and bridge that explain the light best.
     PressModel bestFit(const std::vector<ContactCircle>& circles) const
     {
         PressModel best;
@@ -134,7 +137,7 @@ public:
         return best;
     }
 
-    /// Gauss-Newton over the centre of one press.
+    /// Refines the centre of one press by Gauss-Newton.
     ContactCircle refined(std::size_t press, ContactCircle circle, const PressModel& model) const
     {
         for (int step = 0; step < 4; ++step) {
@@ -155,14 +158,14 @@ public:
         return circle;
     }
 
-    /// The better of the model's usual radius and the press's own, which counts where presses differ in depth.
+    /// Explained share with the common radius or with the press's own radius, whichever is larger; presses differ in depth.
     double explainedByOwn(std::size_t press, const ContactCircle& circle, PressModel model) const
     {
         model.contactPx = circle.radiusPx;
         return std::max(circle.explained, explained(press, circle, model));
     }
 
-    /// Mean change of light on the rings around a press.
+    /// Mean change of light on each ring around a press.
     std::vector<double> profile(std::size_t press, cv::Point2d centre) const
     {
         const int rings = static_cast<int>(windowRadii * m_ballPx / ringPx);
@@ -189,13 +192,13 @@ private:
                             std::max(1, static_cast<int>(std::sqrt(CV_PI * radius * radius / mostWindowPixels))));
     }
 
-    Terms termsAt(const ContactCircle& circle, cv::Point pixel, double contactPx, double bridgePx) const
+    LightTerms termsAt(const ContactCircle& circle, cv::Point pixel, double contactPx, double bridgePx) const
     {
         const auto slope = gelSlope(cv::Point2d(pixel) - circle.centrePx, m_ballPx, contactPx, bridgePx);
         return termsOf(slope.x, slope.y, 2.0 * pixel.x / m_size.width - 1, 2.0 * pixel.y / m_size.height - 1);
     }
 
-    static void addOuter(cv::Mat& normal, const Terms& row)
+    static void addOuter(cv::Mat& normal, const LightTerms& row)
     {
         for (int i = 0; i < terms; ++i) {
             double* target = normal.ptr<double>(i);
@@ -220,7 +223,7 @@ private:
         cv::Mat result(static_cast<int>(window.pixels.size()) * m_channels, 1, CV_64FC1);
         int next = 0;
         for (const auto& pixel : window.pixels) {
-            const Terms row = termsAt(circle, pixel, model.contactPx, model.bridgePx);
+            const LightTerms row = termsAt(circle, pixel, model.contactPx, model.bridgePx);
             const double* value = m_light[press].ptr<double>(pixel.y) + static_cast<std::ptrdiff_t>(pixel.x) * m_channels;
             for (int c = 0; c < m_channels; ++c) {
                 double sum = -value[c];
@@ -258,16 +261,17 @@ void requireUsable(const BallPresses& presses)
 {
     if (!(presses.ballRadiusMm > 0 && std::isfinite(presses.ballRadiusMm)) ||
         !(presses.mmPerPixel > 0 && std::isfinite(presses.mmPerPixel)))
-        throw fault("the ball's radius or the pitch is not a length", "mm, and mm per pixel, above 0", "");
+        throw fault("the radius of the ball or the pitch is not a positive length", "mm and mm per pixel above 0",
+                    "check --ball-radius and --mm-per-pixel");
     if (presses.background.empty() || presses.background.channels() != 3)
-        throw fault("there is no colour frame of the untouched sensor", "background.png among the presses",
+        throw fault("the presses have no colour frame of the untouched sensor", "background.png among the presses",
                     "save a frame before touching the sensor");
     const double ballPx = presses.ballRadiusMm / presses.mmPerPixel;
     const int shorter = std::min(presses.background.cols, presses.background.rows);
     if (ballPx < 4 || ballPx > shorter)
-        throw fault("a ball of " + std::to_string(ballPx) + " pixels radius cannot be measured in frames of " +
+        throw fault("a ball with a radius of " + std::to_string(ballPx) + " pixels cannot be measured in frames of " +
                         std::to_string(shorter) + " pixels",
-                    "a ball of 4 pixels or more that fits into the frame", "check --ball-radius and --mm-per-pixel");
+                    "a radius of at least 4 pixels that fits into the frame", "check --ball-radius and --mm-per-pixel");
 }
 
 double medianChange(const cv::Mat& frame, const cv::Mat& background, cv::Point2d centre, double ballPx)
@@ -286,22 +290,23 @@ double medianChange(const cv::Mat& frame, const cv::Mat& background, cv::Point2d
     return *middle;
 }
 
-/// Far from the ball a press looks like the background; if not, the background is another's.
-void requireOwnBackground(const BallPresses& presses, const Locating& locating)
+/// Far from the ball a press equals the background. Throws badInput where it does not: the background shows another sensor.
+void requireOwnBackground(const BallPresses& presses, const PressLocator& locator)
 {
     cv::Mat swapped;
     cv::cvtColor(presses.background, swapped, cv::COLOR_RGB2BGR);
     for (std::size_t i = 0; i < presses.presses.size(); ++i) {
         const auto& press = presses.presses[i];
-        const auto centre = locating.firstGuess(i).centrePx;
-        const double change = medianChange(press.frame, presses.background, centre, locating.ballPx());
-        if (change > 0.03 && medianChange(press.frame, swapped, centre, locating.ballPx()) < 0.5 * change)
-            throw fault(press.name + " and the background have their red and blue swapped",
-                        "frames saved in one order of channels", "save them all as RGB");
+        const auto centre = locator.firstGuess(i).centrePx;
+        const double change = medianChange(press.frame, presses.background, centre, locator.ballPx());
+        if (change > 0.03 && medianChange(press.frame, swapped, centre, locator.ballPx()) < 0.5 * change)
+            throw fault(press.name + " and the background have red and blue swapped", "one order of channels in all frames",
+                        "save all frames as RGB");
         if (change > otherSensorAbove)
             throw fault("far from the ball " + press.name + " differs from the background by " +
                             std::to_string(std::lround(100 * change)) + " % of full scale",
-                        "the background of the same sensor under the same light", "take it again, just before the presses");
+                        "a background of the same sensor under the same light",
+                        "record the background again, just before the presses");
     }
 }
 
@@ -311,11 +316,12 @@ void requireBalls(const BallPresses& presses, const std::vector<ContactCircle>& 
     for (std::size_t i = 0; i < circles.size(); ++i)
         if (!(circles[i].explained >= leastExplained)) unseen += (unseen.empty() ? "" : ", ") + presses.presses[i].name;
     if (!unseen.empty())
-        throw fault("no ball is seen in " + unseen, "a press of the ball whose radius was given",
-                    "take these frames out, or press again");
+        throw fault("no ball was found in " + unseen, "presses of the ball with the given radius",
+                    "remove these frames, or press again");
 }
 
-/// Where a profile is highest, between its rings, px: the edge of contact, at which the gel is steepest.
+/// Radius in px at which a profile is highest, interpolated between its rings. This is the edge of contact, where the gel
+/// is steepest.
 double peakOf(const std::vector<double>& profile, double ballPx)
 {
     std::vector<double> smooth(profile.size());
@@ -338,24 +344,25 @@ double medianOf(std::vector<double> values)
     return *middle;
 }
 
-/// Each press's own radius, or that of all of them together (or of those before them) where they were equally deep.
-double setRadii(const Locating& locating, const PressModel& model, std::vector<ContactCircle>& circles,
+/// Sets the radius of each press and returns the common radius. Presses of equal depth get the common one: `knownUsual`, or
+/// the one of all presses together.
+double setRadii(const PressLocator& locator, const PressModel& model, std::vector<ContactCircle>& circles,
                 std::optional<double> knownUsual = {})
 {
     std::vector<double> together, own;
     for (std::size_t i = 0; i < circles.size(); ++i) {
-        const auto profile = locating.profile(i, circles[i].centrePx);
-        own.push_back(peakOf(profile, locating.ballPx()));
+        const auto profile = locator.profile(i, circles[i].centrePx);
+        own.push_back(peakOf(profile, locator.ballPx()));
         together.resize(profile.size());
         std::transform(profile.begin(), profile.end(), together.begin(), together.begin(), std::plus<>());
     }
-    const double usual = knownUsual.value_or(peakOf(together, locating.ballPx()));
-    std::vector<double> off(own.size());
-    std::transform(own.begin(), own.end(), off.begin(), [usual](double radius) { return std::abs(radius - usual); });
-    const bool equal = 1.4826 * medianOf(off) < equalDepthPx;
+    const double usual = knownUsual.value_or(peakOf(together, locator.ballPx()));
+    std::vector<double> deviations(own.size());
+    std::transform(own.begin(), own.end(), deviations.begin(), [usual](double radius) { return std::abs(radius - usual); });
+    const bool equal = 1.4826 * medianOf(deviations) < equalDepthPx;
     for (std::size_t i = 0; i < circles.size(); ++i) {
         circles[i].radiusPx = equal ? usual : own[i];
-        circles[i].explained = locating.explainedByOwn(i, circles[i], model);
+        circles[i].explained = locator.explainedByOwn(i, circles[i], model);
     }
     return usual;
 }
@@ -367,19 +374,19 @@ LocatedPresses locate(const BallPresses& presses)
     requireUsable(presses);
     if (presses.presses.size() < fewestPresses)
         throw fault("there are only " + std::to_string(presses.presses.size()) + " presses",
-                    std::to_string(fewestPresses) + " at least, better 30, spread over the sensor",
+                    "at least " + std::to_string(fewestPresses) + ", better 30, spread over the sensor",
                     "press the ball at more places");
-    const Locating locating(presses);
-    requireOwnBackground(presses, locating);
+    const PressLocator locator(presses);
+    requireOwnBackground(presses, locator);
     LocatedPresses found;
-    for (std::size_t i = 0; i < locating.count(); ++i) found.circles.push_back(locating.firstGuess(i));
+    for (std::size_t i = 0; i < locator.count(); ++i) found.circles.push_back(locator.firstGuess(i));
     for (int round = 0; round < rounds; ++round) {
         double residual = 0;
-        found.model = round % 2 == 0 ? locating.bestFit(found.circles)
-                                     : locating.fit(found.circles, found.model.contactPx, found.model.bridgePx, residual);
-        for (std::size_t i = 0; i < locating.count(); ++i) found.circles[i] = locating.refined(i, found.circles[i], found.model);
+        found.model = round % 2 == 0 ? locator.bestFit(found.circles)
+                                     : locator.fit(found.circles, found.model.contactPx, found.model.bridgePx, residual);
+        for (std::size_t i = 0; i < locator.count(); ++i) found.circles[i] = locator.refined(i, found.circles[i], found.model);
     }
-    found.contactPx = setRadii(locating, found.model, found.circles);
+    found.contactPx = setRadii(locator, found.model, found.circles);
     requireBalls(presses, found.circles);
     return found;
 }
@@ -387,15 +394,15 @@ LocatedPresses locate(const BallPresses& presses)
 std::vector<ContactCircle> locate(const BallPresses& presses, const LocatedPresses& known)
 {
     requireUsable(presses);
-    const Locating locating(presses);
-    requireOwnBackground(presses, locating);
+    const PressLocator locator(presses);
+    requireOwnBackground(presses, locator);
     std::vector<ContactCircle> circles;
-    for (std::size_t i = 0; i < locating.count(); ++i) {
-        ContactCircle circle = locating.firstGuess(i);
-        for (int round = 0; round < 3; ++round) circle = locating.refined(i, circle, known.model);
+    for (std::size_t i = 0; i < locator.count(); ++i) {
+        ContactCircle circle = locator.firstGuess(i);
+        for (int round = 0; round < 3; ++round) circle = locator.refined(i, circle, known.model);
         circles.push_back(circle);
     }
-    setRadii(locating, known.model, circles, known.contactPx);
+    setRadii(locator, known.model, circles, known.contactPx);
     requireBalls(presses, circles);
     return circles;
 }

@@ -11,13 +11,15 @@ namespace rendering::signals {
 namespace {
 
 constexpr double fallsTo = 0.2;
-constexpr int directions = 72;  ///< over half a turn
+constexpr int directions = 72;  ///< over 180 degrees
 
 void requireMap(const cv::Mat& height)
 {
     if (height.empty() || height.channels() != 1 || !cv::checkRange(height))
-        throw protocols::badInput(
-            {.what = "this is no height map", .where = "", .expected = "a finite height at every pixel", .nextStep = ""});
+        throw protocols::badInput({.what = "the height map is empty or holds values that are not finite",
+                                   .where = "",
+                                   .expected = "a finite height at every pixel",
+                                   .nextStep = "fill the gaps of the height map"});
 }
 
 cv::Mat centred(const cv::Mat& height)
@@ -28,7 +30,7 @@ cv::Mat centred(const cv::Mat& height)
     return values;
 }
 
-/// Of a map continued by 0, normalised to 1 in the middle; lag (i, j) lies at (i, j), negative ones at the far end.
+/// Autocorrelation of a zero-padded map. Lag (i, j) lies at (i, j), negative lags at the far end.
 cv::Mat autocorrelation(const cv::Mat& values)
 {
     const cv::Size size(cv::getOptimalDFTSize(2 * values.cols), cv::getOptimalDFTSize(2 * values.rows));
@@ -45,7 +47,7 @@ double at(const cv::Mat& correlation, int i, int j)
     return correlation.at<float>(i < 0 ? i + correlation.rows : i, j < 0 ? j + correlation.cols : j);
 }
 
-/// Between the four lags around; each divided by the share of the map that overlaps itself there.
+/// Bilinear value between four lags; each is divided by the share of the map that overlaps itself at this lag.
 double sample(const cv::Mat& correlation, cv::Size map, double x, double y)
 {
     const int i = static_cast<int>(std::floor(y)), j = static_cast<int>(std::floor(x));
@@ -57,8 +59,8 @@ double sample(const cv::Mat& correlation, cv::Size map, double x, double y)
     return (1 - v) * ((1 - u) * value(i, j) + u * value(i, j + 1)) + v * ((1 - u) * value(i + 1, j) + u * value(i + 1, j + 1));
 }
 
-/// How far it is along one direction (per pixel of the finer pitch) until the autocorrelation has fallen; `most` where it does
-/// not.
+/// Distance along one direction, in steps of half the finer pitch, at which the autocorrelation has fallen; `most` where it
+/// does not fall.
 double fallLength(const cv::Mat& correlation, cv::Size map, const Pitch& pitch, double angle, double most)
 {
     const double step = 0.5 * std::min(pitch.x, pitch.y), origin = at(correlation, 0, 0);

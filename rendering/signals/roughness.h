@@ -9,15 +9,15 @@ namespace rendering::signals {
 
 struct Roughness {
     double sqMm = 0;   ///< RMS height about the mean
-    double sdr = 0;    ///< developed interfacial area ratio: surface area over its projection, less 1
-    double salMm = 0;  ///< autocorrelation length: the shortest way over which the autocorrelation falls to 0.2
+    double sdr = 0;    ///< developed interfacial area ratio: area of the surface divided by its projection, minus 1
+    double salMm = 0;  ///< autocorrelation length: the shortest distance at which the autocorrelation falls to 0.2
 };
 
-/// `heightMm`: one channel, finite. A constant map has no autocorrelation: salMm 0. A map whose autocorrelation never falls
-/// so far has half its shorter side. Throws badInput for an empty map or values that are not finite.
+/// `heightMm`: one channel, finite. salMm is 0 for a constant map, and half the shorter side where the autocorrelation never
+/// falls to 0.2. Throws badInput for an empty map or values that are not finite.
 Roughness roughnessOf(const cv::Mat& heightMm, const Pitch& pitch);
 
-/// The third alone.
+/// Computes only salMm.
 double autocorrelationLengthMm(const cv::Mat& heightMm, const Pitch& pitch);
 
 }  // namespace rendering::signals

@@ -14,7 +14,7 @@ namespace rendering::signals {
 
 namespace {
 
-/// The waves longer than `longestPx`, or than half the image: a Gaussian that passes half of a wave of that length (ISO
+/// Waves longer than `longestPx` or half the image, by a Gaussian filter that passes half of a wave of that length (ISO
 /// 16610-21).
 cv::Mat slowPart(const cv::Mat& values, double longestPx)
 {
@@ -25,13 +25,13 @@ cv::Mat slowPart(const cv::Mat& values, double longestPx)
     return slow;
 }
 
-/// Brightness against that of the surroundings, minus 1: uneven light and the photograph's exposure drop
-/// out, the slope along the light remains.
+/// Brightness relative to the surroundings, minus 1. This removes uneven light and exposure and keeps the slope along the
+/// light.
 cv::Mat shadingOf(const cv::Mat& photograph, double longestPx)
 {
     const cv::Mat light = grey(photograph);
     const cv::Mat surroundings = slowPart(light, longestPx);
-    // Black surroundings have no relative brightness: a floor of a hundredth of the mean.
+    // Black surroundings have no relative brightness, so divide by at least a hundredth of the mean.
     const double floor = std::max(1e-6, 0.01 * cv::mean(light)[0]);
     cv::Mat difference, shading;
     cv::subtract(light, surroundings, difference);
@@ -39,8 +39,8 @@ cv::Mat shadingOf(const cv::Mat& photograph, double longestPx)
     return shading;
 }
 
-/// Around the photograph, its mirror image fading to 0, so that the transform's periodic continuation
-/// puts no step at the border.
+/// Extends the photograph by its mirror image, which fades to 0, so that the periodic continuation of the transform has no
+/// step at the border.
 cv::Mat faded(const cv::Mat& shading, int margin, cv::Size full)
 {
     cv::Mat wide;
@@ -55,19 +55,20 @@ cv::Mat faded(const cv::Mat& shading, int margin, cv::Size full)
     return wide;
 }
 
-/// Slopes nearly across the light: what a photograph shows of them is harmonics and noise, which the division would blow up.
-constexpr double acrossShare = 0.2;  ///< sine of the angle to the light's axis at which half is let through
-/// A weave's own lines pull the estimated axis towards them; so much of a full coherence is believed of light from above.
+/// Sine of the angle across the light's axis at which half of a slope passes. Slopes nearly across the light only leave
+/// harmonics and noise in a photograph, and the division would amplify them.
+constexpr double acrossShare = 0.2;
+/// Weight of the prior for light from above, as a share of full coherence. The lines of a weave attract the estimated axis.
 constexpr double aboveWeight = 0.04;
 
 double frequency(int k, int n) { return (2 * k <= n ? k : k - n) / static_cast<double>(n); }
 
-/// brightness = -(slope along the light), so height = brightness / (-2 pi i f), f along the light;
-/// Tikhonov-regularised where f is small.
-cv::Mat solved(const cv::Mat& shading, double azimuthDeg, double regularisation)
+/// Solves brightness = -(slope along the light), so height = brightness / (-2 pi i f) with f along the light.
+/// Tikhonov regularisation damps small f.
+cv::Mat linearRelief(const cv::Mat& shading, double azimuthDeg, double regularisation)
 {
     const double angle = azimuthDeg * std::numbers::pi / 180;
-    const double towardsX = std::cos(angle), towardsY = -std::sin(angle);  // image rows grow downwards
+    const double towardsX = std::cos(angle), towardsY = -std::sin(angle);  // Image rows increase downwards.
     const int margin = std::clamp(std::min(shading.rows, shading.cols) / 8, 1, 48);
     const cv::Size full(cv::getOptimalDFTSize(shading.cols + 2 * margin), cv::getOptimalDFTSize(shading.rows + 2 * margin));
     cv::Mat spectrum;
@@ -78,7 +79,7 @@ cv::Mat solved(const cv::Mat& shading, double azimuthDeg, double regularisation)
             const double floor = regularisation * regularisation + acrossShare * acrossShare * (fx * fx + fy * fy);
             const double gain = f / (2 * std::numbers::pi * (f * f + floor));
             auto& bin = spectrum.at<cv::Vec2f>(i, j);
-            bin = {static_cast<float>(-gain * bin[1]), static_cast<float>(gain * bin[0])};  // times i
+            bin = {static_cast<float>(-gain * bin[1]), static_cast<float>(gain * bin[0])};  // Multiplied by i.
         }
     cv::Mat height;
     cv::dft(spectrum, height, cv::DFT_INVERSE | cv::DFT_SCALE | cv::DFT_REAL_OUTPUT);
@@ -97,19 +98,19 @@ Light lightOf(const cv::Mat& shading)
     if (!(xx + yy > 0)) return light;
     light.coherence = std::hypot(xx - yy, 2 * xy) / (xx + yy);
     if (light.coherence < 0.02) return light;
-    // In image coordinates, rows downwards, angles doubled; light from above lies at half a turn.
+    // In image coordinates (rows downwards) with doubled angles; light from above lies at 180 degrees.
     const double axis = 0.5 * std::atan2(2 * xy / (xx + yy), (xx - yy) / (xx + yy) - aboveWeight);
-    light.azimuthDeg = -axis * 180 / std::numbers::pi;   // -90 .. 90
-    if (light.azimuthDeg < 10) light.azimuthDeg += 180;  // the upper end; of an axis that is nearly level, the left one
+    light.azimuthDeg = -axis * 180 / std::numbers::pi;   // -90 to 90.
+    if (light.azimuthDeg < 10) light.azimuthDeg += 180;  // The upper end or, of a nearly horizontal axis, the left end.
     return light;
 }
 
-constexpr int bumpSpacingPx = 2;  ///< between the bumps' centres, and their standard deviation
+constexpr int bumpSpacingPx = 2;  ///< distance between the centres of bumps, and their standard deviation
 constexpr int outerSteps = 3, innerSteps = 25;
-constexpr double bumpRidge = 1e-4;  ///< on the bumps' heights: holds those that no light falls on
+constexpr double bumpRidge = 1e-4;  ///< ridge on the heights, for bumps that the light does not determine
 
-/// The surface as a sum of Gaussian bumps, its Lambertian image at a slant of 45 degrees (relative to a level place, minus 1),
-/// and the derivative of that image. Heights stand at the bumps' centres, every bumpSpacingPx-th pixel, and are 0 elsewhere.
+/// Surface as a sum of Gaussian bumps, its Lambertian image at a slant of 45 degrees (relative to a level place, minus 1) and
+/// the derivative of this image. Heights are given at the centres of bumps (every bumpSpacingPx-th pixel) and 0 elsewhere.
 class Bumps {
 public:
     Bumps(cv::Size size, double azimuthDeg) : m_size(size)
@@ -138,7 +139,7 @@ public:
         return light / root - 1;
     }
 
-    /// The derivative at the heights that `image` was last asked for.
+    /// Directional derivative at the heights of the last call of `image`.
     cv::Mat change(const cv::Mat& heights) const
     {
         const auto [p, q] = slopes(surface(heights));
@@ -189,7 +190,7 @@ private:
     cv::Mat m_byP, m_byQ;
 };
 
-/// Gauss-Newton; each step's least squares by conjugate gradients.
+/// Gauss-Newton; conjugate gradients solve the least-squares problem of each step.
 cv::Mat bumpsThatShade(const cv::Mat& shading, double azimuthDeg)
 {
     Bumps bumps(shading.size(), azimuthDeg);
@@ -224,12 +225,12 @@ double colourVariation(const cv::Mat& photograph, double highPassPx)
     std::vector<cv::Mat> channels;
     cv::split(photograph, channels);
     for (auto& channel : channels) channel = shadingOf(channel, highPassPx);
-    // Of three channels alike, the mean carries all; what is left of each is colour.
+    // If the three channels are alike, their mean contains everything; the rest of each channel is colour.
     const cv::Mat brightness = (channels[0] + channels[1] + channels[2]) / 3;
     double colour = 0;
     for (const auto& channel : channels) {
         cv::Mat calm;
-        cv::GaussianBlur(channel - brightness, calm, {}, 1.0);  // the camera's noise differs from channel to channel
+        cv::GaussianBlur(channel - brightness, calm, {}, 1.0);  // Suppresses camera noise, which differs between channels.
         colour += std::pow(cv::norm(calm), 2) / 3;
     }
     const double all = cv::norm(brightness);
@@ -244,11 +245,11 @@ cv::Mat shapeFromShading(const cv::Mat& photograph, const ShadingOptions& option
     const double estimated = options.lightAzimuthDeg ? 0 : lightOf(shading).azimuthDeg + (options.lightFromBelow ? 180 : 0);
     const double azimuthDeg = options.lightAzimuthDeg.value_or(estimated);
     if (options.method == ShadingMethod::GaussianBumps) return bumpsThatShade(shading, azimuthDeg);
-    if (options.quality == ShadingQuality::Accurate) return solved(shading, azimuthDeg, options.regularisation);
+    if (options.quality == ShadingQuality::Accurate) return linearRelief(shading, azimuthDeg, options.regularisation);
     cv::Mat small, large;
     cv::resize(shading, small, {std::max(1, shading.cols / 2), std::max(1, shading.rows / 2)}, 0, 0, cv::INTER_AREA);
-    // In the small image a pixel is two of the large one: half the wavelengths, half the heights.
-    cv::resize(2 * solved(small, azimuthDeg, 2 * options.regularisation), large, shading.size(), 0, 0, cv::INTER_LINEAR);
+    // A pixel of the small image is two pixels of the large one, so wavelengths and heights are halved there.
+    cv::resize(2 * linearRelief(small, azimuthDeg, 2 * options.regularisation), large, shading.size(), 0, 0, cv::INTER_LINEAR);
     return large;
 }
 

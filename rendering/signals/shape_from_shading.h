@@ -1,11 +1,11 @@
-// A photograph to relief: the light's direction from the photograph itself, then one of two methods.
-//   Linear         Pentland's linear method ("Linear shape from shading", 1990), regularised: one division per
+// Relief from a photograph: the direction of the light is estimated, then one of two methods is used.
+//   Linear         Pentland's linear method ("Linear shape from shading", 1990), regularised: one division for each
 //                  frequency. Exact for shallow relief of one reflectance under one distant light. The better one.
-//   GaussianBumps  the paper's reference (Wang et al., "Electrostatic tactile rendering of image based on shape from
-//                  shading", 2014) by its principle: the surface is a sum of Gaussian bumps, whose heights are fitted
-//                  so that its Lambertian image is the photograph (Gauss-Newton). Slower; takes steep slopes.
-// Slopes across the light leave no trace in a photograph. Whether bumps or dents are seen is settled as people do: light comes
-// from above, unless the options say from below.
+//   GaussianBumps  the principle of the paper's reference (Wang et al., "Electrostatic tactile rendering of image based
+//                  on shape from shading", 2014): the surface is a sum of Gaussian bumps, whose heights are fitted by
+//                  Gauss-Newton so that its Lambertian image equals the photograph. Slower; handles steep slopes.
+// A photograph contains no information on slopes across the light, and bumps under light from above look like dents under
+// light from below. Like human vision, the methods assume light from above, unless the options state light from below.
 #pragma once
 
 #include <opencv2/core/mat.hpp>
@@ -13,40 +13,39 @@
 
 namespace rendering::signals {
 
-/// Accurate works on every pixel; Fast on a quarter of them and enlarges the result.
+/// Accurate uses every pixel; Fast uses a quarter of them and enlarges the result.
 enum class ShadingQuality { Fast, Accurate };
 enum class ShadingMethod { Linear, GaussianBumps };
 
 struct ShadingOptions {
     ShadingMethod method = ShadingMethod::Linear;
     ShadingQuality quality = ShadingQuality::Accurate;
-    double highPassPx = 200;                  ///< longer waves are taken for uneven light, not relief
-    double regularisation = 0.008;            ///< cycles per pixel along the light below which relief is not trusted
-    std::optional<double> lightAzimuthDeg{};  ///< known direction; none: estimated
-    bool lightFromBelow = false;              ///< of an estimated direction: turns bumps into dents
+    double highPassPx = 200;                  ///< longer waves count as uneven light, not as relief
+    double regularisation = 0.008;            ///< cycles per pixel along the light; lower frequencies are damped
+    std::optional<double> lightAzimuthDeg{};  ///< known direction; nullopt: estimated
+    bool lightFromBelow = false;              ///< reverses an estimated direction, which turns bumps into dents
 };
 
-/// Azimuth: the direction in the image towards the light, degrees counter-clockwise from the right; 90:
-/// from the top of the image.
+/// Azimuth: direction in the image towards the light, degrees counter-clockwise from the right; 90 is the top of the image.
 struct Light {
     double azimuthDeg = 90;
-    double coherence = 0;  ///< how clearly the photograph tells its axis, 0..1
+    double coherence = 0;  ///< clarity of the light's axis in the photograph, 0 to 1
 };
 
-/// The axis along which brightness changes most (the structure tensor of the high-passed photograph,
-/// whose energy goes with the squared cosine of the angle to the light), a little drawn to light from above; its upper end, or
-/// its left end where it is within 10 degrees of level: azimuth 10..190. Below a coherence of 0.02 it is 90. `photograph` as in
-/// signals::grey.
+/// Estimates the axis along which brightness changes most, from the structure tensor of the high-passed photograph. Its
+/// energy is proportional to the squared cosine of the angle to the light; a small prior favours light from above. Of the
+/// two ends of the axis the upper one is returned or, within 10 degrees of horizontal, the left one: azimuth 10 to 190.
+/// Below a coherence of 0.02 the azimuth is 90. `photograph`: as signals::grey() takes it.
 Light estimateLight(const cv::Mat& photograph, double highPassPx = 200);
 
-/// How much of the photograph's variation is one of colour: RMS of the high-passed differences between channels over that of the
-/// brightness, 0 for a grey surface. Shading changes all channels alike: above coloursSpoilShading a pattern is dyed or
-/// woven in colours, and what looks like relief may be dye.
+/// RMS of the high-passed differences between the channels over the RMS of the brightness; 0 for a grey surface. Shading
+/// changes all channels alike. Above coloursSpoilShading the pattern is dyed or woven in colours, and apparent relief may
+/// be dye.
 double colourVariation(const cv::Mat& photograph, double highPassPx = 200);
 inline constexpr double coloursSpoilShading = 0.35;
 
-/// Height in pixels times the tangent of the light's slant (bumps: with a slant of 45 degrees), mean 0, CV_32FC1 of the
-/// photograph's size. An even photograph gives an even relief. Throws badInput for an empty image.
+/// Height in pixels times the tangent of the light's slant (GaussianBumps: slant of 45 degrees), mean 0, CV_32FC1 of the
+/// photograph's size. A uniform photograph gives a flat relief. Throws badInput for an empty image.
 cv::Mat shapeFromShading(const cv::Mat& photograph, const ShadingOptions& options = {});
 
 }  // namespace rendering::signals

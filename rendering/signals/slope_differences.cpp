@@ -12,10 +12,10 @@ namespace rendering::signals {
 
 namespace {
 
-constexpr int slopesAround = 6;  ///< through which the polynomial of a point slope goes
+constexpr int slopesAround = 6;  ///< number of point slopes that the polynomial interpolates
 
-/// Integral from node 0 to node 1 of the polynomial through the nodes first, first + 1 ... first + count - 1, as weights of
-/// its values.
+/// Integral from node 0 to node 1 of the polynomial through the nodes first to first + count - 1, as weights of the values at
+/// these nodes.
 std::array<double, slopesAround> integralWeights(int first, int count)
 {
     cv::Mat powers(count, count, CV_64FC1), integrals(count, 1, CV_64FC1), weights;
@@ -29,7 +29,7 @@ std::array<double, slopesAround> integralWeights(int first, int count)
     return result;
 }
 
-/// Which slopes stand for the rise from sample j to j + 1, and with what weights.
+/// Slopes and weights that give the rise from sample j to j + 1.
 template <class T>
 struct Stencil {
     int first = 0;
@@ -47,7 +47,7 @@ std::vector<Stencil<T>> stencils(int length)
         const auto weights = integralWeights(stencil.first - j, count);
         std::transform(weights.begin(), weights.end(), stencil.weights.begin(), [](double w) { return static_cast<T>(w); });
         result.push_back(stencil);
-        // All in the middle are alike.
+        // All stencils in the middle are equal.
         while (static_cast<int>(result.size()) + 1 < length && stencil.first == j + 1 - count / 2 &&
                stencil.first + count < length) {
             ++j;
@@ -58,7 +58,7 @@ std::vector<Stencil<T>> stencils(int length)
     return result;
 }
 
-/// The rises of one row of slopes, as many as there are pairs of neighbours.
+/// Rises between the neighbours in one row of slopes.
 template <class T>
 void risesOfRow(const T* slope, T* rise, const std::vector<Stencil<T>>& all, int count)
 {
@@ -82,7 +82,7 @@ void risesOfRow(const T* slope, T* rise, const std::vector<Stencil<T>>& all, int
     for (; j < last; ++j) one(j);
 }
 
-/// The rises from a row to the next.
+/// Rises from a row to the next.
 template <class T>
 void risesToNextRow(const cv::Mat& slopes, T* rise, const Stencil<T>& stencil, int count)
 {
@@ -124,7 +124,7 @@ std::vector<double> eigenvalues(int length, double pitch, bool central)
     return values;
 }
 
-/// out[j] = scale * (in[j + 1] - in[j - 1]), mirrored at the ends, along a row.
+/// out[j] = scale * (in[j + 1] - in[j - 1]) along a row, mirrored at the ends.
 template <class T>
 void centralRow(const T* in, T* out, int length, T scale)
 {
@@ -134,7 +134,7 @@ void centralRow(const T* in, T* out, int length, T scale)
     out[length - 1] = scale * (in[length - 1] - in[length - 2]);
 }
 
-/// The transpose of centralRow, added to `out`.
+/// Adds the transpose of centralRow to `out`.
 template <class T>
 void addCentralRowTransposed(const T* in, T* out, int length, T scale)
 {
@@ -144,7 +144,7 @@ void addCentralRowTransposed(const T* in, T* out, int length, T scale)
     out[length - 1] += scale * (in[length - 2] + in[length - 1]);
 }
 
-/// The rows above and below, or the row itself where the border mirrors it.
+/// Rows above and below, or the row itself at a mirrored border.
 template <class T>
 std::pair<const T*, const T*> neighbours(const cv::Mat& image, int row)
 {
@@ -154,7 +154,8 @@ std::pair<const T*, const T*> neighbours(const cv::Mat& image, int row)
 }  // namespace
 
 template <class T>
-Differences<T>::Differences(cv::Size size, const Pitch& pitch, SlopeKind kind) : m_size(size), m_pitch(pitch), m_kind(kind)
+SlopeDifferences<T>::SlopeDifferences(cv::Size size, const Pitch& pitch, SlopeKind kind)
+    : m_size(size), m_pitch(pitch), m_kind(kind)
 {
     const auto narrowed = [this](const std::vector<double>& values) { return std::vector<T>(values.begin(), values.end()); };
     m_alongX = narrowed(eigenvalues(size.width, pitch.x, central()));
@@ -162,7 +163,7 @@ Differences<T>::Differences(cv::Size size, const Pitch& pitch, SlopeKind kind) :
 }
 
 template <class T>
-Slopes Differences<T>::between(const Slopes& slopes) const
+Slopes SlopeDifferences<T>::between(const Slopes& slopes) const
 {
     if (m_kind == SlopeKind::Point) return {pointRisesAlongX<T>(slopes.x), pointRisesAlongY<T>(slopes.y)};
     Slopes result{slopes.x.clone(), slopes.y.clone()};
@@ -177,7 +178,7 @@ Slopes Differences<T>::between(const Slopes& slopes) const
 }
 
 template <class T>
-Slopes Differences<T>::of(const cv::Mat& height) const
+Slopes SlopeDifferences<T>::of(const cv::Mat& height) const
 {
     Slopes result{cv::Mat::zeros(m_size, cv::DataType<T>::type), cv::Mat::zeros(m_size, cv::DataType<T>::type)};
     const T alongX = static_cast<T>((central() ? 0.5 : 1) / m_pitch.x),
@@ -201,7 +202,7 @@ Slopes Differences<T>::of(const cv::Mat& height) const
 }
 
 template <class T>
-cv::Mat Differences<T>::transposed(const Slopes& differences) const
+cv::Mat SlopeDifferences<T>::transposed(const Slopes& differences) const
 {
     cv::Mat sources = cv::Mat::zeros(m_size, cv::DataType<T>::type);
     const T alongX = static_cast<T>((central() ? 0.5 : 1) / m_pitch.x),
@@ -229,7 +230,7 @@ cv::Mat Differences<T>::transposed(const Slopes& differences) const
 }
 
 template <class T>
-cv::Mat Differences<T>::sources(const Slopes& slopes) const
+cv::Mat SlopeDifferences<T>::sources(const Slopes& slopes) const
 {
     if (m_kind != SlopeKind::Point) return transposed(between(slopes));
     const int width = m_size.width, height = m_size.height, countX = std::min(slopesAround, width),
@@ -237,7 +238,7 @@ cv::Mat Differences<T>::sources(const Slopes& slopes) const
     const auto alongX = stencils<T>(width), alongY = stencils<T>(height);
     const T scaleX = static_cast<T>(1 / m_pitch.x), scaleY = static_cast<T>(1 / m_pitch.y);
     const auto length = static_cast<std::size_t>(width);
-    std::vector<T> right(length + 1, T(0)), above(length, T(0)), below(length, T(0));  // right: first the rise into the row, 0
+    std::vector<T> right(length + 1, T(0)), above(length, T(0)), below(length, T(0));  // right[0]: no rise enters a row.
     cv::Mat result(m_size, cv::DataType<T>::type);
     for (int i = 0; i < height; ++i) {
         risesOfRow(slopes.x.ptr<T>(i), right.data() + 1, alongX, countX);
@@ -254,7 +255,7 @@ cv::Mat Differences<T>::sources(const Slopes& slopes) const
 }
 
 template <class T>
-cv::Mat Differences<T>::surfaceOf(const cv::Mat& sources) const
+cv::Mat SlopeDifferences<T>::surfaceOf(const cv::Mat& sources) const
 {
     cv::Mat spectrum = cosineTransform(sources);
     for (int i = 0; i < m_size.height; ++i) {
@@ -262,12 +263,12 @@ cv::Mat Differences<T>::surfaceOf(const cv::Mat& sources) const
         const T alongY = m_alongY[static_cast<std::size_t>(i)];
         for (int j = 0; j < m_size.width; ++j) row[j] /= alongY + m_alongX[static_cast<std::size_t>(j)];
     }
-    spectrum.at<T>(0, 0) = 0;  // the mean, which slopes do not tell
+    spectrum.at<T>(0, 0) = 0;  // Slopes do not contain the mean.
     return inverseCosineTransform(spectrum);
 }
 
 template <class T>
-Slopes Differences<T>::weights(const cv::Mat& measured, double weightOfGaps) const
+Slopes SlopeDifferences<T>::weights(const cv::Mat& measured, double weightOfGaps) const
 {
     Slopes result{cv::Mat(m_size, cv::DataType<T>::type), cv::Mat(m_size, cv::DataType<T>::type)};
     const auto weight = [&](bool known) { return static_cast<T>(known ? 1 : weightOfGaps); };
@@ -282,7 +283,7 @@ Slopes Differences<T>::weights(const cv::Mat& measured, double weightOfGaps) con
     return result;
 }
 
-template class Differences<float>;
-template class Differences<double>;
+template class SlopeDifferences<float>;
+template class SlopeDifferences<double>;
 
 }  // namespace rendering::signals

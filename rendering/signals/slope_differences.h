@@ -1,6 +1,6 @@
-// The differences of a surface that a kind of slope measures, as a linear map that the cosine transform makes diagonal:
-// what surface_integration solves with. Along each axis either rises between neighbours (Point, Forward) or central
-// differences whose mirrored borders carry half the weight (Central).
+// The linear map from a surface to the differences that a kind of slope measures; surface_integration solves with it.
+// The cosine transform makes it diagonal. The differences are rises between neighbours (Point, Forward), or central
+// differences whose mirrored borders have half the weight (Central).
 #pragma once
 
 #include <vector>
@@ -9,22 +9,23 @@
 
 namespace rendering::signals {
 
-/// T: float or double; all images hold it, of one size. Where there is no difference (the last column of
-/// rises along x, the last row along y) it is 0.
+/// T: float or double; all images hold T and have one size. Entries without a difference (the last column of rises along x,
+/// the last row along y) are 0.
 template <class T>
-class Differences {
+class SlopeDifferences {
 public:
-    Differences(cv::Size size, const Pitch& pitch, SlopeKind kind);
+    SlopeDifferences(cv::Size size, const Pitch& pitch, SlopeKind kind);
 
-    /// The measured slopes in the form of `of`.
+    /// Measured slopes as differences, comparable with those of `of`.
     Slopes between(const Slopes& slopes) const;
+    /// Differences of a surface.
     Slopes of(const cv::Mat& height) const;
     cv::Mat transposed(const Slopes& differences) const;
-    /// transposed(between(slopes)); for point slopes in one pass over them.
+    /// transposed(between(slopes)); for point slopes in a single pass.
     cv::Mat sources(const Slopes& slopes) const;
-    /// Height of mean 0 with transposed(of(height)) == sources.
+    /// Height of mean 0 that satisfies transposed(of(height)) == sources.
     cv::Mat surfaceOf(const cv::Mat& sources) const;
-    /// 1 for a difference between measured places, else `weightOfGaps`.
+    /// 1 for a difference between two measured places, else `weightOfGaps`.
     Slopes weights(const cv::Mat& measured, double weightOfGaps) const;
 
 private:
@@ -33,10 +34,10 @@ private:
     cv::Size m_size;
     Pitch m_pitch;
     SlopeKind m_kind;
-    std::vector<T> m_alongX, m_alongY;  ///< eigenvalues
+    std::vector<T> m_alongX, m_alongY;  ///< eigenvalues for each frequency
 };
 
-extern template class Differences<float>;
-extern template class Differences<double>;
+extern template class SlopeDifferences<float>;
+extern template class SlopeDifferences<double>;
 
 }  // namespace rendering::signals

@@ -8,11 +8,9 @@ namespace rendering::signals {
 
 namespace {
 
-constexpr int blockPx = 64;  ///< pixels worked on at a time: their monomials stay in the nearest cache
+constexpr int blockPx = 64;  ///< pixels of a block, whose monomials fit into the first-level cache
 
-float placeOf(int index, int length) { return length > 1 ? static_cast<float>(2.0 * index / (length - 1) - 1) : 0.F; }
-
-/// The inputs of a block of pixels, one row an input.
+/// Inputs of a block of pixels, one row for each input.
 class Inputs {
 public:
     Inputs(int channels, bool byPlace, double lightScale)
@@ -31,8 +29,8 @@ public:
         for (int c = 0; c < m_channels; ++c)
             for (int i = 0; i < length; ++i) row(c)[i] = m_scale * pixel[i * m_channels + c];
         if (!m_byPlace) return;
-        for (int i = 0; i < length; ++i) row(m_channels)[i] = placeOf(x + i, light.cols);
-        std::fill_n(row(m_channels + 1), length, placeOf(y, light.rows));
+        for (int i = 0; i < length; ++i) row(m_channels)[i] = frameCoordinate(x + i, light.cols);
+        std::fill_n(row(m_channels + 1), length, frameCoordinate(y, light.rows));
     }
 
 private:
@@ -47,7 +45,7 @@ std::array<std::vector<float>, 2> narrowed(const std::array<std::vector<double>,
     return {std::vector<float>(values[0].begin(), values[0].end()), std::vector<float>(values[1].begin(), values[1].end())};
 }
 
-/// `work(inputs, length, x, y)` fills dh/dx and dh/dy of a block.
+/// Fills slopes block by block: `work(inputs, length, x, y)` computes dh/dx and dh/dy of one block.
 template <class Work>
 Slopes byBlocks(const cv::Mat& light, Inputs inputs, Work work)
 {
@@ -137,6 +135,8 @@ Slopes slopesBy(const NetworkMap& map, const cv::Mat& light)
 
 }  // namespace
 
+float frameCoordinate(int index, int length) { return length > 1 ? static_cast<float>(2.0 * index / (length - 1) - 1) : 0.F; }
+
 std::string_view kindOf(const SlopeMap& map)
 {
     static constexpr std::string_view kinds[] = {"linear", "polynomial", "network"};
@@ -161,20 +161,6 @@ Slopes slopesOf(const SlopeMap& map, const cv::Mat& light)
 {
     CV_Assert(light.depth() == CV_32F);
     return std::visit([&light](const auto& known) { return slopesBy(known, light); }, map);
-}
-
-void SlopeSamples::add(const cv::Mat& frame, const Slopes& known, const cv::Mat& chosen, int step)
-{
-    CV_Assert(frame.depth() == CV_32F && frame.channels() == channels);
-    int passed = 0;
-    for (int i = 0; i < frame.rows; ++i)
-        for (int j = 0; j < frame.cols; ++j) {
-            if (!chosen.at<uchar>(i, j) || passed++ % step != 0) continue;
-            const float* pixel = frame.ptr<float>(i) + static_cast<std::ptrdiff_t>(j) * channels;
-            light.insert(light.end(), pixel, pixel + channels);
-            places.insert(places.end(), {placeOf(j, frame.cols), placeOf(i, frame.rows)});
-            slopes.insert(slopes.end(), {known.x.at<float>(i, j), known.y.at<float>(i, j)});
-        }
 }
 
 }  // namespace rendering::signals

@@ -1,22 +1,21 @@
-// fitSlopeMap: linear and polynomial maps by ridge least squares, the network by resilient propagation (Igel & Huesken
-// 2000, iRprop-), which needs no step size.
+#include "rendering/signals/slope_map_fit.h"
+
 #include <algorithm>
 #include <cmath>
 #include <opencv2/core.hpp>
 
 #include "protocols/files/errors.h"
 #include "protocols/random.h"
-#include "rendering/signals/slope_map.h"
 
 namespace rendering::signals {
 
 namespace {
 
-constexpr double weightDecay = 4e-5;  ///< of the network: holds it between presses that lie far apart
+constexpr double weightDecay = 4e-5;  ///< of the network; regularises it between distant presses
 
 int inputCount(const SlopeSamples& samples, bool byPlace) { return samples.channels + (byPlace ? 2 : 0); }
 
-/// One row a sample: the inputs of a map.
+/// Inputs of a map, one row for each sample.
 cv::Mat inputsOf(const SlopeSamples& samples, bool byPlace, double lightScale)
 {
     const auto channels = static_cast<std::size_t>(samples.channels);
@@ -39,27 +38,27 @@ cv::Mat targetsOf(const SlopeSamples& samples)
 void requireEnough(std::size_t samples, std::size_t unknowns)
 {
     if (samples < 10 * unknowns)
-        throw protocols::badInput({.what = "too few pixels of known slope (" + std::to_string(samples) + ") for a map of " +
-                                           std::to_string(unknowns) + " numbers",
+        throw protocols::badInput({.what = "there are too few pixels of known slope (" + std::to_string(samples) +
+                                           ") for a map of " + std::to_string(unknowns) + " numbers",
                                    .where = "",
-                                   .expected = "ten pixels a number",
+                                   .expected = "ten pixels for each number",
                                    .nextStep = "press the ball at more places, or choose --quality fast"});
 }
 
-/// What undoes the flattening of a fit: the least squares slope of the found on the known values, inverted.
-double unflattening(const cv::Mat& found, const cv::Mat& known)
+/// Correction for attenuation: the inverse slope of the regression of the fitted on the known values.
+double attenuationCorrection(const cv::Mat& found, const cv::Mat& known)
 {
     const double together = found.dot(known);
     return together > 0 ? known.dot(known) / together : 1;
 }
 
-/// `terms`: one row a sample.
+/// Ridge regression with correction for attenuation. `terms`: one row for each sample.
 cv::Mat leastSquares(const cv::Mat& terms, const cv::Mat& targets, double ridge)
 {
     cv::Mat normal = terms.t() * terms, solution;
     normal += ridge * terms.rows * cv::Mat::eye(terms.cols, terms.cols, CV_64FC1);
     cv::solve(normal, terms.t() * targets, solution, cv::DECOMP_CHOLESKY);
-    return solution * unflattening(terms * solution, targets);
+    return solution * attenuationCorrection(terms * solution, targets);
 }
 
 cv::Mat termsOf(const cv::Mat& inputs, int degree)
@@ -94,7 +93,7 @@ SlopeMap linearFit(const SlopeSamples& samples, const FitOptions& options)
     return map;
 }
 
-/// Products with a factor of light in them: the others would give the untouched sensor a slope.
+/// Products that contain light; the others would give the untouched sensor a slope.
 std::vector<int> litTerms(int inputs, int channels, int degree)
 {
     const auto all = monomials(inputs, degree);
@@ -118,11 +117,11 @@ SlopeMap polynomialFit(const SlopeSamples& samples, const FitOptions& options)
     return PolynomialMap{options.degree, options.byPlace, options.lightScale, columnsOf(all)};
 }
 
-/// One layer while it learns.
+/// A layer during training.
 struct Layer {
     cv::Mat weights;     ///< [units x (inputs + 1)]
-    cv::Mat steps;       ///< of each weight
-    cv::Mat gradient;    ///< of the step before
+    cv::Mat steps;       ///< step size of each weight
+    cv::Mat gradient;    ///< of the previous step
     cv::Mat activation;  ///< [samples x units]
 };
 
@@ -138,9 +137,9 @@ void tanhOf(cv::Mat& values)
     for (double& value : cv::Mat_<double>(values)) value = std::tanh(value);
 }
 
-class LearningNetwork {
+class TrainedNetwork {
 public:
-    LearningNetwork(const std::vector<int>& sizes, std::uint64_t seed)
+    TrainedNetwork(const std::vector<int>& sizes, std::uint64_t seed)
     {
         protocols::Random random(seed);
         for (std::size_t i = 0; i + 1 < sizes.size(); ++i) {
@@ -164,7 +163,7 @@ public:
         return values;
     }
 
-    /// Of the slopes less those at rest: `inputs` holds the samples, then the same places without light.
+    /// Slopes minus those at rest. `inputs` holds the samples, followed by the same places without light.
     cv::Mat slopes(const cv::Mat& inputs)
     {
         const cv::Mat all = outputs(inputs);
@@ -173,9 +172,9 @@ public:
 
     void step(const cv::Mat& inputs, const cv::Mat& targets)
     {
-        const cv::Mat off = (slopes(inputs) - targets) / targets.rows;
+        const cv::Mat deviation = (slopes(inputs) - targets) / targets.rows;
         cv::Mat error;
-        cv::vconcat(off, -off, error);
+        cv::vconcat(deviation, -deviation, error);
         for (std::size_t i = m_layers.size(); i-- > 0;) {
             const cv::Mat from = i == 0 ? inputs : m_layers[i - 1].activation;
             const cv::Mat gradient = error.t() * withBias(from) + weightDecay * m_layers[i].weights;
@@ -230,17 +229,31 @@ SlopeMap networkFit(const SlopeSamples& samples, const FitOptions& options)
     const cv::Mat inputs = everyNthRow(inputsOf(samples, options.byPlace, options.lightScale), options.networkSamples);
     const cv::Mat targets = everyNthRow(targetsOf(samples), options.networkSamples);
     NetworkMap map{options.byPlace, options.lightScale, {inputs.cols, 24, 24, 2}, {}};
-    LearningNetwork network(map.sizes, options.seed);
+    TrainedNetwork network(map.sizes, options.seed);
     cv::Mat rest = inputs.clone(), both;
     rest.colRange(0, samples.channels) = 0;
     cv::vconcat(inputs, rest, both);
     for (int i = 0; i < options.networkSteps; ++i) network.step(both, targets);
-    network.scaleOutputs(unflattening(network.slopes(both), targets));
+    network.scaleOutputs(attenuationCorrection(network.slopes(both), targets));
     map.weights = network.weights();
     return map;
 }
 
 }  // namespace
+
+void SlopeSamples::add(const cv::Mat& frame, const Slopes& known, const cv::Mat& chosen, int step)
+{
+    CV_Assert(frame.depth() == CV_32F && frame.channels() == channels);
+    int passed = 0;
+    for (int i = 0; i < frame.rows; ++i)
+        for (int j = 0; j < frame.cols; ++j) {
+            if (!chosen.at<uchar>(i, j) || passed++ % step != 0) continue;
+            const float* pixel = frame.ptr<float>(i) + static_cast<std::ptrdiff_t>(j) * channels;
+            light.insert(light.end(), pixel, pixel + channels);
+            places.insert(places.end(), {frameCoordinate(j, frame.cols), frameCoordinate(i, frame.rows)});
+            slopes.insert(slopes.end(), {known.x.at<float>(i, j), known.y.at<float>(i, j)});
+        }
+}
 
 SlopeMap fitSlopeMap(const SlopeSamples& samples, const FitOptions& options)
 {

@@ -16,7 +16,7 @@ namespace {
 
 using Bin = cv::Vec2d;
 
-/// As long as the transform, the window in its middle.
+/// Window of the length of the transform, with the Hann window in its middle.
 std::vector<double> windowOf(const SpectrogramParameters& parameters)
 {
     std::vector<double> window(static_cast<std::size_t>(parameters.fftSize), 0.0);
@@ -26,7 +26,7 @@ std::vector<double> windowOf(const SpectrogramParameters& parameters)
     return window;
 }
 
-/// Index into the trace of a place before, in or after it, mirrored about the end samples.
+/// Index into the trace of a place before, in or after it; the trace is mirrored about its end samples.
 int mirrored(int place, int length)
 {
     if (length == 1) return 0;
@@ -41,8 +41,8 @@ double meanOf(std::span<const double> values)
     return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-/// The transforms lie in rows here, [frame x frequency], as OpenCV wants them. In blocks of frames: a trace of
-/// 10^7 samples must not be held four times over.
+/// Spectrum in the layout of OpenCV, [frame x frequency]. Works in blocks of frames, so that a trace of 10^7 samples is not
+/// held four times.
 cv::Mat analysed(std::span<const double> trace, const SpectrogramParameters& parameters, const std::vector<double>& window)
 {
     constexpr int framesAtOnce = 4096;
@@ -101,13 +101,15 @@ void requireSize(const cv::Mat& values, const SpectrogramParameters& parameters,
     if (traceLength < 2 || values.rows != parameters.frequencies() || values.cols != parameters.frames(traceLength))
         throw protocols::badInput(
             {.what = "a spectrogram of " + std::to_string(values.rows) + " x " + std::to_string(values.cols) +
-                     " does not belong to a trace of " + std::to_string(traceLength) + " samples",
+                     " values does not match a trace of " + std::to_string(traceLength) + " samples",
              .where = "",
-             .expected = std::to_string(parameters.frequencies()) + " x " + std::to_string(parameters.frames(traceLength)),
-             .nextStep = ""});
+             .expected =
+                 std::to_string(parameters.frequencies()) + " x " + std::to_string(parameters.frames(traceLength)) + " values",
+             .nextStep = "read the spectrogram with its own parameters"});
 }
 
-/// Larger values are refused, so squares do not overflow; hypot would be half of an inversion's time.
+/// Magnitude of a bin. Larger values than 1e100 are refused, so squares do not overflow; hypot would take half the time of an
+/// inversion.
 double magnitudeOf(const Bin& bin) { return std::sqrt(bin[0] * bin[0] + bin[1] * bin[1]); }
 
 Bin unit(const Bin& bin)
@@ -134,14 +136,14 @@ cv::Mat withPhases(const cv::Mat& magnitude, const cv::Mat& phases, int fftSize)
     for (int frame = 0; frame < result.rows; ++frame)
         for (int k = 0; k < result.cols; ++k) {
             Bin phase = phases.at<Bin>(frame, k);
-            if (2 * k == fftSize)  // a real trace has a real value at half the sample rate
+            if (2 * k == fftSize)  // At half the sample rate the spectrum of a real trace is real.
                 phase = {phase[0] < 0 ? -1.0 : 1.0, 0.0};
             result.at<Bin>(frame, k) = phase * magnitude.at<double>(frame, k);
         }
     return result;
 }
 
-/// New phases from the spectrum of the last trace, carried on in the direction of its change.
+/// Phases of the spectrum of the last trace, extrapolated in the direction of its change.
 void advance(cv::Mat& phases, const cv::Mat& spectrum, const cv::Mat& before, double momentum)
 {
     for (int frame = 0; frame < phases.rows; ++frame)
@@ -164,7 +166,7 @@ double convergence(const cv::Mat& spectrum, const cv::Mat& magnitude)
             wrong += apart * apart;
             wanted += target * target;
         }
-    // A constant trace has nothing above the mean but rounding.
+    // Apart from its mean a constant trace contains only rounding.
     return wanted > 1e-20 * all ? std::sqrt(wrong / wanted) : 0;
 }
 
@@ -183,10 +185,10 @@ void requireConstantOverlap(const SpectrogramParameters& parameters)
     }
     if (most - least > 0.001 * most)
         throw protocols::badInput({.what = "windows of " + std::to_string(parameters.windowLength) + " at a hop of " +
-                                           std::to_string(parameters.hop) + " do not add up to the same everywhere",
+                                           std::to_string(parameters.hop) + " do not add up to a constant",
                                    .where = "",
-                                   .expected = "a hop that divides half the window, so that the mean can be read",
-                                   .nextStep = ""});
+                                   .expected = "a hop that divides half the window",
+                                   .nextStep = "choose another window or hop"});
 }
 
 void requireInvertible(const SpectrogramParameters& parameters)
@@ -195,20 +197,20 @@ void requireInvertible(const SpectrogramParameters& parameters)
     if (p.windowLength < 2 || p.hop < 1 || p.fftSize < p.windowLength || !(p.sampleRateHz > 0) || !std::isfinite(p.sampleRateHz))
         throw protocols::badInput({.what = "a spectrogram with window " + std::to_string(p.windowLength) + ", hop " +
                                            std::to_string(p.hop) + " and transform " + std::to_string(p.fftSize) +
-                                           " cannot be made",
+                                           " is impossible",
                                    .where = "",
                                    .expected = "hop >= 1, 2 <= window <= transform, a sample rate above 0",
-                                   .nextStep = ""});
+                                   .nextStep = "choose other parameters"});
     const auto window = windowOf(p);
     for (int offset = 0; offset < p.hop; ++offset) {
         double weight = 0;
         for (int i = offset; i < p.fftSize; i += p.hop) weight += std::pow(window[static_cast<std::size_t>(i)], 2);
         if (weight < 1e-6)
-            throw protocols::badInput({.what = "a hop of " + std::to_string(p.hop) + " leaves samples that no window of " +
-                                               std::to_string(p.windowLength) + " weighs; the spectrogram cannot be undone",
+            throw protocols::badInput({.what = "a hop of " + std::to_string(p.hop) + " leaves samples without a window of " +
+                                               std::to_string(p.windowLength) + ", so the spectrogram cannot be inverted",
                                        .where = "",
                                        .expected = "a hop of at most half the window",
-                                       .nextStep = ""});
+                                       .nextStep = "choose another window or hop"});
     }
 }
 
@@ -218,13 +220,13 @@ Spectrogram stft(std::span<const double> trace, const SpectrogramParameters& par
     if (trace.size() < 2)
         throw protocols::badInput({.what = "a trace of " + std::to_string(trace.size()) + " samples has no spectrogram",
                                    .where = "",
-                                   .expected = "at least 2",
-                                   .nextStep = ""});
+                                   .expected = "at least 2 samples",
+                                   .nextStep = "record a longer stroke"});
     if (!std::all_of(trace.begin(), trace.end(), [](double v) { return std::abs(v) < 1e100; }))
-        throw protocols::badInput({.what = "the trace holds values that are not finite or beyond 1e100",
+        throw protocols::badInput({.what = "the trace holds values that are not finite or exceed 1e100",
                                    .where = "",
-                                   .expected = "a number everywhere",
-                                   .nextStep = ""});
+                                   .expected = "finite numbers",
+                                   .nextStep = "correct the record"});
     Spectrogram result{parameters, static_cast<int>(trace.size()), meanOf(trace), {}};
     cv::transpose(analysed(trace, parameters, windowOf(parameters)), result.values);
     return result;
@@ -252,7 +254,7 @@ double meanFromMagnitude(const cv::Mat& values, const SpectrogramParameters& par
     cv::Mat row;
     values.row(0).convertTo(row, CV_64F);
     const int last = row.cols - 1;
-    // The first and the last frame are centred on the ends of the trace: half of each lies outside.
+    // The first and the last frame are centred on the ends of the trace, so half of each lies outside.
     const double ends = (row.at<double>(0) + row.at<double>(last)) / 2;
     const double average = last == 0 ? row.at<double>(0) : (cv::sum(row)[0] - ends) / last;
     const auto window = windowOf(parameters);
@@ -277,10 +279,10 @@ Inversion griffinLim(const MagnitudeSpectrogram& spectrogram, const GriffinLimOp
     cv::minMaxLoc(wanted, &least, &most);
     if (!cv::checkRange(wanted) || least < 0 || most > 1e100 || !std::isfinite(spectrogram.mean))
         throw protocols::badInput(
-            {.what = "the spectrogram's magnitude holds negative values, values above 1e100 or values that are not finite",
+            {.what = "the magnitude of the spectrogram holds values that are negative, above 1e100 or not finite",
              .where = "",
              .expected = "magnitudes >= 0 and a finite mean",
-             .nextStep = ""});
+             .nextStep = "compute the spectrogram again"});
 
     const auto window = windowOf(parameters);
     cv::Mat phases = firstPhases(wanted, options.seed), before;

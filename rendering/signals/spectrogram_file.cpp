@@ -49,51 +49,54 @@ void write(const fs::path& file, const AnySpectrogram& spectrogram, const char* 
 
 protocols::Error malformed(const fs::path& file, const std::string& what, const std::string& expected)
 {
-    return protocols::badInput({.what = what, .where = file.string(), .expected = expected, .nextStep = ""});
+    return protocols::badInput({.what = what, .where = file.string(), .expected = expected, .nextStep = "write the file again"});
 }
 
-struct Described {
+/// Contents of NAME.json.
+struct SpectrogramHeader {
     std::string kind;
     SpectrogramParameters parameters;
     int traceLength = 0;
     double mean = 0;
 };
 
-Described described(const fs::path& file)
+SpectrogramHeader headerIn(const fs::path& file)
 {
     try {
         const nlohmann::json json = protocols::parseStrictJson(protocols::readWholeFile(file), file.string());
         if (json.at("schema") != schema)
-            throw malformed(file, "is no spectrogram", std::string("\"schema\": \"") + schema + "\"");
+            throw malformed(file, "is not a spectrogram", std::string("\"schema\": \"") + schema + "\"");
         const auto whole = [&](const char* name) {
-            if (!json.at(name).is_number_integer()) throw malformed(file, std::string(name) + " is no whole number", "1 or more");
+            if (!json.at(name).is_number_integer())
+                throw malformed(file, std::string(name) + " is not a whole number", "1 or more");
             const auto value = json.at(name).get<std::int64_t>();
             if (value < 0 || value > 1'000'000'000) throw malformed(file, std::string(name) + " is out of range", "up to 10^9");
             return static_cast<int>(value);
         };
-        Described result{json.at("kind").get<std::string>(),
-                         {whole("window_length"), whole("hop"), whole("fft_size"), json.at("sample_rate_hz").get<double>()},
-                         whole("trace_length"),
-                         json.at("mean").get<double>()};
-        // A transform longer than any trace would make tables of any size.
+        SpectrogramHeader result{
+            json.at("kind").get<std::string>(),
+            {whole("window_length"), whole("hop"), whole("fft_size"), json.at("sample_rate_hz").get<double>()},
+            whole("trace_length"),
+            json.at("mean").get<double>()};
+        // Longer transforms than any trace would allocate tables of any size.
         if (result.parameters.fftSize > (1 << 24)) throw malformed(file, "fft_size is out of range", "up to 2^24");
         return result;
     } catch (const nlohmann::json::exception& fault) {
-        throw malformed(file, "is no spectrogram (" + std::string(fault.what()) + ")", "the fields of " + std::string(schema));
+        throw malformed(file, "is not a spectrogram (" + std::string(fault.what()) + ")", "the fields of " + std::string(schema));
     }
 }
 
-void requireFit(const fs::path& file, const Described& described, const cv::Mat& values, int columns)
+void requireFit(const fs::path& file, const SpectrogramHeader& header, const cv::Mat& values, int columns)
 {
-    signals::requireInvertible(described.parameters);
-    const int frequencies = described.parameters.frequencies();
-    const auto frames = static_cast<std::int64_t>(described.parameters.frames(described.traceLength));
-    if (described.traceLength < 2 || values.channels() != 1 || values.rows != frequencies || values.cols != frames * columns)
+    signals::requireInvertible(header.parameters);
+    const int frequencies = header.parameters.frequencies();
+    const auto frames = static_cast<std::int64_t>(header.parameters.frames(header.traceLength));
+    if (header.traceLength < 2 || values.channels() != 1 || values.rows != frequencies || values.cols != frames * columns)
         throw malformed(file, "holds " + std::to_string(values.rows) + " x " + std::to_string(values.cols) + " values",
-                        std::to_string(frequencies) + " x " + std::to_string(frames * columns) + ", as its parameters say");
-    // Sums and squares of anything larger leave the range of numbers.
-    if (!cv::checkRange(values, true, nullptr, -1e100, 1e100) || !(std::abs(described.mean) < 1e100))
-        throw malformed(file, "holds values that are not finite or beyond 1e100", "a number everywhere");
+                        std::to_string(frequencies) + " x " + std::to_string(frames * columns) + " values, by its parameters");
+    // Sums and squares of larger values would overflow.
+    if (!cv::checkRange(values, true, nullptr, -1e100, 1e100) || !(std::abs(header.mean) < 1e100))
+        throw malformed(file, "holds values that are not finite or exceed 1e100", "finite numbers");
 }
 
 }  // namespace
@@ -112,19 +115,19 @@ void writeSpectrogram(const fs::path& file, const MagnitudeSpectrogram& spectrog
 
 std::variant<Spectrogram, MagnitudeSpectrogram> readSpectrogram(const fs::path& file)
 {
-    const Described told = described(file);
+    const SpectrogramHeader header = headerIn(file);
     cv::Mat values;
     readNpy(valuesBeside(file)).convertTo(values, CV_64F);
-    if (told.kind == "complex") {
-        requireFit(valuesBeside(file), told, values, 2);
-        return Spectrogram{told.parameters, told.traceLength, told.mean, values.reshape(2)};
+    if (header.kind == "complex") {
+        requireFit(valuesBeside(file), header, values, 2);
+        return Spectrogram{header.parameters, header.traceLength, header.mean, values.reshape(2)};
     }
-    if (told.kind != "magnitude") throw malformed(file, "is of the kind \"" + told.kind + "\"", "complex or magnitude");
-    requireFit(valuesBeside(file), told, values, 1);
+    if (header.kind != "magnitude") throw malformed(file, "has the kind \"" + header.kind + "\"", "complex or magnitude");
+    requireFit(valuesBeside(file), header, values, 1);
     double least = 0;
     cv::minMaxLoc(values, &least);
     if (least < 0) throw malformed(valuesBeside(file), "holds negative magnitudes", "magnitudes >= 0");
-    return MagnitudeSpectrogram{told.parameters, told.traceLength, told.mean, values};
+    return MagnitudeSpectrogram{header.parameters, header.traceLength, header.mean, values};
 }
 
 }  // namespace rendering

@@ -1,5 +1,5 @@
-// A spectrogram as two files: NAME.json with every parameter that it takes to undo it, and NAME.npy beside it
-// with its values. In Python: numpy.load("NAME.npy").view(complex) for a complex one.
+// A spectrogram as two files: NAME.json with every parameter that the inversion needs, and NAME.npy with the values.
+// In Python, numpy.load("NAME.npy").view(complex) gives a complex one.
 #pragma once
 
 #include <filesystem>
@@ -9,13 +9,13 @@
 
 namespace rendering {
 
-/// `file`: NAME.json. The values are 64-bit, [frequency x frame] magnitudes or [frequency x 2 frame] with real and
-/// imaginary parts side by side. Throws environmentFault.
+/// Writes NAME.json and NAME.npy; `file` is NAME.json. The values are 64-bit: magnitudes [frequency x frame], or real and
+/// imaginary parts side by side [frequency x 2 frame]. Throws environmentFault.
 void writeSpectrogram(const std::filesystem::path& file, const signals::Spectrogram& spectrogram);
 void writeSpectrogram(const std::filesystem::path& file, const signals::MagnitudeSpectrogram& spectrogram);
 
-/// Throws badInput naming the file: missing, malformed, parameters that cannot be undone, values of another size
-/// than the parameters say, not finite, or a negative magnitude.
+/// Throws badInput naming the file: missing, malformed, parameters that cannot be inverted, values whose size does not match
+/// the parameters, values that are not finite, or a negative magnitude.
 std::variant<signals::Spectrogram, signals::MagnitudeSpectrogram> readSpectrogram(const std::filesystem::path& file);
 
 }  // namespace rendering

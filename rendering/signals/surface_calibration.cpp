@@ -12,10 +12,10 @@ namespace rendering::signals {
 namespace {
 
 constexpr std::size_t samplesWanted = 60000;
-constexpr double ownLightScale = 2;     ///< light differs from its own illumination by about half of it
-constexpr double ownLightRidge = 1e-4;  ///< its channels go together, and other rows are read than were learned
+constexpr double ownLightScale = 2;     ///< light differs from its own illumination by up to about a half
+constexpr double ownLightRidge = 1e-4;  ///< the channels are correlated, and the map is used on other rows than those of the fit
 
-/// Central differences over the pitch, one-sided at the borders; NaN beside what is unknown.
+/// Central differences over the pitch, one-sided at the borders; NaN beside unknown heights.
 Slopes slopesOfHeight(const cv::Mat& heightMm, const Pitch& pitch)
 {
     Slopes slopes{cv::Mat(heightMm.size(), CV_32FC1), cv::Mat(heightMm.size(), CV_32FC1)};
@@ -41,21 +41,22 @@ LightMeasure measureOf(const KnownSurfaceFrame& surface)
 void requireFitting(const KnownSurfaceFrame& surface, int first, int last)
 {
     const auto fault = [](const std::string& what, const std::string& expected) {
-        return protocols::badInput({.what = what, .where = "", .expected = expected, .nextStep = ""});
+        return protocols::badInput(
+            {.what = what, .where = "", .expected = expected, .nextStep = "check that frame and surface belong together"});
     };
     if (surface.frame.size() != surface.heightMm.size())
         throw fault("the frame has " + std::to_string(surface.frame.cols) + " x " + std::to_string(surface.frame.rows) +
-                        " pixels, the surface " + std::to_string(surface.heightMm.cols) + " x " +
+                        " pixels, but the surface has " + std::to_string(surface.heightMm.cols) + " x " +
                         std::to_string(surface.heightMm.rows),
                     "a height for each pixel");
     if (!(surface.pitch.x > 0 && std::abs(surface.pitch.x / surface.pitch.y - 1) < 0.01))
-        throw fault("the surface's pitch differs along x and y", "square pixels, as the frame has");
+        throw fault("the pitch of the surface differs along x and y", "square pixels, like those of the frame");
     if (first < 0 || last > surface.heightMm.rows || first >= last)
-        throw fault("rows " + std::to_string(first) + " to " + std::to_string(last) + " are not in the surface",
+        throw fault("rows " + std::to_string(first) + " to " + std::to_string(last) + " do not lie in the surface",
                     "rows from 0 to " + std::to_string(surface.heightMm.rows));
 }
 
-/// The rows asked for, where the slope is known.
+/// The given rows where the slope is known.
 cv::Mat knownPlaces(const Slopes& slopes, int first, int last)
 {
     cv::Mat places = cv::Mat::zeros(slopes.x.size(), CV_8UC1);
@@ -99,7 +100,7 @@ Calibration calibrationFrom(const KnownSurfaceFrame& surface, int first, int las
                 static_cast<int>(std::max<std::size_t>(1, count / samplesWanted)));
     FitOptions options;
     options.quality = quality;
-    if (surface.reference.empty()) {  // its illumination is already taken out, and the rows to be read may lie elsewhere
+    if (surface.reference.empty()) {  // The illumination is already removed, and other rows may be evaluated.
         options.byPlace = false;
         options.lightScale = ownLightScale;
         options.ridge = ownLightRidge;
@@ -109,7 +110,7 @@ Calibration calibrationFrom(const KnownSurfaceFrame& surface, int first, int las
     calibration.channels = samples.channels;
     calibration.map = fitSlopeMap(samples, options);
     calibration.mmPerPixel = surface.pitch.x;
-    if (!surface.reference.empty()) calibration.sensor = lookOf(surface.reference);
+    if (!surface.reference.empty()) calibration.sensor = appearanceOf(surface.reference);
     return calibration;
 }
 
@@ -121,15 +122,15 @@ SurfaceScore scoreOf(const Calibration& calibration, const KnownSurfaceFrame& su
     const Slopes known = slopesOfHeight(surface.heightMm, surface.pitch);
     const cv::Mat places = knownPlaces(known, first, last).rowRange(first, last);
     SurfaceScore score;
-    const auto offBy = [&](const cv::Mat& found, const cv::Mat& truth) {
+    const auto meanError = [&](const cv::Mat& found, const cv::Mat& truth) {
         return cv::mean(cv::abs(found - truth.rowRange(first, last)), places)[0];
     };
-    score.slopeError = (offBy(slopes.x, known.x) + offBy(slopes.y, known.y)) / 2;
+    score.slopeError = (meanError(slopes.x, known.x) + meanError(slopes.y, known.y)) / 2;
     cv::Mat truth;
     surface.heightMm.rowRange(first, last).convertTo(truth, CV_64F);
     truth.setTo(0, places == 0);
-    const cv::Mat off = withoutQuadratic(integrate(slopes, surface.pitch) - truth, places);
-    score.heightErrorMm = cv::norm(off) / std::sqrt(std::max(1, cv::countNonZero(places)));
+    const cv::Mat error = withoutQuadratic(integrate(slopes, surface.pitch) - truth, places);
+    score.heightErrorMm = cv::norm(error) / std::sqrt(std::max(1, cv::countNonZero(places)));
     cv::Scalar mean, sd;
     cv::meanStdDev(truth, mean, sd, places);
     score.knownSqMm = sd[0];

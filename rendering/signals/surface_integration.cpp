@@ -15,9 +15,9 @@ namespace rendering::signals {
 namespace {
 
 constexpr double weightOfGaps = 1e-3;
-constexpr double fewGaps = 1e-3;  ///< of the pixels: so few are as well bridged by the slopes around them alone
+constexpr double fewGaps = 1e-3;  ///< share of the pixels; so few gaps are bridged well enough by the slopes around them
 constexpr int mostIterations = 60;
-constexpr int iterationsOfLargeMaps = 8;  ///< from the continued slopes on, what more would bring is far below their noise
+constexpr int iterationsOfLargeMaps = 8;  ///< starting from continued slopes, further gains lie far below their noise
 constexpr std::size_t largeMap = 4'000'000;
 constexpr double residualToReach = 1e-6;
 
@@ -27,25 +27,29 @@ void requireShape(const Slopes& slopes, const Pitch& pitch)
 {
     if (slopes.x.empty() || slopes.x.size() != slopes.y.size())
         throw protocols::badInput(
-            {.what = "slopes along x (" + sizeText(slopes.x) + ") and y (" + sizeText(slopes.y) + ") do not belong together",
+            {.what = "the slopes along x (" + sizeText(slopes.x) + ") and y (" + sizeText(slopes.y) + ") differ in size",
              .where = "",
              .expected = "two images of one size",
-             .nextStep = ""});
+             .nextStep = "choose two files of one measurement"});
     if (slopes.x.channels() != 1 || slopes.y.channels() != 1)
-        throw protocols::badInput(
-            {.what = "slopes have several channels", .where = "", .expected = "one number a pixel", .nextStep = ""});
+        throw protocols::badInput({.what = "the slopes have several channels",
+                                   .where = "",
+                                   .expected = "one channel",
+                                   .nextStep = "split the channels"});
     if (!(pitch.x > 0 && pitch.y > 0 && std::isfinite(pitch.x) && std::isfinite(pitch.y)))
-        throw protocols::badInput(
-            {.what = "the pitch of the slopes is not a length", .where = "", .expected = "mm per pixel above 0", .nextStep = ""});
+        throw protocols::badInput({.what = "the pitch of the slopes is not positive",
+                                   .where = "",
+                                   .expected = "mm per pixel above 0",
+                                   .nextStep = "correct --pitch"});
 }
 
 void requireWhole(const Slopes& slopes)
 {
     if (!cv::checkRange(slopes.x) || !cv::checkRange(slopes.y))
-        throw protocols::badInput({.what = "slopes hold values that are not finite",
+        throw protocols::badInput({.what = "the slopes hold values that are not finite",
                                    .where = "",
-                                   .expected = "a number at every pixel",
-                                   .nextStep = ""});
+                                   .expected = "a finite number at every pixel",
+                                   .nextStep = "mark the gaps in a mask"});
 }
 
 template <class T>
@@ -58,13 +62,13 @@ cv::Mat as(const cv::Mat& values)
 }
 
 template <class T>
-cv::Mat solved(const Slopes& slopes, const Pitch& pitch, SlopeKind kind)
+cv::Mat integrated(const Slopes& slopes, const Pitch& pitch, SlopeKind kind)
 {
-    const Differences<T> differences(slopes.x.size(), pitch, kind);
+    const SlopeDifferences<T> differences(slopes.x.size(), pitch, kind);
     return differences.surfaceOf(differences.sources({as<T>(slopes.x), as<T>(slopes.y)}));
 }
 
-/// Missing slopes become the mean of those around them, from near to far (a pyramid of known averages).
+/// Replaces missing slopes by the mean of the nearest known ones, through a pyramid of averages.
 cv::Mat continued(const cv::Mat& values, const cv::Mat& known)
 {
     if (values.rows == 1 && values.cols == 1) return values;
@@ -99,15 +103,15 @@ SlopeKind slopeKindNamed(std::string_view name)
     throw protocols::badInput({.what = "unknown kind of slopes '" + std::string(name) + "'",
                                .where = "",
                                .expected = "point, central or forward",
-                               .nextStep = ""});
+                               .nextStep = "correct the option"});
 }
 
 cv::Mat integrate(const Slopes& slopes, const Pitch& pitch, SlopeKind kind, IntegrationQuality quality)
 {
     requireShape(slopes, pitch);
     cv::Mat height =
-        quality == IntegrationQuality::Full ? solved<double>(slopes, pitch, kind) : solved<float>(slopes, pitch, kind);
-    // The transform spreads a value that is not finite over all of the surface: one place tells.
+        quality == IntegrationQuality::Full ? integrated<double>(slopes, pitch, kind) : integrated<float>(slopes, pitch, kind);
+    // The transform spreads a value that is not finite over the whole surface, so one pixel reveals it.
     const bool finite = height.depth() == CV_64F ? std::isfinite(height.at<double>(0, 0)) : std::isfinite(height.at<float>(0, 0));
     if (!finite || height.total() == 1) requireWhole(slopes);
     return height;
@@ -115,7 +119,7 @@ cv::Mat integrate(const Slopes& slopes, const Pitch& pitch, SlopeKind kind, Inte
 
 cv::Mat measuredPlaces(const Slopes& slopes)
 {
-    // A difference with itself is 0 unless the value is not finite.
+    // The difference of a value with itself is 0 unless the value is not finite.
     const cv::Mat x = as<double>(slopes.x), y = as<double>(slopes.y);
     return (x - x == 0) & (y - y == 0);
 }
@@ -126,16 +130,19 @@ cv::Mat integrateAround(const Slopes& slopes, const cv::Mat& measured, const Pit
     cv::Mat known = measuredPlaces(slopes);
     if (!measured.empty()) known &= measured != 0;
     if (cv::countNonZero(known) == 0)
-        throw protocols::badInput({.what = "no slope is measured at all", .where = "", .expected = "numbers", .nextStep = ""});
+        throw protocols::badInput({.what = "no slope is measured",
+                                   .where = "",
+                                   .expected = "finite numbers",
+                                   .nextStep = "check the mask and the files of slopes"});
     const Slopes whole{continued(as<double>(slopes.x), known), continued(as<double>(slopes.y), known)};
     const double gaps = 1 - static_cast<double>(cv::countNonZero(known)) / static_cast<double>(known.total());
-    if (gaps < fewGaps) return solved<double>(whole, pitch, kind);
+    if (gaps < fewGaps) return integrated<double>(whole, pitch, kind);
 
-    const Differences<double> differences(known.size(), pitch, kind);
+    const SlopeDifferences<double> differences(known.size(), pitch, kind);
     const Slopes weights = differences.weights(known, weightOfGaps);
     const auto normal = [&](const cv::Mat& height) { return differences.transposed(weighted(differences.of(height), weights)); };
     const cv::Mat sources = differences.transposed(weighted(differences.between(whole), weights));
-    cv::Mat height = solved<double>(whole, pitch, kind);
+    cv::Mat height = integrated<double>(whole, pitch, kind);
     cv::Mat residual = sources - normal(height);
     cv::Mat step = differences.surfaceOf(residual), direction = step.clone();
     double power = residual.dot(step);
@@ -157,14 +164,14 @@ cv::Mat integrateAround(const Slopes& slopes, const cv::Mat& measured, const Pit
 double curlResidual(const Slopes& slopes, const cv::Mat& heightMm, const Pitch& pitch, SlopeKind kind)
 {
     requireShape(slopes, pitch);
-    const Differences<double> differences(slopes.x.size(), pitch, kind);
+    const SlopeDifferences<double> differences(slopes.x.size(), pitch, kind);
     const Slopes found = differences.of(as<double>(heightMm));
     Slopes given = differences.between({as<double>(slopes.x), as<double>(slopes.y)});
     double all = 0, unexplained = 0;
-    for (const auto& [mine, theirs] : {std::pair{&found.x, &given.x}, {&found.y, &given.y}}) {
-        const cv::Mat finite = *theirs - *theirs == 0;  // a difference with itself is 0 unless the value is not finite
-        all += std::pow(cv::norm(*theirs, cv::NORM_L2, finite), 2);
-        unexplained += std::pow(cv::norm(*theirs, *mine, cv::NORM_L2, finite), 2);
+    for (const auto& [fitted, measured] : {std::pair{&found.x, &given.x}, {&found.y, &given.y}}) {
+        const cv::Mat finite = *measured - *measured == 0;  // A difference with itself is 0 unless the value is not finite.
+        all += std::pow(cv::norm(*measured, cv::NORM_L2, finite), 2);
+        unexplained += std::pow(cv::norm(*measured, *fitted, cv::NORM_L2, finite), 2);
     }
     return all > 0 ? std::sqrt(unexplained / all) : 0;
 }
@@ -175,7 +182,7 @@ cv::Mat withoutLowFrequency(const cv::Mat& heightMm, const Pitch& pitch, double 
         throw protocols::badInput({.what = "a high-pass cut-off of " + std::to_string(cutoffMm) + " mm removes nothing",
                                    .where = "",
                                    .expected = "a wavelength above 0",
-                                   .nextStep = ""});
+                                   .nextStep = "correct the cut-off"});
     cv::Mat spectrum = cosineTransform(as<double>(heightMm));
     const auto passed = [cutoffMm](int length, double step) {
         std::vector<double> share(static_cast<std::size_t>(length));
@@ -198,7 +205,7 @@ cv::Mat withoutTilt(const cv::Mat& heightMm, const cv::Mat& places)
     cv::Matx33d normal = cv::Matx33d::zeros();
     cv::Vec3d right;
     int count = 0;
-    const auto terms = [&](int i, int j) {  // about the middle, so that the three hardly mix
+    const auto terms = [&](int i, int j) {  // Relative to the middle, so that the terms are nearly orthogonal.
         return cv::Vec3d((2.0 * j - height.cols + 1) / height.cols, (2.0 * i - height.rows + 1) / height.rows, 1);
     };
     for (int i = 0; i < height.rows; ++i)
@@ -210,12 +217,12 @@ cv::Mat withoutTilt(const cv::Mat& heightMm, const cv::Mat& places)
             ++count;
         }
     if (count < 3)
-        throw protocols::badInput({.what = "there is no place to level the surface by",
+        throw protocols::badInput({.what = "there are too few places to level the surface",
                                    .where = "",
-                                   .expected = "three pixels outside contact",
-                                   .nextStep = ""});
+                                   .expected = "at least three pixels outside the contact",
+                                   .nextStep = "use a frame with an untouched border"});
     cv::Vec3d plane;
-    cv::solve(normal, right, plane, cv::DECOMP_SVD);  // one row or column has no slope across it
+    cv::solve(normal, right, plane, cv::DECOMP_SVD);  // A single row or column leaves one slope undetermined.
     cv::Mat result(height.size(), CV_64FC1);
     for (int i = 0; i < height.rows; ++i)
         for (int j = 0; j < height.cols; ++j) result.at<double>(i, j) = height.at<double>(i, j) - plane.dot(terms(i, j));

@@ -159,7 +159,7 @@ void benchPhotometricStereo(std::vector<BenchRow>& rows)
     change.convertTo(frame, CV_8U, 255, 128);
     const cv::Mat reference(frame.size(), CV_8UC3, cv::Scalar::all(128));
     const cv::Mat truth =
-        signals::settled(known.heightMm, {pitchMm, pitchMm}, calibration.highPassCutoffMm, calibration.zeroPercentile);
+        signals::zeroedRelief(known.heightMm, {pitchMm, pitchMm}, calibration.highPassCutoffMm, calibration.zeroPercentile);
     const auto add = [&](const char* quality, IntegrationQuality integration, const char* note) {
         cv::Mat found;
         const double time =

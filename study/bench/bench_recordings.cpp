@@ -10,7 +10,7 @@
 #include "protocols/random.h"
 #include "rendering/images/image_io.h"
 #include "rendering/images/true_map.h"
-#include "rendering/signals/ball_presses.h"
+#include "rendering/signals/ball_calibration.h"
 #include "rendering/signals/photometric_stereo.h"
 #include "rendering/signals/roughness.h"
 #include "rendering/signals/shape_from_shading.h"

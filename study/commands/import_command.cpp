@@ -38,8 +38,8 @@ rendering::fabrics::FrictionOptions frictionOptions(const ImportCall& call)
     if (!call.forceUnit.empty() && !newtonsIn(call.forceUnit))
         throw protocols::badInput(
             {"\"" + call.forceUnit + "\" is no unit of force", "--force-unit", std::string(knownForceUnits), ""});
-    options.zero = foundFrom(call.zero, "--zero", options.zeroInterval);
-    options.trim = foundFrom(call.trim, "--trim", options.trimInterval);
+    options.zero = selectionFrom(call.zero, "--zero", options.zeroInterval);
+    options.trim = selectionFrom(call.trim, "--trim", options.trimInterval);
     options.rateHz = call.rate;
     return options;
 }
@@ -74,7 +74,7 @@ rendering::fabrics::ImportedSensor sensorFrom(const std::filesystem::path& file)
                                    "turn its frames into heights with vis2hap height"});
     rendering::fabrics::ImportedSensor sensor{readFile(file), calibration.mmPerPixel, {}, {}};
     sensor.requireSame = [look = calibration.sensor, file](const cv::Mat& reference, const std::string& where) {
-        const auto difference = look ? signals::differenceOf(*look, signals::lookOf(reference)) : std::nullopt;
+        const auto difference = look ? signals::differenceOf(*look, signals::appearanceOf(reference)) : std::nullopt;
         if (difference)
             throw protocols::badInput({"is not of the calibrated sensor: " + *difference, where,
                                        "a frame of the sensor of " + file.string(),

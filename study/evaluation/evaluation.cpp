@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "protocols/files/errors.h"
-#include "rendering/models/model_card.h"
+#include "rendering/models/model_card_fields.h"
 #include "stats/kernels/threads.h"
 #include "study/evaluation/speaking.h"
 #include "study/evaluation/summary.h"
@@ -81,7 +81,7 @@ PlanRequest planRequest(const fabrics::Dataset& dataset, const EvaluationRequest
     plan.samplesPerFabric = request.samplesPerFabric;
     plan.threads = request.threads;
     for (const OpenModel& model : opened)
-        plan.trainedOn.insert(model.card.told.trainingSampleHashes.begin(), model.card.told.trainingSampleHashes.end());
+        plan.trainedOn.insert(model.card.summary.trainingSampleHashes.begin(), model.card.summary.trainingSampleHashes.end());
     if (request.split == SplitKind::Fabric) plan.heldOut = heldOutFabrics(dataset, opened.front());
     return plan;
 }
@@ -116,7 +116,7 @@ std::vector<std::vector<models::GeneratedSignals>> generatedFor(const Setting& s
                                                                 const std::vector<OpenModel>& opened, std::size_t first,
                                                                 std::size_t count, const Generate& generate)
 {
-    std::vector<models::PhotographToTouch> photographs;
+    std::vector<models::InputPhotograph> photographs;
     for (std::size_t i = first; i < first + count; ++i) {
         const Sample& photograph = setting.plan.pairs[i].photograph;
         photographs.push_back(
@@ -187,7 +187,7 @@ void addFacts(const fabrics::Dataset& dataset, const std::vector<OpenModel>& ope
     evaluation.aligned = dataset.pairing == fabrics::Pairing::Aligned;
     for (const OpenModel& model : opened)
         evaluation.models.push_back(
-            {model.card.told.name, model.file.string(), model.card.told.sha256, model.card.objective, model.card.heldOut});
+            {model.card.summary.name, model.file.string(), model.card.summary.sha256, model.card.objective, model.card.heldOut});
     evaluation.leaks = setting.plan.leaks;
     evaluation.notes = setting.plan.notes;
     evaluation.pairs = static_cast<int>(setting.plan.pairs.size());

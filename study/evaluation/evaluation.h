@@ -80,7 +80,7 @@ struct Evaluation {
 
 /// How signals are generated; the program asks rendering::models::generate().
 using Generate = std::function<std::vector<rendering::models::GeneratedSignals>(
-    std::span<const rendering::models::PhotographToTouch>, const rendering::models::GenerationOptions&)>;
+    std::span<const rendering::models::InputPhotograph>, const rendering::models::GenerationOptions&)>;
 
 /// Throws badInput where there is nothing to test or the model cannot be tested so.
 Evaluation evaluate(const rendering::fabrics::Dataset& dataset, const EvaluationRequest& request, const Report& report = {},

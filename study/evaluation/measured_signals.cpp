@@ -60,7 +60,7 @@ cv::Mat MeasuredSignals::height(const protocols::FabricId& fabric, int index) co
             throw protocols::badInput({"the height of tactile sample " + std::to_string(index) + " is not there",
                                        fabrics::knownHeightPath(m_dataset, fabric, index).string(),
                                        "known heights, as dataset.json says (calibration \"known\")", ""});
-        height = signals::settled(*known, {m_pitchMm, m_pitchMm}, std::nullopt, signals::Calibration{}.zeroPercentile);
+        height = signals::zeroedRelief(*known, {m_pitchMm, m_pitchMm}, std::nullopt, signals::Calibration{}.zeroPercentile);
     }
     height.convertTo(height, CV_32F);
     return height;

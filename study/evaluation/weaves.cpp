@@ -6,7 +6,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "protocols/files/errors.h"
-#include "rendering/models/model_card.h"
+#include "rendering/models/model_card_fields.h"
 
 namespace study::evaluation {
 
@@ -61,7 +61,7 @@ Weaves weavesKept(const fabrics::Dataset& dataset, const EvaluationRequest& requ
     options.model = request.model.empty() ? models::shippedModel() : request.model;
     options.quality = request.quality;
     options.friction = false;
-    weaves.model = models::readModelCardFields(options.model).told.name;
+    weaves.model = models::readModelCardFields(options.model).summary.name;
     for (const auto& fabric : dataset.fabrics)
         for (const int index : fabrics::sampleIndices(dataset, fabric.id, Modality::Visual))
             weaves.photographs.push_back({fabric.id, fabric.name, index, {}, {}, 0, 0, {}});
@@ -70,7 +70,7 @@ Weaves weavesKept(const fabrics::Dataset& dataset, const EvaluationRequest& requ
                                    "visual/*.png of at least one fabric", "import photographs with `vis2hap import photos`"});
     for (std::size_t first = 0; first < weaves.photographs.size(); first += photographsAtOnce) {
         const std::size_t end = std::min(weaves.photographs.size(), first + photographsAtOnce);
-        std::vector<models::PhotographToTouch> asked;
+        std::vector<models::InputPhotograph> asked;
         for (std::size_t i = first; i < end; ++i)
             asked.push_back({fabrics::readPhotograph(dataset, weaves.photographs[i].fabric, weaves.photographs[i].index),
                              dataset.cameraMmPerPixel});

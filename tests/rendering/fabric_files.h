@@ -1,5 +1,5 @@
-// What the tests of data set and importers share: a folder that goes away, files written and read
-// whole, a small data set, and what a refusal said.
+// Shared by the tests of data sets and importers: files written and read whole, a small data set, and the message
+// of a refusal.
 #pragma once
 
 #include <QTemporaryDir>
@@ -14,6 +14,8 @@
 
 #include "protocols/files/errors.h"
 #include "rendering/fabrics/dataset.h"
+#include "rendering/fabrics/friction_record.h"
+#include "rendering/fabrics/sample_places.h"
 #include "rendering/images/image_io.h"
 
 namespace fabric_files {
@@ -35,7 +37,7 @@ inline std::string read(const fs::path& file)
     return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// Relative path -> bytes of every file below a folder.
+/// Relative path and bytes of every file below a folder.
 inline std::map<std::string, std::string> contentOf(const fs::path& folder)
 {
     std::map<std::string, std::string> content;
@@ -45,7 +47,7 @@ inline std::map<std::string, std::string> contentOf(const fs::path& folder)
     return content;
 }
 
-/// The message of the refusal, or an empty text where there was none; `code` must fit.
+/// The message of the refusal, or an empty text where nothing was refused. Its exit code must be `code`.
 template <class Action>
 std::string refusalOf(Action action, protocols::ExitCode code = protocols::ExitCode::BadInput)
 {
@@ -68,7 +70,7 @@ inline cv::Mat speckled(int rows, int columns, int type, int salt = 0)
     return image;
 }
 
-/// Two fabrics: F01 with all three signals (2 photographs, 1 press with known height, 2 strokes), F02 with a stroke of counts.
+/// Two fabrics. F01 has all three signals (2 photographs, 1 press with known height, 2 strokes), F02 has a stroke of counts.
 inline rendering::fabrics::Dataset smallDataset(const fs::path& folder)
 {
     using namespace rendering;
@@ -102,11 +104,11 @@ inline rendering::fabrics::Dataset smallDataset(const fs::path& folder)
     return dataset;
 }
 
-/// Real recordings beside the project, or an empty path.
+/// Folder of the shared recordings, or an empty path.
 inline fs::path sharedData()
 {
-    const QByteArray told = qgetenv("VIS2HAP_SHARED");
-    const fs::path shared = told.isEmpty() ? fs::path(VIS2HAP_SOURCE_DIR) / ".." / "shared" : fs::path(told.toStdString());
+    const QByteArray named = qgetenv("VIS2HAP_SHARED");
+    const fs::path shared = named.isEmpty() ? fs::path(VIS2HAP_SOURCE_DIR) / ".." / "shared" : fs::path(named.toStdString());
     return fs::is_directory(shared / "data") ? fs::canonical(shared / "data") : fs::path();
 }
 

@@ -1,4 +1,4 @@
-// What a refusal says, for tests of bad input: "" where nothing was refused.
+// The message of a refusal, for tests of bad input; empty where nothing was refused.
 #pragma once
 
 #include <QString>

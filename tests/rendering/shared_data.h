@@ -1,5 +1,5 @@
-// Where the shared recordings are: VIS2HAP_SHARED, else ../shared beside the project. Tests that need them skip aloud where
-// they are not there.
+// Folder of the shared recordings: VIS2HAP_SHARED, else ../shared beside the project. Tests that need the recordings
+// skip with a message where they are missing.
 #pragma once
 
 #include <QString>

@@ -1,5 +1,5 @@
-// Ball presses into a sensor whose light is known: three lamps, each brighter for slopes towards it (a little curved), unevenly
-// over the frame; the gel bridges from the ball's edge to rest. What a calibration should find again.
+// Ball presses into a sensor with known light, which a calibration should recover. Each of three lamps is brighter for slopes
+// towards it (slightly curved), unevenly over the frame. Around the contact the gel returns to rest.
 #pragma once
 
 #include <cmath>
@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "protocols/random.h"
-#include "rendering/signals/ball_presses.h"
+#include "rendering/signals/ball_calibration.h"
 
 namespace tests {
 
@@ -32,7 +32,7 @@ inline cv::Vec3d simulatedLight(double p, double q, double u, double v)
 
 inline cv::Vec3d simulatedBackground(double u, double v) { return {130 + 15 * u, 120 - 12 * v, 140 + 10 * u * v}; }
 
-/// Frames of 160 x 120, a ball of 2 mm at 0.125 mm per pixel (16 px), contact over `contactPx`.
+/// Frames of 160 x 120 with a ball of 2 mm at 0.125 mm per pixel (16 px) and a contact radius of `contactPx`.
 inline SimulatedPresses simulatedPresses(int count, double contactPx = 13, double noise = 1)
 {
     constexpr int width = 160, height = 120;

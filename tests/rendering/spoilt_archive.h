@@ -1,5 +1,5 @@
-// A torch archive (a zip file of stored entries) made to hold NaN, its checksums put right, so that
-// only a check of the numbers themselves can find it.
+// Puts NaN into a torch archive (a zip file of stored entries) and corrects its checksums. Only a check of the
+// numbers themselves can find the fault.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
 // A stroke as a rig records it, written as text: rest, approach, breakaway, slide, stop, rest, with offsets of the
-// sensor. What lies where is known.
+// sensor. The times of all parts are known.
 #pragma once
 
 #include <cmath>
@@ -14,19 +14,19 @@ namespace stroke_text {
 /// Seconds: rest to 0.5, load to 0.8, sticking to 1.2, breakaway to 1.3, slide to 7.5, stop to 7.8, lift 8.0 to 8.2, rest to 9.
 struct Stroke {
     double rateHz = 500;
-    double jitter = 0;                                           ///< of each step, share
+    double jitter = 0;                                           ///< of each step, as a share of it
     double load = 2, zeroNormal = 0.12, zeroTangential = -0.08;  ///< N
     double mu = 0.5, texture = 0.05;
     double noise = 0.004;               ///< N
-    double lostFromS = 0, lostToS = 0;  ///< no contact in between
-    double unit = 1;                    ///< written numbers are N times this
+    double lostFromS = 0, lostToS = 0;  ///< no contact between these times
+    double unit = 1;                    ///< factor from newtons to the written numbers
 };
 
-struct Sample {
+struct StrokeSample {
     double timeS, normalN, tangentialN;
 };
 
-inline Sample sampleAt(const Stroke& stroke, double t, protocols::Random& random)
+inline StrokeSample sampleAt(const Stroke& stroke, double t, protocols::Random& random)
 {
     double normal = t < 0.5 || t >= 8.2 ? 0 : t < 0.8 ? (t - 0.5) / 0.3 : t < 8.0 ? 1 : (8.2 - t) / 0.2;
     double mu = 0;
@@ -40,7 +40,7 @@ inline Sample sampleAt(const Stroke& stroke, double t, protocols::Random& random
             mu * normal + stroke.zeroTangential + stroke.noise * random.normal()};
 }
 
-/// `header`, then a line for each sample by `line(Sample)`.
+/// Text of `header` and one line for each sample, made by `line(StrokeSample)`.
 template <class Line>
 std::string written(const Stroke& stroke, const std::string& header, const Line& line)
 {
@@ -60,7 +60,7 @@ inline std::string number(double value)
 
 inline std::string twoForces(const Stroke& stroke = {}, const std::string& header = "t_s,fn,ft")
 {
-    return written(stroke, header, [&](const Sample& s) {
+    return written(stroke, header, [&](const StrokeSample& s) {
         return number(s.timeS) + "," + number(stroke.unit * s.normalN) + "," + number(stroke.unit * s.tangentialN);
     });
 }

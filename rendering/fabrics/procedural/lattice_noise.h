@@ -1,5 +1,5 @@
-// Smooth irregularity of an endless fabric: values hashed on a lattice and interpolated, so that any
-// place can be evaluated alone and always gives the same value. All functions lie in [-1, 1].
+// Lattice noise of an endless fabric: hashed values at lattice points, interpolated between them. Any place can
+// be evaluated alone and always gives the same value. All functions return values in [-1, 1].
 #pragma once
 
 #include <cmath>
@@ -21,13 +21,13 @@ inline float inUnitRange(std::uint32_t bits) { return float(std::int32_t(bits)) 
 
 inline float smoothStep(float t) { return t * t * (3 - 2 * t); }
 
-/// Two independent values per call.
+/// Two independent noise values from one evaluation.
 struct NoisePair {
     float first;
     float second;
 };
 
-/// Along yarn number `yarn`, `t` in lattice cells.
+/// Noise along yarn number `yarn`; `t` in lattice cells.
 inline NoisePair noiseAlong(std::uint64_t seed, std::int64_t yarn, float t)
 {
     const float cell = std::floor(t);
@@ -40,7 +40,7 @@ inline NoisePair noiseAlong(std::uint64_t seed, std::int64_t yarn, float t)
     return {mixed(a, b), mixed(a >> 32, b >> 32)};
 }
 
-/// Over the plane, `x` and `y` in lattice cells.
+/// Noise over the plane; `x` and `y` in lattice cells.
 inline NoisePair noiseAt(std::uint64_t seed, float x, float y)
 {
     const float row = std::floor(y);

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double tilePitchMm = 0.0125;
 
-/// Raises the tile to the upper half of a sphere; the tile repeats.
+/// Raises the tile to the upper half of a sphere; the tile is periodic.
 void raiseSphere(cv::Mat& tile, double x, double y, double z, double radius, double flatness)
 {
     const int reach = int(std::ceil(radius / tilePitchMm));
@@ -42,8 +42,8 @@ LoopTile drawLoops(const Structure& structure)
     tile.lengthMm = course;
     tile.heightMm = cv::Mat(int(std::lround(course / tilePitchMm)), int(std::lround(tile.widthMm / tilePitchMm)), CV_32FC1,
                             cv::Scalar(-radius * 1.6));
-    const double lobe = 0.21 * wale;     // how far a loop's head is wider than its neck
-    const double reach = 0.95 * course;  // heads lie behind the feet of the next course
+    const double lobe = 0.21 * wale;     // Makes the loop's head wider than its neck.
+    const double reach = 0.95 * course;  // Heads lie behind the feet of the next course.
     const double depth = 0.75 * radius;
     constexpr int steps = 1200;
     for (int k = 0; k < wales; ++k) {

@@ -8,12 +8,12 @@
 namespace rendering::fabrics {
 
 struct LoopTile {
-    cv::Mat heightMm;  ///< CV_32FC1, periodic in both directions; the floor lies where no yarn is
+    cv::Mat heightMm;  ///< CV_32FC1, periodic in both directions; a constant floor where there is no yarn
     double widthMm = 1;
     double lengthMm = 1;
 };
 
-/// Jersey: one face wale. Rib: two face wales and two back wales.
+/// Draws one repeat. Jersey: one face wale. Rib: two face wales and two back wales.
 LoopTile drawLoops(const Structure& structure);
 
 }  // namespace rendering::fabrics

@@ -12,14 +12,14 @@ namespace rendering::fabrics {
 namespace {
 
 struct Lamp {
-    float x, y, z;  ///< unit vector towards the lamp; x right, y down, z towards the camera
+    float x, y, z;  ///< unit vector towards the lamp: x right, y down, z towards the camera
     float exposure;
     float whiteBalance[3];
 };
 
 Lamp drawLamp(protocols::Random& random)
 {
-    const double azimuth = (225 + random.uniform(-12, 12)) * std::numbers::pi / 180;  // from the upper left
+    const double azimuth = (225 + random.uniform(-12, 12)) * std::numbers::pi / 180;  // From the upper left.
     const double elevation = (48 + random.uniform(-5, 5)) * std::numbers::pi / 180;
     Lamp lamp{float(std::cos(azimuth) * std::cos(elevation)),
               float(std::sin(azimuth) * std::cos(elevation)),
@@ -30,7 +30,7 @@ Lamp drawLamp(protocols::Random& random)
     return lamp;
 }
 
-/// Fibres that stand off the yarns: short bent lines, more of them the hairier the fabric. Values 0..1.
+/// Loose fibres as short bent lines; their number grows with hairiness. Values 0 to 1.
 cv::Mat looseFibres(cv::Size size, double hairiness, protocols::Random& random)
 {
     cv::Mat fibres(size, CV_8UC1, cv::Scalar(0));
@@ -54,7 +54,7 @@ cv::Mat looseFibres(cv::Size size, double hairiness, protocols::Random& random)
     return blurred;
 }
 
-/// Reflected light per pixel before the camera; the height's slopes per mm are limited where yarns end.
+/// Reflected light per pixel, before the camera. A slight blur limits the slopes at the edges of yarns.
 cv::Mat reflectedLight(const SurfacePatch& patch, const Structure& structure, const Lamp& lamp)
 {
     cv::Mat smooth, surroundings, light(patch.heightMm.size(), CV_32FC1);
@@ -90,7 +90,7 @@ float vignetting(int x, int y, cv::Size size)
 
 }  // namespace
 
-cv::Mat photograph(const FabricSurface& surface, const Place& place, protocols::Random& random)
+cv::Mat photograph(const FabricSurface& surface, const FabricPlace& place, protocols::Random& random)
 {
     const cv::Size size(photographSizePx, photographSizePx);
     const Structure& structure = surface.structure();

@@ -10,6 +10,7 @@
 #include "rendering/fabrics/procedural/structures.h"
 #include "rendering/fabrics/procedural/surface.h"
 #include "rendering/fabrics/procedural/tactile_press.h"
+#include "rendering/fabrics/sample_places.h"
 #include "rendering/images/image_io.h"
 #include "stats/kernels/threads.h"
 
@@ -21,11 +22,11 @@ namespace fs = std::filesystem;
 using protocols::Random;
 using protocols::Sync;
 
-constexpr double fieldMm = 1000;  // places are drawn from a square of this side
+constexpr double fieldMm = 1000;  // Places are drawn from a square with this side.
 /// The five in-plane rotations in which a piece of fabric is photographed.
 constexpr double photographRotationsDeg[] = {0, 30, 60, 90, 135};
 
-/// One fabric, ready to be sampled.
+/// A fabric that is ready to be sampled.
 struct Cloth {
     FabricInfo info;
     FabricSurface surface;
@@ -65,22 +66,22 @@ Dataset describe(const fs::path& folder, const ProceduralOptions& options)
     return dataset;
 }
 
-/// Where a sample lies. Aligned: all three signals of an index lie at the place of its photograph.
-Place placeOf(const Cloth& cloth, Modality modality, int index, const ProceduralOptions& options)
+/// Place of a sample. In an aligned data set all three signals of an index lie at the place of its photograph.
+FabricPlace placeOf(const Cloth& cloth, Modality modality, int index, const ProceduralOptions& options)
 {
     const bool aligned = options.pairing == Pairing::Aligned;
     const std::string signal = aligned ? "place" : nameOf(modality) + "/place";
     Random random = Random::stream(options.seed, cloth.info.id.value + "/" + signal + "/" + std::to_string(index));
-    Place place{random.uniform(0, fieldMm), random.uniform(0, fieldMm), random.uniform(-3, 3)};
+    FabricPlace place{random.uniform(0, fieldMm), random.uniform(0, fieldMm), random.uniform(-3, 3)};
     if (aligned || modality == Modality::Visual) place.rotationDeg += photographRotationsDeg[index % 5];
-    // Kept as samples.csv says it, so that a reader can find the very place.
+    // Rounded as in samples.csv, so that a reader of that file finds exactly this place.
     const auto rounded = [](double value) { return std::round(value * 1000) / 1000; };
     return {rounded(place.xMm), rounded(place.yMm), rounded(place.rotationDeg)};
 }
 
 void makeSample(const Dataset& dataset, const Cloth& cloth, Modality modality, int index, const ProceduralOptions& options)
 {
-    const Place place = placeOf(cloth, modality, index, options);
+    const FabricPlace place = placeOf(cloth, modality, index, options);
     Random random = Random::stream(options.seed, cloth.info.id.value + "/" + nameOf(modality) + "/" + std::to_string(index));
     const fs::path file = samplePath(dataset, cloth.info.id, modality, index);
     switch (modality) {
@@ -126,7 +127,7 @@ std::vector<SamplePlace> placesOf(const std::vector<Cloth>& cloths, const Proced
     for (const Cloth& cloth : cloths)
         for (const Modality modality : modalities)
             for (int index = 0; index < options.samples; ++index) {
-                const Place place = placeOf(cloth, modality, index, options);
+                const FabricPlace place = placeOf(cloth, modality, index, options);
                 const std::string group = cloth.info.id.value + "/" +
                                           (options.pairing == Pairing::Aligned ? "place" : nameOf(modality)) + "/" +
                                           std::to_string(index);
@@ -139,11 +140,11 @@ void refuseImpossible(const fs::path& folder, const ProceduralOptions& options)
 {
     const int most = int(allStructures().size());
     if (options.fabrics < 1 || options.fabrics > most)
-        throw protocols::badInput(
-            {"cannot make " + std::to_string(options.fabrics) + " fabrics", "--fabrics", "1 to " + std::to_string(most), ""});
+        throw protocols::badInput({"cannot make " + std::to_string(options.fabrics) + " fabrics", "--fabrics",
+                                   "1 to " + std::to_string(most), "choose another number"});
     if (options.samples < 1 || options.samples > 100000)
         throw protocols::badInput(
-            {"cannot make " + std::to_string(options.samples) + " samples", "--samples", "1 to 100000", ""});
+            {"cannot make " + std::to_string(options.samples) + " samples", "--samples", "1 to 100000", "choose another number"});
     std::error_code problem;
     if (fs::exists(folder, problem) && !(fs::is_directory(folder, problem) && fs::is_empty(folder, problem)))
         throw protocols::badInput({"exists and is not empty", folder.string(), "a new or empty folder", "choose another folder"});

@@ -15,14 +15,14 @@ constexpr int stripRows = 7;
 constexpr double nominalForceN = 15;
 constexpr double referenceSpeedMmPerS = 5;
 
-/// Relief under the probe along the stroke, mean removed, at the strip's pitch.
-std::vector<double> probedRelief(const FabricSurface& surface, const Place& start, double lengthMm)
+/// Relief under the probe along the stroke, mean removed, sampled at the pitch of the strip.
+std::vector<double> probedRelief(const FabricSurface& surface, const FabricPlace& start, double lengthMm)
 {
     const int margin = 10;
     const int columns = int(std::ceil(lengthMm / stripPitchMm)) + 1 + 2 * margin;
     const double angle = start.rotationDeg * std::numbers::pi / 180;
     const double toCentre = ((columns - 1) / 2.0 - margin) * stripPitchMm;
-    const Place centre{start.xMm + std::cos(angle) * toCentre, start.yMm + std::sin(angle) * toCentre, start.rotationDeg};
+    const FabricPlace centre{start.xMm + std::cos(angle) * toCentre, start.yMm + std::sin(angle) * toCentre, start.rotationDeg};
     cv::Mat strip = surface.sample(centre, {columns, stripRows}, stripPitchMm).heightMm;
     cv::GaussianBlur(strip, strip, {}, contactMm / 3 / stripPitchMm);
     std::vector<double> relief;
@@ -37,7 +37,7 @@ std::vector<double> probedRelief(const FabricSurface& surface, const Place& star
     return relief;
 }
 
-/// Texture of the coefficient at distance x along a relief whose first entry lies one pitch before the start.
+/// Texture part of the coefficient at distance `xMm`. The first entry of `relief` lies one pitch before the start.
 double textureAt(const std::vector<double>& relief, double xMm)
 {
     const double place = xMm / stripPitchMm + 1;
@@ -48,7 +48,7 @@ double textureAt(const std::vector<double>& relief, double xMm)
     return 0.35 * height + 0.18 * slope;
 }
 
-/// First-order autoregressive noise of a given deviation and correlation time.
+/// First-order autoregressive noise with a given standard deviation and correlation time.
 class ColouredNoise {
 public:
     ColouredNoise(double deviation, double timeS, double rateHz, protocols::Random& random)
@@ -84,7 +84,7 @@ double meanFriction(const FabricSurface& surface, const FrictionRecording& recor
     return resting * (1 + 0.06 * std::log(recording.speedMmPerS / referenceSpeedMmPerS));
 }
 
-ForceRecord strokeFabric(const FabricSurface& surface, double mean, const Place& start, const FrictionRecording& recording,
+ForceRecord strokeFabric(const FabricSurface& surface, double mean, const FabricPlace& start, const FrictionRecording& recording,
                          protocols::Random& random)
 {
     const double placeFactor = 1 + 0.03 * random.normal();

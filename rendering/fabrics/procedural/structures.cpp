@@ -4,7 +4,7 @@ namespace rendering::fabrics {
 
 namespace {
 
-/// `rule(warp, weft)` says whether the warp is up.
+/// Builds a draft; `rule(warp, weft)` returns whether the warp is up.
 template <class Rule>
 Draft draftOf(int warps, int wefts, Rule rule)
 {
@@ -24,14 +24,14 @@ Draft basket(int size)
     return draftOf(2 * size, 2 * size, [size](int warp, int weft) { return (warp / size + weft / size) % 2 == 0; });
 }
 
-/// Warp up over `up` wefts, down under `down`, stepping one to the right each weft.
+/// Each warp is up over `up` wefts and down under `down`, one warp further to the right at each weft.
 Draft twill(int up, int down)
 {
     const int repeat = up + down;
     return draftOf(repeat, repeat, [=](int warp, int weft) { return (warp + weft) % repeat < up; });
 }
 
-/// A 2/2 twill whose direction turns every `width` warps, with the break of a true herringbone.
+/// 2/2 twill whose direction turns every `width` warps, with the break of a true herringbone.
 Draft herringbone(int width)
 {
     return draftOf(2 * width, 4, [=](int warp, int weft) {
@@ -40,13 +40,13 @@ Draft herringbone(int width)
     });
 }
 
-/// Warp-faced satin: each weft rises over one warp in `repeat`, `move` further each time.
+/// Warp-faced satin: each weft rises over one warp in `repeat`, `move` warps further each time.
 Draft satin(int repeat, int move)
 {
     return draftOf(repeat, repeat, [=](int warp, int weft) { return warp != (weft * move) % repeat; });
 }
 
-/// Honeycomb: diamonds of warp floats and of weft floats side by side, bound in plain weave between them.
+/// Honeycomb: diamonds of warp floats and of weft floats side by side, with plain weave between them.
 Draft honeycomb()
 {
     return draftOf(8, 8, [](int warp, int weft) {
@@ -57,7 +57,7 @@ Draft honeycomb()
     });
 }
 
-/// An irregular crepe of short floats without a direction to follow.
+/// Irregular crepe of short floats without a visible direction.
 Draft crepe()
 {
     static constexpr const char* rows[] = {"10110100", "01001011", "11010010", "00101101",
@@ -65,7 +65,7 @@ Draft crepe()
     return draftOf(8, 8, [](int warp, int weft) { return rows[weft][warp] == '1'; });
 }
 
-// One fabric a paragraph: name, structure; construction, draft; warp and weft as spacing, diameter,
+// Each fabric takes two lines: name, structure; construction, draft; warp and weft as spacing, diameter,
 // flatness, twist, unevenness; crimp share, displacement, leno, cells, pile; hairiness, sheen, fibre
 // friction, colour.
 // clang-format off

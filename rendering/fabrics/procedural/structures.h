@@ -1,5 +1,4 @@
-// The fabrics of the procedural data set as a table: what a textile engineer would note down of each.
-// Adding a fabric is adding a row.
+// Table of the procedural fabrics, in the terms of a textile engineer. A new fabric is a new row.
 #pragma once
 
 #include <array>
@@ -10,7 +9,7 @@
 
 namespace rendering::fabrics {
 
-/// Which yarn lies on top at every crossing of one repeat: ups[weft][warp] is true where the warp is up.
+/// Yarn on top at every crossing of one repeat: ups[weft * warps + warp] is 1 where the warp is up.
 struct Draft {
     int warps = 0;
     int wefts = 0;
@@ -23,42 +22,42 @@ struct Draft {
     }
 };
 
-/// A set of parallel yarns. Lengths in mm.
+/// Set of parallel yarns. Lengths in mm.
 struct Yarns {
     double spacing = 0.5;
     double diameter = 0.45;
-    double flatness = 0.6;     ///< height of the cross-section over its width
-    double twistDegrees = 25;  ///< angle of the fibres to the yarn's axis
+    double flatness = 0.6;     ///< height of the cross-section divided by its width
+    double twistDegrees = 25;  ///< angle between the fibres and the axis of the yarn
     double unevenness = 0.06;  ///< relative change of diameter along the yarn
 };
 
 enum class Construction { Woven, Jersey, Rib, Corduroy };
 
-/// Bumps of a size above the yarns': cells of a waffle, pebbles of a crepe. Lengths in mm.
-struct Cells {
+/// Relief that is coarser than the yarns: cells of a waffle, pebbles of a crepe. Lengths in mm.
+struct CellRelief {
     double depth = 0;
     double period = 1;
-    bool regular = false;  ///< square cells with raised borders, else irregular pebbles
+    bool regular = false;  ///< true: square cells with raised borders; false: irregular pebbles
 };
 
 struct Structure {
     std::string_view name;
     std::string_view structure;
     Construction construction = Construction::Woven;
-    Draft draft;                   ///< woven ones, and the ground of a corduroy
-    Yarns warp, weft;              ///< of a knit: wale and course spacing; the warp's diameter is the loop yarn's
-    double crimpShare = 0.5;       ///< how much of the crimp the warp takes; the weft takes the rest
-    double displacementMm = 0.03;  ///< irregular place of the yarns
-    double leno = 0;               ///< shift of warps towards their pair, as part of the spacing
-    Cells cells;
+    Draft draft;                   ///< of woven fabrics, and of the ground of a corduroy
+    Yarns warp, weft;              ///< of a knit: spacing of wales and courses; the warp's diameter is the loop yarn's
+    double crimpShare = 0.5;       ///< share of the crimp that the warp takes; the weft takes the rest
+    double displacementMm = 0.03;  ///< irregularity of the yarns' positions
+    double leno = 0;               ///< shift of a warp towards its pair, as a share of the spacing
+    CellRelief cells;
     double pileMm = 0;                             ///< height of a corduroy's ribs; their period is cells.period
-    double hairiness = 0.2;                        ///< 0 filament .. 1 brushed
-    double sheen = 0.1;                            ///< share of mirrored light
+    double hairiness = 0.2;                        ///< 0 for filament to 1 for brushed fabrics
+    double sheen = 0.1;                            ///< share of specular light
     double fibreFriction = 0.2;                    ///< adhesion part of the coefficient against the steel probe
-    std::array<double, 3> colour{0.9, 0.9, 0.88};  ///< reflectance, R G B
+    std::array<double, 3> colour{0.9, 0.9, 0.88};  ///< reflectance: red, green, blue
 };
 
-/// The fifteen, F01 first.
+/// The fifteen structures; the first belongs to F01.
 std::span<const Structure> allStructures();
 
 }  // namespace rendering::fabrics

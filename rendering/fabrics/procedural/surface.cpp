@@ -11,13 +11,13 @@ namespace rendering::fabrics {
 
 namespace {
 
-// Each kind of irregularity has its own lattice.
+// Each kind of irregularity has its own lattice, so that the kinds are independent.
 constexpr std::uint64_t warpLattice = 0x57A1, weftLattice = 0x57A2, wanderLattice = 0x57A3, hairLattice = 0x57A4,
                         pebbleLattice = 0x57A5, tuftLattice = 0x57A6, wavinessLattice = 0x57A7;
 
-constexpr float yarnCellMm = 2.2f;      // length over which a yarn's thickness and place change
-constexpr float wanderCellMm = 7.0f;    // size of the fabric's slow distortions
-constexpr float wavinessCellMm = 9.0f;  // size of its slow undulation
+constexpr float yarnCellMm = 2.2f;      // A yarn's thickness and position change over this length.
+constexpr float wanderCellMm = 7.0f;    // Size of the slow distortions of the fabric.
+constexpr float wavinessCellMm = 9.0f;  // Size of its slow undulation.
 constexpr float hairCellMm = 0.11f;
 constexpr float wavinessMm = 0.02f;
 constexpr float gapShade = 0.45f;
@@ -51,7 +51,7 @@ FabricSurface::FabricSurface(const Structure& structure, std::uint64_t seed) : m
     }
 }
 
-SurfacePatch FabricSurface::sample(const Place& place, cv::Size size, double pitchMm) const
+SurfacePatch FabricSurface::sample(const FabricPlace& place, cv::Size size, double pitchMm) const
 {
     SurfacePatch patch{cv::Mat(size, CV_32FC1), cv::Mat(size, CV_32FC1)};
     const double angle = place.rotationDeg * std::numbers::pi / 180;
@@ -62,7 +62,7 @@ SurfacePatch FabricSurface::sample(const Place& place, cv::Size size, double pit
         const double y = (row - (size.height - 1) / 2.0) * pitchMm;
         for (int column = 0; column < size.width; ++column) {
             const double x = (column - (size.width - 1) / 2.0) * pitchMm;
-            const Point point = at(float(place.xMm + cosine * x - sine * y), float(place.yMm + sine * x + cosine * y));
+            const SurfacePoint point = at(float(place.xMm + cosine * x - sine * y), float(place.yMm + sine * x + cosine * y));
             heights[column] = point.height;
             shades[column] = point.shade;
         }
@@ -70,13 +70,13 @@ SurfacePatch FabricSurface::sample(const Place& place, cv::Size size, double pit
     return patch;
 }
 
-FabricSurface::Point FabricSurface::at(float u, float v) const
+FabricSurface::SurfacePoint FabricSurface::at(float u, float v) const
 {
     const NoisePair wander = noiseAt(m_seed ^ wanderLattice, u / wanderCellMm, v / wanderCellMm);
     const float reach = 2.5f * float(m_structure->displacementMm);
     const float wanderedU = u + reach * wander.first, wanderedV = v + reach * wander.second;
     const bool knitted = !m_loops.empty();
-    Point point = knitted ? knittedAt(wanderedU, wanderedV) : wovenAt(wanderedU, wanderedV);
+    SurfacePoint point = knitted ? knittedAt(wanderedU, wanderedV) : wovenAt(wanderedU, wanderedV);
     if (m_structure->construction == Construction::Corduroy) point = withPile(point, wanderedU, wanderedV);
     const NoisePair hair = noiseAt(m_seed ^ hairLattice, u / hairCellMm, v / hairCellMm);
     const float hairiness = float(m_structure->hairiness);
@@ -86,17 +86,17 @@ FabricSurface::Point FabricSurface::at(float u, float v) const
     return point;
 }
 
-FabricSurface::Point FabricSurface::wovenAt(float u, float v) const
+FabricSurface::SurfacePoint FabricSurface::wovenAt(float u, float v) const
 {
     const Structure& s = *m_structure;
     const float floor = -1.3f * std::max(float(s.warp.diameter * s.warp.flatness), float(s.weft.diameter * s.weft.flatness));
-    Point best{floor, gapShade};
+    SurfacePoint best{floor, gapShade};
     const auto consider = [&](bool isWarp, float across, float along, float spacing) {
         const float place = across / spacing;
         const auto yarn = std::int64_t(std::floor(place));
         const std::int64_t neighbour = fraction(place) < 0.5f ? yarn - 1 : yarn + 1;
         for (const std::int64_t candidate : {yarn, neighbour}) {
-            const Point point = yarnAt(isWarp, candidate, across, along);
+            const SurfacePoint point = yarnAt(isWarp, candidate, across, along);
             if (point.height > best.height) best = point;
         }
     };
@@ -105,7 +105,7 @@ FabricSurface::Point FabricSurface::wovenAt(float u, float v) const
     return best;
 }
 
-FabricSurface::Point FabricSurface::yarnAt(bool isWarp, std::int64_t yarn, float across, float along) const
+FabricSurface::SurfacePoint FabricSurface::yarnAt(bool isWarp, std::int64_t yarn, float across, float along) const
 {
     const Yarns& yarns = isWarp ? m_structure->warp : m_structure->weft;
     const NoisePair noise =
@@ -117,10 +117,10 @@ FabricSurface::Point FabricSurface::yarnAt(bool isWarp, std::int64_t yarn, float
     if (std::abs(side) >= 1) return {-1e3f, 0};
     const float roundness = std::sqrt(1 - side * side);
     const float halfHeight = halfWidth * float(yarns.flatness);
-    // Fibres wind around the yarn: seen from above they are oblique lines, closer together towards its edges.
+    // Fibres wind around the yarn. From above they are oblique lines that lie closer together towards its edges.
     const float turn = 2.2f * halfWidth / std::max(0.15f, std::tan(float(yarns.twistDegrees) * float(std::numbers::pi) / 180));
     const float winding = 3 * along / turn + 0.5f * std::asin(side) + 0.25f * noise.first;
-    const float fibre = std::abs(2 * fraction(winding) - 1);  // triangle wave, 0 in the groove between fibres
+    const float fibre = std::abs(2 * fraction(winding) - 1);  // Triangle wave; 0 in the groove between fibres.
     const float height = axisHeight(isWarp, yarn, along) + halfHeight * roundness + 0.05f * halfHeight * (fibre - 0.5f);
     const float shade = (0.72f + 0.28f * roundness) * (0.94f + 0.09f * fibre) * (1 + 0.05f * noise.second);
     return {height, shade};
@@ -141,7 +141,7 @@ float FabricSurface::axisHeight(bool isWarp, std::int64_t yarn, float along) con
     return crimp * (here + (next - here) * smoothStep(t) + bow);
 }
 
-FabricSurface::Point FabricSurface::knittedAt(float u, float v) const
+FabricSurface::SurfacePoint FabricSurface::knittedAt(float u, float v) const
 {
     const float wale = float(m_structure->warp.spacing), course = float(m_structure->weft.spacing);
     const NoisePair stitch = noiseAt(m_seed ^ warpLattice, u / (1.3f * wale), v / (1.3f * course));
@@ -155,7 +155,7 @@ FabricSurface::Point FabricSurface::knittedAt(float u, float v) const
     return {height + 0.008f * fibre.first, (gapShade + (1 - gapShade) * openness) * (1 + 0.07f * fibre.second)};
 }
 
-FabricSurface::Point FabricSurface::withPile(Point ground, float u, float v) const
+FabricSurface::SurfacePoint FabricSurface::withPile(SurfacePoint ground, float u, float v) const
 {
     const float period = float(m_structure->cells.period);
     const NoisePair tuft = noiseAt(m_seed ^ tuftLattice, u / 0.16f, v / 0.30f);
@@ -171,7 +171,7 @@ FabricSurface::Point FabricSurface::withPile(Point ground, float u, float v) con
 
 float FabricSurface::cellsAt(float u, float v) const
 {
-    const Cells& cells = m_structure->cells;
+    const CellRelief& cells = m_structure->cells;
     if (cells.depth == 0 || m_structure->construction == Construction::Rib) return 0;
     const float period = float(cells.period), depth = float(cells.depth);
     if (!cells.regular) {

@@ -16,19 +16,19 @@ namespace {
 constexpr double gelSigmaMm = 0.075;
 constexpr float contactSoftnessMm = 0.03f;
 constexpr float heightStep = 1.0f / 8192;
-constexpr double lampGain = 0.33;                     // change of a channel (of full scale) per unit slope along its lamp
-constexpr double lampAzimuthDeg[3] = {90, 210, 330};  // red below, green upper left, blue upper right (y down)
-constexpr float linearUpTo = 0.26f;                   // share of full scale where saturation begins
+constexpr double lampGain = 0.33;                     // Change of a channel (share of full scale) per unit slope along its lamp.
+constexpr double lampAzimuthDeg[3] = {90, 210, 330};  // Red below, green upper left, blue upper right (y down).
+constexpr float linearUpTo = 0.26f;                   // Saturation begins at this share of full scale.
 constexpr float saturatesAt = 0.42f;
-constexpr float frameNoise = 0.8f;  // standard deviation, 8-bit steps
+constexpr float frameNoise = 0.8f;  // Standard deviation in 8-bit steps.
 
-struct Slopes {
+struct GelSlopes {
     cv::Mat x, y;  ///< mm per mm
 };
 
-Slopes centralSlopes(const cv::Mat& heightMm)
+GelSlopes centralSlopes(const cv::Mat& heightMm)
 {
-    Slopes slopes;
+    GelSlopes slopes;
     const cv::Mat kernelX = (cv::Mat_<float>(1, 3) << -1, 0, 1);
     cv::filter2D(heightMm, slopes.x, CV_32F, kernelX, {-1, -1}, 0, cv::BORDER_REFLECT_101);
     cv::filter2D(heightMm, slopes.y, CV_32F, kernelX.t(), {-1, -1}, 0, cv::BORDER_REFLECT_101);
@@ -45,7 +45,7 @@ float saturated(float change)
     return std::copysign(linearUpTo + room * std::tanh((size - linearUpTo) / room), change);
 }
 
-/// Light of the untouched gel: brighter on each lamp's side, darker in the corners. Steps of 8 bits.
+/// Light of the untouched gel in 8-bit steps: brighter on each lamp's side, darker in the corners.
 float referenceLight(int channel, int x, int y)
 {
     const double angle = lampAzimuthDeg[channel] * std::numbers::pi / 180;
@@ -55,7 +55,7 @@ float referenceLight(int channel, int x, int y)
     return float(levels[channel] + 9 * (std::cos(angle) * dx + std::sin(angle) * dy) - 4 * (dx * dx + dy * dy));
 }
 
-/// Slope contributions of a channel: row of K.
+/// Row of K for one channel: its change per unit slope in x and in y.
 struct LampRow {
     float x, y;
 };
@@ -73,7 +73,7 @@ float percentileOf(const cv::Mat& values, double percent)
     return sorted[std::size_t(place)];
 }
 
-/// How far the gel is pushed in by a surface when it reaches `depthMm` below its highest yarns.
+/// Indentation of the gel by a surface that reaches `depthMm` below its highest yarns, mm.
 cv::Mat indentation(const cv::Mat& surfaceMm, double depthMm)
 {
     const float bottom = percentileOf(surfaceMm, 99) - float(depthMm);
@@ -92,7 +92,7 @@ cv::Mat indentation(const cv::Mat& surfaceMm, double depthMm)
 
 }  // namespace
 
-Press pressSensor(const FabricSurface& surface, const Place& place, protocols::Random& random)
+Press pressSensor(const FabricSurface& surface, const FabricPlace& place, protocols::Random& random)
 {
     const SurfacePatch patch = surface.sample(place, {tactileWidthPx, tactileHeightPx}, tactileMmPerPixel);
     Press press;
@@ -103,7 +103,7 @@ Press pressSensor(const FabricSurface& surface, const Place& place, protocols::R
 
 cv::Mat tactileFrame(const cv::Mat& heightMm, protocols::Random& random)
 {
-    const Slopes slopes = centralSlopes(heightMm);
+    const GelSlopes slopes = centralSlopes(heightMm);
     NoiseSource noise(random.next());
     cv::Mat frame(heightMm.size(), CV_8UC3);
     for (int c = 0; c < 3; ++c) {

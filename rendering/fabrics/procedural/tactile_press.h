@@ -1,12 +1,12 @@
-// A simulated GelSight: a fabric pressed into a gel that three coloured lamps light from the side.
+// A simulated GelSight sensor: a fabric pressed into a gel that three coloured lamps light from the side.
 //
-// Contact: the gel follows the fabric down to the depth that the press reaches below the highest
-// yarns (softly), and its own stiffness smooths what it follows (Gaussian). The indented relief is
-// what a sensor could measure, mm >= 0, quantised to 2^-13 mm so that it packs well.
-// Light: lamps at 120 degrees around the gel, elevation 45 degrees; each channel changes against the
-// untouched gel by -gain * (slope along its lamp's direction), linear for moderate slopes and
-// saturating softly for steep ones. So frame - reference = 255 K [gx gy], and the inverse of K is
-// the calibration stored with the data set (schema vis2hap.calibration/1, kind linear):
+// Contact: the gel follows the fabric down to the depth that the press reaches below the highest yarns, with a soft
+// transition. Its stiffness smooths the result (Gaussian). This indented relief is the ground truth of a sensor,
+// in mm >= 0. It is quantised to 2^-13 mm, which compresses well.
+// Light: lamps at 120 degrees around the gel, elevation 45 degrees. Each channel differs from the untouched gel by
+// -gain * (slope along the direction of its lamp): linear for moderate slopes, softly saturating for steep ones.
+// So frame - reference = 255 K [gx gy]. The inverse of K is the calibration that is stored with the data set
+// (schema vis2hap.calibration/1, kind linear):
 //   [dh/dx, dh/dy] = A [dR, dG, dB] + b, with d = (frame - reference) / 255, h towards the sensor,
 //   x right, y down, slopes in mm per mm (central differences).
 #pragma once
@@ -28,12 +28,12 @@ struct Press {
     cv::Mat heightMm;  ///< CV_32FC1, indented relief
 };
 
-Press pressSensor(const FabricSurface& surface, const Place& place, protocols::Random& random);
+Press pressSensor(const FabricSurface& surface, const FabricPlace& place, protocols::Random& random);
 
-/// The frame of a known indentation, without contact model.
+/// Frame of a known indentation, without the contact model.
 cv::Mat tactileFrame(const cv::Mat& heightMm, protocols::Random& random);
 
-/// The untouched sensor, averaged over many frames: CV_8UC3, RGB.
+/// Frame of the untouched sensor, averaged over many frames: CV_8UC3, RGB.
 cv::Mat tactileReference();
 
 /// Text of tactile-calibration.json.

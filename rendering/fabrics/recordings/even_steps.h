@@ -1,4 +1,4 @@
-// Records with uneven time stamps brought to even ones.
+// Time stamps of records: their regularity, and resampling to even steps.
 #pragma once
 
 #include <string>
@@ -7,19 +7,19 @@
 namespace rendering::fabrics {
 
 struct TimeBase {
-    double stepS = 0;  ///< the median step
-    bool even = true;  ///< every step within 2 % of the median
+    double stepS = 0;  ///< median step
+    bool even = true;  ///< true where every step lies within 2 % of the median
     double smallestS = 0, largestS = 0;
 };
 
-/// Throws badInput naming the row (from 1) where time does not increase, and for fewer than two stamps.
+/// Throws badInput for fewer than two stamps, and where time does not increase, naming the row (from 1).
 TimeBase timeBaseOf(const std::vector<double>& timeS, const std::string& where);
 
-/// Values at 0, step, 2 step ... after the first stamp, linear between neighbours, never beyond the last stamp.
+/// Values at 0, step, 2 step and so on after the first stamp. Linear between neighbours; no value lies after the last stamp.
 std::vector<double> atEvenSteps(const std::vector<double>& timeS, const std::vector<double>& values, double stepS);
 
-/// Means of the samples within half a step of 0, step, 2 step ...; linear between neighbours where there are none.
-/// For steps longer than the record's own: leaves out what they cannot hold rather than folding it.
+/// Means of the samples within half a step of 0, step, 2 step and so on; linear between neighbours where there are none.
+/// For steps longer than those of the record, because the means suppress aliasing.
 std::vector<double> meansAtEvenSteps(const std::vector<double>& timeS, const std::vector<double>& values, double stepS);
 
 }  // namespace rendering::fabrics

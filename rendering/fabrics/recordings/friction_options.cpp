@@ -9,31 +9,32 @@
 
 namespace rendering::fabrics {
 
-Found foundFrom(std::string_view text, std::string_view option, Interval& interval)
+Selection selectionFrom(std::string_view text, std::string_view option, TimeInterval& interval)
 {
-    if (text.empty() || text == "auto") return Found::Automatically;
-    if (text == "none") return Found::Not;
+    if (text.empty() || text == "auto") return Selection::Automatic;
+    if (text == "none") return Selection::None;
     const auto comma = text.find(',');
     const auto from = protocols::numberIn(text.substr(0, comma));
     const auto to = comma == std::string_view::npos ? std::nullopt : protocols::numberIn(text.substr(comma + 1));
     if (!from || !to || !(*from >= 0 && *from < *to))
-        throw protocols::badInput({"\"" + std::string(text) + "\" is no interval", std::string(option),
-                                   "auto, none, or FROM,TO in seconds after the record's start", ""});
+        throw protocols::badInput({"\"" + std::string(text) + "\" is not an interval", std::string(option),
+                                   "auto, none, or FROM,TO in seconds after the record's start", "correct the option"});
     interval = {*from, *to};
-    return Found::AsStated;
+    return Selection::Stated;
 }
 
-std::vector<Axis> axesFrom(std::string_view text, std::string_view option, std::size_t most)
+std::vector<ForceAxis> axesFrom(std::string_view text, std::string_view option, std::size_t most)
 {
-    std::vector<Axis> axes;
+    std::vector<ForceAxis> axes;
     while (!text.empty()) {
         const auto comma = std::min(text.find(','), text.size());
         std::string_view name = text.substr(0, comma);
         const int sign = name.starts_with('-') ? -1 : 1;
         if (name.starts_with('-') || name.starts_with('+')) name.remove_prefix(1);
         if (name.empty() || axes.size() == most || comma + 1 == text.size())
-            throw protocols::badInput({"\"" + std::string(text) + "\" are no axes", std::string(option),
-                                       most == 1 ? "a column such as fz or -fz" : "one or two columns such as fx or fx,-fy", ""});
+            throw protocols::badInput({"\"" + std::string(text) + "\" does not name axes", std::string(option),
+                                       most == 1 ? "a column such as fz or -fz" : "one or two columns such as fx or fx,-fy",
+                                       "correct the option"});
         axes.push_back({std::string(name), sign});
         text.remove_prefix(std::min(comma + 1, text.size()));
     }

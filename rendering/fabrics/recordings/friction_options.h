@@ -1,5 +1,5 @@
-// How a friction record is taken over: which axes its forces are, where nothing touched, which part is the
-// slide, and at what rate it is kept. What was done is stated, and saved beside the record.
+// Options for the import of a friction record: the axes of its forces, the unloaded samples, the steady slide and the
+// sampling rate. The import saves the choices that it made beside the record.
 #pragma once
 
 #include <optional>
@@ -9,42 +9,42 @@
 
 namespace rendering::fabrics {
 
-/// A column of forces, turned round where `sign` is -1.
-struct Axis {
+/// Column of forces; a `sign` of -1 reverses its direction.
+struct ForceAxis {
     std::string column;
     int sign = 1;
-    bool operator==(const Axis&) const = default;
+    bool operator==(const ForceAxis&) const = default;
 };
 
-/// Seconds after the record's first stamp.
-struct Interval {
+/// Seconds after the first stamp of the record.
+struct TimeInterval {
     double fromS = 0, toS = 0;
-    bool operator==(const Interval&) const = default;
+    bool operator==(const TimeInterval&) const = default;
 };
 
-enum class Found { Automatically, Not, AsStated };
+enum class Selection { Automatic, None, Stated };
 
 struct FrictionOptions {
-    std::optional<Axis> normal;         ///< none: found by name
-    std::vector<Axis> tangential;       ///< one keeps its sign, two are taken together as sqrt(x^2 + y^2); none: by name
-    std::string forceUnit;              ///< of columns that state none: "N", "mN", "gf", ...; empty: N
-    Found zero = Found::Automatically;  ///< unloaded samples, whose mean is subtracted from every force
-    Interval zeroInterval;              ///< where zero is AsStated
-    Found trim = Found::Automatically;  ///< the steady slide
-    Interval trimInterval;              ///< where trim is AsStated
-    std::optional<double> rateHz;       ///< none: the median of the record's own steps
+    std::optional<ForceAxis> normal;        ///< nullopt: found by name
+    std::vector<ForceAxis> tangential;      ///< one keeps its sign, two are combined as sqrt(x^2 + y^2); empty: found by name
+    std::string forceUnit;                  ///< for columns that state no unit: "N", "mN", "gf" and others; empty: N
+    Selection zero = Selection::Automatic;  ///< unloaded samples, whose mean is subtracted from every force
+    TimeInterval zeroInterval;              ///< used where `zero` is Stated
+    Selection trim = Selection::Automatic;  ///< the steady slide
+    TimeInterval trimInterval;              ///< used where `trim` is Stated
+    std::optional<double> rateHz;           ///< nullopt: the median step of the record
 };
 
-/// "auto", "none" or "FROM,TO" in seconds. Throws badInput naming `option`.
-Found foundFrom(std::string_view text, std::string_view option, Interval& interval);
+/// Reads "auto", "none" or "FROM,TO" in seconds. Throws badInput naming `option`.
+Selection selectionFrom(std::string_view text, std::string_view option, TimeInterval& interval);
 
-/// "[-]NAME[,[-]NAME]"; empty: none. Throws badInput naming `option` for more than `most` or an empty name.
-std::vector<Axis> axesFrom(std::string_view text, std::string_view option, std::size_t most);
+/// Reads "[-]NAME[,[-]NAME]"; empty text gives no axes. Throws badInput naming `option` for more than `most` or an empty name.
+std::vector<ForceAxis> axesFrom(std::string_view text, std::string_view option, std::size_t most);
 
-/// Newtons in a unit of force (or in a gram's weight); none for an unknown one. Letter case is ignored.
+/// Newtons per unit of force, or per weight of a gram or kilogram; nullopt for an unknown unit. Letter case is ignored.
 std::optional<double> newtonsIn(std::string_view unit);
 
-/// For messages.
+/// List of the units for messages.
 inline constexpr std::string_view knownForceUnits = "N, mN, uN, kN, gf, kgf (or g, kg)";
 
 }  // namespace rendering::fabrics

@@ -5,6 +5,8 @@
 #include <cstdio>
 
 #include "protocols/files/markup_text.h"
+#include "rendering/fabrics/recordings/friction_report.h"
+#include "rendering/fabrics/recordings/record_text.h"
 
 namespace rendering::fabrics {
 
@@ -12,7 +14,7 @@ namespace {
 
 constexpr double left = 70, width = 800, right = left + width;
 
-/// Tenths of a pixel.
+/// Pixels with one decimal.
 std::string px(double value)
 {
     const auto tenths = std::lround(value * 10);
@@ -25,8 +27,8 @@ std::string textAt(double x, double y, const std::string& words, const char* anc
            protocols::escapedMarkup(readable(words)) + "</text>\n";
 }
 
-/// Time along x and values along y within a frame.
-struct Panel {
+/// Frame with time along x and values along y.
+struct PlotPanel {
     double top, height, fromS, toS, low, high;
 
     double x(double timeS) const { return left + width * (timeS - fromS) / std::max(toS - fromS, 1e-300); }
@@ -38,8 +40,8 @@ struct Panel {
                           px(height) + "\" fill=\"none\" stroke=\"#888\"/>\n";
         for (const double share : {0.0, 0.5, 1.0}) {
             const double value = low + share * (high - low);
-            svg += textAt(left - 6, y(value) + 4, inShort(value), "end");
-            svg += textAt(left + share * width, top + height + 16, inShort(fromS + share * (toS - fromS)) + " s",
+            svg += textAt(left - 6, y(value) + 4, fourFigures(value), "end");
+            svg += textAt(left + share * width, top + height + 16, fourFigures(fromS + share * (toS - fromS)) + " s",
                           share == 0   ? "start"
                           : share == 1 ? "end"
                                        : "middle");
@@ -54,7 +56,7 @@ struct Panel {
                px(height) + "\" fill=\"" + colour + "\"/>\n";
     }
 
-    /// At most 800 columns of least and greatest value.
+    /// Line of at most about 800 columns, each drawn from its least to its greatest value.
     std::string line(std::size_t count, const auto& timeAt, const auto& valueAt, const char* colour) const
     {
         std::string points;
@@ -73,7 +75,7 @@ struct Panel {
     }
 };
 
-Panel panelFor(double top, double height, double fromS, double toS, double low, double high)
+PlotPanel panelFor(double top, double height, double fromS, double toS, double low, double high)
 {
     const double margin = high > low ? 0.05 * (high - low) : std::max(std::abs(low) * 0.1, 1e-9);
     return {top, height, fromS, toS, low - margin, high + margin};
@@ -81,7 +83,7 @@ Panel panelFor(double top, double height, double fromS, double toS, double low, 
 
 std::string recorded(const RawRecord& record, const PreparedRecord& prepared)
 {
-    double low = 0, high = 0;  // forces are read against 0
+    double low = 0, high = 0;  // The axis of forces includes 0.
     if (prepared.normalN.empty()) low = high = prepared.tangentialN.front();
     for (const auto* values : {&prepared.normalN, &prepared.tangentialN})
         for (const double value : *values) {
@@ -89,8 +91,8 @@ std::string recorded(const RawRecord& record, const PreparedRecord& prepared)
             high = std::max(high, value);
         }
     const auto& time = prepared.timeS;
-    const Panel panel = panelFor(60, 200, time.front(), time.back(), low, high);
-    const Rows steady = prepared.slide.steady;
+    const PlotPanel panel = panelFor(60, 200, time.front(), time.back(), low, high);
+    const RowRange steady = prepared.slide.steady;
     std::string svg = panel.band(time[steady.begin], time[steady.end - 1], "#dcefdc");
     if (prepared.zeroRows) svg += panel.band(time[prepared.zeroRows->begin], time[prepared.zeroRows->end - 1], "#dce6f5");
     const auto timeAt = [&](std::size_t i) { return time[i]; };
@@ -102,7 +104,7 @@ std::string recorded(const RawRecord& record, const PreparedRecord& prepared)
     svg +=
         panel.frame(prepared.normalN.empty() ? "recorded: " + record.quantity : "recorded, N: normal (blue), tangential (red)");
     return svg + textAt(right, 54,
-                        std::string("green: the slide that is kept") + (prepared.zeroRows ? "; pale blue: unloaded, zero" : ""),
+                        std::string("green: steady slide, kept") + (prepared.zeroRows ? "; pale blue: unloaded, zero" : ""),
                         "end");
 }
 
@@ -118,16 +120,16 @@ std::string kept(const RawRecord& record, const PreparedRecord& prepared)
     }
     const double from = prepared.timeS[prepared.slide.steady.begin];
     const auto timeAt = [&](std::size_t i) { return from + double(i) * prepared.stepS; };
-    const Panel panel = panelFor(330, 180, from, timeAt(prepared.values.size() - 1), low, high);
+    const PlotPanel panel = panelFor(330, 180, from, timeAt(prepared.values.size() - 1), low, high);
     std::string svg = panel.line(prepared.values.size(), timeAt, valueAt, "#333");
     svg += "<line x1=\"" + px(left) + "\" x2=\"" + px(right) + "\" y1=\"" + px(panel.y(prepared.mean)) + "\" y2=\"" +
            px(panel.y(prepared.mean)) + "\" stroke=\"#b38f1f\" stroke-dasharray=\"6 4\"/>\n";
     svg += panel.frame("kept: " + (prepared.evenNormalN.empty() ? record.quantity : std::string("coefficient of friction")) +
-                       ", " + std::to_string(prepared.values.size()) + " samples at " + inShort(1 / prepared.stepS) + " Hz");
-    return svg + textAt(right, 324, "mean " + inShort(prepared.mean) + " (dashed), sd " + inShort(prepared.sd), "end");
+                       ", " + std::to_string(prepared.values.size()) + " samples at " + fourFigures(1 / prepared.stepS) + " Hz");
+    return svg + textAt(right, 324, "mean " + fourFigures(prepared.mean) + " (dashed), sd " + fourFigures(prepared.sd), "end");
 }
 
-/// What was done, over as many lines as it takes; wide letters need 7 px.
+/// The processing in words, broken into lines of 120 characters; wide letters need 7 px.
 std::string footnote(const PreparedRecord& prepared)
 {
     std::string words = describeCuts(prepared).substr(2), svg;

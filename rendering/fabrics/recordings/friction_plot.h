@@ -1,4 +1,4 @@
-// A stroke as a picture: what the instrument recorded, which part was kept, and the coefficient of that part.
+// Picture of a stroke: the recorded signals, the part that was kept, and the coefficient of that part.
 #pragma once
 
 #include <string>
@@ -7,8 +7,7 @@
 
 namespace rendering::fabrics {
 
-/// A self-contained SVG of 900 x 600; records of any length take the same space (least and greatest value of
-/// each of 800 columns).
+/// Self-contained SVG of 900 x 600. Long records are drawn as the least and greatest value of each of 800 columns.
 std::string frictionPlot(const std::string& title, const RawRecord& record, const PreparedRecord& prepared);
 
 }  // namespace rendering::fabrics

@@ -12,27 +12,28 @@ namespace rendering::fabrics {
 namespace {
 
 constexpr double leastNormalN = 0.05;   ///< readFriction() refuses less
-constexpr double mostNormalN = 1000;    ///< what strokes a fabric weighs less than a man
-constexpr double mostCoefficient = 10;  ///< beyond it the two forces are not in one unit
+constexpr double mostNormalN = 1000;    ///< a probe that strokes a fabric does not press as hard as a person weighs
+constexpr double mostCoefficient = 10;  ///< above it the two forces have different units
 constexpr double oddCoefficient = 2, tinyCoefficient = 0.005;
-constexpr double mostLeftOut = 0.01;  ///< of the slide's samples
+constexpr double mostLeftOut = 0.01;  ///< share of the slide's samples
 constexpr std::size_t mostSamples = 50'000'000;
 
-double meanOf(const std::vector<double>& values, Rows rows)
+double meanOf(const std::vector<double>& values, RowRange rows)
 {
     const auto begin = values.begin();
     return std::accumulate(begin + std::ptrdiff_t(rows.begin), begin + std::ptrdiff_t(rows.end), 0.0) / double(rows.count());
 }
 
-/// The rows whose time lies in an interval.
-Rows rowsIn(const std::vector<double>& timeS, const Interval& interval, const std::string& where, const std::string& option)
+/// Rows whose time lies in an interval.
+RowRange rowsIn(const std::vector<double>& timeS, const TimeInterval& interval, const std::string& where,
+                const std::string& option)
 {
     const auto first = std::lower_bound(timeS.begin(), timeS.end(), interval.fromS) - timeS.begin();
     const auto last = std::upper_bound(timeS.begin(), timeS.end(), interval.toS) - timeS.begin();
     if (last - first < 2)
         throw protocols::badInput(
-            {"has fewer than two samples from " + inShort(interval.fromS) + " to " + inShort(interval.toS) + " s", where,
-             "an interval within " + inShort(timeS.back()) + " s", "change " + option});
+            {"has fewer than two samples from " + fourFigures(interval.fromS) + " to " + fourFigures(interval.toS) + " s", where,
+             "an interval within " + fourFigures(timeS.back()) + " s", "correct " + option});
     return {std::size_t(first), std::size_t(last)};
 }
 
@@ -41,11 +42,11 @@ void subtract(std::vector<double>& values, double zero)
     for (double& value : values) value -= zero;
 }
 
-void takeZero(PreparedRecord& result, std::vector<double>& second, const RawRecord& record, const FrictionOptions& options)
+void subtractZero(PreparedRecord& result, std::vector<double>& second, const RawRecord& record, const FrictionOptions& options)
 {
-    if (options.zero == Found::Not) return;
-    result.zeroRows = options.zero == Found::AsStated ? rowsIn(result.timeS, options.zeroInterval, record.where, "--zero")
-                                                      : unloadedRows(result.normalN);
+    if (options.zero == Selection::None) return;
+    result.zeroRows = options.zero == Selection::Stated ? rowsIn(result.timeS, options.zeroInterval, record.where, "--zero")
+                                                        : unloadedRows(result.normalN);
     if (!result.zeroRows) return;
     result.zeroNormalN = meanOf(result.normalN, *result.zeroRows);
     subtract(result.normalN, result.zeroNormalN);
@@ -56,16 +57,16 @@ void takeZero(PreparedRecord& result, std::vector<double>& second, const RawReco
     }
 }
 
-/// Compression is negative on many sensors: turned by the sign of what is loaded, not sample by sample.
-void turnNormal(PreparedRecord& result, const FrictionOptions& options)
+/// Many sensors give compression a negative sign. The sign of all loaded samples together decides.
+void makeCompressionPositive(PreparedRecord& result, const FrictionOptions& options)
 {
     if (options.normal) return;
     const double least = loadedLevel(result.normalN) / 2;
     std::ptrdiff_t sign = 0;
     for (const double force : result.normalN)
         if (std::abs(force) >= least) sign += force < 0 ? -1 : 1;
-    result.normalTurned = sign < 0;
-    if (result.normalTurned)
+    result.normalReversed = sign < 0;
+    if (result.normalReversed)
         for (double& force : result.normalN) force = -force;
 }
 
@@ -73,30 +74,30 @@ void requirePlausibleForces(const PreparedRecord& result, const std::string& whe
 {
     const double load = loadedLevel(result.normalN);
     if (load > leastNormalN && load <= mostNormalN) return;
-    throw protocols::badInput({"the normal force is " + inShort(load) + " N while loaded", where, "from 0.05 to 1000 N",
-                               "state the unit (--force-unit mN, gf ...) or the axis (--normal)"});
+    throw protocols::badInput({"the normal force is " + fourFigures(load) + " N under load", where, "0.05 to 1000 N",
+                               "state the unit (--force-unit mN or gf) or the axis (--normal)"});
 }
 
 Slide slideOf(const PreparedRecord& result, const RawRecord& record, const FrictionOptions& options)
 {
     const std::size_t count = result.timeS.size();
-    if (options.trim == Found::AsStated) {
-        const Rows rows = rowsIn(result.timeS, options.trimInterval, record.where, "--trim");
+    if (options.trim == Selection::Stated) {
+        const RowRange rows = rowsIn(result.timeS, options.trimInterval, record.where, "--trim");
         return {{0, count}, rows, ""};
     }
-    if (options.trim == Found::Not) return {{0, count}, {0, count}, "as asked for"};
-    if (result.normalN.empty() && record.quantity != "mu") return {{0, count}, {0, count}, "no coefficient to judge by"};
+    if (options.trim == Selection::None) return {{0, count}, {0, count}, "by option"};
+    if (result.normalN.empty() && record.quantity != "mu") return {{0, count}, {0, count}, "there is no coefficient"};
     return steadySlide(result.normalN, result.tangentialN);
 }
 
-/// Stamps and samples of the steady part, without those of too little normal force.
+/// Stamps and samples of the steady part, without samples of too little normal force.
 struct Kept {
     std::vector<double> timeS, values, normalN;
 };
 
 Kept keptOf(PreparedRecord& result, const std::string& where)
 {
-    const Rows rows = result.slide.steady;
+    const RowRange rows = result.slide.steady;
     double least = 0;
     if (!result.normalN.empty()) {
         const auto begin = result.normalN.begin();
@@ -119,27 +120,28 @@ Kept keptOf(PreparedRecord& result, const std::string& where)
     }
     if (double(result.leftOut) > mostLeftOut * double(rows.count()))
         throw protocols::badInput(
-            {"the normal force is " + inShort(result.normalN[*firstLost]) + " N in the slide, and too small in " +
+            {"the normal force is " + fourFigures(result.normalN[*firstLost]) + " N in the slide; it is too small in " +
                  std::to_string(result.leftOut) + " of " + std::to_string(rows.count()) + " samples",
              where + ", row " + std::to_string(*firstLost + 1),
-             "more than " + inShort(least) + " N (a quarter of the median, at least 0.05): the probe must be in contact",
+             "more than " + fourFigures(least) + " N (a quarter of the median, at least 0.05 N), so that the probe is in contact",
              "cut the record to the stroke with --trim FROM,TO"});
     return kept;
 }
 
-void evenOut(PreparedRecord& result, const Kept& kept, const std::string& where, std::optional<double> rateHz)
+void resample(PreparedRecord& result, const Kept& kept, const std::string& where, std::optional<double> rateHz)
 {
     result.base = timeBaseOf(kept.timeS, where);
     const double duration = kept.timeS.back() - kept.timeS.front(), ownS = duration / double(kept.timeS.size() - 1);
     const bool asItIs = result.base.even && result.leftOut == 0 && !rateHz;
     result.stepS = asItIs ? ownS : rateHz ? 1 / *rateHz : result.base.stepS;
-    // One stamp gone wrong must not make a record of hours.
+    // A single wrong stamp must not produce a record of hours.
     const double most = rateHz ? double(mostSamples) : 20 * double(kept.timeS.size()) + 1000;
     if (!(duration / result.stepS <= most))
-        throw protocols::badInput({"has a gap in time that is too long to fill", where, "time stamps of one stroke", ""});
+        throw protocols::badInput({"has a gap in time that is too long to fill", where, "time stamps of one stroke",
+                                   "cut the record to the stroke with --trim FROM,TO"});
     if (rateHz && duration < result.stepS)
-        throw protocols::badInput(
-            {"lasts " + inShort(duration) + " s, less than a period of --rate", where, "a higher rate", ""});
+        throw protocols::badInput({"lasts " + fourFigures(duration) + " s, which is less than a period of --rate", where,
+                                   "at least one period", "choose a higher --rate"});
     const bool averages = rateHz && result.stepS >= 2 * ownS;
     result.resampling = asItIs ? "none" : averages ? "mean over each period" : "linear between neighbours";
     const auto even = [&](const std::vector<double>& values) {
@@ -149,7 +151,7 @@ void evenOut(PreparedRecord& result, const Kept& kept, const std::string& where,
     result.values = even(kept.values);
     result.evenNormalN = even(kept.normalN);
     if (result.base.largestS > 10 * result.base.stepS)
-        result.warnings.push_back("a gap of " + inShort(result.base.largestS) + " s is bridged by a straight line");
+        result.warnings.push_back("a straight line fills a gap of " + fourFigures(result.base.largestS) + " s");
 }
 
 void measure(PreparedRecord& result, const RawRecord& record)
@@ -164,28 +166,29 @@ void measure(PreparedRecord& result, const RawRecord& record)
     const bool coefficient = !record.normalN.empty() || record.quantity == "mu";
     if (!std::isfinite(result.mean) || !std::isfinite(result.sd) || (coefficient && std::abs(result.mean) > mostCoefficient))
         throw protocols::badInput(
-            {"the mean coefficient is " + inShort(result.mean), record.where, "at most 10",
-             "check that both forces are in the unit stated (--force-unit, or a unit in each column's name)"});
+            {"the mean coefficient is " + fourFigures(result.mean), record.where, "at most 10",
+             "check that both forces have the stated unit (--force-unit, or a unit in the name of each column)"});
     if (!coefficient) return;
     if (std::abs(result.mean) > oddCoefficient || std::abs(result.mean) < tinyCoefficient)
-        result.warnings.push_back("a mean coefficient of " + inShort(result.mean) + " is odd: are both forces in one unit?");
+        result.warnings.push_back("a mean coefficient of " + fourFigures(result.mean) +
+                                  " is unusual: check that both forces have the same unit");
     if (result.mean < 0)
         result.warnings.push_back(
-            "the coefficient is negative: the tangential axis runs against the stroke (--tangential=-NAME)");
+            "the coefficient is negative: the tangential axis points against the stroke (use --tangential=-NAME)");
 }
 
 }  // namespace
 
-std::string inShort(double value)
+std::string fourFigures(double value)
 {
     char buffer[40];
     const auto [end, problem] = std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, 4);
     return std::string(buffer, problem == std::errc{} ? end : buffer);
 }
 
-PreparedRecord prepared(const RawRecord& record, const FrictionOptions& options)
+PreparedRecord prepare(const RawRecord& record, const FrictionOptions& options)
 {
-    timeBaseOf(record.timeS, record.where);  // refuses time that does not rise
+    timeBaseOf(record.timeS, record.where);  // Throws where time does not increase.
     PreparedRecord result;
     result.timeS = record.timeS;
     subtract(result.timeS, record.timeS.front());
@@ -193,14 +196,14 @@ PreparedRecord prepared(const RawRecord& record, const FrictionOptions& options)
     result.normalN = record.normalN;
     auto second = record.secondTangentialN;
     if (!result.normalN.empty()) {
-        takeZero(result, second, record, options);
-        turnNormal(result, options);
+        subtractZero(result, second, record, options);
+        makeCompressionPositive(result, options);
         requirePlausibleForces(result, record.where);
     }
     for (std::size_t i = 0; i < second.size(); ++i) result.tangentialN[i] = std::hypot(result.tangentialN[i], second[i]);
     result.slide = slideOf(result, record, options);
     const Kept kept = keptOf(result, record.where);
-    evenOut(result, kept, record.where, options.rateHz);
+    resample(result, kept, record.where, options.rateHz);
     measure(result, record);
     return result;
 }

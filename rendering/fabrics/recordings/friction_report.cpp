@@ -1,8 +1,7 @@
-// What was done to a friction record, in words and as the file beside it.
+#include "rendering/fabrics/recordings/friction_report.h"
+
 #include <cmath>
 #include <nlohmann/json.hpp>
-
-#include "rendering/fabrics/recordings/friction_preparation.h"
 
 namespace rendering::fabrics {
 
@@ -10,7 +9,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Where row `row` begins; the end of the record after its last one.
+/// Time at the beginning of row `row`; the end of the record after its last row.
 double timeAt(const PreparedRecord& prepared, std::size_t row)
 {
     return prepared.timeS[std::min(row, prepared.timeS.size() - 1)];
@@ -18,10 +17,10 @@ double timeAt(const PreparedRecord& prepared, std::size_t row)
 
 struct Cut {
     const char* name;
-    Rows rows;
+    RowRange rows;
 };
 
-/// The parts around the steady slide, empty ones included.
+/// Parts around the steady slide, including empty ones.
 std::vector<Cut> cutsOf(const PreparedRecord& prepared)
 {
     const auto& [contact, steady, why] = prepared.slide;
@@ -31,12 +30,12 @@ std::vector<Cut> cutsOf(const PreparedRecord& prepared)
             {"after contact", {contact.end, prepared.timeS.size()}}};
 }
 
-Json jsonOf(const PreparedRecord& prepared, Rows rows)
+Json jsonOf(const PreparedRecord& prepared, RowRange rows)
 {
     return {{"from_s", timeAt(prepared, rows.begin)}, {"to_s", timeAt(prepared, rows.end)}, {"samples", rows.count()}};
 }
 
-Json jsonOf(const std::optional<Axis>& axis)
+Json jsonOf(const std::optional<ForceAxis>& axis)
 {
     return axis ? Json((axis->sign < 0 ? "-" : "") + axis->column) : Json("found by name");
 }
@@ -48,20 +47,20 @@ std::string describeCuts(const PreparedRecord& prepared)
     std::string text;
     if (prepared.zeroRows)
         text += ", zero from " + std::to_string(prepared.zeroRows->count()) + " unloaded samples (normal " +
-                inShort(prepared.zeroNormalN) + " N)";
-    if (prepared.normalTurned) text += ", normal force turned round";
+                fourFigures(prepared.zeroNormalN) + " N)";
+    if (prepared.normalReversed) text += ", normal force reversed";
     std::string cuts;
     for (const auto& [name, rows] : cutsOf(prepared))
         if (rows.count() > 0)
             cuts += (cuts.empty() ? "" : ", ") + std::string(name) + " " +
-                    inShort(timeAt(prepared, rows.end) - timeAt(prepared, rows.begin)) + " s";
+                    fourFigures(timeAt(prepared, rows.end) - timeAt(prepared, rows.begin)) + " s";
     if (!cuts.empty())
-        text += ", slide " + inShort(timeAt(prepared, prepared.slide.steady.begin)) + " to " +
-                inShort(timeAt(prepared, prepared.slide.steady.end - 1)) + " s of " + inShort(prepared.timeS.back()) + " s (" +
-                cuts + " cut)";
+        text += ", slide " + fourFigures(timeAt(prepared, prepared.slide.steady.begin)) + " to " +
+                fourFigures(timeAt(prepared, prepared.slide.steady.end - 1)) + " s of " + fourFigures(prepared.timeS.back()) +
+                " s (" + cuts + " cut)";
     else
-        text += prepared.slide.why.empty() ? ", all of it slides" : ", nothing cut (" + prepared.slide.why + ")";
-    if (prepared.leftOut > 0) text += ", " + std::to_string(prepared.leftOut) + " samples of too little normal force left out";
+        text += prepared.slide.why.empty() ? ", the whole record is the slide" : ", nothing cut (" + prepared.slide.why + ")";
+    if (prepared.leftOut > 0) text += ", " + std::to_string(prepared.leftOut) + " samples with too little normal force left out";
     for (const auto& warning : prepared.warnings) text += "; warning: " + warning;
     return text;
 }
@@ -78,14 +77,14 @@ std::string preparationJson(const RawRecord& record, const FrictionOptions& opti
         json["axes"] = {{"normal", jsonOf(options.normal)}, {"tangential", Json::array()}};
         for (const auto& axis : options.tangential) json["axes"]["tangential"].push_back(jsonOf(std::optional(axis)));
         if (options.tangential.empty()) json["axes"]["tangential"] = "found by name";
-        json["axes"]["normal_turned"] = prepared.normalTurned;
+        json["axes"]["normal_turned"] = prepared.normalReversed;
         json["axes"]["joined"] = !record.secondTangentialN.empty();
         json["zero"] = prepared.zeroRows ? jsonOf(prepared, *prepared.zeroRows) : Json();
         if (prepared.zeroRows) {
             json["zero"]["normal_n"] = prepared.zeroNormalN;
             json["zero"]["tangential_n"] = prepared.zeroTangentialN;
         } else {
-            json["why"]["zero"] = options.zero == Found::Not ? "as asked for" : "no unloaded samples";
+            json["why"]["zero"] = options.zero == Selection::None ? "by option" : "no unloaded samples";
         }
     }
     json["slide"] = jsonOf(prepared, prepared.slide.steady);
@@ -103,7 +102,7 @@ std::string preparationJson(const RawRecord& record, const FrictionOptions& opti
     json["mean"] = prepared.mean;
     json["sd"] = prepared.sd;
     json["warnings"] = prepared.warnings;
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";  // file names may be any bytes
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";  // File names may hold bytes that are not UTF-8.
 }
 
 }  // namespace rendering::fabrics

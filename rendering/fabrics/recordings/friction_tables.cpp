@@ -1,48 +1,50 @@
-// Comma-separated friction records: forces over time under common names, and the sliding finger's
-// taxel counts.
+#include "rendering/fabrics/recordings/friction_tables.h"
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 
 #include "protocols/files/csv_table.h"
-#include "protocols/files/number_text.h"
 #include "protocols/files/errors.h"
+#include "protocols/files/number_text.h"
 #include "protocols/files/whole_file.h"
-#include "rendering/fabrics/recordings/import_kinds.h"
+#include "rendering/fabrics/recordings/column_names.h"
 #include "rendering/fabrics/recordings/import_sources.h"
+#include "rendering/fabrics/recordings/record_text.h"
 
 namespace rendering::fabrics {
 
 namespace {
 
-struct Role {
+/// A quantity and the column names that are recognised for it.
+struct ColumnRole {
     std::vector<std::string_view> names;
     const char* what;
 };
 
-const Role timeRole{{"t", "time", "timestamp", "time_stamp", "zeit", "elapsed_time", "step_time"}, "time"};
-const Role normalRole{{"normal", "normal_force", "fn", "f_n", "force_normal", "load", "normal_load", "fz", "f_z", "n"},
-                      "normal force"};
-const Role tangentialRole{{"tangential", "tangential_force", "ft", "f_t", "friction", "friction_force", "lateral_force",
-                           "shear_force", "force_tangential"},
-                          "tangential force"};
-const Role xRole{{"fx", "f_x", "force_x"}, "force along x"};
-const Role yRole{{"fy", "f_y", "force_y"}, "force along y"};
-const Role coefficientRole{{"mu", "cof", "coefficient", "friction_coefficient", "coefficient_of_friction"}, "coefficient"};
+const ColumnRole timeRole{{"t", "time", "timestamp", "time_stamp", "zeit", "elapsed_time", "step_time"}, "time"};
+const ColumnRole normalRole{{"normal", "normal_force", "fn", "f_n", "force_normal", "load", "normal_load", "fz", "f_z", "n"},
+                            "normal force"};
+const ColumnRole tangentialRole{{"tangential", "tangential_force", "ft", "f_t", "friction", "friction_force", "lateral_force",
+                                 "shear_force", "force_tangential"},
+                                "tangential force"};
+const ColumnRole xRole{{"fx", "f_x", "force_x"}, "force along x"};
+const ColumnRole yRole{{"fy", "f_y", "force_y"}, "force along y"};
+const ColumnRole coefficientRole{{"mu", "cof", "coefficient", "friction_coefficient", "coefficient_of_friction"}, "coefficient"};
 
-/// A column and the factor to s or N.
-struct Column {
+/// Column with the factor that converts it to s or N.
+struct CsvColumn {
     std::size_t index;
     double factor = 1;
     std::string name = {};
 };
 
-/// The column that plays a role; throws badInput where two could.
-std::optional<std::size_t> placeFor(const protocols::CsvReader& reader, const Role& role)
+/// Column of a role. Throws badInput where two columns fit.
+std::optional<std::size_t> placeFor(const protocols::CsvReader& reader, const ColumnRole& role)
 {
     std::optional<std::size_t> found;
     for (std::size_t i = 0; i < reader.columns().size(); ++i) {
-        const std::string name = takenApart(reader.columns()[i]).name;
+        const std::string name = nameAndUnit(reader.columns()[i]).name;
         if (std::find(role.names.begin(), role.names.end(), name) == role.names.end()) continue;
         if (found)
             throw protocols::badInput(
@@ -54,43 +56,44 @@ std::optional<std::size_t> placeFor(const protocols::CsvReader& reader, const Ro
     return found;
 }
 
-std::optional<Column> forceFor(const protocols::CsvReader& reader, const Role& role, const FrictionOptions& options)
+std::optional<CsvColumn> forceFor(const protocols::CsvReader& reader, const ColumnRole& role, const FrictionOptions& options)
 {
     const auto place = placeFor(reader, role);
     if (!place) return std::nullopt;
     const std::string& name = reader.columns()[*place];
-    return Column{*place, newtonsOf(name, options, reader.where()), name};
+    return CsvColumn{*place, newtonsOf(name, options, reader.where()), name};
 }
 
-/// The column of an axis that the user named, as it stands in the header or without its unit.
-Column columnOf(const protocols::CsvReader& reader, const Axis& axis, const FrictionOptions& options)
+/// Column of an axis that the user named, with or without its unit.
+CsvColumn columnOf(const protocols::CsvReader& reader, const ForceAxis& axis, const FrictionOptions& options)
 {
     const std::string wanted = lowerCase(axis.column);
     for (std::size_t i = 0; i < reader.columns().size(); ++i) {
         const std::string& name = reader.columns()[i];
-        if (lowerCase(name) != wanted && takenApart(name).name != wanted) continue;
+        if (lowerCase(name) != wanted && nameAndUnit(name).name != wanted) continue;
         return {i, axis.sign * newtonsOf(name, options, reader.where()), name};
     }
-    throw protocols::badInput({"has no column \"" + axis.column + "\"", reader.where(), "", "see the names in its header"});
+    throw protocols::badInput({"has no column \"" + axis.column + "\"", reader.where(), "a column of the header row",
+                               "name a column that the header row contains"});
 }
 
 struct ForceColumns {
-    std::optional<Column> normal;
-    std::vector<Column> tangential;
+    std::optional<CsvColumn> normal;
+    std::vector<CsvColumn> tangential;
 };
 
 ForceColumns forceColumns(const protocols::CsvReader& reader, const FrictionOptions& options)
 {
     ForceColumns found;
     found.normal = options.normal ? columnOf(reader, *options.normal, options) : forceFor(reader, normalRole, options);
-    for (const Axis& axis : options.tangential) found.tangential.push_back(columnOf(reader, axis, options));
+    for (const ForceAxis& axis : options.tangential) found.tangential.push_back(columnOf(reader, axis, options));
     if (!found.tangential.empty()) return found;
     const auto tangential = forceFor(reader, tangentialRole, options);
     const auto x = forceFor(reader, xRole, options), y = forceFor(reader, yRole, options);
     if (tangential && (x || y))
         throw protocols::badInput(
             {"both \"" + tangential->name + "\" and \"" + (x ? x : y)->name + "\" could be the tangential force", reader.where(),
-             "one of them", "name the axes with --tangential"});
+             "only one of them", "name the axes with --tangential"});
     for (const auto& column : {tangential, x, y})
         if (column) found.tangential.push_back(*column);
     return found;
@@ -98,14 +101,15 @@ ForceColumns forceColumns(const protocols::CsvReader& reader, const FrictionOpti
 
 double secondsOf(const std::string& header, const std::string& where)
 {
-    const std::string unit = takenApart(header).unit;
+    const std::string unit = nameAndUnit(header).unit;
     for (const auto& [name, seconds] : {std::pair("", 1.0), std::pair("s", 1.0), std::pair("sec", 1.0), std::pair("seconds", 1.0),
                                         std::pair("ms", 1e-3), std::pair("us", 1e-6)})
         if (unit == name) return seconds;
-    throw protocols::badInput({"the unit of the column \"" + header + "\" is not known", where, "s, ms or us", ""});
+    throw protocols::badInput(
+        {"the unit of the column \"" + header + "\" is unknown", where, "s, ms or us", "rename the column"});
 }
 
-/// Whichever of the usual separators the header row holds most of.
+/// The usual separator that occurs most often in the header row.
 char separatorIn(std::string_view text)
 {
     const std::string_view header = text.substr(0, text.find('\n'));
@@ -116,7 +120,7 @@ char separatorIn(std::string_view text)
     return best;
 }
 
-/// Speed in a name such as "Denim_F150_V-10mmps_0"; the sign is the direction.
+/// Speed in a file name such as "Denim_F150_V-10mmps_0"; the sign is the direction.
 std::optional<double> speedInName(const std::string& stem)
 {
     const auto end = stem.find("mmps");
@@ -135,40 +139,6 @@ std::string joined(const std::vector<std::string>& names)
 
 }  // namespace
 
-NameWithUnit takenApart(const std::string& header)
-{
-    std::string text = lowerCase(header);
-    std::replace(text.begin(), text.end(), ' ', '_');
-    const auto open = text.find_first_of("([");
-    if (open != std::string::npos) {
-        const auto close = text.find_first_of(")]", open);
-        std::string name = text.substr(0, open);
-        while (!name.empty() && name.back() == '_') name.pop_back();
-        return {name, text.substr(open + 1, close == std::string::npos ? close : close - open - 1)};
-    }
-    const auto last = text.rfind('_');
-    if (last != std::string::npos)
-        for (const std::string_view unit : {"s", "sec", "seconds", "ms", "us", "n", "mn", "un", "kn", "g", "gf", "kg", "kgf"})
-            if (text.substr(last + 1) == unit) return {text.substr(0, last), std::string(unit)};
-    return {text, ""};
-}
-
-double newtonsOf(const std::string& header, const FrictionOptions& options, const std::string& where)
-{
-    const std::string stated = takenApart(header).unit, unit = stated.empty() ? options.forceUnit : stated;
-    if (unit.empty()) return 1;
-    if (const auto newtons = newtonsIn(unit)) return *newtons;
-    throw protocols::badInput(
-        {"the unit of the column \"" + header + "\" is not known", where, std::string(knownForceUnits), ""});
-}
-
-std::string meaningOf(const std::vector<std::string>& tangential, const std::string& normal)
-{
-    const std::string force =
-        tangential.size() == 2 ? "sqrt(" + tangential[0] + "^2 + " + tangential[1] + "^2)" : tangential.at(0);
-    return "coefficient of friction = " + force + " / " + normal;
-}
-
 std::vector<RawRecord> readFrictionCsv(const std::filesystem::path& file, const FrictionOptions& options)
 {
     const std::string bytes = protocols::readWholeFile(file);
@@ -178,7 +148,7 @@ std::vector<RawRecord> readFrictionCsv(const std::filesystem::path& file, const 
     const bool both = forces.normal && !forces.tangential.empty();
     if (!time || (!both && !coefficient))
         throw protocols::badInput({"has the columns " + joined(reader.columns()), reader.where(),
-                                   "time, normal and tangential force (or time and mu), named so in the header",
+                                   "columns for time, normal and tangential force (or time and mu)",
                                    "rename the columns, or name them with --normal and --tangential"});
     const double seconds = secondsOf(reader.columns()[*time], reader.where());
     RawRecord record{.where = file.string(), .instrument = "friction-csv"};
@@ -194,7 +164,7 @@ std::vector<RawRecord> readFrictionCsv(const std::filesystem::path& file, const 
             record.secondTangentialN.push_back(forces.tangential[1].factor * reader.number(forces.tangential[1].index));
     }
     std::vector<std::string> names;
-    for (const Column& column : forces.tangential) names.push_back(readable(column.name));
+    for (const CsvColumn& column : forces.tangential) names.push_back(readable(column.name));
     record.meaning = both ? meaningOf(names, readable(forces.normal->name)) : "coefficient of friction";
     return {record};
 }
@@ -209,7 +179,7 @@ std::vector<RawRecord> readSlide(const std::filesystem::path& file, const Fricti
         if (reader.columns()[i].starts_with("channel")) taxels.push_back(i);
     if (!stamp || taxels.empty())
         throw protocols::badInput(
-            {"is no sliding record", reader.where(), "the columns timestamp and channel1, channel2 ...", ""});
+            {"is not a sliding record", reader.where(), "the columns timestamp, channel1, channel2 and so on", "check the file"});
     RawRecord record{.where = file.string(), .instrument = "slide", .quantity = "taxel_sum_counts"};
     record.meaning = "taxel_sum_counts (sum of " + std::to_string(taxels.size()) + " taxels in counts)";
     while (reader.next()) {

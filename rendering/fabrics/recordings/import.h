@@ -1,5 +1,5 @@
-// Real recordings into a data set. Each importer refuses unusable input by file and reason, writes
-// nothing on refusal, and adds to an existing data set.
+// Import of real recordings into a data set. Each importer names the file and the reason where it refuses input,
+// and then writes nothing. An existing data set is extended.
 #pragma once
 
 #include <filesystem>
@@ -18,12 +18,12 @@ namespace rendering::fabrics {
 enum class ImportKind { Photos, Gelsight, FrictionCsv, Tribometer, Labview, Slide };
 ImportKind importKindNamed(std::string_view name);  ///< throws badInput naming the kinds
 
-/// The calibrated sensor that tactile frames are of.
+/// The calibrated sensor that recorded the tactile frames.
 struct ImportedSensor {
-    std::string calibration;  ///< text of its file
+    std::string calibration;  ///< text of its calibration file
     double mmPerPixel = 0;
-    cv::Mat untouched;  ///< the frame saved with the calibration; empty: one must be among the files
-    /// Throws badInput where a reference frame is another sensor's; `where` names it.
+    cv::Mat untouched;  ///< frame saved with the calibration; if empty, the imported files must contain one
+    /// Throws badInput where a reference frame comes from another sensor; `where` names the frame.
     std::function<void(const cv::Mat& reference, const std::string& where)> requireSame;
 };
 
@@ -31,16 +31,16 @@ struct ImportRequest {
     ImportKind kind = ImportKind::Photos;
     std::vector<std::filesystem::path> from;  ///< files or folders
     std::filesystem::path out;
-    std::optional<protocols::FabricId> fabric;  ///< put all into this fabric
-    /// Decodes what image_io does not read (JPEG, BMP ...): the caller lends one, so that the
-    /// importers link no codec. Returns CV_8UC3 RGB, throws badInput.
+    std::optional<protocols::FabricId> fabric;  ///< if set, all samples belong to this fabric
+    /// Decodes the formats that image_io does not read (JPEG, BMP and others). The caller passes it, so that the
+    /// importers link no codec. Returns CV_8UC3 RGB; throws badInput.
     std::function<cv::Mat(const std::filesystem::path&)> decodeOther;
-    std::optional<ImportedSensor> sensor = {};  ///< of tactile frames
-    FrictionOptions friction = {};              ///< of friction records
-    std::filesystem::path plots = {};           ///< folder for a picture of each stroke, F01-000.svg; empty: none
+    std::optional<ImportedSensor> sensor = {};  ///< for tactile frames
+    FrictionOptions friction = {};              ///< for friction records
+    std::filesystem::path plots = {};           ///< folder for a picture of each stroke, F01-000.svg; empty: no pictures
 };
 
-/// What was imported, a line each for people: "F01 Linen: slide, 812 samples, taxel_sum_counts (counts, not a coefficient), ...".
+/// Imports and returns a report, one line each: "F01 Linen: slide, 812 rows, taxel_sum_counts (sum of 16 taxels in counts)".
 std::vector<std::string> importRecordings(const ImportRequest& request);
 
 }  // namespace rendering::fabrics

@@ -1,4 +1,5 @@
-// Friction records of every instrument: reading is each instrument's; what follows is the same.
+#include "rendering/fabrics/recordings/import_friction.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,8 +12,10 @@
 #include "protocols/files/whole_file.h"
 #include "rendering/fabrics/recordings/friction_plot.h"
 #include "rendering/fabrics/recordings/friction_preparation.h"
-#include "rendering/fabrics/recordings/import_kinds.h"
+#include "rendering/fabrics/recordings/friction_report.h"
+#include "rendering/fabrics/recordings/friction_tables.h"
 #include "rendering/fabrics/recordings/import_sources.h"
+#include "rendering/fabrics/recordings/instrument_texts.h"
 
 namespace rendering::fabrics {
 
@@ -56,15 +59,16 @@ std::string describe(const RawRecord& record, const PreparedRecord& prepared)
 {
     const bool coefficient = !record.normalN.empty() || record.quantity == "mu";
     std::string line = record.instrument + ", " + std::to_string(record.values.size()) + " rows, " + record.meaning + ", mean " +
-                       inShort(prepared.mean) + (coefficient ? "" : " (not a coefficient)") + ", " + inShort(1 / prepared.stepS) +
-                       " Hz";
+                       fourFigures(prepared.mean) + (coefficient ? "" : " (not a coefficient)") + ", " +
+                       fourFigures(1 / prepared.stepS) + " Hz";
     if (prepared.resampling != "none")
-        line += " (own steps " + inShort(prepared.base.smallestS * 1000) + " to " + inShort(prepared.base.largestS * 1000) +
-                " ms; resampled, " + prepared.resampling + ", to " + std::to_string(prepared.values.size()) + " samples)";
+        line += " (own steps " + fourFigures(prepared.base.smallestS * 1000) + " to " +
+                fourFigures(prepared.base.largestS * 1000) + " ms; resampled, " + prepared.resampling + ", to " +
+                std::to_string(prepared.values.size()) + " samples)";
     return line;
 }
 
-/// Whether the data set's friction section may still be set from a record.
+/// True where the data set already holds friction records, so that its friction section is fixed.
 bool hasFriction(const Dataset& dataset)
 {
     return std::any_of(dataset.fabrics.begin(), dataset.fabrics.end(),
@@ -81,9 +85,9 @@ void describeRecording(Dataset& dataset, const RawRecord& record, const Prepared
 
 std::string remarkOnSpeed(const RawRecord& record, const Dataset& dataset)
 {
-    const std::string known = inShort(dataset.friction.speedMmPerS) + " mm/s";
+    const std::string known = fourFigures(dataset.friction.speedMmPerS) + " mm/s";
     if (!record.speedMmPerS) return ", speed not stated (the data set's " + known + " is assumed)";
-    const std::string own = inShort(*record.speedMmPerS) + " mm/s";
+    const std::string own = fourFigures(*record.speedMmPerS) + " mm/s";
     if (std::abs(*record.speedMmPerS / dataset.friction.speedMmPerS - 1) < 0.01) return ", " + own;
     return ", " + own + " (the data set states " + known + ")";
 }
@@ -95,16 +99,16 @@ std::string titleOf(const FabricInfo& fabric, int sample)
 
 }  // namespace
 
-Lines importFrictionFiles(const ImportRequest& request, ImportStage& stage)
+std::vector<std::string> importFrictionFiles(const ImportRequest& request, ImportStage& stage)
 {
     const Instrument& instrument = instrumentOf(request.kind);
     const auto files = sourceFiles(request.from, instrument.endings, instrument.naming);
     Dataset& dataset = stage.dataset();
     bool first = stage.isNew() || !hasFriction(dataset);
-    Lines lines;
+    std::vector<std::string> lines;
     for (const SourceFile& source : files)
         for (const RawRecord& record : instrument.read(source.file, request.friction)) {
-            const PreparedRecord done = prepared(record, request.friction);
+            const PreparedRecord done = prepare(record, request.friction);
             if (first) describeRecording(dataset, record, done);
             first = false;
             const auto fabric = stage.fabricFor(source.fabricName, request.fabric);

@@ -1,12 +1,12 @@
-// Photographs and GelSight frames.
+#include "rendering/fabrics/recordings/import_images.h"
+
 #include <algorithm>
 #include <map>
 #include <opencv2/imgproc.hpp>
 
-#include "protocols/files/number_text.h"
 #include "protocols/files/errors.h"
+#include "protocols/files/number_text.h"
 #include "protocols/files/whole_file.h"
-#include "rendering/fabrics/recordings/import_kinds.h"
 #include "rendering/fabrics/recordings/import_sources.h"
 #include "rendering/images/image_io.h"
 
@@ -20,7 +20,7 @@ namespace {
 constexpr std::string_view imageEndings[] = {".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff", ".webp"};
 constexpr int smallestSidePx = 16;
 
-/// 8 bits, RGB.
+/// CV_8UC3, RGB.
 cv::Mat readPicture(const fs::path& file, const ImportRequest& request)
 {
     cv::Mat image;
@@ -30,10 +30,10 @@ cv::Mat readPicture(const fs::path& file, const ImportRequest& request)
         image = request.decodeOther(file);
     else
         throw protocols::badInput(
-            {"is no PNG, and no decoder for other pictures is at hand", file.string(), "a PNG image", "convert it to PNG"});
+            {"is not a PNG, and this program has no decoder for it", file.string(), "a PNG image", "convert it to PNG"});
     if (image.empty() || std::min(image.rows, image.cols) < smallestSidePx)
         throw protocols::badInput({"is " + std::to_string(image.cols) + " x " + std::to_string(image.rows) + " pixels",
-                                   file.string(), "at least 16 x 16", ""});
+                                   file.string(), "at least 16 x 16 pixels", "export it at a larger size"});
     if (image.depth() == CV_16U) image.convertTo(image, CV_8U, 1.0 / 257);
     if (image.channels() == 1) cv::cvtColor(image, image, cv::COLOR_GRAY2RGB);
     return image;
@@ -47,28 +47,29 @@ std::string headOf(const Dataset& dataset, const protocols::FabricId& id)
     return id.value + (info.name == id.value ? "" : " " + info.name);
 }
 
-/// "3 photographs (000 to 002), 512 x 512 px" per fabric, in the order of the data set.
-struct Count {
+/// Imported samples of a fabric, for a line such as "3 photographs (samples 0 to 2), 512 x 512 px".
+struct SampleCount {
     int samples = 0, first = 0, last = 0;
     std::string size;
 };
-using Counts = std::map<protocols::FabricId, Count>;
+using FabricCounts = std::map<protocols::FabricId, SampleCount>;
 
-void countSample(Counts& counts, const protocols::FabricId& fabric, int index, const cv::Mat& image)
+void countSample(FabricCounts& counts, const protocols::FabricId& fabric, int index, const cv::Mat& image)
 {
-    Count& count = counts[fabric];
+    SampleCount& count = counts[fabric];
     if (count.samples++ == 0) {
         count.first = index;
         count.size = sizeOf(image);
     } else if (count.size != sizeOf(image)) {
-        count.size = "of differing sizes";
+        count.size = "different sizes";
     }
     count.last = index;
 }
 
-Lines linesFor(const Counts& counts, const Dataset& dataset, const std::string& what, const std::string& remark)
+std::vector<std::string> linesFor(const FabricCounts& counts, const Dataset& dataset, const std::string& what,
+                                  const std::string& remark)
 {
-    Lines lines;
+    std::vector<std::string> lines;
     for (const auto& [fabric, count] : counts)
         lines.push_back(headOf(dataset, fabric) + ": " + std::to_string(count.samples) + " " + what +
                         (count.samples == 1 ? "" : "s") + " (samples " + std::to_string(count.first) + " to " +
@@ -93,7 +94,7 @@ bool hasSamples(const Dataset& dataset, Modality modality)
                        [&](const FabricInfo& fabric) { return !sampleIndices(dataset, fabric.id, modality).empty(); });
 }
 
-/// The reference frame among the files, if any; all that are there must show the same sensor.
+/// Reference frame among the files or in the data set; empty if there is none. Throws badInput where two differ.
 cv::Mat referenceAmong(const std::vector<SourceFile>& files, const ImportRequest& request, const Dataset& dataset,
                        bool datasetIsNew)
 {
@@ -108,7 +109,7 @@ cv::Mat referenceAmong(const std::vector<SourceFile>& files, const ImportRequest
         const cv::Mat picture = readPicture(source.file, request);
         if (!reference.empty() && !samePixels(picture, reference))
             throw protocols::badInput({"differs from the reference frame " + from.string(), source.file.string(),
-                                       "one untouched sensor a data set",
+                                       "one sensor for each data set",
                                        "import the frames of another sensor into another data set"});
         reference = picture;
         from = source.file;
@@ -125,13 +126,13 @@ bool isGrey(const cv::Mat& picture)
 
 constexpr const char* calibrationName = "tactile-calibration.json";
 
-/// The sensor's own untouched frame where none was among the files.
+/// Uses the untouched frame of the sensor where the files contain none.
 void takeSensor(const ImportedSensor& sensor, const Dataset& dataset, cv::Mat& reference)
 {
     const fs::path known = dataset.folder / dataset.tactileCalibration;
     if (!dataset.tactileCalibration.empty() &&
         (dataset.tactileCalibration == "known" || protocols::readWholeFile(known) != sensor.calibration))
-        throw protocols::badInput({"its tactile frames are read by another calibration", known.string(), "one sensor a data set",
+        throw protocols::badInput({"its tactile frames have another calibration", known.string(), "one sensor for each data set",
                                    "import the frames of another sensor into another data set"});
     if (reference.empty())
         reference = sensor.untouched;
@@ -141,11 +142,11 @@ void takeSensor(const ImportedSensor& sensor, const Dataset& dataset, cv::Mat& r
 
 }  // namespace
 
-Lines importPhotos(const ImportRequest& request, ImportStage& stage)
+std::vector<std::string> importPhotos(const ImportRequest& request, ImportStage& stage)
 {
     Dataset& dataset = stage.dataset();
     const auto files = sourceFiles(request.from, imageEndings, FabricNaming::FolderOrFile);
-    Counts counts;
+    FabricCounts counts;
     for (const SourceFile& source : files) {
         const cv::Mat picture = readPicture(source.file, request);
         const auto fabric = stage.fabricFor(source.fabricName, request.fabric);
@@ -153,16 +154,17 @@ Lines importPhotos(const ImportRequest& request, ImportStage& stage)
         writePng(slot.file, picture, Sync::Later);
         countSample(counts, fabric, slot.index, picture);
     }
-    Lines lines = linesFor(counts, dataset, "photograph", "scale unknown");
+    std::vector<std::string> lines = linesFor(counts, dataset, "photograph", "scale unknown");
     if (dataset.cameraMmPerPixel) {
-        lines.push_back("the camera's scale was " + protocols::shortest(*dataset.cameraMmPerPixel) +
-                        " mm per pixel; with photographs of unknown scale it is no longer stated");
+        lines.push_back("the data set no longer states the scale of the camera (" +
+                        protocols::shortest(*dataset.cameraMmPerPixel) +
+                        " mm per pixel), because the scale of the new photographs is unknown");
         dataset.cameraMmPerPixel.reset();
     }
     return lines;
 }
 
-Lines importGelsight(const ImportRequest& request, ImportStage& stage)
+std::vector<std::string> importGelsight(const ImportRequest& request, ImportStage& stage)
 {
     Dataset& dataset = stage.dataset();
     const auto files = sourceFiles(request.from, imageEndings, FabricNaming::FolderOrFile);
@@ -170,27 +172,29 @@ Lines importGelsight(const ImportRequest& request, ImportStage& stage)
     if (request.sensor) takeSensor(*request.sensor, dataset, reference);
     if (reference.empty() && !stage.isNew() && hasSamples(dataset, Modality::Tactile))
         throw protocols::badInput({"already holds tactile frames but no reference frame", dataset.folder.string(),
-                                   "frames of the same sensor", "import into a new data set"});
+                                   "a reference frame of the same sensor", "import into a new data set"});
     cv::Size size = reference.size();
-    Counts counts;
+    FabricCounts counts;
     for (const SourceFile& source : files) {
         if (isReference(source.file)) continue;
         const cv::Mat frame = readPicture(source.file, request);
         if (size.area() == 0) size = frame.size();
         if (request.sensor && isGrey(frame))
-            throw protocols::badInput({"is grey", source.file.string(), "a colour frame, as the sensor was calibrated with", ""});
+            throw protocols::badInput({"is a grey image", source.file.string(),
+                                       "a colour frame, like the frames of the calibration", "export the frame in colour"});
         if (frame.size() != size)
             throw protocols::badInput(
                 {"is " + sizeOf(frame), source.file.string(),
-                 std::to_string(size.width) + " x " + std::to_string(size.height) + " px, as the sensor's other frames", ""});
+                 std::to_string(size.width) + " x " + std::to_string(size.height) + " px, like the other frames of the sensor",
+                 "export all frames at one size"});
         const auto fabric = stage.fabricFor(source.fabricName, request.fabric);
         const auto slot = stage.addSample(fabric, Modality::Tactile);
         writePng(slot.file, frame, Sync::Later);
         countSample(counts, fabric, slot.index, frame);
     }
     if (counts.empty())
-        throw protocols::badInput(
-            {"only reference frames were given", request.from.front().string(), "at least one frame of a press", ""});
+        throw protocols::badInput({"contains only reference frames", request.from.front().string(),
+                                   "at least one frame of a press", "add frames of presses"});
     if (!reference.empty() && (stage.isNew() || !fs::exists(dataset.folder / "tactile-reference.png")))
         writePng(stage.addFile("tactile-reference.png"), reference, Sync::Later);
     if (request.sensor && dataset.tactileCalibration.empty()) {
@@ -198,10 +202,11 @@ Lines importGelsight(const ImportRequest& request, ImportStage& stage)
         dataset.tactileCalibration = calibrationName;
         dataset.tactileMmPerPixel = request.sensor->mmPerPixel;
     }
-    Lines lines =
+    std::vector<std::string> lines =
         linesFor(counts, dataset, "tactile frame", dataset.tactileCalibration.empty() ? "sensor not calibrated" : "calibrated");
     if (reference.empty())
-        lines.emplace_back("no reference frame (background.png or reference.png) was among the files: heights cannot be had");
+        lines.emplace_back(
+            "the files contain no reference frame (background.png or reference.png), so heights cannot be computed");
     return lines;
 }
 

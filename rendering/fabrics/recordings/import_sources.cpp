@@ -54,7 +54,8 @@ void takeFolder(const fs::path& folder, std::span<const std::string_view> ending
         taken.push_back({file, name});
     }
     if (taken.size() == before)
-        throw protocols::badInput({"holds no file to import", folder.string(), "files ending in " + listed(endings), ""});
+        throw protocols::badInput({"holds no file to import", folder.string(), "files ending in " + listed(endings),
+                                   "choose the folder with the recordings"});
 }
 
 }  // namespace
@@ -69,7 +70,7 @@ std::string lowerCase(std::string text)
 std::vector<SourceFile> sourceFiles(std::span<const fs::path> from, std::span<const std::string_view> endings,
                                     FabricNaming naming)
 {
-    if (from.empty()) throw protocols::badInput({"nothing to import is named", "FROM", "files or folders", ""});
+    if (from.empty()) throw protocols::badInput({"no source was named", "FROM", "files or folders", "name the recordings"});
     std::vector<SourceFile> taken;
     for (const fs::path& source : from) {
         std::error_code problem;
@@ -77,13 +78,14 @@ std::vector<SourceFile> sourceFiles(std::span<const fs::path> from, std::span<co
             try {
                 takeFolder(source, endings, naming, taken);
             } catch (const fs::filesystem_error& error) {
-                throw protocols::badInput(
-                    {"cannot be read (" + error.code().message() + ")", source.string(), "a readable folder", ""});
+                throw protocols::badInput({"cannot be read (" + error.code().message() + ")", source.string(),
+                                           "a readable folder", "check its permissions"});
             }
         } else if (!fs::is_regular_file(source, problem)) {
             throw protocols::badInput({"does not exist", source.string(), "a file or folder to import", "check the path"});
         } else if (!hasEnding(source, endings)) {
-            throw protocols::badInput({"has an ending that this import does not read", source.string(), listed(endings), ""});
+            throw protocols::badInput({"has a file ending that this import does not read", source.string(), listed(endings),
+                                       "convert the file or choose another kind of import"});
         } else {
             const std::string stem = source.stem().string();
             taken.push_back({source, naming == FabricNaming::BeforeForce ? nameBeforeForce(stem) : nameUpToLastUnderscore(stem)});

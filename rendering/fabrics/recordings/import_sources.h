@@ -1,4 +1,4 @@
-// Which files an import takes and which fabric each belongs to.
+// Files of an import and the fabric of each.
 #pragma once
 
 #include <filesystem>
@@ -14,14 +14,14 @@ struct SourceFile {
     std::string fabricName;
 };
 
-/// How a fabric's name is read off.
+/// Rule that finds the name of a fabric.
 enum class FabricNaming {
     FolderOrFile,  ///< the sub-folder, else the file name up to its last '_'
     BeforeForce,   ///< the file name up to "_F" and a digit (sliding records)
 };
 
-/// Files as given; of a folder those with one of `endings` (lower case, with the dot), also in its sub-folders, in
-/// order of fabric name and path. Throws badInput for what is missing and for a folder without any.
+/// The given files and, from folders and their sub-folders, the files with one of `endings` (lower case, with the dot), in
+/// order of fabric name and path. Throws badInput for a missing path and for a folder without such a file.
 std::vector<SourceFile> sourceFiles(std::span<const std::filesystem::path> from, std::span<const std::string_view> endings,
                                     FabricNaming naming);
 

@@ -4,7 +4,6 @@
 
 #include "protocols/files/errors.h"
 #include "rendering/fabrics/dataset_json.h"
-#include "rendering/fabrics/procedural/sample_places.h"
 
 namespace rendering::fabrics {
 
@@ -51,8 +50,8 @@ FabricId ImportStage::fabricFor(const std::string& name, const std::optional<Fab
                                     [&](const FabricInfo& info) { return wanted ? info.id == *wanted : info.name == name; });
     if (found != fabrics.end()) return found->id;
     if (wanted && !isFolderName(wanted->value))
-        throw protocols::badInput(
-            {"\"" + wanted->value + "\" cannot be a fabric's id", "--fabric", "letters, digits, - and _", ""});
+        throw protocols::badInput({"\"" + wanted->value + "\" cannot be the id of a fabric", "--fabric",
+                                   "letters, digits, - and _", "choose another id"});
     FabricId id = wanted.value_or(FabricId());
     for (int number = 1; id.empty(); ++number) {
         const FabricId candidate("F" + std::string(number < 10 ? "0" : "") + std::to_string(number));
@@ -63,7 +62,7 @@ FabricId ImportStage::fabricFor(const std::string& name, const std::optional<Fab
     return id;
 }
 
-ImportStage::Slot ImportStage::addSample(const FabricId& fabric, Modality modality)
+ImportStage::SampleSlot ImportStage::addSample(const FabricId& fabric, Modality modality)
 {
     int index = 0;
     const auto there = m_isNew ? std::vector<int>{} : sampleIndices(m_dataset, fabric, modality);
@@ -74,7 +73,7 @@ ImportStage::Slot ImportStage::addSample(const FabricId& fabric, Modality modali
     return {index, m_draft.file(samplePath(m_dataset, fabric, modality, index).lexically_relative(m_dataset.folder))};
 }
 
-fs::path ImportStage::beside(const Slot& slot, const std::string& ending)
+fs::path ImportStage::beside(const SampleSlot& slot, const std::string& ending)
 {
     fs::path file = slot.file;
     return file.replace_extension(ending);

@@ -10,41 +10,42 @@
 
 #include "protocols/files/folder_draft.h"
 #include "rendering/fabrics/dataset.h"
+#include "rendering/fabrics/sample_places.h"
 
 namespace rendering::fabrics {
 
 class ImportStage {
 public:
-    /// Opens the data set at `out` or begins a new one. Throws badInput where `out` is something else.
+    /// Opens the data set at `out` or begins a new one. Throws badInput where `out` holds something else.
     explicit ImportStage(const std::filesystem::path& out);
 
     Dataset& dataset() { return m_dataset; }
     bool isNew() const { return m_isNew; }
 
-    /// The fabric of that name, or a new one under the next free id. `wanted` sets the id.
+    /// Fabric of that name, or a new one with the next free id. `wanted` sets the id.
     protocols::FabricId fabricFor(const std::string& name, const std::optional<protocols::FabricId>& wanted);
 
-    struct Slot {
+    struct SampleSlot {
         int index;
-        std::filesystem::path file;  ///< write the sample here
+        std::filesystem::path file;  ///< path at which the caller writes the sample
     };
-    /// The next sample of a fabric and signal; its place stays unknown and it is a group of its own.
-    Slot addSample(const protocols::FabricId& fabric, Modality modality);
+    /// Reserves the next sample of a fabric and signal. Its place is unknown, and it forms its own group.
+    SampleSlot addSample(const protocols::FabricId& fabric, Modality modality);
 
-    /// Where to write a file about a sample, beside it and under its name: "000.json".
-    std::filesystem::path beside(const Slot& slot, const std::string& ending);
+    /// Path for an additional file of a sample, beside it and with its name: "000.json".
+    std::filesystem::path beside(const SampleSlot& slot, const std::string& ending);
 
-    /// A picture for the user, not of the data set: written by the caller once all is in place.
-    struct Plot {
+    /// A picture for the user, outside the data set; the caller writes it after commit().
+    struct StrokePlot {
         std::string name, svg;
     };
-    void keepPlot(Plot plot) { m_plots.push_back(std::move(plot)); }
-    const std::vector<Plot>& plots() const { return m_plots; }
+    void keepPlot(StrokePlot plot) { m_plots.push_back(std::move(plot)); }
+    const std::vector<StrokePlot>& plots() const { return m_plots; }
 
-    /// Where to write a file that belongs to the whole data set.
+    /// Path for a file that belongs to the whole data set.
     std::filesystem::path addFile(const std::string& name);
 
-    /// Moves everything into the data set; dataset.json last. Throws environmentFault.
+    /// Moves all files into the data set, dataset.json last. Throws environmentFault.
     void commit();
 
 private:
@@ -53,7 +54,7 @@ private:
     Dataset m_dataset;
     protocols::FolderDraft m_draft;
     std::vector<SamplePlace> m_added;
-    std::vector<Plot> m_plots;
+    std::vector<StrokePlot> m_plots;
 };
 
 }  // namespace rendering::fabrics

@@ -1,33 +1,34 @@
-// Text files of two instruments: the PCS (MTM) tribometer and LabVIEW measurement files with forces.
+#include "rendering/fabrics/recordings/instrument_texts.h"
+
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <numeric>
 
 #include "protocols/files/number_text.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/whole_file.h"
-#include "rendering/fabrics/recordings/import_kinds.h"
+#include "rendering/fabrics/recordings/column_names.h"
 #include "rendering/fabrics/recordings/import_sources.h"
+#include "rendering/fabrics/recordings/record_text.h"
 
 namespace rendering::fabrics {
 
 namespace {
 
-using Cells = std::vector<std::string_view>;
+using LineCells = std::vector<std::string_view>;
 
-std::optional<std::size_t> columnNamed(const Cells& header, std::string_view name)
+std::optional<std::size_t> columnNamed(const LineCells& header, std::string_view name)
 {
     const auto found = std::find(header.begin(), header.end(), name);
     return found == header.end() ? std::nullopt : std::optional(std::size_t(found - header.begin()));
 }
 
 /// "Pin Load (N)" without its unit.
-std::string takenApartAsWritten(const std::string& header) { return header.substr(0, header.find(" (")); }
+std::string withoutUnit(const std::string& header) { return header.substr(0, header.find(" (")); }
 
 std::string lineName(const std::string& where, std::size_t line) { return where + ", line " + std::to_string(line + 1); }
 
-/// One step of a tribometer profile, its wanted columns as text.
+/// Table of one step of a tribometer profile, kept as text until a column is asked for.
 class StepTable {
 public:
     StepTable(const std::string& where, std::string_view header) : m_where(where), m_columns(splitAt(header, '\t')) {}
@@ -39,21 +40,21 @@ public:
     }
     std::size_t rows() const { return m_lines.size(); }
 
-    /// Empty where the column is missing or has no number in any row. Throws badInput for text and for gaps.
+    /// Numbers of a column; empty where it is missing or has no number in any row. Throws badInput for text and for gaps.
     std::vector<double> column(std::string_view name) const
     {
         const auto at = columnNamed(m_columns, name);
         if (!at) return {};
         std::vector<double> values;
         for (std::size_t row = 0; row < m_lines.size(); ++row) {
-            const Cells cells = splitAt(m_lines[row], '\t');
+            const LineCells cells = splitAt(m_lines[row], '\t');
             const std::string_view cell = *at < cells.size() ? cells[*at] : std::string_view();
             if (cell.empty() && values.size() == 0) continue;
             const auto value = protocols::numberIn(cell);
             if (!value || values.size() != row)
-                throw protocols::badInput({"\"" + std::string(cell) + "\" is no number",
+                throw protocols::badInput({"\"" + std::string(cell) + "\" is not a number",
                                            lineName(m_where, m_numbers[row]) + ", column " + std::string(name),
-                                           "a number in every row", ""});
+                                           "a number in every row", "correct the row or remove it"});
             values.push_back(*value);
         }
         return values;
@@ -61,18 +62,18 @@ public:
 
 private:
     std::string m_where;
-    Cells m_columns;
-    std::vector<std::string_view> m_lines;  ///< of the file's text, which outlives the table
+    LineCells m_columns;
+    std::vector<std::string_view> m_lines;  ///< parts of the file's text, which outlives the table
     std::vector<std::size_t> m_numbers;
 };
 
-/// A column of forces: the one the user named, else the first of `names` that has numbers.
+/// Column of forces: the one that the user named, else the first of `names` that has numbers.
 struct ForceColumn {
     std::string name;
     std::vector<double> values;
 };
 
-ForceColumn forceColumn(const StepTable& step, const std::optional<Axis>& axis, std::vector<std::string> names)
+ForceColumn forceColumn(const StepTable& step, const std::optional<ForceAxis>& axis, std::vector<std::string> names)
 {
     if (axis) names = {axis->column};
     for (const std::string& name : names) {
@@ -82,13 +83,6 @@ ForceColumn forceColumn(const StepTable& step, const std::optional<Axis>& axis, 
         return column;
     }
     return {};
-}
-
-/// Without what must not stand in a JSON text; for judging its bytes.
-std::string quotable(std::string text)
-{
-    std::erase_if(text, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == '"' || c == '\\'; });
-    return text;
 }
 
 RawRecord tribometerRecord(const StepTable& step, const std::string& where, const FrictionOptions& options)
@@ -101,7 +95,7 @@ RawRecord tribometerRecord(const StepTable& step, const std::string& where, cons
     if (!force.values.empty() && !load.values.empty()) {
         record.values = force.values;
         record.normalN = load.values;
-        record.meaning = meaningOf({takenApartAsWritten(force.name)}, takenApartAsWritten(load.name));
+        record.meaning = meaningOf({withoutUnit(force.name)}, withoutUnit(load.name));
     } else {
         record.values = step.column("Traction Coeff (-)");
         record.meaning = "coefficient of friction as the instrument gives it";
@@ -110,7 +104,8 @@ RawRecord tribometerRecord(const StepTable& step, const std::string& where, cons
         record.values.size() != record.timeS.size() || (!record.normalN.empty() && record.normalN.size() != record.timeS.size());
     if (record.timeS.empty() || record.values.empty() || uneven)
         throw protocols::badInput({"has no time or no coefficient", where,
-                                   "the columns Step Time, Traction Force and Pin Load, or Traction Coeff", ""});
+                                   "the columns Step Time, Traction Force and Pin Load, or Traction Coeff",
+                                   "export the file with these columns"});
     const std::vector<double> speed = step.column("Sliding Speed (mm/s)");
     const std::vector<double> discSpeed = speed.empty() ? step.column("Disc Speed 1") : speed;
     if (!discSpeed.empty()) {
@@ -120,44 +115,46 @@ RawRecord tribometerRecord(const StepTable& step, const std::string& where, cons
     return record;
 }
 
-/// A column of a LabVIEW table and what makes newtons of it.
+/// Column of a LabVIEW table with the factor that converts it to newtons.
 struct LabviewColumn {
     std::size_t index = 0;
     double factor = 1;
     std::string name;
 };
 
-/// The part of a LabVIEW file between two headers.
+/// Part of a LabVIEW file between two headers.
 struct Segment {
     double deltaX = 0;
     bool decimalComma = false;
     LabviewColumn time, normal;
     std::vector<LabviewColumn> tangential;
     std::vector<double> timeS, normalN;
-    std::vector<std::vector<double>> tangentialN;  ///< one an axis
+    std::vector<std::vector<double>> tangentialN;  ///< one vector for each axis
 };
 
-LabviewColumn labviewColumn(const Cells& cells, const Axis& axis, const FrictionOptions& options, const std::string& place)
+LabviewColumn labviewColumn(const LineCells& cells, const ForceAxis& axis, const FrictionOptions& options,
+                            const std::string& place)
 {
     const std::string wanted = lowerCase(axis.column);
     for (std::size_t i = 0; i < cells.size(); ++i) {
         const std::string cell(cells[i]);
-        if (lowerCase(cell) != wanted && takenApart(cell).name != wanted) continue;
-        return {i, axis.sign * newtonsOf(cell, options, place), takenApart(cell).name};
+        if (lowerCase(cell) != wanted && nameAndUnit(cell).name != wanted) continue;
+        return {i, axis.sign * newtonsOf(cell, options, place), nameAndUnit(cell).name};
     }
     throw protocols::badInput({"has no column " + axis.column, place, "the columns X_Value, fx, fy and fz",
                                "name the axes with --normal and --tangential"});
 }
 
-Segment segmentFrom(const Segment& pending, const Cells& cells, const FrictionOptions& options, const std::string& place)
+Segment segmentFrom(const Segment& pending, const LineCells& cells, const FrictionOptions& options, const std::string& place)
 {
     Segment segment;
     segment.deltaX = pending.deltaX;
     segment.decimalComma = pending.decimalComma;
     segment.time = {0, 1, "X_Value"};
-    segment.normal = labviewColumn(cells, options.normal.value_or(Axis{"fz"}), options, place);
-    const std::vector<Axis> tangential = options.tangential.empty() ? std::vector<Axis>{{"fx"}, {"fy"}} : options.tangential;
-    for (const Axis& axis : tangential) segment.tangential.push_back(labviewColumn(cells, axis, options, place));
+    segment.normal = labviewColumn(cells, options.normal.value_or(ForceAxis{"fz"}), options, place);
+    const std::vector<ForceAxis> tangential =
+        options.tangential.empty() ? std::vector<ForceAxis>{{"fx"}, {"fy"}} : options.tangential;
+    for (const ForceAxis& axis : tangential) segment.tangential.push_back(labviewColumn(cells, axis, options, place));
     segment.tangentialN.resize(tangential.size());
     return segment;
 }
@@ -170,13 +167,13 @@ std::optional<double> labviewNumber(std::string_view cell, bool decimalComma)
     return protocols::numberIn(text);
 }
 
-void addRow(Segment& segment, const Cells& cells, const std::string& where, std::size_t line)
+void addRow(Segment& segment, const LineCells& cells, const std::string& where, std::size_t line)
 {
     const auto number = [&](const LabviewColumn& column) {
         const auto value = column.index < cells.size() ? labviewNumber(cells[column.index], segment.decimalComma) : std::nullopt;
         if (!value)
             throw protocols::badInput({"a number is missing or malformed", lineName(where, line) + ", column " + column.name,
-                                       "time and forces in every row", ""});
+                                       "time and forces in every row", "correct the row or remove it"});
         return column.factor * *value;
     };
     segment.timeS.push_back(number(segment.time));
@@ -202,50 +199,6 @@ RawRecord labviewRecord(Segment segment, const std::string& where)
 
 }  // namespace
 
-std::string asUtf8(std::string_view latin1)
-{
-    std::string text;
-    text.reserve(latin1.size());
-    for (const char c : latin1) {
-        const auto byte = static_cast<unsigned char>(c);
-        if (byte >= 0x80) {
-            text += char(0xC0 | (byte >> 6));
-            text += char(0x80 | (byte & 0x3F));
-        } else if (c != '\r') {
-            text += c;
-        }
-    }
-    return text;
-}
-
-std::string readable(const std::string& text)
-{
-    // nlohmann's decoder knows every malformed sequence; ours would be the second one to get right.
-    return nlohmann::json::accept("\"" + quotable(text) + "\"") ? text : asUtf8(text);
-}
-
-std::vector<std::string_view> linesOf(std::string_view text)
-{
-    std::vector<std::string_view> lines;
-    while (!text.empty()) {
-        const auto end = std::min(text.find('\n'), text.size());
-        lines.push_back(text.substr(0, end));
-        text.remove_prefix(std::min(end + 1, text.size()));
-    }
-    return lines;
-}
-
-std::vector<std::string_view> splitAt(std::string_view line, char separator)
-{
-    std::vector<std::string_view> cells;
-    while (true) {
-        const auto at = line.find(separator);
-        cells.push_back(line.substr(0, at));
-        if (at == std::string_view::npos) return cells;
-        line.remove_prefix(at + 1);
-    }
-}
-
 std::vector<RawRecord> readTribometer(const std::filesystem::path& file, const FrictionOptions& options)
 {
     const std::string text = asUtf8(protocols::readWholeFile(file));
@@ -260,15 +213,15 @@ std::vector<RawRecord> readTribometer(const std::filesystem::path& file, const F
         } else if (inTable && protocols::numberIn(first)) {
             steps.back().addLine(line, i);
         } else if (inTable && line.find('\t') != std::string_view::npos && !first.starts_with("Step")) {
-            throw protocols::badInput(
-                {"\"" + std::string(first) + "\" is no time", lineName(file.string(), i), "a number of seconds", ""});
+            throw protocols::badInput({"\"" + std::string(first) + "\" is not a time", lineName(file.string(), i),
+                                       "a number of seconds", "correct the row"});
         } else {
             inTable = false;
         }
     }
     if (steps.empty())
-        throw protocols::badInput(
-            {"is no tribometer file", file.string(), "a table that begins with the column Step Time (s)", ""});
+        throw protocols::badInput({"is not a tribometer file", file.string(), "a table that begins with the column Step Time (s)",
+                                   "check the kind of import"});
     std::vector<RawRecord> records;
     for (std::size_t i = 0; i < steps.size(); ++i)
         records.push_back(
@@ -281,13 +234,13 @@ std::vector<RawRecord> readLabview(const std::filesystem::path& file, const Fric
     const std::string text = asUtf8(protocols::readWholeFile(file));
     const std::vector<std::string_view> lines = linesOf(text);
     if (lines.empty() || !lines.front().starts_with("LabVIEW Measurement"))
-        throw protocols::badInput(
-            {"is no LabVIEW measurement file", file.string(), "\"LabVIEW Measurement\" in its first line", ""});
+        throw protocols::badInput({"is not a LabVIEW measurement file", file.string(),
+                                   "\"LabVIEW Measurement\" in its first line", "check the kind of import"});
     std::vector<Segment> segments;
     Segment pending;
     bool inRows = false;
     for (std::size_t i = 0; i < lines.size(); ++i) {
-        const Cells cells = splitAt(lines[i], '\t');
+        const LineCells cells = splitAt(lines[i], '\t');
         if (cells[0].starts_with("Decimal_Separator"))
             pending.decimalComma = lines[i].find(',') != std::string::npos;
         else if (cells[0] == "Delta_X" && cells.size() > 1)
@@ -301,7 +254,9 @@ std::vector<RawRecord> readLabview(const std::filesystem::path& file, const Fric
             addRow(segments.back(), cells, file.string(), i);
         }
     }
-    if (segments.empty()) throw protocols::badInput({"has no table", file.string(), "a header row that begins with X_Value", ""});
+    if (segments.empty())
+        throw protocols::badInput(
+            {"has no table", file.string(), "a header row that begins with X_Value", "check that the file is complete"});
     std::vector<RawRecord> records;
     for (std::size_t i = 0; i < segments.size(); ++i)
         records.push_back(labviewRecord(std::move(segments[i]), file.string() + ", segment " + std::to_string(i + 1)));

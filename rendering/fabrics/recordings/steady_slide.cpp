@@ -21,10 +21,10 @@ std::vector<double> magnitudes(std::span<const double> values)
     return result;
 }
 
-/// The longest run above `least`; gaps of up to `bridged` samples do not end it.
-Rows longestRun(std::span<const double> values, double least, std::size_t bridged)
+/// Longest run above `least`; gaps of up to `bridged` samples do not end it.
+RowRange longestRun(std::span<const double> values, double least, std::size_t bridged)
 {
-    Rows best, run;
+    RowRange best, run;
     std::size_t last = 0;
     bool inRun = false;
     for (std::size_t i = 0; i < values.size(); ++i) {
@@ -38,7 +38,7 @@ Rows longestRun(std::span<const double> values, double least, std::size_t bridge
     return best;
 }
 
-/// Means over `width` samples about each; sums taken anew now and then, so that rounding does not pile up.
+/// Moving means over `width` samples.
 std::vector<double> smoothed(std::span<const double> values, std::size_t width)
 {
     std::vector<double> sums(values.size() + 1, 0.0);
@@ -51,7 +51,7 @@ std::vector<double> smoothed(std::span<const double> values, std::size_t width)
     return result;
 }
 
-/// What the middle half of a stroke says of all of it: a line, and how far the samples stray from it.
+/// Line through the middle half of a stroke, and the half width of the band about it.
 struct Band {
     double level = 0, slope = 0, centre = 0, width = 0;
     bool holds(double value, std::size_t at) const { return std::abs(value - level - slope * (double(at) - centre)) <= width; }
@@ -65,39 +65,39 @@ Band bandOf(const std::vector<double>& values, double leastShare)
     };
     const double early = quantile(part(quarter, half), 0.5), late = quantile(part(half, values.size() - quarter), 0.5);
     Band band{(early + late) / 2, (late - early) / double(quarter), double(half), 0};
-    std::vector<double> strays;
+    std::vector<double> deviations;
     for (std::size_t i = quarter; i < values.size() - quarter; ++i)
-        strays.push_back(std::abs(values[i] - band.level - band.slope * (double(i) - band.centre)));
-    band.width = std::max(1.25 * quantile(std::move(strays), 0.99), leastShare * std::abs(band.level));
+        deviations.push_back(std::abs(values[i] - band.level - band.slope * (double(i) - band.centre)));
+    band.width = std::max(1.25 * quantile(std::move(deviations), 0.99), leastShare * std::abs(band.level));
     return band;
 }
 
-/// First sample from which `holds` stays true for `settled` samples.
+/// First sample from which `holds` stays true for `length` samples.
 template <class Holds>
-std::optional<std::size_t> settledAt(std::size_t count, std::size_t settled, const Holds& holds)
+std::optional<std::size_t> firstStableRun(std::size_t count, std::size_t length, const Holds& holds)
 {
     std::size_t run = 0;
     for (std::size_t i = 0; i < count; ++i) {
         run = holds(i) ? run + 1 : 0;
-        if (run == settled) return i + 1 - settled;
+        if (run == length) return i + 1 - length;
     }
     return std::nullopt;
 }
 
-/// The steady part of samples in contact, relative to them.
-std::optional<Rows> steadyPart(const std::vector<double>& coefficient, const std::vector<double>& load)
+/// Steady part of the samples in contact, relative to the first of them.
+std::optional<RowRange> steadyPart(const std::vector<double>& coefficient, const std::vector<double>& load)
 {
-    const std::size_t count = coefficient.size(), settled = std::max<std::size_t>(count / 20, 5);
+    const std::size_t count = coefficient.size(), length = std::max<std::size_t>(count / 20, 5);
     const std::size_t width = std::max<std::size_t>(count / 200, 1);
     const auto values = smoothed(coefficient, width), forces = smoothed(load, width);
     const Band band = bandOf(values, 0.1), forceBand = load.empty() ? Band{} : bandOf(forces, 0.2);
     const auto holds = [&](std::size_t i) {
         return band.holds(values[i], i) && (forces.empty() || forceBand.holds(forces[i], i));
     };
-    const auto begin = settledAt(count, settled, holds);
-    const auto end = settledAt(count, settled, [&](std::size_t i) { return holds(count - 1 - i); });
+    const auto begin = firstStableRun(count, length, holds);
+    const auto end = firstStableRun(count, length, [&](std::size_t i) { return holds(count - 1 - i); });
     if (!begin || !end || double(*begin) > 0.4 * double(count) || double(*end) > 0.4 * double(count)) return std::nullopt;
-    return Rows{*begin, count - *end};
+    return RowRange{*begin, count - *end};
 }
 
 }  // namespace
@@ -111,12 +111,12 @@ double loadedLevel(std::span<const double> normalN)
     return quantile(std::move(loads), 0.5);
 }
 
-std::optional<Rows> unloadedRows(std::span<const double> normalN)
+std::optional<RowRange> unloadedRows(std::span<const double> normalN)
 {
-    if (normalN.size() < fewestToJudge) return std::nullopt;
+    if (normalN.size() < fewestToAnalyse) return std::nullopt;
     const std::vector<double> all(normalN.begin(), normalN.end());
     const double low = quantile(all, 0.02), high = quantile(all, 0.98), load = loadedLevel(normalN);
-    // Compression may be negative: rest is whichever end of the range lies nearer to 0.
+    // Compression may be negative, so rest is the end of the range that lies nearer to 0.
     const double rest = std::abs(low) < std::abs(high) ? low : high, full = rest == low ? high : low;
     if (!(std::abs(rest) < leastShareOfLoad * load)) return std::nullopt;
     const auto atRest = [&](double force) { return std::abs(force - rest) < 0.1 * std::abs(full - rest); };
@@ -124,16 +124,16 @@ std::optional<Rows> unloadedRows(std::span<const double> normalN)
     const auto last = std::find_if_not(normalN.rbegin(), normalN.rend(), atRest);
     const auto before = std::size_t(first - normalN.begin()), after = std::size_t(last - normalN.rbegin());
     if (std::max(before, after) < 10 || std::max(before, after) == normalN.size()) return std::nullopt;
-    // Not the last tenth before the contact, nor the first after it: there the probe is on its way.
-    return before >= after ? Rows{0, before - before / 10} : Rows{normalN.size() - after + after / 10, normalN.size()};
+    // The probe is already moving in the tenth next to the contact, so that tenth is left out.
+    return before >= after ? RowRange{0, before - before / 10} : RowRange{normalN.size() - after + after / 10, normalN.size()};
 }
 
 Slide steadySlide(std::span<const double> normalN, std::span<const double> tangentialN)
 {
     const std::size_t count = tangentialN.size();
     Slide slide{{0, count}, {0, count}, ""};
-    if (count < fewestToJudge) {
-        slide.why = "too short to judge";
+    if (count < fewestToAnalyse) {
+        slide.why = "the record is too short to analyse";
         return slide;
     }
     std::vector<double> coefficient, load;
@@ -149,8 +149,8 @@ Slide steadySlide(std::span<const double> normalN, std::span<const double> tange
     } else {
         coefficient.assign(tangentialN.begin(), tangentialN.end());
     }
-    if (coefficient.size() < fewestToJudge) {
-        slide.why = "contact too short to judge";
+    if (coefficient.size() < fewestToAnalyse) {
+        slide.why = "the contact is too short to analyse";
         return slide;
     }
     if (const auto steady = steadyPart(coefficient, load))

@@ -1,5 +1,5 @@
-// Which part of a stroke is the slide: without the approach, the breakaway from rest, the stop and what
-// follows; and which samples were taken while nothing touched.
+// The part of a stroke that is the steady slide: without the approach, the breakaway from rest, the stop and
+// everything after it. Also the samples that were taken without load.
 #pragma once
 
 #include <cstddef>
@@ -10,38 +10,39 @@
 
 namespace rendering::fabrics {
 
-/// Rows from `begin` to before `end`.
-struct Rows {
+/// Rows from `begin` up to but not including `end`.
+struct RowRange {
     std::size_t begin = 0, end = 0;
     std::size_t count() const { return end - begin; }
-    bool operator==(const Rows&) const = default;
+    bool operator==(const RowRange&) const = default;
 };
 
-/// Below this share of the median normal force a sample is no contact.
+/// A sample below this share of the median normal force has no contact.
 inline constexpr double leastShareOfLoad = 0.25;
 
-/// Records shorter than this are not judged: a spread of so few samples says nothing.
-inline constexpr std::size_t fewestToJudge = 50;
+/// Shorter records are not analysed: the spread of so few samples has no meaning.
+inline constexpr std::size_t fewestToAnalyse = 50;
 
-/// Median of the loaded samples: those above half the 95th percentile of |force|.
+/// Median of the loaded samples, which lie above half the 95th percentile of |force|.
 double loadedLevel(std::span<const double> normalN);
 
-/// Ten or more samples at the beginning or end of a record (the longer of the two) whose normal force
-/// stays within a tenth of the way from rest to load, but for the tenth of them next to the contact; none where there are no
-/// such, or where rest is more than a quarter of the load: then it was no rest.
-std::optional<Rows> unloadedRows(std::span<const double> normalN);
+/// At least ten samples at the beginning or end of a record, whichever is longer, without load: their normal force stays
+/// within a tenth of the way from rest to load. The tenth of them next to the contact is left out. Returns nullopt where
+/// there are none, or where the force at rest exceeds a quarter of the load, which is not rest.
+std::optional<RowRange> unloadedRows(std::span<const double> normalN);
 
 struct Slide {
-    Rows contact, steady;  ///< `steady` lies in `contact`
-    std::string why;       ///< where `steady` is all of `contact`: why nothing was cut
+    RowRange contact, steady;  ///< `steady` lies in `contact`
+    std::string why;           ///< where `steady` equals `contact`: the reason why nothing was cut
 };
 
-/// Contact is the longest run of samples above leastShareOfLoad (of all of them where no normal force is
-/// known; gaps of up to 1 % are bridged). The steady part begins when coefficient and normal force have
-/// stayed for a twentieth of the contact within a band about the line through the middle half: 1.25 times
-/// what 99 % of it stray, at least a tenth (coefficient) or a fifth (force); and ends likewise. Values without
-/// a normal force are judged alone. Nothing is cut from a record of fewer than fewestToJudge samples, nor
-/// where the beginning or the end would lose more than 40 % of the contact.
+/// Contact is the longest run of samples above leastShareOfLoad; gaps of up to 1 % are bridged. Where the normal force is
+/// unknown, contact is the whole record.
+/// The steady part begins where coefficient and normal force stay within a band for a twentieth of the contact. It ends by
+/// the same rule, read backwards. The band lies about the line through the middle half. Its half width is 1.25 times the
+/// 99th percentile of the deviations there, and at least a tenth (coefficient) or a fifth (force) of the level.
+/// Nothing is cut from a record of fewer than fewestToAnalyse samples, nor where the beginning or the end would lose more
+/// than 40 % of the contact.
 Slide steadySlide(std::span<const double> normalN, std::span<const double> tangentialN);
 
 }  // namespace rendering::fabrics

@@ -1,4 +1,4 @@
-// A drawn batch as tensors. Included by this folder's torch sources only.
+// A drawn batch as tensors. Only the torch sources of this folder include it.
 #pragma once
 
 #include "rendering/models/networks/batches.h"
@@ -11,11 +11,11 @@ struct TensorBatch {
     torch::Tensor photograph;  ///< [N, 3, crop, crop]
     torch::Tensor heights;     ///< [N, 1, crop + 2 margin, crop + 2 margin]
     torch::Tensor rings;       ///< [N, ringCount]
-    FrictionGuess friction;
-    Touch other;  ///< validation only
+    FrictionOutput friction;
+    BatchSignals other;  ///< other measured signals of the same fabrics; for validation only
 
-    /// The measured signals as they belong to a generated height map: shifted to where they fit best.
-    Touch measuredFor(const torch::Tensor& generatedHeight) const
+    /// Measured signals, with the height shifted to the best match with a generated height map.
+    BatchSignals measuredFor(const torch::Tensor& generatedHeight) const
     {
         return {registered(generatedHeight, heights).maps, rings, friction};
     }

@@ -11,10 +11,10 @@ namespace rendering::models {
 
 namespace {
 
-cv::Mat turnedAsTaken(const cv::Mat& image, cv::Point2d centre, double angleDeg, int side, double zoom)
+cv::Mat warpedCrop(const cv::Mat& image, cv::Point2d centre, double angleDeg, int side, double zoom)
 {
-    // getRotationMatrix2D turns anticlockwise for positive angles; WARP_INVERSE_MAP is not set, so the
-    // matrix maps source to destination.
+    // getRotationMatrix2D rotates anticlockwise for positive angles. The matrix maps source to destination, because
+    // WARP_INVERSE_MAP is not set.
     cv::Mat turn =
         cv::getRotationMatrix2D(cv::Point2f(static_cast<float>(centre.x), static_cast<float>(centre.y)), angleDeg, 1 / zoom);
     turn.at<double>(0, 2) += (side - 1) / 2.0 - centre.x;
@@ -25,7 +25,7 @@ cv::Mat turnedAsTaken(const cv::Mat& image, cv::Point2d centre, double angleDeg,
     return crop;
 }
 
-/// A place for the centre of a turned crop: anywhere that keeps it inside where there is room.
+/// Draws the centre of a rotated crop such that the crop stays inside where there is room.
 cv::Point2d drawCentre(const cv::Size& size, double side, double angleDeg, protocols::Random& random)
 {
     const double radians = angleDeg * CV_PI / 180;
@@ -38,30 +38,30 @@ cv::Point2d drawCentre(const cv::Size& size, double side, double angleDeg, proto
     return {x, along(size.height)};
 }
 
-/// Brightness and white balance of one picture, and its noise.
+/// Changes of brightness and white balance of one picture, and its noise.
 struct Jitter {
     float gain[3] = {1, 1, 1};
     float noise = 0;
     bool grey = false;
 };
 
-/// A third of the training pictures are zoomed, by up to so much either way.
-constexpr std::uint64_t oneInSoManyZoomed = 3;
+/// One in three training pictures is zoomed, by up to mostZoom or its inverse.
+constexpr std::uint64_t oneInThisManyZoomed = 3;
 constexpr double mostZoom = 1.5;
 
 double drawZoom(protocols::Random& random)
 {
-    if (random.below(oneInSoManyZoomed) != 0) return 1;
+    if (random.below(oneInThisManyZoomed) != 0) return 1;
     return std::exp(random.uniform(-std::log(mostZoom), std::log(mostZoom)));
 }
 
-/// How many pictures lose their colour, so that fabrics are told apart by their texture too.
-constexpr std::uint64_t oneInSoManyGrey = 4;
+/// One in four training pictures loses its colour, so that the networks learn to use the texture too.
+constexpr std::uint64_t oneInThisManyGrey = 4;
 
 Jitter drawJitter(protocols::Random& random)
 {
     Jitter jitter;
-    jitter.grey = random.below(oneInSoManyGrey) == 0;
+    jitter.grey = random.below(oneInThisManyGrey) == 0;
     const double brightness = random.uniform(0.85, 1.15);
     for (float& gain : jitter.gain) gain = static_cast<float>(brightness * random.uniform(0.95, 1.05));
     jitter.noise = static_cast<float>(random.uniform(0, 0.02));
@@ -93,7 +93,7 @@ const Sample& drawn(const std::vector<Sample>& samples, protocols::Random& rando
     return samples[random.below(samples.size())];
 }
 
-/// In an aligned data set the samples of one index belong together; else any of the fabric does.
+/// In an aligned data set the sample with the same index, else any sample of the fabric.
 template <class Sample>
 const Sample& partner(const std::vector<Sample>& samples, int index, bool aligned, protocols::Random& random)
 {
@@ -112,18 +112,17 @@ void flipJointly(cv::Mat& photograph, cv::Mat& height, protocols::Random& random
         }
 }
 
-/// Where both show one place, the crop keeps to what both show.
+/// Draws the centre of the photograph's crop. In an aligned data set the crop lies in the area that both maps show.
 cv::Point2d photographCentre(const TrainingData& data, const TrainingPhotograph& photograph, const TrainingHeight& height,
                              double side, double angleDeg, protocols::Random& random)
 {
-    const cv::Size whole = photograph.rgb.size(), felt = height.heightMm.size();
-    const cv::Size shared =
-        data.aligned ? cv::Size(std::min(whole.width, felt.width), std::min(whole.height, felt.height)) : whole;
+    const cv::Size whole = photograph.rgb.size(), map = height.heightMm.size();
+    const cv::Size shared = data.aligned ? cv::Size(std::min(whole.width, map.width), std::min(whole.height, map.height)) : whole;
     return drawCentre(shared, side, angleDeg, random) +
            cv::Point2d((whole.width - shared.width) / 2.0, (whole.height - shared.height) / 2.0);
 }
 
-/// Where the height map's crop lies: the place of the photograph's crop where both show one place.
+/// Centre of the height map's crop: in an aligned data set the place of the photograph's crop, else drawn.
 cv::Point2d heightCentre(const TrainingData& data, const TrainingPhotograph& photograph, cv::Point2d photographAt,
                          const TrainingHeight& height, double side, double angleDeg, protocols::Random& random)
 {
@@ -135,51 +134,51 @@ cv::Point2d heightCentre(const TrainingData& data, const TrainingPhotograph& pho
             (height.heightMm.rows - 1) / 2.0 + x * std::sin(turn) + y * std::cos(turn)};
 }
 
-/// A measured sample beside the drawn one, for validation.
-void appendOther(Batch& batch, const TrainingData& data, const FabricSamples& fabric, double angle, protocols::Random& random)
+/// Appends another measured sample of the fabric, for validation.
+void appendOther(Batch& batch, const TrainingData& data, const TrainingFabric& fabric, double angle, protocols::Random& random)
 {
     const TrainingHeight& height = drawn(fabric.heights, random);
     const TrainingStroke& stroke = drawn(fabric.strokes, random);
     const double heightAngle = angle - height.rotationDeg;
-    const cv::Mat felt =
+    const cv::Mat heightCrop =
         turnedCrop(height.heightMm, drawCentre(height.heightMm.size(), batch.crop, heightAngle, random), heightAngle, batch.crop);
-    appendMap(batch.otherHeights, felt, static_cast<float>(1 / data.architecture.heightScaleMm));
+    appendMap(batch.otherHeights, heightCrop, static_cast<float>(1 / data.architecture.heightScaleMm));
     appendMap(batch.otherLogRatios, stroke.target.logRatio, 1);
     batch.otherRings.insert(batch.otherRings.end(), height.rings.begin(), height.rings.end());
     batch.otherMeans.push_back(stroke.target.mean);
 }
 
-void appendRings(Batch& batch, const TrainingHeight& height, const cv::Mat& felt, double zoom)
+void appendRings(Batch& batch, const TrainingHeight& height, const cv::Mat& heightCrop, double zoom)
 {
-    if (felt.empty()) return;
-    const std::vector<float> rings = zoom == 1 ? height.rings : ringPowers(felt, batch.crop);
+    if (heightCrop.empty()) return;
+    const std::vector<float> rings = zoom == 1 ? height.rings : ringPowers(heightCrop, batch.crop);
     batch.rings.insert(batch.rings.end(), rings.begin(), rings.end());
 }
 
-void appendDrawn(Batch& batch, const TrainingData& data, const FabricSamples& fabric, const BatchWish& wish,
+void appendDrawn(Batch& batch, const TrainingData& data, const TrainingFabric& fabric, const BatchOptions& options,
                  protocols::Random& random)
 {
     const TrainingPhotograph& photograph = drawn(fabric.photographs, random);
     const TrainingHeight& height = partner(fabric.heights, photograph.index, data.aligned, random);
     const TrainingStroke& stroke = partner(fabric.strokes, photograph.index, data.aligned, random);
-    // Half the pictures stay as taken, unblurred by interpolation; the height map turns with them.
-    const bool free = wish.augment && random.below(2) == 1;
+    // Half of the pictures keep their orientation, so that interpolation does not blur them; the height map is rotated.
+    const bool free = options.augment && random.below(2) == 1;
     const double angle = free ? random.uniform(-180, 180) : photograph.rotationDeg;
     const double photographAngle = angle - photograph.rotationDeg, heightAngle = angle - height.rotationDeg;
-    const double zoom = wish.augment ? drawZoom(random) : 1, shownPx = batch.crop * zoom;
+    const double zoom = options.augment ? drawZoom(random) : 1, shownPx = batch.crop * zoom;
     const cv::Point2d photographAt = photographCentre(data, photograph, height, shownPx, photographAngle, random);
-    cv::Mat seen = turnedCrop(photograph.rgb, photographAt, photographAngle, batch.crop, zoom), felt;
-    if (wish.heights) {
+    cv::Mat photographCrop = turnedCrop(photograph.rgb, photographAt, photographAngle, batch.crop, zoom), heightCrop;
+    if (options.heights) {
         const cv::Point2d heightAt = heightCentre(data, photograph, photographAt, height, shownPx, heightAngle, random);
-        felt = turnedCrop(height.heightMm, heightAt, heightAngle, batch.crop + 2 * batch.margin, zoom) / zoom;
+        heightCrop = turnedCrop(height.heightMm, heightAt, heightAngle, batch.crop + 2 * batch.margin, zoom) / zoom;
     }
-    if (wish.augment) flipJointly(seen, felt, random);
-    appendPhotograph(batch.photographs, seen, wish.augment ? drawJitter(random) : Jitter{}, random);
-    appendMap(batch.heights, felt, static_cast<float>(1 / data.architecture.heightScaleMm));
+    if (options.augment) flipJointly(photographCrop, heightCrop, random);
+    appendPhotograph(batch.photographs, photographCrop, options.augment ? drawJitter(random) : Jitter{}, random);
+    appendMap(batch.heights, heightCrop, static_cast<float>(1 / data.architecture.heightScaleMm));
     appendMap(batch.logRatios, stroke.target.logRatio, 1);
     batch.means.push_back(stroke.target.mean);
-    appendRings(batch, height, felt, zoom);
-    if (!wish.augment) appendOther(batch, data, fabric, angle, random);
+    appendRings(batch, height, heightCrop, zoom);
+    if (!options.augment) appendOther(batch, data, fabric, angle, random);
 }
 
 }  // namespace
@@ -190,25 +189,25 @@ cv::Mat turnedCrop(const cv::Mat& image, cv::Point2d centre, double angleDeg, in
                          static_cast<int>(std::floor(centre.y - (side - 1) / 2.0)), side, side);
     const cv::Rect inside = whole & cv::Rect(0, 0, image.cols, image.rows);
     if (std::abs(angleDeg) < 1e-9 && zoom == 1 && inside == whole) return image(whole).clone();
-    return turnedAsTaken(image, centre, angleDeg, side, zoom);
+    return warpedCrop(image, centre, angleDeg, side, zoom);
 }
 
-Batch drawBatch(const TrainingData& data, const std::vector<FabricSamples>& part, const BatchWish& wish,
+Batch drawBatch(const TrainingData& data, const std::vector<TrainingFabric>& part, const BatchOptions& options,
                 protocols::Random& random)
 {
     Batch batch;
-    batch.size = wish.size;
+    batch.size = options.size;
     batch.crop = data.architecture.crop;
-    batch.margin = data.aligned ? 0 : wish.margin;
+    batch.margin = data.aligned ? 0 : options.margin;
     batch.rows = data.architecture.rows;
     batch.frames = data.architecture.frames;
     std::vector<std::size_t> deck;
-    for (int i = 0; i < wish.size; ++i) {
+    for (int i = 0; i < options.size; ++i) {
         if (deck.empty()) {
             for (std::size_t fabric = 0; fabric < part.size(); ++fabric) deck.push_back(fabric);
             random.shuffle(deck);
         }
-        appendDrawn(batch, data, part[deck.back()], wish, random);
+        appendDrawn(batch, data, part[deck.back()], options, random);
         deck.pop_back();
     }
     return batch;

@@ -31,7 +31,8 @@ Checkpoint readCheckpoint(const std::filesystem::path& file, const std::string& 
                           const std::function<void(torch::serialize::InputArchive&)>& load)
 {
     const auto refuse = [&](const std::string& what) {
-        return protocols::badInput({what, file.string(), "the checkpoint of a broken-off run with the same data set and options",
+        return protocols::badInput({what, file.string(),
+                                    "the checkpoint of an interrupted run with the same data set and options",
                                     "train again without --resume"});
     };
     if (!std::filesystem::exists(file)) throw refuse("there is no checkpoint to resume from");
@@ -42,7 +43,7 @@ Checkpoint readCheckpoint(const std::filesystem::path& file, const std::string& 
         archive.read("fingerprint", value);
         checkpoint.fingerprint = value.toStringRef();
         if (checkpoint.fingerprint != fingerprint)
-            throw refuse("the checkpoint is of a run with another data set or other options");
+            throw refuse("the checkpoint belongs to a run with another data set or other options");
         archive.read("validation_before", value);
         checkpoint.validationBefore = value.toStringRef();
         archive.read("step", value);

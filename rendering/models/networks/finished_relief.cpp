@@ -15,7 +15,7 @@ RingFilter ringFilter(const Architecture& architecture, int passes)
 
 torch::Tensor finishedRelief(const torch::Tensor& relief, const torch::Tensor& rings, const Architecture& architecture)
 {
-    constexpr int passes = 3;  // as Quality::Balanced
+    constexpr int passes = 3;  // Equal to Quality::Balanced.
     if (!architecture.imposesSpectrum) return relief;
     torch::Tensor finished = relief.detach().contiguous().clone();
     const torch::Tensor wanted = rings.detach().contiguous();

@@ -1,4 +1,4 @@
-// From what G_h says of a photograph to the height map. Included by this folder's torch sources only.
+// Conversion of G_h's outputs to a height map. Only the torch sources of this folder include it.
 #pragma once
 
 #include <torch/torch.h>
@@ -8,11 +8,11 @@
 
 namespace rendering::models {
 
-/// How a relief of these networks is brought to its spectrum; the more passes, the nearer.
+/// Parameters of the filter that imposes a spectrum; more passes come closer to it.
 RingFilter ringFilter(const Architecture& architecture, int passes);
 
-/// `relief` [N, 1, H, W] in units of heightScaleMm brought to the predicted radial spectra `rings`
-/// [N, ringCount], where the architecture says so (ring_spectrum.h). Without gradient.
+/// `relief` [N, 1, H, W] in units of heightScaleMm with the predicted radial power spectra `rings` [N, ringCount] imposed, if
+/// the architecture imposes spectra (ring_spectrum.h). Without gradient.
 torch::Tensor finishedRelief(const torch::Tensor& relief, const torch::Tensor& rings, const Architecture& architecture);
 
 }  // namespace rendering::models

@@ -11,10 +11,10 @@ namespace rendering::models {
 
 namespace {
 
-/// Of a periodic Hann window; what a constant trace of 1 gives in the row of frequency 0.
+/// Sum of a periodic Hann window: the magnitude of a constant trace of 1 at frequency 0.
 double windowSum(const Architecture& architecture) { return architecture.window / 2.0; }
 
-/// Cut to length, or continued by mirroring about its ends.
+/// The trace cut to a length, or continued by mirroring about its ends.
 std::vector<double> fitted(std::span<const double> trace, int length)
 {
     std::vector<double> result;
@@ -52,7 +52,8 @@ FrictionTarget frictionTarget(std::span<const double> trace, const Architecture&
     const std::vector<double> values = fitted(trace, architecture.traceSamples);
     const double mean = std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
     if (!(mean > 0))
-        throw protocols::badInput({"a friction record whose mean is not positive", "friction", "coefficients above 0", ""});
+        throw protocols::badInput({"the mean of a friction record is not positive", "friction", "coefficients above 0",
+                                   "check the sign of the tangential axis"});
     const cv::Mat absolute = signals::magnitude(signals::stft(values, spectrogramParameters(architecture))).values;
     FrictionTarget target;
     target.mean = static_cast<float>(mean);
@@ -83,8 +84,8 @@ std::vector<double> traceOf(const FrictionTarget& target, const Architecture& ar
     spectrogram.traceLength = architecture.traceSamples;
     spectrogram.mean = target.mean;
     spectrogram.values = magnitudes(target, architecture);
-    // The mean reaches the first two rows, where it outweighs all texture: an error of 3 % there would be a slow wave as high as
-    // the texture itself. So the texture is inverted without the mean, its slowest wave as high as the next.
+    // The mean reaches the first two rows, where it exceeds all texture. An error of 3 % there would cause a slow wave as high
+    // as the texture itself. So the texture is inverted without the mean, and its slowest wave gets the magnitude of the next.
     spectrogram.values.row(0) = 0;
     spectrogram.values.row(2).copyTo(spectrogram.values.row(1));
     signals::GriffinLimOptions options;

@@ -1,6 +1,6 @@
-// Between a friction trace and what G_s speaks: the spectrogram's magnitudes as the logarithm of
-// their ratio to what the mean alone would give, and the mean friction as its own number. So
-// slipperiness and texture are learnt apart, and the mean cannot get lost in an inverse transform.
+// Conversion between a friction trace and G_s's outputs: the logarithm of the ratio of the spectrogram's magnitudes to
+// those of the mean alone, and the mean friction as a number of its own. So slipperiness and texture are learnt
+// separately, and an inverse transform cannot change the mean.
 #pragma once
 
 #include <opencv2/core/mat.hpp>
@@ -19,19 +19,19 @@ struct FrictionTarget {
 
 inline constexpr double ratioFloor = 1e-4;
 
-/// The shape of the spectrogram of a trace of `traceSamples` samples, into rows and frames.
+/// Sets rows and frames of the spectrogram of a trace of `traceSamples` samples.
 void setSpectrogramShape(Architecture& architecture);
 
-/// Of the spectrograms that G_s speaks; the rate in samples a millimetre: the same law, no speed in it.
+/// Parameters of G_s's spectrograms. The rate is in samples per millimetre, so that they do not depend on speed.
 signals::SpectrogramParameters spectrogramParameters(const Architecture& architecture);
 
-/// `trace` is cut or mirrored to Architecture::traceSamples. Needs a positive mean (badInput else).
+/// Target for a trace, which is cut or mirrored to Architecture::traceSamples. Throws badInput for a mean that is not positive.
 FrictionTarget frictionTarget(std::span<const double> trace, const Architecture& architecture);
 
-/// CV_32FC1 [rows x frames] magnitudes, the DC row scaled so that its average is that of `mean`.
+/// Magnitudes, CV_32FC1 [rows x frames]. The row of frequency 0 is scaled to the average of a trace with the target's mean.
 cv::Mat magnitudes(const FrictionTarget& target, const Architecture& architecture);
 
-/// Griffin-Lim of the texture in magnitudes(target), the rows that the mean does not reach; its mean is exactly the target's.
+/// Trace by Griffin-Lim from the rows of magnitudes(target) that the mean does not reach; its mean is exactly the target's.
 std::vector<double> traceOf(const FrictionTarget& target, const Architecture& architecture, int iterations);
 
 }  // namespace rendering::models

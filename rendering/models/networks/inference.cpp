@@ -20,11 +20,11 @@ namespace rendering::models {
 
 namespace {
 
-constexpr int tileSide = 256;  ///< px of a height map that one pass of G_h makes
+constexpr int tileSide = 256;  ///< px of the height map from one pass of G_h
 
 int roundedUpTo16(int length) { return (length + 15) / 16 * 16; }
 
-/// [1, 3, H, W] in 0..1.
+/// [1, 3, H, W] in 0 to 1.
 torch::Tensor tensorOf(const cv::Mat& rgb)
 {
     const cv::Mat whole = rgb.isContinuous() ? rgb : rgb.clone();
@@ -32,7 +32,7 @@ torch::Tensor tensorOf(const cv::Mat& rgb)
     return (bytes.permute({2, 0, 1}).to(torch::kFloat) / 255).unsqueeze(0).contiguous();
 }
 
-/// The turns and mirrorings of the square: bit 0 mirrors columns, bit 1 rows, bit 2 swaps both axes.
+/// One of the eight symmetries of the square: bit 0 mirrors columns, bit 1 rows, bit 2 swaps both axes.
 torch::Tensor turned(torch::Tensor image, int turn)
 {
     if ((turn & 4) != 0) image = image.transpose(2, 3);
@@ -62,7 +62,7 @@ std::vector<int> turnsOf(Quality quality)
     return {};
 }
 
-/// Corners of the crops that G_s sees, spread evenly over the photograph.
+/// Corners of the crops for G_s, evenly spread over the photograph.
 std::vector<cv::Point> cropCorners(const cv::Size& size, int side, Quality quality)
 {
     const int across = quality == Quality::Fast ? 1 : quality == Quality::Balanced ? 2 : 3;
@@ -76,8 +76,8 @@ std::vector<cv::Point> cropCorners(const cv::Size& size, int side, Quality quali
     return corners;
 }
 
-/// px around a tile that G_h sees beyond; a multiple of 16 with the tile. A single tile goes without where time counts: its
-/// edges are the photograph's, as those of the crops trained on were.
+/// Margin in px around a tile for G_h; a multiple of 16 together with the tile. With Quality::Fast a single tile has none: its
+/// borders are those of the photograph, as in the training crops.
 int marginOf(const cv::Size& photograph, Quality quality)
 {
     const bool single = photograph.width <= tileSide && photograph.height <= tileSide;
@@ -87,7 +87,7 @@ int marginOf(const cv::Size& photograph, Quality quality)
 int iterationsOf(Quality quality)
 {
     switch (quality) {
-        // A quarter of balanced's: the mean is exact all the same; what the texture loses is not measured apart.
+        // A quarter of Balanced. The mean stays exact; the loss of texture is not measured separately.
         case Quality::Fast:
             return 8;
         case Quality::Balanced:
@@ -98,7 +98,7 @@ int iterationsOf(Quality quality)
     return 0;
 }
 
-/// Of the filter that imposes the spectrum.
+/// Number of passes of the filter that imposes the spectrum.
 int passesOf(Quality quality)
 {
     switch (quality) {
@@ -115,8 +115,8 @@ int passesOf(Quality quality)
 void requireFinite(const cv::Mat& values)
 {
     if (!cv::checkRange(values))
-        throw protocols::badInput({"the model gives numbers that are not finite", "weights",
-                                   "a model that was trained to its end", "train again or take the shipped weights"});
+        throw protocols::badInput({"the model gives numbers that are not finite", "weights", "a completely trained model",
+                                   "train again or use the weights of the program"});
 }
 
 }  // namespace
@@ -126,7 +126,7 @@ struct LoadedModel::Parts {
     Architecture architecture;
     mutable Generators generators;
 
-    /// What is known of the photograph, where the card tells.
+    /// Comparison with known photographs; nullopt where the card stores none.
     std::optional<Recognised> recognise(const cv::Mat& rgb) const
     {
         return card.photographs ? std::optional(recognised(*card.photographs, photographFeatures(rgb))) : std::nullopt;
@@ -146,31 +146,31 @@ struct LoadedModel::Parts {
                     .copyTo(result(tile));
             }
         const cv::Mat relief = result({0, 0, rgb.cols, rgb.rows}) * architecture.heightScaleMm;
-        requireFinite(relief);  // a filter would spread one bad number over the whole map
+        requireFinite(relief);  // The filter would spread a single value that is not finite over the whole map.
         if (!architecture.imposesSpectrum) return relief;
         return withRingPowers(relief, wantedRings(rgb, recognition, quality), ringFilter(architecture, passesOf(quality)));
     }
 
-    /// As remembered of the fabrics that look like it; the stranger the photograph, the more G_h is asked.
+    /// Spectrum of similar known fabrics. The less familiar the photograph is, the more G_h's prediction replaces it.
     std::vector<float> wantedRings(const cv::Mat& rgb, const std::optional<Recognised>& recognition, Quality quality) const
     {
         if (!recognition || recognition->rings.empty()) return predictedRings(rgb, quality);
         std::vector<float> all(recognition->rings.begin(), recognition->rings.end());
-        if (const auto strange = static_cast<float>(recognition->strangeness); strange > 0) {
+        if (const auto weight = static_cast<float>(recognition->unfamiliarity); weight > 0) {
             const std::vector<float> predicted = predictedRings(rgb, quality);
-            for (std::size_t i = 0; i < all.size(); ++i) all[i] += strange * (predicted[i] - all[i]);
+            for (std::size_t i = 0; i < all.size(); ++i) all[i] += weight * (predicted[i] - all[i]);
         }
         return all;
     }
 
-    /// The radial spectrum that G_h predicts, averaged over crops.
+    /// Radial power spectrum that G_h predicts, averaged over crops.
     std::vector<float> predictedRings(const cv::Mat& rgb, Quality quality) const
     {
         const torch::Tensor mean = generators.height->rings(crops(rgb, quality)).mean(0).contiguous();
         return {mean.data_ptr<float>(), mean.data_ptr<float>() + ringCount};
     }
 
-    /// [N, 3, crop, crop]: what is asked once of a whole photograph is asked of these.
+    /// Crops [N, 3, crop, crop] for outputs that describe the whole photograph.
     torch::Tensor crops(const cv::Mat& rgb, Quality quality) const
     {
         const int side = architecture.crop;
@@ -184,30 +184,31 @@ struct LoadedModel::Parts {
         return torch::cat(all, 0);
     }
 
-    /// `seen`: the tile with its margin; the margin is cut off again.
-    cv::Mat heightOfTile(const cv::Mat& seen, int margin, Quality quality) const
+    /// Height of a tile. `padded` is the tile with its margin, which is cut off again.
+    cv::Mat heightOfTile(const cv::Mat& padded, int margin, Quality quality) const
     {
-        const torch::Tensor photograph = tensorOf(seen);
-        torch::Tensor sum = torch::zeros({1, 1, seen.rows, seen.cols});
+        const torch::Tensor photograph = tensorOf(padded);
+        torch::Tensor sum = torch::zeros({1, 1, padded.rows, padded.cols});
         const std::vector<int> turns = turnsOf(quality);
         for (const int turn : turns) sum += turnedBack(generators.height->forward(turned(photograph, turn)), turn);
         sum /= static_cast<double>(turns.size());
-        const cv::Mat whole(seen.rows, seen.cols, CV_32F, sum.data_ptr<float>());
-        return whole({margin, margin, seen.cols - 2 * margin, seen.rows - 2 * margin}).clone();
+        const cv::Mat whole(padded.rows, padded.cols, CV_32F, sum.data_ptr<float>());
+        return whole({margin, margin, padded.cols - 2 * margin, padded.rows - 2 * margin}).clone();
     }
 
-    /// Of a strange photograph the mean is rather what its texture lets expect.
+    /// Friction by G_s. For an unfamiliar photograph, regression on its texture (friction_prior.h) replaces the mean.
     FrictionTarget friction(const cv::Mat& rgb, const std::optional<Recognised>& recognition, Quality quality) const
     {
-        const FrictionGuess guess = generators.friction->forward(crops(rgb, quality));
-        const torch::Tensor logRatio = guess.logRatio.mean(0).contiguous();
+        const FrictionOutput output = generators.friction->forward(crops(rgb, quality));
+        const torch::Tensor logRatio = output.logRatio.mean(0).contiguous();
         FrictionTarget target;
         target.logRatio = cv::Mat(architecture.rows, architecture.frames, CV_32F, logRatio.data_ptr<float>()).clone();
-        target.mean = guess.mean.mean().item<float>();
-        if (card.frictionByTexture && recognition && recognition->strangeness > 0) {
-            const double reach = reachOfRegression(recognition->distance, card.photographs->threshold);
-            const double expected = expectedFriction(*card.frictionByTexture, textureCoefficients(rgb, architecture.crop), reach);
-            target.mean *= static_cast<float>(std::pow(expected / static_cast<double>(target.mean), recognition->strangeness));
+        target.mean = output.mean.mean().item<float>();
+        if (card.frictionByTexture && recognition && recognition->unfamiliarity > 0) {
+            const double weight = regressionWeight(recognition->distance, card.photographs->threshold);
+            const double expected =
+                expectedFriction(*card.frictionByTexture, textureCoefficients(rgb, architecture.crop), weight);
+            target.mean *= static_cast<float>(std::pow(expected / static_cast<double>(target.mean), recognition->unfamiliarity));
         }
         return target;
     }
@@ -223,14 +224,14 @@ LoadedModel::LoadedModel(const std::filesystem::path& model, int threads) : m_pa
 
 LoadedModel::~LoadedModel() = default;
 
-GeneratedSignals LoadedModel::generate(const PhotographToTouch& photograph, const GenerationOptions& options) const
+GeneratedSignals LoadedModel::generate(const InputPhotograph& photograph, const GenerationOptions& options) const
 {
-    const torch::NoGradGuard still;
+    const torch::NoGradGuard noGradient;
     const Architecture& architecture = m_parts->architecture;
     cv::Mat rgb = photographAtPitch(photograph, architecture.mmPerPixel).rgb;
     const std::optional<Recognised> recognition = m_parts->recognise(rgb);
-    // A lamp that the networks have never seen must not pass for the long waves of a fabric.
-    if (recognition && recognition->strangeness > 0) rgb = evenlyLit(rgb);
+    // Uneven light of an unfamiliar photograph must not be mistaken for long waves of the fabric.
+    if (recognition && recognition->unfamiliarity > 0) rgb = evenlyLit(rgb);
     GeneratedSignals signals;
     if (recognition) {
         signals.photograph.distance = recognition->distance;

@@ -1,4 +1,4 @@
-// Photographs through the trained generators: the work of vis2hap-nn. No torch in this header.
+// Inference: photographs through the trained generators, for vis2hap-nn. No torch in this header.
 #pragma once
 
 #include <filesystem>
@@ -10,15 +10,15 @@ namespace rendering::models {
 
 class LoadedModel {
 public:
-    /// Throws badInput for weights that are no model of this program. `threads` 0: all of the machine's.
+    /// Throws badInput for weights that this program cannot use. `threads` 0: all threads of the machine.
     explicit LoadedModel(const std::filesystem::path& model, int threads = 0);
     ~LoadedModel();
 
-    /// The height map covers the photograph as photographAtPitch gives it. Quality: fast takes one pass of G_h without margin and
-    /// one crop of G_s, balanced two passes (as it is and turned by 180 degrees) and four crops, accurate eight passes (all turns
-    /// and mirrorings of the square) and nine crops in four mirrorings; passes and crops are averaged. The spectrum is imposed
-    /// in 1, 3 and 6 rounds, the trace's phases are sought in 8, 32 and 200.
-    GeneratedSignals generate(const PhotographToTouch& photograph, const GenerationOptions& options) const;
+    /// Signals of a photograph; the height map covers the part that photographAtPitch() returns.
+    /// Fast: one pass of G_h without margin, one crop of G_s. Balanced: two passes (as it is and rotated by 180 degrees), four
+    /// crops. Accurate: eight passes (all symmetries of the square), nine crops in four mirrorings. Passes and crops are
+    /// averaged. The spectrum is imposed in 1, 3 or 6 passes; Griffin-Lim takes 8, 32 or 200 iterations.
+    GeneratedSignals generate(const InputPhotograph& photograph, const GenerationOptions& options) const;
 
 private:
     struct Parts;

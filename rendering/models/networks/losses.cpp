@@ -18,7 +18,7 @@ torch::Tensor amplitudes(const torch::Tensor& maps)
 
 torch::Tensor logRings(const torch::Tensor& maps)
 {
-    // The floor is a hundredth of a unit's deviation spread over all frequencies: below lies the sensor's noise.
+    // The constant lies near the noise of the sensor: a hundredth of a unit's deviation over all frequencies.
     return torch::log(ringMeans(maps) + 1e-5);
 }
 
@@ -32,7 +32,7 @@ torch::Tensor gaussianMeans(const torch::Tensor& maps)
     return torch::conv2d(torch::conv2d(maps, unit.view({1, 1, 1, 11})), unit.view({1, 1, 11, 1}));
 }
 
-/// Sum over every side x side part of the windows.
+/// Sums over all parts of side x side of the windows.
 torch::Tensor partSums(const torch::Tensor& windows, std::int64_t side)
 {
     const auto pooled = [](const torch::Tensor& image, std::vector<std::int64_t> size) {
@@ -90,7 +90,7 @@ torch::Tensor adversarialLoss(const torch::Tensor& logitsOfGenerated, Adversary 
 
 Registered registered(const torch::Tensor& maps, const torch::Tensor& windows)
 {
-    const torch::NoGradGuard still;
+    const torch::NoGradGuard noGradient;
     const std::int64_t side = maps.size(3), wide = windows.size(3), places = wide - side + 1;
     if (places == 1) return {windows, torch::ones({maps.size(0)})};
     const torch::Tensor centred = maps.detach() - maps.detach().mean({2, 3}, true);
@@ -132,13 +132,14 @@ torch::Tensor spectrumDistance(const torch::Tensor& a, const torch::Tensor& b) {
 
 torch::Tensor radialDistance(const torch::Tensor& a, const torch::Tensor& b) { return l1(logRings(a), logRings(b)); }
 
-torch::Tensor distance(const Touch& generated, const Touch& measured, const LossWeights& weights, const DistanceScales& scales)
+torch::Tensor distance(const BatchSignals& generated, const BatchSignals& measured, const LossWeights& weights,
+                       const DistanceScales& scales)
 {
     torch::Tensor sum = weights.logRatio * l1(generated.friction.logRatio, measured.friction.logRatio) +
                         weights.mean / scales.meanFriction * l1(generated.friction.mean, measured.friction.mean) +
                         weights.logMean * l1(generated.friction.mean.log(), measured.friction.mean.log());
-    const auto add = [&](double weight, auto apart) {
-        if (weight > 0) sum = sum + weight * apart(generated.height, measured.height);
+    const auto add = [&](double weight, auto distanceOf) {
+        if (weight > 0) sum = sum + weight * distanceOf(generated.height, measured.height);
     };
     add(weights.pixel, l1);
     add(weights.structure,

@@ -1,9 +1,8 @@
-// What the generators and the discriminator are told. The paper's: the adversarial losses (1) and (2)
-// and the pixel-wise L1 distance (3). Ours differs where pairing is weak: there the measured map lies
-// at another place than the photograph, and a pixel-wise distance to it rewards the flat median map.
-// So the measured map is first shifted to where it fits the generated one best (registered), and the
-// distance to that is completed by distances that do not depend on the place.
-// Included by this folder's torch sources only.
+// Losses of the generators and of the discriminator. The paper's: the adversarial losses (1) and (2) and the pixel-wise
+// L1 distance (3). Ours differ for weakly paired data. There the measured map shows another place than the photograph,
+// and a pixel-wise distance to it favours the flat median map. So the measured map is first shifted to its best match
+// with the generated one (registered). Distances that do not depend on the place are added.
+// Only the torch sources of this folder include it.
 #pragma once
 
 #include "rendering/models/networks/networks.h"
@@ -11,29 +10,29 @@
 namespace rendering::models {
 
 /// Measured or generated signals of a batch.
-struct Touch {
+struct BatchSignals {
     torch::Tensor height;  ///< [N, 1, crop, crop]
-    torch::Tensor rings;   ///< [N, ringCount]: radial spectrum of the height, measured or as G_h predicts it
-    FrictionGuess friction;
+    torch::Tensor rings;   ///< [N, ringCount]: radial power spectrum of the height, measured or predicted by G_h
+    FrictionOutput friction;
 };
 
 enum class Adversary {
-    Paper,  ///< equations (1) and (2) on logits, the generators' in its non-saturating form
-    Hinge   ///< hinge losses on a discriminator with spectral normalisation (Miyato et al. 2018)
+    Paper,  ///< equations (1) and (2) on logits; the generators' loss in its non-saturating form
+    Hinge   ///< hinge losses and a discriminator with spectral normalisation (Miyato et al. 2018)
 };
 
 struct LossWeights {
     Adversary adversary = Adversary::Hinge;
-    double adversarial = 0;  ///< 0: no discriminator is trained
-    /// L1 distances of heights. `pixel` and `structure` (1 - SSIM) are pixel-wise, the others not.
+    double adversarial = 0;  ///< 0 trains no discriminator
+    /// Weights of the L1 distances of heights; `pixel` and `structure` (1 - SSIM) compare pixel by pixel, the others do not.
     double pixel = 0, structure = 0, sorted = 0, spectrum = 0, radial = 0, rings = 0;
-    double logRatio = 0, mean = 0, logMean = 0;  ///< L1 distances of friction
+    double logRatio = 0, mean = 0, logMean = 0;  ///< weights of the L1 distances of friction
 };
 
-/// Eq. 2 + 100 x eq. 3, the weight of pix2pix, to which the paper refers.
+/// Eq. 2 + 100 x eq. 3; 100 is the weight of pix2pix, to which the paper refers.
 LossWeights referenceWeights();
 LossWeights defaultWeights();
-/// Eq. 3 alone: the control that shows what a plain L1 regression learns.
+/// Eq. 3 alone: a control that shows the result of plain L1 regression.
 LossWeights l1OnlyWeights();
 
 /// Eq. 1, averaged over patches.
@@ -41,29 +40,30 @@ torch::Tensor discriminatorLoss(const torch::Tensor& logitsOfReal, const torch::
 /// Eq. 2.
 torch::Tensor adversarialLoss(const torch::Tensor& logitsOfGenerated, Adversary adversary);
 
-/// What a distance is measured in.
+/// Units of the distances.
 struct DistanceScales {
     double meanFriction = 0.5;
     double heightRange = 2;  ///< dynamic range of SSIM, units of the height maps
 };
-/// The weighted distances.
-torch::Tensor distance(const Touch& generated, const Touch& measured, const LossWeights& weights, const DistanceScales& scales);
+/// Weighted sum of the distances.
+torch::Tensor distance(const BatchSignals& generated, const BatchSignals& measured, const LossWeights& weights,
+                       const DistanceScales& scales);
 
-/// The part [N, 1, side, side] of each window [N, 1, side + 2 r, side + 2 r] that correlates best with
-/// the map [N, 1, side, side]; without gradient.
+/// Part [N, 1, side, side] of each window [N, 1, side + 2 r, side + 2 r] with the highest correlation with the map
+/// [N, 1, side, side]. Without gradient.
 struct Registered {
     torch::Tensor maps;
-    torch::Tensor correlation;  ///< [N], -1..1
+    torch::Tensor correlation;  ///< [N], -1 to 1
 };
 Registered registered(const torch::Tensor& maps, const torch::Tensor& windows);
 
 /// SSIM of each pair, [N]: Wang et al. 2004, Gaussian 11 x 11, valid windows, population moments.
 torch::Tensor ssim(const torch::Tensor& a, const torch::Tensor& b, double range);
-/// Mean absolute difference of the sorted values of each map (the Wasserstein-1 distance).
+/// Mean absolute difference between the sorted values of each map (the Wasserstein-1 distance).
 torch::Tensor sortedDistance(const torch::Tensor& a, const torch::Tensor& b);
-/// Mean absolute difference of the amplitude spectra, smoothed over 3 x 3 frequencies.
+/// Mean absolute difference between the amplitude spectra, which are smoothed over 3 x 3 frequencies.
 torch::Tensor spectrumDistance(const torch::Tensor& a, const torch::Tensor& b);
-/// Mean absolute difference of the logarithms of the radially averaged power spectra, nepers of power.
+/// Mean absolute difference between the logarithms of the radial power spectra, in nepers of power.
 torch::Tensor radialDistance(const torch::Tensor& a, const torch::Tensor& b);
 
 }  // namespace rendering::models

@@ -19,7 +19,7 @@ nn::Conv2d convolution(int in, int out, int size, int stride)
 
 nn::LeakyReLU leaky() { return nn::LeakyReLU(nn::LeakyReLUOptions().negative_slope(0.2)); }
 
-/// One block of a chain; size 4 halves the picture, size 3 keeps it.
+/// Appends a block to a chain; kernel size 4 halves the picture, size 3 keeps its size.
 void append(nn::Sequential& chain, int in, int out, int size)
 {
     chain->push_back(convolution(in, out, size, size == 4 ? 2 : 1));
@@ -62,7 +62,7 @@ torch::Tensor doubled(const torch::Tensor& image)
         image, nn::functional::InterpolateFuncOptions().scale_factor(std::vector<double>{2, 2}).mode(torch::kNearest));
 }
 
-/// Grey against the mean of its surroundings of 31 x 31 px, [N, 1, H, W].
+/// Grey minus the mean of its surroundings of 31 x 31 px, [N, 1, H, W].
 torch::Tensor contrast(const torch::Tensor& photograph)
 {
     const auto averaged = [](const torch::Tensor& image, std::vector<std::int64_t> window) {
@@ -74,25 +74,25 @@ torch::Tensor contrast(const torch::Tensor& photograph)
     return grey - averaged(averaged(grey, {31, 1}), {1, 31});
 }
 
-/// Zero-centred colours.
+/// Colours centred at zero.
 torch::Tensor centred(const torch::Tensor& photograph) { return (photograph - 0.5) * 2.0; }
 
-/// What the encoders see, [N, 4, H, W]: colours, and the contrast, in which a dim photograph looks like a bright one.
-torch::Tensor seen(const torch::Tensor& photograph, const torch::Tensor& contrasted)
+/// Input of the encoders, [N, 4, H, W]: colours, and the contrast, which does not depend on the brightness of the photograph.
+torch::Tensor encoderInput(const torch::Tensor& photograph, const torch::Tensor& contrasted)
 {
     return torch::cat({centred(photograph), contrasted * 4}, 1).contiguous(torch::MemoryFormat::ChannelsLast);
 }
 
-/// Logarithms of the power of a square photograph's brightness over its mean in the rings in which heights are described, about
-/// -1..1: waves of the weave are waves of the relief, and no chain of convolutions tells neighbouring wavelengths apart as well.
-torch::Tensor ringsSeen(const torch::Tensor& photograph)
+/// Logarithm of the radial power spectrum of a square photograph's brightness over its mean, about -1 to 1, in the rings of
+/// the heights. Waves of the weave are waves of the relief, and convolutions distinguish neighbouring wavelengths less well.
+torch::Tensor brightnessRings(const torch::Tensor& photograph)
 {
     const torch::Tensor grey = photograph.mean(1, true);
     const torch::Tensor texture = grey / grey.mean({2, 3}, true).clamp_min(0.02);
     return (torch::log(ringMeans(texture) + 1e-5) + 4) / 2;
 }
 
-/// Mean and spread of every feature over the photograph: a texture's statistics, wherever it lies.
+/// Mean and standard deviation of every feature over the photograph: statistics that do not depend on the place.
 torch::Tensor statistics(const torch::Tensor& features)
 {
     const torch::Tensor flat = features.flatten(2);
@@ -114,11 +114,11 @@ TextureSummaryImpl::TextureSummaryImpl(const Architecture& architecture)
 
 Texture TextureSummaryImpl::forward(const torch::Tensor& photograph)
 {
-    const torch::Tensor half = m_half->forward(seen(photograph, contrast(photograph)));
+    const torch::Tensor half = m_half->forward(encoderInput(photograph, contrast(photograph)));
     const torch::Tensor quarter = m_quarter->forward(half);
     const torch::Tensor eighth = m_eighth->forward(quarter);
     const torch::Tensor sixteenth = m_sixteenth->forward(eighth);
-    const torch::Tensor rings = ringsSeen(photograph);
+    const torch::Tensor rings = brightnessRings(photograph);
     const torch::Tensor all =
         torch::cat({statistics(half), statistics(quarter), statistics(eighth), statistics(sixteenth), rings}, 1);
     const torch::Tensor hidden = torch::leaky_relu(m_hidden->forward(all), 0.2);
@@ -140,9 +140,9 @@ HeightGeneratorImpl::HeightGeneratorImpl(const Architecture& architecture)
     m_upHalf = register_module("up_half", same(4 * c, c));
     m_upFull = register_module("up_full", same(2 * c, c));
     m_out = register_module("out", convolution(c + 1, 1, 3, 1));
-    // Weakly paired maps do not tell which way is up: bumps and hollows have the same spectrum. Hollows
-    // are darker, so training starts from "brighter is higher".
-    const torch::NoGradGuard still;
+    // Weakly paired maps do not determine the sign of the height, because bumps and hollows have the same spectrum.
+    // Hollows are darker, so training starts from "brighter is higher".
+    const torch::NoGradGuard noGradient;
     m_out->weight[0][c].zero_();
     m_out->weight[0][c][1][1] = 6.0;
 }
@@ -150,7 +150,7 @@ HeightGeneratorImpl::HeightGeneratorImpl(const Architecture& architecture)
 torch::Tensor HeightGeneratorImpl::forward(const torch::Tensor& photograph)
 {
     const torch::Tensor contrasted = contrast(photograph);
-    const torch::Tensor full = m_full->forward(seen(photograph, contrasted));
+    const torch::Tensor full = m_full->forward(encoderInput(photograph, contrasted));
     const torch::Tensor half = m_half->forward(full);
     const torch::Tensor quarter = m_quarter->forward(half);
     const torch::Tensor eighth = m_eighth->forward(quarter);
@@ -163,7 +163,7 @@ torch::Tensor HeightGeneratorImpl::forward(const torch::Tensor& photograph)
 
 torch::Tensor HeightGeneratorImpl::rings(const torch::Tensor& photograph)
 {
-    // Powers of fabrics lie between the sensor's noise and a millimetre: logarithms of -14 to 2.
+    // Powers of fabrics lie between the noise of the sensor and a millimetre: logarithms of -14 to 2.
     const Texture texture = m_summary->forward(photograph);
     return 2 * m_rings->forward(torch::cat({texture.summary, texture.brightnessRings}, 1)) - 8;
 }
@@ -178,12 +178,12 @@ FrictionGeneratorImpl::FrictionGeneratorImpl(const Architecture& architecture)
     m_decoder = register_module("decoder", spectrogramDecoder(c));
 }
 
-FrictionGuess FrictionGeneratorImpl::forward(const torch::Tensor& photograph)
+FrictionOutput FrictionGeneratorImpl::forward(const torch::Tensor& photograph)
 {
     const torch::Tensor summary = m_summary->forward(photograph).summary;
     const torch::Tensor seed = m_seed->forward(summary).view({-1, m_architecture.baseChannels, m_seedRows, m_seedFrames});
     const torch::Tensor decoded = m_decoder->forward(seed);
-    // Slipperiness is a ratio: its logarithm is learnt. The clamp keeps an untrained network's answer finite.
+    // The logarithm is learnt, because slipperiness is a ratio. The clamp keeps the output of an untrained network finite.
     return {decoded.narrow(2, 0, m_architecture.rows).narrow(3, 0, m_architecture.frames),
             torch::exp(m_mean->forward(summary).clamp(-8, 8)) * m_architecture.meanFrictionScale};
 }
@@ -204,7 +204,7 @@ torch::Tensor BoundedConvolutionImpl::boundedWeight()
     const torch::Tensor matrix = m_weight.flatten(1);
     torch::Tensor input;
     {
-        const torch::NoGradGuard still;
+        const torch::NoGradGuard noGradient;
         const auto unit = [](const torch::Tensor& vector) { return vector / (vector.norm() + 1e-12); };
         input = unit(torch::mv(matrix.t(), m_direction));
         if (is_training()) m_direction.copy_(unit(torch::mv(matrix, input)));
@@ -229,22 +229,22 @@ DiscriminatorImpl::DiscriminatorImpl(const Architecture& architecture, bool boun
     m_friction = register_module(
         "friction", nn::Sequential(layer(2, c, 4, 2), leaky(), layer(c, c, 4, 2), leaky(),
                                    BoundedConvolution(c, 2 * c, std::vector<std::int64_t>{rows, frames}, 0, bounded), leaky()));
-    m_judge = register_module("judge", nn::Sequential(layer(6 * c, 4 * c, 3, 1), leaky(), layer(4 * c, 1, 1, 1)));
+    m_head = register_module("judge", nn::Sequential(layer(6 * c, 4 * c, 3, 1), leaky(), layer(4 * c, 1, 1, 1)));
 }
 
-torch::Tensor DiscriminatorImpl::forward(const torch::Tensor& photograph, const FrictionGuess& friction,
+torch::Tensor DiscriminatorImpl::forward(const torch::Tensor& photograph, const FrictionOutput& friction,
                                          const torch::Tensor& height)
 {
     const torch::Tensor shown = torch::cat({centred(photograph), height}, 1).contiguous(torch::MemoryFormat::ChannelsLast);
     const torch::Tensor surface = m_surface->forward(shown);
     const torch::Tensor mean = friction.mean.view({-1, 1, 1, 1}).expand_as(friction.logRatio);
     const torch::Tensor stroke = m_friction->forward(torch::cat({friction.logRatio, mean}, 1));
-    return m_judge->forward(torch::cat({surface, stroke.expand({-1, -1, surface.size(2), surface.size(3)})}, 1));
+    return m_head->forward(torch::cat({surface, stroke.expand({-1, -1, surface.size(2), surface.size(3)})}, 1));
 }
 
 void orderChannelsLast(torch::nn::Module& module)
 {
-    const torch::NoGradGuard still;
+    const torch::NoGradGuard noGradient;
     for (torch::Tensor& parameter : module.parameters())
         if (parameter.dim() == 4) parameter.set_data(parameter.contiguous(torch::MemoryFormat::ChannelsLast));
 }

@@ -1,7 +1,6 @@
-// The three networks of the paper's section III as torch modules: the generators G_h (photograph ->
-// height map) and G_s (photograph -> spectrogram of the friction coefficient), and the one
-// discriminator D(x, s, h) that sees photograph, spectrogram and height map together.
-// Included by this folder's torch sources only.
+// The three networks of the paper's section III as torch modules: the generators G_h (photograph -> height map) and
+// G_s (photograph -> spectrogram of the friction coefficient), and the discriminator D(x, s, h) of photograph,
+// spectrogram and height map together. Only the torch sources of this folder include it.
 #pragma once
 
 #include <torch/torch.h>
@@ -10,14 +9,14 @@
 
 namespace rendering::models {
 
-/// What a photograph's texture is like, wherever it lies.
+/// Description of a photograph's texture, independent of the place.
 struct Texture {
     torch::Tensor summary;          ///< [N, 4 baseChannels]
-    torch::Tensor brightnessRings;  ///< [N, ringCount]: in the rings in which heights are described (ring_spectrum.h)
+    torch::Tensor brightnessRings;  ///< [N, ringCount]: radial power spectrum of the brightness (rings of ring_spectrum.h)
 };
 
-/// Convolutions that halve the photograph four times, mean and spread of the features of every scale,
-/// its radial spectrum, two layers over all. [N, 3, side, side] (a multiple of 16, at least 32).
+/// Four convolutions that halve the photograph [N, 3, side, side] (side a multiple of 16, at least 32). Mean and standard
+/// deviation of the features of every scale and the photograph's radial power spectrum go through two linear layers.
 class TextureSummaryImpl : public torch::nn::Module {
 public:
     explicit TextureSummaryImpl(const Architecture& architecture);
@@ -29,13 +28,13 @@ private:
 };
 TORCH_MODULE(TextureSummary);
 
-/// U-Net, fully convolutional. Photograph [N, 3, H, W] in 0..1 with sides that are multiples of 16
-/// -> height [N, 1, H, W] >= 0 in units of Architecture::heightScaleMm.
+/// U-Net, fully convolutional. Photograph [N, 3, H, W] in 0 to 1 with sides that are multiples of 16 -> height
+/// [N, 1, H, W] >= 0 in units of Architecture::heightScaleMm.
 class HeightGeneratorImpl : public torch::nn::Module {
 public:
     explicit HeightGeneratorImpl(const Architecture& architecture);
     torch::Tensor forward(const torch::Tensor& photograph);
-    /// The radial power spectrum of the height map, [N, ringCount], as ringPowers() of ring_spectrum.h. Of a square photograph.
+    /// Predicted radial power spectrum of the height map of a square photograph, [N, ringCount], as ringPowers() computes it.
     torch::Tensor rings(const torch::Tensor& photograph);
 
 private:
@@ -47,17 +46,17 @@ private:
 };
 TORCH_MODULE(HeightGenerator);
 
-/// What G_s says of a photograph.
-struct FrictionGuess {
-    torch::Tensor logRatio;  ///< [N, 1, rows, frames]: log of magnitude over that of the mean (friction_target.h)
+/// Outputs of G_s for a photograph.
+struct FrictionOutput {
+    torch::Tensor logRatio;  ///< [N, 1, rows, frames]: logarithm of magnitude over that of the mean (friction_target.h)
     torch::Tensor mean;      ///< [N, 1]: coefficient of friction, > 0
 };
 
-/// From a square photograph's texture the spectrogram and, as a head of its own, the mean friction.
+/// Spectrogram from the texture of a square photograph; the mean friction has its own head.
 class FrictionGeneratorImpl : public torch::nn::Module {
 public:
     explicit FrictionGeneratorImpl(const Architecture& architecture);
-    FrictionGuess forward(const torch::Tensor& photograph);
+    FrictionOutput forward(const torch::Tensor& photograph);
 
 private:
     Architecture m_architecture;
@@ -68,8 +67,8 @@ private:
 };
 TORCH_MODULE(FrictionGenerator);
 
-/// A convolution whose weight can be divided by its largest singular value (spectral normalisation,
-/// Miyato et al. 2018), followed by one power iteration a training pass; then its gain is at most 1.
+/// Convolution with optional spectral normalisation (Miyato et al. 2018): the weight is divided by its largest singular
+/// value, which one power iteration per training pass tracks. Then its gain is at most 1.
 class BoundedConvolutionImpl : public torch::nn::Module {
 public:
     BoundedConvolutionImpl(int in, int out, std::vector<std::int64_t> size, int stride, bool bounded);
@@ -84,20 +83,19 @@ private:
 };
 TORCH_MODULE(BoundedConvolution);
 
-/// Logits [N, 1, h, w] of patches of the photograph and height map, each judged together with the
-/// whole spectrogram and mean friction.
+/// Logits [N, 1, h, w] for patches of photograph and height map, each combined with the whole spectrogram and mean friction.
 class DiscriminatorImpl : public torch::nn::Module {
 public:
-    /// `bounded`: with spectral normalisation.
+    /// `bounded`: with spectral normalisation of all convolutions.
     DiscriminatorImpl(const Architecture& architecture, bool bounded);
-    torch::Tensor forward(const torch::Tensor& photograph, const FrictionGuess& friction, const torch::Tensor& height);
+    torch::Tensor forward(const torch::Tensor& photograph, const FrictionOutput& friction, const torch::Tensor& height);
 
 private:
-    torch::nn::Sequential m_surface, m_friction, m_judge;
+    torch::nn::Sequential m_surface, m_friction, m_head;
 };
 TORCH_MODULE(Discriminator);
 
-/// Puts the convolutions' weights into the memory order (channels last) in which they run about twice as fast here.
+/// Stores the weights of convolutions in the memory order channels-last, in which they run about twice as fast on CPUs.
 void orderChannelsLast(torch::nn::Module& module);
 
 }  // namespace rendering::models

@@ -27,9 +27,9 @@ namespace {
 
 using fabrics::Modality;
 
-/// A photograph and what was measured on its fabric.
+/// A photograph and the measured values of its fabric.
 struct BenchCase {
-    PhotographToTouch photograph;
+    InputPhotograph photograph;
     std::optional<double> meanFriction, heightSpreadMm;
 };
 
@@ -73,11 +73,12 @@ std::vector<BenchCase> casesOf(const fabrics::Dataset& dataset)
                          measuredSpread(dataset, fabric.id)});
     }
     if (cases.empty())
-        throw protocols::badInput({"there are no photographs", dataset.folder.string(), "a data set with the visual signal", ""});
+        throw protocols::badInput(
+            {"there are no photographs", dataset.folder.string(), "a data set with photographs", "choose another data set"});
     return cases;
 }
 
-/// Most memory that this process ever held, MB; 0 where the system does not tell.
+/// Peak resident memory of this process in MB; 0 where the system does not state it.
 double peakMb()
 {
     std::ifstream status("/proc/self/status");
@@ -86,7 +87,7 @@ double peakMb()
     return 0;
 }
 
-/// Before anything else is done, since the peak never falls.
+/// Must run before any other work, because the peak never falls.
 void measureMemory(const LoadedModel& model, BenchTable& table)
 {
     GenerationOptions options;
@@ -118,25 +119,25 @@ double average(const std::vector<double>& values)
     return values.empty() ? 0 : std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-BenchRow benchQuality(const LoadedModel& model, const std::vector<BenchCase>& cases,
-                      const std::vector<GeneratedSignals>& accurate, Quality quality)
+GeneratorBenchRow benchQuality(const LoadedModel& model, const std::vector<BenchCase>& cases,
+                               const std::vector<GeneratedSignals>& accurate, Quality quality)
 {
-    using Clock = std::chrono::steady_clock;
+    using std::chrono::steady_clock;
     GenerationOptions options;
     options.quality = quality;
     std::vector<double> milliseconds, at128, height, friction, meanError, spreadError;
-    const auto timed = [&](const PhotographToTouch& photograph, std::vector<double>& times) {
-        const Clock::time_point started = Clock::now();
+    const auto timed = [&](const InputPhotograph& photograph, std::vector<double>& times) {
+        const steady_clock::time_point started = steady_clock::now();
         GeneratedSignals signals = model.generate(photograph, options);
-        times.push_back(std::chrono::duration<double, std::milli>(Clock::now() - started).count());
+        times.push_back(std::chrono::duration<double, std::milli>(steady_clock::now() - started).count());
         return signals;
     };
     for (std::size_t i = 0; i < cases.size(); ++i) {
         timed({middle128(cases[i].photograph.photograph), cases[i].photograph.mmPerPixel}, at128);
         const GeneratedSignals signals = timed(cases[i].photograph, milliseconds);
-        cv::Mat apart;
-        cv::absdiff(signals.heightMm, accurate[i].heightMm, apart);
-        height.push_back(cv::mean(apart)[0]);
+        cv::Mat difference;
+        cv::absdiff(signals.heightMm, accurate[i].heightMm, difference);
+        height.push_back(cv::mean(difference)[0]);
         friction.push_back(std::abs(signals.meanFriction / accurate[i].meanFriction - 1));
         if (cases[i].meanFriction) meanError.push_back(std::abs(signals.meanFriction / *cases[i].meanFriction - 1));
         if (cases[i].heightSpreadMm && *cases[i].heightSpreadMm > 0)
@@ -182,9 +183,9 @@ std::string asText(const BenchTable& table)
 {
     const auto number = [](double value, double places) { return nlohmann::json(std::round(value * places) / places).dump(); };
     std::string text = "generators, " + std::to_string(table.photographs) + " photographs of " + table.dataset + "\n";
-    for (const BenchRow& row : table.rows)
-        text += nameOf(row.quality) + ": " + number(row.millisecondsPerPhotograph, 10) + " ms a photograph (" +
-                number(row.millisecondsAt128, 10) + " ms of 128x128), height " + number(row.heightDeviationFromAccurateMm, 1e5) +
+    for (const GeneratorBenchRow& row : table.rows)
+        text += nameOf(row.quality) + ": " + number(row.millisecondsPerPhotograph, 10) + " ms per photograph (" +
+                number(row.millisecondsAt128, 10) + " ms for 128x128), height " + number(row.heightDeviationFromAccurateMm, 1e5) +
                 " mm from accurate, mean friction " + number(100 * row.meanFrictionRelativeError, 100) +
                 " % from measured, relief " + number(100 * row.heightSpreadRelativeError, 100) + " % from measured\n";
     text += "memory: " + number(table.peakMbAt128, 1) + " MB after a photograph of 128x128, " + number(table.peakMbAtLargest, 1) +
@@ -195,7 +196,7 @@ std::string asText(const BenchTable& table)
 std::string asJson(const BenchTable& table)
 {
     nlohmann::ordered_json rows = nlohmann::ordered_json::array();
-    for (const BenchRow& row : table.rows)
+    for (const GeneratorBenchRow& row : table.rows)
         rows.push_back({{"quality", nameOf(row.quality)},
                         {"ms_per_photograph", row.millisecondsPerPhotograph},
                         {"ms_at_128", row.millisecondsAt128},

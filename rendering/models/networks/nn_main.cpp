@@ -1,5 +1,5 @@
-// vis2hap-nn: the second executable, the only one that loads libtorch. `vis2hap train` and the first
-// generated signal start it; it can be called by hand too.
+// vis2hap-nn: the second executable, the only one that loads libtorch. `vis2hap train` and the first generated signal
+// start it; it can also be called by hand.
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -26,7 +26,7 @@ using namespace rendering;
 
 void offerTraining(CLI::App& app, const std::string& command)
 {
-    struct Wish {
+    struct TrainingCall {
         std::string dataset;
         models::TrainingOptions options;
         std::vector<std::string> heldOut;
@@ -34,62 +34,63 @@ void offerTraining(CLI::App& app, const std::string& command)
         double minutes = 0;
         bool reference = false, l1Only = false;
     };
-    auto wish = std::make_shared<Wish>();
+    auto call = std::make_shared<TrainingCall>();
     CLI::App* train = app.add_subcommand("train", "train the generators on a data set");
-    models::TrainingOptions& options = wish->options;
-    train->add_option("DATASET", wish->dataset, "folder with photographs, GelSight frames and friction records")->required();
+    models::TrainingOptions& options = call->options;
+    train->add_option("DATASET", call->dataset, "folder with photographs, GelSight frames and friction records")->required();
     train->add_option("--out", options.out, "weights file; its model card is written to MODEL.json")->required();
-    CLI::Option* steps = train->add_option("--steps", wish->steps, "optimisation steps (default 5000)");
-    CLI::Option* minutes = train->add_option("--minutes", wish->minutes, "wall time instead of steps")->excludes(steps);
-    train->add_option("--seed", options.seed, "of the first weights, batches and augmentation (default 1)");
-    train->add_option("--split-seed", options.splitSeed, "of the 8:1:1 split (default 1)");
-    train->add_option("--hold-out", wish->heldOut, "fabrics to leave out, F03,F07")->delimiter(',');
-    train->add_flag("--reference", wish->reference, "the paper's losses to the letter");
-    train->add_flag("--l1-only", wish->l1Only, "the paper's L1 loss alone, without a discriminator: a control for evaluate");
+    CLI::Option* steps = train->add_option("--steps", call->steps, "optimisation steps (default 5000)");
+    CLI::Option* minutes = train->add_option("--minutes", call->minutes, "wall time instead of steps")->excludes(steps);
+    train->add_option("--seed", options.seed, "seed of the initial weights, batches and augmentation (default 1)");
+    train->add_option("--split-seed", options.splitSeed, "seed of the 8:1:1 split (default 1)");
+    train->add_option("--hold-out", call->heldOut, "fabrics to leave out, F03,F07")->delimiter(',');
+    train->add_flag("--reference", call->reference, "use exactly the losses of the paper");
+    train->add_flag("--l1-only", call->l1Only, "use only the paper's L1 loss, without a discriminator: a control for evaluate");
     train
         ->add_option("--split", options.split,
-                     "what the 8:1:1 split divides: location (default), sample, augmented (the paper's, with its leak)")
+                     "units of the 8:1:1 split: location (default), sample, augmented (as in the paper, with its leak)")
         ->transform(CLI::CheckedTransformer(std::map<std::string, models::SplitBy>{{"location", models::SplitBy::Location},
                                                                                    {"sample", models::SplitBy::Sample},
                                                                                    {"augmented", models::SplitBy::Augmented}}));
-    train->add_flag("--resume", options.resume, "go on from the last checkpoint of a broken-off run");
-    train->add_option("--batch", options.batch, "photographs a step (default 8)");
-    train->add_option("--crop", options.crop, "side of a crop, px (default 128)");
+    train->add_flag("--resume", options.resume, "continue from the last checkpoint of an interrupted run");
+    train->add_option("--batch", options.batch, "photographs per step (default 8)");
+    train->add_option("--crop", options.crop, "side of a crop in px (default 128)");
     train->add_option("--channels", options.baseChannels, "width of the networks (default 16)");
-    train->add_option("--learning-rate", options.learningRate, "of the generators at the start (default 0.001)");
+    train->add_option("--learning-rate", options.learningRate, "initial learning rate of the generators (default 0.001)");
     train->add_option("--checkpoint-every", options.checkpointEvery, "steps (default 100)");
     train->add_option("--validate-every", options.validateEvery, "steps (default 250)");
     train->add_option("--patience", options.patience,
-                      "validations without a better one, after which training stops (default 12)");
-    train->add_option("--validation-pairs", options.validationPairs, "pairs that the validation figures rest on (default 60)");
-    train->add_option("--threads", options.threads, "default: all of the machine");
-    train->callback([wish, steps, minutes, command] {
-        models::TrainingOptions& chosen = wish->options;
+                      "number of validations without a better one after which training stops (default 12)");
+    train->add_option("--validation-pairs", options.validationPairs, "number of pairs for the validation figures (default 60)");
+    train->add_option("--threads", options.threads, "default: all threads of the machine");
+    train->callback([call, steps, minutes, command] {
+        models::TrainingOptions& chosen = call->options;
         if (minutes->count() > 0)
-            chosen.minutes = wish->minutes;
+            chosen.minutes = call->minutes;
         else
-            chosen.steps = steps->count() > 0 ? wish->steps : 5000;
-        for (const std::string& id : wish->heldOut) chosen.heldOut.emplace_back(id);
-        if (wish->reference && wish->l1Only)
-            throw protocols::badInput({"both --reference and --l1-only", "train", "one of them", ""});
-        chosen.objective = wish->reference ? models::Objective::Reference
-                           : wish->l1Only  ? models::Objective::L1Only
+            chosen.steps = steps->count() > 0 ? call->steps : 5000;
+        for (const std::string& id : call->heldOut) chosen.heldOut.emplace_back(id);
+        if (call->reference && call->l1Only)
+            throw protocols::badInput(
+                {"both --reference and --l1-only were given", "train", "only one of them", "omit one of them"});
+        chosen.objective = call->reference ? models::Objective::Reference
+                           : call->l1Only  ? models::Objective::L1Only
                                            : models::Objective::Default;
         chosen.command = command;
-        models::train(fabrics::readDataset(wish->dataset), chosen, std::cout, isatty(STDOUT_FILENO) == 1);
+        models::train(fabrics::readDataset(call->dataset), chosen, std::cout, isatty(STDOUT_FILENO) == 1);
     });
 }
 
 void offerGeneration(CLI::App& app)
 {
     auto folder = std::make_shared<std::string>();
-    CLI::App* generate = app.add_subcommand("generate", "answer a request folder (see exchange.h)");
-    generate->add_option("FOLDER", *folder, "holds request.json; answer.json is written into it")->required();
+    CLI::App* generate = app.add_subcommand("generate", "answer the request in a folder (see exchange.h)");
+    generate->add_option("FOLDER", *folder, "folder with request.json; receives answer.json")->required();
     generate->callback([folder] {
-        const models::Request request = models::readRequest(*folder);
+        const models::GenerationRequest request = models::readRequest(*folder);
         const models::LoadedModel model(request.options.model);
         models::AnswerWriter answers(*folder);
-        for (const models::Request::Asked& photograph : request.photographs)
+        for (const models::RequestedPhotograph& photograph : request.photographs)
             answers.add(model.generate(models::readPhotograph(photograph), request.options));
         answers.finish();
     });
@@ -97,35 +98,35 @@ void offerGeneration(CLI::App& app)
 
 void offerBench(CLI::App& app)
 {
-    struct Wish {
+    struct BenchCall {
         std::string dataset, model, json;
     };
-    auto wish = std::make_shared<Wish>();
+    auto call = std::make_shared<BenchCall>();
     CLI::App* bench = app.add_subcommand("bench", "speed and error of every quality");
-    bench->add_option("DATASET", wish->dataset, "default: a small procedural set");
-    bench->add_option("--model", wish->model, "default: the shipped weights");
-    CLI::Option* json = bench->add_option("--json", wish->json, "as JSON, into FILE or to standard output")->expected(0, 1);
-    bench->callback([wish, json] {
-        const models::BenchTable table = models::benchGenerators(wish->model, wish->dataset);
+    bench->add_option("DATASET", call->dataset, "default: a small procedural set");
+    bench->add_option("--model", call->model, "default: the weights of the program");
+    CLI::Option* json = bench->add_option("--json", call->json, "JSON output to FILE or to standard output")->expected(0, 1);
+    bench->callback([call, json] {
+        const models::BenchTable table = models::benchGenerators(call->model, call->dataset);
         if (json->count() == 0)
             std::cout << models::asText(table);
-        else if (wish->json.empty())
+        else if (call->json.empty())
             std::cout << models::asJson(table);
         else
-            models::writeBench(wish->json, table);
+            models::writeBench(call->json, table);
     });
 }
 
 void offerPeerSteps(CLI::App& app)
 {
     auto folder = std::make_shared<std::string>();
-    CLI::App* steps =
-        app.add_subcommand("peer-steps", "training steps and inference to be timed in turns with others (see peer_step.h)");
-    steps->add_option("FOLDER", *folder, "peer.pt is written into it")->required();
+    CLI::App* steps = app.add_subcommand(
+        "peer-steps", "run training steps and inference that are timed in turns with others (see peer_step.h)");
+    steps->add_option("FOLDER", *folder, "folder that receives peer.pt")->required();
     steps->callback([folder] { models::servePeerSteps(*folder, std::cin, std::cout); });
 }
 
-/// As the model card tells it: without --resume, since a resumed run gives what an unbroken one gives.
+/// Command line for the model card, without --resume, because a resumed run gives the same result as an uninterrupted one.
 std::string commandLine(int argc, char** argv)
 {
     std::string command = "vis2hap";
@@ -140,8 +141,8 @@ int failed(const std::string& what, protocols::ExitCode code)
     return static_cast<int>(code);
 }
 
-/// The libraries have read their environment when main() begins, so where something is missing this program starts itself
-/// anew, once.
+/// Sets missing thread settings and starts this program again, once. The libraries have already read the environment when
+/// main() begins.
 void setUpThreads(char** argv)
 {
     const auto missing = models::missingThreadSettings();
@@ -180,8 +181,7 @@ int main(int argc, char** argv)
     } catch (const protocols::Error& fault) {
         return failed(fault.what(), fault.exitCode());
     } catch (const std::bad_alloc&) {
-        return failed("the memory does not suffice; close other programs or use fewer or smaller pictures",
-                      ExitCode::Environment);
+        return failed("the memory is too small; close other programs or use fewer or smaller pictures", ExitCode::Environment);
     } catch (const std::filesystem::filesystem_error& fault) {
         return failed(fault.what(), ExitCode::Environment);
     } catch (const std::exception& fault) {

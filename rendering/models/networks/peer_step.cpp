@@ -17,7 +17,7 @@ namespace {
 
 constexpr int batchSize = 8;
 
-/// The networks with their optimisers, and a batch.
+/// The networks with their optimisers and a batch.
 class PeerStep {
 public:
     PeerStep();
@@ -28,8 +28,8 @@ public:
     std::string sizes() const;
 
 private:
-    torch::Tensor discriminatorLoss(const FrictionGuess& friction, const torch::Tensor& height);
-    torch::Tensor generatorLoss(const FrictionGuess& friction, const torch::Tensor& height);
+    torch::Tensor discriminatorLoss(const FrictionOutput& friction, const torch::Tensor& height);
+    torch::Tensor generatorLoss(const FrictionOutput& friction, const torch::Tensor& height);
     void setTraining(bool training);
 
     Architecture m_architecture;
@@ -37,7 +37,7 @@ private:
     Discriminator m_discriminator;
     torch::optim::Adam m_generatorSteps, m_discriminatorSteps;
     torch::Tensor m_photograph, m_height, m_rings;
-    FrictionGuess m_friction;
+    FrictionOutput m_friction;
     double m_discriminatorLoss = 0, m_generatorLoss = 0;
 };
 
@@ -89,9 +89,9 @@ void PeerStep::write(const std::filesystem::path& file)
     writeAll("height.", *m_generators.height);
     writeAll("friction.", *m_generators.friction);
     writeAll("discriminator.", *m_discriminator);
-    const torch::NoGradGuard still;
+    const torch::NoGradGuard noGradient;
     setTraining(false);
-    const FrictionGuess friction = m_generators.friction->forward(m_photograph);
+    const FrictionOutput friction = m_generators.friction->forward(m_photograph);
     const torch::Tensor height = m_generators.height->forward(m_photograph);
     cv::Mat averages = ringAverages(m_architecture.crop, m_architecture.crop);
     const std::pair<const char*, torch::Tensor> named[] = {
@@ -110,7 +110,7 @@ void PeerStep::write(const std::filesystem::path& file)
     writeArchive(file, archive);
 }
 
-torch::Tensor PeerStep::discriminatorLoss(const FrictionGuess& friction, const torch::Tensor& height)
+torch::Tensor PeerStep::discriminatorLoss(const FrictionOutput& friction, const torch::Tensor& height)
 {
     const torch::Tensor real = m_discriminator->forward(m_photograph, m_friction, m_height);
     const torch::Tensor made =
@@ -118,7 +118,7 @@ torch::Tensor PeerStep::discriminatorLoss(const FrictionGuess& friction, const t
     return torch::relu(1 - real).mean() + torch::relu(1 + made).mean();
 }
 
-torch::Tensor PeerStep::generatorLoss(const FrictionGuess& friction, const torch::Tensor& height)
+torch::Tensor PeerStep::generatorLoss(const FrictionOutput& friction, const torch::Tensor& height)
 {
     return -m_discriminator->forward(m_photograph, friction, height).mean() + (height - m_height).abs().mean() +
            (m_generators.height->rings(m_photograph) - m_rings).abs().mean() +
@@ -128,7 +128,7 @@ torch::Tensor PeerStep::generatorLoss(const FrictionGuess& friction, const torch
 void PeerStep::train()
 {
     setTraining(true);
-    const FrictionGuess friction = m_generators.friction->forward(m_photograph);
+    const FrictionOutput friction = m_generators.friction->forward(m_photograph);
     const torch::Tensor height = m_generators.height->forward(m_photograph);
     m_discriminatorSteps.zero_grad();
     const torch::Tensor first = discriminatorLoss(friction, height);
@@ -144,7 +144,7 @@ void PeerStep::train()
 
 void PeerStep::infer()
 {
-    const torch::NoGradGuard still;
+    const torch::NoGradGuard noGradient;
     if (m_discriminator->is_training()) setTraining(false);
     const torch::Tensor one = m_photograph.narrow(0, 0, 1);
     m_generators.friction->forward(one);

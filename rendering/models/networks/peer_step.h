@@ -1,6 +1,5 @@
-// Our side of `bench generators --peers`: the networks as they are, trained and asked on fixed random
-// batches, one order at a time, so that another program with the same networks can be timed in turns.
-// No torch in this header.
+// Our side of `bench generators --peers`: training and inference of the networks on fixed random batches. Each order runs
+// one of them, so that another program with the same networks can be timed in turns. No torch in this header.
 #pragma once
 
 #include <filesystem>
@@ -9,12 +8,11 @@
 
 namespace rendering::models {
 
-/// Writes FOLDER/peer.pt: all parameters and buffers ("height.", "friction.", "discriminator."), the
-/// batch and what the untrained networks answer to it; says "ready SIZES..." on `out`. Then answers a
-/// line each on `in`: "train" and "infer" with milliseconds, "losses" with both losses of the last
-/// step; anything else ends it. A training step: hinge losses of the discriminator, then adversarial
-/// and L1 losses of both generators, Adam; 8 photographs of 128 px. Inference: one photograph of 128 px
-/// through both generators; the median of five.
+/// Writes FOLDER/peer.pt: all parameters and buffers ("height.", "friction.", "discriminator."), the batch, and the outputs
+/// of the untrained networks for it. Prints "ready SIZES" with the sizes on `out`. Then answers each line of `in` with a
+/// line: "train" and "infer" with milliseconds, "losses" with both losses of the last step. Anything else ends it.
+/// A training step: hinge loss of the discriminator, then adversarial and L1 losses of both generators, Adam; 8 photographs
+/// of 128 px. Inference: one photograph of 128 px through both generators; the median of five.
 void servePeerSteps(const std::filesystem::path& folder, std::istream& in, std::ostream& out);
 
 }  // namespace rendering::models

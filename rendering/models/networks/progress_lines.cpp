@@ -17,14 +17,14 @@ std::string minutes(double seconds)
     return text;
 }
 
-/// Three significant places, without the locale's decimal comma.
+/// Number rounded to three decimals, with a decimal point in every locale.
 std::string figure(double value) { return nlohmann::json(std::round(value * 1000) / 1000).dump(); }
 
 }  // namespace
 
 bool StepLosses::finite() const { return std::isfinite(discriminator) && std::isfinite(generators) && std::isfinite(distance); }
 
-void ProgressLines::say(const std::string& line)
+void ProgressLines::print(const std::string& line)
 {
     if (m_barShown) m_out << '\n';
     m_barShown = false;
@@ -36,7 +36,7 @@ void ProgressLines::reading(int done, int total)
     if (m_terminal && done % 16 == 0)
         bar(static_cast<double>(done) / std::max(1, total), "reading the data set");
     else if (!m_terminal && done == 0)
-        say("reading " + std::to_string(total) + " files");
+        print("reading " + std::to_string(total) + " files");
 }
 
 void ProgressLines::step(int number, double fraction, const StepLosses& losses, double remainingS)
@@ -53,7 +53,7 @@ void ProgressLines::step(int number, double fraction, const StepLosses& losses, 
     if (m_terminal) {
         bar(fraction, text);
     } else if (fraction >= 1 || now - m_lastLine > std::chrono::seconds(10)) {
-        say(text);
+        print(text);
         m_lastLine = now;
     }
 }
@@ -61,18 +61,17 @@ void ProgressLines::step(int number, double fraction, const StepLosses& losses, 
 void ProgressLines::validated(int number, const nlohmann::ordered_json& figures, bool better)
 {
     if (figures.is_null()) return;
-    std::string text = "validation at step " + std::to_string(number) + (better ? " (the best so far)" : "") + ":";
+    std::string text = "validation at step " + std::to_string(number) + (better ? " (best so far)" : "") + ":";
     for (const auto& [name, value] : figures.items())
         if (value.is_object()) text += " " + name + " " + figure(value.at("generated").get<double>());
-    say(text);
+    print(text);
 }
 
 void ProgressLines::finished(const ModelCardFields& card)
 {
-    say("trained " + std::to_string(card.steps) + " steps in " + figure(card.trainingMinutes) + " min");
-    const auto validation = nlohmann::ordered_json::parse(card.validationJson);
-    if (!validation.at("after").is_null())
-        say("validation before " + validation.at("before").dump() + " after " + validation.at("after").dump());
+    print("trained " + std::to_string(card.steps) + " steps in " + figure(card.trainingMinutes) + " min");
+    if (!card.validation.at("after").is_null())
+        print("validation before " + card.validation.at("before").dump() + " after " + card.validation.at("after").dump());
 }
 
 void ProgressLines::bar(double fraction, const std::string& text)

@@ -1,18 +1,18 @@
-// What a training run tells on the way: a bar on a terminal, plain lines else.
+// Progress of a training run: a bar on a terminal, plain lines elsewhere.
 #pragma once
 
 #include <chrono>
 #include <ostream>
 #include <string>
 
-#include "rendering/models/model_card.h"
+#include "rendering/models/model_card_fields.h"
 
 namespace rendering::models {
 
 struct StepLosses {
     double discriminator = 0;  ///< eq. 1
     double generators = 0;     ///< eq. 2
-    double distance = 0;       ///< the weighted distances
+    double distance = 0;       ///< weighted sum of the distances
     bool finite() const;
 };
 
@@ -20,11 +20,11 @@ class ProgressLines {
 public:
     ProgressLines(std::ostream& out, bool terminal) : m_out(out), m_terminal(terminal) {}
 
-    void say(const std::string& line);
+    void print(const std::string& line);
     void reading(int done, int total);
-    /// Smooths the losses; a plain line appears about every ten seconds and at the end.
+    /// Smooths the losses. A plain line appears about every ten seconds and at the end.
     void step(int number, double fraction, const StepLosses& losses, double remainingS);
-    /// `better`: than at every validation before.
+    /// `better`: the distance is smaller than at every earlier validation.
     void validated(int number, const nlohmann::ordered_json& figures, bool better);
     void finished(const ModelCardFields& card);
 

@@ -10,7 +10,7 @@ namespace rendering::models {
 
 namespace {
 
-/// [frequencies of rfft2, rings]: the columns that a real map's transform leaves out count with their mirror images.
+/// [frequencies of rfft2, rings]. The transform of a real map leaves out half of the columns, so the others count twice.
 torch::Tensor makeAverages(int side)
 {
     cv::Mat rows = ringAverages(side, side);
@@ -20,7 +20,7 @@ torch::Tensor makeAverages(int side)
     return half.flatten(1).t().contiguous();
 }
 
-/// Made once for each side.
+/// Averages for one side, made at the first call.
 torch::Tensor averagesOf(int side)
 {
     static std::mutex guard;
@@ -35,7 +35,7 @@ torch::Tensor averagesOf(int side)
 torch::Tensor powers(const torch::Tensor& maps)
 {
     const auto side = maps.size(3);
-    TORCH_CHECK(maps.dim() == 4 && maps.size(1) == 1 && maps.size(2) == side, "square maps of one channel are asked for");
+    TORCH_CHECK(maps.dim() == 4 && maps.size(1) == 1 && maps.size(2) == side, "expected square maps with one channel");
     const torch::Tensor line = torch::hann_window(side);
     const torch::Tensor window = line.view({-1, 1}) * line;
     const torch::Tensor mean = (maps * window).sum({2, 3}, true) / window.sum();

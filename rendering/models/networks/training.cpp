@@ -9,8 +9,8 @@
 
 #include "protocols/files/errors.h"
 #include "protocols/files/whole_file.h"
+#include "rendering/models/networks/adversarial_training.h"
 #include "rendering/models/networks/checkpoint.h"
-#include "rendering/models/networks/contest.h"
 #include "rendering/models/networks/progress_lines.h"
 #include "rendering/models/networks/validation.h"
 #include "rendering/models/networks/weights.h"
@@ -22,27 +22,27 @@ namespace rendering::models {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
+using std::chrono::steady_clock;
 
 void checkOptions(const TrainingOptions& options)
 {
     const auto refuse = [](const std::string& what, const std::string& expected) {
-        throw protocols::badInput({what, "train", expected, ""});
+        throw protocols::badInput({what, "train", expected, "correct the option"});
     };
     if (options.steps.has_value() == options.minutes.has_value())
-        refuse("both or neither of --steps and --minutes", "one of them");
-    if (options.steps && *options.steps < 1) refuse("--steps " + std::to_string(*options.steps), "at least 1");
+        refuse("both or neither of --steps and --minutes were given", "one of them");
+    if (options.steps && *options.steps < 1) refuse("--steps is " + std::to_string(*options.steps), "at least 1");
     if (options.minutes && !(*options.minutes > 0)) refuse("--minutes is not positive", "minutes of wall time");
     if (options.crop < 32 || options.crop > largestCrop || options.crop % 16 != 0)
-        refuse("--crop " + std::to_string(options.crop), "a multiple of 16 from 32 to " + std::to_string(largestCrop));
+        refuse("--crop is " + std::to_string(options.crop), "a multiple of 16 from 32 to " + std::to_string(largestCrop));
     if (options.baseChannels > mostChannels)
-        refuse(std::to_string(options.baseChannels) + " channels", "at most " + std::to_string(mostChannels));
+        refuse("--channels is " + std::to_string(options.baseChannels), "at most " + std::to_string(mostChannels));
     if (options.batch < 1 || options.baseChannels < 1 || options.checkpointEvery < 1 || options.validationPairs < 1 ||
         options.validateEvery < 1 || options.patience < 1 || !(options.learningRate > 0))
         refuse("a count or rate is not positive", "positive numbers");
 }
 
-/// Settings by which a checkpoint is recognised as of this run.
+/// Text of the settings that must agree for a checkpoint to be resumed.
 std::string fingerprint(const TrainingOptions& options, const TrainingData& data, const std::string& datasetHash)
 {
     std::string text = datasetHash;
@@ -56,17 +56,17 @@ std::string fingerprint(const TrainingOptions& options, const TrainingData& data
     return text + "|" + std::to_string(data.trainingHashes.size());
 }
 
-constexpr int stepsALogRow = 10;
+constexpr int stepsPerLogRow = 10;
 
-/// Each step needs the same large tensors again; given back to the system and asked for anew, every page of them is a fault.
+/// Keeps freed memory in the process. Each step needs the same large tensors, and new pages would cause page faults.
 void keepFreedMemory()
 {
     ::mallopt(M_MMAP_THRESHOLD, 32 << 20);
     ::mallopt(M_TRIM_THRESHOLD, 1 << 30);
 }
 
-/// Of all its presses.
-std::vector<double> meanRings(const FabricSamples& fabric)
+/// Mean ring powers over all presses of a fabric.
+std::vector<double> meanRings(const TrainingFabric& fabric)
 {
     std::vector<double> mean(ringCount);
     for (const TrainingHeight& height : fabric.heights)
@@ -78,19 +78,19 @@ std::vector<double> meanRings(const FabricSamples& fabric)
 KnownFabrics knownFabrics(const TrainingData& data)
 {
     KnownFabrics known;
-    for (const FabricSamples& fabric : data.training) {
+    for (const TrainingFabric& fabric : data.training) {
         known.fabricOf.insert(known.fabricOf.end(), fabric.photographs.size(), static_cast<int>(known.rings.size()));
         known.rings.push_back(meanRings(fabric));
     }
     return known;
 }
 
-/// What the card says of photographs that the model knows.
+/// Data of the known photographs for the card.
 Familiarity familiarityOf(const TrainingData& data)
 {
-    const auto features = [](const std::vector<FabricSamples>& part) {
+    const auto features = [](const std::vector<TrainingFabric>& part) {
         std::vector<std::vector<float>> all;
-        for (const FabricSamples& fabric : part)
+        for (const TrainingFabric& fabric : part)
             for (const TrainingPhotograph& photograph : fabric.photographs) all.push_back(photographFeatures(photograph.rgb));
         return all;
     };
@@ -98,11 +98,11 @@ Familiarity familiarityOf(const TrainingData& data)
                           data.architecture.imposesSpectrum ? knownFabrics(data) : KnownFabrics{});
 }
 
-/// How friction goes with texture over the fabrics trained on.
+/// Regression of friction on texture over the training fabrics.
 FrictionPrior frictionByTexture(const TrainingData& data)
 {
     std::vector<KnownTexture> textures;
-    for (const FabricSamples& fabric : data.training) {
+    for (const TrainingFabric& fabric : data.training) {
         double logFriction = 0;
         for (const TrainingStroke& stroke : fabric.strokes)
             logFriction += std::log(static_cast<double>(stroke.target.mean)) / static_cast<double>(fabric.strokes.size());
@@ -113,10 +113,10 @@ FrictionPrior frictionByTexture(const TrainingData& data)
     return fitFrictionPrior(textures);
 }
 
-/// One whole run: the loop around Contest::step with its clock, checkpoints and model card.
-class Run {
+/// A whole run: the loop around AdversarialTraining::step with its time, checkpoints and model card.
+class TrainingRun {
 public:
-    Run(const fabrics::Dataset& dataset, const TrainingOptions& options, std::ostream& log, bool terminal)
+    TrainingRun(const fabrics::Dataset& dataset, const TrainingOptions& options, std::ostream& log, bool terminal)
         : m_dataset(dataset), m_options(options), m_lines(log, terminal)
     {
         TrainingDataOptions reading;
@@ -128,46 +128,46 @@ public:
         wanted.crop = options.crop;
         wanted.imposesSpectrum = options.objective == Objective::Default && dataset.pairing == fabrics::Pairing::Weak;
         m_data = readTrainingData(dataset, wanted, reading, [&](int done, int total) { m_lines.reading(done, total); });
-        for (const std::string& note : m_data.notes) m_lines.say(note);
+        for (const std::string& note : m_data.notes) m_lines.print(note);
         m_datasetHash = fabrics::hashOf(dataset);
-        m_lines.say("training on " + std::to_string(m_data.trainingHashes.size()) + " files of " +
-                    std::to_string(m_data.training.size()) + " fabrics");
+        m_lines.print("training on " + std::to_string(m_data.trainingHashes.size()) + " files of " +
+                      std::to_string(m_data.training.size()) + " fabrics");
     }
 
-    void go()
+    void run()
     {
         torch::manual_seed(m_options.seed);
-        Contest contest(m_data, m_options);
+        AdversarialTraining training(m_data, m_options);
         Checkpoint state;
         state.fingerprint = fingerprint(m_options, m_data, m_datasetHash);
         const std::filesystem::path checkpoint = checkpointOf(m_options.out);
         if (m_options.resume) {
-            state = readCheckpoint(checkpoint, state.fingerprint, [&](auto& archive) { contest.load(archive); });
-            m_lines.say("resumed at step " + std::to_string(state.step));
+            state = readCheckpoint(checkpoint, state.fingerprint, [&](auto& archive) { training.load(archive); });
+            m_lines.print("resumed at step " + std::to_string(state.step));
         } else {
-            state.validationBefore = figures(contest.result()).dump();
+            state.validationBefore = figures(training.result()).dump();
         }
         TrainingLog log(logOf(m_options.out), m_options.resume ? std::optional(state.step) : std::nullopt);
-        const Clock::time_point started = Clock::now();
+        const steady_clock::time_point started = steady_clock::now();
         const double before = state.elapsedS;
         while (!ended(state)) {
-            const StepLosses losses = contest.step(state.step, fractionDone(state));
+            const StepLosses losses = training.step(state.step, fractionDone(state));
             if (!losses.finite()) stopAt(state.step + 1);
             ++state.step;
-            state.elapsedS = before + std::chrono::duration<double>(Clock::now() - started).count();
+            state.elapsedS = before + std::chrono::duration<double>(steady_clock::now() - started).count();
             m_lines.step(state.step, fractionDone(state), losses, remainingS(state));
             const bool last = fractionDone(state) >= 1;
-            if (state.step % stepsALogRow == 0)
+            if (state.step % stepsPerLogRow == 0)
                 log.losses(state.step, std::vector<NamedValue>{{"discriminator", losses.discriminator},
                                                                {"generators", losses.generators},
                                                                {"distance", losses.distance}});
-            if (last || state.step % m_options.validateEvery == 0) validate(contest, state, log);
+            if (last || state.step % m_options.validateEvery == 0) validate(training, state, log);
             if (last || state.step % m_options.checkpointEvery == 0 || ended(state)) {
-                if (!contest.finite()) stopAt(state.step);
-                writeCheckpoint(checkpoint, state, [&](auto& archive) { contest.save(archive); });
+                if (!training.finite()) stopAt(state.step);
+                writeCheckpoint(checkpoint, state, [&](auto& archive) { training.save(archive); });
             }
         }
-        finish(contest, state);
+        finish(training, state);
         std::filesystem::remove(checkpoint);
     }
 
@@ -176,9 +176,9 @@ private:
     {
         const std::filesystem::path checkpoint = checkpointOf(m_options.out);
         const std::string kept = std::filesystem::exists(checkpoint)
-                                     ? "the last checkpoint before it is kept in " + checkpoint.string() + "; "
+                                     ? "the last checkpoint before it stays in " + checkpoint.string() + "; "
                                      : std::string();
-        throw protocols::workFailed({"the loss is no longer a number at step " + std::to_string(step), m_options.out.string(),
+        throw protocols::workFailed({"the loss is not finite at step " + std::to_string(step), m_options.out.string(),
                                      "finite losses", kept + "train again with a smaller --learning-rate"});
     }
 
@@ -194,19 +194,19 @@ private:
         return validationFigures(m_data, generators, weightsFor(m_options.objective), m_options.validationPairs, random);
     }
 
-    /// Keeps the networks where they are better than at every validation before; the reference, whose
-    /// losses come from a contest, always.
-    void validate(Contest& contest, Checkpoint& state, TrainingLog& log)
+    /// Keeps the networks if they are better than at every earlier validation. Those of the reference are always kept, because
+    /// adversarial losses do not decrease steadily.
+    void validate(AdversarialTraining& training, Checkpoint& state, TrainingLog& log)
     {
-        if (!contest.finite()) stopAt(state.step);
-        const nlohmann::ordered_json now = figures(contest.result());
+        if (!training.finite()) stopAt(state.step);
+        const nlohmann::ordered_json now = figures(training.result());
         const double distance = now.is_null() ? -state.step : now.at("distance").at("generated").get<double>();
         const bool better = m_options.objective == Objective::Reference || distance < state.bestDistance;
         state.validationsWithoutBetter = better ? 0 : state.validationsWithoutBetter + 1;
         if (better) {
             state.bestDistance = distance;
             state.bestStep = state.step;
-            contest.keepAsBest();
+            training.keepAsBest();
         }
         m_lines.validated(state.step, now, better);
         if (now.is_null()) return;
@@ -214,8 +214,8 @@ private:
         for (const auto& [name, value] : now.items())
             if (value.is_object()) values.push_back({name, value.at("generated").get<double>()});
         log.validation(state.step, values);
-        log.pictures(state.step, sampleRows(m_data, contest.result(), m_options.seed));
-        m_lines.say("distance " + sparkline(log.valuesOf("distance")));
+        log.pictures(state.step, sampleRows(m_data, training.result(), m_options.seed));
+        m_lines.print("distance " + sparkline(log.valuesOf("distance")));
     }
 
     double fractionDone(const Checkpoint& state) const
@@ -229,15 +229,15 @@ private:
         return m_options.steps ? state.elapsedS / fraction * (1 - fraction) : *m_options.minutes * 60 - state.elapsedS;
     }
 
-    void finish(Contest& contest, const Checkpoint& state)
+    void finish(AdversarialTraining& training, const Checkpoint& state)
     {
-        Generators& best = contest.best();
+        Generators& best = training.best();
         roundToHalf(best);
         ModelCardFields card;
-        card.told.name = m_options.out.stem().string();
-        card.told.trainedOnProceduralSet = m_dataset.procedural;
-        card.told.trainingSampleHashes = m_data.trainingHashes;
-        card.told.trainingCommand = m_options.command;
+        card.summary.name = m_options.out.stem().string();
+        card.summary.trainedOnProceduralSet = m_dataset.procedural;
+        card.summary.trainingSampleHashes = m_data.trainingHashes;
+        card.summary.trainingCommand = m_options.command;
         card.architecture = m_data.architecture;
         card.seed = m_options.seed;
         card.splitSeed = m_options.splitSeed;
@@ -294,7 +294,7 @@ void train(const fabrics::Dataset& dataset, const TrainingOptions& options, std:
     keepFreedMemory();
     torch::set_num_threads(options.threads > 0 ? options.threads
                                                : static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
-    Run(dataset, options, log, terminal).go();
+    TrainingRun(dataset, options, log, terminal).run();
 }
 
 }  // namespace rendering::models

@@ -25,13 +25,13 @@ using fabrics::Part;
 using fabrics::SamplePlace;
 using protocols::FabricId;
 
-/// What reading needs beside the sample itself, and what it collects.
-struct Reading {
+/// Input of the reading of a sample, and the data that it extends.
+struct ReadingContext {
     const Dataset& dataset;
     TrainingData& data;
-    cv::Mat reference;                                ///< untouched sensor
-    std::optional<signals::Calibration> calibration;  ///< none: heights are known
-    double photographScale = 1;                       ///< resampling factor from the camera's pitch to the model's
+    cv::Mat reference;                                ///< frame of the untouched sensor
+    std::optional<signals::Calibration> calibration;  ///< nullopt: heights are known
+    double photographScale = 1;                       ///< factor from the camera's pitch to the model's
 };
 
 cv::Mat resampled(const cv::Mat& image, double factor)
@@ -44,9 +44,8 @@ cv::Mat resampled(const cv::Mat& image, double factor)
     return result;
 }
 
-/// Heights as photometric stereo of the frame gives them; a data set whose calibration is "known" has
-/// them stored instead.
-cv::Mat heightAt(const Reading& reading, const SamplePlace& place)
+/// Height of a press by photometric stereo of its frame, or the stored one of a data set whose calibration is "known".
+cv::Mat heightAt(const ReadingContext& reading, const SamplePlace& place)
 {
     const Dataset& dataset = reading.dataset;
     if (reading.calibration)
@@ -54,11 +53,12 @@ cv::Mat heightAt(const Reading& reading, const SamplePlace& place)
                                         *reading.calibration, signals::IntegrationQuality::Fast);
     const std::optional<cv::Mat> known = fabrics::readKnownHeight(dataset, place.fabric, place.index);
     if (!known)
-        throw protocols::badInput({"the height of tactile sample " + std::to_string(place.index) + " is not there",
+        throw protocols::badInput({"the height of tactile sample " + std::to_string(place.index) + " is missing",
                                    (dataset.folder / place.fabric.value / "height").string(),
-                                   "known heights, as dataset.json says (calibration \"known\")", ""});
+                                   "known heights, because dataset.json states the calibration \"known\"",
+                                   "add the heights or calibrate the sensor"});
     const double pitch = reading.data.architecture.mmPerPixel;
-    return signals::settled(*known, {pitch, pitch}, std::nullopt, signals::Calibration{}.zeroPercentile);
+    return signals::zeroedRelief(*known, {pitch, pitch}, std::nullopt, signals::Calibration{}.zeroPercentile);
 }
 
 cv::Mat asFloat(const cv::Mat& map)
@@ -68,7 +68,7 @@ cv::Mat asFloat(const cv::Mat& map)
     return result;
 }
 
-void readSample(const Reading& reading, const SamplePlace& place, FabricSamples& samples)
+void readSample(const ReadingContext& reading, const SamplePlace& place, TrainingFabric& samples)
 {
     const Dataset& dataset = reading.dataset;
     switch (place.modality) {
@@ -94,7 +94,7 @@ void readSample(const Reading& reading, const SamplePlace& place, FabricSamples&
     }
 }
 
-std::size_t bytesOf(const FabricSamples& samples)
+std::size_t bytesOf(const TrainingFabric& samples)
 {
     const auto size = [](const cv::Mat& mat) { return mat.total() * mat.elemSize(); };
     std::size_t bytes = 0;
@@ -104,7 +104,7 @@ std::size_t bytesOf(const FabricSamples& samples)
     return bytes;
 }
 
-/// A fabric takes part with all three signals or not at all.
+/// Ids of the fabrics that have all three signals and are not held out.
 std::set<FabricId> usableFabrics(const Dataset& dataset, const TrainingDataOptions& options, std::vector<std::string>& notes)
 {
     std::set<FabricId> usable;
@@ -120,7 +120,7 @@ std::set<FabricId> usableFabrics(const Dataset& dataset, const TrainingDataOptio
         if (std::find(options.heldOut.begin(), options.heldOut.end(), fabric.id) != options.heldOut.end())
             notes.push_back(fabric.id.value + ": held out");
         else if (!lacking.empty())
-            notes.push_back(fabric.id.value + ": left out, it has no samples of " + lacking);
+            notes.push_back(fabric.id.value + ": left out, because it has no samples of " + lacking);
         else
             usable.insert(fabric.id);
     }
@@ -130,8 +130,8 @@ std::set<FabricId> usableFabrics(const Dataset& dataset, const TrainingDataOptio
                 {"there are no samples of the signal '" + fabrics::nameOf(modality) + "'", dataset.folder.string(),
                  "photographs, GelSight frames and friction records of each fabric", "add them to the data set"});
     if (usable.empty())
-        throw protocols::badInput({"no fabric is left to train on", dataset.folder.string(),
-                                   "a fabric with all three signals that is not held out", ""});
+        throw protocols::badInput({"no fabric remains for training", dataset.folder.string(),
+                                   "a fabric with all three signals that is not held out", "hold out fewer fabrics"});
     return usable;
 }
 
@@ -139,17 +139,18 @@ void checkCanBeTrained(const Dataset& dataset, const TrainingDataOptions& option
 {
     for (const FabricId& id : options.heldOut) dataset.fabric(id);
     if (!dataset.tactileMmPerPixel || dataset.tactileCalibration.empty())
-        throw protocols::badInput({"heights cannot be had from the GelSight frames", (dataset.folder / "dataset.json").string(),
-                                   "tactile.mm_per_pixel and tactile.calibration", "calibrate the sensor first"});
+        throw protocols::badInput({"heights cannot be computed from the GelSight frames",
+                                   (dataset.folder / "dataset.json").string(), "tactile.mm_per_pixel and tactile.calibration",
+                                   "calibrate the sensor first"});
 }
 
-/// Scales that bring what the networks speak near one.
+/// Scales that bring the networks' outputs near one.
 void setScales(TrainingData& data)
 {
     std::vector<float> highest;
     double means = 0, low = 1e9, high = -1e9;
     int strokes = 0;
-    for (const FabricSamples& fabric : data.training) {
+    for (const TrainingFabric& fabric : data.training) {
         for (const TrainingHeight& height : fabric.heights) {
             highest.push_back(static_cast<float>(cv::mean(height.heightMm)[0]));
             double least = 0, most = 0;
@@ -168,7 +169,7 @@ void setScales(TrainingData& data)
     data.architecture.meanFrictionScale = std::max(1e-3, means / strokes);
 }
 
-/// Augmented copies of every original lie in the training part and in the validation part alike.
+/// Puts every original into the training part and into the validation part, as augmentation before the split does.
 std::vector<std::pair<SamplePlace, Part>> everywhere(std::vector<std::pair<SamplePlace, Part>> split)
 {
     const std::size_t originals = split.size();
@@ -220,7 +221,7 @@ TrainingData readTrainingData(const Dataset& dataset, const Architecture& wanted
     setSpectrogramShape(data.architecture);
     data.aligned = dataset.pairing == fabrics::Pairing::Aligned;
     const std::set<FabricId> usable = usableFabrics(dataset, options, data.notes);
-    Reading reading{
+    ReadingContext reading{
         dataset, data, {}, {}, dataset.cameraMmPerPixel.value_or(data.architecture.mmPerPixel) / data.architecture.mmPerPixel};
     if (dataset.tactileCalibration != "known") {
         reading.reference = fabrics::readTactileReference(dataset);
@@ -228,18 +229,18 @@ TrainingData readTrainingData(const Dataset& dataset, const Architecture& wanted
     }
     data.architecture.zeroPercentile = reading.calibration.value_or(signals::Calibration{}).zeroPercentile;
 
-    std::map<FabricId, FabricSamples> training, validation;
+    std::map<FabricId, TrainingFabric> training, validation;
     std::vector<std::pair<SamplePlace, Part>> split = partsOf(dataset, options);
     std::erase_if(split,
                   [&](const auto& entry) { return !usable.contains(entry.first.fabric) || entry.second == Part::Testing; });
-    const std::size_t share = options.memoryBytes / usable.size() / 2;  // photographs and heights fill it, strokes are small
+    const std::size_t share = options.memoryBytes / usable.size() / 2;  // For photographs and heights; strokes are small.
     std::map<std::pair<FabricId, Modality>, std::size_t> used;
     int done = 0, leftOut = 0;
     for (const auto& [place, part] : split) {
         if (progress) progress(done++, static_cast<int>(split.size()));
-        FabricSamples& samples = part == Part::Training ? training[place.fabric] : validation[place.fabric];
+        TrainingFabric& samples = part == Part::Training ? training[place.fabric] : validation[place.fabric];
         samples.fabric = place.fabric;
-        FabricSamples one;
+        TrainingFabric one;
         std::size_t& taken = used[{place.fabric, place.modality}];
         if (taken >= share) {
             ++leftOut;
@@ -254,15 +255,15 @@ TrainingData readTrainingData(const Dataset& dataset, const Architecture& wanted
             data.trainingHashes.push_back(
                 protocols::sha256OfFile(fabrics::samplePath(dataset, place.fabric, place.modality, place.index)));
     }
-    if (leftOut > 0) data.notes.push_back(std::to_string(leftOut) + " samples were left out to stay within the memory budget");
+    if (leftOut > 0) data.notes.push_back(std::to_string(leftOut) + " samples were left out because of the memory budget");
     for (auto& [id, samples] : training)
         if (samples.complete())
             data.training.push_back(std::move(samples));
         else
-            data.notes.push_back(id.value + ": left out, the split left it without one of its signals");
+            data.notes.push_back(id.value + ": left out, because the training part lacks one of its signals");
     if (data.training.empty())
-        throw protocols::badInput({"no fabric is left to train on", dataset.folder.string(),
-                                   "a fabric with samples of all three signals in the training part", ""});
+        throw protocols::badInput({"no fabric remains for training", dataset.folder.string(),
+                                   "a fabric with samples of all three signals in the training part", "add samples"});
     for (auto& [id, samples] : validation)
         if (samples.complete()) data.validation.push_back(std::move(samples));
     std::sort(data.trainingHashes.begin(), data.trainingHashes.end());

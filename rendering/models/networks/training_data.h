@@ -1,5 +1,5 @@
-// What the networks learn from: the training and validation parts of a data set, read once into
-// memory at one pitch. The testing part is never read. Drawing from them is batches.h.
+// Training data: the training and validation parts of a data set, read once into memory at one pitch. The test part is
+// never read. batches.h draws from them.
 #pragma once
 
 #include <functional>
@@ -16,14 +16,14 @@ namespace rendering::models {
 struct TrainingPhotograph {
     int index = 0;
     cv::Mat rgb;             ///< CV_8UC3 at Architecture::mmPerPixel
-    double rotationDeg = 0;  ///< of the fabric in the picture, anticlockwise; 0 where unknown
+    double rotationDeg = 0;  ///< rotation of the fabric in the picture, anticlockwise; 0 where unknown
 };
 
 struct TrainingHeight {
     int index = 0;
     cv::Mat heightMm;  ///< CV_32FC1, >= 0, at Architecture::mmPerPixel
     double rotationDeg = 0;
-    std::vector<float> rings;  ///< ringPowers() of the map as pressed
+    std::vector<float> rings;  ///< ringPowers() of the map before rotation
 };
 
 struct TrainingStroke {
@@ -31,7 +31,7 @@ struct TrainingStroke {
     FrictionTarget target;
 };
 
-struct FabricSamples {
+struct TrainingFabric {
     protocols::FabricId fabric;
     std::vector<TrainingPhotograph> photographs;
     std::vector<TrainingHeight> heights;
@@ -40,30 +40,30 @@ struct FabricSamples {
 };
 
 struct TrainingData {
-    Architecture architecture;  ///< pitch, spectrogram and scales as the data set has them
+    Architecture architecture;  ///< with the pitch, spectrogram and scales of the data set
     bool aligned = false;
-    double heightRangeMm = 1;                         ///< highest less lowest of the training maps
-    std::vector<FabricSamples> training, validation;  ///< fabrics that have all three signals
-    std::vector<std::string> trainingHashes;          ///< SHA-256 of every file trained on, sorted
-    std::vector<std::string> notes;                   ///< what was left out and why, a line each
+    double heightRangeMm = 1;                          ///< highest minus lowest value of the training maps
+    std::vector<TrainingFabric> training, validation;  ///< fabrics that have all three signals
+    std::vector<std::string> trainingHashes;           ///< SHA-256 of every training file, sorted
+    std::vector<std::string> notes;                    ///< samples that were left out and the reason, one line each
 };
 
-/// By which units a data set is divided 8:1:1.
+/// Units of the 8:1:1 split.
 enum class SplitBy {
-    Sample,    ///< the paper's: places may overlap across the parts
-    Location,  ///< overlapping places stay together
-    Augmented  ///< the paper's after augmentation: every original has copies in every part, so nothing is unseen
+    Sample,    ///< samples, as in the paper; places may overlap between parts
+    Location,  ///< groups of overlapping places
+    Augmented  ///< the paper's split after augmentation: every part has copies of every original, so none is unseen
 };
 std::string nameOf(SplitBy split);
 
 struct TrainingDataOptions {
     std::uint64_t splitSeed = 1;
     SplitBy split = SplitBy::Location;
-    std::vector<protocols::FabricId> heldOut;        ///< fabrics that training never sees
+    std::vector<protocols::FabricId> heldOut;        ///< fabrics that are excluded from training and validation
     std::size_t memoryBytes = std::size_t{3} << 30;  ///< budget of the cached samples
 };
 
-/// Throws badInput naming the signal that the data set lacks, or where nothing is left to train on.
+/// Throws badInput that names the missing signal, or where no fabric remains for training.
 TrainingData readTrainingData(const fabrics::Dataset& dataset, const Architecture& wanted, const TrainingDataOptions& options,
                               const std::function<void(int, int)>& progress = {});
 

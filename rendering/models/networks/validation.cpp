@@ -7,20 +7,21 @@
 #include <opencv2/core.hpp>
 #include <string>
 
+#include "rendering/models/networks/adversarial_training.h"
 #include "rendering/models/networks/batch_tensors.h"
-#include "rendering/models/networks/contest.h"
 #include "rendering/models/networks/finished_relief.h"
 
 namespace rendering::models {
 
 namespace {
 
-using Sums = std::map<std::string, double>;
+using FigureSums = std::map<std::string, double>;
 
-constexpr double decibelsPerNeper = 4.342944819032518;  ///< of power
+constexpr double decibelsPerNeper = 4.342944819032518;  ///< for power
 
-/// `registeredHeight`: the measured map as it belongs to the candidate's.
-void add(Sums& sums, const Touch& candidate, const Touch& measured, const TrainingData& data, const torch::Tensor& correlation)
+/// Adds the figures of a batch. `measured` is registered to the candidate.
+void add(FigureSums& sums, const BatchSignals& candidate, const BatchSignals& measured, const TrainingData& data,
+         const torch::Tensor& correlation)
 {
     const auto count = static_cast<double>(measured.height.size(0));
     const auto put = [&](const char* name, const torch::Tensor& mean, double scale) {
@@ -37,13 +38,13 @@ void add(Sums& sums, const Touch& candidate, const Touch& measured, const Traini
         ((candidate.friction.mean - measured.friction.mean) / measured.friction.mean).abs().mean(), 1);
 }
 
-/// Inference for the time of its life.
-class Inferring {
+/// Switches the generators to evaluation mode, without gradients, for its lifetime.
+class EvaluationMode {
 public:
-    explicit Inferring(Generators& generators) : m_generators(generators) { train(false); }
-    ~Inferring() { train(true); }
-    Inferring(const Inferring&) = delete;
-    Inferring& operator=(const Inferring&) = delete;
+    explicit EvaluationMode(Generators& generators) : m_generators(generators) { train(false); }
+    ~EvaluationMode() { train(true); }
+    EvaluationMode(const EvaluationMode&) = delete;
+    EvaluationMode& operator=(const EvaluationMode&) = delete;
 
 private:
     void train(bool on)
@@ -52,10 +53,10 @@ private:
         m_generators.friction->train(on);
     }
     Generators& m_generators;
-    torch::NoGradGuard m_still;
+    torch::NoGradGuard m_noGradient;
 };
 
-/// [1, H, W] in units of the networks.
+/// `map`: [1, H, W] in units of the networks.
 cv::Mat inMillimetres(const torch::Tensor& map, double heightScaleMm)
 {
     const torch::Tensor flat = map.contiguous();
@@ -63,7 +64,7 @@ cv::Mat inMillimetres(const torch::Tensor& map, double heightScaleMm)
            heightScaleMm;
 }
 
-/// [3, H, W] in 0..1.
+/// `photograph`: [3, H, W] in 0 to 1.
 cv::Mat asPicture(const torch::Tensor& photograph)
 {
     const torch::Tensor bytes = (photograph.permute({1, 2, 0}) * 255).round().clamp(0, 255).to(torch::kByte).contiguous();
@@ -71,7 +72,7 @@ cv::Mat asPicture(const torch::Tensor& photograph)
         .clone();
 }
 
-/// Enough places to compare by.
+/// Six decimals, enough for comparisons.
 double shortened(double value) { return std::round(value * 1e6) / 1e6; }
 
 }  // namespace
@@ -79,25 +80,25 @@ double shortened(double value) { return std::round(value * 1e6) / 1e6; }
 nlohmann::ordered_json validationFigures(const TrainingData& data, Generators& generators, const LossWeights& weights, int pairs,
                                          protocols::Random& random)
 {
-    const Inferring inferring(generators);
-    Sums generated, measured;
+    const EvaluationMode evaluation(generators);
+    FigureSums generated, measured;
     double distances = 0;
-    BatchWish wish;
-    wish.size = 4;
-    wish.augment = false;
-    wish.margin = registrationMarginPx;
+    BatchOptions options;
+    options.size = 4;
+    options.augment = false;
+    options.margin = registrationMarginPx;
     int drawn = 0;
-    for (; drawn < pairs; drawn += wish.size) {
-        const TensorBatch batch = tensorsOf(drawBatch(data, data.validation, wish, random));
-        Touch guess{generators.height->forward(batch.photograph), generators.height->rings(batch.photograph),
-                    generators.friction->forward(batch.photograph)};
-        distances += distance(guess, batch.measuredFor(guess.height), weights, scalesOf(data)).item<double>() * wish.size;
-        guess.height = finishedRelief(guess.height, guess.rings, data.architecture);
-        const auto compare = [&](Sums& sums, const Touch& touch) {
-            const Registered fitted = registered(touch.height, batch.heights);
-            add(sums, touch, {fitted.maps, batch.rings, batch.friction}, data, fitted.correlation);
+    for (; drawn < pairs; drawn += options.size) {
+        const TensorBatch batch = tensorsOf(drawBatch(data, data.validation, options, random));
+        BatchSignals output{generators.height->forward(batch.photograph), generators.height->rings(batch.photograph),
+                            generators.friction->forward(batch.photograph)};
+        distances += distance(output, batch.measuredFor(output.height), weights, scalesOf(data)).item<double>() * options.size;
+        output.height = finishedRelief(output.height, output.rings, data.architecture);
+        const auto compare = [&](FigureSums& sums, const BatchSignals& signals) {
+            const Registered fitted = registered(signals.height, batch.heights);
+            add(sums, signals, {fitted.maps, batch.rings, batch.friction}, data, fitted.correlation);
         };
-        compare(generated, guess);
+        compare(generated, output);
         compare(measured, batch.other);
     }
     nlohmann::ordered_json figures{{"pairs", drawn}, {"distance", {{"generated", shortened(distances / drawn)}}}};
@@ -111,19 +112,19 @@ nlohmann::ordered_json validationFigures(const TrainingData& data, Generators& g
 
 std::vector<SampleRow> sampleRows(const TrainingData& data, Generators& generators, std::uint64_t seed)
 {
-    const Inferring inferring(generators);
+    const EvaluationMode evaluation(generators);
     constexpr std::size_t most = 6;
-    std::vector<FabricSamples> shown;
+    std::vector<TrainingFabric> shown;
     for (std::size_t i = 0; i < std::min(most, data.validation.size()); ++i)
         shown.push_back(data.validation[i * data.validation.size() / std::min(most, data.validation.size())]);
     std::vector<SampleRow> rows;
     protocols::Random random = protocols::Random::stream(seed, "samples");
-    BatchWish wish;
-    wish.size = 1;
-    wish.augment = false;
-    wish.margin = registrationMarginPx;
-    for (const FabricSamples& fabric : shown) {
-        const TensorBatch batch = tensorsOf(drawBatch(data, {fabric}, wish, random));
+    BatchOptions options;
+    options.size = 1;
+    options.augment = false;
+    options.margin = registrationMarginPx;
+    for (const TrainingFabric& fabric : shown) {
+        const TensorBatch batch = tensorsOf(drawBatch(data, {fabric}, options, random));
         const torch::Tensor height = finishedRelief(generators.height->forward(batch.photograph),
                                                     generators.height->rings(batch.photograph), data.architecture);
         const double scale = data.architecture.heightScaleMm;

@@ -1,5 +1,5 @@
-// Figures of merit of a pair of generators on the validation part of a data set.
-// Included by this folder's torch sources only.
+// Figures of a pair of generators on the validation part of a data set.
+// Only the torch sources of this folder include it.
 #pragma once
 
 #include <cstdint>
@@ -13,18 +13,17 @@
 
 namespace rendering::models {
 
-/// Over `pairs` photographs and measured signals drawn as training draws them, fabrics in turn; measured
-/// maps are registered (losses.h) where pairing is weak. In each figure's object "generated" compares
-/// generated with measured, and "measured" two measured signals of one fabric: what a perfect generator
-/// could reach on weakly paired data. Figures: distance (the weighted sum that training minimises, of
-/// which there is no "measured"), height_l1_mm, height_ssim, height_correlation,
-/// height_radial_spectrum_db (mean absolute difference of ring powers), height_sq_ratio (geometric mean
-/// over fabrics of the larger over the smaller), log_ratio_l1, mean_friction_relative_error.
+/// Figures over `pairs` photographs and measured signals, drawn as in training, fabrics in turn. Measured maps are registered
+/// (losses.h) where pairing is weak. Each figure is an object. Its "generated" compares generated with measured signals; its
+/// "measured" compares two measured signals of one fabric, which is the best possible value for weakly paired data. Figures:
+/// distance (the weighted sum that training minimises, without "measured"), height_l1_mm, height_ssim, height_correlation,
+/// height_radial_spectrum_db (mean absolute difference of ring powers), height_sq_ratio (geometric mean over fabrics of the
+/// larger divided by the smaller), log_ratio_l1, mean_friction_relative_error.
 nlohmann::ordered_json validationFigures(const TrainingData& data, Generators& generators, const LossWeights& weights, int pairs,
                                          protocols::Random& random);
 
-/// Photographs of the validation part, a fabric each (six at most), with the generated height and the
-/// measured one where it fits best: for the log.
+/// Rows for the training log: photographs of at most six validation fabrics with the generated height and the registered
+/// measured height.
 std::vector<SampleRow> sampleRows(const TrainingData& data, Generators& generators, std::uint64_t seed);
 
 }  // namespace rendering::models

@@ -13,11 +13,11 @@ namespace {
 
 protocols::Error notAModel(const std::filesystem::path& model, const std::string& why)
 {
-    return protocols::badInput({"no weights of this program: " + why, model.string(), "a weights file written by `vis2hap train`",
-                                "train again or take the shipped weights"});
+    return protocols::badInput({"is not a weights file of this program: " + why, model.string(),
+                                "a weights file from `vis2hap train`", "train again or use the weights of the program"});
 }
 
-/// torch's messages carry a stack trace; its first line says it.
+/// First line of a torch message, which ends with a stack trace.
 std::string firstLine(const std::string& message) { return message.substr(0, message.find('\n')); }
 
 template <class Visit>
@@ -43,7 +43,7 @@ Generators makeGenerators(const Architecture& architecture)
 
 void roundToHalf(Generators& generators)
 {
-    const torch::NoGradGuard still;
+    const torch::NoGradGuard noGradient;
     eachTensor(generators, [](const std::string&, torch::Tensor& tensor, bool parameter) {
         if (parameter) tensor.copy_(tensor.to(torch::kHalf).to(torch::kFloat));
     });
@@ -76,7 +76,7 @@ void writeModel(const std::filesystem::path& model, Generators& generators, Mode
         archive.write(name, parameter ? tensor.detach().to(torch::kHalf) : tensor.detach());
     });
     writeArchive(model, archive);
-    card.told.sha256 = protocols::sha256OfFile(model);
+    card.summary.sha256 = protocols::sha256OfFile(model);
     protocols::writeWholeFile(cardOf(model), cardText(card));
 }
 
@@ -85,7 +85,7 @@ Generators readModel(const std::filesystem::path& model, const ModelCardFields& 
     checkWeightsFile(model, card);
     torch::serialize::InputArchive archive = readArchive(model);
     Generators generators = makeGenerators(card.architecture);
-    const torch::NoGradGuard still;
+    const torch::NoGradGuard noGradient;
     eachTensor(generators, [&](const std::string& name, torch::Tensor& tensor, bool) {
         torch::Tensor stored;
         if (!archive.try_read(name, stored) || stored.sizes() != tensor.sizes())

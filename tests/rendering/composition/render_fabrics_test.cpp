@@ -90,7 +90,7 @@ RenderRequest requestFor(const SmallDataset& small, const char* conditions, Aske
     RenderRequest request;
     for (const auto& fabric : small.dataset.fabrics) request.fabrics.push_back(fabric.id);
     request.conditions = protocols::conditionList(conditions);
-    request.generate = [&asked](std::span<const models::PhotographToTouch> photographs,
+    request.generate = [&asked](std::span<const models::InputPhotograph> photographs,
                                 const models::GenerationOptions& options) {
         ++asked.calls;
         asked.photographs += static_cast<int>(photographs.size());

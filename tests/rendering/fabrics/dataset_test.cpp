@@ -1,4 +1,4 @@
-// The data set reader, its refusals, the split over groups, and the checker on planted faults.
+// The reader of data sets, its refusals, the split over groups, and the check with planted faults.
 #include "rendering/fabrics/dataset.h"
 #include "protocols/files/number_text.h"
 
@@ -23,7 +23,7 @@ bool anyContains(const std::vector<std::string>& lines, const std::string& first
                        [&](const std::string& line) { return contains(line, first) && contains(line, second); });
 }
 
-/// A data set of strokes alone, `groups` a fabric.
+/// Data set of two fabrics with `groups` groups of strokes and photographs each.
 Dataset strokesInGroups(const fs::path& folder, int groups, int samplesPerGroup)
 {
     Dataset dataset;
@@ -198,7 +198,7 @@ private Q_SLOTS:
         QVERIFY2(contains(photo, "F02") && contains(photo, "visual"), photo.c_str());
         QVERIFY(contains(refusalOf([&] { readPhotograph(m_dataset, FabricId("F01"), 7); }), "visual sample 7"));
         QVERIFY(contains(refusalOf([&] { readPhotograph(m_dataset, FabricId("F09"), 0); }), "F01, F02"));
-        QVERIFY(contains(refusalOf([&] { readDataset(m_dataset.folder / "F01"); }), "no data set"));
+        QVERIFY(contains(refusalOf([&] { readDataset(m_dataset.folder / "F01"); }), "not a data set"));
     }
 
     void numbersDoNotDependOnTheLocale()
@@ -273,7 +273,7 @@ private Q_SLOTS:
     {
         const auto faults = faultsOfDataset(m_dataset.folder);
         QVERIFY2(faults.empty(), faults.empty() ? "" : faults.front().c_str());
-        QVERIFY(contains(refusalOf([&] { faultsOfDataset(m_dataset.folder / "F01"); }), "no data set"));
+        QVERIFY(contains(refusalOf([&] { faultsOfDataset(m_dataset.folder / "F01"); }), "not a data set"));
     }
 
     void everyPlantedFaultIsFoundWithItsFile_data()
@@ -299,9 +299,9 @@ private Q_SLOTS:
         QTest::newRow("lost contact") << "contact"
                                       << "F01/friction/000.csv"
                                       << "row 2";
-        QTest::newRow("height that is no number") << "nan"
-                                                  << "F01/height/000.tiff"
-                                                  << "not finite";
+        QTest::newRow("height that is not finite") << "nan"
+                                                   << "F01/height/000.tiff"
+                                                   << "not finite";
         QTest::newRow("height below 0") << "negative"
                                         << "F01/height/000.tiff"
                                         << "below 0";
@@ -316,7 +316,7 @@ private Q_SLOTS:
                                      << "missing";
         QTest::newRow("odd file") << "odd"
                                   << "F01/visual/notes.txt"
-                                  << "not named";
+                                  << "name of a sample";
         QTest::newRow("row twice") << "twice"
                                    << "samples.csv"
                                    << "twice";
@@ -328,7 +328,7 @@ private Q_SLOTS:
                                              << "cannot be read";
         QTest::newRow("calibration of another kind") << "kind"
                                                      << "tactile-calibration.json"
-                                                     << "no calibration";
+                                                     << "not a calibration";
     }
 
     void everyPlantedFaultIsFoundWithItsFile()
@@ -342,7 +342,7 @@ private Q_SLOTS:
                  faults.empty() ? "no fault found" : faults.front().c_str());
     }
 
-    void allFaultsAreToldAtOnce()
+    void allFaultsAreReportedAtOnce()
     {
         for (const char* fault : {"cut", "contact", "nan", "folder"}) plant(fault);
         QCOMPARE(faultsOfDataset(m_dataset.folder).size(), std::size_t(4));

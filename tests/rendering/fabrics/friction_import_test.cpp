@@ -1,5 +1,5 @@
-// Friction records on their way into a data set: zero, axes, units, the steady slide, even steps - and that all of it
-// is told and kept.
+// Import of friction records: zero, axes, units, the steady slide and even steps. Everything that the import did is
+// reported and saved.
 #include <cmath>
 #include <functional>
 #include <nlohmann/json.hpp>
@@ -14,8 +14,8 @@ using namespace fabric_files;
 using namespace rendering;
 using namespace rendering::fabrics;
 using stroke_text::number;
-using stroke_text::Sample;
 using stroke_text::Stroke;
+using stroke_text::StrokeSample;
 
 namespace {
 
@@ -44,12 +44,12 @@ private Q_SLOTS:
     void onlyTheSteadySlideIsKept()
     {
         const auto line = imported(stroke_text::twoForces());
-        const auto said = saved();
+        const auto report = saved();
         QVERIFY2(contains(line, "approach") && contains(line, "breakaway") && contains(line, "stop") && contains(line, "cut"),
                  line.c_str());
-        const double from = said["slide"]["from_s"], to = said["slide"]["to_s"];
+        const double from = report["slide"]["from_s"], to = report["slide"]["to_s"];
         QVERIFY2(from > 1.2 && from < 1.4 && to > 7.4 && to < 7.6, line.c_str());
-        QVERIFY(said["cut"]["approach"]["samples"].get<int>() > 200);
+        QVERIFY(report["cut"]["approach"]["samples"].get<int>() > 200);
         const auto record = readFriction(readDataset(m_out), FabricId("F01"), 0);
         QCOMPARE(record.timeS.front(), 0.0);
         for (const double mu : record.values) QVERIFY(mu > 0.42 && mu < 0.58);
@@ -57,21 +57,21 @@ private Q_SLOTS:
         QVERIFY(faultsOfDataset(m_out).empty());
     }
 
-    void theZeroOfTheSensorIsTakenFromUnloadedSamples()
+    void unloadedSamplesAreTheZeroOfTheSensor()
     {
         imported(stroke_text::twoForces());
         const auto zero = saved()["zero"];
         QVERIFY(std::abs(zero["normal_n"].get<double>() - 0.12) < 0.002);
         QVERIFY(std::abs(zero["tangential_n"][0].get<double>() + 0.08) < 0.002);
-        // Without it the offsets of 0.12 and -0.08 N stay in: (1 - 0.08) / 2.12.
-        m_options.zero = Found::Not;
+        // Without the subtraction the offsets of 0.12 and -0.08 N remain: (1 - 0.08) / 2.12.
+        m_options.zero = Selection::None;
         imported(stroke_text::twoForces());
         QVERIFY(std::abs(meanOf(readFriction(readDataset(m_out), FabricId("F01"), 1).values) - 0.92 / 2.12) < 0.002);
     }
 
     void aStatedIntervalIsTheZero()
     {
-        m_options.zero = Found::AsStated;
+        m_options.zero = Selection::Stated;
         m_options.zeroInterval = {8.4, 8.9};
         imported(stroke_text::twoForces());
         QVERIFY(std::abs(saved()["zero"]["from_s"].get<double>() - 8.4) < 0.01);
@@ -87,13 +87,13 @@ private Q_SLOTS:
         const auto line = imported(text);
         QVERIFY(saved()["zero"].is_null());
         QCOMPARE(saved()["why"]["zero"].get<std::string>(), std::string("no unloaded samples"));
-        QVERIFY2(contains(line, "all of it slides"), line.c_str());
+        QVERIFY2(contains(line, "the whole record is the slide"), line.c_str());
         QCOMPARE(readFriction(readDataset(m_out), FabricId("F01"), 0).values.size(), std::size_t(400));
     }
 
     void twoAxesAreJoinedAndOneKeepsItsSign()
     {
-        const auto across = [](const Sample& s) {
+        const auto across = [](const StrokeSample& s) {
             return number(s.timeS) + "," + number(0.8 * (s.tangentialN + 0.08) + 0.03) + "," +
                    number(0.6 * (s.tangentialN + 0.08) - 0.05) + "," + number(-s.normalN);
         };
@@ -101,9 +101,9 @@ private Q_SLOTS:
         imported(text);
         QVERIFY(std::abs(meanOf(readFriction(readDataset(m_out), FabricId("F01"), 0).values) - 0.5) < 0.002);
         QVERIFY(saved()["axes"]["joined"].get<bool>());
-        QVERIFY(saved()["axes"]["normal_turned"].get<bool>());  // fz is negative in compression
+        QVERIFY(saved()["axes"]["normal_turned"].get<bool>());  // fz is negative in compression.
 
-        m_options.normal = Axis{"fz", -1};
+        m_options.normal = ForceAxis{"fz", -1};
         m_options.tangential = {{"fx", -1}};
         const auto line = imported(text);
         QVERIFY(std::abs(meanOf(readFriction(readDataset(m_out), FabricId("F01"), 1).values) + 0.4) < 0.002);
@@ -111,7 +111,7 @@ private Q_SLOTS:
         m_options.tangential = {{"fq", 1}};
         QVERIFY(contains(refusalOf([&] { imported(text); }), "fq"));
         m_options.tangential = {{"fx", 1}};
-        m_options.normal = Axis{"fz", 1};  // against the load: no contact is left
+        m_options.normal = ForceAxis{"fz", 1};  // Against the load, so that no contact is left.
         QVERIFY(!refusalOf([&] { imported(text); }).empty());
     }
 
@@ -123,7 +123,7 @@ private Q_SLOTS:
         imported(stroke_text::twoForces(grams));
         QVERIFY(std::abs(meanOf(readFriction(readDataset(m_out), FabricId("F01"), 0).values) - 0.5) < 0.002);
         QVERIFY(std::abs(saved()["zero"]["normal_n"].get<double>() - 0.12) < 0.002);
-        // The header's own unit goes before the option.
+        // The unit in the header takes precedence over the option.
         Stroke milli;
         milli.unit = 1000;
         imported(stroke_text::twoForces(milli, "t_s,fn (mN),ft [mN]"));
@@ -145,12 +145,12 @@ private Q_SLOTS:
         moment.lostFromS = 4;
         moment.lostToS = 4.02;
         const auto line = imported(stroke_text::twoForces(moment));
-        QVERIFY2(contains(line, "samples of too little normal force left out"), line.c_str());
+        QVERIFY2(contains(line, "samples with too little normal force left out"), line.c_str());
         QCOMPARE(saved()["left_out"]["samples"].get<int>(), 10);
         for (const double mu : readFriction(readDataset(m_out), FabricId("F01"), 0).values) QVERIFY(mu > 0.4 && mu < 0.6);
         Stroke often = moment;
-        often.lostToS = 4.08;  // bridged, but more than 1 % of the slide
-        m_options.trim = Found::AsStated;
+        often.lostToS = 4.08;  // Bridged, but more than 1 % of the slide.
+        m_options.trim = Selection::Stated;
         m_options.trimInterval = {3, 5};
         const auto refusal = refusalOf([&] { imported(stroke_text::twoForces(often)); });
         QVERIFY2(contains(refusal, "row ") && contains(refusal, "contact"), refusal.c_str());
@@ -158,7 +158,7 @@ private Q_SLOTS:
 
     void zeroNormalForceIsRefused()
     {
-        QVERIFY(contains(refusalOf([&] { imported("t,normal,tangential\n0,0,1\n1,0,1\n2,0,1\n"); }), "0 N while loaded"));
+        QVERIFY(contains(refusalOf([&] { imported("t,normal,tangential\n0,0,1\n1,0,1\n2,0,1\n"); }), "0 N under load"));
     }
 
     void unevenStampsAreResampledAtAStatedRate()
@@ -178,24 +178,24 @@ private Q_SLOTS:
 
     void averagingLeavesOutWhatTheRateCannotHold()
     {
-        // 180 Hz at 60 samples a second would fold onto the mean.
+        // At 60 samples per second a wave of 180 Hz would be aliased to a constant.
         std::string text = "t_s,mu\n";
         for (int i = 0; i < 3000; ++i)
             text += number(i / 600.0) + "," + number(0.5 + 0.2 * std::cos(2 * std::numbers::pi * 180 * i / 600.0)) + "\n";
         m_options.rateHz = 60;
-        m_options.trim = Found::Not;
+        m_options.trim = Selection::None;
         imported(text);
         for (const double mu : readFriction(readDataset(m_out), FabricId("F01"), 0).values) QVERIFY(std::abs(mu - 0.5) < 0.11);
     }
 
     void trimmingMayBeStatedOrLeft()
     {
-        m_options.trim = Found::AsStated;
+        m_options.trim = Selection::Stated;
         m_options.trimInterval = {2, 4};
         imported(stroke_text::twoForces());
         QCOMPARE(readFriction(readDataset(m_out), FabricId("F01"), 0).values.size(), std::size_t(1001));
-        m_options.trim = Found::Not;
-        QVERIFY(contains(refusalOf([&] { imported(stroke_text::twoForces()); }), "contact"));  // rest is no contact
+        m_options.trim = Selection::None;
+        QVERIFY(contains(refusalOf([&] { imported(stroke_text::twoForces()); }), "contact"));  // Rest is not contact.
     }
 
     void aGratingIsNotTakenForBreakaways()
@@ -207,13 +207,13 @@ private Q_SLOTS:
         QVERIFY2(from > 0.8 && from < 1.5 && to > 7.3 && to < 7.9, std::to_string(from).c_str());
     }
 
-    void whatWasDoneIsShownInAPicture()
+    void theProcessingIsShownInAPicture()
     {
         m_plots = pathOf(*m_folder) / "plots";
         imported(stroke_text::twoForces());
         const std::string svg = read(m_plots / "F01-000.svg");
         for (const char* part :
-             {"<svg", "the slide that is kept", "unloaded", "breakaway", "(dashed), sd 0.0", "coefficient of friction"})
+             {"<svg", "steady slide, kept", "unloaded", "breakaway", "(dashed), sd 0.0", "coefficient of friction"})
             QVERIFY2(contains(svg, part), part);
         QVERIFY(!contains(svg, "nan") && !contains(svg, "inf"));
         QVERIFY(svg.size() < 200000);
@@ -236,13 +236,13 @@ private Q_SLOTS:
     void manySamplesAreTaken()
     {
         Stroke fast;
-        fast.rateHz = 60000;  // 540 000 rows
+        fast.rateHz = 60000;  // 540 000 rows.
         const auto line = imported(stroke_text::twoForces(fast));
         QVERIFY2(contains(line, "breakaway"), line.c_str());
         QVERIFY(std::abs(saved()["mean"].get<double>() - 0.5) < 0.002);
     }
 
-    /// Found by reader_fuzz_test: the bytes were no JSON.
+    /// Found by reader_fuzz_test: these bytes made invalid JSON.
     void namesInLatin1BecomeReadable()
     {
         m_plots = pathOf(*m_folder) / "plots";
@@ -251,27 +251,27 @@ private Q_SLOTS:
         QVERIFY(contains(saved()["meaning"].get<std::string>(), "\xC2\xB5"));
     }
 
-    void aFabricThatIsAddedIsSaid()
+    void anAddedFabricIsReported()
     {
         write(m_in / "Felt_1.csv", "t,mu\n0,0.1\n1,0.2\n");
         const auto first = importRecordings({ImportKind::FrictionCsv, {m_in}, m_out, {}, {}});
         QCOMPARE(first.size(), std::size_t(1));
         write(m_in / "Wool_1.csv", "t,mu\n0,0.1\n1,0.2\n");
         const auto second = importRecordings({ImportKind::FrictionCsv, {m_in / "Wool_1.csv"}, m_out, {}, {}});
-        QVERIFY2(contains(second.back(), "2 fabrics now, 1 before") && contains(second.back(), "ranges"), second.back().c_str());
+        QVERIFY2(contains(second.back(), "2 fabrics now (before: 1)") && contains(second.back(), "range"), second.back().c_str());
     }
 
     void optionsAreReadAsTyped()
     {
-        Interval interval;
-        QVERIFY(foundFrom("auto", "--zero", interval) == Found::Automatically);
-        QVERIFY(foundFrom("none", "--zero", interval) == Found::Not);
-        QVERIFY(foundFrom("0.5,1e1", "--zero", interval) == Found::AsStated);
-        QVERIFY(interval == (Interval{0.5, 10}));
+        TimeInterval interval;
+        QVERIFY(selectionFrom("auto", "--zero", interval) == Selection::Automatic);
+        QVERIFY(selectionFrom("none", "--zero", interval) == Selection::None);
+        QVERIFY(selectionFrom("0.5,1e1", "--zero", interval) == Selection::Stated);
+        QVERIFY(interval == (TimeInterval{0.5, 10}));
         for (const char* wrong : {"1", "2,1", "-1,2", "a,b", "1,2,3", ","})
-            QVERIFY2(contains(refusalOf([&] { foundFrom(wrong, "--trim", interval); }), "--trim"), wrong);
-        QVERIFY(axesFrom("-fz", "--normal", 1) == (std::vector<Axis>{{"fz", -1}}));
-        QVERIFY(axesFrom("fx,-fy", "--tangential", 2) == (std::vector<Axis>{{"fx", 1}, {"fy", -1}}));
+            QVERIFY2(contains(refusalOf([&] { selectionFrom(wrong, "--trim", interval); }), "--trim"), wrong);
+        QVERIFY(axesFrom("-fz", "--normal", 1) == (std::vector<ForceAxis>{{"fz", -1}}));
+        QVERIFY(axesFrom("fx,-fy", "--tangential", 2) == (std::vector<ForceAxis>{{"fx", 1}, {"fy", -1}}));
         QVERIFY(axesFrom("", "--tangential", 2).empty());
         for (const char* wrong : {"-", "fx,", ",fx", "fx,fy,fz", ","})
             QVERIFY2(contains(refusalOf([&] { axesFrom(wrong, "--tangential", 2); }), "--tangential"), wrong);
@@ -280,7 +280,7 @@ private Q_SLOTS:
     }
 
 private:
-    /// The line about Felt, whose stroke `text` is.
+    /// Imports `text` as a stroke of Felt and returns the line that reports it.
     std::string imported(const std::string& text)
     {
         write(m_in / "Felt_1.csv", text);

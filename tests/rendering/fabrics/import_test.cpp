@@ -1,5 +1,5 @@
-// Importers: made-up recordings whose outcome is known by hand, the real recordings beside the
-// project where they are there, and refusals that leave nothing behind.
+// Importers: invented recordings with results calculated by hand, the shared real recordings where they exist, and
+// refusals that leave no files behind.
 #include "rendering/fabrics/recordings/import.h"
 
 #include <cmath>
@@ -50,7 +50,7 @@ private Q_SLOTS:
         fs::create_directories(m_in);
     }
 
-    void kindsAreNamedAsTheCommandSays()
+    void kindsHaveTheNamesOfTheCommand()
     {
         QVERIFY(importKindNamed("friction-csv") == ImportKind::FrictionCsv);
         QVERIFY(
@@ -118,7 +118,7 @@ private Q_SLOTS:
         QVERIFY(contains(refusalOf([&] { importRecordings(request); }), "--fabric"));
     }
 
-    void otherPicturesAreDecodedByTheLentDecoder()
+    void otherPicturesAreDecodedByThePassedDecoder()
     {
         write(m_in / "Wool_1.jpg", "not really");
         ImportRequest request{ImportKind::Photos, {m_in}, m_out, {}, {}};
@@ -144,7 +144,7 @@ private Q_SLOTS:
         QVERIFY(contentOf(m_out) == before);
     }
 
-    void unevenTimeIsResampledAndSaid()
+    void unevenTimeIsResampledAndReported()
     {
         write(m_in / "Felt_1.csv", "t;normal;tangential\n0;10;1\n0.1;10;2\n0.2;10;3\n0.35;10;4.5\n0.4;10;5\n0.5;10;6\n");
         const auto lines = import(ImportKind::FrictionCsv, {m_in});
@@ -281,7 +281,7 @@ private Q_SLOTS:
                  lines[0].c_str());
         const FrictionRecord record = readFriction(readDataset(m_out), FabricId("F01"), 0);
         QCOMPARE(record.values.size(), std::size_t(7500));
-        // First row: 1.2984 N over 11.769 N; the instrument itself gives 0.1103.
+        // First row: 1.2984 N over 11.769 N; the instrument itself reports 0.1103.
         QVERIFY(std::abs(record.values[0] - 1.2984 / 11.769) < 1e-12);
         QVERIFY(std::abs(meanOf(record.values) - 0.1) < 0.03);
         QVERIFY(std::abs(readDataset(m_out).friction.speedMmPerS - 200) < 1);
@@ -326,7 +326,7 @@ private:
         return importRecordings({kind, std::move(from), m_out, {}, {}});
     }
 
-    /// Empty where the recordings are not there.
+    /// Empty where the recordings do not exist.
     std::vector<std::string> importReal(ImportKind kind, const std::string& name)
     {
         const fs::path source = sharedData() / name;

@@ -1,4 +1,4 @@
-// The split by location: samples that show the same piece of fabric stay in one part, and the parts are still 8:1:1.
+// The split by location: samples that show the same piece of fabric stay in one part, and the parts remain 8:1:1.
 #include "rendering/fabrics/location_split.h"
 
 #include <map>
@@ -33,7 +33,7 @@ Dataset photographed(const fs::path& folder, const std::vector<SamplePlace>& pla
     return dataset;
 }
 
-/// Pairs and triples of overlapping photographs and single ones, far from each other.
+/// Single photographs, overlapping pairs and overlapping triples, all far from each other.
 std::vector<SamplePlace> scattered(int places)
 {
     std::vector<SamplePlace> result;
@@ -70,7 +70,7 @@ private Q_SLOTS:
 
     void partsAreATenthEach()
     {
-        const Dataset dataset = photographed(pathOf(*m_folder), scattered(60));  // 120 photographs
+        const Dataset dataset = photographed(pathOf(*m_folder), scattered(60));  // 120 photographs.
         auto counts = countsOf(splitByLocation(dataset, 5));
         QCOMPARE(counts[Part::Testing], 12);
         QCOMPARE(counts[Part::Validation], 12);
@@ -89,7 +89,7 @@ private Q_SLOTS:
         QVERIFY(parts(5) != parts(6));
     }
 
-    void unknownPlacesAreTheirOwn()
+    void samplesOfUnknownPlaceOverlapNone()
     {
         auto places = scattered(60);
         for (SamplePlace& place : places) place.xMm.reset();
@@ -103,12 +103,12 @@ private Q_SLOTS:
     void oneLargePlaceIsNotDivided()
     {
         std::vector<SamplePlace> places;
-        for (int i = 0; i < 20; ++i) places.push_back(at(Modality::Visual, i, 0.5 * i, 0));  // a chain
+        for (int i = 0; i < 20; ++i) places.push_back(at(Modality::Visual, i, 0.5 * i, 0));  // A chain of overlaps.
         auto counts = countsOf(splitByLocation(photographed(pathOf(*m_folder), places), 5));
         QCOMPARE(counts[Part::Training], 20);
     }
 
-    void threeLargePlacesServeEveryPart()
+    void threeLargePlacesFillEveryPart()
     {
         std::vector<SamplePlace> places;
         for (int i = 0; i < 9; ++i) places.push_back(at(Modality::Visual, i, 100 * (i / 3), 0));

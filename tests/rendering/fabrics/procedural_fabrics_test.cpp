@@ -1,5 +1,5 @@
-// The procedural data set: the same bytes from the same seed whatever the number of threads, fabrics
-// that differ, and a simulated sensor and rig that keep to what their headers state.
+// The procedural data set: the same bytes from the same seed for any number of threads, fabrics that differ, and a
+// simulated sensor and rig that follow the models in their headers.
 #include "rendering/fabrics/procedural/procedural_fabrics.h"
 
 #include <cmath>
@@ -30,7 +30,7 @@ double meanCoefficient(const ForceRecord& record)
     return sum / double(record.timeS.size());
 }
 
-/// A smooth bump whose steepest slope is about 0.5.
+/// Smooth bump whose steepest slope is about 0.5.
 cv::Mat smoothBump()
 {
     cv::Mat_<float> height(tactileHeightPx, tactileWidthPx);
@@ -46,7 +46,7 @@ struct GradientErrors {
     double rmsX, rmsY, biasX, biasY;
 };
 
-/// Gradients by the calibration's linear map against central differences of the height.
+/// Differences between the gradients of the linear calibration and the central differences of the height.
 GradientErrors gradientErrors(const cv::Mat& frame, const cv::Mat& reference, const cv::Mat& height,
                               const nlohmann::json& calibration)
 {
@@ -98,7 +98,7 @@ private Q_SLOTS:
 
     void integersOfTheLatticeAreFrozen()
     {
-        // python3: the same mixing in whole numbers modulo 2^64.
+        // python3: the same mixing with whole numbers modulo 2^64.
         QCOMPARE(hashAt(42, -3, 7), 0x6770884265c6a646ull);
     }
 
@@ -127,9 +127,9 @@ private Q_SLOTS:
 
     void alignedPressesShowThePhotographedPlace()
     {
-        // The middle of the press and of the photograph are one piece of relief: sampled twice, it is the same.
+        // Press and photograph share their middle, so both samplings give the same relief there.
         const FabricSurface surface(allStructures()[6], 11);
-        const Place place{12.5, 80.25, 31};
+        const FabricPlace place{12.5, 80.25, 31};
         const cv::Mat press = surface.sample(place, {tactileWidthPx, tactileHeightPx}, tactileMmPerPixel).heightMm;
         const cv::Mat photo = surface.sample(place, {photographSizePx, photographSizePx}, photographMmPerPixel).heightMm;
         QCOMPARE(cv::norm(press(cv::Rect(60, 20, 200, 200)), photo(cv::Rect(28, 28, 200, 200)), cv::NORM_INF), 0.0);
@@ -161,7 +161,7 @@ private Q_SLOTS:
         const auto [low, high] = std::minmax_element(means.begin(), means.end());
         QVERIFY2(*low > 0.1 && *low < 0.16, qPrintable(QString::number(*low)));
         QVERIFY2(*high > 0.45 && *high < 0.65, qPrintable(QString::number(*high)));
-        // Silk satin glides, corduroy does not; a sateen is smoother than a canvas.
+        // Silk satin slides easily, corduroy does not; a sateen is smoother than a canvas.
         QVERIFY(means[5] < means[4] && means[4] < means[11] && means[11] < means[10]);
     }
 
@@ -201,7 +201,7 @@ private Q_SLOTS:
         const cv::Mat frame = tactileFrame(height, random);
         const auto calibration = nlohmann::json::parse(tactileCalibrationJson());
         const GradientErrors errors = gradientErrors(frame, tactileReference(), height, calibration);
-        // One step of 8 bits is 1/255 / 0.33 = 0.012 in slope; noise and rounding are below that, a bias far below.
+        // One step of 8 bits is 1/255 / 0.33 = 0.012 in slope. Noise and rounding stay below it, a bias far below.
         QVERIFY2(errors.rmsX < 0.012 && errors.rmsY < 0.012, qPrintable(QString("%1 %2").arg(errors.rmsX).arg(errors.rmsY)));
         QVERIFY2(std::abs(errors.biasX) < 5e-4 && std::abs(errors.biasY) < 5e-4, qPrintable(QString::number(errors.biasX)));
     }
@@ -225,7 +225,7 @@ private Q_SLOTS:
 
     void photographsTurnWithTheCamera()
     {
-        // The lamp stays with the camera, so only the relief can be compared: turned by 90 degrees it is the turned picture.
+        // The lamp moves with the camera, so only the relief can be compared: a turn of 90 degrees turns the picture.
         const FabricSurface surface(allStructures()[10], 6);
         const cv::Mat straight = surface.sample({30, 30, 0}, {101, 101}, 0.05).heightMm;
         const cv::Mat turned = surface.sample({30, 30, 90}, {101, 101}, 0.05).heightMm;

@@ -1,5 +1,5 @@
-// Friction readers fed with spoilt files: each gives a result of finite numbers or a named refusal. A few seconds
-// with a fixed seed; VIS2HAP_FUZZ_SECONDS=600 for longer, other files each time it is longer.
+// Feeds mutated files to the friction readers. Each reader must return finite numbers or refuse the file by name. A run takes
+// a few seconds with a fixed seed; VIS2HAP_FUZZ_SECONDS=600 makes it longer and tries more files.
 #include <QElapsedTimer>
 #include <cmath>
 #include <functional>
@@ -9,7 +9,9 @@
 #include "protocols/random.h"
 #include "rendering/fabrics/recordings/friction_plot.h"
 #include "rendering/fabrics/recordings/friction_preparation.h"
-#include "rendering/fabrics/recordings/import_kinds.h"
+#include "rendering/fabrics/recordings/friction_report.h"
+#include "rendering/fabrics/recordings/friction_tables.h"
+#include "rendering/fabrics/recordings/instrument_texts.h"
 #include "rendering/signals/friction_trace.h"
 #include "rendering/signals/spectrogram_file.h"
 #include "tests/rendering/fabric_files.h"
@@ -25,27 +27,27 @@ namespace {
 void requireFinite(const std::vector<double>& values, const char* what)
 {
     for (const double value : values)
-        if (!std::isfinite(value)) throw std::runtime_error(std::string(what) + " holds a value that is no number");
+        if (!std::isfinite(value)) throw std::runtime_error(std::string(what) + " holds a value that is not finite");
 }
 
-/// All that an import does with a record, short of writing it.
+/// Does everything that an import does with a record except writing it.
 void useRecords(const std::vector<RawRecord>& records)
 {
     for (const RawRecord& record : records) {
-        const PreparedRecord result = prepared(record, {});
+        const PreparedRecord result = prepare(record, {});
         requireFinite(result.values, "a prepared record");
         requireFinite(result.evenNormalN, "its normal force");
         for (const double force : result.evenNormalN)
             if (!(force > 0.05)) throw std::runtime_error("a normal force of " + std::to_string(force) + " N was kept");
         if (!std::isfinite(result.mean) || !(result.stepS > 0)) throw std::runtime_error("no mean or no step");
         const auto json = nlohmann::json::parse(preparationJson(record, {}, result));
-        if (json.at("mean").is_null()) throw std::runtime_error("the saved mean is no number");
+        if (json.at("mean").is_null()) throw std::runtime_error("the saved mean is not finite");
         const std::string svg = frictionPlot("spoilt", record, result);
-        if (svg.find("nan") != std::string::npos) throw std::runtime_error("the picture has a place that is no number");
+        if (svg.find("nan") != std::string::npos) throw std::runtime_error("the picture has a coordinate that is not a number");
     }
 }
 
-using Reader = std::vector<RawRecord> (*)(const fs::path&, const FrictionOptions&);
+using RecordReader = std::vector<RawRecord> (*)(const fs::path&, const FrictionOptions&);
 
 struct Target {
     const char* name;
@@ -54,7 +56,7 @@ struct Target {
     std::function<void(const fs::path& folder)> read;
 };
 
-Target importer(const char* name, const char* file, std::string seed, Reader reader)
+Target importer(const char* name, const char* file, std::string seed, RecordReader reader)
 {
     return {name, file, std::move(seed), [reader, file](const fs::path& folder) { useRecords(reader(folder / file, {})); }};
 }
@@ -171,7 +173,7 @@ private Q_SLOTS:
         } while (clock.elapsed() < 1000 * seconds);
         qInfo("%s: %d taken, %d refused", one.name, taken, refused);
         write(file, one.seed);
-        one.read(m_path);  // unspoilt, it is read
+        one.read(m_path);  // The unchanged file is read.
         QVERIFY(taken > 0 && refused > 0);
     }
 

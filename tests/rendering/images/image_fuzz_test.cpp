@@ -1,5 +1,5 @@
-// Image readers fed with spoilt files: PNG, TIFF, .npy, PGM, TrueMap and calibrations each give a whole image or a named refusal.
-// A few seconds with a fixed seed; VIS2HAP_FUZZ_SECONDS=600 for longer.
+// Feeds mutated files to the readers of PNG, TIFF, .npy, PGM, TrueMap and calibrations. Each reader must return a whole
+// image or refuse the file by name. A run takes a few seconds with a fixed seed; VIS2HAP_FUZZ_SECONDS=600 makes it longer.
 #include <QElapsedTimer>
 #include <QTemporaryDir>
 #include <QTest>
@@ -63,7 +63,7 @@ const char* const sensorJson =
     "\"by_place\":false,\"light_scale\":2,\"sizes\":[1,2,2],\"weights\":[[1,2,3,4],[5,6,7,8,9,10]],"
     "\"mm_per_pixel\":0.1,\"high_pass_cutoff_mm\":null,\"zero_percentile\":2}";
 
-/// Touches every byte of what was read, so that a sanitizer sees it.
+/// Reads every byte of an image, so that a sanitizer checks them.
 void use(const cv::Mat& image)
 {
     if (image.empty()) throw std::runtime_error("an image without pixels was read");

@@ -1,4 +1,4 @@
-// Image files are read back bit for bit, and damaged ones are refused by name.
+// Image files are read back bit for bit. Damaged files are refused by name.
 #include "rendering/images/image_io.h"
 
 #include <functional>
@@ -62,7 +62,7 @@ private Q_SLOTS:
 
     void pngPalettesAndTransparencyAreUndone()
     {
-        // One red pixel through a palette with a tRNS chunk: chunks packed by Python's struct and zlib.
+        // One red pixel through a palette with a tRNS chunk; Python's struct and zlib packed the chunks.
         const QByteArray bytes = QByteArray::fromHex(
             "89504e470d0a1a0a0000000d494844520000000100000001080300000028cb34bb00000003504c5445ff000019e20937"
             "0000000174524e5380ad5e5b460000000a49444154789c636000000002000148afa4710000000049454e44ae426082");

@@ -1,4 +1,4 @@
-// Height maps of profilometers: read whole, refused by name where they are cut short or are something else.
+// Height maps of profilometers are read whole. Truncated and foreign files are refused by name.
 #include "rendering/images/true_map.h"
 
 #include <QTest>
@@ -67,16 +67,16 @@ private Q_SLOTS:
             QTest::newRow(name) << QByteArray::fromStdString(bytes) << QString(named);
         };
         const auto sound = mapBytes(3, 2, 1, 1, {1, 2, 3, 4, 5, 6});
-        row("empty", "", "another header");
-        row("text", "a,b,c\n1,2,3\n", "another header");
-        row("header alone", sound.substr(0, 32), "cut short in its header");
-        row("comment without end", sound.substr(0, 36), "cut short in its header");
-        row("sizes cut", sound.substr(0, 50), "cut short in its header");
-        row("heights cut", sound.substr(0, sound.size() - 5), "cut short: 4 of 6");
+        row("empty", "", "unknown header");
+        row("text", "a,b,c\n1,2,3\n", "unknown header");
+        row("header alone", sound.substr(0, 32), "truncated in its header");
+        row("comment without end", sound.substr(0, 36), "truncated in its header");
+        row("sizes cut", sound.substr(0, 50), "truncated in its header");
+        row("heights cut", sound.substr(0, sound.size() - 5), "truncated after 4 of 6");
         row("no points", mapBytes(0, 2, 1, 1, {}), "no points");
         row("too many points", mapBytes(0xffffffffU, 0xffffffffU, 1, 1, {}), "2^28");
-        row("no width", mapBytes(1, 1, 0, 1, {1}), "no length");
-        row("width not a number", mapBytes(1, 1, std::nanf(""), 1, {1}), "no length");
+        row("no width", mapBytes(1, 1, 0, 1, {1}), "not positive");
+        row("width not a number", mapBytes(1, 1, std::nanf(""), 1, {1}), "not positive");
     }
     void brokenFilesAreRefusedByName()
     {

@@ -136,7 +136,7 @@ private Q_SLOTS:
         const Familiarity familiarity = models::fitFamiliarity(training, training, fabrics);
         const models::Recognised first = models::recognised(familiarity, plain(-0.99F)),
                                  second = models::recognised(familiarity, plain(1.01F));
-        QCOMPARE(first.strangeness, 0.0);
+        QCOMPARE(first.unfamiliarity, 0.0);
         QCOMPARE(first.rings.size(), std::size_t{models::ringCount});
         for (int ring = 0; ring < models::ringCount; ++ring) {
             QVERIFY(std::abs(first.rings[static_cast<std::size_t>(ring)] + 4) < 1e-3);
@@ -155,7 +155,7 @@ private Q_SLOTS:
         const auto strangenessAt = [&](double distance) {
             Features features = plain(1);
             features[4] += static_cast<float>(distance);
-            return models::recognised(familiarity, features).strangeness;
+            return models::recognised(familiarity, features).unfamiliarity;
         };
         QCOMPARE(familiarity.threshold, 1.0);
         QCOMPARE(strangenessAt(0.9), 0.0);

@@ -74,9 +74,9 @@ private Q_SLOTS:
 
     void beyondAllKnownThingsTheTypicalFrictionIsExpected()
     {
-        QCOMPARE(reachOfRegression(3.9, 1), 1.0);
-        QVERIFY(std::abs(reachOfRegression(10, 2) - 0.5) < 1e-12);
-        QCOMPARE(reachOfRegression(7, 1), 0.0);
+        QCOMPARE(regressionWeight(3.9, 1), 1.0);
+        QVERIFY(std::abs(regressionWeight(10, 2) - 0.5) < 1e-12);
+        QCOMPARE(regressionWeight(7, 1), 0.0);
         const FrictionPrior prior = learnt();
         const std::vector<double> smooth = textureCoefficients(cloth(5, 0.06, 11), side);
         const double typical = std::exp(prior.logFriction);

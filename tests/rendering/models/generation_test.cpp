@@ -16,12 +16,12 @@
 using namespace rendering;
 using models::GeneratedSignals;
 using models::GenerationOptions;
-using models::PhotographToTouch;
+using models::InputPhotograph;
 using models::Quality;
 
 namespace {
 
-std::vector<GeneratedSignals> generated(const std::vector<PhotographToTouch>& photographs, const GenerationOptions& options = {})
+std::vector<GeneratedSignals> generated(const std::vector<InputPhotograph>& photographs, const GenerationOptions& options = {})
 {
     return models::generate(photographs, options);
 }
@@ -82,7 +82,7 @@ private:
     QTemporaryDir m_folder;
     fabrics::Dataset m_dataset;
 
-    PhotographToTouch photograph(const char* fabric, int index = 0) const
+    InputPhotograph photograph(const char* fabric, int index = 0) const
     {
         return {fabrics::readPhotograph(m_dataset, protocols::FabricId(fabric), index), m_dataset.cameraMmPerPixel};
     }
@@ -137,7 +137,7 @@ private Q_SLOTS:
     void meanFrictionIsNearTheMeasuredOne()
     {
         double sum = 0;
-        std::vector<PhotographToTouch> photographs;
+        std::vector<InputPhotograph> photographs;
         for (const fabrics::FabricInfo& fabric : m_dataset.fabrics) photographs.push_back(photograph(fabric.id.value.c_str()));
         const std::vector<GeneratedSignals> answers = generated(photographs);
         for (std::size_t i = 0; i < answers.size(); ++i) {

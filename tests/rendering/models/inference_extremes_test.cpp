@@ -13,7 +13,7 @@
 #include "rendering/fabrics/recordings/import.h"
 #include "rendering/images/image_io.h"
 #include "rendering/models/generation.h"
-#include "rendering/models/model_card.h"
+#include "rendering/models/model_card_fields.h"
 #include "rendering/models/photograph_at_pitch.h"
 #include "rendering/models/photograph_features.h"
 #include "rendering/models/ring_spectrum.h"
@@ -21,7 +21,7 @@
 using namespace rendering;
 using models::GeneratedSignals;
 using models::GenerationOptions;
-using models::PhotographToTouch;
+using models::InputPhotograph;
 namespace fs = std::filesystem;
 
 namespace {
@@ -33,7 +33,7 @@ GenerationOptions fast()
     return options;
 }
 
-std::vector<GeneratedSignals> generated(const std::vector<PhotographToTouch>& photographs,
+std::vector<GeneratedSignals> generated(const std::vector<InputPhotograph>& photographs,
                                         const GenerationOptions& options = fast())
 {
     return models::generate(photographs, options);
@@ -66,7 +66,7 @@ private:
     QTemporaryDir m_folder;
     fabrics::Dataset m_dataset;
 
-    PhotographToTouch photograph(std::size_t fabric, int index = 0) const
+    InputPhotograph photograph(std::size_t fabric, int index = 0) const
     {
         return {fabrics::readPhotograph(m_dataset, m_dataset.fabrics[fabric].id, index), m_dataset.cameraMmPerPixel};
     }
@@ -108,7 +108,7 @@ private Q_SLOTS:
     void manyAtOnceAreEachAsByItself()
     {
         const cv::Mat odd = large(300, 77);
-        const std::vector<PhotographToTouch> photographs{
+        const std::vector<InputPhotograph> photographs{
             photograph(0), {odd, std::nullopt}, photograph(2), {odd, 0.1}, photograph(0)};
         GenerationOptions balanced;
         const auto together = generated(photographs, balanced);

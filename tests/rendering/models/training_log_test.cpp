@@ -1,5 +1,6 @@
 // The folder that a training run leaves: tables, curves and sample pictures, the same whether the run
 // was broken off or not.
+#include "rendering/models/training_curves.h"
 #include "rendering/models/training_log.h"
 
 #include <QTemporaryDir>

@@ -19,7 +19,7 @@
 #include "rendering/fabrics/location_split.h"
 #include "rendering/fabrics/procedural/procedural_fabrics.h"
 #include "rendering/models/child_process.h"
-#include "rendering/models/model_card.h"
+#include "rendering/models/model_card_fields.h"
 #include "rendering/signals/calibration.h"
 #include "tests/rendering/spoilt_archive.h"
 
@@ -172,7 +172,7 @@ private Q_SLOTS:
                 for (const int index : fabrics::sampleIndices(dataset, protocols::FabricId(fabric), modality)) {
                     const std::string hash =
                         protocols::sha256OfFile(fabrics::samplePath(dataset, protocols::FabricId(fabric), modality, index));
-                    QVERIFY(!std::ranges::binary_search(card.told.trainingSampleHashes, hash));
+                    QVERIFY(!std::ranges::binary_search(card.summary.trainingSampleHashes, hash));
                 }
     }
 
@@ -248,7 +248,7 @@ private Q_SLOTS:
         const models::ModelCardFields card = models::readModelCardFields(at("augmented.pt"));
         QCOMPARE(card.split, std::string("augmented"));
         const fabrics::Dataset dataset = fabrics::readDataset(at("fabrics"));
-        QCOMPARE(card.told.trainingSampleHashes.size(), fabrics::splitBySample(dataset, 1).size());
+        QCOMPARE(card.summary.trainingSampleHashes.size(), fabrics::splitBySample(dataset, 1).size());
     }
 
     void trainingStopsWhereValidationNoLongerImproves()

@@ -11,7 +11,7 @@
 #include "protocols/files/errors.h"
 #include "protocols/files/sha256.h"
 #include "rendering/models/generation.h"
-#include "rendering/models/model_card.h"
+#include "rendering/models/model_card_fields.h"
 #include "tests/rendering/spoilt_archive.h"
 
 using namespace rendering;
@@ -39,7 +39,7 @@ private:
 
     QString faultOfGenerating() const
     {
-        const models::PhotographToTouch photograph{cv::Mat(64, 64, CV_8UC3, cv::Scalar::all(100)), std::nullopt};
+        const models::InputPhotograph photograph{cv::Mat(64, 64, CV_8UC3, cv::Scalar::all(100)), std::nullopt};
         models::GenerationOptions options;
         options.model = model();
         options.quality = models::Quality::Fast;
@@ -55,7 +55,7 @@ private:
     void writeCardFor(const std::string& weights)
     {
         models::ModelCardFields card = models::readModelCardFields(models::shippedModel());
-        card.told.sha256 = protocols::sha256(weights);
+        card.summary.sha256 = protocols::sha256(weights);
         write(models::cardOf(model()), models::cardText(card));
     }
 
@@ -75,11 +75,11 @@ private Q_SLOTS:
     void shippedCardSaysWhatItRestsOn()
     {
         const models::ModelCardFields card = models::readModelCardFields(models::shippedModel());
-        QVERIFY(card.told.trainedOnProceduralSet);
-        QVERIFY(card.told.trainingCommand.find("train") != std::string::npos);
-        QVERIFY(card.told.trainingSampleHashes.size() > 1000);
-        QVERIFY(std::ranges::is_sorted(card.told.trainingSampleHashes));
-        for (const std::string& hash : card.told.trainingSampleHashes) QCOMPARE(hash.size(), std::size_t{64});
+        QVERIFY(card.summary.trainedOnProceduralSet);
+        QVERIFY(card.summary.trainingCommand.find("train") != std::string::npos);
+        QVERIFY(card.summary.trainingSampleHashes.size() > 1000);
+        QVERIFY(std::ranges::is_sorted(card.summary.trainingSampleHashes));
+        for (const std::string& hash : card.summary.trainingSampleHashes) QCOMPARE(hash.size(), std::size_t{64});
         QVERIFY(card.photographs && card.photographs->fabricRings.size() == 15 && card.frictionByTexture);
         const auto validation = nlohmann::ordered_json::parse(card.validationJson);
         const auto& after = validation.at("after");

@@ -1,12 +1,11 @@
-// A sensor calibrated by pressing a ball: the circles come out of the pictures, faults of the recording are named, and the
-// calibration reads presses that it has not seen.
-#include "rendering/signals/ball_presses.h"
-
+// A sensor calibrated by pressing a ball: the circles are found in the pictures, faults of the recording are named, and
+// the calibration is accurate on other presses.
 #include <QTest>
 #include <numeric>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "rendering/signals/ball_calibration.h"
 #include "rendering/signals/photometric_stereo.h"
 #include "rendering/signals/press_folder.h"
 #include "tests/rendering/refusal.h"
@@ -18,7 +17,7 @@ using namespace rendering::signals;
 class BallPressesTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void circlesAreFoundWithoutAnyAnnotation()
+    void circlesAreFoundWithoutAnnotations()
     {
         const auto made = tests::simulatedPresses(12);
         const auto located = locate(made.presses);
@@ -30,7 +29,7 @@ private Q_SLOTS:
         QVERIFY2(std::abs(located.contactPx - made.contactPx) < 0.75, qPrintable(QString::number(located.contactPx)));
     }
 
-    void pressesOfUnlikeDepthKeepTheirOwnRadii()
+    void pressesOfDifferentDepthKeepTheirOwnRadii()
     {
         auto made = tests::simulatedPresses(12, 13);
         const auto shallow = tests::simulatedPresses(12, 9);
@@ -41,7 +40,7 @@ private Q_SLOTS:
                      qPrintable(QString::number(located.circles[i].radiusPx)));
     }
 
-    void calibrationReadsPressesItHasNotSeen_data()
+    void calibrationIsAccurateOnOtherPresses_data()
     {
         QTest::addColumn<int>("quality");
         QTest::addColumn<double>("degrees");
@@ -50,7 +49,7 @@ private Q_SLOTS:
         QTest::newRow("balanced") << int(MapQuality::Balanced) << 2.5 << 0.05;
         QTest::newRow("accurate") << int(MapQuality::Accurate) << 4.0 << 0.08;
     }
-    void calibrationReadsPressesItHasNotSeen()
+    void calibrationIsAccurateOnOtherPresses()
     {
         QFETCH(int, quality);
         QFETCH(double, degrees);
@@ -64,7 +63,7 @@ private Q_SLOTS:
         QVERIFY(score.normalErrorDeg < degrees);
         QVERIFY(score.depthErrorMm < depthMm);
         QVERIFY(std::abs(score.peakMm - score.ballPeakMm) < 0.15);
-        QVERIFY2(score.peakOverGelMm > score.peakMm + 0.2, "the gel's bridge lifts the ball above its edge of contact");
+        QVERIFY2(score.peakOverGelMm > score.peakMm + 0.2, "the peak above the rest surface must include the gel's bridge");
     }
 
     void untouchedSensorIsFlat_data()
@@ -86,7 +85,7 @@ private Q_SLOTS:
         QVERIFY2(cv::norm(height, cv::NORM_INF) < 1e-6, qPrintable(QString::number(cv::norm(height, cv::NORM_INF))));
     }
 
-    void furtherPressesAreFoundUnderTheModelOfTheFirst()
+    void furtherPressesAreFoundWithTheModelOfTheFirst()
     {
         const auto first = tests::simulatedPresses(10);
         auto further = tests::simulatedPresses(13);
@@ -103,14 +102,14 @@ private Q_SLOTS:
     void tooFewPressesAreRefused()
     {
         const auto refusal = refusalOf([] { locate(tests::simulatedPresses(4).presses); });
-        QVERIFY2(refusal.contains("only 4 presses") && refusal.contains("5 at least"), qPrintable(refusal));
+        QVERIFY2(refusal.contains("only 4 presses") && refusal.contains("at least 5"), qPrintable(refusal));
     }
 
     void swappedChannelsAreNamed()
     {
         auto made = tests::simulatedPresses(6);
         cv::Mat other(made.presses.background.size(), CV_8UC3,
-                      cv::Scalar(60, 0, 0));  // a sensor whose red and blue are far apart
+                      cv::Scalar(60, 0, 0));  // A sensor whose red and blue differ strongly.
         made.presses.background += other;
         for (auto& press : made.presses.presses) press.frame += other;
         cv::cvtColor(made.presses.background, made.presses.background, cv::COLOR_RGB2BGR);
@@ -133,19 +132,19 @@ private Q_SLOTS:
         for (auto& value : cv::Mat_<cv::Vec3b>(made.presses.presses[4].frame = made.presses.background.clone()))
             for (int c = 0; c < 3; ++c) value[c] = cv::saturate_cast<uchar>(value[c] + 2 * random.normal());
         const auto refusal = refusalOf([&] { locate(made.presses); });
-        QVERIFY2(refusal.contains("no ball is seen in press_4.png"), qPrintable(refusal));
+        QVERIFY2(refusal.contains("no ball was found in press_4.png"), qPrintable(refusal));
     }
 
     void aBallThatCannotBeInTheFrameIsRefused()
     {
         auto made = tests::simulatedPresses(6);
         made.presses.mmPerPixel = 0.001;
-        QVERIFY(refusalOf([&] { locate(made.presses); }).contains("pixels radius"));
+        QVERIFY(refusalOf([&] { locate(made.presses); }).contains("a radius of"));
         made.presses.mmPerPixel = 0;
-        QVERIFY(refusalOf([&] { locate(made.presses); }).contains("not a length"));
+        QVERIFY(refusalOf([&] { locate(made.presses); }).contains("not a positive length"));
     }
 
-    void contactIsSeenInTheFrameItself()
+    void contactIsFoundInTheFrameItself()
     {
         const auto made = tests::simulatedPresses(12);
         const auto located = locate(made.presses);
@@ -167,11 +166,11 @@ private Q_SLOTS:
         QCOMPARE(cv::norm(height, cv::NORM_INF, contact == 0), 0.0);
     }
 
-    /// Kept here so that a change of the method is seen; `vis2hap bench signals --data` prints the figures.
-    void realPressesAreReadAsWellAsReported()
+    /// Freezes the accuracy, so that a change of the method is noticed; `vis2hap bench signals --data` prints these figures.
+    void realPressesKeepTheReportedAccuracy()
     {
         const auto folder = sharedData("taxim_gelsight");
-        if (!std::filesystem::exists(folder)) QSKIP("the shared ball presses are not there");
+        if (!std::filesystem::exists(folder)) QSKIP("the shared ball presses do not exist");
         const auto presses = rendering::readBallPresses(folder, 2.0, 0.1245);
         const auto located = locate(presses);
         const auto score = crossValidated(presses, located.circles, MapQuality::Balanced);

@@ -1,4 +1,4 @@
-// The strongest wave of made-up and of real pictures.
+// The strongest wave of synthetic and of real pictures.
 #include "rendering/signals/dominant_wave.h"
 
 #include <QTest>

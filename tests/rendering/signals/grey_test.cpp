@@ -39,7 +39,7 @@ private Q_SLOTS:
         QCOMPARE(cv::norm(grey(image), cv::Mat((cv::Mat_<float>(1, 3) << 0, 300, 65535))), 0.0);
     }
 
-    void refusesWhatIsNoColourImage()
+    void refusesOtherThanOneOrThreeChannels()
     {
         QVERIFY(refusalOf([] { grey(cv::Mat()); }).contains("0 pixels"));
         QVERIFY(refusalOf([] { grey(cv::Mat::zeros(2, 2, CV_8UC2)); }).contains("2 channels"));

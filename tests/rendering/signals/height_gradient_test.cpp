@@ -11,7 +11,7 @@ using namespace rendering::signals;
 
 namespace {
 
-/// Slopes 0.03 along x and 0.04 along y: 0.05 in all.
+/// Slopes 0.03 along x and 0.04 along y, so 0.05 in total.
 cv::Mat plane(int rows, int columns, double pitch, double steepness = 1)
 {
     cv::Mat height(rows, columns, CV_64FC1);

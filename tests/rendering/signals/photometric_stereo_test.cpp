@@ -16,7 +16,7 @@ namespace {
 
 constexpr double pitchMm = 0.05;
 
-/// A sensor whose red sees slopes along x, green slopes along y, blue nothing.
+/// A sensor whose red measures slopes along x and green slopes along y; blue measures nothing.
 Calibration plainSensor()
 {
     Calibration calibration;
@@ -41,7 +41,7 @@ cv::Mat bumps(int rows, int columns)
     return height;
 }
 
-/// What plainSensor sees of the bumps: slopes by the formula's own derivative.
+/// Frame of plainSensor on the bumps; the slopes are the derivative of the formula.
 cv::Mat frameOfBumps(int rows, int columns)
 {
     cv::Mat frame(rows, columns, CV_8UC3);
@@ -84,7 +84,7 @@ private Q_SLOTS:
             heightFromFrame(frame, reference, plainSensor(), fast ? IntegrationQuality::Fast : IntegrationQuality::Full);
         QCOMPARE(height.type(), CV_32FC1);
         const cv::Mat known = bumps(rows, columns);
-        // Rounding to 8 bits and the mean of neighbouring slopes: 2 um of the 100.
+        // Rounding to 8 bits and the mean of neighbouring slopes cause 2 um of error in a height of 100 um.
         QVERIFY(cv::norm(height, known, cv::NORM_L2) / std::sqrt(static_cast<double>(known.total())) < 0.003);
         QVERIFY(cv::norm(height, known, cv::NORM_INF) < 0.012);
     }
@@ -132,7 +132,7 @@ private Q_SLOTS:
         const cv::Mat frame = rendering::fabrics::tactileFrame(known, random);
         const cv::Mat found = heightFromFrame(frame, rendering::fabrics::tactileReference(), calibration);
         const Pitch pitch{calibration.mmPerPixel, calibration.mmPerPixel};
-        const cv::Mat truth = settled(known, pitch, calibration.highPassCutoffMm, calibration.zeroPercentile);
+        const cv::Mat truth = zeroedRelief(known, pitch, calibration.highPassCutoffMm, calibration.zeroPercentile);
         cv::Scalar mean, sd;
         cv::meanStdDev(truth, mean, sd);
         const double error = cv::norm(found, truth) / std::sqrt(static_cast<double>(truth.total()));
@@ -200,7 +200,7 @@ private Q_SLOTS:
 
     void normalMapsBecomeSlopes()
     {
-        // A plane that rises by 0.3 to the right and by 0.2 downwards: normal (-0.3, 0.2 up, 1), normalised.
+        // A plane that rises by 0.3 to the right and by 0.2 downwards has the normal (-0.3, 0.2 up, 1) before normalisation.
         const double length = std::sqrt(1 + 0.09 + 0.04);
         const auto stored = [&](double n) { return static_cast<unsigned short>(std::lround(65535 * (n / length + 1) / 2)); };
         cv::Mat normals(6, 8, CV_16UC3, cv::Scalar(stored(-0.3), stored(0.2), stored(1)));
@@ -208,10 +208,10 @@ private Q_SLOTS:
         const auto slopes = slopesFromNormals(normals);
         QVERIFY(std::abs(slopes.x.at<float>(0, 0) - 0.3) < 1e-3);
         QVERIFY(std::abs(slopes.y.at<float>(0, 0) - 0.2) < 1e-3);
-        QVERIFY2(std::isnan(slopes.x.at<float>(2, 3)), "a normal that faces away is missing");
+        QVERIFY2(std::isnan(slopes.x.at<float>(2, 3)), "a normal that faces away must give NaN");
         const cv::Mat height = integrateAround(slopes, {}, {0.1, 0.1});
         QVERIFY(std::abs(height.at<double>(5, 7) - height.at<double>(0, 0) - 0.1 * (0.3 * 7 + 0.2 * 5)) < 1e-3);
-        QVERIFY(refusalOf([] { slopesFromNormals(cv::Mat(4, 4, CV_8UC1, cv::Scalar(1))); }).contains("no normal map"));
+        QVERIFY(refusalOf([] { slopesFromNormals(cv::Mat(4, 4, CV_8UC1, cv::Scalar(1))); }).contains("not a normal map"));
     }
 
     void extremeFramesHaveADefinedHeight_data()

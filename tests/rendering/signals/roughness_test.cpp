@@ -1,4 +1,4 @@
-// Roughness of surfaces whose values follow from their formula.
+// Roughness of surfaces with known values from their formula.
 #include "rendering/signals/roughness.h"
 
 #include <QTest>
@@ -31,8 +31,8 @@ class RoughnessTest : public QObject {
 private Q_SLOTS:
     void waveHasTheValuesOfItsFormula()
     {
-        // 0.1 cos(k x): Sq 0.1 / sqrt 2; along x the autocorrelation is cos(k x) and falls to 0.2 at acos(0.2) / k; Sdr is the
-        // mean of sqrt(1 + slope^2) - 1, by Simpson's rule over one wave: 0.0584.
+        // For 0.1 cos(k x), Sq is 0.1 / sqrt 2. Along x the autocorrelation is cos(k x), which falls to 0.2 at acos(0.2) / k.
+        // Sdr is the mean of sqrt(1 + slope^2) - 1 over one wave: 0.0584 by Simpson's rule.
         const Pitch pitch{0.02, 0.05};
         const double k = 2 * std::numbers::pi / 1.28;
         cv::Mat wave(100, 640, CV_64FC1);
@@ -49,7 +49,7 @@ private Q_SLOTS:
 
     void coarserGrainHasTheLongerAutocorrelation()
     {
-        // White noise through a Gaussian of s pixels: exp(-d^2 / 4 s^2) falls to 0.2 at 2 s sqrt(ln 5).
+        // White noise through a Gaussian of s pixels has the autocorrelation exp(-d^2 / 4 s^2), 0.2 at 2 s sqrt(ln 5).
         double before = 0;
         for (const double sigma : {1.5, 3.0, 6.0}) {
             const double length = autocorrelationLengthMm(noise(400, 500, sigma), {1, 1});
@@ -81,8 +81,8 @@ private Q_SLOTS:
         }
         cv::Mat broken = cv::Mat::zeros(4, 4, CV_32FC1);
         broken.at<float>(1, 1) = std::numeric_limits<float>::quiet_NaN();
-        QVERIFY(refusalOf([&] { roughnessOf(broken, {}); }).contains("no height map"));
-        QVERIFY(refusalOf([&] { roughnessOf({}, {}); }).contains("no height map"));
+        QVERIFY(refusalOf([&] { roughnessOf(broken, {}); }).contains("not finite"));
+        QVERIFY(refusalOf([&] { roughnessOf({}, {}); }).contains("empty"));
     }
 };
 

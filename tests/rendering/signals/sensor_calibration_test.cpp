@@ -1,5 +1,5 @@
-// A calibration file says all that reading a frame needs, and is refused by its field where it does not; a map fitted to known
-// slopes reads them again; a sensor of several lamps is calibrated on a surface of known height.
+// A calibration file holds everything that a frame needs and is refused by field where it does not. A map fitted to known
+// slopes reproduces them. A sensor of several lamps is calibrated on a surface of known height.
 #include <QTest>
 #include <cmath>
 #include <numbers>
@@ -15,7 +15,7 @@ using namespace rendering::signals;
 
 namespace {
 
-/// Slopes drawn at random places, and the light that a bent response gives them.
+/// Slopes at random places, and their light under a slightly nonlinear response.
 SlopeSamples drawnSamples(int count, double bend, double noise)
 {
     protocols::Random random(11);
@@ -31,7 +31,7 @@ SlopeSamples drawnSamples(int count, double bend, double noise)
     return samples;
 }
 
-/// The samples as one frame 50 wide, whose pixels lie at the samples' places.
+/// The samples as one frame of width 50, whose pixels lie at the places of the samples.
 cv::Mat frameOf(const SlopeSamples& samples)
 {
     return cv::Mat(static_cast<int>(samples.size()) / 50, 50, CV_32FC3, const_cast<float*>(samples.light.data())).clone();
@@ -55,7 +55,7 @@ Calibration with(SlopeMap map)
     calibration.map = std::move(map);
     calibration.mmPerPixel = 0.1;
     calibration.highPassCutoffMm = 3;
-    calibration.sensor = SensorLook{160, 120, std::vector<double>(36, 0.5)};
+    calibration.sensor = SensorAppearance{160, 120, std::vector<double>(36, 0.5)};
     return calibration;
 }
 
@@ -157,19 +157,19 @@ private Q_SLOTS:
         QVERIFY2(refusal.contains(named) && refusal.contains("sensor.json"), qPrintable(refusal));
     }
 
-    void anotherSensorIsSeenByItsColours()
+    void anotherSensorIsRecognisedByItsColours()
     {
         cv::Mat frame(120, 160, CV_8UC3, cv::Scalar(180, 100, 60)), swapped(120, 160, CV_8UC3, cv::Scalar(60, 100, 180));
-        const auto known = lookOf(frame);
-        QVERIFY(!differenceOf(known, lookOf(frame + cv::Scalar::all(3))).has_value());
-        QVERIFY(differenceOf(known, lookOf(swapped)).value().find("swapped") != std::string::npos);
-        QVERIFY(differenceOf(known, lookOf(frame * 0.6)).value().find("another sensor") != std::string::npos);
-        QVERIFY(differenceOf(known, lookOf(frame(cv::Rect(0, 0, 80, 60)))).value().find("80 x 60") != std::string::npos);
+        const auto known = appearanceOf(frame);
+        QVERIFY(!differenceOf(known, appearanceOf(frame + cv::Scalar::all(3))).has_value());
+        QVERIFY(differenceOf(known, appearanceOf(swapped)).value().find("swapped") != std::string::npos);
+        QVERIFY(differenceOf(known, appearanceOf(frame * 0.6)).value().find("another sensor") != std::string::npos);
+        QVERIFY(differenceOf(known, appearanceOf(frame(cv::Rect(0, 0, 80, 60)))).value().find("80 x 60") != std::string::npos);
     }
 
     void lampsAreCalibratedOnAKnownSurface()
     {
-        // Ridges along both axes under four lamps whose light falls off over the frame; the lower half is read.
+        // Ridges along both axes under four lamps whose light decreases over the frame; the lower half is evaluated.
         constexpr int rows = 160, columns = 200;
         constexpr double pitch = 0.05;
         protocols::Random random(2);

@@ -31,7 +31,7 @@ cv::Mat randomRelief(int rows, int columns)
     return relief;
 }
 
-/// A matt surface in a distant light, with camera noise.
+/// A matt surface in distant light, with camera noise.
 cv::Mat lambertian(const cv::Mat& relief, double azimuthDeg, double slantDeg)
 {
     const double a = azimuthDeg * std::numbers::pi / 180, s = slantDeg * std::numbers::pi / 180;
@@ -60,7 +60,7 @@ double correlation(const cv::Mat& a, const cv::Mat& b)
     return x.dot(y) / (cv::norm(x) * cv::norm(y));
 }
 
-/// Between Gaussians of 1.5 and 40 pixels.
+/// Band between Gaussians of 1.5 and 40 pixels.
 cv::Mat inBand(const cv::Mat& image)
 {
     cv::Mat values, fine, coarse;
@@ -101,25 +101,25 @@ private Q_SLOTS:
 
     void heightIsInPixels()
     {
-        // One wave of 16 pixels, 0.5 pixels high, lit along it at 45 degrees: amplitude back within 15 %.
+        // One wave of 16 pixels and 0.5 pixels height, lit along it at 45 degrees: the amplitude is correct within 15 %.
         cv::Mat relief(128, 128, CV_64FC1);
         for (int i = 0; i < 128; ++i)
             for (int j = 0; j < 128; ++j) relief.at<double>(i, j) = 0.25 * std::cos(2 * std::numbers::pi * j / 16);
         const cv::Mat found = shapeFromShading(lambertian(relief, 180, 45), {.lightAzimuthDeg = 180.0});
-        cv::Mat inner;  // the mean of the rows, without the streaks that noise leaves along the light
+        cv::Mat inner;  // Mean of the rows, without the streaks that noise leaves along the light.
         cv::reduce(found(cv::Rect(32, 32, 64, 64)), inner, 0, cv::REDUCE_AVG);
         double low = 0, high = 0;
         cv::minMaxLoc(inner, &low, &high);
         QVERIFY2(std::abs((high - low) - 0.5) < 0.1, qPrintable(QString::number(high - low)));
     }
 
-    void levelLightIsTakenFromTheLeft()
+    void horizontalLightIsAssumedFromTheLeft()
     {
         const auto light = estimateLight(lambertian(randomRelief(160, 160), 180, 45));
         QVERIFY2(std::abs(light.azimuthDeg - 180) < 10, qPrintable(QString::number(light.azimuthDeg)));
     }
 
-    void unevenLightIsNoRelief()
+    void unevenLightGivesNoRelief()
     {
         cv::Mat photograph = lambertian(randomRelief(200, 200), 90, 45), even = photograph.clone();
         for (int i = 0; i < 200; ++i)
@@ -158,7 +158,7 @@ private Q_SLOTS:
         QTest::newRow("lit across, other image") << "image03.png" << 0.75;
         QTest::newRow("lit from the other side") << "image05.png" << 0.75;
         QTest::newRow("lit from the other side, other image") << "image06.png" << 0.75;
-        // Along the groove its walls tell little of the slope, and hide the light's axis.
+        // Light along the groove reveals little of the slope of its walls and makes the light's axis ambiguous.
         QTest::newRow("lit along the groove") << "image01.png" << 0.65;
         QTest::newRow("lit along the groove, from the other end") << "image04.png" << 0.6;
     }
@@ -167,7 +167,7 @@ private Q_SLOTS:
         QFETCH(QString, file);
         QFETCH(double, atLeast);
         const auto scan = sharedData("gsmatlab_groove");
-        if (!std::filesystem::exists(scan)) QSKIP("the shared groove scan is not there");
+        if (!std::filesystem::exists(scan)) QSKIP("the shared groove scan does not exist");
         const auto map = rendering::readTrueMap(scan / "heightmap.tmd");
         const cv::Mat photograph = rendering::readPng(scan / file.toStdString());
         QCOMPARE(photograph.size(), map.heightMm.size());
@@ -177,7 +177,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(r) >= atLeast);
     }
 
-    void bumpsOfThePapersReferenceSeeTheSameRelief()
+    void bumpsOfThePapersReferenceGiveTheSameRelief()
     {
         const cv::Mat relief = randomRelief(120, 141), photograph = lambertian(relief, 60, 45);
         ShadingOptions options;
@@ -189,7 +189,7 @@ private Q_SLOTS:
         cv::Scalar mean, spread, known;
         cv::meanStdDev(found, mean, spread);
         cv::meanStdDev(relief, cv::noArray(), known);
-        QVERIFY2(std::abs(spread[0] / known[0] - 1) < 0.6, "a slant of 45 degrees is what they assume: heights are in pixels");
+        QVERIFY2(std::abs(spread[0] / known[0] - 1) < 0.6, "the method assumes a slant of 45 degrees, so heights are in pixels");
         QVERIFY(std::abs(mean[0]) < 1e-4);
     }
 
@@ -204,7 +204,7 @@ private Q_SLOTS:
         }
     }
 
-    void dyedPatternsAreTold()
+    void dyedPatternsAreRecognised()
     {
         const cv::Mat photograph = lambertian(randomRelief(120, 120), 60, 45);
         cv::Mat grey = photograph, dyed;
@@ -220,7 +220,7 @@ private Q_SLOTS:
         QVERIFY(std::isfinite(colourVariation(cv::Mat(1, 1, CV_8UC3, cv::Scalar::all(0)))));
     }
 
-    void nothingIsRefused()
+    void anEmptyPhotographIsRefused()
     {
         QVERIFY(!refusalOf([] { shapeFromShading(cv::Mat()); }).isEmpty());
     }

@@ -36,7 +36,7 @@ std::string textOf(const fs::path& file)
 class SpectrogramFileTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void aSavedSpectrogramIsUndoneFromItsFileAlone()
+    void aSavedSpectrogramIsInvertedFromItsFileAlone()
     {
         const auto trace = someTrace();
         const SpectrogramParameters parameters{48, 12, 64, 250};
@@ -68,7 +68,7 @@ private Q_SLOTS:
         QTest::addColumn<QString>("said");
         QTest::newRow("another schema") << "spectrogram/1"
                                         << "velvet/1"
-                                        << "is no spectrogram";
+                                        << "is not a spectrogram";
         QTest::newRow("no JSON") << "{"
                                  << ""
                                  << "malformed JSON";
@@ -77,7 +77,7 @@ private Q_SLOTS:
                                       << "simple";
         QTest::newRow("hop of another spectrogram") << "\"hop\": 16"
                                                     << "\"hop\": 8"
-                                                    << "as its parameters say";
+                                                    << "by its parameters";
         QTest::newRow("hop beyond the window") << "\"hop\": 16"
                                                << "\"hop\": 90"
                                                << "hop";
@@ -89,7 +89,7 @@ private Q_SLOTS:
                                                    << "fft_size";
         QTest::newRow("trace of 1") << "\"trace_length\": 301"
                                     << "\"trace_length\": 1"
-                                    << "as its parameters say";
+                                    << "by its parameters";
         QTest::newRow("no mean") << "\"mean\""
                                  << "\"means\""
                                  << "mean";
@@ -107,7 +107,7 @@ private Q_SLOTS:
         QVERIFY2(refusal.contains(said), qPrintable(refusal));
     }
 
-    void valuesThatAreNoSpectrogramAreRefused()
+    void valuesThatAreNotASpectrogramAreRefused()
     {
         writeSpectrogram(file(), magnitude(stft(someTrace())));
         auto values = rendering::readNpy(values_());
@@ -117,9 +117,9 @@ private Q_SLOTS:
         values.at<double>(1, 1) = std::nan("");
         rendering::writeNpy(values_(), values);
         QVERIFY(refusalOf([&] { readSpectrogram(file()); }).contains("not finite"));
-        values.at<double>(1, 1) = 1e308;  // found by reader_fuzz_test: the trace was no number
+        values.at<double>(1, 1) = 1e308;  // Found by reader_fuzz_test: the inverted trace was not finite.
         rendering::writeNpy(values_(), values);
-        QVERIFY(refusalOf([&] { readSpectrogram(file()); }).contains("beyond"));
+        QVERIFY(refusalOf([&] { readSpectrogram(file()); }).contains("exceed"));
         fs::remove(values_());
         QVERIFY(!refusalOf([&] { readSpectrogram(file()); }).isEmpty());
         QVERIFY(!refusalOf([&] { readSpectrogram(file().string() + "x"); }).isEmpty());

@@ -15,7 +15,7 @@ using namespace rendering::signals;
 
 namespace {
 
-/// Friction like a fabric's: a mean, a yarn's rhythm, a slow drift, noise.
+/// Friction like that of a fabric: a mean, the period of the yarns, a slow drift, and noise.
 std::vector<double> fabricTrace(int length, double mean = 0.55)
 {
     protocols::Random random(11);
@@ -84,7 +84,7 @@ private Q_SLOTS:
     {
         const auto trace = fabricTrace(90);
         const auto spectrogram = stft(trace);
-        const auto at = [&](int place) {  // mirrored about the end samples
+        const auto at = [&](int place) {  // Mirrored about the end samples.
             place = std::abs(place);
             return trace[static_cast<std::size_t>(place < 90 ? place : 178 - place)];
         };
@@ -120,7 +120,7 @@ private Q_SLOTS:
         QFETCH(double, mean);
         const auto trace = fabricTrace(480, mean);
         auto spectrogram = magnitude(stft(trace));
-        // A generator without a mean of its own has only the row of frequency 0.
+        // A generator without its own mean only has the row of frequency 0.
         spectrogram.mean = meanFromMagnitude(spectrogram.values, spectrogram.parameters);
         const auto inversion = griffinLim(spectrogram);
         QVERIFY(std::abs(meanOf(inversion.trace) / meanOf(trace) - 1) <= 0.001);
@@ -150,14 +150,14 @@ private Q_SLOTS:
         QVERIFY(accurate < 0.1);
     }
 
-    void convergenceIsShownIterationByIteration()
+    void convergenceIsReportedIterationByIteration()
     {
         const auto inversion = griffinLim(magnitude(stft(fabricTrace(480))), GriffinLimOptions::of(InversionQuality::Accurate));
         const auto& course = inversion.convergence;
         QCOMPARE(course.size(), std::size_t(200));
         QVERIFY(course.front() > 3 * course.back());
         QVERIFY(course[20] < course[0] && course[199] < course[20]);
-        // The last one shown is of the trace before the last iteration: near the final figure.
+        // The last entry belongs to the trace before the last iteration, so it is close to the final figure.
         QVERIFY(std::abs(course.back() - inversion.spectralConvergence) < 0.02);
         const std::vector<double> flat(480, 0.4);
         for (const double value : griffinLim(magnitude(stft(flat))).convergence) QVERIFY(std::isfinite(value));
@@ -166,7 +166,7 @@ private Q_SLOTS:
     void aMeanIsNotReadWhereWindowsDoNotAddUp()
     {
         const auto trace = fabricTrace(480);
-        const SpectrogramParameters odd{64, 27, 64, 60};  // can be undone, but weighs samples unevenly
+        const SpectrogramParameters odd{64, 27, 64, 60};  // Invertible, but with uneven weights of the samples.
         const auto spectrogram = magnitude(stft(trace, odd));
         QVERIFY(refusalOf([&] { meanFromMagnitude(spectrogram.values, odd); }).contains("do not add up"));
         QVERIFY(refusalOf([] { requireConstantOverlap({64, 48, 64, 60}); }).contains("48"));
@@ -212,17 +212,17 @@ private Q_SLOTS:
         QVERIFY(largestDifference(griffinLim(spectrogram, {.iterations = 4}).trace, inDouble) < 1e-3);
     }
 
-    void whatCannotBeUndoneIsRefused_data()
+    void whatCannotBeInvertedIsRefused_data()
     {
         QTest::addColumn<int>("window");
         QTest::addColumn<int>("hop");
         QTest::addColumn<int>("fft");
-        QTest::newRow("hop as long as the window: its ends weigh nothing") << 64 << 64 << 64;
+        QTest::newRow("hop as long as the window, whose ends have weight 0") << 64 << 64 << 64;
         QTest::newRow("hop beyond the window") << 64 << 80 << 64;
         QTest::newRow("window beyond the transform") << 64 << 16 << 32;
         QTest::newRow("hop of 0") << 64 << 0 << 64;
     }
-    void whatCannotBeUndoneIsRefused()
+    void whatCannotBeInvertedIsRefused()
     {
         QFETCH(int, window);
         QFETCH(int, hop);
@@ -247,7 +247,7 @@ private Q_SLOTS:
     void evenRecordIsTakenAsItIs()
     {
         auto record = recordOf({}, fabricTrace(480));
-        for (int i = 0; i < 480; ++i) record.timeS.push_back(std::round(i / 60.0 * 1000) / 1000);  // stamps in whole milliseconds
+        for (int i = 0; i < 480; ++i) record.timeS.push_back(std::round(i / 60.0 * 1000) / 1000);  // Whole milliseconds.
         const auto trace = frictionTrace(record, "000.csv");
         QCOMPARE(trace.values, record.values);
         QCOMPARE(trace.mmPerSample, 5.0 / 60);
@@ -256,7 +256,7 @@ private Q_SLOTS:
 
     void unevenTimesAreMadeEven()
     {
-        // A straight rise, sampled at uneven times near 36 Hz, below the 60 of the data set.
+        // A straight line, sampled at uneven times near 36 Hz, below the 60 Hz of the data set.
         std::vector<double> times, values;
         protocols::Random random(5);
         for (double t = 3; t < 8; t += 0.02 + 0.016 * random.uniform()) {
@@ -270,9 +270,9 @@ private Q_SLOTS:
         QVERIFY(std::abs(trace.mmPerSample * trace.sampleRateHz - 5) < 1e-12);
     }
 
-    void denserRecordIsAveragedNotThinned()
+    void denserRecordIsAveraged()
     {
-        // 600 Hz with a tone at 180 Hz: thinned to 60 Hz it would fold onto the mean and stay.
+        // 600 Hz with a tone at 180 Hz: without averaging, 60 Hz would alias the tone to a constant.
         std::vector<double> times, values;
         for (int i = 0; i < 3000; ++i) {
             times.push_back(i / 600.0);
@@ -293,7 +293,7 @@ private Q_SLOTS:
         QTest::newRow("NaN") << "nan"
                              << "sample 8";
         QTest::newRow("time runs back") << "back"
-                                        << "do not rise";
+                                        << "do not increase";
         QTest::newRow("no rate") << "rate"
                                  << "sample rate";
     }

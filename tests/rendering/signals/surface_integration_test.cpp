@@ -1,4 +1,4 @@
-// Surfaces whose slopes are known by formula, among them odd sizes, single rows and columns.
+// Surfaces with slopes from a formula, including odd sizes, single rows and single columns.
 #include "rendering/signals/surface_integration.h"
 
 #include <QTest>
@@ -43,7 +43,7 @@ cv::Mat centred(const cv::Mat& values)
     return result - cv::mean(result)[0];
 }
 
-/// Rise to the right and lower neighbour; the last column and row, which have none, hold nonsense.
+/// Rises to the right and lower neighbours; the last column and row have none and hold arbitrary values.
 Slopes forwardSlopes(const cv::Mat& height, const Pitch& pitch)
 {
     Slopes slopes{cv::Mat(height.size(), CV_64FC1, 1e3), cv::Mat(height.size(), CV_64FC1, -1e3)};
@@ -71,16 +71,16 @@ cv::Mat gradientAlongX(const cv::Mat& height, double pitch)
 
 const Pitch surfacePitch{0.05, 0.05};
 
-struct KnownSurface {
+struct FormulaSurface {
     cv::Mat heightMm;
     Slopes slopes;
 };
 
-/// 240 x 320 heights and their exact slopes at the pixels' centres; `at(x, y)` gives height, dh/dx and dh/dy at mm.
+/// 240 x 320 heights and their exact slopes at the centres of the pixels; `at(x, y)` gives height, dh/dx and dh/dy at mm.
 template <class At>
-KnownSurface surfaceFrom(At at)
+FormulaSurface surfaceFrom(At at)
 {
-    KnownSurface known{cv::Mat(240, 320, CV_64FC1), {cv::Mat(240, 320, CV_64FC1), cv::Mat(240, 320, CV_64FC1)}};
+    FormulaSurface known{cv::Mat(240, 320, CV_64FC1), {cv::Mat(240, 320, CV_64FC1), cv::Mat(240, 320, CV_64FC1)}};
     for (int i = 0; i < 240; ++i)
         for (int j = 0; j < 320; ++j)
             std::tie(known.heightMm.at<double>(i, j), known.slopes.x.at<double>(i, j), known.slopes.y.at<double>(i, j)) =
@@ -88,12 +88,12 @@ KnownSurface surfaceFrom(At at)
     return known;
 }
 
-KnownSurface tiltedPlane()
+FormulaSurface tiltedPlane()
 {
     return surfaceFrom([](double x, double y) { return std::tuple{0.3 * x - 0.2 * y, 0.3, -0.2}; });
 }
 
-KnownSurface weave(double pixels)
+FormulaSurface weave(double pixels)
 {
     const double w = 2 * std::numbers::pi / (pixels * surfacePitch.x);
     return surfaceFrom([w](double x, double y) {
@@ -103,8 +103,8 @@ KnownSurface weave(double pixels)
     });
 }
 
-/// The part of a ball that stands out of a plane.
-KnownSurface ballCap(double radiusMm, double heightMm)
+/// Part of a ball that stands out of a plane.
+FormulaSurface ballCap(double radiusMm, double heightMm)
 {
     return surfaceFrom([=](double x, double y) {
         const double dx = x - 8.01, dy = y - 5.98, below = radiusMm - heightMm, square = radiusMm * radiusMm - dx * dx - dy * dy;
@@ -114,8 +114,8 @@ KnownSurface ballCap(double radiusMm, double heightMm)
     });
 }
 
-/// RMS difference about the means, in percent of the true surface's range.
-double percentOfRangeOff(const cv::Mat& found, const cv::Mat& known)
+/// RMS difference after subtraction of the means, in percent of the range of the true surface.
+double errorInPercentOfRange(const cv::Mat& found, const cv::Mat& known)
 {
     double low = 0, high = 0;
     cv::minMaxLoc(known, &low, &high);
@@ -144,7 +144,7 @@ void addSizes()
 
 }  // namespace
 
-Q_DECLARE_METATYPE(KnownSurface)
+Q_DECLARE_METATYPE(FormulaSurface)
 
 class SurfaceIntegrationTest : public QObject {
     Q_OBJECT
@@ -210,21 +210,21 @@ private Q_SLOTS:
 
     void pointSlopesComeBackWithinATenthOfAPercent_data()
     {
-        QTest::addColumn<KnownSurface>("surface");
+        QTest::addColumn<FormulaSurface>("surface");
         QTest::addColumn<double>("percentOfRange");
         QTest::newRow("tilted plane") << tiltedPlane() << 1e-9;
         QTest::newRow("weave of 6 pixels") << weave(6) << 0.15;
         QTest::newRow("weave of 12 pixels") << weave(12) << 0.005;
-        // Where the slope jumps between two pixels, no rule knows where: 35 pixels of radius, 0.3 mm high.
+        // No rule knows the place where the slope jumps between two pixels: radius 35 pixels, height 0.3 mm.
         QTest::newRow("ball cap") << ballCap(5, 0.3) << 0.1;
     }
     void pointSlopesComeBackWithinATenthOfAPercent()
     {
-        QFETCH(KnownSurface, surface);
+        QFETCH(FormulaSurface, surface);
         QFETCH(double, percentOfRange);
         for (const auto quality : {IntegrationQuality::Full, IntegrationQuality::Fast}) {
             const cv::Mat found = integrate(surface.slopes, surfacePitch, SlopeKind::Point, quality);
-            const double error = percentOfRangeOff(found, surface.heightMm);
+            const double error = errorInPercentOfRange(found, surface.heightMm);
             qInfo("%.4f %% of the range", error);
             QVERIFY(error <= std::max(percentOfRange, quality == IntegrationQuality::Full ? 0.0 : 1e-3));
         }
@@ -238,14 +238,14 @@ private Q_SLOTS:
         QTest::newRow("StepHeight") << "StepHeight.tmd" << 2.11;
         QTest::newRow("paper") << "paper.tmd" << 12.4;
     }
-    /// Said to be what they are they come back to rounding; taken for point slopes they are off as printed by a
-    /// second implementation (numpy, scipy.fft.dctn and quadrature of sixth order).
+    /// Declared as central differences, the map is recovered to rounding. Taken for point slopes, its error is the one that a
+    /// second implementation prints (numpy, scipy.fft.dctn and quadrature of sixth order).
     void realMapComesBackFromCentralDifferences()
     {
         QFETCH(QString, file);
         QFETCH(double, asPointSlopes);
         const auto path = sharedData("truemap_heightmaps") / file.toStdString();
-        if (!std::filesystem::exists(path)) QSKIP("the shared height maps are not there");
+        if (!std::filesystem::exists(path)) QSKIP("the shared height maps do not exist");
         const auto map = readTrueMap(path);
         cv::Mat height;
         map.heightMm.convertTo(height, CV_64F);
@@ -292,7 +292,7 @@ private Q_SLOTS:
         }
     }
 
-    void tiltIsTakenOutByThePlacesOutside()
+    void tiltIsRemovedByThePlacesOutside()
     {
         cv::Mat height(20, 30, CV_64FC1), outside(20, 30, CV_8UC1, cv::Scalar(255));
         for (int i = 0; i < 20; ++i)
@@ -303,7 +303,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(level.at<double>(7, 12) - 1) < 1e-12);
         QVERIFY(std::abs(level.at<double>(19, 0)) < 1e-12);
         QVERIFY(largestDifference(withoutTilt(height.row(0), {}), cv::Mat::zeros(1, 30, CV_64FC1)) < 1e-12);
-        QVERIFY(refusalOf([&] { withoutTilt(height, cv::Mat::zeros(20, 30, CV_8UC1)); }).contains("no place"));
+        QVERIFY(refusalOf([&] { withoutTilt(height, cv::Mat::zeros(20, 30, CV_8UC1)); }).contains("too few places"));
     }
 
     void weaveOnABulgeComesBackAtTheStatedCutOff()
@@ -332,10 +332,10 @@ private Q_SLOTS:
         QFETCH(double, mm);
         const auto known = weave(12);
         const Slopes slopes{known.slopes.x * mm, known.slopes.y * mm};
-        QVERIFY(percentOfRangeOff(integrate(slopes, surfacePitch), known.heightMm * mm) < 0.005);
+        QVERIFY(errorInPercentOfRange(integrate(slopes, surfacePitch), known.heightMm * mm) < 0.005);
     }
 
-    void noiseIsNoSurface()
+    void noiseHasALargeCurlResidual()
     {
         const Slopes noise{randomImage(40, 50), randomImage(50, 40).t()};
         const auto residual = [](const Slopes& slopes, const Pitch& pitch) {
@@ -361,7 +361,7 @@ private Q_SLOTS:
         QVERIFY(largestDifference(withoutLowFrequency(wave, pitch, 10 * wavelength), wave) < 1e-12);
     }
 
-    void refusesSlopesThatAreNone()
+    void unusableSlopesAreRefused()
     {
         const cv::Mat even = cv::Mat::zeros(4, 4, CV_32FC1);
         cv::Mat broken = even.clone();

@@ -8,7 +8,7 @@
 
 #include "protocols/files/sha256.h"
 #include "rendering/fabrics/procedural/procedural_fabrics.h"
-#include "rendering/models/model_card.h"
+#include "rendering/models/model_card_fields.h"
 #include "study/evaluation/criteria.h"
 #include "study/evaluation/evaluation_json.h"
 #include "study/evaluation/evaluation_text.h"
@@ -19,7 +19,7 @@ using namespace fabric_files;
 using namespace rendering::fabrics;
 using namespace study::evaluation;
 using rendering::models::GeneratedSignals;
-using rendering::models::PhotographToTouch;
+using rendering::models::InputPhotograph;
 
 namespace {
 
@@ -40,9 +40,9 @@ public:
 
     Generate asFunction() const
     {
-        return [this](std::span<const PhotographToTouch> photographs, const rendering::models::GenerationOptions&) {
+        return [this](std::span<const InputPhotograph> photographs, const rendering::models::GenerationOptions&) {
             std::vector<GeneratedSignals> answers;
-            for (const PhotographToTouch& one : photographs) {
+            for (const InputPhotograph& one : photographs) {
                 const auto& [fabric, index] = m_known.at(bytesOf(one.photograph));
                 const auto trace = m_measured.trace(fabric, index);
                 answers.push_back(
@@ -58,7 +58,7 @@ private:
     std::map<std::string, std::pair<FabricId, int>> m_known;
 };
 
-std::vector<GeneratedSignals> flatAnswers(std::span<const PhotographToTouch> photographs,
+std::vector<GeneratedSignals> flatAnswers(std::span<const InputPhotograph> photographs,
                                           const rendering::models::GenerationOptions&)
 {
     return std::vector<GeneratedSignals>(

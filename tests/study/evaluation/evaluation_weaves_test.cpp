@@ -34,9 +34,9 @@ cv::Mat waves(double periodPx, double directionDeg)
 /// Brighter is higher; enlarged by `zoom` about the corner and turned by a quarter where `turned`.
 Generate madeUp(double zoom, bool turned)
 {
-    return [=](std::span<const models::PhotographToTouch> photographs, const models::GenerationOptions& options) {
+    return [=](std::span<const models::InputPhotograph> photographs, const models::GenerationOptions& options) {
         std::vector<models::GeneratedSignals> answers;
-        for (const models::PhotographToTouch& one : photographs) {
+        for (const models::InputPhotograph& one : photographs) {
             cv::Mat grey;
             cv::cvtColor(one.photograph, grey, cv::COLOR_RGB2GRAY);
             const cv::Mat move = (cv::Mat_<double>(2, 3) << zoom, 0, 0, 0, zoom, 0);

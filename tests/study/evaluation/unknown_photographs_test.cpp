@@ -8,7 +8,7 @@
 #include "protocols/files/sha256.h"
 #include "protocols/files/whole_file.h"
 #include "rendering/images/image_io.h"
-#include "rendering/models/model_card.h"
+#include "rendering/models/model_card_fields.h"
 #include "rendering/models/photograph_features.h"
 #include "tests/support/program.h"
 

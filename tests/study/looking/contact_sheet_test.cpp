@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 namespace {
 
 /// As the generators answer, without starting them; the last photograph is called unlike those trained on.
-std::vector<models::GeneratedSignals> generated(std::span<const models::PhotographToTouch> photographs,
+std::vector<models::GeneratedSignals> generated(std::span<const models::InputPhotograph> photographs,
                                                 const models::GenerationOptions&)
 {
     std::vector<models::GeneratedSignals> answers(photographs.size());

@@ -1,17 +1,17 @@
-// The friction part of dataset.h: records as CSV, whose header says what they are.
+#include "rendering/fabrics/friction_record.h"
+
 #include <cmath>
 
 #include "protocols/files/csv_table.h"
-#include "protocols/files/number_text.h"
 #include "protocols/files/errors.h"
+#include "protocols/files/number_text.h"
 #include "protocols/files/whole_file.h"
-#include "rendering/fabrics/dataset.h"
 
 namespace rendering::fabrics {
 
 namespace {
 
-constexpr double leastNormalN = 0.05;  // below it a coefficient is noise over noise
+constexpr double leastNormalN = 0.05;  // Below it the ratio of the forces is noise.
 
 std::string joined(const std::vector<std::string>& names)
 {
@@ -23,14 +23,15 @@ std::string joined(const std::vector<std::string>& names)
 protocols::Error unknownColumns(const protocols::CsvReader& reader)
 {
     return protocols::badInput({"has the columns " + joined(reader.columns()), reader.where(),
-                                "t_s,normal_n,tangential_n or t_s,mu or t_s and one named quantity", ""});
+                                "t_s,normal_n,tangential_n or t_s,mu or t_s and one named quantity", "rename the columns"});
 }
 
 void addTime(FrictionRecord& record, const protocols::CsvReader& reader, std::size_t column)
 {
     const double time = reader.number(column);
     if (!record.timeS.empty() && !(time > record.timeS.back()))
-        throw protocols::badInput({"time does not increase", reader.rowName() + ", column t_s", "rows in order of time", ""});
+        throw protocols::badInput(
+            {"time does not increase", reader.rowName() + ", column t_s", "rows in order of time", "cut or sort the record"});
     record.timeS.push_back(time);
 }
 
@@ -38,11 +39,13 @@ double coefficientIn(const protocols::CsvReader& reader, std::size_t normal, std
 {
     const double force = reader.number(normal);
     if (force <= leastNormalN)
-        throw protocols::badInput({"the normal force is " + protocols::shortest(force) + " N", reader.rowName() + ", column normal_n",
-                                   "more than 0.05 N: the probe must be in contact", "cut the record to the stroke"});
+        throw protocols::badInput({"the normal force is " + protocols::shortest(force) + " N",
+                                   reader.rowName() + ", column normal_n", "more than 0.05 N, so that the probe is in contact",
+                                   "cut the record to the stroke"});
     const double coefficient = reader.number(tangential) / force;
     if (!std::isfinite(coefficient))
-        throw protocols::badInput({"the forces have no finite ratio", reader.rowName(), "forces in N", ""});
+        throw protocols::badInput(
+            {"the forces have no finite ratio", reader.rowName(), "finite forces in N", "correct the row or remove it"});
     return coefficient;
 }
 
@@ -55,7 +58,8 @@ FrictionRecord readFriction(const Dataset& dataset, const protocols::FabricId& f
     if (!std::filesystem::exists(file))
         throw protocols::badInput(
             {"fabric " + fabric.value + " (" + info.name + ") has no friction sample " + std::to_string(index),
-             dataset.folder.string(), "", "import friction records, or choose a condition that does not need them"});
+             dataset.folder.string(), "an existing sample",
+             "import friction records, or choose a condition that does not need them"});
     const std::string bytes = protocols::readWholeFile(file);
     protocols::CsvReader reader(bytes, file.string());
     const auto time = reader.column("t_s"), normal = reader.column("normal_n"), tangential = reader.column("tangential_n");
@@ -69,7 +73,8 @@ FrictionRecord readFriction(const Dataset& dataset, const protocols::FabricId& f
         record.values.push_back(forces ? coefficientIn(reader, *normal, *tangential) : reader.number(value));
     }
     if (record.values.size() < 2)
-        throw protocols::badInput({"has " + std::to_string(record.values.size()) + " rows", reader.where(), "at least 2", ""});
+        throw protocols::badInput({"has " + std::to_string(record.values.size()) + " rows", reader.where(), "at least 2 rows",
+                                   "check that the record is complete"});
     record.sampleRateHz = double(record.timeS.size() - 1) / (record.timeS.back() - record.timeS.front());
     record.speedMmPerS = dataset.friction.speedMmPerS;
     return record;

@@ -1,4 +1,4 @@
-#include "rendering/models/networks/contest.h"
+#include "rendering/models/networks/adversarial_training.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,11 +10,11 @@ namespace rendering::models {
 
 namespace {
 
-/// The discriminator learns at half the generators' rate; at the same rate it wins at once.
-constexpr double discriminatorPace = 0.5;
+/// Learning rate of the discriminator relative to the generators'. At equal rates the discriminator wins immediately.
+constexpr double discriminatorRateShare = 0.5;
 constexpr int warmUpSteps = 50;
-/// Share of the average that each step keeps.
-constexpr double averageKeeps = 0.995;
+/// Decay of the exponential moving average: the share of the average that remains after each step.
+constexpr double averageDecay = 0.995;
 
 torch::optim::Adam adam(std::vector<torch::Tensor> parameters, double learningRate)
 {
@@ -28,7 +28,7 @@ std::vector<torch::Tensor> parametersOf(const Generators& generators)
     return all;
 }
 
-/// Parameters and running statistics, in a fixed order.
+/// Parameters and running statistics in a fixed order.
 std::vector<torch::Tensor> stateOf(const Generators& generators)
 {
     std::vector<torch::Tensor> all = parametersOf(generators);
@@ -38,10 +38,10 @@ std::vector<torch::Tensor> stateOf(const Generators& generators)
     return all;
 }
 
-/// `to` moves towards `from` by `share`; 1 copies.
-void approach(const Generators& to, const Generators& from, double share)
+/// Moves `to` towards `from` by `share` of the difference; 1 copies.
+void moveTowards(const Generators& to, const Generators& from, double share)
 {
-    const torch::NoGradGuard still;
+    const torch::NoGradGuard noGradient;
     const std::vector<torch::Tensor> targets = stateOf(to), sources = stateOf(from);
     for (std::size_t i = 0; i < targets.size(); ++i) {
         torch::Tensor target = targets[i];
@@ -83,7 +83,7 @@ DistanceScales scalesOf(const TrainingData& data)
     return {data.architecture.meanFrictionScale, data.heightRangeMm / data.architecture.heightScaleMm};
 }
 
-Contest::Contest(const TrainingData& data, const TrainingOptions& options)
+AdversarialTraining::AdversarialTraining(const TrainingData& data, const TrainingOptions& options)
     : m_data(data),
       m_options(options),
       m_weights(weightsFor(options.objective)),
@@ -92,64 +92,64 @@ Contest::Contest(const TrainingData& data, const TrainingOptions& options)
       m_best(makeGenerators(data.architecture)),
       m_discriminator(data.architecture, m_weights.adversary == Adversary::Hinge),
       m_generatorSteps(adam(parametersOf(m_generators), options.learningRate)),
-      m_discriminatorSteps(adam(m_discriminator->parameters(), options.learningRate * discriminatorPace))
+      m_discriminatorSteps(adam(m_discriminator->parameters(), options.learningRate * discriminatorRateShare))
 {
     orderChannelsLast(*m_discriminator);
-    approach(m_average, m_generators, 1);
-    approach(m_best, m_generators, 1);
+    moveTowards(m_average, m_generators, 1);
+    moveTowards(m_best, m_generators, 1);
 }
 
-Contest::Drawn Contest::drawn(int number) const
+AdversarialTraining::DrawnBatches AdversarialTraining::drawBatches(int number) const
 {
     protocols::Random random = protocols::Random::stream(m_options.seed, "step/" + std::to_string(number));
-    BatchWish pairs;
+    BatchOptions pairs;
     pairs.size = m_options.batch;
     pairs.margin = weightsFor(m_options.objective).adversary == Adversary::Hinge ? registrationMarginPx : 0;
-    BatchWish strokes = pairs;
+    BatchOptions strokes = pairs;
     strokes.heights = false;
     return {drawBatch(m_data, m_data.training, pairs, random), drawBatch(m_data, m_data.training, strokes, random)};
 }
 
-Contest::Drawn Contest::takeDrawn(int number)
+AdversarialTraining::DrawnBatches AdversarialTraining::takeBatches(int number)
 {
-    Drawn now = m_next.valid() && m_nextNumber == number ? m_next.get() : drawn(number);
+    DrawnBatches now = m_next.valid() && m_nextNumber == number ? m_next.get() : drawBatches(number);
     m_nextNumber = number + 1;
-    m_next = std::async(std::launch::async, [this, next = m_nextNumber] { return drawn(next); });
+    m_next = std::async(std::launch::async, [this, next = m_nextNumber] { return drawBatches(next); });
     return now;
 }
 
-void Contest::setRates(int number, double fraction)
+void AdversarialTraining::setRates(int number, double fraction)
 {
     const double fall = 0.02 + 0.98 * 0.5 * (1 + std::cos(std::numbers::pi * fraction));
     const double rate = m_options.learningRate * fall * std::min(1.0, (number + 1.0) / warmUpSteps);
     setRate(m_generatorSteps, rate);
-    setRate(m_discriminatorSteps, rate * discriminatorPace);
+    setRate(m_discriminatorSteps, rate * discriminatorRateShare);
 }
 
-StepLosses Contest::step(int number, double fraction)
+StepLosses AdversarialTraining::step(int number, double fraction)
 {
     setRates(number, fraction);
-    Drawn both = takeDrawn(number);
+    DrawnBatches both = takeBatches(number);
     const TensorBatch pairs = tensorsOf(std::move(both.pairs)), strokes = tensorsOf(std::move(both.strokes));
-    // G_s is cheap and its target noisy: it sees as many photographs and strokes again.
-    const FrictionGuess all = m_generators.friction->forward(torch::cat({pairs.photograph, strokes.photograph}, 0));
+    // G_s is cheap and its target is noisy, so it gets twice as many photographs and strokes.
+    const FrictionOutput all = m_generators.friction->forward(torch::cat({pairs.photograph, strokes.photograph}, 0));
     const std::int64_t size = pairs.photograph.size(0);
-    // In a reference training the spectrum is not asked for, and the summary not computed.
+    // A reference training has no loss on the spectrum, so it is not computed.
     const torch::Tensor rings = m_weights.rings > 0 ? m_generators.height->rings(pairs.photograph) : torch::Tensor();
-    const Touch generated{
+    const BatchSignals generated{
         m_generators.height->forward(pairs.photograph), rings, {all.logRatio.narrow(0, 0, size), all.mean.narrow(0, 0, size)}};
-    const Touch measured = pairs.measuredFor(generated.height);
+    const BatchSignals measured = pairs.measuredFor(generated.height);
     StepLosses losses;
     if (m_weights.adversarial > 0) losses.discriminator = stepDiscriminator(pairs.photograph, measured, generated);
 
     m_generatorSteps.zero_grad();
-    const Touch compared{generated.height, rings, all};
-    const Touch truth{measured.height,
-                      measured.rings,
-                      {torch::cat({measured.friction.logRatio, strokes.friction.logRatio}, 0),
-                       torch::cat({measured.friction.mean, strokes.friction.mean}, 0)}};
-    const torch::Tensor apart = distance(compared, truth, m_weights, scalesOf(m_data));
-    torch::Tensor sum = apart;
+    const BatchSignals compared{generated.height, rings, all};
+    const BatchSignals truth{measured.height,
+                             measured.rings,
+                             {torch::cat({measured.friction.logRatio, strokes.friction.logRatio}, 0),
+                              torch::cat({measured.friction.mean, strokes.friction.mean}, 0)}};
+    const torch::Tensor weightedDistance = distance(compared, truth, m_weights, scalesOf(m_data));
+    torch::Tensor sum = weightedDistance;
     if (m_weights.adversarial > 0) {
         requireGradients(*m_discriminator, false);
         const torch::Tensor adversarial = adversarialLoss(
@@ -160,40 +160,41 @@ StepLosses Contest::step(int number, double fraction)
     sum.backward();
     m_generatorSteps.step();
     requireGradients(*m_discriminator, true);
-    losses.distance = apart.item<double>();
-    follow(number);
+    losses.distance = weightedDistance.item<double>();
+    updateAverage(number);
     return losses;
 }
 
-double Contest::stepDiscriminator(const torch::Tensor& photograph, const Touch& measured, const Touch& generated)
+double AdversarialTraining::stepDiscriminator(const torch::Tensor& photograph, const BatchSignals& measured,
+                                              const BatchSignals& generated)
 {
     m_discriminatorSteps.zero_grad();
     const torch::Tensor real = m_discriminator->forward(photograph, measured.friction, measured.height);
-    const FrictionGuess guess{generated.friction.logRatio.detach(), generated.friction.mean.detach()};
-    const torch::Tensor fake = m_discriminator->forward(photograph, guess, generated.height.detach());
+    const FrictionOutput generatedFriction{generated.friction.logRatio.detach(), generated.friction.mean.detach()};
+    const torch::Tensor fake = m_discriminator->forward(photograph, generatedFriction, generated.height.detach());
     const torch::Tensor loss = discriminatorLoss(real, fake, m_weights.adversary);
     loss.backward();
     m_discriminatorSteps.step();
     return loss.item<double>();
 }
 
-/// The average follows faster at first, when the networks are still raw.
-void Contest::follow(int number)
+/// The average follows faster during the first steps, because the early networks are still poor.
+void AdversarialTraining::updateAverage(int number)
 {
-    if (averages()) approach(m_average, m_generators, 1 - std::min(averageKeeps, (number + 1.0) / (number + 10.0)));
+    if (averages()) moveTowards(m_average, m_generators, 1 - std::min(averageDecay, (number + 1.0) / (number + 10.0)));
 }
 
-bool Contest::finite()
+bool AdversarialTraining::finite()
 {
     for (const torch::Tensor& parameter : parametersOf(m_generators))
         if (!torch::isfinite(parameter).all().item<bool>()) return false;
     return true;
 }
 
-void Contest::keepAsBest() { approach(m_best, result(), 1); }
+void AdversarialTraining::keepAsBest() { moveTowards(m_best, result(), 1); }
 
 template <class Visit>
-void Contest::eachPart(Visit visit)
+void AdversarialTraining::eachPart(Visit visit)
 {
     visit("height", *m_generators.height);
     visit("friction", *m_generators.friction);
@@ -206,7 +207,7 @@ void Contest::eachPart(Visit visit)
     visit("discriminator_steps", m_discriminatorSteps);
 }
 
-void Contest::save(torch::serialize::OutputArchive& archive)
+void AdversarialTraining::save(torch::serialize::OutputArchive& archive)
 {
     eachPart([&](const std::string& name, auto& part) {
         torch::serialize::OutputArchive inner(archive.compilation_unit());
@@ -215,7 +216,7 @@ void Contest::save(torch::serialize::OutputArchive& archive)
     });
 }
 
-void Contest::load(torch::serialize::InputArchive& archive)
+void AdversarialTraining::load(torch::serialize::InputArchive& archive)
 {
     eachPart([&](const std::string& name, auto& part) {
         torch::serialize::InputArchive inner;

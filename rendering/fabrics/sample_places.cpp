@@ -1,6 +1,4 @@
-// samples.csv and the split over its groups.
-#include "rendering/fabrics/procedural/sample_places.h"
-#include "protocols/files/number_text.h"
+#include "rendering/fabrics/sample_places.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,9 +8,9 @@
 
 #include "protocols/files/csv_table.h"
 #include "protocols/files/errors.h"
+#include "protocols/files/number_text.h"
 #include "protocols/files/whole_file.h"
 #include "protocols/random.h"
-#include "rendering/fabrics/dataset.h"
 
 namespace rendering::fabrics {
 
@@ -29,23 +27,25 @@ Modality modalityAt(const protocols::CsvTable& table, std::size_t row, std::size
 {
     for (const Modality modality : modalities)
         if (table.rows[row][column] == nameOf(modality)) return modality;
-    throw protocols::badInput({"\"" + table.rows[row][column] + "\" is no signal", protocols::rowName(table, row) + ", column signal",
-                               "visual, tactile or friction", ""});
+    throw protocols::badInput({"\"" + table.rows[row][column] + "\" is not a signal",
+                               protocols::rowName(table, row) + ", column signal", "visual, tactile or friction",
+                               "correct the cell"});
 }
 
 int indexAt(const protocols::CsvTable& table, std::size_t row, std::size_t column)
 {
     const double value = protocols::numberAt(table, row, column);
     if (value < 0 || value > 1e6 || value != std::floor(value))
-        throw protocols::badInput({"\"" + table.rows[row][column] + "\" is no sample number",
-                                   protocols::rowName(table, row) + ", column index", "a whole number from 0", ""});
+        throw protocols::badInput({"\"" + table.rows[row][column] + "\" is not a sample number",
+                                   protocols::rowName(table, row) + ", column index", "a whole number from 0",
+                                   "correct the cell"});
     return int(value);
 }
 
-/// A group has one part wherever it occurs, so that no split divides it.
+/// Part of each group over all signals, so that no split divides a group.
 using PartOfGroup = std::map<std::string, Part>;
 
-/// Shares the groups of one fabric and signal out 8:1:1; those already placed by another signal count.
+/// Assigns the groups of one fabric and signal 8:1:1. Groups that another signal has already assigned count towards it.
 void shareOut(std::vector<std::string> groups, PartOfGroup& parts, protocols::Random random)
 {
     const std::size_t tenth = groups.size() < 3 ? 0 : std::max<std::size_t>(1, (groups.size() + 5) / 10);
@@ -84,7 +84,7 @@ std::vector<SamplePlace> readSamplePlaces(const Dataset& dataset)
     const protocols::CsvTable table = protocols::readCsvTable(file);
     const auto column = [&](const char* name) {
         if (const auto found = table.column(name)) return *found;
-        throw protocols::badInput({std::string("has no column ") + name, table.where, header, ""});
+        throw protocols::badInput({std::string("has no column ") + name, table.where, header, "add the column"});
     };
     const std::size_t fabric = column("fabric"), signal = column("signal"), index = column("index"), x = column("x_mm"),
                       y = column("y_mm"), rotation = column("rotation_deg"), group = column("group");

@@ -1,6 +1,5 @@
-// Generators and discriminator on their way: one step of both, and the running average of the
-// generators' weights, which is what a default training gives.
-// Included by this folder's torch sources only.
+// Adversarial training of generators and discriminator: one step of both, and the exponential moving average of the
+// generators' weights, which is the result of a default training. Only the torch sources of this folder include it.
 #pragma once
 
 #include <future>
@@ -16,20 +15,20 @@ namespace rendering::models {
 LossWeights weightsFor(Objective objective);
 DistanceScales scalesOf(const TrainingData& data);
 
-class Contest {
+class AdversarialTraining {
 public:
-    /// Both outlive the contest.
-    Contest(const TrainingData& data, const TrainingOptions& options);
+    /// `data` and `options` must outlive this object.
+    AdversarialTraining(const TrainingData& data, const TrainingOptions& options);
 
-    /// `fraction` of the training done, for the falling rate. Each step's batch comes from its own
-    /// stream, so a resumed run draws what the unbroken one would have drawn.
+    /// Runs one step; `fraction` of the training is done, which sets the learning rate. Each step draws its batch from its own
+    /// random stream, so a resumed run draws the same batches as an uninterrupted one.
     StepLosses step(int number, double fraction);
 
-    /// What this training would give if it ended here.
+    /// Generators that this training would return if it ended now.
     Generators& result() { return averages() ? m_average : m_generators; }
-    /// A finite loss may still be followed by a step out of all bounds.
+    /// True where all parameters are finite; a step may diverge even if its loss is finite.
     bool finite();
-    /// The result as it is now is kept as the best so far.
+    /// Copies the present result as the best one.
     void keepAsBest();
     Generators& best() { return m_best; }
 
@@ -37,15 +36,15 @@ public:
     void load(torch::serialize::InputArchive& archive);
 
 private:
-    struct Drawn {
+    struct DrawnBatches {
         Batch pairs, strokes;
     };
-    Drawn drawn(int number) const;
-    Drawn takeDrawn(int number);
+    DrawnBatches drawBatches(int number) const;
+    DrawnBatches takeBatches(int number);
     bool averages() const { return m_options.objective != Objective::Reference; }
     void setRates(int number, double fraction);
-    double stepDiscriminator(const torch::Tensor& photograph, const Touch& measured, const Touch& generated);
-    void follow(int number);
+    double stepDiscriminator(const torch::Tensor& photograph, const BatchSignals& measured, const BatchSignals& generated);
+    void updateAverage(int number);
     template <class Visit>
     void eachPart(Visit visit);
 
@@ -55,7 +54,7 @@ private:
     Generators m_generators, m_average, m_best;
     Discriminator m_discriminator;
     torch::optim::Adam m_generatorSteps, m_discriminatorSteps;
-    std::future<Drawn> m_next;  ///< drawn while the present step is computed
+    std::future<DrawnBatches> m_next;  ///< drawn during the computation of the present step
     int m_nextNumber = -1;
 };
 

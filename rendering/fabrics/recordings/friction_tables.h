@@ -1,0 +1,18 @@
+// Readers of comma-separated friction records.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "rendering/fabrics/recordings/friction_options.h"
+#include "rendering/fabrics/recordings/raw_record.h"
+
+namespace rendering::fabrics {
+
+/// Reads forces over time, or a coefficient over time, from columns with the usual names. Throws badInput.
+std::vector<RawRecord> readFrictionCsv(const std::filesystem::path& file, const FrictionOptions& options);
+
+/// Reads the taxel counts of the sliding finger; their sum is the quantity. Throws badInput.
+std::vector<RawRecord> readSlide(const std::filesystem::path& file, const FrictionOptions& options);
+
+}  // namespace rendering::fabrics

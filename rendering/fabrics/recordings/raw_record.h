@@ -1,0 +1,22 @@
+// A stroke as an instrument recorded it, before resampling to even time steps.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rendering::fabrics {
+
+struct RawRecord {
+    std::string where = {};       ///< file, and the part of it
+    std::string instrument = {};  ///< "slide", "tribometer", ...
+    std::string quantity = "mu";  ///< name of the quantity in `values`; unused where `normalN` is given
+    std::string meaning = {};     ///< definition for people: "coefficient = Traction Force / Pin Load"
+    std::vector<double> timeS = {};
+    std::vector<double> values = {};             ///< the quantity, or the tangential force where `normalN` is given
+    std::vector<double> secondTangentialN = {};  ///< second tangential axis; empty where there is only one
+    std::vector<double> normalN = {};            ///< with the sign of the sensor; empty unless both forces are known
+    std::optional<double> speedMmPerS = {};
+};
+
+}  // namespace rendering::fabrics

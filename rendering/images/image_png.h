@@ -1,0 +1,18 @@
+// PNG files through libpng.
+#pragma once
+
+#include <filesystem>
+#include <opencv2/core/mat.hpp>
+
+#include "protocols/files/whole_file.h"
+
+namespace rendering {
+
+/// An image as CV_8UC1, CV_8UC3 (RGB), CV_16UC1 or CV_16UC3. Palettes are expanded, transparency is dropped.
+/// Throws badInput naming the file: missing, not a PNG, truncated, or larger than 2^28 pixels.
+cv::Mat readPng(const std::filesystem::path& file);
+
+/// Writes 8 or 16 bits, grey or RGB; leaves the whole file or what stood there before. Throws environmentFault.
+void writePng(const std::filesystem::path& file, const cv::Mat& image, protocols::Sync sync = protocols::Sync::Now);
+
+}  // namespace rendering

@@ -1,0 +1,17 @@
+// TIFF files through libtiff.
+#pragma once
+
+#include <filesystem>
+#include <opencv2/core/mat.hpp>
+
+#include "protocols/files/whole_file.h"
+
+namespace rendering {
+
+/// One channel, CV_32F, CV_8U or CV_16U. Throws badInput.
+cv::Mat readTiff(const std::filesystem::path& file);
+
+/// Writes CV_32FC1, compressed by deflate with the floating-point predictor.
+void writeTiff(const std::filesystem::path& file, const cv::Mat& image, protocols::Sync sync = protocols::Sync::Now);
+
+}  // namespace rendering

@@ -1,0 +1,168 @@
+#include "rendering/models/model_card_fields.h"
+
+#include "protocols/files/errors.h"
+#include "protocols/files/sha256.h"
+#include "protocols/files/whole_file.h"
+
+namespace rendering::models {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* schema = "vis2hap.model/2";
+/// Changes whenever networks.cpp or the meaning of the networks' inputs and outputs changes.
+constexpr const char* architectureKind = "unet+summary/3";
+
+Json architectureJson(const Architecture& a)
+{
+    return {{"kind", architectureKind},
+            {"base_channels", a.baseChannels},
+            {"crop", a.crop},
+            {"mm_per_pixel", a.mmPerPixel},
+            {"height_scale_mm", a.heightScaleMm},
+            {"imposes_spectrum", a.imposesSpectrum},
+            {"zero_percentile", a.zeroPercentile},
+            {"mean_friction_scale", a.meanFrictionScale},
+            {"spectrogram",
+             {{"window", a.window},
+              {"hop", a.hop},
+              {"samples", a.traceSamples},
+              {"rows", a.rows},
+              {"frames", a.frames},
+              {"mm_per_sample", a.traceMmPerSample}}}};
+}
+
+Architecture architectureFrom(const Json& json)
+{
+    Architecture a;
+    a.baseChannels = json.at("base_channels").get<int>();
+    a.crop = json.at("crop").get<int>();
+    a.mmPerPixel = json.at("mm_per_pixel").get<double>();
+    a.heightScaleMm = json.at("height_scale_mm").get<double>();
+    a.imposesSpectrum = json.at("imposes_spectrum").get<bool>();
+    a.zeroPercentile = json.at("zero_percentile").get<double>();
+    a.meanFrictionScale = json.at("mean_friction_scale").get<double>();
+    const Json& spectrogram = json.at("spectrogram");
+    a.window = spectrogram.at("window").get<int>();
+    a.hop = spectrogram.at("hop").get<int>();
+    a.traceSamples = spectrogram.at("samples").get<int>();
+    a.rows = spectrogram.at("rows").get<int>();
+    a.frames = spectrogram.at("frames").get<int>();
+    a.traceMmPerSample = spectrogram.at("mm_per_sample").get<double>();
+    return a;
+}
+
+/// Refuses absurd sizes before memory is allocated for them.
+bool sensible(const Architecture& a)
+{
+    const auto within = [](double value, double low, double high) { return value >= low && value <= high; };
+    return within(a.baseChannels, 1, mostChannels) && within(a.crop, 16, largestCrop) && a.crop % 16 == 0 &&
+           within(a.mmPerPixel, 1e-5, 100) && within(a.heightScaleMm, 1e-9, 1e3) && within(a.meanFrictionScale, 1e-9, 1e3) &&
+           within(a.window, 4, 4096) && within(a.hop, 1, a.window) && within(a.traceSamples, 4, 1 << 20) &&
+           within(a.rows, 2, 2049) && within(a.frames, 1, 1 << 16) && within(a.traceMmPerSample, 1e-9, 1e3) &&
+           within(a.zeroPercentile, 0, 50);
+}
+
+protocols::Error notUsable(const std::filesystem::path& card, const std::string& why)
+{
+    return protocols::badInput({"the model card cannot be used: " + why, card.string(), std::string("a card of schema ") + schema,
+                                "copy the weights together with the .json file that `vis2hap train` wrote"});
+}
+
+/// Reads a block of the card; its faults become faults of the card.
+template <class Read>
+auto blockOf(const Json& json, const std::filesystem::path& card, Read read)
+{
+    try {
+        return read(json);
+    } catch (const protocols::Error& fault) {
+        throw notUsable(card, fault.what());
+    }
+}
+
+}  // namespace
+
+std::filesystem::path cardOf(const std::filesystem::path& model)
+{
+    std::filesystem::path card = model;
+    card += ".json";
+    return card;
+}
+
+std::string cardText(const ModelCardFields& card)
+{
+    Json json{{"schema", schema},
+              {"name", card.summary.name},
+              {"sha256", card.summary.sha256},
+              {"training_command", card.summary.trainingCommand},
+              {"procedural", card.summary.trainedOnProceduralSet},
+              {"dataset", {{"name", card.datasetName}, {"sha256", card.datasetHash}}},
+              {"losses", card.objective},
+              {"split", card.split},
+              {"seed", card.seed},
+              {"split_seed", card.splitSeed},
+              {"steps", card.steps},
+              {"best_step", card.bestStep},
+              {"training_minutes", card.trainingMinutes},
+              {"held_out", card.heldOut},
+              {"architecture", architectureJson(card.architecture)},
+              {"validation", card.validation}};
+    if (card.photographs) json["photographs"] = familiarityJson(*card.photographs);
+    if (card.frictionByTexture) json["friction_by_texture"] = frictionPriorJson(*card.frictionByTexture);
+    json["training_sample_hashes"] = card.summary.trainingSampleHashes;
+    return json.dump(1) + "\n";
+}
+
+ModelCardFields readModelCardFields(const std::filesystem::path& model)
+{
+    const std::filesystem::path file = cardOf(model);
+    const std::optional<std::string> text = protocols::readIfPossible(file);
+    if (!text)
+        throw protocols::badInput({"the model card is missing", file.string(),
+                                   "the .json that `vis2hap train` writes beside the weights", "copy it beside the weights"});
+    ModelCardFields card;
+    try {
+        const Json json = Json::parse(*text);
+        if (json.at("schema").get<std::string>() != schema)
+            throw notUsable(file, "its schema is " + json.at("schema").get<std::string>());
+        card.summary.name = json.at("name").get<std::string>();
+        card.summary.sha256 = json.at("sha256").get<std::string>();
+        card.summary.trainingCommand = json.at("training_command").get<std::string>();
+        card.summary.trainedOnProceduralSet = json.at("procedural").get<bool>();
+        card.summary.trainingSampleHashes = json.at("training_sample_hashes").get<std::vector<std::string>>();
+        card.datasetName = json.at("dataset").at("name").get<std::string>();
+        card.datasetHash = json.at("dataset").at("sha256").get<std::string>();
+        card.objective = json.at("losses").get<std::string>();
+        card.split = json.at("split").get<std::string>();
+        card.bestStep = json.at("best_step").get<int>();
+        card.seed = json.at("seed").get<std::uint64_t>();
+        card.splitSeed = json.at("split_seed").get<std::uint64_t>();
+        card.steps = json.at("steps").get<int>();
+        card.trainingMinutes = json.at("training_minutes").get<double>();
+        card.heldOut = json.at("held_out").get<std::vector<std::string>>();
+        if (json.at("architecture").at("kind").get<std::string>() != architectureKind)
+            throw notUsable(file, "its networks differ from those of this program");
+        card.architecture = architectureFrom(json.at("architecture"));
+        card.validation = json.at("validation");
+        if (json.contains("photographs")) card.photographs = blockOf(json.at("photographs"), file, familiarityFrom);
+        if (json.contains("friction_by_texture"))
+            card.frictionByTexture = blockOf(json.at("friction_by_texture"), file, frictionPriorFrom);
+    } catch (const Json::exception& fault) {
+        throw notUsable(file, fault.what());
+    }
+    if (!sensible(card.architecture)) throw notUsable(file, "its architecture has sizes out of range");
+    return card;
+}
+
+void checkWeightsFile(const std::filesystem::path& model, const ModelCardFields& card)
+{
+    if (!std::filesystem::is_regular_file(model))
+        throw protocols::badInput(
+            {"the weights are missing", model.string(), "a weights file from `vis2hap train`", "check the path of the model"});
+    if (protocols::sha256OfFile(model) != card.summary.sha256)
+        throw protocols::badInput({"the weights are truncated or altered", model.string(),
+                                   "the SHA-256 that the model card states", "copy the weights again together with their .json"});
+}
+
+}  // namespace rendering::models

@@ -1,0 +1,44 @@
+// The model card: the JSON file beside a weights file (`<weights>.json`) that describes the model, read without libtorch.
+// Schema vis2hap.model/2.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "rendering/models/architecture.h"
+#include "rendering/models/familiarity.h"
+#include "rendering/models/friction_prior.h"
+#include "rendering/models/model_card.h"
+
+namespace rendering::models {
+
+struct ModelCardFields {
+    ModelCard summary;  ///< the part for the rest of the program
+    Architecture architecture;
+    std::uint64_t seed = 0, splitSeed = 0;
+    int steps = 0;
+    double trainingMinutes = 0;
+    int bestStep = 0;                   ///< step whose weights were kept
+    std::string objective = "default";  ///< training.h
+    std::string split = "location";     ///< training_data.h
+    std::vector<std::string> heldOut;
+    std::string datasetName, datasetHash;
+    nlohmann::ordered_json validation;               ///< figures before and after training
+    std::optional<Familiarity> photographs;          ///< of the training photographs
+    std::optional<FrictionPrior> frictionByTexture;  ///< if absent, the networks predict the friction of unfamiliar photographs
+};
+
+std::filesystem::path cardOf(const std::filesystem::path& model);
+std::string cardText(const ModelCardFields& card);
+
+/// Throws badInput naming file and field.
+ModelCardFields readModelCardFields(const std::filesystem::path& model);
+
+/// Throws badInput where the weights are missing or their hash differs from the card's.
+void checkWeightsFile(const std::filesystem::path& model, const ModelCardFields& card);
+
+}  // namespace rendering::models

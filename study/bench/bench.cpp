@@ -11,6 +11,7 @@
 #include "rendering/signals/cosine_transform.h"
 #include "rendering/signals/photometric_stereo.h"
 #include "rendering/signals/shape_from_shading.h"
+#include "rendering/signals/slope_map_fit.h"
 #include "rendering/signals/spectrogram.h"
 #include "rendering/signals/surface_integration.h"
 #include "study/bench/bench_composition.h"

@@ -88,7 +88,7 @@ cv::Mat backgroundFor(const FramesRequest& request, const signals::Calibration& 
                                    "name the frame that was taken before the presses"});
     const cv::Mat background = rendering::readPicture(file, decodeOther);
     if (calibration.sensor)
-        if (const auto difference = signals::differenceOf(*calibration.sensor, signals::lookOf(background)))
+        if (const auto difference = signals::differenceOf(*calibration.sensor, signals::appearanceOf(background)))
             throw protocols::badInput({"this background is not of the calibrated sensor: " + *difference, file.string(),
                                        "a frame of the sensor of " + request.calibration.string(),
                                        "calibrate this sensor, or name its own background"});
@@ -110,7 +110,7 @@ void settleWholeFrame(Reconstruction& result, const cv::Mat& height, const signa
                       const signals::Calibration& calibration, const HeightOptions& options)
 {
     const auto cutoff = options.cutoffMm ? options.cutoffMm : calibration.highPassCutoffMm;
-    result.heightMm = signals::settled(height, pitch, cutoff, calibration.zeroPercentile);
+    result.heightMm = signals::zeroedRelief(height, pitch, cutoff, calibration.zeroPercentile);
     result.facts["contact"] = "whole frame";
     result.facts["high_pass_cutoff_mm"] = nullptr;
     if (cutoff) result.facts["high_pass_cutoff_mm"] = *cutoff;

@@ -1,5 +1,3 @@
-// Puts a report on disk: everything is written into a neighbouring folder first and then swapped in,
-// so that a full disk or a crash leaves the earlier report or none.
 #include "reports/write_report.h"
 
 #include <unistd.h>
@@ -9,8 +7,11 @@
 
 #include "protocols/files/errors.h"
 #include "reports/figures/report_figures.h"
+#include "reports/json/results_json.h"
+#include "reports/json/statistics_json.h"
 #include "reports/page/page.h"
 #include "reports/tables/report_tables.h"
+#include "reports/tables/table_formats.h"
 
 namespace reports {
 namespace {
@@ -57,26 +58,20 @@ private:
     fs::path m_path;
 };
 
-void writeAll(const Analysis& analysis, const fs::path& folder)
+void writeAll(const StudyAnalysis& analysis, const fs::path& folder)
 {
     fs::create_directories(folder / "tables");
     fs::create_directories(folder / "figures");
-    write(folder / "results.json", analysis.results.dump(2) + "\n");
-    write(folder / "statistics.json", analysis.statistics.dump(2) + "\n");
-    for (const Table& table : allTables(analysis)) {
-        write(folder / "tables" / (table.name + ".csv"), toCsv(table));
-        write(folder / "tables" / (table.name + ".tex"), toTex(table));
+    write(folder / "results.json", resultsText(analysis));
+    write(folder / "statistics.json", statisticsText(analysis));
+    const std::vector<ReportTable> tables = reportTables(analysis);
+    for (const ReportTable& one : tables) {
+        write(folder / "tables" / (one.table.name + ".csv"), toCsv(one.table));
+        write(folder / "tables" / (one.table.name + ".tex"), toTex(one.table));
     }
-    const std::vector<Figure> figures = allFigures(analysis);
+    const std::vector<Figure> figures = reportFigures(analysis);
     for (const Figure& figure : figures) write(folder / "figures" / (figure.name + ".svg"), figure.svg);
-    write(folder / "index.html", page(analysis, figures));
-}
-
-bool isOurReport(const fs::path& folder)
-{
-    std::ifstream stream(folder / "results.json");
-    const Json results = Json::parse(stream, nullptr, false);
-    return results.is_object() && results.value("schema", "") == "vis2hap.results/1";
+    write(folder / "index.html", reportPage(analysis, tables, figures));
 }
 
 /// A folder with files of these names that no report wrote is somebody's work.
@@ -85,7 +80,7 @@ void requireReplaceable(const fs::path& folder)
     if (fs::exists(folder) && !fs::is_directory(folder))
         throw protocols::badInput({"the place of the report is a file", folder.string(), "a folder, or a new name", ""});
     for (const std::string& entry : entries)
-        if (fs::exists(folder / entry) && !isOurReport(folder))
+        if (fs::exists(folder / entry) && !isResultsFile(folder / "results.json"))
             throw protocols::badInput({"the folder holds \"" + entry + "\" which is not of an earlier report", folder.string(),
                                        "an empty folder, a new name, or an earlier report", "choose another folder with --out"});
 }
@@ -115,9 +110,8 @@ void swapIn(const fs::path& fresh, const fs::path& folder, const fs::path& aside
 
 }  // namespace
 
-void writeReport(const StudyData& data, const std::filesystem::path& folder)
+void writeReport(const StudyAnalysis& analysis, const std::filesystem::path& folder)
 {
-    const Analysis analysis = analyse(data);
     fs::path target = fs::absolute(folder).lexically_normal();
     if (!target.has_filename())  // "report/" names the same folder as "report"
         target = target.parent_path();

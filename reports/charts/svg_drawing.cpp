@@ -1,6 +1,7 @@
 #include "reports/charts/svg_drawing.h"
 
 #include "reports/text/number_text.h"
+#include "reports/text/text_escapes.h"
 
 namespace reports {
 namespace {

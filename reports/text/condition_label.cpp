@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "reports/text/number_text.h"
+#include "reports/text/text_escapes.h"
 
 namespace reports {
 namespace {
@@ -30,7 +30,7 @@ std::size_t characters(const std::string& text)
     return text.size() - static_cast<std::size_t>(std::count_if(text.begin(), text.end(), isContinuation));
 }
 
-/// At most so many characters of UTF-8, the last one an ellipsis where some were cut.
+/// The first `most` characters of UTF-8, with an ellipsis where some were cut.
 std::string shortened(const std::string& text, std::size_t most)
 {
     if (characters(text) <= most) return text;
@@ -76,7 +76,7 @@ std::string texLabel(const std::string& condition)
 std::string svgLabel(const std::string& condition)
 {
     if (known(condition) == nullptr) return escapedHtml(shortened(condition, longestFigureName));
-    // Each shift is undone by the next piece: renderers disagree about baseline-shift.
+    // Renderers disagree about baseline-shift, so each piece undoes the vertical shift of the piece before it.
     std::string svg;
     for (const LabelPart& part : labelParts(condition)) {
         svg += std::string("<tspan font-style=\"italic\"") + (svg.empty() ? "" : " dx=\"2\"") + ">" + part.letter + "</tspan>";

@@ -11,6 +11,7 @@
 
 #include "protocols/files/errors.h"
 #include "protocols/files/sha256.h"
+#include "protocols/key_json.h"
 
 namespace database {
 

@@ -1,9 +1,9 @@
-// The certificate is counted on the design as it stands and shares nothing with the searches that drew it.
+#include "protocols/balance.h"
+
 #include <algorithm>
 #include <map>
 #include <set>
 
-#include "protocols/counterbalancing.h"
 #include "protocols/foil_sets.h"
 
 namespace protocols {

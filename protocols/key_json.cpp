@@ -1,9 +1,9 @@
-// The texts of the two keys (allocation.h).
+#include "protocols/key_json.h"
+
 #include <map>
 #include <set>
 #include <utility>
 
-#include "protocols/allocation.h"
 #include "protocols/condition.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/strict_json.h"

@@ -69,19 +69,24 @@ void checkTask(const Protocol& p, const Phase& phase, const std::string& place, 
                          " questions over one choice, expected one (and any number answered in words)");
 }
 
+void checkQuestions(const Phase& phase, const std::string& place, std::set<QuestionId>& seen, Faults& faults)
+{
+    if (phase.questions.empty()) faults.push_back(place + ".questions: is empty, expected at least one question");
+    for (std::size_t i = 0; i < phase.questions.size(); ++i) {
+        const Question& question = phase.questions[i];
+        const std::string its = element(place + ".questions", i) + ": '" + question.id.value + "'";
+        if (!seen.insert(question.id).second) faults.push_back(its + " is asked twice, expected each question once");
+        if (question.text.empty()) faults.push_back(its + " has no words, expected them in question_texts");
+    }
+}
+
 void checkPhases(const Protocol& p, Faults& faults)
 {
     if (p.phases.empty()) faults.push_back("phases: is empty, expected at least one phase");
     std::set<QuestionId> seen;
     for (std::size_t i = 0; i < p.phases.size(); ++i) {
         const std::string place = element("phases", i);
-        if (p.phases[i].questions.empty()) faults.push_back(place + ".questions: is empty, expected at least one question");
-        for (const Question& question : p.phases[i].questions) {
-            if (!seen.insert(question.id).second)
-                faults.push_back(place + ".questions: '" + question.id.value + "' is asked twice, expected each question once");
-            if (question.text.empty())
-                faults.push_back(place + ".questions: '" + question.id.value + "' has no words, expected them in question_texts");
-        }
+        checkQuestions(p.phases[i], place, seen, faults);
         checkTask(p, p.phases[i], place, faults);
     }
 }
@@ -91,10 +96,14 @@ void checkPlanned(const Protocol& p, Faults& faults)
     std::set<std::pair<ConditionId, ConditionId>> seen;
     for (std::size_t i = 0; i < p.planned.size(); ++i) {
         const auto& [a, b] = p.planned[i];
-        for (const ConditionId& id : {a, b})
-            if (std::ranges::find(p.conditions, id) == p.conditions.end())
-                faults.push_back(element("planned", i) + ": '" + id.value +
+        for (const ConditionId* id : {&a, &b}) {
+            if (id->empty())
+                faults.push_back(element(element("planned", i), id == &a ? 0 : 1) + ": is empty, expected the id of a condition");
+            else if (std::ranges::find(p.conditions, *id) == p.conditions.end())
+                faults.push_back(element("planned", i) + ": '" + id->value +
                                  "' is not among the conditions, expected a pair of the protocol's conditions");
+        }
+        if (a.empty() || b.empty()) continue;
         if (a == b) faults.push_back(element("planned", i) + ": compares '" + a.value + "' with itself, expected two conditions");
         if (!seen.insert(std::minmax(a, b)).second)
             faults.push_back(element("planned", i) + ": repeats an earlier contrast, expected each pair once");

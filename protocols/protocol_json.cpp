@@ -69,13 +69,13 @@ Phase phaseFrom(const ProtocolPart& part, const ProtocolPart& texts, const std::
     return phase;
 }
 
-/// Where the questions cannot all be read, nobody knows which texts belong to none.
+/// Which texts belong to no question can be said only where all questions can be read.
 void checkTexts(const Protocol& protocol, const json& texts, ProtocolFaults& faults)
 {
-    for (const Phase& phase : protocol.phases)
-        if (phase.questions.empty() || std::ranges::any_of(phase.questions, [](const Question& q) { return q.id.empty(); }))
-            return;
-    if (!texts.is_object()) return;
+    const auto isUnreadable = [](const Phase& phase) {
+        return phase.questions.empty() || std::ranges::any_of(phase.questions, [](const Question& q) { return q.id.empty(); });
+    };
+    if (!texts.is_object() || protocol.phases.empty() || std::ranges::any_of(protocol.phases, isUnreadable)) return;
     for (const auto& [id, text] : texts.items())
         if (!questionWith(protocol, QuestionId(id)))
             faults.add("question_texts: '" + id + "' is asked in no phase, expected ids of the phases' questions");

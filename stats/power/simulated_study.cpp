@@ -148,7 +148,7 @@ Interval Rejections::interval() const
 
 std::vector<Rejections> simulateTests(std::size_t tests, const StudyAnalysis& analysis, const SimulationOptions& options)
 {
-    enum Outcome : char { Kept, Rejected, Undefined };
+    enum TestOutcome : char { Kept, Rejected, Undefined };
     std::vector<char> outcomes(tests * options.studies);
     inParallel(options, [&](std::size_t study) {
         Draws draws(options.seed, study);

@@ -51,9 +51,9 @@ double dPrimeOf(double wrong, int alternatives)
     return (low + high) / 2;
 }
 
-ForcedChoice refused(const std::string& why)
+ChoiceSensitivity refused(const std::string& why)
 {
-    ForcedChoice result;
+    ChoiceSensitivity result;
     result.why = why;
     result.proportionCorrect = result.discriminators = result.dPrime = result.seDPrime = Value::undefined(why);
     return result;
@@ -76,10 +76,10 @@ double proportionCorrectAt(double dPrime, int alternatives)
                     [&](double x) { return density(x - dPrime) * std::pow(below(x), alternatives - 1); });
 }
 
-ForcedChoice forcedChoice(long long correct, long long trials, int alternatives)
+ChoiceSensitivity forcedChoice(long long correct, long long trials, int alternatives)
 {
     if (const std::string fault = faultOf(correct, trials, alternatives); !fault.empty()) return refused(fault);
-    ForcedChoice result;
+    ChoiceSensitivity result;
     const double m = alternatives;
     const auto n = static_cast<double>(trials);
     const double right = static_cast<double>(correct) / n;

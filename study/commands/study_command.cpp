@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "database/study_store.h"
-#include "protocols/counterbalancing.h"
+#include "protocols/balance.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/sha256.h"
 #include "protocols/protocol_json.h"

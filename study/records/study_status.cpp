@@ -5,7 +5,7 @@
 #include <map>
 #include <set>
 
-#include "protocols/counterbalancing.h"
+#include "protocols/balance.h"
 #include "reports/analysis/quality_flags.h"
 #include "study/records/realised_balance.h"
 #include "study/records/stored_study.h"

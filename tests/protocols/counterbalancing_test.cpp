@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "protocols/balance.h"
 #include "protocols/protocol_json.h"
 
 using namespace protocols;

@@ -6,7 +6,9 @@
 #include <set>
 
 #include "protocols/allocation.h"
+#include "protocols/balance.h"
 #include "protocols/condition.h"
+#include "protocols/key_json.h"
 #include "protocols/protocol_json.h"
 
 using namespace protocols;

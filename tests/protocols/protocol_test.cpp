@@ -152,7 +152,7 @@ private Q_SLOTS:
         row("no answers", ", \"alternatives\": 3", "", "phases[0]: has none of alternatives, scale and same_different");
         row("two kinds of answers", "\"alternatives\": 3", "\"alternatives\": 3, \"scale\": {\"min\": 0, \"max\": 1}",
             "phases[0]: has more than one of");
-        row("question asked twice", "\"Q2\"", "\"Q1\"", "phases[1].questions: 'Q1' is asked twice");
+        row("question asked twice", "\"Q2\"", "\"Q1\"", "phases[1].questions[0]: 'Q1' is asked twice");
         row("question without words", "\"Q2\"", "\"Q9\"", "'Q9' has no words");
         row("words without question", "\"name\"", "\"question_texts\": {\"Q7\": \"Is it warm?\"}, \"name\"",
             "'Q7' is asked in no phase");

@@ -1,10 +1,5 @@
 #include "database/study_creation.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
-#include <cerrno>
-#include <cstring>
 #include <nlohmann/json.hpp>
 #include <system_error>
 
@@ -12,6 +7,7 @@
 #include "database/schema.h"
 #include "database/stored_texts.h"
 #include "protocols/files/errors.h"
+#include "protocols/files/whole_file.h"
 
 namespace database {
 
@@ -71,17 +67,6 @@ void recordCreation(const SqliteConnection& sqlite, const StudyFacts& facts)
     store(sqlite, entry);
 }
 
-void syncFolder(const std::filesystem::path& folder)
-{
-    const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    const bool synced = descriptor >= 0 && ::fsync(descriptor) == 0;
-    const int reason = errno;
-    if (descriptor >= 0) ::close(descriptor);
-    if (!synced)
-        throw protocols::environmentFault(
-            {std::string("the folder cannot be synced: ") + std::strerror(reason), folder.string(), "", "check the disk"});
-}
-
 /// Under another name until it is whole, so that a study.db is never half a study.
 class DraftDatabase {
 public:
@@ -94,11 +79,7 @@ public:
     DraftDatabase& operator=(const DraftDatabase&) = delete;
 
     const std::filesystem::path& path() const { return m_draft; }
-    void putInPlace() const
-    {
-        std::filesystem::rename(m_draft, m_final);
-        syncFolder(m_final.parent_path());
-    }
+    void putInPlace() const { protocols::putFileInPlace(m_draft, m_final); }
 
 private:
     void removeDraft() const

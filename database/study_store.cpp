@@ -12,6 +12,7 @@
 #include "database/study_writing.h"
 #include "database/write_lock.h"
 #include "protocols/files/errors.h"
+#include "protocols/files/whole_file.h"
 
 namespace database {
 

@@ -1,6 +1,7 @@
 #include "protocols/key_json.h"
 
 #include <map>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <utility>
 

@@ -1,10 +1,12 @@
 #include "protocols/protocol_json.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "protocols/condition.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/strict_json.h"
+#include "protocols/files/whole_file.h"
 #include "protocols/protocol_part.h"
 #include "protocols/protocol_schema.h"
 #include "protocols/question_ids.h"
@@ -171,7 +173,7 @@ Protocol protocolFromJson(std::string_view text, const std::string& where) { ret
 
 Protocol keptProtocolFromJson(std::string_view text, const std::string& where) { return readBy(RuleOfIds::AsKept, text, where); }
 
-Protocol readProtocol(const std::filesystem::path& file) { return protocolFromJson(readTextFile(file), file.string()); }
+Protocol readProtocol(const std::filesystem::path& file) { return protocolFromJson(readWholeFile(file), file.string()); }
 
 std::string_view paperProtocolJson() { return shipped::paperProtocol(); }
 

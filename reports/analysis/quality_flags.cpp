@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "protocols/files/number_text.h"
 #include "reports/text/number_text.h"
 #include "reports/text/plain_words.h"
 #include "stats/kernels/decimal_grid.h"
@@ -64,7 +65,7 @@ void flagFast(const Examination& one)
     if (seconds.size() >= one.rules.fewestAnswers && static_cast<double>(fast) > one.rules.tooFastShare * n)
         one.flag(FlagKind::TooFast, std::to_string(fast) + " of " + std::to_string(seconds.size()) + " answers (" +
                                         percentText(static_cast<double>(fast), n) + ") came within " +
-                                        shortest(one.rules.tooFastSeconds) + " s of the touch");
+                                        protocols::shortest(one.rules.tooFastSeconds) + " s of the touch");
 }
 
 void flagStraightLining(const Examination& one)
@@ -77,7 +78,8 @@ void flagStraightLining(const Examination& one)
         const auto [favourite, times] = favouriteOf(counts);
         if (isAtLeast(times, one.rules.sameRatingShare, ratings.size()))
             one.flag(FlagKind::StraightLining, question.id + ": " + std::to_string(times) + " of " +
-                                                   std::to_string(ratings.size()) + " ratings are " + shortest(favourite));
+                                                   std::to_string(ratings.size()) + " ratings are " +
+                                                   protocols::shortest(favourite));
     }
 }
 
@@ -205,7 +207,7 @@ std::vector<std::string> ruleSentences(const QualityRules& rules)
     return {
         "missing_answers: the participant gave fewer answers than the design asks for.",
         "too_fast: more than " + percentOf(rules.tooFastShare) + " of the timed answers came within " +
-            shortest(rules.tooFastSeconds) + " s of the first touch.",
+            protocols::shortest(rules.tooFastSeconds) + " s of the first touch.",
         "straight_lining: at least " + percentOf(rules.sameRatingShare) + " of the ratings of one question are the same number.",
         "same_across_questions: at least " + percentOf(rules.sameAcrossShare) +
             " of the presentations got the same number for every rating question.",
@@ -216,7 +218,7 @@ std::vector<std::string> ruleSentences(const QualityRules& rules)
             std::to_string(rules.fewestCatchRatings) + " ratings of blank glass.",
         "slot_bias: the participant chose one tray slot more often than 1/m (exact binomial test, p times the number of slots "
         "below " +
-            shortest(rules.slotBiasP) + ").",
+            protocols::shortest(rules.slotBiasP) + ").",
         "voided_presentations: these presentations were invalid. They are kept, not analysed, and were presented again.",
         "A share is judged from " + std::to_string(rules.fewestAnswers) + " answers on. Flagged data stay in every analysis.",
     };

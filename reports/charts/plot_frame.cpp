@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "protocols/files/number_text.h"
 #include "reports/charts/chart_colours.h"
 #include "reports/text/condition_label.h"
 #include "reports/text/number_text.h"
@@ -62,7 +63,7 @@ void PlotFrame::drawFrame(const std::string& axisTitle)
         const bool isBottom = value == m_low;
         m_drawing.line({left(), y(value)}, {rightEdge(), y(value)}, isBottom ? ChartColours::ink : ChartColours::faint,
                        isBottom ? 1.5 : 1);
-        m_drawing.text({left() - 10, y(value) + 5}, shortest(std::round(value * 1e6) / 1e6), {.anchor = Anchor::End});
+        m_drawing.text({left() - 10, y(value) + 5}, protocols::shortest(std::round(value * 1e6) / 1e6), {.anchor = Anchor::End});
     }
     m_drawing.line({left(), top}, {left(), top + height}, ChartColours::ink, 1.5);
     m_drawing.text({left() - 56, top + height / 2}, axisTitle, {.size = 15, .rotation = -90});

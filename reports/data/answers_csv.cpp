@@ -5,9 +5,9 @@
 #include <tuple>
 
 #include "protocols/condition.h"
+#include "protocols/files/csv_table.h"
 #include "protocols/files/errors.h"
 #include "protocols/question_ids.h"
-#include "reports/csv_table.h"
 #include "reports/text/plain_words.h"
 
 namespace reports {
@@ -41,7 +41,7 @@ constexpr const char* reservedName = "why";
 class AnswersReader {
 public:
     AnswersReader(const std::filesystem::path& file, const AnswersCsvOptions& options)
-        : m_where(file.string()), m_options(options), m_table(readCsv(file))
+        : m_where(file.string()), m_options(options), m_table(protocols::readCsvTable(file))
     {
         m_data.name = file.stem().string();
         m_data.blinded = false;
@@ -52,8 +52,8 @@ public:
     {
         readProtocol();
         readHeader();
-        for (const CsvRow& row : m_table.rows) readRow(row);
-        if (m_data.responses.empty()) fail("there are no answers", "", "at least one row with an answer");
+        for (std::size_t row = 0; row < m_table.rows.size(); ++row) readRow(row);
+        if (m_data.responses.empty()) fail("there are no answers", m_where, "at least one row with an answer");
         m_data.expectedResponses =
             m_data.participants.size() * m_data.fabrics.size() * m_data.conditions.size() * m_data.questions.size();
         return std::move(m_data);
@@ -62,8 +62,12 @@ public:
 private:
     [[noreturn]] void fail(const std::string& what, const std::string& place, const std::string& expected) const
     {
-        throw protocols::badInput({what, place.empty() ? m_where : m_where + ", " + place, expected, ""});
+        throw protocols::badInput({what, place, expected, ""});
     }
+
+    std::string headerRow() const { return m_where + ", header row"; }
+    std::string nameOf(std::size_t row) const { return protocols::rowName(m_table, row); }
+    const std::string& cell(std::size_t row, std::size_t column) const { return m_table.rows[row][column]; }
 
     void readProtocol()
     {
@@ -93,25 +97,25 @@ private:
     void requireGoodId(const std::string& id) const
     {
         if (!protocols::isQuestionId(id))
-            fail("the question \"" + id + "\" has a name that files cannot carry", "row 1",
+            fail("the question \"" + id + "\" has a name that files cannot carry", headerRow(),
                  "a letter, then letters, digits and underscores, at most 40 characters");
         for (const QuestionColumns& known : m_questions)
             if (lowerCase(known.info.id) == lowerCase(id))
-                fail("the questions " + known.info.id + " and " + id + " differ in case only", "row 1", "different names");
+                fail("the questions " + known.info.id + " and " + id + " differ in case only", headerRow(), "different names");
     }
 
     void readHeader()
     {
         for (const char* needed : {"participant", "fabric", "condition"})
             if (!m_table.column(needed))
-                fail("the column \"" + std::string(needed) + "\" is missing", "row 1",
+                fail("the column \"" + std::string(needed) + "\" is missing", headerRow(),
                      "participant,fabric,condition and the questions, such as Q1_correct,Q2,Q3,Q4");
-        for (std::size_t i = 0; i < m_table.header.size(); ++i) readColumn(m_table.header[i], i);
+        for (std::size_t i = 0; i < m_table.columns.size(); ++i) readColumn(m_table.columns[i], i);
         for (const QuestionColumns& known : m_questions)
             if (!known.value)
-                fail("the question " + known.info.id + " has no answers", "row 1",
+                fail("the question " + known.info.id + " has no answers", headerRow(),
                      "a column " + known.info.id + "_correct or " + known.info.id);
-        if (m_questions.empty()) fail("there is no question", "row 1", "columns such as Q1_correct,Q2,Q3,Q4");
+        if (m_questions.empty()) fail("there is no question", headerRow(), "columns such as Q1_correct,Q2,Q3,Q4");
         std::stable_sort(m_questions.begin(), m_questions.end(), [](const auto& a, const auto& b) { return a.value < b.value; });
         for (const QuestionColumns& known : m_questions) m_data.questions.push_back(known.info);
     }
@@ -128,14 +132,15 @@ private:
         else if (isUsualName(name) || inProtocol(name) != nullptr)
             setValueColumn(name, index, openKind(name));
         else
-            fail("the column \"" + name + "\" is unknown", "row 1",
+            fail("the column \"" + name + "\" is unknown", headerRow(),
                  "participant, fabric, condition, Qn, Qn_correct, Qn_seconds or Qn_answer");
     }
 
     void setValueColumn(const std::string& id, std::size_t index, const protocols::AnswerKind& kind)
     {
         QuestionColumns& columns = question(id);
-        if (columns.value) fail("the question " + id + " has two columns", "row 1", "either " + id + " or " + id + "_correct");
+        if (columns.value)
+            fail("the question " + id + " has two columns", headerRow(), "either " + id + " or " + id + "_correct");
         columns.value = index;
         columns.info.kind = kind;
     }
@@ -161,15 +166,13 @@ private:
         if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
     }
 
-    static std::string placeOf(const CsvRow& row) { return "row " + std::to_string(row.line); }
-
-    std::string named(const CsvRow& row, const char* column) const
+    std::string named(std::size_t row, const char* column) const
     {
-        const std::string& name = row.cells[*m_table.column(column)];
-        if (isMissing(name)) fail("the " + std::string(column) + " is empty", placeOf(row), "a name");
+        const std::string& name = cell(row, *m_table.column(column));
+        if (protocols::isMissing(name)) fail("the " + std::string(column) + " is empty", nameOf(row), "a name");
         if (name == reservedName)
             fail("a " + std::string(column) + " is called \"" + name + "\", which has a meaning of its own in result files",
-                 placeOf(row), "another name");
+                 nameOf(row), "another name");
         return name;
     }
 
@@ -182,13 +185,13 @@ private:
         return known ? spelled : name;
     }
 
-    void readRow(const CsvRow& row)
+    void readRow(std::size_t row)
     {
         const std::string participant = named(row, "participant");
         const std::string fabric = named(row, "fabric");
         const std::string condition = conditionOf(named(row, "condition"));
         if (!m_seen.insert({participant, fabric, condition}).second)
-            fail("the answers of " + participant + " to " + fabric + " under " + condition + " occur twice", placeOf(row),
+            fail("the answers of " + participant + " to " + fabric + " under " + condition + " occur twice", nameOf(row),
                  "one row a participant, fabric and condition");
         remember(m_data.participants, participant);
         remember(m_data.fabrics, fabric);
@@ -196,45 +199,45 @@ private:
         for (const QuestionColumns& columns : m_questions)
             if (const auto content = contentIn(row, columns)) {
                 StudyResponse response{participant, fabric, condition, columns.info.id, *content, {}};
-                if (columns.seconds) response.seconds = numberOf(m_table, row, *columns.seconds, m_where);
+                if (columns.seconds) response.seconds = protocols::numberOrMissing(m_table, row, *columns.seconds);
                 m_data.responses.push_back(response);
             }
     }
 
     /// None where the cell is missing.
-    std::optional<AnswerContent> contentIn(const CsvRow& row, const QuestionColumns& columns) const
+    std::optional<AnswerContent> contentIn(std::size_t row, const QuestionColumns& columns) const
     {
-        if (isMissing(row.cells[*columns.value])) return std::nullopt;
-        const std::string place = placeOf(row) + ", column " + m_table.header[*columns.value];
+        if (protocols::isMissing(cell(row, *columns.value))) return std::nullopt;
+        const std::string place = nameOf(row) + ", column " + m_table.columns[*columns.value];
         return std::visit(protocols::Overloaded{
                               [&](const RightOrWrong&) -> AnswerContent { return choiceIn(row, columns, place); },
                               [&](const NumberOnScale& scale) -> AnswerContent { return ratingIn(row, columns, scale, place); },
-                              [&](const OpenWords&) -> AnswerContent { return WordedAnswer{row.cells[*columns.value]}; },
+                              [&](const OpenWords&) -> AnswerContent { return WordedAnswer{cell(row, *columns.value)}; },
                           },
                           scoringOf(columns.info.kind));
     }
 
-    ChosenAnswer choiceIn(const CsvRow& row, const QuestionColumns& columns, const std::string& place) const
+    ChosenAnswer choiceIn(std::size_t row, const QuestionColumns& columns, const std::string& place) const
     {
-        const double number = *numberOf(m_table, row, *columns.value, m_where);
-        if (number != 0 && number != 1) fail("\"" + row.cells[*columns.value] + "\" is neither right nor wrong", place, "0 or 1");
+        const double number = protocols::numberAt(m_table, row, *columns.value);
+        if (number != 0 && number != 1) fail("\"" + cell(row, *columns.value) + "\" is neither right nor wrong", place, "0 or 1");
         ChosenAnswer choice{number == 1, {}, {}};
-        if (columns.answer && !isMissing(row.cells[*columns.answer])) choice.answer = row.cells[*columns.answer];
+        if (columns.answer && !protocols::isMissing(cell(row, *columns.answer))) choice.answer = cell(row, *columns.answer);
         return choice;
     }
 
-    RatedAnswer ratingIn(const CsvRow& row, const QuestionColumns& columns, const NumberOnScale& scale,
+    RatedAnswer ratingIn(std::size_t row, const QuestionColumns& columns, const NumberOnScale& scale,
                          const std::string& place) const
     {
-        const double number = *numberOf(m_table, row, *columns.value, m_where);
+        const double number = protocols::numberAt(m_table, row, *columns.value);
         if (m_options.protocol && (number < scale.min || number > scale.max))
-            fail("the rating " + row.cells[*columns.value] + " is outside the scale", place, "a number of the protocol's scale");
+            fail("the rating " + cell(row, *columns.value) + " is outside the scale", place, "a number of the protocol's scale");
         return {number};
     }
 
     std::string m_where;
     const AnswersCsvOptions& m_options;
-    CsvTable m_table;
+    protocols::CsvTable m_table;
     StudyData m_data;
     std::vector<QuestionColumns> m_questions;
     std::set<std::tuple<std::string, std::string, std::string>> m_seen;

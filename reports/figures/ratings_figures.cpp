@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
+#include "protocols/files/markup_text.h"
 #include "reports/charts/chart_colours.h"
 #include "reports/charts/plot_frame.h"
 #include "reports/text/plain_words.h"
-#include "reports/text/text_escapes.h"
 
 namespace reports {
 namespace {
@@ -63,7 +63,7 @@ void drawLegend(PlotFrame& plot, const std::vector<RatingQuestion>& questions)
     double x = plot.left();
     for (std::size_t k = 0; k < questions.size(); ++k) {
         drawMarker(plot.drawing(), k, {x + 8, PlotFrame::legendY});
-        plot.drawLegendText(x + 22, Anchor::Start, escapedHtml(questions[k].id()));
+        plot.drawLegendText(x + 22, Anchor::Start, protocols::escapedMarkup(questions[k].id()));
         x += legendWidth(questions[k].id());
     }
     plot.drawLegendText(plot.rightEdge(), Anchor::End, "mean, with 95 % interval over participants");

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
+#include "protocols/files/markup_text.h"
 #include "reports/text/condition_label.h"
 #include "reports/text/number_text.h"
 #include "reports/text/plain_words.h"
-#include "reports/text/text_escapes.h"
 
 namespace reports {
 namespace {
@@ -51,11 +51,12 @@ std::string contrastSentence(const std::string& id, const PairComparison& compar
     const std::string pair = id + ", " + htmlLabel(comparison.pair.a) + " \u2212 " + htmlLabel(comparison.pair.b) + ": ";
     const stats::Value& p = comparison.pHolm;
     if (!p.exists() || !test.estimate.exists())
-        return pair + "there is no test (" + escapedHtml(p.exists() ? test.estimate.why() : p.why()) + ").";
+        return pair + "there is no test (" + protocols::escapedMarkup(p.exists() ? test.estimate.why() : p.why()) + ").";
     return pair + "the difference is " + typeset(fixed(*test.estimate, 2)) + " scale points (90 % interval [" +
            typeset(fixed(*test.ci.low, 2)) + ", " + typeset(fixed(*test.ci.high, 2)) +
            "]). t test: " + pSentence(*comparison.test.p) + ", after Holm's correction " + pSentence(*p) +
-           ". Equivalence test: " + pSentence(*test.p) + ". Verdict: <b>" + escapedHtml(equivalence.verdict) + "</b>.";
+           ". Equivalence test: " + pSentence(*test.p) + ". Verdict: <b>" + protocols::escapedMarkup(equivalence.verdict) +
+           "</b>.";
 }
 
 /// The protocol's first planned contrast, the study's main question.
@@ -81,20 +82,21 @@ std::vector<std::string> findings(const StudyAnalysis& analysis)
     std::vector<std::string> sentences;
     for (const auto& question : questionsWith<ChoiceAnalysis>(analysis)) {
         sentences.push_back(rangeSentence(analysis, question.findings.conditions,
-                                          escapedHtml(question.id()) + ": matches per rendering",
+                                          protocols::escapedMarkup(question.id()) + ": matches per rendering",
                                           [](const ConditionChoices& one) { return one.matchesPerRendering; }));
-        sentences.push_back(chanceSentence(analysis, escapedHtml(question.id()), question.findings));
+        sentences.push_back(chanceSentence(analysis, protocols::escapedMarkup(question.id()), question.findings));
     }
     for (const auto& question : questionsWith<RatingAnalysis>(analysis))
-        sentences.push_back(rangeSentence(analysis, question.findings.conditions, escapedHtml(question.id()) + ": mean ratings",
+        sentences.push_back(rangeSentence(analysis, question.findings.conditions,
+                                          protocols::escapedMarkup(question.id()) + ": mean ratings",
                                           [](const ConditionRatings& one) { return one.mean; }));
     for (const auto& question : questionsWith<RatingAnalysis>(analysis))
         for (std::size_t i = 0; i < question.findings.comparisons.size(); ++i)
             if (isMainContrast(analysis.data, question.findings.comparisons[i].pair))
-                sentences.push_back(contrastSentence(escapedHtml(question.id()), question.findings.comparisons[i],
+                sentences.push_back(contrastSentence(protocols::escapedMarkup(question.id()), question.findings.comparisons[i],
                                                      question.findings.equivalences[i]));
     for (const auto& question : questionsWith<WordedAnalysis>(analysis))
-        sentences.push_back(wordsSentence(escapedHtml(question.id()), question.findings));
+        sentences.push_back(wordsSentence(protocols::escapedMarkup(question.id()), question.findings));
     std::erase(sentences, std::string());
     return sentences;
 }

@@ -1,6 +1,6 @@
 #include "reports/page/html_parts.h"
 
-#include "reports/text/text_escapes.h"
+#include "protocols/files/markup_text.h"
 
 namespace reports {
 
@@ -8,7 +8,7 @@ std::string paragraph(const std::string& html) { return "<p>" + html + "</p>\n";
 
 std::string folded(const std::string& heading, const std::string& html)
 {
-    return "<details><summary>" + escapedHtml(heading) + "</summary>" + html + "</details>\n";
+    return "<details><summary>" + protocols::escapedMarkup(heading) + "</summary>" + html + "</details>\n";
 }
 
 std::string bulletList(const std::vector<std::string>& html, const std::string& cssClass)
@@ -22,7 +22,8 @@ std::string tiles(const std::vector<NumberTile>& numbers)
 {
     std::string html = "<div class=\"tiles\">";
     for (const NumberTile& one : numbers)
-        html += "<div class=\"tile\"><b>" + escapedHtml(one.value) + "</b><span>" + escapedHtml(one.what) + "</span></div>";
+        html += "<div class=\"tile\"><b>" + protocols::escapedMarkup(one.value) + "</b><span>" +
+                protocols::escapedMarkup(one.what) + "</span></div>";
     return html + "</div>\n";
 }
 

@@ -2,9 +2,10 @@
 
 #include <set>
 
+#include "protocols/files/markup_text.h"
+#include "protocols/files/number_text.h"
 #include "reports/text/number_text.h"
 #include "reports/text/plain_words.h"
-#include "reports/text/text_escapes.h"
 
 namespace reports {
 namespace {
@@ -31,13 +32,14 @@ std::string chanceSentence(const ChoiceQuestions& questions)
     if (haveOneChance(questions)) return text + ".";
     std::vector<std::string> each;
     for (const auto& question : questions)
-        each.push_back(std::to_string(question.findings.alternatives) + " for " + escapedHtml(question.id()));
+        each.push_back(std::to_string(question.findings.alternatives) + " for " + protocols::escapedMarkup(question.id()));
     return text + ", where m is the number of answers to choose from: " + listed(each) + ".";
 }
 
 std::string boundsText(const StudyData& data)
 {
-    return typeset(shortest(data.equivalenceBounds.first)) + " and " + typeset(shortest(data.equivalenceBounds.second));
+    return typeset(protocols::shortest(data.equivalenceBounds.first)) + " and " +
+           typeset(protocols::shortest(data.equivalenceBounds.second));
 }
 
 std::string unitParagraph()
@@ -112,7 +114,7 @@ std::string measuredSizesParagraph()
 
 std::string speedParagraph(const ChoiceQuestions& questions)
 {
-    return "<b>Speed and accuracy</b> are those of " + escapedHtml(questions.front().id()) +
+    return "<b>Speed and accuracy</b> are those of " + protocols::escapedMarkup(questions.front().id()) +
            ". Response time runs from the first touch to the spoken answer. Bits per second are the information of one choice "
            "among m = " +
            std::to_string(questions.front().findings.alternatives) +
@@ -127,7 +129,7 @@ std::string participantsParagraph(const StudyData& data)
 {
     std::string text = "<b>Participants.</b> ";
     text += data.participantsSentence.empty() ? counted(data.participants.size(), "participant") + "."
-                                              : escapedHtml(data.participantsSentence);
+                                              : protocols::escapedMarkup(data.participantsSentence);
     if (!data.withdrawn.empty())
         text += " In addition, " + counted(data.withdrawn.size(), "participant") +
                 " withdrew. Answers given before are kept and not analysed, and the " + pluralOf(data.withdrawn.size(), "place") +

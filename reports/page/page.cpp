@@ -1,12 +1,12 @@
 #include "reports/page/page.h"
 
+#include "protocols/files/markup_text.h"
 #include "reports/page/html_parts.h"
 #include "reports/page/page_style.h"
 #include "reports/page/section_text.h"
 #include "reports/tables/table_formats.h"
 #include "reports/text/page_section.h"
 #include "reports/text/plain_words.h"
-#include "reports/text/text_escapes.h"
 
 namespace reports {
 namespace {
@@ -35,7 +35,7 @@ std::string noticesOf(const StudyData& data)
         html += remark(
             "<b>This report is blinded.</b> Conditions carry masked labels. Signals, groups and planned contrasts are left out "
             "until the study is unblinded.");
-    for (const std::string& stamp : data.stamps) html += remark(escapedHtml(stamp));
+    for (const std::string& stamp : data.stamps) html += remark(protocols::escapedMarkup(stamp));
     return html;
 }
 
@@ -43,8 +43,8 @@ std::string headOf(const StudyData& data)
 {
     return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
            "content=\"width=device-width, initial-scale=1\">\n<title>" +
-           escapedHtml(data.name) + " \u2013 report</title>\n<style>" + pageStyle() + "</style>\n</head>\n<body>\n" +
-           "<header class=\"top\"><h1>" + escapedHtml(data.name) +
+           protocols::escapedMarkup(data.name) + " \u2013 report</title>\n<style>" + pageStyle() + "</style>\n</head>\n<body>\n" +
+           "<header class=\"top\"><h1>" + protocols::escapedMarkup(data.name) +
            "</h1>\n<p class=\"lede\">Haptic rendering study: " + counted(data.participants.size(), "participant") + ", " +
            counted(data.fabrics.size(), "fabric") + ", " + counted(data.conditions.size(), "condition") + "</p>\n" +
            noticesOf(data) + "</header>\n";
@@ -52,8 +52,9 @@ std::string headOf(const StudyData& data)
 
 std::string footerOf(const StudyData& data)
 {
-    const std::string hash =
-        data.protocolSha256.empty() ? "" : " Protocol SHA-256: <code>" + escapedHtml(data.protocolSha256) + "</code>.";
+    const std::string hash = data.protocolSha256.empty()
+                                 ? ""
+                                 : " Protocol SHA-256: <code>" + protocols::escapedMarkup(data.protocolSha256) + "</code>.";
     return "<footer>All numbers with full digits are in <code>results.json</code>, <code>statistics.json</code>, "
            "<code>tables/</code> and <code>figures/</code> beside this page." +
            hash + "</footer>\n";
@@ -66,7 +67,7 @@ std::string htmlOf(const ReportTable& one)
 
 std::string htmlOf(const Figure& figure)
 {
-    return "<figure>" + figure.svg + "<figcaption>" + escapedHtml(figure.caption) + "</figcaption></figure>\n";
+    return "<figure>" + figure.svg + "<figcaption>" + protocols::escapedMarkup(figure.caption) + "</figcaption></figure>\n";
 }
 
 class SectionWriter {

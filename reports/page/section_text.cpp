@@ -1,11 +1,11 @@
 #include "reports/page/section_text.h"
 
+#include "protocols/files/markup_text.h"
 #include "reports/page/findings.h"
 #include "reports/page/html_parts.h"
 #include "reports/page/methods.h"
 #include "reports/text/number_text.h"
 #include "reports/text/plain_words.h"
-#include "reports/text/text_escapes.h"
 
 namespace reports {
 namespace {
@@ -34,8 +34,8 @@ std::string questionTexts(const StudyAnalysis& analysis)
     for (const auto& question : questionsWith<Findings>(analysis)) {
         const std::string& words = question.analysis.question.text;
         if (words.empty()) continue;
-        text +=
-            (text.empty() ? "" : "<br>") + ("<b>" + escapedHtml(question.id())) + "</b> \u201C" + escapedHtml(words) + "\u201D";
+        text += (text.empty() ? "" : "<br>") + ("<b>" + protocols::escapedMarkup(question.id())) + "</b> \u201C" +
+                protocols::escapedMarkup(words) + "\u201D";
     }
     return text.empty() ? text : paragraph(text);
 }
@@ -72,7 +72,7 @@ std::string qualityLead(const StudyAnalysis& analysis)
 std::string flagRules()
 {
     std::vector<std::string> rules;
-    for (const std::string& sentence : ruleSentences()) rules.push_back(escapedHtml(sentence));
+    for (const std::string& sentence : ruleSentences()) rules.push_back(protocols::escapedMarkup(sentence));
     return folded("What is flagged", bulletList(rules));
 }
 

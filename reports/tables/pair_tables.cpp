@@ -1,5 +1,6 @@
 #include "reports/tables/pair_tables.h"
 
+#include "protocols/files/number_text.h"
 #include "reports/tables/table_cells.h"
 #include "reports/text/number_text.h"
 #include "reports/text/plain_words.h"
@@ -74,7 +75,8 @@ void addRow(Table& table, const std::string& question, const PairEquivalence& eq
 
 std::string boundsText(const StudyData& data)
 {
-    return shortest(data.equivalenceBounds.first) + " and " + shortest(data.equivalenceBounds.second) + " scale points";
+    return protocols::shortest(data.equivalenceBounds.first) + " and " + protocols::shortest(data.equivalenceBounds.second) +
+           " scale points";
 }
 
 /// The rows of the planned pairs of all questions.

@@ -2,10 +2,12 @@
 
 #include <cmath>
 
+#include "protocols/files/markup_text.h"
+#include "protocols/files/number_text.h"
 #include "reports/text/condition_label.h"
 #include "reports/text/number_text.h"
 #include "reports/text/plain_words.h"
-#include "reports/text/text_escapes.h"
+#include "reports/text/tex_text.h"
 
 namespace reports {
 namespace {
@@ -19,7 +21,7 @@ const std::string& reasonOf(const stats::Interval& interval)
 
 }  // namespace
 
-TableCell textCell(const std::string& text) { return {text, text, escapedHtml(text), escapedTex(text), "", false}; }
+TableCell textCell(const std::string& text) { return {text, text, protocols::escapedMarkup(text), escapedTex(text), "", false}; }
 
 TableCell numericTextCell(const std::string& text)
 {
@@ -40,7 +42,7 @@ TableCell numberCell(const stats::Value& value, int decimals)
     if (!value.exists()) return noValue(value.why());
     if (!std::isfinite(*value)) return noValue("unbounded");
     const std::string text = fixed(*value, decimals);
-    return {text, shortest(*value), typeset(text), "$" + text + "$", "", true};
+    return {text, protocols::shortest(*value), typeset(text), "$" + text + "$", "", true};
 }
 
 TableCell countCell(std::size_t n)
@@ -53,7 +55,7 @@ TableCell pCell(const stats::Value& p)
 {
     if (!p.exists()) return noValue(p.why());
     const std::string text = pText(*p);
-    return {text, shortest(*p), escapedHtml(text), text.starts_with('<') ? "$<$ .001" : text, "", true};
+    return {text, protocols::shortest(*p), protocols::escapedMarkup(text), text.starts_with('<') ? "$<$ .001" : text, "", true};
 }
 
 TableCell pCell(const stats::Value& p, const stats::Value& logP) { return pCell(writableP(p, logP)); }
@@ -64,7 +66,7 @@ TableCell intervalCell(const stats::Interval& interval, int decimals)
     const std::string low = fixed(*interval.low, decimals);
     const std::string high = fixed(*interval.high, decimals);
     return {"[" + low + ", " + high + "]",
-            "[" + shortest(*interval.low) + ", " + shortest(*interval.high) + "]",
+            "[" + protocols::shortest(*interval.low) + ", " + protocols::shortest(*interval.high) + "]",
             "[" + typeset(low) + ", " + typeset(high) + "]",
             "$[" + low + ", " + high + "]$",
             "",

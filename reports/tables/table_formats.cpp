@@ -2,8 +2,9 @@
 
 #include <algorithm>
 
-#include "reports/csv_table.h"
-#include "reports/text/text_escapes.h"
+#include "protocols/files/csv_table.h"
+#include "protocols/files/markup_text.h"
+#include "reports/text/tex_text.h"
 
 namespace reports {
 namespace {
@@ -35,7 +36,7 @@ std::string toCsv(const Table& table)
         bool isFirst = true;
         for (std::size_t i = 0; i < table.columns.size(); ++i) {
             if (!table.isInCsv(i)) continue;
-            result += (isFirst ? "" : ",") + csvField(textOf(i));
+            result += (isFirst ? "" : ",") + protocols::csvCell(textOf(i));
             isFirst = false;
         }
         return result + "\r\n";
@@ -69,11 +70,12 @@ std::string toTex(const Table& table)
 
 std::string toHtml(const Table& table)
 {
-    std::string html = "<div class=\"scroll\"><table><caption>" + escapedHtml(table.caption) + "</caption><thead><tr>";
+    std::string html =
+        "<div class=\"scroll\"><table><caption>" + protocols::escapedMarkup(table.caption) + "</caption><thead><tr>";
     for (std::size_t i = 0; i < table.columns.size(); ++i)
         if (table.isInDocuments(i))
             html += std::string("<th scope=\"col\"") + (isNumeric(table, i) ? " class=\"n\"" : "") + ">" +
-                    escapedHtml(table.columns[i].name) + "</th>";
+                    protocols::escapedMarkup(table.columns[i].name) + "</th>";
     html += "</tr></thead><tbody>\n";
     for (const auto& row : table.rows) {
         html += "<tr>";
@@ -81,8 +83,8 @@ std::string toHtml(const Table& table)
             if (!table.isInDocuments(i)) continue;
             const std::string tag = i == 0 ? "th" : "td";
             html += "<" + tag + (i == 0 ? " scope=\"row\"" : "") + (isNumeric(table, i) ? " class=\"n\"" : "") +
-                    (row[i].why.empty() ? "" : " title=\"" + escapedHtml(row[i].why) + "\"") + ">" + row[i].html + "</" + tag +
-                    ">";
+                    (row[i].why.empty() ? "" : " title=\"" + protocols::escapedMarkup(row[i].why) + "\"") + ">" + row[i].html +
+                    "</" + tag + ">";
         }
         html += "</tr>\n";
     }

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 
-#include "reports/text/text_escapes.h"
+#include "protocols/files/markup_text.h"
+#include "reports/text/tex_text.h"
 
 namespace reports {
 namespace {
@@ -52,7 +53,7 @@ std::vector<LabelPart> labelParts(const std::string& condition)
 
 std::string htmlLabel(const std::string& condition)
 {
-    if (known(condition) == nullptr) return escapedHtml(condition);
+    if (known(condition) == nullptr) return protocols::escapedMarkup(condition);
     std::string html = "<span class=\"cond\">";
     for (const LabelPart& part : labelParts(condition)) {
         html += "<i>" + part.letter + "</i>";
@@ -75,7 +76,7 @@ std::string texLabel(const std::string& condition)
 
 std::string svgLabel(const std::string& condition)
 {
-    if (known(condition) == nullptr) return escapedHtml(shortened(condition, longestFigureName));
+    if (known(condition) == nullptr) return protocols::escapedMarkup(shortened(condition, longestFigureName));
     // Renderers disagree about baseline-shift, so each piece undoes the vertical shift of the piece before it.
     std::string svg;
     for (const LabelPart& part : labelParts(condition)) {

@@ -5,23 +5,12 @@
 #include <numbers>
 
 namespace reports {
-namespace {
-
-template <typename... Format>
-std::string written(double number, Format... format)
-{
-    std::array<char, 512> buffer;
-    const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number, format...);
-    return std::string(buffer.data(), result.ptr);
-}
-
-}  // namespace
-
-std::string shortest(double number) { return written(number); }
 
 std::string fixed(double number, int decimals)
 {
-    std::string text = written(number, std::chars_format::fixed, decimals);
+    std::array<char, 512> buffer;  // the largest double has 309 digits before the point
+    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number, std::chars_format::fixed, decimals).ptr;
+    std::string text(buffer.data(), end);
     if (text.starts_with('-') && text.find_first_not_of("-0.") == std::string::npos) text.erase(0, 1);
     return text;
 }

@@ -7,9 +7,6 @@
 
 namespace reports {
 
-/// The shortest text that reads back as the same double.
-std::string shortest(double number);
-
 /// `decimals` digits after the point; a negative zero loses its sign.
 std::string fixed(double number, int decimals);
 

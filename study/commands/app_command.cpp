@@ -6,7 +6,7 @@
 #include "reports/analysis/quality_flags.h"
 #include "study/app/app.h"
 #include "study/commands/command_line.h"
-#include "study/commands/look_at_data.h"
+#include "study/looking/look_at_data.h"
 #include "study/making/new_study.h"
 #include "study/records/stored_study.h"
 
@@ -22,14 +22,15 @@ struct Call {
 
 void makeForApp(const app::NewStudyRequest& form, const app::MakingProgress& progress)
 {
-    NewStudy request;
+    making::NewStudy request;
     request.study = form.study;
     request.dataset = form.dataset;
     request.protocol = form.protocol.value_or(std::filesystem::path());
     request.participants = form.participants;
     request.seed = form.seed;
-    makeStudy(request,
-              [&](int done, int total, const std::string& what) { progress(total > 0 ? 1.0 * done / total : 0.0, what); });
+    request.programVersion = versionText();
+    making::makeStudy(
+        request, [&](int done, int total, const std::string& what) { progress(total > 0 ? 1.0 * done / total : 0.0, what); });
 }
 
 /// What a reader of the flag must know before believing it.
@@ -44,7 +45,7 @@ const char* weaknessOf(reports::FlagKind kind)
 std::vector<app::MonitorFlag> flagsOf(const database::StudyStore& store)
 {
     std::vector<app::MonitorFlag> flags;
-    for (const reports::QualityFlag& flag : reports::qualityFlags(studyData(store)))
+    for (const reports::QualityFlag& flag : reports::qualityFlags(records::studyData(store)))
         if (flag.kind != reports::FlagKind::MissingAnswers && flag.kind != reports::FlagKind::VoidedPresentations)
             flags.push_back({flag.participant.value_or(""), nameOf(flag.kind), flag.why + weaknessOf(flag.kind)});
     return flags;
@@ -57,7 +58,7 @@ app::AppOptions optionsOf(const Call& call)
     options.display = call.display;
     options.makeStudy = makeForApp;
     options.settings = app::userSettings();
-    options.lookAtData = lookAtData();
+    options.lookAtData = looking::lookAtData();
     options.readFlags = flagsOf;
     return options;
 }

@@ -23,7 +23,7 @@ struct Export {
     const database::StudyStore& store;
     database::StudyFacts facts;
     protocols::Protocol protocol;
-    Naming naming;
+    records::Naming naming;
     fs::path out;
 };
 
@@ -112,10 +112,10 @@ void writeJsonExport(const Export& job)
 
 int exportStudy(const std::string& study, const std::string& out, const std::string& format)
 {
-    const auto store = openStudy(study);
+    const auto store = records::openStudy(study);
     auto facts = store.facts();
-    const auto protocol = protocolOf(facts);
-    const Export job{store, facts, protocol, namingOf(store, protocol, recordedUnblinding(store)), out};
+    const auto protocol = records::protocolOf(facts);
+    const Export job{store, facts, protocol, records::namingOf(store, protocol, recordedUnblinding(store)), out};
     std::error_code failure;
     fs::create_directories(job.out, failure);
     if (failure)
@@ -126,7 +126,7 @@ int exportStudy(const std::string& study, const std::string& out, const std::str
     else if (format == "json")
         writeJsonExport(job);
     else
-        writeScripts(job.store, job.naming, job.out);
+        players::writeScripts(job.store, job.naming, job.out);
     std::printf("%s: %zu answers as %s%s\n", out.c_str(), store.answers().size(), format.c_str(),
                 job.naming.blinded ? ", blinded (conditions as K-labels)" : "");
     return 0;

@@ -4,7 +4,7 @@
 
 #include "protocols/files/errors.h"
 
-namespace study::commands {
+namespace study::players {
 
 namespace {
 
@@ -76,4 +76,4 @@ SimulatedParticipant::Judgement simulatedAnswer(SimulatedParticipant& participan
         question.kind);
 }
 
-}  // namespace study::commands
+}  // namespace study::players

@@ -9,7 +9,7 @@
 #include "study/players/simulated_participant.h"
 #include "study/session/given_answer.h"
 
-namespace study::commands {
+namespace study::players {
 
 /// The presentation that a scripted answer belongs to.
 struct ScriptedPresentation {
@@ -31,4 +31,4 @@ ScriptedResponse scriptedFormOf(const session::GivenAnswer& answer);
 SimulatedParticipant::Judgement simulatedAnswer(SimulatedParticipant& participant, const protocols::BlindedTrial& trial,
                                                 const protocols::Question& question);
 
-}  // namespace study::commands
+}  // namespace study::players

@@ -10,7 +10,7 @@
 #include "study/session/session_moves.h"
 #include "study/session/session_record.h"
 
-namespace study::commands {
+namespace study::players {
 
 namespace {
 
@@ -277,4 +277,4 @@ void playScript(const Script& script, const ScriptedTrials& trials, const std::v
     player.play(progress);
 }
 
-}  // namespace study::commands
+}  // namespace study::players

@@ -1,15 +1,16 @@
 #include "study/players/session_script.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <set>
 
-#include "study/commands/json_output.h"
+#include "protocols/files/whole_file.h"
 #include "study/players/player_answers.h"
 #include "study/session/driver.h"
 #include "study/session/session_moves.h"
 #include "study/session/session_record.h"
 
-namespace study::commands {
+namespace study::players {
 
 namespace {
 
@@ -26,7 +27,7 @@ ordered_json jsonOf(const GivenAnswer& answer)
 /// Follows one log through the engine and writes down what a script needs to do the same again.
 class Recorder {
 public:
-    Recorder(const Plan& plan, const Naming& naming, ordered_json& script, bool hasVoids)
+    Recorder(const Plan& plan, const records::Naming& naming, ordered_json& script, bool hasVoids)
         : m_plan(plan), m_naming(naming), m_script(script), m_hasVoids(hasVoids)
     {
     }
@@ -95,7 +96,7 @@ private:
     }
 
     const Plan& m_plan;
-    const Naming& m_naming;
+    const records::Naming& m_naming;
     ordered_json& m_script;
     bool m_hasVoids;
     State m_state;
@@ -103,7 +104,7 @@ private:
 
 }  // namespace
 
-void writeScripts(const database::StudyStore& store, const Naming& naming, const std::filesystem::path& out)
+void writeScripts(const database::StudyStore& store, const records::Naming& naming, const std::filesystem::path& out)
 {
     std::set<protocols::ParticipantId> erased;
     for (const auto& erasure : store.erasures())
@@ -120,8 +121,8 @@ void writeScripts(const database::StudyStore& store, const Naming& naming, const
         const Plan plan = readPlan(store, enrolment.participant);
         Recorder recorder(plan, naming, script, hasVoids);
         for (const auto& record : log) recorder.follow(record);
-        writeFile(out / (enrolment.participant.value + ".json"), script.dump(1) + "\n");
+        protocols::writeWholeFile(out / (enrolment.participant.value + ".json"), script.dump(1) + "\n");
     }
 }
 
-}  // namespace study::commands
+}  // namespace study::players

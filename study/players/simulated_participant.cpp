@@ -9,7 +9,7 @@
 #include "study/session/preparation.h"
 #include "study/session/session_record.h"
 
-namespace study::commands {
+namespace study::players {
 
 using namespace session;
 
@@ -118,4 +118,4 @@ void playSimulated(SimulatedParticipant& participant, const Plan& plan, Hands& h
     }
 }
 
-}  // namespace study::commands
+}  // namespace study::players

@@ -22,7 +22,7 @@
 #include "study/players/percept.h"
 #include "study/session/clock.h"
 
-namespace study::commands {
+namespace study::players {
 
 struct PerceptualModel {
     double sensoryNoise = 1.0;        ///< SD of the noise on each distance, just-noticeable differences
@@ -69,4 +69,4 @@ private:
 void playSimulated(SimulatedParticipant& participant, const session::Plan& plan, Hands& hands, session::VirtualClock& clock,
                    const std::function<void(int)>& progress = {});
 
-}  // namespace study::commands
+}  // namespace study::players

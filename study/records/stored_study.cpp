@@ -8,7 +8,7 @@
 #include "reports/json/signals_json.h"
 #include "study/records/participants_sentence.h"
 
-namespace study::commands {
+namespace study::records {
 
 namespace {
 
@@ -125,4 +125,4 @@ reports::StudyData studyData(const database::StudyStore& store)
     return data;
 }
 
-}  // namespace study::commands
+}  // namespace study::records

@@ -11,7 +11,7 @@
 #include "database/study_store.h"
 #include "reports/data/study_data.h"
 
-namespace study::commands {
+namespace study::records {
 
 /// Opens the study for reading. Throws badInput where the folder is no study.
 database::StudyStore openStudy(const std::filesystem::path& study);
@@ -34,4 +34,4 @@ protocols::Protocol protocolOf(const database::StudyFacts& facts);
 /// What the report is made from; throws badInput and workFailed where the stored study cannot be read.
 reports::StudyData studyData(const database::StudyStore& store);
 
-}  // namespace study::commands
+}  // namespace study::records

@@ -10,7 +10,7 @@
 #include "study/records/realised_balance.h"
 #include "study/records/stored_study.h"
 
-namespace study::commands {
+namespace study::records {
 
 namespace {
 
@@ -162,4 +162,4 @@ std::string textOf(const ordered_json& status)
     return text;
 }
 
-}  // namespace study::commands
+}  // namespace study::records

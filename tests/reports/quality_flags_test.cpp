@@ -169,7 +169,8 @@ private Q_SLOTS:
     {
         StudyData data = slotsOf(20, 20, protocols::SameDifferent{});
         for (StudyResponse& response : data.responses) std::get<ChosenAnswer>(response.content).answer = "different";
-        QCOMPARE(flagged(data), (QStringList{"P01 slot_bias: Q1: the answer \"different\" was chosen in 20 of 20 trials (p < .001)"}));
+        QCOMPARE(flagged(data),
+                 (QStringList{"P01 slot_bias: Q1: the answer \"different\" was chosen in 20 of 20 trials (p < .001)"}));
     }
 
     void slotsOfNineTrialsAreNotJudged() { QCOMPARE(flagged(slotsOf(9, 9, protocols::ForcedChoice{3})), QStringList()); }
@@ -179,8 +180,7 @@ private Q_SLOTS:
     {
         QTest::addColumn<QList<double>>("blank");
         QTest::addColumn<QStringList>("flags");
-        const QString why =
-            " ratings of blank glass (catch trials) have at least the mean of the renderings' ratings";
+        const QString why = " ratings of blank glass (catch trials) have at least the mean of the renderings' ratings";
         QTest::newRow("equal mean") << QList<double>{0.6, 0.65, 0.7} << QStringList{"P01 blank_glass_rated_high: 3" + why};
         QTest::newRow("below") << QList<double>{0.6, 0.64, 0.7} << QStringList();
         QTest::newRow("two ratings") << QList<double>{9, 9} << QStringList();
@@ -199,8 +199,9 @@ private Q_SLOTS:
     {
         StudyData data = ratingsOf(different(12));
         data.voided = 1;
-        QCOMPARE(flagged(data), (QStringList{"all voided_presentations: 1 presentation was voided: kept in the data, not analysed, "
-                                             "presented again"}));
+        QCOMPARE(flagged(data),
+                 (QStringList{"all voided_presentations: 1 presentation was voided: kept in the data, not analysed, "
+                              "presented again"}));
         data.voided = 2;
         QVERIFY(flagged(data).front().startsWith("all voided_presentations: 2 presentations were voided"));
     }

@@ -2,11 +2,13 @@
 #include <QtTest>
 #include <limits>
 
+#include "protocols/files/markup_text.h"
+#include "protocols/files/number_text.h"
 #include "reports/text/condition_label.h"
 #include "reports/text/file_names.h"
 #include "reports/text/number_text.h"
 #include "reports/text/plain_words.h"
-#include "reports/text/text_escapes.h"
+#include "reports/text/tex_text.h"
 
 using namespace reports;
 
@@ -21,9 +23,9 @@ private Q_SLOTS:
         QCOMPARE(fixed(-0.004, 2), std::string("0.00"));
         QCOMPARE(fixed(-0.006, 2), std::string("-0.01"));
         QCOMPARE(fixed(7, 0), std::string("7"));
-        QCOMPARE(shortest(0.1), std::string("0.1"));
-        QCOMPARE(shortest(3.857142857142857), std::string("3.857142857142857"));
-        QCOMPARE(shortest(5), std::string("5"));
+        QCOMPARE(protocols::shortest(0.1), std::string("0.1"));
+        QCOMPARE(protocols::shortest(3.857142857142857), std::string("3.857142857142857"));
+        QCOMPARE(protocols::shortest(5), std::string("5"));
         QCOMPARE(typeset("-0.25"), std::string("\u22120.25"));
         QCOMPARE(typeset("0.25"), std::string("0.25"));
         QCOMPARE(percentText(1, 12), std::string("8 %"));
@@ -74,11 +76,12 @@ private Q_SLOTS:
 
     void textOfAnyOriginIsSafe()
     {
-        QCOMPARE(escapedHtml("<b a=\"x\" c='y'> & </b>"),
+        QCOMPARE(protocols::escapedMarkup("<b a=\"x\" c='y'> & </b>"),
                  std::string("&lt;b a=&quot;x&quot; c=&#39;y&#39;&gt; &amp; &lt;/b&gt;"));
-        QCOMPARE(escapedTex("50 % of $x_1$ & #2 {a} ~ ^ \\ < > [b]*\nc"),
-                 std::string("50 \\% of \\$x\\_1\\$ \\& \\#2 \\{a\\} \\textasciitilde{} \\textasciicircum{} \\textbackslash{} $<$ $>$ "
-                             "{[}b]{*} c"));
+        QCOMPARE(
+            escapedTex("50 % of $x_1$ & #2 {a} ~ ^ \\ < > [b]*\nc"),
+            std::string("50 \\% of \\$x\\_1\\$ \\& \\#2 \\{a\\} \\textasciitilde{} \\textasciicircum{} \\textbackslash{} $<$ $>$ "
+                        "{[}b]{*} c"));
     }
 
     void filesOfOneFolderHaveDifferentNames()

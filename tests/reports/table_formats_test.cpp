@@ -47,11 +47,12 @@ private Q_SLOTS:
 
     void latexIsABooktabsTable()
     {
-        QCOMPARE(toTex(example()),
-                 std::string("% needs \\usepackage{booktabs}\n\\begin{table}\n\\centering\n\\caption{Means \\& more}\n"
-                             "\\begin{tabular}{lrrrr}\n\\toprule\ncondition & mean \u00B1 SD & 95 \\% CI & p & n \\\\\n\\midrule\n"
-                             "$h_{\\mathrm{g}}$\\,\\&\\,$f_{\\mathrm{g}}$ & $-1.2$ $\\pm$ 0.5 & $[-1.75, 0.06]$ & $<$ .001 & 7 \\\\\n"
-                             "$f$ & -- & -- & -- & 0 \\\\\n\\bottomrule\n\\end{tabular}\n\\end{table}\n"));
+        QCOMPARE(
+            toTex(example()),
+            std::string("% needs \\usepackage{booktabs}\n\\begin{table}\n\\centering\n\\caption{Means \\& more}\n"
+                        "\\begin{tabular}{lrrrr}\n\\toprule\ncondition & mean \u00B1 SD & 95 \\% CI & p & n \\\\\n\\midrule\n"
+                        "$h_{\\mathrm{g}}$\\,\\&\\,$f_{\\mathrm{g}}$ & $-1.2$ $\\pm$ 0.5 & $[-1.75, 0.06]$ & $<$ .001 & 7 \\\\\n"
+                        "$f$ & -- & -- & -- & 0 \\\\\n\\bottomrule\n\\end{tabular}\n\\end{table}\n"));
         const Table blank{"b", "", {"a", "b"}, {{textCell(""), textCell("x")}}};
         QVERIFY(toTex(blank).find("\n & x \\\\\n") != std::string::npos);
     }

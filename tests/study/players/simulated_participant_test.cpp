@@ -12,7 +12,7 @@
 #include "study/players/expected_touch.h"
 #include "study/players/player_answers.h"
 
-using namespace study::commands;
+using namespace study::players;
 using protocols::ConditionId;
 
 namespace {

@@ -3,8 +3,11 @@
 #include "protocols/files/errors.h"
 #include "protocols/files/folder_draft.h"
 #include "reports/figures/report_figures.h"
+#include "reports/json/results_json.h"
+#include "reports/json/statistics_json.h"
 #include "reports/page/page.h"
 #include "reports/tables/report_tables.h"
+#include "reports/tables/table_formats.h"
 
 namespace reports {
 namespace {
@@ -16,24 +19,20 @@ const std::vector<std::string> entries{"index.html", "results.json", "statistics
 
 void write(const fs::path& file, const std::string& text) { protocols::writeWholeFile(file, text, protocols::Sync::Later); }
 
-void writeAll(const Analysis& analysis, const protocols::FolderDraft& draft)
+void writeAll(const StudyAnalysis& analysis, const protocols::FolderDraft& draft)
 {
-    write(draft.file("results.json"), analysis.results.dump(2) + "\n");
-    write(draft.file("statistics.json"), analysis.statistics.dump(2) + "\n");
-    for (const Table& table : allTables(analysis)) {
-        write(draft.file("tables/" + table.name + ".csv"), toCsv(table));
-        write(draft.file("tables/" + table.name + ".tex"), toTex(table));
+    // A study may have no figure. The folder is then empty, and replaces that of an earlier report.
+    for (const char* folder : {"tables", "figures"}) fs::create_directories(draft.path() / folder);
+    write(draft.file("results.json"), resultsText(analysis));
+    write(draft.file("statistics.json"), statisticsText(analysis));
+    const std::vector<ReportTable> tables = reportTables(analysis);
+    for (const ReportTable& one : tables) {
+        write(draft.file("tables/" + one.table.name + ".csv"), toCsv(one.table));
+        write(draft.file("tables/" + one.table.name + ".tex"), toTex(one.table));
     }
-    const std::vector<Figure> figures = allFigures(analysis);
+    const std::vector<Figure> figures = reportFigures(analysis);
     for (const Figure& figure : figures) write(draft.file("figures/" + figure.name + ".svg"), figure.svg);
-    write(draft.file("index.html"), page(analysis, figures));
-}
-
-bool isOurReport(const fs::path& folder)
-{
-    const std::string text = protocols::readIfPossible(folder / "results.json").value_or("");
-    const Json results = Json::parse(text, nullptr, false);
-    return results.is_object() && results.value("schema", "").starts_with("vis2hap.results/");
+    write(draft.file("index.html"), reportPage(analysis, tables, figures));
 }
 
 /// A folder with files of these names that no report wrote is somebody's work.
@@ -42,16 +41,15 @@ void requireReplaceable(const fs::path& folder)
     if (fs::exists(folder) && !fs::is_directory(folder))
         throw protocols::badInput({"the place of the report is a file", folder.string(), "a folder, or a new name", ""});
     for (const std::string& entry : entries)
-        if (fs::exists(folder / entry) && !isOurReport(folder))
+        if (fs::exists(folder / entry) && !isResultsFile(folder / "results.json"))
             throw protocols::badInput({"the folder holds \"" + entry + "\" which is not of an earlier report", folder.string(),
                                        "an empty folder, a new name, or an earlier report", "choose another folder with --out"});
 }
 
 }  // namespace
 
-void writeReport(const StudyData& data, const std::filesystem::path& folder)
+void writeReport(const StudyAnalysis& analysis, const std::filesystem::path& folder)
 {
-    const Analysis analysis = analyse(data);
     requireReplaceable(folder);
     protocols::FolderDraft draft(folder, protocols::Earlier::EntriesReplaced);
     writeAll(analysis, draft);

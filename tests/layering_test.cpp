@@ -51,7 +51,26 @@ const QList<Room>& rooms()
          "displays, their drivers, the stimulus bank, the simulated finger",
          {"rendering/composition/friction_image.h", "rendering/images/", "protocols/"}},
         {"database/", "`study.db`, the append-only log, the lock, keys and unblinding", {"protocols/"}, true},
-        {"reports/", "numbers to documents", {"reports/", "stats/", "protocols/"}, true},
+        {"reports/text/", "numbers, words, labels and headings as text", {"stats/kernels/value.h", "protocols/"}},
+        {"reports/data/", "what a report is made from", {"reports/text/", "stats/kernels/value.h", "protocols/"}},
+        {"reports/analysis/",
+         "everything that the report computes, as one value",
+         {"reports/data/", "reports/text/", "stats/", "protocols/"}},
+        {"reports/json/",
+         "`results.json` and `statistics.json`; the only place of the report that knows JSON",
+         {"reports/analysis/", "reports/data/", "reports/text/", "stats/", "protocols/"}},
+        {"reports/charts/", "drawings and the frame of a plot", {"reports/text/", "stats/kernels/value.h", "protocols/"}},
+        {"reports/tables/",
+         "the tables and their formats",
+         {"reports/analysis/", "reports/data/", "reports/text/", "stats/", "protocols/"}},
+        {"reports/figures/",
+         "the figures",
+         {"reports/charts/", "reports/analysis/", "reports/data/", "reports/text/", "stats/kernels/value.h", "protocols/"}},
+        {"reports/page/",
+         "the page: sections, findings, methods",
+         {"reports/tables/", "reports/figures/", "reports/analysis/", "reports/data/", "reports/text/", "stats/kernels/value.h",
+          "protocols/"}},
+        {"reports/", "the files of a report", {"reports/", "stats/", "protocols/"}, true},
         {"study/session/",
          "the session as a pure state machine, and its driver",
          {"database/study_store.h", "rendering/display/display.h", "rendering/display/stimulus_bank.h", "protocols/"},
@@ -134,6 +153,8 @@ QStringList includeFaults(const QString& file, const QString& text)
         if (!room->qt && include.contains(qtHeader)) faults << file + " includes Qt's " + include;
         const bool torch = include.startsWith("torch/") || include.startsWith("ATen/") || include.startsWith("c10/");
         if (torch && !file.startsWith("rendering/models/networks/")) faults << file + " includes torch's " + include;
+        const bool jsonInReports = include.startsWith("nlohmann/") && file.startsWith("reports/");
+        if (jsonInReports && !file.startsWith("reports/json/")) faults << file + " includes " + include;
     }
     return faults;
 }
@@ -231,6 +252,10 @@ private Q_SLOTS:
                                                      << "#include \"rendering/composition/friction_image.h\"\n";
         QTest::newRow("torch outside the models") << "rendering/models/a.cpp"
                                                   << "#include <torch/torch.h>\n";
+        QTest::newRow("JSON of reports at its border only") << "reports/tables/a.cpp"
+                                                            << "#include <nlohmann/json.hpp>\n";
+        QTest::newRow("analysis without tables") << "reports/analysis/a.cpp"
+                                                 << "#include \"reports/tables/table.h\"\n";
         QTest::newRow("room that is not in the table") << "extras/a.cpp"
                                                        << "";
     }

@@ -1,10 +1,11 @@
-// The responses of a study sorted into question x condition x participant x fabric, and the unit of
-// every test between conditions: the participant's mean over fabrics.
+// The answers of a study sorted into question x condition x participant x fabric, and the unit of every test between
+// conditions: the participant's mean over fabrics.
 #pragma once
 
 #include <cstddef>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "reports/data/study_data.h"
@@ -13,21 +14,26 @@
 
 namespace reports {
 
-class Cells {
+/// Keeps a reference to the data, which must outlive it.
+class AnswerCells {
 public:
-    /// Throws workFailed for a response of something the study does not list, and for a doubled one.
-    explicit Cells(const StudyData& data);
+    /// Throws workFailed for an answer of something that the study does not list, for an answer that does not fit its
+    /// question's kind, and for a second answer in the same place.
+    explicit AnswerCells(const StudyData& data);
 
-    /// Answers of a question under a condition, participants and fabrics in the order of their names, so
-    /// that no result depends on the order of rows. Of one participant with the last argument.
-    std::vector<const Response*> of(const std::string& question, const std::string& condition) const;
-    std::vector<const Response*> of(const std::string& question, const std::string& condition,
-                                    const std::string& participant) const;
+    /// Answers to a question under a condition. Participants and fabrics stand in the order of their names, so that no
+    /// result depends on the order of rows.
+    std::vector<const StudyResponse*> of(const std::string& question, const std::string& condition) const;
+    /// The answers of one participant.
+    std::vector<const StudyResponse*> of(const std::string& question, const std::string& condition,
+                                         const std::string& participant) const;
+    /// All answers of one participant to a question, in the order of the conditions.
+    std::vector<const StudyResponse*> ofParticipant(const std::string& question, const std::string& participant) const;
 
     /// Participants in the order of their names: the blocks of every test.
     const std::vector<std::string>& participants() const { return m_participants; }
 
-    /// A participant's mean rating or share correct over the fabrics answered; undefined without any.
+    /// A participant's mean rating, or share correct, over the fabrics answered; undefined without answers.
     stats::Value participantMean(const std::string& question, const std::string& condition, const std::string& participant) const;
 
     /// Means of all participants who have one, in the order of participants().
@@ -38,34 +44,38 @@ public:
         std::vector<std::string> participants;
         stats::BlockTable table;
     };
-    CompleteBlocks completeBlocks(const std::string& question, const std::vector<std::string>& conditions) const;
+    CompleteBlocks completeBlocks(const std::string& question) const;
 
-    /// Participant x fabric blocks answered in every condition, 0 or 1.
-    stats::BlockTable completeSuccesses(const std::string& question, const std::vector<std::string>& conditions) const;
+    /// Blocks of participant x fabric that are answered in every condition: 1 correct, 0 wrong.
+    stats::BlockTable completeSuccesses(const std::string& question) const;
 
     /// Means of the participants who have one under both conditions.
-    struct Pairs {
+    struct PairedMeans {
         std::vector<double> a;
         std::vector<double> b;
     };
-    Pairs pairs(const std::string& question, const std::string& a, const std::string& b) const;
+    PairedMeans pairedMeans(const std::string& question, const std::string& a, const std::string& b) const;
 
+    /// Number of answers to a question.
     std::size_t answered(const std::string& question) const;
 
 private:
-    /// Of one participant: by fabric.
-    using ByFabric = std::map<std::string, const Response*>;
+    using ByFabric = std::map<std::string, const StudyResponse*>;
     using ByParticipant = std::map<std::string, ByFabric>;
     const ByParticipant* find(const std::string& question, const std::string& condition) const;
 
     const StudyData& m_data;
     std::vector<std::string> m_participants;
-    std::map<std::pair<std::string, std::string>, ByParticipant> m_cells;
+    std::map<std::pair<std::string, std::string>, ByParticipant> m_cells;  ///< by question and condition
 };
 
-/// Values of the responses: ratings, or 1 and 0 for right and wrong choices.
-std::vector<double> valuesOf(const std::vector<const Response*>& responses);
-/// Those that carry a response time.
-std::vector<double> secondsOf(const std::vector<const Response*>& responses);
+/// The number of an answer: a rating, or 1 for a right and 0 for a wrong choice. Words have none and are left out.
+std::vector<double> valuesOf(const std::vector<const StudyResponse*>& responses);
+
+/// The response times of the answers that carry one.
+std::vector<double> secondsOf(const std::vector<const StudyResponse*>& responses);
+
+/// Number of right choices among these values.
+std::size_t correctAmong(const std::vector<double>& values);
 
 }  // namespace reports

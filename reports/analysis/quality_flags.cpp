@@ -3,98 +3,95 @@
 #include <algorithm>
 #include <map>
 
+#include "protocols/files/number_text.h"
+#include "reports/text/number_text.h"
+#include "reports/text/plain_words.h"
 #include "stats/kernels/decimal_grid.h"
 #include "stats/tests/binomial.h"
 
 namespace reports {
 namespace {
 
-class Flags {
-public:
-    void add(const std::string& participant, const std::string& flag, const std::string& why)
-    {
-        m_flags.push_back(Json{{"participant", participant}, {"flag", flag}, {"why", why}});
-    }
-    void addForStudy(const std::string& flag, const std::string& why)
-    {
-        m_flags.push_back(Json{{"participant", nullptr}, {"flag", flag}, {"why", why}});
-    }
-    Json take() { return std::move(m_flags); }
+/// One participant's answers under examination.
+struct Examination {
+    const StudyData& data;
+    const AnswerCells& cells;
+    const QualityRules& rules;
+    const std::string& participant;
+    std::vector<QualityFlag>& flags;
 
-private:
-    Json m_flags = Json::array();
+    std::vector<const StudyResponse*> answers(const QuestionInfo& question) const
+    {
+        return cells.ofParticipant(question.id, participant);
+    }
+    void flag(FlagKind kind, const std::string& why) const { flags.push_back({participant, kind, why}); }
 };
 
-std::vector<const Response*> allOf(const StudyData& data, const Cells& cells, const std::string& participant,
-                                   const std::string& question)
+bool isRating(const QuestionInfo& question) { return std::holds_alternative<NumberOnScale>(scoringOf(question.kind)); }
+
+bool isAtLeast(std::size_t part, double share, std::size_t whole)
 {
-    std::vector<const Response*> result;
-    for (const std::string& condition : data.conditions) {
-        const auto part = cells.of(question, condition, participant);
-        result.insert(result.end(), part.begin(), part.end());
-    }
-    return result;
+    return static_cast<double>(part) >= share * static_cast<double>(whole);
 }
 
-std::string percent(std::size_t part, std::size_t whole)
+/// The value that occurs most often; the smallest of several.
+template <class Key>
+std::pair<Key, std::size_t> favouriteOf(const std::map<Key, std::size_t>& counts)
 {
-    return fixed(100.0 * static_cast<double>(part) / static_cast<double>(whole), 0) + " %";
+    return *std::max_element(counts.begin(), counts.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
 }
 
-void flagMissing(Flags& flags, const StudyData& data, const Cells& cells, const std::string& participant)
+void flagMissing(const Examination& one)
 {
     std::string parts;
-    const std::size_t whole = data.conditions.size() * data.fabrics.size();
-    for (const QuestionInfo& question : data.questions) {
-        const std::size_t present = allOf(data, cells, participant, question.id).size();
+    const std::size_t whole = one.data.conditions.size() * one.data.fabrics.size();
+    for (const QuestionInfo& question : one.data.questions) {
+        const std::size_t present = one.answers(question).size();
         if (present < whole)
             parts += (parts.empty() ? "" : ", ") + question.id + ": " + std::to_string(whole - present) + " of " +
                      std::to_string(whole);
     }
-    if (!parts.empty()) flags.add(participant, "missing_answers", "answers missing: " + parts);
+    if (!parts.empty()) one.flag(FlagKind::MissingAnswers, "answers missing: " + parts);
 }
 
-void flagFast(Flags& flags, const StudyData& data, const Cells& cells, const std::string& participant, const QualityRules& rules)
+void flagFast(const Examination& one)
 {
     std::vector<double> seconds;
-    for (const QuestionInfo& question : data.questions)
-        for (const double s : secondsOf(allOf(data, cells, participant, question.id))) seconds.push_back(s);
+    for (const QuestionInfo& question : one.data.questions)
+        for (const double s : secondsOf(one.answers(question))) seconds.push_back(s);
     const auto fast = static_cast<std::size_t>(
-        std::count_if(seconds.begin(), seconds.end(), [&](double s) { return s < rules.tooFastSeconds; }));
-    if (seconds.size() >= rules.fewestAnswers &&
-        static_cast<double>(fast) > rules.tooFastShare * static_cast<double>(seconds.size()))
-        flags.add(participant, "too_fast",
-                  std::to_string(fast) + " of " + std::to_string(seconds.size()) + " answers (" + percent(fast, seconds.size()) +
-                      ") came within " + shortest(rules.tooFastSeconds) + " s of the touch");
+        std::count_if(seconds.begin(), seconds.end(), [&](double s) { return s < one.rules.tooFastSeconds; }));
+    const auto n = static_cast<double>(seconds.size());
+    if (seconds.size() >= one.rules.fewestAnswers && static_cast<double>(fast) > one.rules.tooFastShare * n)
+        one.flag(FlagKind::TooFast, std::to_string(fast) + " of " + std::to_string(seconds.size()) + " answers (" +
+                                        percentText(static_cast<double>(fast), n) + ") came within " +
+                                        protocols::shortest(one.rules.tooFastSeconds) + " s of the touch");
 }
 
-void flagStraightLining(Flags& flags, const StudyData& data, const Cells& cells, const std::string& participant,
-                        const QualityRules& rules)
+void flagStraightLining(const Examination& one)
 {
-    for (const QuestionInfo& question : data.questions) {
-        const auto ratings = valuesOf(allOf(data, cells, participant, question.id));
-        if (question.isChoice || ratings.size() < rules.fewestAnswers) continue;
+    for (const QuestionInfo& question : one.data.questions) {
+        const std::vector<double> ratings = valuesOf(one.answers(question));
+        if (!isRating(question) || ratings.size() < one.rules.fewestAnswers) continue;
         std::map<double, std::size_t> counts;
         for (const double rating : ratings) ++counts[rating];
-        const auto favourite =
-            std::max_element(counts.begin(), counts.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
-        if (static_cast<double>(favourite->second) >= rules.sameRatingShare * static_cast<double>(ratings.size()))
-            flags.add(participant, "straight_lining",
-                      question.id + ": " + std::to_string(favourite->second) + " of " + std::to_string(ratings.size()) +
-                          " ratings are " + shortest(favourite->first));
+        const auto [favourite, times] = favouriteOf(counts);
+        if (isAtLeast(times, one.rules.sameRatingShare, ratings.size()))
+            one.flag(FlagKind::StraightLining, question.id + ": " + std::to_string(times) + " of " +
+                                                   std::to_string(ratings.size()) + " ratings are " +
+                                                   protocols::shortest(favourite));
     }
 }
 
-void flagSameAcross(Flags& flags, const StudyData& data, const Cells& cells, const std::string& participant,
-                    const QualityRules& rules)
+void flagSameAcross(const Examination& one)
 {
     std::map<std::pair<std::string, std::string>, std::vector<double>> byPresentation;
     std::size_t questions = 0;
-    for (const QuestionInfo& question : data.questions) {
-        if (question.isChoice) continue;
+    for (const QuestionInfo& question : one.data.questions) {
+        if (!isRating(question)) continue;
         ++questions;
-        for (const Response* response : allOf(data, cells, participant, question.id))
-            byPresentation[{response->condition, response->fabric}].push_back(*response->rating);
+        for (const StudyResponse* response : one.answers(question))
+            byPresentation[{response->condition, response->fabric}].push_back(valuesOf({response}).front());
     }
     std::size_t whole = 0;
     std::size_t same = 0;
@@ -103,99 +100,127 @@ void flagSameAcross(Flags& flags, const StudyData& data, const Cells& cells, con
         ++whole;
         same += std::equal(ratings.begin() + 1, ratings.end(), ratings.begin()) ? 1 : 0;
     }
-    if (questions > 1 && whole >= rules.fewestAnswers &&
-        static_cast<double>(same) >= rules.sameAcrossShare * static_cast<double>(whole))
-        flags.add(participant, "same_across_questions",
-                  std::to_string(same) + " of " + counted(whole, "presentation") + " got the same number for every question");
+    if (questions > 1 && whole >= one.rules.fewestAnswers && isAtLeast(same, one.rules.sameAcrossShare, whole))
+        one.flag(FlagKind::SameAcrossQuestions,
+                 std::to_string(same) + " of " + counted(whole, "presentation") + " got the same number for every question");
 }
 
-void flagSlotBias(Flags& flags, const StudyData& data, const Cells& cells, const std::string& participant,
-                  const QualityRules& rules)
+/// "tray slot B", or the word of a same/different answer.
+std::string slotName(const ChosenAnswer& choice)
 {
-    for (const QuestionInfo& question : data.questions) {
-        std::map<int, long long> counts;
-        long long trials = 0;
-        for (const Response* response : allOf(data, cells, participant, question.id))
-            if (response->answerSlot) {
-                ++counts[*response->answerSlot];
+    const std::string answer = choice.answer.value_or("");
+    if (answer == "same" || answer == "different") return "the answer \"" + answer + "\"";
+    return "tray slot " + std::string(1, static_cast<char>('A' + *choice.slot));
+}
+
+void flagSlotBias(const Examination& one)
+{
+    for (const QuestionInfo& question : one.data.questions) {
+        const Scoring scoring = scoringOf(question.kind);
+        const auto* choice = std::get_if<RightOrWrong>(&scoring);
+        if (choice == nullptr || choice->alternatives < 2) continue;
+        std::map<int, std::size_t> counts;
+        std::map<int, std::string> names;
+        std::size_t trials = 0;
+        for (const StudyResponse* response : one.answers(question))
+            if (const auto* given = std::get_if<ChosenAnswer>(&response->content); given != nullptr && given->slot) {
+                ++counts[*given->slot];
+                names[*given->slot] = slotName(*given);
                 ++trials;
             }
-        if (trials < static_cast<long long>(rules.fewestAnswers) || data.alternativesOf(question.id) < 2) continue;
-        const auto favourite =
-            std::max_element(counts.begin(), counts.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
-        const auto test = stats::binomialTest(favourite->second, trials, 1.0 / data.alternativesOf(question.id));
-        const double p = std::min(1.0, *test.pGreater * data.alternativesOf(question.id));
-        if (p < rules.slotBiasP)
-            flags.add(participant, "slot_bias",
-                      question.id + ": tray slot " + std::string(1, static_cast<char>('A' + favourite->first)) +
-                          " was chosen in " + std::to_string(favourite->second) + " of " + std::to_string(trials) +
-                          " trials (p " + (p < 0.001 ? "" : "= ") + pText(p) + ")");
+        if (trials < one.rules.fewestAnswers) continue;
+        const auto [favourite, times] = favouriteOf(counts);
+        const auto test =
+            stats::binomialTest(static_cast<long long>(times), static_cast<long long>(trials), 1.0 / choice->alternatives);
+        const double p = std::min(1.0, *test.pGreater * choice->alternatives);
+        if (p < one.rules.slotBiasP)
+            one.flag(FlagKind::SlotBias, question.id + ": " + names[favourite] + " was chosen in " + std::to_string(times) +
+                                             " of " + std::to_string(trials) + " trials (p " + (p < 0.001 ? "" : "= ") +
+                                             pText(p) + ")");
     }
 }
 
-/// Blank glass should feel less like cloth than renderings do.
-void flagBlankGlass(Flags& flags, const StudyData& data, const Cells& cells, const std::string& participant,
-                    const QualityRules& rules)
+/// Blank glass should feel less like cloth than the renderings do.
+void flagBlankGlass(const Examination& one)
 {
     std::vector<double> blank, renderings;
-    for (const Response& response : data.catchResponses)
-        if (response.participant == participant && response.rating) blank.push_back(*response.rating);
-    for (const QuestionInfo& question : data.questions)
-        if (!question.isChoice)
-            for (const double rating : valuesOf(allOf(data, cells, participant, question.id))) renderings.push_back(rating);
-    if (blank.size() < rules.fewestCatchRatings || renderings.size() < rules.fewestAnswers) return;
-    const stats::Value ofBlank = stats::meanOf(blank), ofRenderings = stats::meanOf(renderings);
-    if (*ofBlank >= *ofRenderings)
-        flags.add(
-            participant, "blank_glass_rated_high",
+    for (const StudyResponse& response : one.data.catchResponses)
+        if (const auto* rated = std::get_if<RatedAnswer>(&response.content); rated != nullptr)
+            if (response.participant == one.participant) blank.push_back(rated->rating);
+    for (const QuestionInfo& question : one.data.questions)
+        if (isRating(question))
+            for (const double rating : valuesOf(one.answers(question))) renderings.push_back(rating);
+    if (blank.size() < one.rules.fewestCatchRatings || renderings.size() < one.rules.fewestAnswers) return;
+    if (*stats::meanOf(blank) >= *stats::meanOf(renderings))
+        one.flag(
+            FlagKind::BlankGlassRatedHigh,
             counted(blank.size(), "rating") + " of blank glass (catch trials) have at least the mean of the renderings' ratings");
 }
 
 }  // namespace
 
-Json qualityFlags(const StudyData& data, const Cells& cells, const QualityRules& rules)
+std::string nameOf(FlagKind kind)
 {
-    Flags flags;
-    for (const std::string& participant : data.participants) {
-        flagMissing(flags, data, cells, participant);
-        flagFast(flags, data, cells, participant, rules);
-        flagStraightLining(flags, data, cells, participant, rules);
-        flagSameAcross(flags, data, cells, participant, rules);
-        flagSlotBias(flags, data, cells, participant, rules);
-        flagBlankGlass(flags, data, cells, participant, rules);
+    switch (kind) {
+        case FlagKind::MissingAnswers:
+            return "missing_answers";
+        case FlagKind::TooFast:
+            return "too_fast";
+        case FlagKind::StraightLining:
+            return "straight_lining";
+        case FlagKind::SameAcrossQuestions:
+            return "same_across_questions";
+        case FlagKind::SlotBias:
+            return "slot_bias";
+        case FlagKind::BlankGlassRatedHigh:
+            return "blank_glass_rated_high";
+        case FlagKind::VoidedPresentations:
+            return "voided_presentations";
     }
-    if (data.voided > 0)
-        flags.addForStudy("voided_presentations", counted(data.voided, "presentation") + (data.voided == 1 ? " was" : " were") +
-                                                      " voided: kept in the data, not analysed, presented again");
-    return flags.take();
+    return {};
 }
 
-Completeness completenessOf(const StudyData& data, const Cells& cells)
+std::vector<QualityFlag> qualityFlags(const StudyData& data, const AnswerCells& cells, const QualityRules& rules)
 {
-    Completeness completeness;
-    for (const QuestionInfo& question : data.questions) completeness.present += cells.answered(question.id);
-    completeness.expected = data.expectedResponses != 0
-                                ? data.expectedResponses
-                                : data.participants.size() * data.fabrics.size() * data.conditions.size() * data.questions.size();
-    return completeness;
+    std::vector<QualityFlag> flags;
+    for (const std::string& participant : data.participants) {
+        const Examination one{data, cells, rules, participant, flags};
+        flagMissing(one);
+        flagFast(one);
+        flagStraightLining(one);
+        flagSameAcross(one);
+        flagSlotBias(one);
+        flagBlankGlass(one);
+    }
+    if (data.voided > 0)
+        flags.push_back({std::nullopt, FlagKind::VoidedPresentations,
+                         counted(data.voided, "presentation") + (data.voided == 1 ? " was" : " were") +
+                             " voided: kept in the data, not analysed, presented again"});
+    return flags;
 }
+
+std::vector<QualityFlag> qualityFlags(const StudyData& data) { return qualityFlags(data, AnswerCells(data)); }
 
 std::vector<std::string> ruleSentences(const QualityRules& rules)
 {
-    const auto percentOf = [](double share) { return fixed(100 * share, 0) + " %"; };
+    const auto percentOf = [](double share) { return percentText(share, 1); };
     return {
-        "missing_answers: any participant with fewer answers than the design asks for.",
-        "too_fast: more than " + percentOf(rules.tooFastShare) + " of the timed answers within " +
-            shortest(rules.tooFastSeconds) + " s of the first touch.",
-        "straight_lining: one value in at least " + percentOf(rules.sameRatingShare) + " of a question's ratings.",
-        "same_across_questions: the same number to every rating question in at least " + percentOf(rules.sameAcrossShare) +
-            " of the presentations.",
-        "Both kinds of straight lining have a known weakness: somebody to whom all renderings feel alike answers so in earnest.",
-        "blank_glass_rated_high: the mean rating of catch trials is not below the mean of the other ratings.",
-        "slot_bias: the favourite tray slot is chosen more often than 1/m (exact binomial test, times the number of slots, p < " +
-            shortest(rules.slotBiasP) + ").",
-        "voided_presentations: presentations that were invalid; they are kept, not analysed, and were presented again.",
-        "Shares are judged from " + std::to_string(rules.fewestAnswers) + " answers on. Flagged data stay in every analysis.",
+        "missing_answers: the participant gave fewer answers than the design asks for.",
+        "too_fast: more than " + percentOf(rules.tooFastShare) + " of the timed answers came within " +
+            protocols::shortest(rules.tooFastSeconds) + " s of the first touch.",
+        "straight_lining: at least " + percentOf(rules.sameRatingShare) + " of the ratings of one question are the same number.",
+        "same_across_questions: at least " + percentOf(rules.sameAcrossShare) +
+            " of the presentations got the same number for every rating question.",
+        "Both flags on equal ratings have a known weakness: a participant to whom all renderings feel alike also answers so.",
+        "blank_glass_rated_high: the mean rating of blank glass (catch trials) is not below the mean of the other ratings. It "
+        "needs "
+        "at least " +
+            std::to_string(rules.fewestCatchRatings) + " ratings of blank glass.",
+        "slot_bias: the participant chose one tray slot more often than 1/m (exact binomial test, p times the number of slots "
+        "below " +
+            protocols::shortest(rules.slotBiasP) + ").",
+        "voided_presentations: these presentations were invalid. They are kept, not analysed, and were presented again.",
+        "A share is judged from " + std::to_string(rules.fewestAnswers) + " answers on. Flagged data stay in every analysis.",
     };
 }
 

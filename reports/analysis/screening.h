@@ -1,16 +1,40 @@
-// The same means with and without the participants whose answers carry flags: shown beside each other,
-// because data are never removed in silence.
+// The same means with and without the participants whose answers carry flags. Both are shown side by side, because data are
+// never removed without a word.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "reports/analysis/answer_cells.h"
-#include "reports/text/number_text.h"
+#include "reports/analysis/quality_flags.h"
 
 namespace reports {
 
-/// {"excluded": [{participant, flags}], "questions": {Q: {condition: {"before", "after"}}}, "participants":
-/// {"before", "after"}}: share correct or mean rating over the participants' means. Missing answers and voided
-/// presentations are no reason to exclude. "questions" is null, with its reason, while nobody is flagged or nobody
-/// would be left.
-Json screeningPart(const StudyData& data, const Cells& cells);
+struct ExcludedParticipant {
+    std::string participant;
+    std::vector<FlagKind> flags;
+};
+
+/// Share correct or mean rating, over the participants' means.
+struct ScreenedMean {
+    stats::Value before;
+    stats::Value after;
+};
+
+struct ScreenedQuestion {
+    std::string question;
+    std::vector<ScreenedMean> conditions;  ///< in the order of the study's conditions
+};
+
+struct Screening {
+    std::vector<ExcludedParticipant> excluded;  ///< in the order of their names
+    std::size_t participantsBefore = 0;
+    std::size_t participantsAfter = 0;
+    std::vector<ScreenedQuestion> questions;  ///< questions with numbers
+    std::string why;                          ///< reason where there are no means: nobody is flagged, or everybody
+};
+
+/// Missing answers and voided presentations exclude nobody.
+Screening screenParticipants(const StudyData& data, const AnswerCells& cells, const std::vector<QualityFlag>& flags);
 
 }  // namespace reports

@@ -1,41 +1,104 @@
 #include "reports/analysis/study_analysis.h"
 
-#include "reports/write_report.h"
+#include <algorithm>
+#include <utility>
 
 namespace reports {
-
-Analysis analyse(const StudyData& data) { return {data, results(data), statistics(data)}; }
-
-std::string lowerCase(std::string text)
-{
-    for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    return text;
-}
-
-std::size_t countOf(const Json& object, const std::string& key)
-{
-    return object.is_object() && object.contains(key) && object[key].is_number_integer() ? object[key].get<std::size_t>() : 0;
-}
-
-std::vector<std::string> conditionsOf(const Json& results) { return results["conditions"].get<std::vector<std::string>>(); }
-
 namespace {
 
-std::vector<std::string> questionsWith(const Json& results, const std::string& field)
+/// Ratings that came without a protocol may leave the scale. It is then extended, for all questions that share it.
+NumberOnScale extended(const NumberOnScale& scale, const StudyData& data, const AnswerCells& cells)
 {
-    std::vector<std::string> ids;
-    const auto conditions = conditionsOf(results);
-    for (const auto& [key, part] : results.items())
-        if (!conditions.empty() && part.is_object() && part.contains(conditions.front()) &&
-            part[conditions.front()].contains(field))
-            ids.push_back(key);
-    return ids;
+    NumberOnScale wide = scale;
+    for (const QuestionInfo& question : data.questions)
+        for (const std::string& condition : data.conditions)
+            if (scoringOf(question.kind) == Scoring(scale))
+                for (const double rating : valuesOf(cells.of(question.id, condition)))
+                    wide = {std::min(wide.min, rating), std::max(wide.max, rating)};
+    return wide;
+}
+
+QuestionFindings findingsOf(const StudyData& data, const AnswerCells& cells, const QuestionInfo& question)
+{
+    return std::visit(protocols::Overloaded{
+                          [&](const RightOrWrong& choice) -> QuestionFindings {
+                              return analyseChoices(data, cells, question.id, choice.alternatives);
+                          },
+                          [&](const NumberOnScale& scale) -> QuestionFindings {
+                              return analyseRatings(data, cells, question.id, extended(scale, data, cells));
+                          },
+                          [&](const OpenWords&) -> QuestionFindings { return collectWords(data, cells, question.id); },
+                      },
+                      scoringOf(question.kind));
+}
+
+QuestionAnalysis analyseQuestion(const StudyData& data, const AnswerCells& cells, const QuestionInfo& question)
+{
+    QuestionAnalysis analysis{question, findingsOf(data, cells, question), {}, {}};
+    const std::size_t whole = data.participants.size() * data.fabrics.size();
+    for (const std::string& condition : data.conditions) {
+        const auto responses = cells.of(question.id, condition);
+        analysis.missing.push_back(whole > responses.size() ? whole - responses.size() : 0);
+        analysis.times.push_back(stats::responseTimes(secondsOf(responses)));
+    }
+    return analysis;
+}
+
+Completeness completenessOf(const StudyData& data, const AnswerCells& cells)
+{
+    Completeness completeness;
+    for (const QuestionInfo& question : data.questions) completeness.present += cells.answered(question.id);
+    completeness.expected = data.expectedResponses != 0
+                                ? data.expectedResponses
+                                : data.participants.size() * data.fabrics.size() * data.conditions.size() * data.questions.size();
+    return completeness;
+}
+
+std::vector<ConditionSpeed> speedOf(const StudyData& data, const AnswerCells& cells)
+{
+    for (const QuestionInfo& question : data.questions)
+        if (const Scoring scoring = scoringOf(question.kind); const auto* choice = std::get_if<RightOrWrong>(&scoring))
+            return analyseSpeed(data, cells, question.id, choice->alternatives);
+    return speedWithoutChoices(data);
 }
 
 }  // namespace
 
-std::vector<std::string> choiceQuestions(const Json& results) { return questionsWith(results, "trials"); }
+StudyAnalysis analyse(StudyData data)
+{
+    StudyAnalysis analysis;
+    const AnswerCells cells(data);
+    for (const QuestionInfo& question : data.questions) analysis.questions.push_back(analyseQuestion(data, cells, question));
+    analysis.speed = speedOf(data, cells);
+    analysis.flags = qualityFlags(data, cells);
+    analysis.screening = screenParticipants(data, cells, analysis.flags);
+    analysis.completeness = completenessOf(data, cells);
+    analysis.data = std::move(data);
+    return analysis;
+}
 
-std::vector<std::string> ratingQuestions(const Json& results) { return questionsWith(results, "participants"); }
+const std::vector<PairComparison>& comparisonsOf(const QuestionAnalysis& question)
+{
+    static const std::vector<PairComparison> none;
+    using Comparisons = const std::vector<PairComparison>&;
+    return std::visit(protocols::Overloaded{
+                          [](const ChoiceAnalysis& choices) -> Comparisons { return choices.comparisons; },
+                          [](const RatingAnalysis& ratings) -> Comparisons { return ratings.comparisons; },
+                          [](const WordedAnalysis&) -> Comparisons { return none; },
+                      },
+                      question.findings);
+}
+
+const std::vector<PairEquivalence>& equivalencesOf(const QuestionAnalysis& question)
+{
+    static const std::vector<PairEquivalence> none;
+    using Equivalences = const std::vector<PairEquivalence>&;
+    return std::visit(protocols::Overloaded{
+                          [](const ChoiceAnalysis&) -> Equivalences { return none; },
+                          [](const RatingAnalysis& ratings) -> Equivalences { return ratings.equivalences; },
+                          [](const WordedAnalysis&) -> Equivalences { return none; },
+                      },
+                      question.findings);
+}
 
 }  // namespace reports

@@ -1,31 +1,70 @@
-// The analysed study as every document shows it: the data, results.json and statistics.json.
+// Everything that the report computes from a study, as one value. Tables, figures, page and files only read it.
 #pragma once
 
-#include <string>
+#include <variant>
 #include <vector>
 
+#include "reports/analysis/choice_analysis.h"
+#include "reports/analysis/quality_flags.h"
+#include "reports/analysis/rating_analysis.h"
+#include "reports/analysis/screening.h"
+#include "reports/analysis/speed_analysis.h"
+#include "reports/analysis/worded_analysis.h"
 #include "reports/data/study_data.h"
-#include "reports/text/number_text.h"
+#include "stats/tests/speed_accuracy.h"
 
 namespace reports {
 
-struct Analysis {
-    const StudyData& data;
-    Json results;
-    Json statistics;
+/// What is known about a question, by how its answers are scored.
+using QuestionFindings = std::variant<ChoiceAnalysis, RatingAnalysis, WordedAnalysis>;
+
+struct QuestionAnalysis {
+    QuestionInfo question;
+    QuestionFindings findings;
+    std::vector<std::size_t> missing;         ///< answers, by condition
+    std::vector<stats::ResponseTimes> times;  ///< by condition
 };
 
-Analysis analyse(const StudyData& data);
+/// Answers that a complete study would hold, and those that there are.
+struct Completeness {
+    std::size_t expected = 0;
+    std::size_t present = 0;
+    std::size_t missing() const { return expected > present ? expected - present : 0; }
+};
 
-/// "Q1" -> "q1", as in the names of files and of statistics.
-std::string lowerCase(std::string text);
+struct StudyAnalysis {
+    StudyData data;
+    std::vector<QuestionAnalysis> questions;  ///< in the order of the study
+    std::vector<ConditionSpeed> speed;        ///< by condition, of the first choice question
+    std::vector<QualityFlag> flags;
+    Screening screening;
+    Completeness completeness;
+};
 
-/// A whole number of an object; 0 where it is missing or null.
-std::size_t countOf(const Json& object, const std::string& key);
+/// Throws workFailed where answers contradict the study's own lists (see AnswerCells).
+StudyAnalysis analyse(StudyData data);
 
-std::vector<std::string> conditionsOf(const Json& results);
-/// Ids of the choice questions, and of the rating questions, in their order.
-std::vector<std::string> choiceQuestions(const Json& results);
-std::vector<std::string> ratingQuestions(const Json& results);
+/// A question whose findings are of one kind.
+template <class Findings>
+struct AnalysedQuestion {
+    const QuestionAnalysis& analysis;
+    const Findings& findings;
+
+    const std::string& id() const { return analysis.question.id; }
+};
+
+/// The questions whose findings are of one kind, in the order of the study.
+template <class Findings>
+std::vector<AnalysedQuestion<Findings>> questionsWith(const StudyAnalysis& analysis)
+{
+    std::vector<AnalysedQuestion<Findings>> questions;
+    for (const QuestionAnalysis& question : analysis.questions)
+        if (const auto* findings = std::get_if<Findings>(&question.findings)) questions.push_back({question, *findings});
+    return questions;
+}
+
+/// Pairs of conditions of a question; none where its answers are words.
+const std::vector<PairComparison>& comparisonsOf(const QuestionAnalysis& question);
+const std::vector<PairEquivalence>& equivalencesOf(const QuestionAnalysis& question);
 
 }  // namespace reports

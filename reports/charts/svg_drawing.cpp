@@ -1,5 +1,6 @@
 #include "reports/charts/svg_drawing.h"
 
+#include "protocols/files/markup_text.h"
 #include "reports/text/number_text.h"
 
 namespace reports {
@@ -50,7 +51,7 @@ void SvgDrawing::rectangle(SvgPoint corner, double width, double height, const s
                  attribute("height", height) + attribute("fill", fill) +
                  (opacity < 1 ? attribute("fill-opacity", fixed(opacity, 2)) : "") +
                  (stroke == "none" ? "" : attribute("stroke", stroke) + attribute("stroke-width", 1.5));
-    m_content += hint.empty() ? "/>\n" : "><title>" + escapedHtml(hint) + "</title></rect>\n";
+    m_content += hint.empty() ? "/>\n" : "><title>" + protocols::escapedMarkup(hint) + "</title></rect>\n";
 }
 
 void SvgDrawing::polygon(const std::vector<SvgPoint>& points, const std::string& fill, const std::string& stroke)
@@ -84,7 +85,8 @@ std::string SvgDrawing::finished() const
     return "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" viewBox=\"0 0 " + length(m_width) + " " + length(m_height) +
            "\" width=\"" + length(m_width) + "\" height=\"" + length(m_height) +
            "\" font-family=\"'Source Sans 3','Segoe UI','Helvetica Neue','Liberation Sans',Arial,sans-serif\">\n<title>" +
-           escapedHtml(m_title) + "</title>\n<desc>" + escapedHtml(m_description) + "</desc>\n" + m_content + "</svg>\n";
+           protocols::escapedMarkup(m_title) + "</title>\n<desc>" + protocols::escapedMarkup(m_description) + "</desc>\n" +
+           m_content + "</svg>\n";
 }
 
 }  // namespace reports

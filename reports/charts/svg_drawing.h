@@ -1,4 +1,4 @@
-// Scalable drawings as text: no screen and no font engine is needed to write a figure.
+// Scalable drawings (SVG) as text. Writing a figure needs neither a screen nor a font engine.
 #pragma once
 
 #include <string>
@@ -14,18 +14,21 @@ struct SvgPoint {
 enum class Anchor { Start, Middle, End };
 
 struct SvgText {
-    double size = 14;
+    double size = 14;  ///< px
     Anchor anchor = Anchor::Middle;
     std::string colour = "#22303a";
     bool bold = false;
     double rotation = 0;  ///< degrees, about the anchor
 };
 
+/// Coordinates in px from the upper left corner.
 class SvgDrawing {
 public:
+    /// `title` and `description` are plain text for readers who cannot see the drawing.
     SvgDrawing(double width, double height, const std::string& title, const std::string& description);
 
     void line(SvgPoint from, SvgPoint to, const std::string& colour, double width, const std::string& dashes = {});
+    /// `hint` is plain text that appears under the pointer.
     void rectangle(SvgPoint corner, double width, double height, const std::string& fill, double opacity = 1,
                    const std::string& stroke = "none", const std::string& hint = {});
     void polygon(const std::vector<SvgPoint>& points, const std::string& fill, const std::string& stroke);
@@ -33,6 +36,7 @@ public:
     /// `content` is already escaped, and may hold tspans.
     void text(SvgPoint at, const std::string& content, const SvgText& style = {});
 
+    /// The whole drawing as one <svg> element.
     std::string finished() const;
 
 private:

@@ -1,27 +1,31 @@
 #include "reports/data/answers_csv.h"
 
 #include <algorithm>
-#include <cctype>
 #include <set>
+#include <tuple>
 
 #include "protocols/condition.h"
 #include "protocols/files/csv_table.h"
 #include "protocols/files/errors.h"
+#include "protocols/question_ids.h"
+#include "reports/text/plain_words.h"
 
 namespace reports {
 namespace {
 
 struct QuestionColumns {
     QuestionInfo info;
-    std::optional<std::size_t> value;  ///< _correct or the rating
+    std::optional<std::size_t> value;  ///< ID_correct, the rating or the words
     std::optional<std::size_t> seconds;
     std::optional<std::size_t> answer;
 };
 
-bool isQuestionName(const std::string& name)
+bool isDigit(char c) { return c >= '0' && c <= '9'; }
+
+/// "Q2" and the like need no protocol to be known as questions.
+bool isUsualName(const std::string& name)
 {
-    return name.size() >= 2 && name[0] == 'Q' &&
-           std::all_of(name.begin() + 1, name.end(), [](unsigned char c) { return std::isdigit(c) != 0; });
+    return name.size() >= 2 && name[0] == 'Q' && std::all_of(name.begin() + 1, name.end(), isDigit);
 }
 
 /// "Q1_seconds" -> "Q1" for the suffix "_seconds".
@@ -31,24 +35,27 @@ std::optional<std::string> stem(const std::string& name, const std::string& suff
     return name.substr(0, name.size() - suffix.size());
 }
 
-class Builder {
+/// Under this name JSON files give the reasons of missing numbers.
+constexpr const char* reservedName = "why";
+
+class AnswersReader {
 public:
-    Builder(const std::filesystem::path& file, const AnswersCsvOptions& options)
+    AnswersReader(const std::filesystem::path& file, const AnswersCsvOptions& options)
         : m_where(file.string()), m_options(options), m_table(protocols::readCsvTable(file))
     {
         m_data.name = file.stem().string();
         m_data.blinded = false;
-        m_data.alternatives = options.alternatives;
         m_data.protocolSha256 = options.protocolSha256;
     }
 
-    StudyData build()
+    StudyData read()
     {
         readProtocol();
         readHeader();
         for (std::size_t row = 0; row < m_table.rows.size(); ++row) readRow(row);
         if (m_data.responses.empty()) fail("there are no answers", m_where, "at least one row with an answer");
-        finish();
+        m_data.expectedResponses =
+            m_data.participants.size() * m_data.fabrics.size() * m_data.conditions.size() * m_data.questions.size();
         return std::move(m_data);
     }
 
@@ -65,36 +72,36 @@ private:
     void readProtocol()
     {
         if (!m_options.protocol) return;
-        const protocols::Protocol& protocol = *m_options.protocol;
-        m_data.name = protocol.name;
-        m_data.equivalenceBounds = protocol.equivalenceBounds;
-        for (const protocols::Phase& phase : protocol.phases) {
-            if (const auto* choice = std::get_if<protocols::ForcedChoice>(&phase.task))
-                m_data.alternatives = choice->alternatives;
-            if (const auto* rating = std::get_if<protocols::Rating>(&phase.task)) {
-                m_data.scaleMin = rating->scale.min.inScaleUnits();
-                m_data.scaleMax = rating->scale.max.inScaleUnits();
-            }
-        }
+        m_data.name = m_options.protocol->name;
+        m_data.equivalenceBounds = m_options.protocol->equivalenceBounds;
+        for (const protocols::PlannedContrast& contrast : m_options.protocol->planned)
+            m_data.planned.emplace_back(contrast.a.value, contrast.b.value);
     }
 
-    std::string textOf(const std::string& question) const
+    const protocols::Question* inProtocol(const std::string& id) const
     {
-        if (m_options.protocol)
-            for (const protocols::Phase& phase : m_options.protocol->phases)
-                for (const protocols::Question& known : phase.questions)
-                    if (known.id.value == question) return known.text;
-        return {};
+        return m_options.protocol ? protocols::questionWith(*m_options.protocol, protocols::QuestionId(id)) : nullptr;
     }
 
-    bool isKnownQuestion(const std::string& name) const { return isQuestionName(name) || !textOf(name).empty(); }
-
+    /// The question of a column; its kind is settled by its first column with answers.
     QuestionColumns& question(const std::string& id)
     {
         for (QuestionColumns& known : m_questions)
             if (known.info.id == id) return known;
-        m_questions.push_back({{id, textOf(id), false}, {}, {}, {}});
+        requireGoodId(id);
+        const protocols::Question* asked = inProtocol(id);
+        m_questions.push_back({{id, asked != nullptr ? asked->text : std::string(), {}}, {}, {}, {}});
         return m_questions.back();
+    }
+
+    void requireGoodId(const std::string& id) const
+    {
+        if (!protocols::isQuestionId(id))
+            fail("the question \"" + id + "\" has a name that files cannot carry", headerRow(),
+                 "a letter, then letters, digits and underscores, at most 40 characters");
+        for (const QuestionColumns& known : m_questions)
+            if (lowerCase(known.info.id) == lowerCase(id))
+                fail("the questions " + known.info.id + " and " + id + " differ in case only", headerRow(), "different names");
     }
 
     void readHeader()
@@ -116,21 +123,42 @@ private:
     void readColumn(const std::string& name, std::size_t index)
     {
         if (name == "participant" || name == "fabric" || name == "condition") return;
-        if (const auto id = stem(name, "_correct")) {
-            question(*id).value = index;
-            question(*id).info.isChoice = true;
-        } else if (const auto timed = stem(name, "_seconds")) {
+        if (const auto id = stem(name, "_correct"))
+            setValueColumn(*id, index, choiceKind(*id));
+        else if (const auto timed = stem(name, "_seconds"))
             question(*timed).seconds = index;
-        } else if (const auto answered = stem(name, "_answer")) {
+        else if (const auto answered = stem(name, "_answer"))
             question(*answered).answer = index;
-        } else if (isKnownQuestion(name)) {
-            if (question(name).value)
-                fail("the question " + name + " has two columns", headerRow(), "either " + name + " or " + name + "_correct");
-            question(name).value = index;
-        } else {
+        else if (isUsualName(name) || inProtocol(name) != nullptr)
+            setValueColumn(name, index, openKind(name));
+        else
             fail("the column \"" + name + "\" is unknown", headerRow(),
                  "participant, fabric, condition, Qn, Qn_correct, Qn_seconds or Qn_answer");
-        }
+    }
+
+    void setValueColumn(const std::string& id, std::size_t index, const protocols::AnswerKind& kind)
+    {
+        QuestionColumns& columns = question(id);
+        if (columns.value)
+            fail("the question " + id + " has two columns", headerRow(), "either " + id + " or " + id + "_correct");
+        columns.value = index;
+        columns.info.kind = kind;
+    }
+
+    /// The protocol's kind, where its answers are right or wrong.
+    protocols::AnswerKind choiceKind(const std::string& id) const
+    {
+        const protocols::Question* asked = inProtocol(id);
+        const bool isScored = asked != nullptr && std::holds_alternative<RightOrWrong>(scoringOf(asked->kind));
+        return isScored ? asked->kind : protocols::AnswerKind(protocols::ForcedChoice{m_options.alternatives});
+    }
+
+    /// The protocol's kind, where its answers are numbers or words.
+    protocols::AnswerKind openKind(const std::string& id) const
+    {
+        const protocols::Question* asked = inProtocol(id);
+        const bool isOpen = asked != nullptr && !std::holds_alternative<RightOrWrong>(scoringOf(asked->kind));
+        return isOpen ? asked->kind : protocols::AnswerKind(protocols::Rating{});
     }
 
     static void remember(std::vector<std::string>& names, const std::string& name)
@@ -142,10 +170,13 @@ private:
     {
         const std::string& name = cell(row, *m_table.column(column));
         if (protocols::isMissing(name)) fail("the " + std::string(column) + " is empty", nameOf(row), "a name");
+        if (name == reservedName)
+            fail("a " + std::string(column) + " is called \"" + name + "\", which has a meaning of its own in result files",
+                 nameOf(row), "another name");
         return name;
     }
 
-    static std::string conditionOf(std::string name)
+    static std::string conditionOf(const std::string& name)
     {
         std::string spelled = name;
         std::replace(spelled.begin(), spelled.end(), '+', '&');
@@ -160,50 +191,48 @@ private:
         const std::string fabric = named(row, "fabric");
         const std::string condition = conditionOf(named(row, "condition"));
         if (!m_seen.insert({participant, fabric, condition}).second)
-            fail("the answers of " + participant + " to " + fabric + " under " + condition + " occur twice",
-                 nameOf(row), "one row a participant, fabric and condition");
+            fail("the answers of " + participant + " to " + fabric + " under " + condition + " occur twice", nameOf(row),
+                 "one row a participant, fabric and condition");
         remember(m_data.participants, participant);
         remember(m_data.fabrics, fabric);
         remember(m_data.conditions, condition);
-        for (const QuestionColumns& columns : m_questions) {
-            Response response{participant, fabric, condition, columns.info.id, {}, {}, {}, {}, {}};
-            if (readAnswer(row, columns, response)) m_data.responses.push_back(response);
-        }
+        for (const QuestionColumns& columns : m_questions)
+            if (const auto content = contentIn(row, columns)) {
+                StudyResponse response{participant, fabric, condition, columns.info.id, *content, {}};
+                if (columns.seconds) response.seconds = protocols::numberOrMissing(m_table, row, *columns.seconds);
+                m_data.responses.push_back(response);
+            }
     }
 
-    bool readAnswer(std::size_t row, const QuestionColumns& columns, Response& response)
+    /// None where the cell is missing.
+    std::optional<AnswerContent> contentIn(std::size_t row, const QuestionColumns& columns) const
     {
-        const auto number = protocols::numberOrMissing(m_table, row, *columns.value);
-        if (!number) return false;
+        if (protocols::isMissing(cell(row, *columns.value))) return std::nullopt;
         const std::string place = nameOf(row) + ", column " + m_table.columns[*columns.value];
-        if (columns.info.isChoice) {
-            if (*number != 0 && *number != 1)
-                fail("\"" + cell(row, *columns.value) + "\" is neither right nor wrong", place, "0 or 1");
-            response.correct = *number == 1;
-        } else {
-            if (m_options.protocol && (*number < m_data.scaleMin || *number > m_data.scaleMax))
-                fail("the rating " + cell(row, *columns.value) + " is outside the scale", place,
-                     "a number of the protocol's scale");
-            m_smallest = std::min(m_smallest, *number);
-            m_largest = std::max(m_largest, *number);
-            response.rating = *number;
-        }
-        if (columns.seconds) response.seconds = protocols::numberOrMissing(m_table, row, *columns.seconds);
-        if (columns.answer && !protocols::isMissing(cell(row, *columns.answer))) response.answer = cell(row, *columns.answer);
-        return true;
+        return std::visit(protocols::Overloaded{
+                              [&](const RightOrWrong&) -> AnswerContent { return choiceIn(row, columns, place); },
+                              [&](const NumberOnScale& scale) -> AnswerContent { return ratingIn(row, columns, scale, place); },
+                              [&](const OpenWords&) -> AnswerContent { return WordedAnswer{cell(row, *columns.value)}; },
+                          },
+                          scoringOf(columns.info.kind));
     }
 
-    void finish()
+    ChosenAnswer choiceIn(std::size_t row, const QuestionColumns& columns, const std::string& place) const
     {
-        if (!m_options.protocol) {
-            m_data.scaleMin = std::min(m_data.scaleMin, m_smallest);
-            m_data.scaleMax = std::max(m_data.scaleMax, m_largest);
-        } else {
-            for (const protocols::PlannedContrast& contrast : m_options.protocol->planned)
-                m_data.planned.emplace_back(contrast.a.value, contrast.b.value);
-        }
-        m_data.expectedResponses =
-            m_data.participants.size() * m_data.fabrics.size() * m_data.conditions.size() * m_data.questions.size();
+        const double number = protocols::numberAt(m_table, row, *columns.value);
+        if (number != 0 && number != 1) fail("\"" + cell(row, *columns.value) + "\" is neither right nor wrong", place, "0 or 1");
+        ChosenAnswer choice{number == 1, {}, {}};
+        if (columns.answer && !protocols::isMissing(cell(row, *columns.answer))) choice.answer = cell(row, *columns.answer);
+        return choice;
+    }
+
+    RatedAnswer ratingIn(std::size_t row, const QuestionColumns& columns, const NumberOnScale& scale,
+                         const std::string& place) const
+    {
+        const double number = protocols::numberAt(m_table, row, *columns.value);
+        if (m_options.protocol && (number < scale.min || number > scale.max))
+            fail("the rating " + cell(row, *columns.value) + " is outside the scale", place, "a number of the protocol's scale");
+        return {number};
     }
 
     std::string m_where;
@@ -212,8 +241,6 @@ private:
     StudyData m_data;
     std::vector<QuestionColumns> m_questions;
     std::set<std::tuple<std::string, std::string, std::string>> m_seen;
-    double m_smallest = 0;
-    double m_largest = 0;
 };
 
 }  // namespace
@@ -222,7 +249,7 @@ StudyData readAnswersCsv(const std::filesystem::path& file, const AnswersCsvOpti
 {
     if (options.alternatives < 2)
         throw protocols::badInput({"a choice among " + std::to_string(options.alternatives), "--alternatives", "2 or more", ""});
-    return Builder(file, options).build();
+    return AnswersReader(file, options).read();
 }
 
 }  // namespace reports

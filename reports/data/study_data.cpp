@@ -1,13 +1,26 @@
 #include "reports/data/study_data.h"
 
-#include <algorithm>
-
 namespace reports {
 
-int StudyData::alternativesOf(const std::string& question) const
+Scoring scoringOf(const protocols::AnswerKind& kind)
 {
-    const auto found = std::find_if(questions.begin(), questions.end(), [&](const QuestionInfo& q) { return q.id == question; });
-    return found == questions.end() || found->alternatives == 0 ? alternatives : found->alternatives;
+    return std::visit(protocols::Overloaded{
+                          [](const protocols::ForcedChoice& choice) -> Scoring { return RightOrWrong{choice.alternatives}; },
+                          [](const protocols::SameDifferent&) -> Scoring { return RightOrWrong{2}; },
+                          [](const protocols::Rating& rating) -> Scoring {
+                              return NumberOnScale{rating.scale.min.inScaleUnits(), rating.scale.max.inScaleUnits()};
+                          },
+                          [](const protocols::FreeText&) -> Scoring { return OpenWords{}; },
+                      },
+                      kind);
+}
+
+int firstAlternatives(const StudyData& data)
+{
+    for (const QuestionInfo& question : data.questions)
+        if (const Scoring scoring = scoringOf(question.kind); const auto* choice = std::get_if<RightOrWrong>(&scoring))
+            return choice->alternatives;
+    return RightOrWrong().alternatives;
 }
 
 }  // namespace reports

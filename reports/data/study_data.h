@@ -1,58 +1,93 @@
-// What a report is made of, wherever it comes from (a study's database or a CSV of another
-// experiment): responses by participant, fabric and condition, and how to call things.
+// What a report is made from, wherever it comes from (a study's database, or a CSV of another experiment): the answers by
+// participant, fabric, condition and question, and what the study is.
 #pragma once
 
 #include <cstddef>
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
+
+#include "protocols/answer_kind.h"
+#include "reports/data/signal_comparison.h"
 
 namespace reports {
 
-/// One participant x fabric x condition x question. Condition: an id, or a K-label while blinded.
-struct Response {
+/// A choice, and whether it was right. `answer` and `slot` are missing where only right and wrong were recorded.
+struct ChosenAnswer {
+    bool correct = false;
+    std::optional<std::string> answer;  ///< the fabric chosen, or "same" or "different"
+    std::optional<int> slot;            ///< place on the tray, 0 = A
+};
+
+struct RatedAnswer {
+    double rating = 0;  ///< scale units
+};
+
+struct WordedAnswer {
+    std::string words;
+};
+
+using AnswerContent = std::variant<ChosenAnswer, RatedAnswer, WordedAnswer>;
+
+/// One participant x fabric x condition x question.
+struct StudyResponse {
     std::string participant;
     std::string fabric;
-    std::string condition;
-    std::string question;               ///< "Q1"
-    std::optional<bool> correct;        ///< choice questions
-    std::optional<std::string> answer;  ///< the fabric chosen
-    std::optional<int> answerSlot;      ///< 0 = A
-    std::optional<double> rating;       ///< scale units
+    std::string condition;  ///< an id, or a K-label while the study is blinded
+    std::string question;   ///< "Q1"
+    AnswerContent content;
     std::optional<double> seconds;
 };
+
+/// How the answers to a question are analysed. Several kinds of answer can share one scoring.
+struct RightOrWrong {
+    int alternatives = 3;  ///< answers of which one is right
+    bool operator==(const RightOrWrong&) const = default;
+};
+struct NumberOnScale {
+    double min = 0;
+    double max = 10;
+    bool operator==(const NumberOnScale&) const = default;
+};
+struct OpenWords {
+    bool operator==(const OpenWords&) const = default;
+};
+using Scoring = std::variant<RightOrWrong, NumberOnScale, OpenWords>;
+
+/// The only place of the report that knows the kinds of answer one by one.
+Scoring scoringOf(const protocols::AnswerKind& kind);
 
 struct QuestionInfo {
     std::string id;
     std::string text;
-    bool isChoice = false;  ///< right or wrong: a choice among m, or same/different
-    int alternatives = 0;   ///< m of this question's choice; 0: the study's
+    protocols::AnswerKind kind;
 };
 
 struct StudyData {
     std::string name;
     std::string protocolSha256;
     bool blinded = true;
-    bool simulated = false;  ///< any participant simulated: said on every page
+    bool simulated = false;  ///< any participant is simulated; every section of the page says so
     bool scripted = false;
-    std::vector<std::string> stamps;  ///< sentences that must be printed
+    std::vector<std::string> stamps;  ///< sentences that the page must print
     std::vector<std::string> participants;
     std::vector<std::string> fabrics;
     std::vector<std::string> conditions;  ///< in the order of every table
     std::vector<QuestionInfo> questions;
-    int alternatives = 3;  ///< m of the (first) forced choice
-    int alternativesOf(const std::string& question) const;
-    double scaleMin = 0, scaleMax = 10;
     std::pair<double, double> equivalenceBounds{-0.5, 0.5};
     std::vector<std::pair<std::string, std::string>> planned;  ///< empty while blinded
-    std::vector<Response> responses;
-    std::vector<Response> catchResponses;  ///< to blank glass; in no analysis, flags alone look at them
-    std::vector<std::string> withdrawn;    ///< participants who withdrew; their answers are not analysed
-    std::string participantsSentence;      ///< who took part, by the facts they gave; empty: none were asked
-    std::size_t voided = 0;                ///< presentations kept but not analysed
-    std::size_t expectedResponses = 0;     ///< of a complete study; 0: unknown
-    std::string signalsJson;               ///< generated against measured (signal_quality.h); empty while blinded
+    std::vector<StudyResponse> responses;
+    std::vector<StudyResponse> catchResponses;  ///< to blank glass; only quality flags use them
+    std::vector<std::string> withdrawn;         ///< participants who withdrew; their answers are not analysed
+    std::string participantsSentence;           ///< who took part, by the facts they gave; empty: none were asked
+    std::size_t voided = 0;                     ///< presentations that are kept but not analysed
+    std::size_t expectedResponses = 0;          ///< of a complete study; 0: unknown
+    std::optional<SignalComparison> signals;    ///< none while blinded
 };
+
+/// Number of alternatives of the first question with right and wrong answers; the paper's 3 without such a question.
+int firstAlternatives(const StudyData& data);
 
 }  // namespace reports

@@ -1,22 +1,14 @@
-// The object of results.json; its parts are in the order of the documented schema.
-#include <algorithm>
-#include <functional>
-#include <map>
+#include "reports/json/results_json.h"
 
-#include "reports/analysis/answer_cells.h"
-#include "reports/analysis/quality_flags.h"
-#include "reports/text/number_text.h"
-#include "reports/write_report.h"
-#include "stats/kernels/decimal_grid.h"
-#include "stats/kernels/descriptive.h"
-#include "stats/tests/binomial.h"
-#include "stats/tests/equivalence.h"
-#include "stats/tests/multiplicity.h"
-#include "stats/tests/speed_accuracy.h"
-#include "stats/tests/t_tests.h"
+#include <fstream>
+
+#include "reports/json/json_fields.h"
+#include "reports/json/signals_json.h"
 
 namespace reports {
 namespace {
+
+const std::string schemaName = "vis2hap.results/";
 
 Json studyPart(const StudyData& data)
 {
@@ -33,175 +25,95 @@ Json studyPart(const StudyData& data)
     return study;
 }
 
-Json choicePart(const StudyData& data, const Cells& cells, const std::string& question, const std::string& condition)
+Json conditionPart(const ConditionChoices& choices)
 {
-    const std::vector<double> values = valuesOf(cells.of(question, condition));
-    const auto trials = static_cast<long long>(values.size());
-    const auto correct = static_cast<long long>(std::count(values.begin(), values.end(), 1.0));
-    const double chance = 1.0 / data.alternativesOf(question);
-    const stats::BinomialTest exact = stats::binomialTest(correct, trials, chance);
-    const stats::TTest byParticipant = stats::oneSampleTTest(cells.participantMeans(question, condition), {.mu = chance});
-    Json part{{"trials", trials}, {"correct", correct}};
-    // Multiplied before the division: 10 x 27 / 70 is then the nearest double.
-    const auto matches = static_cast<double>(static_cast<long long>(data.participants.size()) * correct);
-    put(part, "matches_per_rendering",
-        trials > 0 ? stats::Value(matches / static_cast<double>(trials)) : stats::Value::undefined("there are no trials"));
-    put(part, "proportion", exact.estimate);
-    put(part, "ci95", exact.wilson);
-    putP(part, "p_chance", exact.pGreater, exact.logPGreater);
-    putP(part, "p_chance_participants", byParticipant.p, byParticipant.logP);
+    Json part{{"trials", choices.count.trials}, {"correct", choices.count.correct}};
+    put(part, "matches_per_rendering", choices.matchesPerRendering);
+    put(part, "proportion", choices.againstChance.estimate);
+    put(part, "ci95", choices.againstChance.wilson);
+    putP(part, "p_chance", choices.againstChance.pGreater, choices.againstChance.logPGreater);
+    putP(part, "p_chance_participants", choices.participantsAgainstChance.p, choices.participantsAgainstChance.logP);
     putReasonsLast(part);
     return part;
 }
 
-Json ratingPart(const Cells& cells, const std::string& question, const std::string& condition)
+Json conditionPart(const ConditionRatings& ratings)
 {
-    const std::vector<double> ratings = valuesOf(cells.of(question, condition));
-    const std::vector<double> means = cells.participantMeans(question, condition);
-    Json part{{"n", ratings.size()}};
-    put(part, "mean", stats::meanOf(ratings));
-    put(part, "sd", stats::describe(ratings).sd);
-    part["participants"] = means.size();
-    stats::Interval ci = stats::describe(means).ci95;
-    if (!ci.low.exists()) ci.low = ci.high = stats::Value::undefined("needs the means of at least 2 participants");
-    put(part, "ci95", ci);
+    Json part{{"n", ratings.ratings}};
+    put(part, "mean", ratings.mean);
+    put(part, "sd", ratings.sd);
+    part["participants"] = ratings.participants;
+    put(part, "ci95", ratings.ci95);
     putReasonsLast(part);
     return part;
 }
 
-bool isPlanned(const StudyData& data, const std::string& a, const std::string& b)
+Json conditionPart(const WordedCount& words) { return {{"answers", words.answers}, {"participants", words.participants}}; }
+
+Json questionPart(const StudyData& data, const QuestionAnalysis& question)
 {
-    return !data.blinded && std::any_of(data.planned.begin(), data.planned.end(), [&](const auto& contrast) {
-        return (contrast.first == a && contrast.second == b) || (contrast.first == b && contrast.second == a);
-    });
+    Json part = Json::object();
+    std::visit(
+        [&](const auto& findings) {
+            for (std::size_t i = 0; i < data.conditions.size(); ++i)
+                part[data.conditions[i]] = conditionPart(findings.conditions[i]);
+        },
+        question.findings);
+    return part;
 }
 
-using PairVisitor = std::function<void(const std::string& a, const std::string& b)>;
-void forEachPair(const std::vector<std::string>& conditions, const PairVisitor& visit)
+void putPlanned(Json& row, const ConditionPair& pair)
 {
-    for (std::size_t a = 0; a < conditions.size(); ++a)
-        for (std::size_t b = a + 1; b < conditions.size(); ++b) visit(conditions[a], conditions[b]);
+    if (pair.planned) row["planned"] = true;
+    putReasonsLast(row);
 }
 
-Json comparisonRow(const std::string& question, const std::string& a, const std::string& b, const stats::TTest& test,
-                   const stats::Value& pHolm)
+Json comparisonRow(const std::string& question, const PairComparison& comparison)
 {
-    Json row{{"question", question}, {"a", a}, {"b", b}, {"test", "paired-t"}, {"n", test.n}};
+    const stats::TTest& test = comparison.test;
+    Json row{{"question", question}, {"a", comparison.pair.a}, {"b", comparison.pair.b}, {"test", "paired-t"}, {"n", test.n}};
     put(row, "statistic", test.t);
     putWhole(row, "df", test.df);
     putP(row, "p", test.p, test.logP);
-    put(row, "p_holm", pHolm);
+    put(row, "p_holm", comparison.pHolm);
     put(row, "mean_difference", test.estimate);
     put(row, "ci95", test.ci);
     put(row, "d_z", test.dZ);
+    putPlanned(row, comparison.pair);
     return row;
 }
 
-/// The rows of a question; returns its corrected p values by pair.
-std::vector<stats::Value> addComparisons(Json& rows, const StudyData& data, const Cells& cells, const std::string& question)
+Json equivalenceRow(const std::string& question, const PairEquivalence& equivalence)
 {
-    std::vector<stats::TTest> tests;
-    std::vector<stats::Value> p;
-    forEachPair(data.conditions, [&](const std::string& a, const std::string& b) {
-        const Cells::Pairs pairs = cells.pairs(question, a, b);
-        tests.push_back(stats::pairedTTest(pairs.a, pairs.b));
-        p.push_back(tests.back().p);
-    });
-    const std::vector<stats::Value> holm = stats::adjusted(p, stats::Adjustment::Holm);
-    std::size_t i = 0;
-    forEachPair(data.conditions, [&](const std::string& a, const std::string& b) {
-        Json row = comparisonRow(question, a, b, tests[i], holm[i]);
-        if (isPlanned(data, a, b)) row["planned"] = true;
-        putReasonsLast(row);
-        rows.push_back(std::move(row));
-        ++i;
-    });
-    return holm;
+    const stats::EquivalenceTest& test = equivalence.test;
+    Json row{{"question", question},
+             {"a", equivalence.pair.a},
+             {"b", equivalence.pair.b},
+             {"bounds", {equivalence.low, equivalence.high}}};
+    put(row, "p_lower", test.pLower);
+    put(row, "p_upper", test.pUpper);
+    put(row, "p", test.p);
+    if (test.why.empty())
+        row["equivalent"] = test.equivalent;
+    else
+        putNull(row, "equivalent", test.why);
+    row["n"] = test.n;
+    put(row, "mean_difference", test.estimate);
+    put(row, "ci90", test.ci);
+    row["verdict"] = equivalence.verdict;
+    putPlanned(row, equivalence.pair);
+    return row;
 }
 
-/// Four cells; a difference counts as shown when the corrected t test rejects.
-std::string verdictOf(const stats::EquivalenceTest& test, const stats::Value& pHolm)
+Json speedPart(const StudyAnalysis& analysis)
 {
-    stats::EquivalenceTest corrected = test;
-    corrected.different = pHolm.exists() && *pHolm < 0.05;
-    return corrected.verdict();
-}
-
-void addEquivalence(Json& rows, const StudyData& data, const Cells& cells, const std::string& question,
-                    const std::vector<stats::Value>& pHolm)
-{
-    std::size_t i = 0;
-    forEachPair(data.conditions, [&](const std::string& a, const std::string& b) {
-        const Cells::Pairs pairs = cells.pairs(question, a, b);
-        const auto [low, high] = data.equivalenceBounds;
-        const auto test = stats::equivalenceTest(stats::TKind::Paired, pairs.a, pairs.b, {.low = low, .high = high});
-        Json row{{"question", question}, {"a", a}, {"b", b}, {"bounds", {low, high}}};
-        put(row, "p_lower", test.pLower);
-        put(row, "p_upper", test.pUpper);
-        put(row, "p", test.p);
-        if (test.why.empty())
-            row["equivalent"] = test.equivalent;
-        else
-            putNull(row, "equivalent", test.why);
-        row["n"] = test.n;
-        put(row, "mean_difference", test.estimate);
-        put(row, "ci90", test.ci);
-        row["verdict"] = verdictOf(test, pHolm[i++]);
-        if (isPlanned(data, a, b)) row["planned"] = true;
-        putReasonsLast(row);
-        rows.push_back(std::move(row));
-    });
-}
-
-/// Balanced integration scores by condition: over participant x condition cells, then averaged.
-std::map<std::string, stats::Value> bisByCondition(const StudyData& data, const Cells& cells, const std::string& question)
-{
-    std::vector<std::string> owners;
-    std::vector<double> correct;
-    std::vector<double> seconds;
-    for (const std::string& condition : data.conditions)
-        for (const std::string& participant : cells.participants()) {
-            const auto responses = cells.of(question, condition, participant);
-            const stats::Value time = stats::meanOf(secondsOf(responses));
-            if (responses.empty() || !time.exists()) continue;
-            owners.push_back(condition);
-            correct.push_back(*stats::meanOf(valuesOf(responses)));
-            seconds.push_back(*time);
-        }
-    const std::vector<stats::Value> scores = stats::balancedIntegrationScores(correct, seconds);
-    std::map<std::string, std::vector<double>> byCondition;
-    std::map<std::string, stats::Value> result;
-    for (std::size_t i = 0; i < scores.size(); ++i) {
-        if (!scores[i].exists())
-            result.emplace(owners[i], scores[i]);
-        else
-            byCondition[owners[i]].push_back(*scores[i]);
-    }
-    for (const auto& [condition, values] : byCondition) result.emplace(condition, stats::describe(values).mean);
-    return result;
-}
-
-Json speedPart(const StudyData& data, const Cells& cells)
-{
-    const auto choice = std::find_if(data.questions.begin(), data.questions.end(), [](const auto& q) { return q.isChoice; });
-    const bool hasChoice = choice != data.questions.end();
-    const auto bis = hasChoice ? bisByCondition(data, cells, choice->id) : std::map<std::string, stats::Value>();
     Json part = Json::object();
-    for (const std::string& condition : data.conditions) {
-        const auto responses = hasChoice ? cells.of(choice->id, condition) : std::vector<const Response*>();
-        const stats::ResponseTimes times = stats::responseTimes(secondsOf(responses));
-        const stats::Value correct = stats::meanOf(valuesOf(responses));
-        stats::Value bits = times.mean;
-        if (correct.exists() && times.mean.exists())
-            bits = stats::bitsPerSecond(*correct, data.alternativesOf(choice->id), *times.mean);
+    for (std::size_t i = 0; i < analysis.data.conditions.size(); ++i) {
         Json row = Json::object();
-        put(row, "median_seconds", times.median);
-        put(row, "bits_per_second", bits);
-        put(row, "bis",
-            bis.count(condition)  ? bis.at(condition)
-            : times.mean.exists() ? stats::Value::undefined("needs at least 2 cells")
-                                  : times.mean);
-        part[condition] = std::move(row);
+        put(row, "median_seconds", analysis.speed[i].medianSeconds);
+        put(row, "bits_per_second", analysis.speed[i].bitsPerSecond);
+        put(row, "bis", analysis.speed[i].balancedIntegrationScore);
+        part[analysis.data.conditions[i]] = std::move(row);
     }
     return part;
 }
@@ -210,35 +122,56 @@ void putSignals(Json& results, const StudyData& data)
 {
     if (data.blinded)
         putNull(results, "signals", "left out while the study is blinded");
-    else if (data.signalsJson.empty())
+    else if (!data.signals)
         putNull(results, "signals", "no generated and measured signals belong to these answers");
     else
-        results["signals"] = Json::parse(data.signalsJson);
+        results["signals"] = signalsJson(*data.signals);
+}
+
+Json qualityPart(const std::vector<QualityFlag>& flags)
+{
+    Json rows = Json::array();
+    for (const QualityFlag& flag : flags)
+        rows.push_back({{"participant", flag.participant ? Json(*flag.participant) : Json(nullptr)},
+                        {"flag", nameOf(flag.kind)},
+                        {"why", flag.why}});
+    return rows;
 }
 
 }  // namespace
 
-nlohmann::ordered_json results(const StudyData& data)
+nlohmann::ordered_json resultsJson(const StudyAnalysis& analysis)
 {
-    const Cells cells(data);
-    Json results{{"schema", "vis2hap.results/1"}, {"study", studyPart(data)}, {"conditions", data.conditions}};
+    const StudyData& data = analysis.data;
+    Json results{{"schema", schemaName + "2"}, {"study", studyPart(data)}, {"conditions", data.conditions}};
+    // A question may carry any id, also that of another key of this file: all stand in an object of their own.
+    Json questions = Json::object();
     Json comparisons = Json::array();
     Json equivalence = Json::array();
-    for (const QuestionInfo& question : data.questions) {
-        Json& part = results[question.id] = Json::object();
-        for (const std::string& condition : data.conditions)
-            part[condition] =
-                question.isChoice ? choicePart(data, cells, question.id, condition) : ratingPart(cells, question.id, condition);
-        const std::vector<stats::Value> pHolm = addComparisons(comparisons, data, cells, question.id);
-        if (!question.isChoice) addEquivalence(equivalence, data, cells, question.id, pHolm);
+    for (const QuestionAnalysis& question : analysis.questions) {
+        const std::string& id = question.question.id;
+        questions[id] = questionPart(data, question);
+        for (const PairComparison& comparison : comparisonsOf(question)) comparisons.push_back(comparisonRow(id, comparison));
+        for (const PairEquivalence& test : equivalencesOf(question)) equivalence.push_back(equivalenceRow(id, test));
     }
+    results["questions"] = std::move(questions);
     results["comparisons"] = std::move(comparisons);
     results["equivalence"] = std::move(equivalence);
-    results["speed_accuracy"] = speedPart(data, cells);
+    results["speed_accuracy"] = speedPart(analysis);
     putSignals(results, data);
-    results["quality"] = qualityFlags(data, cells);
+    results["quality"] = qualityPart(analysis.flags);
     putReasonsLast(results);
     return results;
+}
+
+std::string resultsText(const StudyAnalysis& analysis) { return resultsJson(analysis).dump(2) + "\n"; }
+
+bool isResultsFile(const std::filesystem::path& file)
+{
+    std::ifstream stream(file);
+    const Json results = Json::parse(stream, nullptr, false);
+    return results.is_object() && results.contains("schema") && results["schema"].is_string() &&
+           results["schema"].get<std::string>().starts_with(schemaName);
 }
 
 }  // namespace reports

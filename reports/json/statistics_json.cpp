@@ -1,80 +1,176 @@
-// statistics.json: the further numbers of the report, named and nested as the reference report has them.
-#include "reports/analysis/answer_cells.h"
-#include "reports/analysis/quality_flags.h"
-#include "reports/analysis/screening.h"
-#include "reports/json/statistic_parts.h"
-#include "reports/text/number_text.h"
-#include "reports/write_report.h"
-#include "stats/tests/speed_accuracy.h"
+#include "reports/json/statistics_json.h"
+
+#include <algorithm>
+#include <optional>
+#include <set>
+
+#include "reports/json/choice_statistics_json.h"
+#include "reports/json/json_fields.h"
+#include "reports/json/rating_statistics_json.h"
 
 namespace reports {
 namespace {
 
-Json missingPart(const StudyData& data, const Cells& cells)
+/// "choice" for every question with right and wrong answers, whatever its kind.
+std::string scoringName(const QuestionFindings& findings)
+{
+    return std::visit(protocols::Overloaded{
+                          [](const ChoiceAnalysis&) { return "choice"; },
+                          [](const RatingAnalysis&) { return "rating"; },
+                          [](const WordedAnalysis&) { return "words"; },
+                      },
+                      findings);
+}
+
+/// The range of all rating questions together; the paper's scale where there is none.
+NumberOnScale commonScale(const StudyAnalysis& analysis)
+{
+    std::optional<NumberOnScale> common;
+    for (const auto& question : questionsWith<RatingAnalysis>(analysis)) {
+        const NumberOnScale& scale = question.findings.scale;
+        common = common ? NumberOnScale{std::min(common->min, scale.min), std::max(common->max, scale.max)} : scale;
+    }
+    return common.value_or(NumberOnScale());
+}
+
+Json questionRow(const QuestionAnalysis& question, const NumberOnScale& common)
+{
+    Json row{{"id", question.question.id}, {"text", question.question.text}, {"kind", scoringName(question.findings)}};
+    const auto* ratings = std::get_if<RatingAnalysis>(&question.findings);
+    if (ratings != nullptr && ratings->scale != common) row["scale"] = {ratings->scale.min, ratings->scale.max};
+    return row;
+}
+
+Json missingPart(const StudyAnalysis& analysis)
 {
     Json missing = Json::object();
-    const std::size_t whole = data.participants.size() * data.fabrics.size();
-    for (const QuestionInfo& question : data.questions)
-        for (const std::string& condition : data.conditions) {
-            const std::size_t present = cells.of(question.id, condition).size();
-            missing[question.id][condition] = whole > present ? whole - present : 0;
-        }
+    for (const QuestionAnalysis& question : analysis.questions)
+        for (std::size_t i = 0; i < analysis.data.conditions.size(); ++i)
+            missing[question.question.id][analysis.data.conditions[i]] = question.missing[i];
     return missing;
 }
 
-Json dataPart(const StudyData& data, const Cells& cells)
+Json dataPart(const StudyAnalysis& analysis)
 {
-    const Completeness completeness = completenessOf(data, cells);
+    const StudyData& data = analysis.data;
+    const NumberOnScale scale = commonScale(analysis);
     Json questions = Json::array();
-    for (const QuestionInfo& question : data.questions)
-        questions.push_back({{"id", question.id}, {"text", question.text}, {"kind", question.isChoice ? "choice" : "rating"}});
+    for (const QuestionAnalysis& question : analysis.questions) questions.push_back(questionRow(question, scale));
     return {{"participants", data.participants},
             {"fabrics", data.fabrics},
             {"conditions", data.conditions},
             {"questions", questions},
-            {"alternatives", data.alternatives},
-            {"scale", {data.scaleMin, data.scaleMax}},
+            {"alternatives", firstAlternatives(data)},
+            {"scale", {scale.min, scale.max}},
             {"scripted", data.scripted},
             {"stamps", data.stamps},
-            {"responses", completeness.present},
-            {"expected_responses", completeness.expected},
-            {"missing_responses", completeness.missing()},
-            {"missing_by_condition", missingPart(data, cells)},
+            {"responses", analysis.completeness.present},
+            {"expected_responses", analysis.completeness.expected},
+            {"missing_responses", analysis.completeness.missing()},
+            {"missing_by_condition", missingPart(analysis)},
             {"voided_presentations", data.voided}};
 }
 
-Json responseTimesPart(const StudyData& data, const Cells& cells)
+Json screeningPart(const StudyAnalysis& analysis)
+{
+    const Screening& screening = analysis.screening;
+    Json part{{"excluded", Json::array()}};
+    for (const ExcludedParticipant& one : screening.excluded) {
+        Json flags = Json::array();
+        for (const FlagKind kind : one.flags) flags.push_back(nameOf(kind));
+        part["excluded"].push_back({{"participant", one.participant}, {"flags", flags}});
+    }
+    part["participants"] = {{"before", screening.participantsBefore}, {"after", screening.participantsAfter}};
+    if (!screening.why.empty()) {
+        putNull(part, "questions", screening.why);
+        return part;
+    }
+    part["questions"] = Json::object();
+    for (const ScreenedQuestion& question : screening.questions)
+        for (std::size_t i = 0; i < analysis.data.conditions.size(); ++i) {
+            Json row = Json::object();
+            put(row, "before", question.conditions[i].before);
+            put(row, "after", question.conditions[i].after);
+            part["questions"][question.question][analysis.data.conditions[i]] = std::move(row);
+        }
+    return part;
+}
+
+Json responseTimesPart(const StudyAnalysis& analysis)
 {
     Json part = Json::object();
-    for (const QuestionInfo& question : data.questions)
-        for (const std::string& condition : data.conditions) {
-            const stats::ResponseTimes times = stats::responseTimes(secondsOf(cells.of(question.id, condition)));
+    for (const QuestionAnalysis& question : analysis.questions)
+        for (std::size_t i = 0; i < analysis.data.conditions.size(); ++i) {
+            const stats::ResponseTimes& times = question.times[i];
             Json row{{"n", times.n}};
             put(row, "median_seconds", times.median);
             put(row, "mean_seconds", times.mean);
             put(row, "log_mean", times.logMean);
             put(row, "geometric_mean_seconds", times.geometricMean);
-            part[question.id][condition] = std::move(row);
+            part[question.question.id][analysis.data.conditions[i]] = std::move(row);
         }
     return part;
 }
 
+/// The keys that a question takes at the top level: a rating question its id, a choice question several with its id in them.
+std::vector<std::string> topLevelKeys(const QuestionAnalysis& question)
+{
+    const std::string& id = question.question.id;
+    using Keys = std::vector<std::string>;
+    return std::visit(protocols::Overloaded{
+                          [&](const ChoiceAnalysis&) { return choiceStatisticsKeys(id); },
+                          [&](const RatingAnalysis&) { return Keys{id}; },
+                          [](const WordedAnalysis&) { return Keys{}; },
+                      },
+                      question.findings);
+}
+
+/// Ids of the questions that cannot stand at the top level, because one of their keys is taken: by the file itself, or by
+/// another question. Choice questions come first, so that "q1_cochran" as a question's id does not displace Q1.
+std::set<std::string> displacedQuestions(const StudyAnalysis& analysis)
+{
+    std::set<std::string> taken{"schema", "data", "questions", "screening", "response_times", "why"};
+    std::set<std::string> displaced;
+    const auto place = [&](const QuestionAnalysis& question) {
+        const std::vector<std::string> keys = topLevelKeys(question);
+        const auto isTaken = [&](const std::string& key) { return taken.contains(key); };
+        if (std::any_of(keys.begin(), keys.end(), isTaken))
+            displaced.insert(question.question.id);
+        else
+            taken.insert(keys.begin(), keys.end());
+    };
+    for (const auto& question : questionsWith<ChoiceAnalysis>(analysis)) place(question.analysis);
+    for (const auto& question : questionsWith<RatingAnalysis>(analysis)) place(question.analysis);
+    return displaced;
+}
+
 }  // namespace
 
-nlohmann::ordered_json statistics(const StudyData& data)
+nlohmann::ordered_json statisticsJson(const StudyAnalysis& analysis)
 {
-    const Cells cells(data);
-    Json statistics{{"schema", "vis2hap.statistics/1"}, {"data", dataPart(data, cells)}};
-    for (const QuestionInfo& question : data.questions) {
-        if (!question.isChoice) {
-            statistics[question.id] = ratingStatistics(data, cells, question.id);
-            continue;
-        }
-        putChoiceStatistics(statistics, data, cells, question.id);
+    Json statistics{{"schema", "vis2hap.statistics/1"}, {"data", dataPart(analysis)}};
+    const std::set<std::string> displaced = displacedQuestions(analysis);
+    for (const QuestionAnalysis& question : analysis.questions) {
+        const std::string& id = question.question.id;
+        // Readers find Q2 and "q1_cochran" at the top level. Only ids that collide there need a place of their own.
+        const bool isDisplaced = displaced.contains(id);
+        std::visit(protocols::Overloaded{
+                       [&](const ChoiceAnalysis& choices) {
+                           putChoiceStatistics(isDisplaced ? statistics["questions"][id] : statistics, analysis.data, id,
+                                               choices);
+                       },
+                       [&](const RatingAnalysis& ratings) {
+                           (isDisplaced ? statistics["questions"] : statistics)[id] = ratingStatistics(analysis.data, ratings);
+                       },
+                       [](const WordedAnalysis&) {},  // "data" counts them, tables/worded_answers.csv lists them
+                   },
+                   question.findings);
     }
-    statistics["screening"] = screeningPart(data, cells);
-    statistics["response_times"] = responseTimesPart(data, cells);
+    statistics["screening"] = screeningPart(analysis);
+    statistics["response_times"] = responseTimesPart(analysis);
     return statistics;
 }
+
+std::string statisticsText(const StudyAnalysis& analysis) { return statisticsJson(analysis).dump(2) + "\n"; }
 
 }  // namespace reports

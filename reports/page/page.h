@@ -1,23 +1,15 @@
-// The report as one self-contained HTML page: no script, no outside file, prints well.
+// The report as one self-contained HTML page: no script, no outside file, fit for printing.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "reports/analysis/study_analysis.h"
-#include "reports/figures/report_figures.h"
+#include "reports/figures/figure.h"
+#include "reports/tables/report_table.h"
 
 namespace reports {
 
-std::string page(const Analysis& analysis, const std::vector<Figure>& figures);
-
-/// The style sheet of the page.
-std::string pageStyle();
-
-/// The methods, a paragraph each, as HTML.
-std::vector<std::string> methodParagraphs(const Analysis& analysis);
-
-/// What came out, a sentence each, as HTML.
-std::vector<std::string> findings(const Analysis& analysis);
+std::string reportPage(const StudyAnalysis& analysis, const std::vector<ReportTable>& tables, const std::vector<Figure>& figures);
 
 }  // namespace reports

@@ -1,107 +1,146 @@
-// The tables of pairs of conditions: differences and equivalence.
-#include <algorithm>
+#include "reports/tables/pair_tables.h"
 
-#include "reports/tables/report_tables.h"
+#include "protocols/files/number_text.h"
+#include "reports/tables/table_cells.h"
+#include "reports/text/number_text.h"
+#include "reports/text/plain_words.h"
 
 namespace reports {
 namespace {
 
-using Keep = bool (*)(const Json& row);
-bool isPlanned(const Json& row) { return row.value("planned", false); }
+/// A table of one question has no column for it in documents; one of all questions has.
+enum class PairScope { OneQuestion, AllQuestions };
 
-Table comparisons(const Json& results, const std::string& question, const std::string& name, const std::string& caption)
+ColumnUse questionColumnUse(PairScope scope)
 {
-    Table table{name,
-                caption,
-                {{"question", question.empty() ? Shown::Everywhere : Shown::InCsv},
-                 "a",
-                 "b",
-                 "n",
-                 "difference a\u2212b",
-                 {"95 % CI low", Shown::InCsv},
-                 {"95 % CI high", Shown::InCsv},
-                 {"95 % CI", Shown::InDocuments},
-                 "t",
-                 "df",
-                 "p",
-                 "p (Holm)",
-                 "d_z"},
-                {}};
-    for (const Json& row : results["comparisons"]) {
-        if (question.empty() ? !isPlanned(row) : row["question"] != question) continue;
-        const stats::Interval ci = intervalOf(row, "ci95");
-        table.rows.push_back({textCell(row["question"]), conditionCell(row["a"]), conditionCell(row["b"]),
-                              countCell(countOf(row, "n")), numberCell(valueOf(row, "mean_difference"), 2), numberCell(ci.low, 2),
-                              numberCell(ci.high, 2), intervalCell(ci, 2), numberCell(valueOf(row, "statistic"), 2),
-                              numberCell(valueOf(row, "df"), 0), pCell(valueOf(row, "p")), pCell(valueOf(row, "p_holm")),
-                              numberCell(valueOf(row, "d_z"), 2)});
-    }
-    return table;
+    return scope == PairScope::OneQuestion ? ColumnUse::InCsv : ColumnUse::Everywhere;
 }
 
-Table equivalences(const Json& results, const std::string& question, const std::string& name, const std::string& caption)
+Table comparisonTable(const std::string& name, const std::string& caption, PairScope scope)
 {
-    Table table{name,
-                caption,
-                {{"question", question.empty() ? Shown::Everywhere : Shown::InCsv},
-                 "a",
-                 "b",
-                 "n",
-                 "difference a\u2212b",
-                 {"90 % CI low", Shown::InCsv},
-                 {"90 % CI high", Shown::InCsv},
-                 {"90 % CI", Shown::InDocuments},
-                 "p above low bound",
-                 "p below high bound",
-                 "p (TOST)",
-                 "verdict"},
-                {}};
-    for (const Json& row : results["equivalence"]) {
-        if (question.empty() ? !isPlanned(row) : row["question"] != question) continue;
-        const stats::Interval ci = intervalOf(row, "ci90");
-        table.rows.push_back({textCell(row["question"]), conditionCell(row["a"]), conditionCell(row["b"]),
-                              countCell(countOf(row, "n")), numberCell(valueOf(row, "mean_difference"), 2), numberCell(ci.low, 2),
-                              numberCell(ci.high, 2), intervalCell(ci, 2), pCell(valueOf(row, "p_lower")),
-                              pCell(valueOf(row, "p_upper")), pCell(valueOf(row, "p")), textCell(row["verdict"])});
-    }
-    return table;
+    return {name,
+            caption,
+            {{"question", questionColumnUse(scope)},
+             "a",
+             "b",
+             "n",
+             "difference a\u2212b",
+             {"95 % CI low", ColumnUse::InCsv},
+             {"95 % CI high", ColumnUse::InCsv},
+             {"95 % CI", ColumnUse::InDocuments},
+             "t",
+             "df",
+             "p",
+             "p (Holm)",
+             "d_z"},
+            {}};
 }
 
-std::string boundsText(const Json& results)
+void addRow(Table& table, const std::string& question, const PairComparison& comparison)
 {
-    for (const Json& row : results["equivalence"])
-        return shortest(row["bounds"][0].get<double>()) + " and " + shortest(row["bounds"][1].get<double>());
-    return "the stated bounds";
+    const stats::TTest& test = comparison.test;
+    table.rows.push_back({textCell(question), conditionCell(comparison.pair.a), conditionCell(comparison.pair.b),
+                          countCell(test.n), numberCell(test.estimate, 2), numberCell(test.ci.low, 2),
+                          numberCell(test.ci.high, 2), intervalCell(test.ci, 2), numberCell(test.t, 2), numberCell(test.df, 0),
+                          pCell(test.p, test.logP), pCell(comparison.pHolm), numberCell(test.dZ, 2)});
+}
+
+Table equivalenceTable(const std::string& name, const std::string& caption, PairScope scope)
+{
+    return {name,
+            caption,
+            {{"question", questionColumnUse(scope)},
+             "a",
+             "b",
+             "n",
+             "difference a\u2212b",
+             {"90 % CI low", ColumnUse::InCsv},
+             {"90 % CI high", ColumnUse::InCsv},
+             {"90 % CI", ColumnUse::InDocuments},
+             "p above low bound",
+             "p below high bound",
+             "p (TOST)",
+             "verdict"},
+            {}};
+}
+
+void addRow(Table& table, const std::string& question, const PairEquivalence& equivalence)
+{
+    const stats::EquivalenceTest& test = equivalence.test;
+    table.rows.push_back({textCell(question), conditionCell(equivalence.pair.a), conditionCell(equivalence.pair.b),
+                          countCell(test.n), numberCell(test.estimate, 2), numberCell(test.ci.low, 2),
+                          numberCell(test.ci.high, 2), intervalCell(test.ci, 2), pCell(test.pLower), pCell(test.pUpper),
+                          pCell(test.p), textCell(equivalence.verdict)});
+}
+
+std::string boundsText(const StudyData& data)
+{
+    return protocols::shortest(data.equivalenceBounds.first) + " and " + protocols::shortest(data.equivalenceBounds.second) +
+           " scale points";
+}
+
+/// The rows of the planned pairs of all questions.
+template <class Pairs>
+void addPlanned(Table& table, const StudyAnalysis& analysis, const Pairs& pairsOf)
+{
+    for (const QuestionAnalysis& question : analysis.questions)
+        for (const auto& pair : pairsOf(question))
+            if (pair.pair.planned) addRow(table, question.question.id, pair);
+}
+
+void addPlannedTables(std::vector<ReportTable>& tables, const StudyAnalysis& analysis)
+{
+    Table comparisons = comparisonTable("comparisons_planned", "Planned contrasts: paired t tests of the participants' means",
+                                        PairScope::AllQuestions);
+    addPlanned(comparisons, analysis, comparisonsOf);
+    if (comparisons.rows.empty()) return;
+    Table equivalences = equivalenceTable(
+        "equivalence_planned", "Planned contrasts: two one-sided tests against the bounds " + boundsText(analysis.data),
+        PairScope::AllQuestions);
+    addPlanned(equivalences, analysis, equivalencesOf);
+    tables.push_back({.table = std::move(comparisons), .section = PageSection::Comparisons});
+    const bool hasEquivalences = !equivalences.rows.empty();
+    tables.push_back({.table = std::move(equivalences), .section = PageSection::Equivalence, .onPage = hasEquivalences});
+}
+
+ReportTable comparisonsOfQuestion(const std::string& id, const std::vector<PairComparison>& comparisons)
+{
+    Table table = comparisonTable("comparisons_" + lowerCase(id),
+                                  id + ": all pairs, paired t tests of the participants' means, Holm's correction over all pairs",
+                                  PairScope::OneQuestion);
+    for (const PairComparison& comparison : comparisons) addRow(table, id, comparison);
+    return {.table = std::move(table), .section = PageSection::Comparisons, .question = id, .foldedUnder = id + ": all pairs"};
+}
+
+ReportTable equivalencesOfQuestion(const StudyData& data, const std::string& id, const std::vector<PairEquivalence>& equivalences)
+{
+    Table table =
+        equivalenceTable("equivalence_" + lowerCase(id),
+                         id + ": all pairs, two one-sided tests against the bounds " + boundsText(data), PairScope::OneQuestion);
+    for (const PairEquivalence& equivalence : equivalences) addRow(table, id, equivalence);
+    return {.table = std::move(table), .section = PageSection::Equivalence, .question = id, .foldedUnder = id + ": all pairs"};
 }
 
 }  // namespace
 
-bool hasPlanned(const Json& results)
+std::vector<ReportTable> pairTables(const StudyAnalysis& analysis)
 {
-    return std::any_of(results["comparisons"].begin(), results["comparisons"].end(), isPlanned);
-}
-
-Table comparisonsTable(const Json& results, const std::string& question)
-{
-    return comparisons(results, question, "comparisons_" + lowerCase(question),
-                       question + ": all pairs, paired t tests of the participants' means, Holm's correction over all pairs");
-}
-
-Table plannedComparisonsTable(const Json& results)
-{
-    return comparisons(results, "", "comparisons_planned", "Planned contrasts: paired t tests of the participants' means");
-}
-
-Table equivalenceTable(const Json& results, const std::string& question)
-{
-    return equivalences(results, question, "equivalence_" + lowerCase(question),
-                        question + ": all pairs, two one-sided tests against " + boundsText(results) + " scale points");
-}
-
-Table plannedEquivalenceTable(const Json& results)
-{
-    return equivalences(results, "", "equivalence_planned",
-                        "Planned contrasts: two one-sided tests against " + boundsText(results) + " scale points");
+    std::vector<ReportTable> tables;
+    addPlannedTables(tables, analysis);
+    for (const QuestionAnalysis& question : analysis.questions)
+        std::visit(protocols::Overloaded{
+                       [&](const ChoiceAnalysis& choices) {
+                           tables.push_back(comparisonsOfQuestion(question.question.id, choices.comparisons));
+                       },
+                       [&](const RatingAnalysis& ratings) {
+                           const std::string& id = question.question.id;
+                           tables.push_back(comparisonsOfQuestion(id, ratings.comparisons));
+                           tables.push_back(equivalencesOfQuestion(analysis.data, id, ratings.equivalences));
+                       },
+                       [](const WordedAnalysis&) {},
+                   },
+                   question.findings);
+    return tables;
 }
 
 }  // namespace reports

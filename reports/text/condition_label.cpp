@@ -2,7 +2,8 @@
 
 #include <algorithm>
 
-#include "reports/text/number_text.h"
+#include "protocols/files/markup_text.h"
+#include "reports/text/tex_text.h"
 
 namespace reports {
 namespace {
@@ -30,7 +31,7 @@ std::size_t characters(const std::string& text)
     return text.size() - static_cast<std::size_t>(std::count_if(text.begin(), text.end(), isContinuation));
 }
 
-/// At most so many characters of UTF-8, the last one an ellipsis where some were cut.
+/// The first `most` characters of UTF-8, with an ellipsis where some were cut.
 std::string shortened(const std::string& text, std::size_t most)
 {
     if (characters(text) <= most) return text;
@@ -52,7 +53,7 @@ std::vector<LabelPart> labelParts(const std::string& condition)
 
 std::string htmlLabel(const std::string& condition)
 {
-    if (known(condition) == nullptr) return escapedHtml(condition);
+    if (known(condition) == nullptr) return protocols::escapedMarkup(condition);
     std::string html = "<span class=\"cond\">";
     for (const LabelPart& part : labelParts(condition)) {
         html += "<i>" + part.letter + "</i>";
@@ -75,8 +76,8 @@ std::string texLabel(const std::string& condition)
 
 std::string svgLabel(const std::string& condition)
 {
-    if (known(condition) == nullptr) return escapedHtml(shortened(condition, longestFigureName));
-    // Each shift is undone by the next piece: renderers disagree about baseline-shift.
+    if (known(condition) == nullptr) return protocols::escapedMarkup(shortened(condition, longestFigureName));
+    // Renderers disagree about baseline-shift, so each piece undoes the vertical shift of the piece before it.
     std::string svg;
     for (const LabelPart& part : labelParts(condition)) {
         svg += std::string("<tspan font-style=\"italic\"") + (svg.empty() ? "" : " dx=\"2\"") + ">" + part.letter + "</tspan>";

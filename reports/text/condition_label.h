@@ -1,5 +1,5 @@
-// How a condition is written: "h_g&f_g" as h and f with a subscript g. Names that are not among the
-// nine conditions of the paper are written as they are.
+// How a condition is written: "h_g&f_g" as h and f with a subscript g. A name that is not among the
+// nine conditions of the paper is written as it is.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace reports {
 
-/// A letter with its subscript; `after` joins it with the next one ("&" or nothing).
+/// A letter with its subscript; `after` joins it with the next part ("&" or nothing).
 struct LabelPart {
     std::string letter;
     std::string subscript;
@@ -20,9 +20,9 @@ std::vector<LabelPart> labelParts(const std::string& condition);
 
 std::string htmlLabel(const std::string& condition);
 std::string texLabel(const std::string& condition);
-/// Content of a <text> element; names of more than 24 characters are cut.
+/// Content of a <text> element of SVG. A name of more than 24 characters is cut.
 std::string svgLabel(const std::string& condition);
-/// Characters that the label of a figure takes, roughly.
+/// Approximate width of the label in a figure, in characters.
 double labelLength(const std::string& condition);
 
 /// Vision, generated or measured; none for other names (K-labels, conditions of another study).

@@ -8,7 +8,8 @@
 #include <functional>
 #include <vector>
 
-#include "reports/write_report.h"
+#include "reports/json/results_json.h"
+#include "reports/json/statistics_json.h"
 #include "stats/metrics/image_metrics.h"
 #include "stats/tests/bootstrap.h"
 #include "stats/tests/sign_flip.h"
@@ -128,7 +129,10 @@ reports::StudyData wholeStudy()
 {
     reports::StudyData data;
     data.blinded = false;
-    data.questions = {{"Q1", "", true, 3}, {"Q2", "", false, 0}, {"Q3", "", false, 0}, {"Q4", "", false, 0}};
+    data.questions = {{"Q1", "", protocols::ForcedChoice{}},
+                      {"Q2", "", protocols::Rating{}},
+                      {"Q3", "", protocols::Rating{}},
+                      {"Q4", "", protocols::Rating{}}};
     for (int c = 1; c <= 9; ++c) data.conditions.push_back("c" + std::to_string(c));
     for (int f = 1; f <= 7; ++f) data.fabrics.push_back("F" + std::to_string(f));
     for (int p = 1; p <= 10; ++p) data.participants.push_back("P" + std::to_string(10 + p));
@@ -139,12 +143,10 @@ reports::StudyData wholeStudy()
             for (const auto& condition : data.conditions)
                 for (const auto& question : data.questions) {
                     const double level = 0.05 * (condition.back() - '0') + 0.5 * noise[next++];
-                    reports::Response response{participant, fabric, condition, question.id, {}, {}, {}, {}, 3 + 5 * level};
-                    if (question.isChoice)
-                        response.correct = level > 0.4;
-                    else
-                        response.rating = std::round(100 * level) / 10;
-                    data.responses.push_back(response);
+                    const bool isChoice = question.id == "Q1";
+                    const auto content = isChoice ? reports::AnswerContent(reports::ChosenAnswer{level > 0.4, {}, {}})
+                                                  : reports::AnswerContent(reports::RatedAnswer{std::round(100 * level) / 10});
+                    data.responses.push_back({participant, fabric, condition, question.id, content, 3 + 5 * level});
                 }
     return data;
 }
@@ -153,7 +155,10 @@ Stage reportStage()
 {
     const auto data = wholeStudy();
     std::size_t size = 0;
-    const double time = medianMilliseconds(5, [&] { size = reports::results(data).size() + reports::statistics(data).size(); });
+    const double time = medianMilliseconds(5, [&] {
+        const reports::StudyAnalysis analysis = reports::analyse(data);
+        size = reports::resultsJson(analysis).size() + reports::statisticsJson(analysis).size();
+    });
     return {"the whole default report",
             "report",
             "",

@@ -3,7 +3,6 @@
 #include <memory>
 
 #include "protocols/files/errors.h"
-#include "reports/analysis/answer_cells.h"
 #include "reports/analysis/quality_flags.h"
 #include "study/app/app.h"
 #include "study/commands/command_line.h"
@@ -35,24 +34,20 @@ void makeForApp(const app::NewStudyRequest& form, const app::MakingProgress& pro
 }
 
 /// What a reader of the flag must know before believing it.
-const char* weaknessOf(const std::string& flag)
+const char* weaknessOf(reports::FlagKind kind)
 {
-    const bool isStraightLining = flag == "straight_lining" || flag == "same_across_questions";
-    return isStraightLining ? "; somebody to whom all renderings feel alike answers so in earnest" : "";
+    const bool isOnEqualRatings = kind == reports::FlagKind::StraightLining || kind == reports::FlagKind::SameAcrossQuestions;
+    return isOnEqualRatings ? "; a participant to whom all renderings feel alike also answers so" : "";
 }
 
-/// The report's own flags, and nothing else of it: no scores while the study runs. What is missing and void has
-/// columns of its own in the monitor.
+/// The report's flags and no scores, because the study still runs. The monitor has columns of its own for missing answers and
+/// voided presentations.
 std::vector<app::MonitorFlag> flagsOf(const database::StudyStore& store)
 {
     std::vector<app::MonitorFlag> flags;
-    const auto data = records::studyData(store);
-    for (const auto& entry : reports::qualityFlags(data, reports::Cells(data))) {
-        const auto flag = entry["flag"].get<std::string>();
-        if (flag != "missing_answers" && flag != "voided_presentations")
-            flags.push_back({entry["participant"].is_string() ? entry["participant"].get<std::string>() : std::string(), flag,
-                             entry["why"].get<std::string>() + weaknessOf(flag)});
-    }
+    for (const reports::QualityFlag& flag : reports::qualityFlags(records::studyData(store)))
+        if (flag.kind != reports::FlagKind::MissingAnswers && flag.kind != reports::FlagKind::VoidedPresentations)
+            flags.push_back({flag.participant.value_or(""), nameOf(flag.kind), flag.why + weaknessOf(flag.kind)});
     return flags;
 }
 

@@ -7,6 +7,7 @@
 #include "protocols/files/sha256.h"
 #include "protocols/protocol_json.h"
 #include "reports/data/answers_csv.h"
+#include "reports/tables/overview_tables.h"
 #include "reports/write_report.h"
 #include "study/commands/command_line.h"
 #include "study/commands/json_output.h"
@@ -37,10 +38,10 @@ int report(const ReportCall& call)
 {
     if (call.study.empty() == call.from.empty())
         throw protocols::badInput(
-            {"a report of what?", "", "either a STUDY or --from ANSWERS.csv", "see `vis2hap report --help`"});
-    const auto data = dataFor(call);
-    reports::writeReport(data, call.out);
-    std::printf("%s\n%s/index.html\n", reports::resultTable(reports::results(data)).c_str(), call.out.c_str());
+            {"there is nothing to report on", "", "either a STUDY or --from ANSWERS.csv", "see `vis2hap report --help`"});
+    const reports::StudyAnalysis analysis = reports::analyse(dataFor(call));
+    reports::writeReport(analysis, call.out);
+    std::printf("%s\n%s/index.html\n", reports::overviewText(analysis).c_str(), call.out.c_str());
     return 0;
 }
 

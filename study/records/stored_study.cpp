@@ -1,12 +1,11 @@
 #include "study/records/stored_study.h"
 
-#include <algorithm>
 #include <set>
 #include <tuple>
-#include <utility>
 
 #include "protocols/condition.h"
 #include "protocols/protocol_json.h"
+#include "reports/json/signals_json.h"
 #include "study/records/participants_sentence.h"
 
 namespace study::records {
@@ -17,18 +16,8 @@ void describeProtocol(const protocols::Protocol& protocol, reports::StudyData& d
 {
     data.equivalenceBounds = protocol.equivalenceBounds;
     for (const auto& contrast : protocol.planned) data.planned.emplace_back(contrast.a.value, contrast.b.value);
-    bool isFirstChoice = true;
-    for (const auto& phase : protocol.phases) {
-        for (const auto& question : phase.questions)
-            if (!std::holds_alternative<protocols::FreeText>(question.kind))
-                data.questions.push_back(
-                    {question.id.value, question.text, alternativesOf(question.kind) > 0, alternativesOf(question.kind)});
-        if (alternativesOf(phase.task) > 0 && std::exchange(isFirstChoice, false)) data.alternatives = alternativesOf(phase.task);
-        if (const auto* rating = std::get_if<protocols::Rating>(&phase.task)) {
-            data.scaleMin = rating->scale.min.inScaleUnits();
-            data.scaleMax = rating->scale.max.inScaleUnits();
-        }
-    }
+    for (const auto& phase : protocol.phases)
+        for (const auto& question : phase.questions) data.questions.push_back({question.id.value, question.text, question.kind});
 }
 
 void describeParticipants(const database::StudyStore& store, reports::StudyData& data)
@@ -42,22 +31,45 @@ void describeParticipants(const database::StudyStore& store, reports::StudyData&
     data.participantsSentence = participantsSentence(store);
 }
 
-reports::Response responseOf(const database::CurrentAnswer& answer, const Naming::Entry& entry, const protocols::AnswerKind& kind)
+/// A rating, a choice where an answer of this kind is right or wrong, else words.
+reports::AnswerContent contentOf(const database::AnswerRecord& record, const protocols::FabricId& truth,
+                                 const protocols::AnswerKind& kind)
 {
-    const auto& record = answer.record;
-    reports::Response response;
-    response.participant = answer.participant.value;
-    response.fabric = entry.fabric.value;
-    response.condition = entry.condition;
-    response.question = record.question.value;
-    response.seconds = answer.seconds;
-    if (record.answer) {
-        response.answer = record.answer;
-        response.correct = isRight(kind, record.alternatives, entry.fabric, *record.answer);
-        response.answerSlot = placeAmongAlternatives(kind, record.alternatives, *record.answer);
+    if (record.rating) return reports::RatedAnswer{record.rating->inScaleUnits()};
+    const std::string text = record.answer.value_or("");
+    if (const auto correct = isRight(kind, record.alternatives, truth, text))
+        return reports::ChosenAnswer{*correct, text, placeAmongAlternatives(kind, record.alternatives, text)};
+    return reports::WordedAnswer{text};
+}
+
+reports::StudyResponse responseOf(const database::CurrentAnswer& answer, const Naming::Entry& entry,
+                                  const protocols::AnswerKind& kind)
+{
+    return {answer.participant.value,
+            entry.fabric.value,
+            entry.condition,
+            answer.record.question.value,
+            contentOf(answer.record, entry.fabric, kind),
+            answer.seconds};
+}
+
+/// Sorts current answers into those that are analysed, those to blank glass, and voided presentations.
+void readAnswers(const database::StudyStore& store, const protocols::Protocol& protocol, const Naming& naming,
+                 reports::StudyData& data)
+{
+    const std::set<std::string> analysed(data.participants.begin(), data.participants.end());
+    std::set<std::tuple<protocols::ParticipantId, protocols::TrialNumber, int>> voided;
+    for (const auto& answer : store.answers()) {
+        if (!analysed.contains(answer.participant.value)) continue;
+        const auto& entry = naming.entries.at(answer.record.fileCode);
+        const auto* question = questionWith(protocol, answer.record.question);
+        if (answer.voided)
+            voided.emplace(answer.participant, answer.record.trial, answer.attempt);
+        else if (question != nullptr)
+            (entry.condition == protocols::catchTrialId().value ? data.catchResponses : data.responses)
+                .push_back(responseOf(answer, entry, question->kind));
     }
-    if (record.rating) response.rating = record.rating->inScaleUnits();
-    return response;
+    data.voided = voided.size();
 }
 
 }  // namespace
@@ -104,24 +116,12 @@ reports::StudyData studyData(const database::StudyStore& store)
     if (data.blinded)
         data.planned.clear();
     else
-        data.signalsJson = facts.signalsJson;
+        data.signals = reports::signalsFromJson(facts.signalsJson);
     for (const auto& fabric : facts.fabrics) data.fabrics.push_back(fabric.value);
     describeParticipants(store, data);
-    const std::size_t questions = data.questions.size();
-    std::set<std::string> analysed(data.participants.begin(), data.participants.end()), asked;
-    for (const auto& question : data.questions) asked.insert(question.id);
-    data.expectedResponses = store.slots().size() * static_cast<std::size_t>(protocol.presentationsPerPhase()) * questions;
-    std::set<std::tuple<protocols::ParticipantId, protocols::TrialNumber, int>> voided;
-    for (const auto& answer : store.answers()) {
-        if (!analysed.contains(answer.participant.value)) continue;
-        const auto& entry = naming.entries.at(answer.record.fileCode);
-        if (answer.voided)
-            voided.emplace(answer.participant, answer.record.trial, answer.attempt);
-        else if (asked.contains(answer.record.question.value))
-            (entry.condition == protocols::catchTrialId().value ? data.catchResponses : data.responses)
-                .push_back(responseOf(answer, entry, questionWith(protocol, answer.record.question)->kind));
-    }
-    data.voided = voided.size();
+    data.expectedResponses =
+        store.slots().size() * static_cast<std::size_t>(protocol.presentationsPerPhase()) * data.questions.size();
+    readAnswers(store, protocol, naming, data);
     return data;
 }
 

@@ -1,5 +1,5 @@
-// A stored study as a report, a status or an export sees it: under K-labels while it is blinded, under
-// condition names once its unblinding is recorded.
+// A stored study as reports, status and export see it: with K-labels while it is blinded, with the names of the conditions once
+// its unblinding is recorded.
 #pragma once
 
 #include <filesystem>
@@ -13,10 +13,10 @@
 
 namespace study::records {
 
-/// Opens for reading. Throws badInput where it is no study.
+/// Opens the study for reading. Throws badInput where the folder is no study.
 database::StudyStore openStudy(const std::filesystem::path& study);
 
-/// File code -> fabric and what the condition is called: K-label, or id with the permission.
+/// The fabric and the condition of each file code. The condition is a K-label, or with the permission its id.
 struct Naming {
     struct Entry {
         protocols::FabricId fabric;
@@ -31,6 +31,7 @@ Naming namingOf(const database::StudyStore& store, const protocols::Protocol& pr
 
 protocols::Protocol protocolOf(const database::StudyFacts& facts);
 
+/// What the report is made from; throws badInput and workFailed where the stored study cannot be read.
 reports::StudyData studyData(const database::StudyStore& store);
 
 }  // namespace study::records

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "protocols/balance.h"
-#include "reports/write_report.h"
+#include "reports/analysis/quality_flags.h"
 #include "study/records/realised_balance.h"
 #include "study/records/stored_study.h"
 
@@ -62,6 +62,16 @@ ordered_json rangesOf(const protocols::BalanceCertificate& balance)
     ordered_json ranges = ordered_json::array();
     for (const auto& range : balance.ranges) ranges.push_back({{"what", range.what}, {"min", range.min}, {"max", range.max}});
     return ranges;
+}
+
+ordered_json flagsOf(const reports::StudyData& data)
+{
+    ordered_json rows = ordered_json::array();
+    for (const reports::QualityFlag& flag : reports::qualityFlags(data))
+        rows.push_back({{"participant", flag.participant ? ordered_json(*flag.participant) : ordered_json()},
+                        {"flag", nameOf(flag.kind)},
+                        {"why", flag.why}});
+    return rows;
 }
 
 __attribute__((format(printf, 1, 2))) std::string line(const char* format, ...)
@@ -132,7 +142,7 @@ ordered_json statusOf(const database::StudyStore& store)
     json["repeated_foil_pairs"] = balance.repeatedFoilPairs;
     json["balance_presented"] = rangesOf(realisedBalance(store, protocol));
     json["stamps"] = facts.stamps;
-    json["quality"] = reports::results(studyData(store))["quality"];
+    json["quality"] = flagsOf(studyData(store));
     return json;
 }
 

@@ -35,15 +35,17 @@ private Q_SLOTS:
         QCOMPARE(data.conditions, (std::vector<std::string>{"h_g&f_g", "zeta"}));
         QCOMPARE(data.participants, (std::vector<std::string>{"P2", "P1, the first"}));
         QCOMPARE(data.responses.size(), std::size_t{3});
-        QCOMPARE(*data.responses[0].correct, true);
+        const auto first = std::get<reports::ChosenAnswer>(data.responses[0].content);
+        QCOMPARE(first.correct, true);
+        QCOMPARE(*first.answer, std::string("F9"));
         QCOMPARE(*data.responses[0].seconds, 3.25);
-        QCOMPARE(*data.responses[0].answer, std::string("F9"));
-        QCOMPARE(*data.responses[1].rating, 5.4);
-        QCOMPARE(*data.responses[2].correct, false);
+        QCOMPARE(std::get<reports::RatedAnswer>(data.responses[1].content).rating, 5.4);
+        QCOMPARE(std::get<reports::ChosenAnswer>(data.responses[2].content).correct, false);
         QCOMPARE(data.expectedResponses, std::size_t{16});
         QVERIFY(!data.blinded);
         QCOMPARE(data.questions[0].id, std::string("Q1"));
-        QVERIFY(data.questions[0].isChoice && !data.questions[1].isChoice);
+        QVERIFY(data.questions[0].kind == protocols::AnswerKind(protocols::ForcedChoice{3}));
+        QVERIFY(data.questions[1].kind == protocols::AnswerKind(protocols::Rating{}));
     }
 
     void faultsNameTheirRow_data()
@@ -94,7 +96,7 @@ private Q_SLOTS:
                            {{{protocols::QuestionId("Q2"), "How?", rating}}, rating}};
         QTemporaryDir folder;
         const auto data = reports::readAnswersCsv(written(folder, header + "P1,F1,a,1,5\nP1,F1,b,0,6\n"), {protocol, "ab", 3});
-        QCOMPARE(data.alternatives, 4);
+        QVERIFY(data.questions[0].kind == protocols::AnswerKind(protocols::ForcedChoice{4}));
         QCOMPARE(data.equivalenceBounds.first, -0.3);
         QCOMPARE(data.planned.size(), std::size_t{1});
         QCOMPARE(data.questions[1].text, std::string("How?"));

@@ -4,7 +4,8 @@
 #include <fstream>
 
 #include "reports/data/answers_csv.h"
-#include "reports/write_report.h"
+#include "reports/json/results_json.h"
+#include "reports/json/statistics_json.h"
 #include "tests/reports/study_builder.h"
 
 using Json = nlohmann::ordered_json;
@@ -85,7 +86,7 @@ private Q_SLOTS:
         const Json expected = Json::parse(stream);
         const reports::StudyData data = reports::readAnswersCsv(csv);
         Comparison comparison;
-        comparison.compare(expected, reports::statistics(data), "");
+        comparison.compare(expected, reports::statisticsJson(reports::analyse(data)), "");
         QVERIFY(comparison.numbers > 600);
         QCOMPARE(comparison.faults, 0);
         qInfo("%d numbers agree", comparison.numbers);
@@ -96,14 +97,14 @@ private Q_SLOTS:
         const auto csv = builders::sharedFolder() / "oracle" / "study" / "public" / "study_missing_a.csv";
         if (!std::filesystem::exists(csv)) QSKIP("the shared reference studies are not here: nothing was compared");
         const reports::StudyData data = reports::readAnswersCsv(csv);
-        const Json results = reports::results(data);
-        const Json statistics = reports::statistics(data);
+        const Json results = reports::resultsJson(reports::analyse(data));
+        const Json statistics = reports::statisticsJson(reports::analyse(data));
         for (const Json& row : results["comparisons"])
             for (const Json& other : statistics.value(row["question"].get<std::string>(), Json::object())
                                          .value("pairwise_t_participant_means", Json::array()))
                 if (other["a"] == row["a"] && other["b"] == row["b"]) QCOMPARE(other["p_holm"], row["p_holm"]);
-        QCOMPARE(results["Q2"]["h_f"]["mean"], statistics["Q2"]["cell_mean"]["h_f"]);
-        QCOMPARE(results["Q1"]["h_f"]["ci95"], statistics["q1_per_condition"][8]["wilson95"]);
+        QCOMPARE(results["questions"]["Q2"]["h_f"]["mean"], statistics["Q2"]["cell_mean"]["h_f"]);
+        QCOMPARE(results["questions"]["Q1"]["h_f"]["ci95"], statistics["q1_per_condition"][8]["wilson95"]);
     }
 };
 

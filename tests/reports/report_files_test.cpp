@@ -6,6 +6,8 @@
 
 #include "protocols/files/csv_table.h"
 #include "protocols/files/errors.h"
+#include "reports/json/results_json.h"
+#include "reports/json/signals_json.h"
 #include "reports/write_report.h"
 #include "tests/reports/study_builder.h"
 
@@ -31,13 +33,18 @@ reports::StudyData richStudy()
     data.simulated = true;
     data.stamps = {"The weights were trained on other fabrics."};
     data.planned = {{"h_g&f_g", "h&f"}};
-    data.signalsJson = R"({"friction_mae":0.018,"friction_mae_over_mean":0.1175,"height_ssim":null,"height_range_mm":0.4,
+    data.signals = reports::signalsFromJson(
+        R"({"friction_mae":0.018,"friction_mae_over_mean":0.1175,"height_ssim":null,"height_range_mm":0.4,
         "why":{"height_ssim":"no height maps"},"t_tests":[{"signal":"friction","unit":"fabric","n":7,"mean_difference":0.004,
-        "statistic":1.2,"df":6,"p":0.27,"ci95":[-0.004,0.012],"tost":{"bounds":[-0.015,0.015],"p":0.012}}]})";
+        "statistic":1.2,"df":6,"p":0.27,"ci95":[-0.004,0.012],"tost":{"bounds":[-0.015,0.015],"p":0.012}}]})");
     int i = 0;
-    for (reports::Response& r : data.responses) r.seconds = 3 + (i++ % 7);
+    for (reports::StudyResponse& r : data.responses) r.seconds = 3 + (i++ % 7);
     return data;
 }
+
+Json resultsOf(const reports::StudyData& data) { return reports::resultsJson(reports::analyse(data)); }
+
+void writeReport(const reports::StudyData& data, const fs::path& folder) { reports::writeReport(reports::analyse(data), folder); }
 
 }  // namespace
 
@@ -50,18 +57,18 @@ private Q_SLOTS:
     void reportHasItsFiles()
     {
         const fs::path report = path("report");
-        reports::writeReport(richStudy(), report);
+        writeReport(richStudy(), report);
         for (const char* name :
              {"index.html", "results.json", "statistics.json", "tables/overview.csv", "tables/overview.tex",
               "tables/comparisons_planned.csv", "tables/equivalence_q2.tex", "figures/matches_Q1.svg", "figures/ratings.svg"})
             QVERIFY2(fs::file_size(report / name) > 0, name);
-        QCOMPARE(Json::parse(textOf(report / "results.json")), reports::results(richStudy()));
+        QCOMPARE(Json::parse(textOf(report / "results.json")), resultsOf(richStudy()));
         QCOMPARE(entriesOf(report), (QStringList{"figures", "index.html", "results.json", "statistics.json", "tables"}));
     }
 
     void figuresAreWellFormedAndWithoutOverlap()
     {
-        reports::writeReport(richStudy(), path("report"));
+        writeReport(richStudy(), path("report"));
         for (const char* name : {"matches_Q1.svg", "ratings.svg"}) {
             QXmlStreamReader xml(QByteArray::fromStdString(textOf(path("report") / "figures" / name)));
             double width = 0;
@@ -81,7 +88,7 @@ private Q_SLOTS:
 
     void pageIsSelfContainedAndSaysWhatItIs()
     {
-        reports::writeReport(richStudy(), path("report"));
+        writeReport(richStudy(), path("report"));
         const QString html = page(path("report"));
         for (const char* foreign : {"<script", "<link", "@import", "url(", "<img"}) QVERIFY2(!html.contains(foreign), foreign);
         QVERIFY(html.contains("A &lt;study&gt; &amp; more") && !html.contains("<study>"));
@@ -109,7 +116,7 @@ private Q_SLOTS:
         };
         for (auto& condition : data.conditions) condition = masked(condition);
         for (auto& response : data.responses) response.condition = masked(response.condition);
-        reports::writeReport(data, path("report"));
+        writeReport(data, path("report"));
         const QString html = page(path("report"));
         QCOMPARE(html.count("<span class=\"tag blinded\">blinded</span>"), html.count("<section"));
         for (const char* word : {"Planned", "vision", "measured signals</h2>", "<sub>grey", "comparisons_planned"})
@@ -120,9 +127,9 @@ private Q_SLOTS:
 
     void tablesReadBackAsTheNumbersOfTheResults()
     {
-        reports::writeReport(richStudy(), path("report"));
+        writeReport(richStudy(), path("report"));
         const auto table = protocols::readCsvTable(path("report") / "tables" / "comparisons_q2.csv");
-        const Json results = reports::results(richStudy());
+        const Json results = resultsOf(richStudy());
         std::size_t row = 0;
         for (const Json& expected : results["comparisons"]) {
             if (expected["question"] != "Q2") continue;
@@ -140,11 +147,11 @@ private Q_SLOTS:
     void earlierReportIsReplacedAsAWhole()
     {
         const fs::path report = path("report");
-        reports::writeReport(richStudy(), report);
+        writeReport(richStudy(), report);
         std::ofstream(report / "notes.txt") << "mine";
         reports::StudyData smaller = richStudy();
         smaller.planned.clear();
-        reports::writeReport(smaller, report);
+        writeReport(smaller, report);
         QVERIFY(!fs::exists(report / "tables" / "comparisons_planned.csv"));
         QCOMPARE(textOf(report / "notes.txt"), std::string("mine"));
         QCOMPARE(entriesOf(report),
@@ -156,7 +163,7 @@ private Q_SLOTS:
         const fs::path report = path("report");
         fs::create_directories(report / "figures");
         std::ofstream(report / "figures" / "mine.svg") << "mine";
-        QVERIFY_EXCEPTION_THROWN(reports::writeReport(richStudy(), report), protocols::Error);
+        QVERIFY_EXCEPTION_THROWN(writeReport(richStudy(), report), protocols::Error);
         QCOMPARE(entriesOf(report), QStringList{"figures"});
         QCOMPARE(textOf(report / "figures" / "mine.svg"), std::string("mine"));
     }
@@ -165,12 +172,12 @@ private Q_SLOTS:
     {
         std::ofstream(path("file")) << "x";
         try {
-            reports::writeReport(richStudy(), path("file") / "report");
+            writeReport(richStudy(), path("file") / "report");
             QFAIL("was written");
         } catch (const protocols::Error& error) {
             QCOMPARE(error.exitCode(), protocols::ExitCode::Environment);
         }
-        QVERIFY_EXCEPTION_THROWN(reports::writeReport(richStudy(), path("file")), protocols::Error);
+        QVERIFY_EXCEPTION_THROWN(writeReport(richStudy(), path("file")), protocols::Error);
         QCOMPARE(textOf(path("file")), std::string("x"));
     }
 
@@ -186,7 +193,7 @@ private Q_SLOTS:
         std::ofstream(disk / "report" / "results.json") << R"({"schema":"vis2hap.results/1"})";
         bool refused = false;
         try {
-            reports::writeReport(richStudy(), disk / "report");
+            writeReport(richStudy(), disk / "report");
         } catch (const protocols::Error& error) {
             refused = error.exitCode() == protocols::ExitCode::Environment;
         }
@@ -219,7 +226,7 @@ private Q_SLOTS:
             builders::study(participants, 3, names,
                             {[](int p, int f, int) { return (p + f) % 2 == 0; },
                              [](int p, int f, int c, int q) { return (30 + (p * 5 + f * 7 + c * 3 + q) % 40) / 10.0; }});
-        reports::writeReport(data, path("report"));
+        writeReport(data, path("report"));
         QXmlStreamReader xml(QByteArray::fromStdString(textOf(path("report") / "figures" / "matches_Q1.svg")));
         while (!xml.atEnd()) xml.readNext();
         QVERIFY2(!xml.hasError(), qPrintable(xml.errorString()));

@@ -4,7 +4,11 @@
 #include <set>
 
 #include "protocols/files/errors.h"
-#include "reports/write_report.h"
+#include "reports/json/results_json.h"
+#include "reports/json/signals_json.h"
+#include "reports/json/statistics_json.h"
+#include "reports/tables/overview_tables.h"
+#include "reports/text/number_text.h"
 #include "tests/reports/study_builder.h"
 
 using Json = nlohmann::ordered_json;
@@ -21,6 +25,9 @@ std::vector<std::string> keysOf(const Json& object)
 }
 
 using Keys = std::vector<std::string>;
+
+Json resultsOf(const StudyData& data) { return reports::resultsJson(reports::analyse(data)); }
+Json statisticsOf(const StudyData& data) { return reports::statisticsJson(reports::analyse(data)); }
 
 /// Every null must have its reason in the same object; NaN and infinity must not occur.
 QString unexplained(const Json& value, const QString& path)
@@ -60,16 +67,16 @@ private Q_SLOTS:
         const auto data = builders::study(
             4, 5, {"v_grey", "h&f", "f"},
             {[](int, int f, int) { return f % 2 == 0; }, [](int p, int f, int, int q) { return p == 0 ? 9.0 : 0.5 * q + f; }});
-        const Json screening = reports::statistics(data)["screening"];
+        const Json screening = statisticsOf(data)["screening"];
         QCOMPARE(screening["excluded"].size(), std::size_t(1));
         QCOMPARE(screening["excluded"][0]["participant"], "P01");
         QCOMPARE(screening["questions"]["Q2"]["v_grey"]["before"], 4.5);
         QCOMPARE(screening["questions"]["Q2"]["v_grey"]["after"], 3.0);
-        QCOMPARE(reports::results(data)["Q2"]["v_grey"]["mean"], 4.5);
+        QCOMPARE(resultsOf(data)["questions"]["Q2"]["v_grey"]["mean"], 4.5);
         auto earnest = data;
         std::erase_if(earnest.responses, [](const auto& response) { return response.participant == "P01"; });
         earnest.participants.erase(earnest.participants.begin());
-        const Json none = reports::statistics(earnest)["screening"];
+        const Json none = statisticsOf(earnest)["screening"];
         QVERIFY(none["questions"].is_null());
         QCOMPARE(none["why"]["questions"], "nobody is flagged");
     }
@@ -78,26 +85,28 @@ private Q_SLOTS:
     {
         StudyData data = builders::paperSized();
         data.planned = {{"h_g&f_g", "h&f"}};
-        const Json results = reports::results(data);
-        QCOMPARE(keysOf(results), (Keys{"schema", "study", "conditions", "Q1", "Q2", "Q3", "Q4", "comparisons", "equivalence",
+        const Json results = resultsOf(data);
+        QCOMPARE(keysOf(results), (Keys{"schema", "study", "conditions", "questions", "comparisons", "equivalence",
                                         "speed_accuracy", "signals", "quality", "why"}));
-        QCOMPARE(results["schema"], "vis2hap.results/1");
+        QCOMPARE(results["schema"], "vis2hap.results/2");
         QCOMPARE(keysOf(results["study"]), (Keys{"name", "protocol_sha256", "participants", "fabrics", "blinded", "simulated"}));
         QCOMPARE(results["conditions"].get<Keys>(), nineConditions);
-        for (const char* part : {"Q1", "Q2", "Q3", "Q4", "speed_accuracy"}) QCOMPARE(keysOf(results[part]), nineConditions);
-        QCOMPARE(keysOf(results["Q1"]["f"]),
+        QCOMPARE(keysOf(results["questions"]), (Keys{"Q1", "Q2", "Q3", "Q4"}));
+        for (const char* id : {"Q1", "Q2", "Q3", "Q4"}) QCOMPARE(keysOf(results["questions"][id]), nineConditions);
+        QCOMPARE(keysOf(results["speed_accuracy"]), nineConditions);
+        QCOMPARE(keysOf(results["questions"]["Q1"]["f"]),
                  (Keys{"trials", "correct", "matches_per_rendering", "proportion", "ci95", "p_chance", "p_chance_participants"}));
-        QCOMPARE(keysOf(results["Q3"]["f"]), (Keys{"n", "mean", "sd", "participants", "ci95"}));
+        QCOMPARE(keysOf(results["questions"]["Q3"]["f"]), (Keys{"n", "mean", "sd", "participants", "ci95"}));
         QCOMPARE(keysOf(comparison(results, "Q2", "h_g&f_g", "h&f")),
                  (Keys{"question", "a", "b", "test", "n", "statistic", "df", "p", "p_holm", "mean_difference", "ci95", "d_z",
                        "planned"}));
         QCOMPARE(unexplained(results, "results"), QString());
-        QCOMPARE(unexplained(reports::statistics(data), "statistics"), QString());
+        QCOMPARE(unexplained(statisticsOf(data), "statistics"), QString());
     }
 
     void everyPairIsComparedOnceInTheOrderOfConditions()
     {
-        const Json results = reports::results(builders::paperSized());
+        const Json results = resultsOf(builders::paperSized());
         QCOMPARE(results["comparisons"].size(), std::size_t{4 * 36});
         QCOMPARE(results["equivalence"].size(), std::size_t{3 * 36});
         const auto place = [](const Json& name) {
@@ -132,18 +141,18 @@ private Q_SLOTS:
         const StudyData data = builders::study(10, 7, {"v_grey", "f"},
                                                {[correct](int p, int f, int) { return p * 7 + f < correct; },
                                                 [](int p, int f, int, int) { return (p * 7 + f) % 2 == 0 ? 5.0 : 5.2; }});
-        const Json results = reports::results(data);
-        QCOMPARE(results["Q1"]["v_grey"]["trials"], 70);
-        QCOMPARE(results["Q1"]["v_grey"]["correct"], correct);
-        QCOMPARE(results["Q1"]["v_grey"]["matches_per_rendering"].get<double>(), matches);
-        QCOMPARE(results["Q2"]["v_grey"]["mean"].get<double>(), 5.1);
-        QCOMPARE(results["Q2"]["v_grey"]["n"], 70);
+        const Json results = resultsOf(data);
+        QCOMPARE(results["questions"]["Q1"]["v_grey"]["trials"], 70);
+        QCOMPARE(results["questions"]["Q1"]["v_grey"]["correct"], correct);
+        QCOMPARE(results["questions"]["Q1"]["v_grey"]["matches_per_rendering"].get<double>(), matches);
+        QCOMPARE(results["questions"]["Q2"]["v_grey"]["mean"].get<double>(), 5.1);
+        QCOMPARE(results["questions"]["Q2"]["v_grey"]["n"], 70);
     }
 
     // scipy 1.10.1: from scipy.stats import binomtest; binomtest(27,70,1/3,'greater').pvalue -> 0.20962555830527693
     void matchesAreTestedAgainstChance()
     {
-        const Json part = reports::results(builders::paperSized())["Q1"]["v_grey"];
+        const Json part = resultsOf(builders::paperSized())["questions"]["Q1"]["v_grey"];
         QCOMPARE(part["correct"], 27);
         QVERIFY(std::abs(part["p_chance"].get<double>() - 0.20962555830527693) < 1e-13);
         QVERIFY(part["p_chance_participants"].is_number());
@@ -153,30 +162,30 @@ private Q_SLOTS:
     void orderOfRowsAndParticipantsChangesNothing()
     {
         StudyData data = builders::paperSized();
-        const Json before = reports::results(data);
-        const Json statisticsBefore = reports::statistics(data);
+        const Json before = resultsOf(data);
+        const Json statisticsBefore = statisticsOf(data);
         std::reverse(data.responses.begin(), data.responses.end());
-        QCOMPARE(reports::results(data), before);
-        QCOMPARE(reports::statistics(data), statisticsBefore);
+        QCOMPARE(resultsOf(data), before);
+        QCOMPARE(statisticsOf(data), statisticsBefore);
         std::reverse(data.participants.begin(), data.participants.end());
         std::reverse(data.fabrics.begin(), data.fabrics.end());
-        QCOMPARE(reports::results(data)["comparisons"], before["comparisons"]);
-        QCOMPARE(reports::results(data)["Q2"], before["Q2"]);
+        QCOMPARE(resultsOf(data)["comparisons"], before["comparisons"]);
+        QCOMPARE(resultsOf(data)["questions"]["Q2"], before["questions"]["Q2"]);
     }
 
     void blindedReportLeavesOutWhatWouldTell()
     {
         StudyData data = builders::paperSized();
         data.planned = {{"h_g&f_g", "h&f"}};
-        data.signalsJson = R"({"friction_mae":0.1})";
+        data.signals = reports::signalsFromJson(R"({"friction_mae":0.1})");
         data.blinded = true;
-        const Json results = reports::results(data);
+        const Json results = resultsOf(data);
         QVERIFY(results["signals"].is_null());
         QVERIFY(results["study"]["blinded"].get<bool>());
         for (const char* part : {"comparisons", "equivalence"})
             for (const Json& row : results[part]) QVERIFY(!row.contains("planned"));
         data.blinded = false;
-        const Json open = reports::results(data);
+        const Json open = resultsOf(data);
         QCOMPARE(open["signals"]["friction_mae"].get<double>(), 0.1);
         QVERIFY(comparison(open, "Q4", "h_g&f_g", "h&f")["planned"].get<bool>());
         QVERIFY(!comparison(open, "Q4", "f", "h").contains("planned"));
@@ -186,17 +195,17 @@ private Q_SLOTS:
     {
         StudyData data = builders::paperSized();
         // P03 gave no rating at all under h, and one match is missing under f.
-        std::erase_if(data.responses, [](const reports::Response& r) {
+        std::erase_if(data.responses, [](const reports::StudyResponse& r) {
             return (r.participant == "P03" && r.condition == "h" && r.question == "Q2") ||
                    (r.participant == "P05" && r.condition == "f" && r.question == "Q1" && r.fabric == "F02");
         });
-        const Json results = reports::results(data);
-        QCOMPARE(results["Q2"]["h"]["n"], 63);
-        QCOMPARE(results["Q2"]["h"]["participants"], 9);
-        QCOMPARE(results["Q1"]["f"]["trials"], 69);
+        const Json results = resultsOf(data);
+        QCOMPARE(results["questions"]["Q2"]["h"]["n"], 63);
+        QCOMPARE(results["questions"]["Q2"]["h"]["participants"], 9);
+        QCOMPARE(results["questions"]["Q1"]["f"]["trials"], 69);
         QCOMPARE(comparison(results, "Q2", "v_grey", "h")["n"], 9);
         QCOMPARE(comparison(results, "Q2", "v_grey", "f")["n"], 10);
-        const Json statistics = reports::statistics(data);
+        const Json statistics = statisticsOf(data);
         QCOMPARE(statistics["data"]["missing_responses"], 8);
         QCOMPARE(statistics["data"]["missing_by_condition"]["Q2"]["h"], 7);
         QCOMPARE(statistics["Q2"]["rm_anova"]["n"], 9);
@@ -219,38 +228,40 @@ private Q_SLOTS:
         QFETCH(int, participants);
         const StudyData data = builders::study(
             participants, 2, {"f", "h"}, {[](int, int f, int) { return f == 0; }, [](int, int, int c, int) { return 4.0 + c; }});
-        const Json results = reports::results(data);
+        const Json results = resultsOf(data);
         QCOMPARE(unexplained(results, "results"), QString());
-        QCOMPARE(unexplained(reports::statistics(data), "statistics"), QString());
+        QCOMPARE(unexplained(statisticsOf(data), "statistics"), QString());
         QVERIFY(results["comparisons"][0]["p"].is_null());
         QVERIFY(results["equivalence"][0]["equivalent"].is_null());
-        QVERIFY(results["Q2"]["f"]["ci95"].is_null());
-        QCOMPARE(results["Q1"]["f"]["proportion"].is_null(), participants == 0);
+        QVERIFY(results["questions"]["Q2"]["f"]["ci95"].is_null());
+        QCOMPARE(results["questions"]["Q1"]["f"]["proportion"].is_null(), participants == 0);
     }
 
     void constantDataAreUndefinedNotSignificant()
     {
         const StudyData data = builders::study(
             10, 7, {"f", "h"}, {[](int, int, int) { return true; }, [](int, int, int c, int) { return 5.0 + 0.1 * c; }});
-        const Json results = reports::results(data);
+        const Json results = resultsOf(data);
         QCOMPARE(unexplained(results, "results"), QString());
         const Json& row = comparison(results, "Q2", "f", "h");
         QVERIFY(row["p"].is_null() && row["p_holm"].is_null() && row["statistic"].is_null());
         QVERIFY(QString::fromStdString(row["why"]["p"]).contains("no variation"));
-        QVERIFY(results["Q1"]["f"]["p_chance_participants"].is_null());
-        QVERIFY(results["Q1"]["f"]["p_chance"].is_number());
+        QVERIFY(results["questions"]["Q1"]["f"]["p_chance_participants"].is_null());
+        QVERIFY(results["questions"]["Q1"]["f"]["p_chance"].is_number());
     }
 
     void suspiciousParticipantsAreFlaggedAndKept()
     {
         StudyData data = builders::paperSized();
-        for (reports::Response& r : data.responses) {
+        for (reports::StudyResponse& r : data.responses) {
             r.seconds = r.participant == "P02" ? 0.2 : 4.0 + (r.fabric == "F01" ? 1 : 0);
-            if (r.question == "Q1") r.answerSlot = r.participant == "P04" ? 1 : static_cast<int>(r.fabric.back() % 3);
-            if (r.participant == "P06" && r.rating) r.rating = 5.0;
+            if (auto* choice = std::get_if<reports::ChosenAnswer>(&r.content))
+                choice->slot = r.participant == "P04" ? 1 : static_cast<int>(r.fabric.back() % 3);
+            if (auto* rated = std::get_if<reports::RatedAnswer>(&r.content); rated != nullptr && r.participant == "P06")
+                rated->rating = 5.0;
         }
         data.voided = 2;
-        const Json results = reports::results(data);
+        const Json results = resultsOf(data);
         std::set<std::string> flags;
         for (const Json& row : results["quality"])
             flags.insert((row["participant"].is_null() ? "all" : row["participant"].get<std::string>()) + " " +
@@ -258,16 +269,16 @@ private Q_SLOTS:
         const std::set<std::string> expected{"P02 too_fast", "P04 slot_bias", "P06 straight_lining", "P06 same_across_questions",
                                              "all voided_presentations"};
         QCOMPARE(flags, expected);
-        QCOMPARE(results["Q2"]["f"]["n"], 70);
+        QCOMPARE(results["questions"]["Q2"]["f"]["n"], 70);
     }
 
     void speedNeedsTimes()
     {
         StudyData data = builders::paperSized();
-        QVERIFY(reports::results(data)["speed_accuracy"]["f"]["bis"].is_null());
+        QVERIFY(resultsOf(data)["speed_accuracy"]["f"]["bis"].is_null());
         int i = 0;
-        for (reports::Response& r : data.responses) r.seconds = 4 + (i++ % 5);
-        const Json part = reports::results(data)["speed_accuracy"];
+        for (reports::StudyResponse& r : data.responses) r.seconds = 4 + (i++ % 5);
+        const Json part = resultsOf(data)["speed_accuracy"];
         double sum = 0;
         for (const auto& [condition, row] : part.items()) {
             QVERIFY(row["median_seconds"].get<double>() >= 4 && row["median_seconds"].get<double>() <= 8);
@@ -281,14 +292,14 @@ private Q_SLOTS:
     {
         StudyData data = builders::paperSized();
         data.responses.push_back(data.responses.front());
-        QVERIFY_EXCEPTION_THROWN(reports::results(data), protocols::Error);
+        QVERIFY_EXCEPTION_THROWN(resultsOf(data), protocols::Error);
         data.responses.back().condition = "x";
-        QVERIFY_EXCEPTION_THROWN(reports::results(data), protocols::Error);
+        QVERIFY_EXCEPTION_THROWN(resultsOf(data), protocols::Error);
     }
 
     void terminalTableIsAligned()
     {
-        const std::string table = reports::resultTable(reports::results(builders::paperSized()));
+        const std::string table = reports::overviewText(reports::analyse(builders::paperSized()));
         const QStringList lines = QString::fromStdString(table).split('\n', Qt::SkipEmptyParts);
         QCOMPARE(lines.size(), 11);
         QVERIFY(lines[0].contains("Q1 matches of 10"));

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "reports/data/study_data.h"
+#include "reports/analysis/study_analysis.h"
 
 namespace builders {
 
@@ -26,33 +26,57 @@ struct Answers {
     std::function<double(int participant, int fabric, int condition, int question)> rating;
 };
 
-/// A complete study of the given size with Q1 and Q2 to Q4, unblinded, without times.
-inline reports::StudyData study(int participants, int fabrics, const std::vector<std::string>& conditions, const Answers& answers)
+inline const protocols::AnswerKind choice = protocols::ForcedChoice{};
+inline const protocols::AnswerKind rating = protocols::Rating{};
+
+inline reports::StudyResponse right(const std::string& participant, const std::string& fabric, const std::string& condition,
+                                    const std::string& question, bool isRight)
+{
+    return {participant, fabric, condition, question, reports::ChosenAnswer{isRight, {}, {}}, {}};
+}
+
+inline reports::StudyResponse rated(const std::string& participant, const std::string& fabric, const std::string& condition,
+                                    const std::string& question, double rating)
+{
+    return {participant, fabric, condition, question, reports::RatedAnswer{rating}, {}};
+}
+
+inline reports::StudyResponse worded(const std::string& participant, const std::string& fabric, const std::string& condition,
+                                     const std::string& question, const std::string& words)
+{
+    return {participant, fabric, condition, question, reports::WordedAnswer{words}, {}};
+}
+
+/// An unblinded study without answers: participants P01, P02 ..., fabrics F01, F02 ...
+inline reports::StudyData emptyStudy(int participants, int fabrics, const std::vector<std::string>& conditions,
+                                     const std::vector<reports::QuestionInfo>& questions)
 {
     reports::StudyData data;
     data.name = "Built study";
     data.protocolSha256 = "00";
     data.blinded = false;
     data.conditions = conditions;
-    data.questions = {{"Q1", "Which?", true}, {"Q2", "", false}, {"Q3", "", false}, {"Q4", "", false}};
+    data.questions = questions;
     for (int p = 0; p < participants; ++p) data.participants.push_back(numbered("P", p + 1));
     for (int f = 0; f < fabrics; ++f) data.fabrics.push_back(numbered("F", f + 1));
+    return data;
+}
+
+/// A complete study of the given size with Q1 and Q2 to Q4, unblinded, without times.
+inline reports::StudyData study(int participants, int fabrics, const std::vector<std::string>& conditions, const Answers& answers)
+{
+    reports::StudyData data = emptyStudy(participants, fabrics, conditions,
+                                         {{"Q1", "Which?", choice}, {"Q2", "", rating}, {"Q3", "", rating}, {"Q4", "", rating}});
     for (int p = 0; p < participants; ++p)
         for (int f = 0; f < fabrics; ++f)
             for (int c = 0; c < static_cast<int>(conditions.size()); ++c) {
-                reports::Response response;
-                response.participant = numbered("P", p + 1);
-                response.fabric = numbered("F", f + 1);
-                response.condition = conditions[static_cast<std::size_t>(c)];
-                response.question = "Q1";
-                response.correct = answers.isCorrect(p, f, c);
-                data.responses.push_back(response);
-                response.correct.reset();
-                for (int q = 2; q <= 4; ++q) {
-                    response.question = "Q" + std::to_string(q);
-                    response.rating = answers.rating(p, f, c, q);
-                    data.responses.push_back(response);
-                }
+                const std::string &participant = data.participants[static_cast<std::size_t>(p)],
+                                  &fabric = data.fabrics[static_cast<std::size_t>(f)],
+                                  &condition = conditions[static_cast<std::size_t>(c)];
+                data.responses.push_back(right(participant, fabric, condition, "Q1", answers.isCorrect(p, f, c)));
+                for (int q = 2; q <= 4; ++q)
+                    data.responses.push_back(
+                        rated(participant, fabric, condition, "Q" + std::to_string(q), answers.rating(p, f, c, q)));
             }
     return data;
 }

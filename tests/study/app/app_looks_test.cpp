@@ -282,7 +282,7 @@ void AppLooksTest::visitMonitor(OpenWindow& open, const Look& look)
         return std::vector<MonitorFlag>{
             {"P01", "too_fast", "9 of 42 answers (21 %) came within 0.5 s of the touch"},
             {"P02", "straight_lining",
-             "Q2: 12 of 18 ratings are 5; somebody to whom all renderings feel alike answers so in earnest"}};
+             "Q2: 12 of 18 ratings are 5; a participant to whom all renderings feel alike also answers so"}};
     };
     MonitorWindow monitor(open.window().study()->store().folder().folder, options);
     monitor.show();

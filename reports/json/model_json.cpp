@@ -1,31 +1,7 @@
-// The mixed models of a question: condition beside participants and fabrics, so that what is said of
-// conditions holds for new ones of both.
-#include <algorithm>
-#include <cmath>
-
-#include "reports/json/statistic_parts.h"
-#include "stats/models/crossed_study.h"
+#include "reports/json/model_json.h"
 
 namespace reports {
 namespace {
-
-/// Every answer of a question, in the order of participants, conditions and fabrics by name.
-stats::CrossedStudy crossedStudyOf(const StudyData& data, const Cells& cells, const std::string& question)
-{
-    std::vector<std::string> participants, fabrics, conditions;
-    stats::CrossedStudy study;
-    for (const std::string& condition : data.conditions)
-        for (const Response* response : cells.of(question, condition)) {
-            participants.push_back(response->participant);
-            fabrics.push_back(response->fabric);
-            conditions.push_back(condition);
-            study.values.push_back(valuesOf({response}).front());
-        }
-    study.participant = stats::factorOf("participant", participants);
-    study.fabric = stats::factorOf("fabric", fabrics);
-    study.condition = stats::factorOf("condition", conditions);
-    return study;
-}
 
 void putLeftOut(Json& part, const std::vector<stats::LeftOut>& leftOut)
 {
@@ -34,9 +10,8 @@ void putLeftOut(Json& part, const std::vector<stats::LeftOut>& leftOut)
 
 }  // namespace
 
-Json ratingModelPart(const StudyData& data, const Cells& cells, const std::string& question)
+Json ratingModelJson(const stats::RatingModel& fitted)
 {
-    const stats::RatingModel fitted = stats::fitRatings(crossedStudyOf(data, cells, question));
     const stats::MixedModel& model = fitted.model;
     Json part{{"formula", fitted.formula}};
     putLeftOut(part, fitted.leftOut);
@@ -61,9 +36,8 @@ Json ratingModelPart(const StudyData& data, const Cells& cells, const std::strin
     return part;
 }
 
-Json choiceModelPart(const StudyData& data, const Cells& cells, const std::string& question)
+Json choiceModelJson(const stats::ChoiceModel& fitted)
 {
-    const stats::ChoiceModel fitted = stats::fitChoices(crossedStudyOf(data, cells, question));
     const stats::LogisticMixedModel& model = fitted.model;
     Json part{{"method", "Laplace"}, {"formula", fitted.formula}};
     putLeftOut(part, fitted.leftOut);
@@ -81,7 +55,7 @@ Json choiceModelPart(const StudyData& data, const Cells& cells, const std::strin
     put(part, "lrt_chi2", model.chiSquared);
     putWhole(part, "lrt_df", model.df);
     putP(part, "lrt_p", model.p, model.logP);
-    // R's report says here whether its fit warned; ours says why it would.
+    // The reference report says here whether R's fit warned. Ours says why such a fit would warn.
     part["warn"] = model.separation != stats::Separation::None;
     if (!model.separationWhy.empty()) part["separation"] = model.separationWhy;
     part["singular"] = model.singular;

@@ -1,0 +1,106 @@
+#include "reports/analysis/choice_analysis.h"
+
+#include <algorithm>
+
+#include "reports/analysis/crossed_answers.h"
+#include "stats/kernels/decimal_grid.h"
+#include "stats/tests/forced_choice.h"
+#include "stats/tests/multiplicity.h"
+
+namespace reports {
+namespace {
+
+std::vector<CountCorrect> countsByFabric(const StudyData& data, const std::vector<const StudyResponse*>& responses)
+{
+    std::vector<CountCorrect> counts;
+    for (const std::string& fabric : data.fabrics) {
+        std::vector<const StudyResponse*> ofFabric;
+        for (const StudyResponse* response : responses)
+            if (response->fabric == fabric) ofFabric.push_back(response);
+        const std::vector<double> values = valuesOf(ofFabric);
+        counts.push_back({correctAmong(values), values.size()});
+    }
+    return counts;
+}
+
+ConditionChoices analyseCondition(const StudyData& data, const AnswerCells& cells, const std::string& question,
+                                  const std::string& condition, int alternatives)
+{
+    const auto responses = cells.of(question, condition);
+    const std::vector<double> values = valuesOf(responses);
+    const double chance = 1.0 / alternatives;
+    ConditionChoices choices;
+    choices.count = {correctAmong(values), values.size()};
+    const auto correct = static_cast<long long>(choices.count.correct);
+    const auto trials = static_cast<long long>(choices.count.trials);
+    // Multiply before the division: 10 x 27 / 70 is then the nearest double.
+    const auto matches = static_cast<double>(data.participants.size() * choices.count.correct);
+    choices.matchesPerRendering =
+        trials > 0 ? stats::Value(matches / static_cast<double>(trials)) : stats::Value::undefined("there are no trials");
+    choices.againstChance = stats::binomialTest(correct, trials, chance);
+    choices.participantsAgainstChance = stats::oneSampleTTest(cells.participantMeans(question, condition), {.mu = chance});
+    const auto sensitivity = stats::forcedChoice(correct, trials, alternatives);
+    choices.dPrime = sensitivity.dPrime;
+    choices.dPrimeSe = sensitivity.seDPrime;
+    choices.byFabric = countsByFabric(data, responses);
+    return choices;
+}
+
+void adjustForConditions(std::vector<ConditionChoices>& conditions)
+{
+    std::vector<stats::Value> p;
+    for (const ConditionChoices& condition : conditions) p.push_back(condition.againstChance.pGreater);
+    const std::vector<stats::Value> holm = stats::adjusted(p, stats::Adjustment::Holm);
+    for (std::size_t i = 0; i < conditions.size(); ++i) conditions[i].pHolm = holm[i];
+}
+
+void analyseParticipants(ChoiceAnalysis& analysis, const AnswerCells& cells, const std::string& question)
+{
+    std::vector<double> shares;
+    for (const std::string& participant : cells.participants()) {
+        const stats::Value share = stats::meanOf(valuesOf(cells.ofParticipant(question, participant)));
+        analysis.participants.push_back({participant, share});
+        if (share.exists()) shares.push_back(*share);
+    }
+    analysis.participantsAgainstChance = stats::oneSampleTTest(shares, {.mu = 1.0 / analysis.alternatives});
+}
+
+ChoiceConfusion confusionOf(const StudyData& data, const AnswerCells& cells, const std::string& question)
+{
+    ChoiceConfusion confusion;
+    const std::size_t n = data.fabrics.size();
+    confusion.chosen.assign(n, std::vector<std::size_t>(n));
+    const auto placeOf = [&](const std::string& fabric) {
+        return static_cast<std::size_t>(std::find(data.fabrics.begin(), data.fabrics.end(), fabric) - data.fabrics.begin());
+    };
+    for (const std::string& condition : data.conditions)
+        for (const StudyResponse* response : cells.of(question, condition)) {
+            const auto* choice = std::get_if<ChosenAnswer>(&response->content);
+            if (choice == nullptr) continue;
+            if (choice->answer && placeOf(*choice->answer) < n) {
+                ++confusion.chosen[placeOf(response->fabric)][placeOf(*choice->answer)];
+                confusion.known = true;
+            }
+            if (choice->slot && ++confusion.slotCounts[*choice->slot] == 1) confusion.slots.push_back(*choice->slot);
+        }
+    return confusion;
+}
+
+}  // namespace
+
+ChoiceAnalysis analyseChoices(const StudyData& data, const AnswerCells& cells, const std::string& question, int alternatives)
+{
+    ChoiceAnalysis analysis;
+    analysis.alternatives = alternatives;
+    for (const std::string& condition : data.conditions)
+        analysis.conditions.push_back(analyseCondition(data, cells, question, condition, alternatives));
+    adjustForConditions(analysis.conditions);
+    analysis.cochran = stats::cochranTest(cells.completeSuccesses(question));
+    analyseParticipants(analysis, cells, question);
+    analysis.model = stats::fitChoices(crossedAnswers(data, cells, question));
+    analysis.confusion = confusionOf(data, cells, question);
+    analysis.comparisons = comparePairs(data, cells, question);
+    return analysis;
+}
+
+}  // namespace reports

@@ -1,0 +1,61 @@
+// A question with right and wrong answers, analysed: shares correct, tests against chance, and differences of conditions.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "reports/analysis/answer_cells.h"
+#include "reports/analysis/pair_comparisons.h"
+#include "stats/models/crossed_study.h"
+#include "stats/tests/binomial.h"
+#include "stats/tests/rank_tests.h"
+#include "stats/tests/t_tests.h"
+
+namespace reports {
+
+struct CountCorrect {
+    std::size_t correct = 0;
+    std::size_t trials = 0;
+};
+
+/// One condition.
+struct ConditionChoices {
+    CountCorrect count;
+    stats::Value matchesPerRendering;        ///< share correct x number of participants, as the paper reports it
+    stats::BinomialTest againstChance;       ///< over trials, one-sided against 1/m; its Wilson and Clopper-Pearson intervals
+    stats::Value pHolm;                      ///< of that test, Holm's correction over the conditions
+    stats::TTest participantsAgainstChance;  ///< the participants' shares against 1/m, two-sided
+    stats::Value dPrime;                     ///< does not depend on m
+    stats::Value dPrimeSe;
+    std::vector<CountCorrect> byFabric;  ///< in the order of the study's fabrics
+};
+
+struct ParticipantShare {
+    std::string participant;
+    stats::Value share;  ///< correct, over all conditions and fabrics
+};
+
+/// Which fabric was chosen for which, over all conditions, and how often each place of the tray.
+struct ChoiceConfusion {
+    bool known = false;                            ///< any answer says which fabric was chosen
+    std::vector<std::vector<std::size_t>> chosen;  ///< [true fabric x chosen fabric]
+    std::vector<int> slots;                        ///< in the order of their first choice
+    std::map<int, std::size_t> slotCounts;         ///< by slot, 0 = A
+};
+
+struct ChoiceAnalysis {
+    int alternatives = 3;                      ///< m
+    std::vector<ConditionChoices> conditions;  ///< in the order of the study's conditions
+    stats::CochranTest cochran;
+    std::vector<ParticipantShare> participants;
+    stats::TTest participantsAgainstChance;  ///< their shares against 1/m, two-sided
+    stats::ChoiceModel model;
+    ChoiceConfusion confusion;
+    std::vector<PairComparison> comparisons;
+};
+
+ChoiceAnalysis analyseChoices(const StudyData& data, const AnswerCells& cells, const std::string& question, int alternatives);
+
+}  // namespace reports

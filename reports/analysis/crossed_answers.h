@@ -1,0 +1,15 @@
+// The answers to a question as the mixed models take them: condition beside participants and fabrics, so that a result holds
+// for new participants and new fabrics.
+#pragma once
+
+#include <string>
+
+#include "reports/analysis/answer_cells.h"
+#include "stats/models/crossed_study.h"
+
+namespace reports {
+
+/// Every answer with a number, in the order of conditions, participants and fabrics.
+stats::CrossedStudy crossedAnswers(const StudyData& data, const AnswerCells& cells, const std::string& question);
+
+}  // namespace reports

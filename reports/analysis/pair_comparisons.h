@@ -1,0 +1,43 @@
+// Pairs of conditions within one question: is there a difference, and is it small enough to be equivalent?
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "reports/analysis/answer_cells.h"
+#include "stats/tests/equivalence.h"
+#include "stats/tests/t_tests.h"
+
+namespace reports {
+
+/// Condition `a` stands before `b` in the study's order; differences are a - b.
+struct ConditionPair {
+    std::string a;
+    std::string b;
+    bool planned = false;  ///< a contrast of the protocol; never while blinded
+};
+
+/// Paired t test of the participants' means.
+struct PairComparison {
+    ConditionPair pair;
+    stats::TTest test;
+    stats::Value pHolm;  ///< Holm's correction over all pairs of the question
+};
+
+/// Two one-sided tests of the participants' means against the bounds of the study.
+struct PairEquivalence {
+    ConditionPair pair;
+    double low = 0;  ///< bounds, scale points
+    double high = 0;
+    stats::EquivalenceTest test;
+    std::string verdict;  ///< "different" counts after Holm's correction
+};
+
+/// All pairs of the conditions, in their order.
+std::vector<PairComparison> comparePairs(const StudyData& data, const AnswerCells& cells, const std::string& question);
+
+/// The same pairs in the same order; `comparisons` are those of the question.
+std::vector<PairEquivalence> testEquivalence(const StudyData& data, const AnswerCells& cells, const std::string& question,
+                                             const std::vector<PairComparison>& comparisons);
+
+}  // namespace reports

@@ -1,0 +1,58 @@
+#include "reports/analysis/rating_analysis.h"
+
+#include "reports/analysis/crossed_answers.h"
+#include "stats/kernels/decimal_grid.h"
+#include "stats/kernels/descriptive.h"
+
+namespace reports {
+namespace {
+
+ConditionRatings analyseCondition(const AnswerCells& cells, const std::string& question, const std::string& condition)
+{
+    const std::vector<double> ratings = valuesOf(cells.of(question, condition));
+    const std::vector<double> means = cells.participantMeans(question, condition);
+    ConditionRatings result;
+    result.ratings = ratings.size();
+    result.mean = stats::meanOf(ratings);
+    result.sd = stats::describe(ratings).sd;
+    result.participants = means.size();
+    result.ci95 = stats::describe(means).ci95;
+    if (!result.ci95.low.exists())
+        result.ci95.low = result.ci95.high = stats::Value::undefined("needs the means of at least 2 participants");
+    return result;
+}
+
+std::vector<ParticipantMeans> meansOfParticipants(const StudyData& data, const AnswerCells& cells, const std::string& question)
+{
+    std::vector<ParticipantMeans> rows;
+    for (const std::string& participant : cells.participants()) {
+        rows.push_back({participant, {}});
+        for (const std::string& condition : data.conditions)
+            rows.back().means.push_back(cells.participantMean(question, condition, participant));
+    }
+    return rows;
+}
+
+}  // namespace
+
+RatingAnalysis analyseRatings(const StudyData& data, const AnswerCells& cells, const std::string& question,
+                              const NumberOnScale& scale)
+{
+    RatingAnalysis analysis;
+    analysis.scale = scale;
+    const AnswerCells::CompleteBlocks blocks = cells.completeBlocks(question);
+    analysis.completeParticipants = blocks.participants;
+    analysis.participants = meansOfParticipants(data, cells, question);
+    analysis.anova = stats::repeatedMeasuresAnova(blocks.table);
+    for (std::size_t i = 0; i < data.conditions.size(); ++i) {
+        analysis.conditions.push_back(analyseCondition(cells, question, data.conditions[i]));
+        analysis.conditions.back().withinHalfWidth = analysis.anova.moreyHalfWidths[i];
+    }
+    analysis.friedman = stats::friedmanTest(blocks.table);
+    analysis.model = stats::fitRatings(crossedAnswers(data, cells, question));
+    analysis.comparisons = comparePairs(data, cells, question);
+    analysis.equivalences = testEquivalence(data, cells, question, analysis.comparisons);
+    return analysis;
+}
+
+}  // namespace reports

@@ -1,0 +1,47 @@
+// A question answered by numbers on a scale, analysed: means, tests of all conditions at once, and pairs of conditions.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "reports/analysis/answer_cells.h"
+#include "reports/analysis/pair_comparisons.h"
+#include "stats/models/crossed_study.h"
+#include "stats/tests/rank_tests.h"
+#include "stats/tests/repeated_measures.h"
+
+namespace reports {
+
+/// One condition.
+struct ConditionRatings {
+    std::size_t ratings = 0;
+    stats::Value mean;  ///< over ratings
+    stats::Value sd;    ///< over ratings
+    std::size_t participants = 0;
+    stats::Interval ci95;          ///< of the participants' means, Student's t
+    stats::Value withinHalfWidth;  ///< within-subject interval (Morey 2008), complete participants
+};
+
+struct ParticipantMeans {
+    std::string participant;
+    std::vector<stats::Value> means;  ///< by condition
+};
+
+struct RatingAnalysis {
+    NumberOnScale scale;                       ///< what figures of the question show
+    std::vector<ConditionRatings> conditions;  ///< in the order of the study's conditions
+    std::vector<std::string> completeParticipants;
+    std::vector<ParticipantMeans> participants;
+    stats::RepeatedMeasuresAnova anova;
+    stats::FriedmanTest friedman;
+    stats::RatingModel model;
+    std::vector<PairComparison> comparisons;
+    std::vector<PairEquivalence> equivalences;
+};
+
+/// `scale` holds every rating of the question.
+RatingAnalysis analyseRatings(const StudyData& data, const AnswerCells& cells, const std::string& question,
+                              const NumberOnScale& scale);
+
+}  // namespace reports

@@ -1,0 +1,64 @@
+// What all figures by condition share: axes, gridlines, condition labels, and bands that name the groups of conditions.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "reports/charts/svg_drawing.h"
+#include "stats/kernels/value.h"
+
+namespace reports {
+
+struct PlotConditions {
+    std::vector<std::string> names;
+    bool blinded = false;
+
+    /// Groups are shown where every condition belongs to one and nothing is masked.
+    bool hasGroups() const;
+};
+
+/// One slot along the x axis for each condition; the y axis runs from `low` to `high`.
+class PlotFrame {
+public:
+    /// `title` and `description` are for readers who cannot see the figure.
+    PlotFrame(const PlotConditions& conditions, double low, double high, const std::string& title,
+              const std::string& description);
+
+    SvgDrawing& drawing() { return m_drawing; }
+    const std::vector<std::string>& conditions() const { return m_conditions.names; }
+
+    double left() const;
+    double rightEdge() const { return left() + plotWidth(); }
+    double plotWidth() const { return m_slot * static_cast<double>(m_conditions.names.size()); }
+    double slot() const { return m_slot; }  ///< width of one condition, px
+    double centre(std::size_t condition) const { return left() + (static_cast<double>(condition) + 0.5) * m_slot; }
+    double y(double value) const { return top + height * (1 - (value - m_low) / (m_high - m_low)); }
+
+    void drawFrame(const std::string& axisTitle);
+    /// A second axis on the right in percent of `wholeValue`.
+    void drawRightAxis(double wholeValue, const std::string& axisTitle);
+    /// Cut at the ends of the axis; nothing where the interval does not exist.
+    void drawErrorBar(double x, const stats::Interval& interval, const std::string& colour);
+    /// A line of text above the plot, on its left or its right.
+    void drawLegendText(double x, Anchor anchor, const std::string& escapedText);
+
+    static constexpr double right = 84;
+    static constexpr double top = 62;
+    static constexpr double height = 300;
+    static constexpr double legendY = 17;  ///< centre of a legend's signs
+
+private:
+    double longestLabel() const;
+    double bottom() const;
+    void drawLabel(std::size_t condition);
+    void drawBands();
+
+    PlotConditions m_conditions;
+    double m_low;
+    double m_high;
+    double m_slot;
+    bool m_isCrowded;  ///< labels slant
+    SvgDrawing m_drawing;
+};
+
+}  // namespace reports

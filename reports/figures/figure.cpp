@@ -1,0 +1,11 @@
+#include "reports/figures/figure.h"
+
+namespace reports {
+
+std::string stampedCaption(const StudyData& data, const std::string& caption)
+{
+    return caption + (data.simulated ? " SIMULATED participants." : "") +
+           (data.blinded ? " Blinded: conditions are masked." : "");
+}
+
+}  // namespace reports

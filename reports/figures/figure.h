@@ -1,0 +1,22 @@
+// A figure of the report with its place on the page.
+#pragma once
+
+#include <string>
+
+#include "reports/data/study_data.h"
+#include "reports/text/page_section.h"
+
+namespace reports {
+
+struct Figure {
+    std::string name;     ///< of its file, "matches_Q1"
+    std::string caption;  ///< plain text
+    std::string svg = {};
+    PageSection section = PageSection::Summary;
+    std::string question = {};  ///< whose figure it is; empty: of several questions
+};
+
+/// The caption, with what a reader must know about the participants and the conditions.
+std::string stampedCaption(const StudyData& data, const std::string& caption);
+
+}  // namespace reports

@@ -1,0 +1,82 @@
+#include "reports/figures/matches_figures.h"
+
+#include <algorithm>
+
+#include "reports/charts/chart_colours.h"
+#include "reports/charts/plot_frame.h"
+#include "reports/text/condition_label.h"
+#include "reports/text/number_text.h"
+#include "reports/text/plain_words.h"
+
+namespace reports {
+namespace {
+
+/// The Wilson interval of the share correct, in matches.
+stats::Interval inMatches(const stats::Interval& share, double participants)
+{
+    if (!share.low.exists() || !share.high.exists()) return share;
+    return {*share.low * participants, *share.high * participants};
+}
+
+void drawBar(PlotFrame& plot, std::size_t i, const ConditionChoices& choices, double participants, const std::string& colour)
+{
+    const stats::Value& matches = choices.matchesPerRendering;
+    const SvgPoint foot{plot.centre(i), plot.y(0) - 8};
+    if (!matches.exists()) {
+        plot.drawing().text(foot, "no data", {.size = 13, .colour = ChartColours::grey});
+        return;
+    }
+    const double width = std::min(54.0, plot.slot() * 0.62);
+    plot.drawing().rectangle({plot.centre(i) - width / 2, plot.y(*matches)}, width, plot.y(0) - plot.y(*matches), colour, 0.45,
+                             colour, plot.conditions()[i] + ": " + fixed(*matches, 2));
+    plot.drawErrorBar(plot.centre(i), inMatches(choices.againstChance.wilson, participants), ChartColours::ink);
+    plot.drawing().text(foot, fixed(*matches, 1), {.size = 15, .bold = true});
+}
+
+void drawChanceLine(PlotFrame& plot, double chance, const std::string& people)
+{
+    const std::string dashes = "7 5";
+    plot.drawing().line({plot.left(), plot.y(chance)}, {plot.rightEdge(), plot.y(chance)}, ChartColours::vermilion, 2, dashes);
+    plot.drawing().line({plot.left(), PlotFrame::legendY}, {plot.left() + 34, PlotFrame::legendY}, ChartColours::vermilion, 2,
+                        dashes);
+    plot.drawLegendText(plot.left() + 42, Anchor::Start, "chance: " + fixed(chance, 1) + " of " + people);
+}
+
+Figure matchesFigure(const StudyAnalysis& analysis, const std::string& id, const ChoiceAnalysis& choices)
+{
+    const std::size_t people = analysis.data.participants.size();
+    const auto participants = static_cast<double>(std::max<std::size_t>(1, people));
+    const std::string m = std::to_string(choices.alternatives);
+    Figure figure{
+        .name = "matches_" + id,
+        .caption = stampedCaption(analysis.data,
+                                  id + ": correct matches per rendering, of " + counted(people, "participant") +
+                                      ". Bars: share correct times the number of participants. Whiskers: Wilson's 95 % interval "
+                                      "over trials. Dashed line: chance, 1/" +
+                                      m + "."),
+        .section = PageSection::Matches,
+        .question = id};
+    const PlotConditions conditions{analysis.data.conditions, analysis.data.blinded};
+    PlotFrame plot(conditions, 0, participants, id + ": matches per rendering by condition", figure.caption);
+    plot.drawFrame("matches per rendering (of " + std::to_string(people) + ")");
+    plot.drawRightAxis(participants, "share correct");
+    for (std::size_t i = 0; i < conditions.names.size(); ++i)
+        drawBar(plot, i, choices.conditions[i], participants,
+                conditions.hasGroups() ? groupColour(*groupOf(conditions.names[i])) : plainColour());
+    drawChanceLine(plot, participants / choices.alternatives, std::to_string(people));
+    plot.drawLegendText(plot.rightEdge(), Anchor::End, "whiskers: 95 % interval (Wilson)");
+    figure.svg = plot.drawing().finished();
+    return figure;
+}
+
+}  // namespace
+
+std::vector<Figure> matchesFigures(const StudyAnalysis& analysis)
+{
+    std::vector<Figure> figures;
+    for (const auto& question : questionsWith<ChoiceAnalysis>(analysis))
+        figures.push_back(matchesFigure(analysis, question.id(), question.findings));
+    return figures;
+}
+
+}  // namespace reports

@@ -1,0 +1,119 @@
+#include "reports/figures/ratings_figures.h"
+
+#include <algorithm>
+
+#include "protocols/files/markup_text.h"
+#include "reports/charts/chart_colours.h"
+#include "reports/charts/plot_frame.h"
+#include "reports/text/plain_words.h"
+
+namespace reports {
+namespace {
+
+using RatingQuestion = AnalysedQuestion<RatingAnalysis>;
+
+constexpr double legendRoom = 480;  ///< px, beside the remark on the right
+
+double legendWidth(const std::string& question) { return 52 + 9 * static_cast<double>(question.size()); }
+
+/// Neighbouring questions of one scale whose names fit into the legend.
+std::vector<std::vector<RatingQuestion>> figureGroups(const StudyAnalysis& analysis)
+{
+    std::vector<std::vector<RatingQuestion>> groups;
+    double used = 0;
+    for (const RatingQuestion& question : questionsWith<RatingAnalysis>(analysis)) {
+        const double needed = legendWidth(question.id());
+        if (groups.empty() || groups.back().front().findings.scale != question.findings.scale || used + needed > legendRoom) {
+            groups.emplace_back();
+            used = 0;
+        }
+        groups.back().push_back(question);
+        used += needed;
+    }
+    return groups;
+}
+
+/// Circle, square, diamond, triangle.
+void drawMarker(SvgDrawing& drawing, std::size_t k, SvgPoint at)
+{
+    const std::string& colour = seriesColour(k);
+    constexpr double r = 6;
+    switch (k % 4) {
+        case 0:
+            drawing.circle(at, r, colour, ChartColours::white);
+            break;
+        case 1:
+            drawing.rectangle({at.x - r + 0.5, at.y - r + 0.5}, 2 * r - 1, 2 * r - 1, colour, 1, ChartColours::white);
+            break;
+        case 2:
+            drawing.polygon({{at.x, at.y - r - 1.5}, {at.x + r + 1.5, at.y}, {at.x, at.y + r + 1.5}, {at.x - r - 1.5, at.y}},
+                            colour, ChartColours::white);
+            break;
+        case 3:
+            drawing.polygon({{at.x, at.y - r - 1}, {at.x + r, at.y + r - 1}, {at.x - r, at.y + r - 1}}, colour,
+                            ChartColours::white);
+            break;
+        default:
+            break;
+    }
+}
+
+void drawLegend(PlotFrame& plot, const std::vector<RatingQuestion>& questions)
+{
+    double x = plot.left();
+    for (std::size_t k = 0; k < questions.size(); ++k) {
+        drawMarker(plot.drawing(), k, {x + 8, PlotFrame::legendY});
+        plot.drawLegendText(x + 22, Anchor::Start, protocols::escapedMarkup(questions[k].id()));
+        x += legendWidth(questions[k].id());
+    }
+    plot.drawLegendText(plot.rightEdge(), Anchor::End, "mean, with 95 % interval over participants");
+}
+
+void drawMeans(PlotFrame& plot, const std::vector<RatingQuestion>& questions)
+{
+    const auto n = static_cast<double>(questions.size());
+    const double gap = std::min(22.0, plot.slot() * 0.72 / n);
+    for (std::size_t i = 0; i < plot.conditions().size(); ++i)
+        for (std::size_t k = 0; k < questions.size(); ++k) {
+            const ConditionRatings& ratings = questions[k].findings.conditions[i];
+            if (!ratings.mean.exists()) continue;
+            const double x = plot.centre(i) + (static_cast<double>(k) - (n - 1) / 2) * gap;
+            plot.drawErrorBar(x, ratings.ci95, seriesColour(k));
+            drawMarker(plot.drawing(), k, {x, plot.y(*ratings.mean)});
+        }
+}
+
+/// "(Q2 and Q3)", where other questions have a figure of their own.
+std::string namesIn(const std::vector<RatingQuestion>& questions)
+{
+    std::vector<std::string> names;
+    for (const RatingQuestion& question : questions) names.push_back(question.id());
+    return " (" + listed(names) + ")";
+}
+
+}  // namespace
+
+std::vector<Figure> ratingsFigures(const StudyAnalysis& analysis)
+{
+    const auto groups = figureGroups(analysis);
+    std::vector<Figure> figures;
+    for (const std::vector<RatingQuestion>& questions : groups) {
+        Figure figure{.name = figures.empty() ? "ratings" : "ratings_" + std::to_string(figures.size() + 1),
+                      .caption = stampedCaption(analysis.data, "Ratings by condition and question" +
+                                                                   (groups.size() > 1 ? namesIn(questions) : std::string()) +
+                                                                   ": means over ratings. Whiskers: 95 % interval of the "
+                                                                   "participants' means."),
+                      .section = PageSection::Ratings};
+        const NumberOnScale& scale = questions.front().findings.scale;
+        PlotFrame plot({analysis.data.conditions, analysis.data.blinded}, scale.min, scale.max,
+                       "Ratings by question and condition", figure.caption);
+        plot.drawFrame("rating");
+        drawLegend(plot, questions);
+        drawMeans(plot, questions);
+        figure.svg = plot.drawing().finished();
+        figures.push_back(std::move(figure));
+    }
+    return figures;
+}
+
+}  // namespace reports

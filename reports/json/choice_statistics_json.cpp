@@ -1,0 +1,131 @@
+#include "reports/json/choice_statistics_json.h"
+
+#include <functional>
+#include <map>
+
+#include "reports/json/model_json.h"
+#include "reports/text/plain_words.h"
+
+namespace reports {
+namespace {
+
+/// "third" for 1/3, as names have it; "1_over_7" where English has no short word.
+std::string fractionName(int alternatives)
+{
+    static const std::map<int, std::string> names{{2, "half"}, {3, "third"}, {4, "quarter"}, {5, "fifth"}};
+    const auto found = names.find(alternatives);
+    return found != names.end() ? found->second : "1_over_" + std::to_string(alternatives);
+}
+
+Json perConditionPart(const StudyData& data, const ChoiceAnalysis& choices)
+{
+    const std::string people = std::to_string(data.participants.size());
+    Json rows = Json::array();
+    for (std::size_t i = 0; i < data.conditions.size(); ++i) {
+        const ConditionChoices& condition = choices.conditions[i];
+        const stats::BinomialTest& exact = condition.againstChance;
+        Json row{{"condition", data.conditions[i]}, {"correct", condition.count.correct}, {"trials", condition.count.trials}};
+        put(row, "mean_matches_per_rendering_of_" + people,
+            condition.count.trials > 0 ? condition.matchesPerRendering : exact.estimate);
+        putP(row, "p_exact_greater_one_" + fractionName(choices.alternatives), exact.pGreater, exact.logPGreater);
+        put(row, "p_holm", condition.pHolm);
+        put(row, "cp95", exact.clopperPearson);
+        put(row, "wilson95", exact.wilson);
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+Json cochranPart(const StudyData&, const ChoiceAnalysis& choices)
+{
+    const stats::CochranTest& test = choices.cochran;
+    Json part = Json::object();
+    put(part, "Q", test.q);
+    putWhole(part, "df", test.df);
+    putP(part, "p", test.p, test.logP);
+    part["blocks"] = test.blocks;
+    part["note"] = "blocks = participant x fabric; ignores clustering, descriptive only";
+    return part;
+}
+
+Json participantPart(const StudyData&, const ChoiceAnalysis& choices)
+{
+    Json shares = Json::object();
+    for (const ParticipantShare& one : choices.participants) put(shares, one.participant, one.share);
+    const stats::TTest& test = choices.participantsAgainstChance;
+    Json part{{"prop", shares}};
+    put(part, "t_vs_" + fractionName(choices.alternatives), test.t);
+    putWhole(part, "df", test.df);
+    putP(part, "p", test.p, test.logP);
+    return part;
+}
+
+Json modelPart(const StudyData&, const ChoiceAnalysis& choices) { return choiceModelJson(choices.model); }
+
+Json sensitivityPart(const StudyData& data, const ChoiceAnalysis& choices)
+{
+    Json part = Json::object();
+    for (std::size_t i = 0; i < data.conditions.size(); ++i) {
+        Json row = Json::object();
+        put(row, "d_prime", choices.conditions[i].dPrime);
+        put(row, "se", choices.conditions[i].dPrimeSe);
+        part[data.conditions[i]] = std::move(row);
+    }
+    return part;
+}
+
+Json confusionPart(const StudyData& data, const ChoiceAnalysis& choices)
+{
+    const ChoiceConfusion& confusion = choices.confusion;
+    Json part{{"answered", Json::object()}, {"slots", Json::object()}};
+    for (std::size_t truth = 0; truth < data.fabrics.size(); ++truth)
+        for (std::size_t chosen = 0; chosen < data.fabrics.size(); ++chosen)
+            part["answered"][data.fabrics[truth]][data.fabrics[chosen]] = confusion.chosen[truth][chosen];
+    for (const int slot : confusion.slots)
+        part["slots"][std::string(1, static_cast<char>('A' + slot))] = confusion.slotCounts.at(slot);
+    if (!confusion.known) putNull(part, "answered", "the answers tell right and wrong alone, not which fabric was named");
+    return part;
+}
+
+Json byRenderingPart(const StudyData& data, const ChoiceAnalysis& choices)
+{
+    Json part = Json::object();
+    for (std::size_t i = 0; i < data.conditions.size(); ++i)
+        for (std::size_t k = 0; k < data.fabrics.size(); ++k) {
+            const CountCorrect& count = choices.conditions[i].byFabric[k];
+            part[data.conditions[i]][data.fabrics[k]] = {{"correct", count.correct}, {"trials", count.trials}};
+        }
+    return part;
+}
+
+struct ChoiceKey {
+    std::string suffix;
+    std::function<Json(const StudyData&, const ChoiceAnalysis&)> part;
+};
+
+const std::vector<ChoiceKey>& choiceKeys()
+{
+    static const std::vector<ChoiceKey> keys{
+        {"_per_condition", perConditionPart},       {"_cochran", cochranPart},
+        {"_participant_level", participantPart},    {"_glmm", modelPart},
+        {"_sensitivity", sensitivityPart},          {"_confusion", confusionPart},
+        {"_matches_by_rendering", byRenderingPart},
+    };
+    return keys;
+}
+
+}  // namespace
+
+std::vector<std::string> choiceStatisticsKeys(const std::string& question)
+{
+    std::vector<std::string> keys;
+    for (const ChoiceKey& key : choiceKeys()) keys.push_back(lowerCase(question) + key.suffix);
+    return keys;
+}
+
+void putChoiceStatistics(Json& statistics, const StudyData& data, const std::string& question, const ChoiceAnalysis& choices)
+{
+    for (const ChoiceKey& key : choiceKeys()) statistics[lowerCase(question) + key.suffix] = key.part(data, choices);
+}
+
+}  // namespace reports

@@ -1,0 +1,31 @@
+// Numbers of the statistics as fields of JSON. What does not exist is null, with its reason in the object's "why".
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "stats/kernels/value.h"
+
+namespace reports {
+
+using Json = nlohmann::ordered_json;
+
+/// object[key] = null, object["why"][key] = why.
+void putNull(Json& object, const std::string& key, const std::string& why);
+
+/// Moves "why", where there is one, behind all other keys.
+void putReasonsLast(Json& object);
+
+/// A number that is not finite is null too.
+void put(Json& object, const std::string& key, const stats::Value& value);
+
+/// [low, high], or null.
+void put(Json& object, const std::string& key, const stats::Interval& interval);
+
+/// Degrees of freedom and the like: a whole number is written without ".0".
+void putWhole(Json& object, const std::string& key, const stats::Value& value);
+
+/// A p value. One that is too small for a double is null, with its power of ten as the reason.
+void putP(Json& object, const std::string& key, const stats::Value& p, const stats::Value& logP);
+
+}  // namespace reports

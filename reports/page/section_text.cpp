@@ -1,0 +1,121 @@
+#include "reports/page/section_text.h"
+
+#include "protocols/files/markup_text.h"
+#include "reports/page/findings.h"
+#include "reports/page/html_parts.h"
+#include "reports/page/methods.h"
+#include "reports/text/number_text.h"
+#include "reports/text/plain_words.h"
+
+namespace reports {
+namespace {
+
+NumberTile countTile(std::size_t n, const std::string& singular, const std::string& more = {})
+{
+    return {std::to_string(n), pluralOf(n, singular) + more};
+}
+
+std::string summaryLead(const StudyAnalysis& analysis)
+{
+    const StudyData& data = analysis.data;
+    return tiles({countTile(data.participants.size(), "participant"),
+                  countTile(data.conditions.size() * data.fabrics.size(), "rendering"),
+                  countTile(analysis.completeness.present, "answer", " analysed"),
+                  countTile(analysis.completeness.missing(), "answer", " missing"),
+                  countTile(data.voided, "presentation", " voided"), countTile(analysis.flags.size(), "quality flag")}) +
+           bulletList(findings(analysis), "findings");
+}
+
+/// The questions of one kind with the sentences that the participants heard.
+template <class Findings>
+std::string questionTexts(const StudyAnalysis& analysis)
+{
+    std::string text;
+    for (const auto& question : questionsWith<Findings>(analysis)) {
+        const std::string& words = question.analysis.question.text;
+        if (words.empty()) continue;
+        text += (text.empty() ? "" : "<br>") + ("<b>" + protocols::escapedMarkup(question.id())) + "</b> \u201C" +
+                protocols::escapedMarkup(words) + "\u201D";
+    }
+    return text.empty() ? text : paragraph(text);
+}
+
+NumberTile signalTile(const stats::Value& value, double factor, int decimals, const std::string& unit, const std::string& what)
+{
+    if (!value.exists()) return {"\u2013", what + ": " + value.why()};
+    return {fixed(*value * factor, decimals) + unit, what};
+}
+
+std::string signalsLead(const StudyData& data)
+{
+    if (!data.signals) return {};
+    const SignalComparison& signals = *data.signals;
+    return tiles({signalTile(signals.frictionMae, 1, 4, "", "mean absolute error of the friction coefficient"),
+                  signalTile(signals.frictionMaeOverMean, 100, 1, " %", "of the mean measured friction"),
+                  signalTile(signals.heightSsim, 1, 3, "", "structural similarity (SSIM) of the height maps"),
+                  signalTile(signals.heightRangeMm, 1, 3, " mm", "range of the measured maps (L of SSIM)")}) +
+           paragraph(
+               "The t test asks whether the averages differ, and a small p shows that they do. The equivalence test beside "
+               "it asks whether generated and measured averages are close.");
+}
+
+std::string qualityLead(const StudyAnalysis& analysis)
+{
+    const Completeness& completeness = analysis.completeness;
+    const std::string counts = std::to_string(completeness.present) + " of " + counted(completeness.expected, "expected answer") +
+                               " are analysed, " + std::to_string(completeness.missing()) + " are missing. " +
+                               counted(analysis.data.voided, "presentation") + (analysis.data.voided == 1 ? " was" : " were") +
+                               " voided.";
+    return paragraph(counts) + (analysis.flags.empty() ? paragraph("Nothing is flagged.") : std::string());
+}
+
+std::string flagRules()
+{
+    std::vector<std::string> rules;
+    for (const std::string& sentence : ruleSentences()) rules.push_back(protocols::escapedMarkup(sentence));
+    return folded("What is flagged", bulletList(rules));
+}
+
+}  // namespace
+
+std::string sectionLead(PageSection section, const StudyAnalysis& analysis)
+{
+    switch (section) {
+        case PageSection::Summary:
+            return summaryLead(analysis);
+        case PageSection::Matches:
+            return questionTexts<ChoiceAnalysis>(analysis);
+        case PageSection::Ratings:
+            return questionTexts<RatingAnalysis>(analysis);
+        case PageSection::Words:
+            return questionTexts<WordedAnalysis>(analysis);
+        case PageSection::Comparisons:
+            return paragraph(
+                "Paired t tests on participant means. A small p shows a difference. A large p does not show that there is none.");
+        case PageSection::Equivalence:
+            return paragraph(
+                "Two one-sided tests against the stated bounds. Two conditions are equivalent when the 90 % interval lies inside "
+                "the bounds.");
+        case PageSection::Speed:
+            return {};
+        case PageSection::Signals:
+            return signalsLead(analysis.data);
+        case PageSection::Quality:
+            return qualityLead(analysis);
+        case PageSection::Methods: {
+            std::string text;
+            for (const std::string& html : methodParagraphs(analysis)) text += paragraph(html);
+            return text;
+        }
+    }
+    return {};
+}
+
+std::string sectionEnd(PageSection section) { return section == PageSection::Quality ? flagRules() : std::string(); }
+
+bool standsAlone(PageSection section)
+{
+    return section == PageSection::Summary || section == PageSection::Quality || section == PageSection::Methods;
+}
+
+}  // namespace reports

@@ -1,0 +1,20 @@
+// What a section of the page says besides its figures and tables.
+#pragma once
+
+#include <string>
+
+#include "reports/analysis/study_analysis.h"
+#include "reports/text/page_section.h"
+
+namespace reports {
+
+/// HTML before the figures and tables.
+std::string sectionLead(PageSection section, const StudyAnalysis& analysis);
+
+/// HTML behind them.
+std::string sectionEnd(PageSection section);
+
+/// Whether the section appears even without a figure or table.
+bool standsAlone(PageSection section);
+
+}  // namespace reports

@@ -1,0 +1,13 @@
+// How often the tests of this report reject when there is nothing to find, as measured by simulation.
+#pragma once
+
+#include <vector>
+
+#include "reports/analysis/study_analysis.h"
+#include "reports/tables/report_table.h"
+
+namespace reports {
+
+std::vector<ReportTable> measuredSizeTables(const StudyAnalysis& analysis);
+
+}  // namespace reports

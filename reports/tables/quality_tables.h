@@ -1,0 +1,13 @@
+// Flags on the data, missing answers, and means without flagged participants.
+#pragma once
+
+#include <vector>
+
+#include "reports/analysis/study_analysis.h"
+#include "reports/tables/report_table.h"
+
+namespace reports {
+
+std::vector<ReportTable> qualityTables(const StudyAnalysis& analysis);
+
+}  // namespace reports

@@ -1,0 +1,13 @@
+// Generated against measured signals: t tests and equivalence tests. None while blinded.
+#pragma once
+
+#include <vector>
+
+#include "reports/analysis/study_analysis.h"
+#include "reports/tables/report_table.h"
+
+namespace reports {
+
+std::vector<ReportTable> signalTables(const StudyAnalysis& analysis);
+
+}  // namespace reports

@@ -1,0 +1,30 @@
+// Cells for a table, by what they show.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "reports/tables/table.h"
+#include "stats/kernels/value.h"
+
+namespace reports {
+
+TableCell textCell(const std::string& text);
+/// Text in a column of numbers: "27/70", "8, 72".
+TableCell numericTextCell(const std::string& text);
+TableCell conditionCell(const std::string& condition);
+/// An empty place in a column of numbers.
+TableCell blankCell();
+TableCell numberCell(const stats::Value& value, int decimals);
+TableCell countCell(std::size_t n);
+TableCell pCell(const stats::Value& p);
+/// A p value too small for a double has no text.
+TableCell pCell(const stats::Value& p, const stats::Value& logP);
+TableCell intervalCell(const stats::Interval& interval, int decimals);
+/// "5.1 ± 1.9". The CSV has the mean alone; the SD has a column of its own there.
+TableCell meanSdCell(const stats::Value& mean, const stats::Value& sd, int decimals);
+
+/// The name of a question's own column: its id, unless the column of conditions has that name.
+std::string questionColumn(const std::string& question);
+
+}  // namespace reports

@@ -1,0 +1,117 @@
+#include "reports/tables/table_formats.h"
+
+#include <algorithm>
+
+#include "protocols/files/csv_table.h"
+#include "protocols/files/markup_text.h"
+#include "reports/text/tex_text.h"
+
+namespace reports {
+namespace {
+
+/// Characters on the screen: continuation bytes of UTF-8 take no room.
+std::size_t width(const std::string& text)
+{
+    return static_cast<std::size_t>(
+        std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+}
+
+std::string padded(const std::string& text, std::size_t to, bool right)
+{
+    const std::string space(to > width(text) ? to - width(text) : 0, ' ');
+    return right ? space + text : text + space;
+}
+
+bool isNumeric(const Table& table, std::size_t column)
+{
+    return std::all_of(table.rows.begin(), table.rows.end(), [&](const auto& row) { return row[column].isNumber; });
+}
+
+}  // namespace
+
+std::string toCsv(const Table& table)
+{
+    const auto line = [&](const auto& textOf) {
+        std::string result;
+        bool isFirst = true;
+        for (std::size_t i = 0; i < table.columns.size(); ++i) {
+            if (!table.isInCsv(i)) continue;
+            result += (isFirst ? "" : ",") + protocols::csvCell(textOf(i));
+            isFirst = false;
+        }
+        return result + "\r\n";
+    };
+    std::string csv = line([&](std::size_t i) { return table.columns[i].name; });
+    for (const auto& row : table.rows) csv += line([&](std::size_t i) { return row[i].csv; });
+    return csv;
+}
+
+std::string toTex(const Table& table)
+{
+    std::string format;
+    for (std::size_t i = 0; i < table.columns.size(); ++i)
+        if (table.isInDocuments(i)) format += isNumeric(table, i) ? 'r' : 'l';
+    const auto line = [&](const auto& textOf) {
+        std::string result;
+        bool isFirst = true;
+        for (std::size_t i = 0; i < table.columns.size(); ++i) {
+            if (!table.isInDocuments(i)) continue;
+            result += (isFirst ? "" : " & ") + textOf(i);
+            isFirst = false;
+        }
+        return result + " \\\\\n";
+    };
+    std::string tex = "% needs \\usepackage{booktabs}\n\\begin{table}\n\\centering\n\\caption{" + escapedTex(table.caption) +
+                      "}\n\\begin{tabular}{" + format + "}\n\\toprule\n" +
+                      line([&](std::size_t i) { return escapedTex(table.columns[i].name); }) + "\\midrule\n";
+    for (const auto& row : table.rows) tex += line([&](std::size_t i) { return row[i].tex; });
+    return tex + "\\bottomrule\n\\end{tabular}\n\\end{table}\n";
+}
+
+std::string toHtml(const Table& table)
+{
+    std::string html =
+        "<div class=\"scroll\"><table><caption>" + protocols::escapedMarkup(table.caption) + "</caption><thead><tr>";
+    for (std::size_t i = 0; i < table.columns.size(); ++i)
+        if (table.isInDocuments(i))
+            html += std::string("<th scope=\"col\"") + (isNumeric(table, i) ? " class=\"n\"" : "") + ">" +
+                    protocols::escapedMarkup(table.columns[i].name) + "</th>";
+    html += "</tr></thead><tbody>\n";
+    for (const auto& row : table.rows) {
+        html += "<tr>";
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            if (!table.isInDocuments(i)) continue;
+            const std::string tag = i == 0 ? "th" : "td";
+            html += "<" + tag + (i == 0 ? " scope=\"row\"" : "") + (isNumeric(table, i) ? " class=\"n\"" : "") +
+                    (row[i].why.empty() ? "" : " title=\"" + protocols::escapedMarkup(row[i].why) + "\"") + ">" + row[i].html +
+                    "</" + tag + ">";
+        }
+        html += "</tr>\n";
+    }
+    return html + "</tbody></table></div>\n";
+}
+
+std::string toText(const Table& table)
+{
+    std::vector<std::size_t> widths(table.columns.size());
+    for (std::size_t i = 0; i < widths.size(); ++i) {
+        widths[i] = width(table.columns[i].name);
+        for (const auto& row : table.rows) widths[i] = std::max(widths[i], width(row[i].text));
+    }
+    const auto line = [&](const auto& textOf) {
+        std::string result;
+        for (std::size_t i = 0; i < widths.size(); ++i)
+            if (table.isInDocuments(i))
+                result += (result.empty() ? "" : "  ") + padded(textOf(i), widths[i], isNumeric(table, i));
+        while (result.ends_with(' ')) result.pop_back();
+        return result + "\n";
+    };
+    std::string text = line([&](std::size_t i) { return table.columns[i].name; });
+    std::size_t across = 0;
+    for (std::size_t i = 0; i < widths.size(); ++i) across += !table.isInDocuments(i) ? 0 : widths[i] + (i > 0 ? 2 : 0);
+    text += std::string(across, '-') + "\n";
+    for (const auto& row : table.rows) text += line([&](std::size_t i) { return row[i].text; });
+    return text;
+}
+
+}  // namespace reports

@@ -1,0 +1,13 @@
+// The answers in the participants' own words, one row each.
+#pragma once
+
+#include <vector>
+
+#include "reports/analysis/study_analysis.h"
+#include "reports/tables/report_table.h"
+
+namespace reports {
+
+std::vector<ReportTable> wordedTables(const StudyAnalysis& analysis);
+
+}  // namespace reports

@@ -1,0 +1,24 @@
+#include "reports/text/page_section.h"
+
+#include <array>
+
+namespace reports {
+
+std::span<const SectionHeading> sectionHeadings()
+{
+    static const std::array headings{
+        SectionHeading{PageSection::Summary, "summary", "Summary"},
+        SectionHeading{PageSection::Matches, "matches", "Matching the fabric"},
+        SectionHeading{PageSection::Ratings, "ratings", "Ratings"},
+        SectionHeading{PageSection::Words, "words", "Answers in words"},
+        SectionHeading{PageSection::Comparisons, "comparisons", "Are conditions different?"},
+        SectionHeading{PageSection::Equivalence, "equivalence", "Are conditions alike?"},
+        SectionHeading{PageSection::Speed, "speed", "Speed and accuracy"},
+        SectionHeading{PageSection::Signals, "signals", "Generated against measured signals"},
+        SectionHeading{PageSection::Quality, "quality", "Data quality"},
+        SectionHeading{PageSection::Methods, "methods", "Methods"},
+    };
+    return headings;
+}
+
+}  // namespace reports

@@ -1,0 +1,20 @@
+// The sections of the report's page. Every table and every figure names the section in which it stands.
+#pragma once
+
+#include <span>
+#include <string>
+
+namespace reports {
+
+enum class PageSection { Summary, Matches, Ratings, Words, Comparisons, Equivalence, Speed, Signals, Quality, Methods };
+
+struct SectionHeading {
+    PageSection section;
+    std::string id;  ///< the anchor of links
+    std::string title;
+};
+
+/// In the order of the page.
+std::span<const SectionHeading> sectionHeadings();
+
+}  // namespace reports

@@ -1,0 +1,224 @@
+// Every flag on both sides of its limit.
+#include "reports/analysis/quality_flags.h"
+
+#include <QtTest>
+
+#include "tests/reports/study_builder.h"
+
+using namespace reports;
+
+namespace {
+
+const std::vector<std::string> oneCondition{"f"};
+
+/// Participant P01 gives these ratings to Q2, one a fabric.
+StudyData ratingsOf(const std::vector<double>& ratings)
+{
+    StudyData data = builders::emptyStudy(1, static_cast<int>(ratings.size()), oneCondition, {{"Q2", "", builders::rating}});
+    for (std::size_t i = 0; i < ratings.size(); ++i)
+        data.responses.push_back(builders::rated("P01", data.fabrics[i], "f", "Q2", ratings[i]));
+    return data;
+}
+
+/// `favourite` of `trials` choices are of slot B, the others of A and C in turn.
+StudyData slotsOf(int favourite, int trials, const protocols::AnswerKind& kind)
+{
+    StudyData data = builders::emptyStudy(1, trials, oneCondition, {{"Q1", "", kind}});
+    for (int i = 0; i < trials; ++i) {
+        const int slot = i < favourite ? 1 : (i % 2) * 2;
+        data.responses.push_back(
+            {"P01", data.fabrics[static_cast<std::size_t>(i)], "f", "Q1", ChosenAnswer{true, std::nullopt, slot}, {}});
+    }
+    return data;
+}
+
+/// "flag: why" of every flag.
+QStringList flagged(const StudyData& data)
+{
+    QStringList lines;
+    for (const QualityFlag& flag : qualityFlags(data))
+        lines << QString::fromStdString(flag.participant.value_or("all") + " " + nameOf(flag.kind) + ": " + flag.why);
+    return lines;
+}
+
+/// 1, 2, 3 ... : no two equal.
+std::vector<double> different(std::size_t n)
+{
+    std::vector<double> ratings(n);
+    for (std::size_t i = 0; i < n; ++i) ratings[i] = 0.1 * static_cast<double>(i + 1);
+    return ratings;
+}
+
+}  // namespace
+
+class QualityFlagsTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void missingAnswersAreCountedByQuestion()
+    {
+        StudyData data = ratingsOf(different(12));
+        QCOMPARE(flagged(data), QStringList());
+        data.responses.pop_back();
+        data.questions.push_back({"Why", "", protocols::FreeText{}});
+        data.responses.push_back(builders::worded("P01", "F01", "f", "Why", "soft"));
+        QCOMPARE(flagged(data), (QStringList{"P01 missing_answers: answers missing: Q2: 1 of 12, Why: 11 of 12"}));
+    }
+
+    // More than 5 % of the answers below 0.5 s: 1 of 20 is not more, 2 of 20 are.
+    void fastAnswers_data()
+    {
+        QTest::addColumn<int>("answers");
+        QTest::addColumn<int>("fast");
+        QTest::addColumn<double>("seconds");
+        QTest::addColumn<QStringList>("flags");
+        const QString tail = ") came within 0.5 s of the touch";
+        QTest::newRow("5 %") << 20 << 1 << 0.4 << QStringList();
+        QTest::newRow("10 %") << 20 << 2 << 0.4 << QStringList{"P01 too_fast: 2 of 20 answers (10 %" + tail};
+        QTest::newRow("5.3 %") << 19 << 1 << 0.4 << QStringList{"P01 too_fast: 1 of 19 answers (5 %" + tail};
+        QTest::newRow("at the limit") << 20 << 20 << 0.5 << QStringList();
+        QTest::newRow("just below") << 20 << 20 << 0.4999 << QStringList{"P01 too_fast: 20 of 20 answers (100 %" + tail};
+        QTest::newRow("ten answers") << 10 << 10 << 0.1 << QStringList{"P01 too_fast: 10 of 10 answers (100 %" + tail};
+        QTest::newRow("nine answers") << 9 << 9 << 0.1 << QStringList();
+    }
+    void fastAnswers()
+    {
+        QFETCH(int, answers);
+        QFETCH(int, fast);
+        QFETCH(double, seconds);
+        QFETCH(QStringList, flags);
+        StudyData data = ratingsOf(different(static_cast<std::size_t>(answers)));
+        for (int i = 0; i < answers; ++i) data.responses[static_cast<std::size_t>(i)].seconds = i < fast ? seconds : 5;
+        QCOMPARE(flagged(data), flags);
+    }
+
+    // At least half of the ratings are one number, of at least ten ratings.
+    void equalRatings_data()
+    {
+        QTest::addColumn<int>("equal");
+        QTest::addColumn<int>("ratings");
+        QTest::addColumn<QStringList>("flags");
+        QTest::newRow("half") << 6 << 12 << QStringList{"P01 straight_lining: Q2: 6 of 12 ratings are 9.5"};
+        QTest::newRow("less than half") << 6 << 13 << QStringList();
+        QTest::newRow("ten") << 5 << 10 << QStringList{"P01 straight_lining: Q2: 5 of 10 ratings are 9.5"};
+        QTest::newRow("nine") << 9 << 9 << QStringList();
+    }
+    void equalRatings()
+    {
+        QFETCH(int, equal);
+        QFETCH(int, ratings);
+        QFETCH(QStringList, flags);
+        std::vector<double> values = different(static_cast<std::size_t>(ratings));
+        std::fill_n(values.begin(), equal, 9.5);
+        QCOMPARE(flagged(ratingsOf(values)), flags);
+    }
+
+    // One number for all questions in at least 80 % of at least ten presentations.
+    void equalAcrossQuestions_data()
+    {
+        QTest::addColumn<int>("same");
+        QTest::addColumn<int>("presentations");
+        QTest::addColumn<QStringList>("flags");
+        const QString tail = " presentations got the same number for every question";
+        QTest::newRow("80 %") << 8 << 10 << QStringList{"P01 same_across_questions: 8 of 10" + tail};
+        QTest::newRow("less") << 8 << 11 << QStringList();
+        QTest::newRow("nine presentations") << 9 << 9 << QStringList();
+    }
+    void equalAcrossQuestions()
+    {
+        QFETCH(int, same);
+        QFETCH(int, presentations);
+        QFETCH(QStringList, flags);
+        StudyData data = ratingsOf(different(static_cast<std::size_t>(presentations)));
+        data.questions.push_back({"Q3", "", builders::rating});
+        for (int i = 0; i < presentations; ++i) {
+            StudyResponse other = data.responses[static_cast<std::size_t>(i)];
+            other.question = "Q3";
+            if (i >= same) std::get<RatedAnswer>(other.content).rating += 3;
+            data.responses.push_back(other);
+        }
+        QCOMPARE(flagged(data), flags);
+    }
+
+    void oneRatingQuestionCannotBeEqualAcrossQuestions() { QCOMPARE(flagged(ratingsOf(different(12))), QStringList()); }
+
+    // scipy 1.10.1: from scipy.stats import binomtest; 3 * binomtest(k, 20, 1/3, 'greater').pvalue
+    // k = 12: 0.0391, k = 13: 0.0111, k = 14: 0.00264; the limit is 0.01.
+    // 2 * binomtest(k, 20, 1/2, 'greater').pvalue: k = 15: 0.0414, k = 16: 0.0118, k = 17: 0.00258.
+    void favouriteSlot_data()
+    {
+        QTest::addColumn<int>("favourite");
+        QTest::addColumn<int>("alternatives");
+        QTest::addColumn<QStringList>("flags");
+        const QString head = "P01 slot_bias: Q1: tray slot B was chosen in ";
+        QTest::newRow("13 of 20 among 3") << 13 << 3 << QStringList();
+        QTest::newRow("14 of 20 among 3") << 14 << 3 << QStringList{head + "14 of 20 trials (p = .003)"};
+        QTest::newRow("20 of 20 among 3") << 20 << 3 << QStringList{head + "20 of 20 trials (p < .001)"};
+        QTest::newRow("16 of 20 among 2") << 16 << 2 << QStringList();
+        QTest::newRow("17 of 20 among 2") << 17 << 2 << QStringList{head + "17 of 20 trials (p = .003)"};
+    }
+    void favouriteSlot()
+    {
+        QFETCH(int, favourite);
+        QFETCH(int, alternatives);
+        QFETCH(QStringList, flags);
+        QCOMPARE(flagged(slotsOf(favourite, 20, protocols::ForcedChoice{alternatives})), flags);
+    }
+
+    void favouriteWordOfSameAndDifferentIsNamed()
+    {
+        StudyData data = slotsOf(20, 20, protocols::SameDifferent{});
+        for (StudyResponse& response : data.responses) std::get<ChosenAnswer>(response.content).answer = "different";
+        QCOMPARE(flagged(data),
+                 (QStringList{"P01 slot_bias: Q1: the answer \"different\" was chosen in 20 of 20 trials (p < .001)"}));
+    }
+
+    void slotsOfNineTrialsAreNotJudged() { QCOMPARE(flagged(slotsOf(9, 9, protocols::ForcedChoice{3})), QStringList()); }
+
+    // Mean of the renderings: 0.65.
+    void blankGlass_data()
+    {
+        QTest::addColumn<QList<double>>("blank");
+        QTest::addColumn<QStringList>("flags");
+        const QString why = " ratings of blank glass (catch trials) have at least the mean of the renderings' ratings";
+        QTest::newRow("equal mean") << QList<double>{0.6, 0.65, 0.7} << QStringList{"P01 blank_glass_rated_high: 3" + why};
+        QTest::newRow("below") << QList<double>{0.6, 0.64, 0.7} << QStringList();
+        QTest::newRow("two ratings") << QList<double>{9, 9} << QStringList();
+    }
+    void blankGlass()
+    {
+        QFETCH(QList<double>, blank);
+        QFETCH(QStringList, flags);
+        StudyData data = ratingsOf(different(12));
+        for (const double rating : blank) data.catchResponses.push_back(builders::rated("P01", "F01", "f", "Q2", rating));
+        data.catchResponses.push_back(builders::rated("P02", "F01", "f", "Q2", 9));
+        QCOMPARE(flagged(data), flags);
+    }
+
+    void voidedPresentationsAreFlaggedForTheStudy()
+    {
+        StudyData data = ratingsOf(different(12));
+        data.voided = 1;
+        QCOMPARE(flagged(data),
+                 (QStringList{"all voided_presentations: 1 presentation was voided: kept in the data, not analysed, "
+                              "presented again"}));
+        data.voided = 2;
+        QVERIFY(flagged(data).front().startsWith("all voided_presentations: 2 presentations were voided"));
+    }
+
+    void printedRulesCarryTheLimits()
+    {
+        const std::vector<std::string> sentences = ruleSentences();
+        const auto says = [&](const std::string& text) {
+            return std::any_of(sentences.begin(), sentences.end(),
+                               [&](const std::string& one) { return one.find(text) != std::string::npos; });
+        };
+        for (const char* text : {"more than 5 % of the timed answers came within 0.5 s", "at least 50 % of the ratings",
+                                 "at least 80 % of the presentations", "at least 3 ratings of blank glass",
+                                 "p times the number of slots below 0.01", "from 10 answers on"})
+            QVERIFY2(says(text), text);
+    }
+};
+
+QTEST_GUILESS_MAIN(QualityFlagsTest)
+#include "quality_flags_test.moc"

@@ -1,0 +1,240 @@
+# The numbers of a report on answers.csv, computed with R 4.2.2, lme4 1.1-31 and lmerTest 3.1-3:
+#   Rscript expected.R > expected.json
+# Names and nesting are those of results.json (vis2hap.results/2) and statistics.json (vis2hap.statistics/1).
+suppressMessages({ library(jsonlite); library(lme4); library(lmerTest) })
+
+answers <- read.csv("answers.csv")
+conditions <- unique(answers$condition)
+fabrics <- unique(answers$fabric)
+participants <- unique(answers$participant)
+chance <- 1 / 3
+bounds <- c(-0.5, 0.5)
+pairs <- combn(conditions, 2, simplify = FALSE)
+number <- function(x) unbox(unname(x))
+named <- function(names, f) setNames(lapply(names, f), names)
+
+# ---- one condition ------------------------------------------------------------------------------------------------
+inCondition <- function(condition, question) {
+  values <- answers[[question]][answers$condition == condition]
+  values[!is.na(values)]
+}
+# Every test between conditions has the participant's mean over fabrics as its unit.
+meansOf <- function(question) {
+  means <- tapply(answers[[question]], list(answers$participant, answers$condition), mean, na.rm = TRUE)
+  means[participants, conditions]
+}
+wilson <- function(x, n) prop.test(x, n, correct = FALSE)$conf.int[1:2]
+clopperPearson <- function(x, n) binom.test(x, n)$conf.int[1:2]
+exactP <- function(x, n) binom.test(x, n, chance, "greater")$p.value
+correctIn <- function(condition) sum(inCondition(condition, "Q1_correct"))
+trialsIn <- function(condition) length(inCondition(condition, "Q1_correct"))
+
+choiceResult <- function(condition) {
+  x <- correctIn(condition); n <- trialsIn(condition)
+  list(trials = number(n), correct = number(x), matches_per_rendering = number(length(participants) * x / n),
+       proportion = number(x / n), ci95 = wilson(x, n), p_chance = number(exactP(x, n)),
+       p_chance_participants = number(t.test(meansOf("Q1_correct")[, condition], mu = chance)$p.value))
+}
+ratingResult <- function(question) function(condition) {
+  ratings <- inCondition(condition, question)
+  means <- meansOf(question)[, condition]
+  list(n = number(length(ratings)), mean = number(mean(ratings)), sd = number(sd(ratings)),
+       participants = number(length(means)), ci95 = t.test(means)$conf.int[1:2])
+}
+
+# ---- pairs of conditions --------------------------------------------------------------------------------------------
+differences <- function(question, pair) meansOf(question)[, pair[1]] - meansOf(question)[, pair[2]]
+pairedT <- function(question) lapply(pairs, function(pair) t.test(differences(question, pair)))
+holm <- function(question) p.adjust(sapply(pairedT(question), function(test) test$p.value), "holm")
+# Two one-sided tests (Schuirmann 1987).
+tost <- function(question, pair) {
+  d <- differences(question, pair)
+  list(lower = t.test(d, mu = bounds[1], alternative = "greater"), upper = t.test(d, mu = bounds[2], alternative = "less"),
+       ci90 = t.test(d, conf.level = 0.9)$conf.int[1:2], estimate = mean(d), n = length(d), dz = mean(d) / sd(d),
+       p = t.test(d)$p.value)
+}
+comparisons <- function(question, name) Map(function(pair, test, p_holm) {
+  d <- differences(question, pair)
+  list(question = unbox(name), a = unbox(pair[1]), b = unbox(pair[2]), test = unbox("paired-t"), n = number(length(d)),
+       statistic = number(test$statistic), df = number(test$parameter), p = number(test$p.value), p_holm = number(p_holm),
+       mean_difference = number(mean(d)), ci95 = test$conf.int[1:2], d_z = number(mean(d) / sd(d)))
+}, pairs, pairedT(question), holm(question))
+equivalences <- function(question) Map(function(pair, p_holm) {
+  test <- tost(question, pair)
+  p <- max(test$lower$p.value, test$upper$p.value)
+  verdict <- paste(if (p_holm < 0.05) "different" else "not different", if (p < 0.05) "equivalent" else "not shown equivalent",
+                   sep = " / ")
+  list(question = unbox(question), a = unbox(pair[1]), b = unbox(pair[2]), bounds = bounds,
+       p_lower = number(test$lower$p.value), p_upper = number(test$upper$p.value), p = number(p), equivalent = unbox(p < 0.05),
+       n = number(test$n), mean_difference = number(test$estimate), ci90 = test$ci90, verdict = unbox(verdict))
+}, pairs, holm(question))
+
+# ---- speed and accuracy of Q1 -----------------------------------------------------------------------------------------
+# Balanced integration score (Liesefeld and Janczyk 2019): z(share correct) - z(mean time), SD of the population.
+z <- function(x) (x - mean(x)) / sqrt(mean((x - mean(x))^2))
+bis <- z(as.vector(meansOf("Q1_correct"))) - z(as.vector(meansOf("Q1_seconds")))
+bisOf <- colMeans(matrix(bis, length(participants), dimnames = list(participants, conditions)))
+# Wolpaw et al. 1998.
+bits <- function(p, m) if (p <= 1 / m) 0 else log2(m) + p * log2(p) + ifelse(p < 1, (1 - p) * log2((1 - p) / (m - 1)), 0)
+speed <- function(condition) {
+  seconds <- inCondition(condition, "Q1_seconds")
+  list(median_seconds = number(median(seconds)),
+       bits_per_second = number(bits(correctIn(condition) / trialsIn(condition), 3) / mean(seconds)),
+       bis = number(bisOf[condition]))
+}
+times <- function(column) function(condition) {
+  seconds <- if (is.null(column)) numeric() else inCondition(condition, column)
+  if (length(seconds) == 0) return(list(n = number(0)))
+  list(n = number(length(seconds)), median_seconds = number(median(seconds)), mean_seconds = number(mean(seconds)),
+       log_mean = number(mean(log(seconds))), geometric_mean_seconds = number(exp(mean(log(seconds)))))
+}
+
+# ---- choices: all conditions --------------------------------------------------------------------------------------------
+perCondition <- Map(function(condition, p_holm) {
+  x <- correctIn(condition); n <- trialsIn(condition)
+  list(condition = unbox(condition), correct = number(x), trials = number(n),
+       mean_matches_per_rendering_of_6 = number(6 * x / n), p_exact_greater_one_third = number(exactP(x, n)),
+       p_holm = number(p_holm), cp95 = clopperPearson(x, n), wilson95 = wilson(x, n))
+}, conditions, p.adjust(mapply(exactP, sapply(conditions, correctIn), sapply(conditions, trialsIn)), "holm"))
+
+# Cochran's Q on the blocks of participant x fabric that are answered in every condition.
+cochran <- local({
+  blocks <- reshape(answers[c("participant", "fabric", "condition", "Q1_correct")], idvar = c("participant", "fabric"),
+                    timevar = "condition", direction = "wide")
+  x <- as.matrix(blocks[complete.cases(blocks), -(1:2)])
+  k <- ncol(x)
+  q <- k * (k - 1) * sum((colSums(x) - mean(colSums(x)))^2) / sum(rowSums(x) * (k - rowSums(x)))
+  list(Q = number(q), df = number(k - 1), p = number(pchisq(q, k - 1, lower.tail = FALSE)), blocks = number(nrow(x)),
+       note = unbox("blocks = participant x fabric; ignores clustering, descriptive only"))
+})
+participantLevel <- local({
+  shares <- tapply(answers$Q1_correct, answers$participant, mean, na.rm = TRUE)[participants]
+  test <- t.test(shares, mu = chance)
+  list(prop = lapply(as.list(shares), number), t_vs_third = number(test$statistic), df = number(test$parameter),
+       p = number(test$p.value))
+})
+glmm <- local({
+  ordered <- within(answers, condition <- factor(condition, levels = conditions))
+  model <- glmer(Q1_correct ~ condition + (1 | participant) + (1 | fabric), ordered, family = binomial,
+                 control = glmerControl(optimizer = "bobyqa", tolPwrss = 1e-12, optCtrl = list(rhoend = 1e-10, maxfun = 1e6)))
+  null <- update(model, . ~ . - condition)
+  effects <- summary(model)$coefficients
+  standardErrors <- sqrt(diag(as.matrix(vcov(model, use.hessian = TRUE))))
+  sds <- sqrt(unlist(VarCorr(model)))
+  chi2 <- as.numeric(2 * (logLik(model) - logLik(null)))
+  list(method = unbox("Laplace"), formula = unbox("correct~condition+(1|participant)+(1|fabric)"),
+       fixef = lapply(as.list(effects[, 1]), number), se = lapply(as.list(standardErrors), number),
+       sd_participant = number(sds["participant"]), sd_fabric = number(sds["fabric"]), logLik = number(as.numeric(logLik(model))),
+       lrt_chi2 = number(chi2), lrt_df = number(2), lrt_p = number(pchisq(chi2, 2, lower.tail = FALSE)), warn = unbox(FALSE),
+       singular = unbox(FALSE), rows = number(sum(!is.na(answers$Q1_correct))))
+})
+# d' of the observer who picks the largest of three impressions (Green and Swets 1966); standard error by the delta method.
+sensitivity <- function(condition) {
+  n <- trialsIn(condition); p <- correctIn(condition) / n
+  shareAt <- function(d) integrate(function(x) dnorm(x - d) * pnorm(x)^2, -12, 20, rel.tol = 1e-12)$value
+  slopeAt <- function(d) integrate(function(x) (x - d) * dnorm(x - d) * pnorm(x)^2, -12, 20, rel.tol = 1e-12)$value
+  d <- uniroot(function(d) shareAt(d) - p, c(0, 8), tol = 1e-13)$root
+  list(d_prime = number(d), se = number(sqrt(p * (1 - p) / n) / slopeAt(d)))
+}
+confusion <- list(answered = named(fabrics, function(truth) named(fabrics, function(chosen) {
+  number(sum(answers$fabric == truth & answers$Q1_answer == chosen, na.rm = TRUE)) })), slots = setNames(list(), character()))
+byRendering <- named(conditions, function(c) named(fabrics, function(f) {
+  values <- answers$Q1_correct[answers$condition == c & answers$fabric == f]
+  list(correct = number(sum(values, na.rm = TRUE)), trials = number(sum(!is.na(values))))
+}))
+
+# ---- ratings: all conditions ------------------------------------------------------------------------------------------
+ratingStatistics <- function(question) {
+  x <- meansOf(question)
+  n <- nrow(x); k <- ncol(x)
+  grand <- mean(x)
+  ssCondition <- n * sum((colMeans(x) - grand)^2)
+  ssSubject <- k * sum((rowMeans(x) - grand)^2)
+  ssError <- sum((x - grand)^2) - ssCondition - ssSubject
+  f <- (ssCondition / (k - 1)) / (ssError / ((k - 1) * (n - 1)))
+  # Greenhouse and Geisser 1959 from the double-centred covariance; Huynh and Feldt 1976.
+  s <- cov(x); centred <- s - outer(rowMeans(s), colMeans(s), "+") + mean(s)
+  gg <- sum(diag(centred))^2 / ((k - 1) * sum(centred^2))
+  hf <- (n * (k - 1) * gg - 2) / ((k - 1) * (n - 1 - (k - 1) * gg))
+  pOf <- function(epsilon) pf(f, epsilon * (k - 1), epsilon * (k - 1) * (n - 1), lower.tail = FALSE)
+  friedman <- friedman.test(x)
+  iman <- unname((n - 1) * friedman$statistic / (n * (k - 1) - friedman$statistic))
+  # Morey 2008: within-subject intervals.
+  normalised <- x - rowMeans(x) + grand
+  morey <- qt(0.975, n - 1) * apply(normalised, 2, sd) / sqrt(n) * sqrt(k / (k - 1))
+  # Shrout and Fleiss 1979: conditions are the targets, participants the raters.
+  msTarget <- ssCondition / (k - 1); msRater <- ssSubject / (n - 1); msError <- ssError / ((k - 1) * (n - 1))
+  icc <- list(ICC2 = (msTarget - msError) / (msTarget + (n - 1) * msError + n * (msRater - msError) / k),
+              ICC2k = (msTarget - msError) / (msTarget + (msRater - msError) / k),
+              ICC3 = (msTarget - msError) / (msTarget + (n - 1) * msError), ICC3k = (msTarget - msError) / msTarget)
+  data <- within(answers, condition <- factor(condition, levels = conditions))
+  data$rating <- data[[question]]
+  model <- lmer(rating ~ condition + (1 | participant) + (1 | fabric) + (1 | participant:condition) + (1 | fabric:condition),
+                data, control = lmerControl(optimizer = "bobyqa", optCtrl = list(rhoend = 1e-12, maxfun = 1e6)))
+  test <- anova(model)
+  effects <- summary(model)$coefficients
+  variances <- as.data.frame(VarCorr(model))
+  result <- list(
+    cell_mean = named(conditions, function(c) number(mean(inCondition(c, question)))),
+    n_ratings = named(conditions, function(c) number(length(inCondition(c, question)))),
+    participants_complete = participants,
+    participant_mean_table = lapply(participants, function(p) list(participant = unbox(p), means = unname(x[p, ]))),
+    morey95_halfwidth = lapply(as.list(morey), number),
+    rm_anova = list(F = number(f), df1 = number(k - 1), df2 = number((k - 1) * (n - 1)), p = number(pOf(1)),
+                    eps_gg = number(gg), p_gg = number(pOf(gg)), eps_hf = number(hf), p_hf = number(pOf(min(1, hf))),
+                    pes = number(ssCondition / (ssCondition + ssError)), n = number(n)),
+    friedman = list(Q = number(friedman$statistic), df = number(k - 1), p = number(friedman$p.value),
+                    kendall_w = number(friedman$statistic / (n * (k - 1))), iman_davenport_F = number(iman),
+                    iman_davenport_p = number(pf(iman, k - 1, (k - 1) * (n - 1), lower.tail = FALSE)), n = number(n)),
+    lmm = list(formula = unbox("y~condition+(1|participant)+(1|fabric)+(1|participant:condition)+(1|fabric:condition)"),
+               fixef = lapply(as.list(effects[, 1]), number), se = lapply(as.list(effects[, 2]), number),
+               var = lapply(as.list(setNames(variances$vcov, variances$grp)), number),
+               REML_criterion = number(REMLcrit(model)), F = number(test[["F value"]]), num_df = number(test$NumDF),
+               den_df = number(test$DenDF), p = number(test[["Pr(>F)"]]), singular = unbox(FALSE),
+               rows = number(sum(!is.na(data$rating)))),
+    pairwise_t_participant_means = Map(function(pair, t, p_holm) {
+      list(a = unbox(pair[1]), b = unbox(pair[2]), diff = number(t$estimate), t = number(t$statistic),
+           df = number(t$parameter), p = number(t$p.value), p_holm = number(p_holm), n = number(n))
+    }, pairs, pairedT(question), holm(question)))
+  for (pair in pairs) {
+    name <- paste0("tost_", gsub("[^A-Za-z0-9]", "", pair[1]), "_vs_", gsub("[^A-Za-z0-9]", "", pair[2]), "_participant")
+    test <- tost(question, pair)
+    result[[name]] <- list(
+      bounds = bounds, estimate = number(test$estimate), t_lower = number(test$lower$statistic),
+      p_lower = number(test$lower$p.value), t_upper = number(test$upper$statistic), p_upper = number(test$upper$p.value),
+      p_tost = number(max(test$lower$p.value, test$upper$p.value)), ci90 = test$ci90, nhst_p = number(test$p),
+      dz = number(test$dz), n = number(test$n))
+  }
+  result$icc_conditions_by_participants <- lapply(icc, number)
+  result
+}
+
+# ---- the data themselves ----------------------------------------------------------------------------------------------
+columns <- c(Q1 = "Q1_correct", Q2 = "Q2", Q3 = "Q3")
+missingIn <- named(names(columns), function(q) named(conditions, function(c) {
+  number(length(participants) * length(fabrics) - length(inCondition(c, columns[q]))) }))
+expected <- length(participants) * length(fabrics) * length(conditions) * length(columns)
+present <- sum(!is.na(answers[columns]))
+# P2 answered once within 0.5 s, P6 gave one number to Q3 in more than half of the presentations.
+kept <- setdiff(participants, c("P2", "P6"))
+screening <- list(
+  excluded = list(list(participant = unbox("P2"), flags = "too_fast"), list(participant = unbox("P6"), flags = "straight_lining")),
+  participants = list(before = number(6), after = number(4)),
+  questions = named(names(columns), function(q) named(conditions, function(c) {
+    means <- meansOf(columns[q])[, c]
+    list(before = number(mean(means)), after = number(mean(means[kept]))) })))
+
+results <- list(
+  questions = list(Q1 = named(conditions, choiceResult), Q2 = named(conditions, ratingResult("Q2")),
+                   Q3 = named(conditions, ratingResult("Q3"))),
+  comparisons = c(comparisons("Q1_correct", "Q1"), comparisons("Q2", "Q2"), comparisons("Q3", "Q3")),
+  equivalence = c(equivalences("Q2"), equivalences("Q3")), speed_accuracy = named(conditions, speed))
+statistics <- list(
+  data = list(responses = number(present), expected_responses = number(expected), missing_responses = number(expected - present),
+              missing_by_condition = missingIn),
+  q1_per_condition = unname(perCondition), q1_cochran = cochran, q1_participant_level = participantLevel, q1_glmm = glmm,
+  q1_sensitivity = named(conditions, sensitivity), q1_confusion = confusion, q1_matches_by_rendering = byRendering,
+  Q2 = ratingStatistics("Q2"), Q3 = ratingStatistics("Q3"), screening = screening,
+  response_times = list(Q1 = named(conditions, times("Q1_seconds")), Q2 = named(conditions, times(NULL)),
+                        Q3 = named(conditions, times(NULL))))
+cat(toJSON(list(results = results, statistics = statistics), digits = NA, pretty = 1), "\n")

@@ -30,10 +30,11 @@ public:
             writePgm(next, frictionImage);
             std::filesystem::rename(next, current);
         } catch (const std::exception& fault) {
-            throw protocols::workFailed({.what = std::string("the display's folder takes no image (") + fault.what() + ")",
-                                         .where = current.string(),
-                                         .expected = "a writable folder",
-                                         .nextStep = "make room or correct the permissions, then show it again"});
+            throw protocols::workFailed(
+                {.what = std::string("the image cannot be written into the display's folder (") + fault.what() + ")",
+                 .where = current.string(),
+                 .expected = "a writable folder",
+                 .nextStep = "free space or correct the permissions, then show the image again"});
         }
     }
 
@@ -49,12 +50,12 @@ std::unique_ptr<HapticDisplay> openFolder(const std::filesystem::path& folder)
     std::error_code failed;
     std::filesystem::create_directories(folder, failed);
     if (failed)
-        throw protocols::environmentFault({.what = "the display's folder cannot be made (" + failed.message() + ")",
+        throw protocols::environmentFault({.what = "the display's folder cannot be created (" + failed.message() + ")",
                                            .where = folder.string(),
-                                           .expected = "a place that can be written to",
+                                           .expected = "a writable place",
                                            .nextStep = "choose another folder"});
     auto display = std::make_unique<FolderDisplay>(folder);
-    display->clear();  // what an earlier session left there must not be felt
+    display->clear();  // The image of an earlier session must not be felt.
     return display;
 }
 
@@ -70,7 +71,7 @@ std::unique_ptr<HapticDisplay> openDisplay(const std::string& specification)
     throw protocols::badInput({.what = "unknown display '" + specification + "'",
                                .where = "",
                                .expected = "none, folder:DIR, exec:COMMAND or tcp:HOST:PORT",
-                               .nextStep = ""});
+                               .nextStep = "correct the name of the display"});
 }
 
 }  // namespace rendering

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
-#include <optional>
 
 #include "protocols/files/csv_table.h"
 #include "protocols/files/errors.h"
@@ -14,10 +13,10 @@ namespace rendering {
 
 namespace {
 
-/// Pixel values as the finger pad feels them along the row: the image averaged over the contact.
+/// Pixel values along the row, averaged over the contact of the finger pad.
 std::vector<double> feltAlong(const cv::Mat& image, int row, double sigmaPx)
 {
-    // Beyond the image there is only its own edge, so a wider reach would feel nothing else.
+    // Outside the image its border is repeated, so a wider kernel would change nothing.
     const double widest = 4.0 * std::max(image.cols, image.rows) + 1;
     const int reach = std::max(1, static_cast<int>(std::ceil(std::min(3 * sigmaPx, widest))));
     const cv::Mat kernel = cv::getGaussianKernel(2 * reach + 1, std::max(sigmaPx, 1e-3), CV_64F);
@@ -39,7 +38,7 @@ double at(const std::vector<double>& values, double place)
     return values[low] + (place - static_cast<double>(low)) * (values[high] - values[low]);
 }
 
-/// Follows what drives it, which changes evenly from one sample to the next; begins settled.
+/// First-order response to a drive that is linear between samples; starts in equilibrium.
 class FirstOrderResponse {
 public:
     explicit FirstOrderResponse(const StrokeOptions& options) : m_hasDelay(options.responseS > 0)
@@ -52,18 +51,15 @@ public:
 
     double to(double driven)
     {
-        if (m_driven && m_hasDelay)
-            m_force = m_keep * (m_force - *m_driven) + driven - (driven - *m_driven) * m_lag;
-        else
-            m_force = driven;
+        m_force = m_isStarted && m_hasDelay ? m_keep * (m_force - m_driven) + driven - (driven - m_driven) * m_lag : driven;
+        m_isStarted = true;
         m_driven = driven;
         return m_force;
     }
 
 private:
-    bool m_hasDelay;
-    double m_keep = 0, m_lag = 0, m_force = 0;
-    std::optional<double> m_driven;
+    bool m_hasDelay, m_isStarted = false;
+    double m_keep = 0, m_lag = 0, m_force = 0, m_driven = 0;
 };
 
 void requireUsable(const StrokeOptions& options)
@@ -83,7 +79,8 @@ void requireUsable(const StrokeOptions& options)
     for (const Bound& bound : bounds)
         if (!(bound.value >= bound.least && bound.value <= bound.most))
             throw protocols::badInput({std::string("the ") + bound.name + " of a stroke is " + fabrics::shortest(bound.value), "",
-                                       fabrics::shortest(bound.least) + " to " + fabrics::shortest(bound.most), ""});
+                                       fabrics::shortest(bound.least) + " to " + fabrics::shortest(bound.most),
+                                       "correct the option"});
 }
 
 std::size_t samplesFor(double lastPixel, double pixelsPerSample, const StrokeOptions& options)
@@ -93,7 +90,8 @@ std::size_t samplesFor(double lastPixel, double pixelsPerSample, const StrokeOpt
     if (count <= mostSamples) return static_cast<std::size_t>(count);
     const double slowest = std::ceil(lastPixel * options.mmPerPixel * options.sampleRateHz / (mostSamples - 1) * 1e6) / 1e6;
     throw protocols::badInput({"the stroke would take more than 10000000 samples", "",
-                               "a speed from " + fabrics::shortest(slowest) + " mm/s at this sample rate", ""});
+                               "a speed from " + fabrics::shortest(slowest) + " mm/s at this sample rate",
+                               "choose a higher speed"});
 }
 
 }  // namespace

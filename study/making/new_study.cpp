@@ -12,6 +12,8 @@
 #include "protocols/protocol_json.h"
 #include "protocols/random.h"
 #include "rendering/composition/render_fabrics.h"
+#include "rendering/composition/photograph_warnings.h"
+#include "rendering/composition/render_json.h"
 #include "rendering/display/stimulus_bank.h"
 #include "study/commands/command_line.h"
 #include "study/commands/json_output.h"

@@ -1,4 +1,4 @@
-// Rendering twice into one folder: what changed is said, and nothing that still holds is forgotten.
+// RenderedFabrics twice into one folder: what changed is said, and nothing that still holds is forgotten.
 #include "rendering/composition/earlier_render.h"
 
 #include <QJsonArray>

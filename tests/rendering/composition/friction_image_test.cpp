@@ -1,4 +1,5 @@
 #include "rendering/composition/friction_image.h"
+#include "rendering/composition/display_mapping.h"
 
 #include <QTest>
 #include <cmath>
@@ -62,7 +63,7 @@ private Q_SLOTS:
         QFETCH(int, rows);
         QFETCH(int, columns);
         const cv::Mat relief = ramp(rows, columns);
-        const auto map = compose(conditionNamed("h"), reliefOnly(relief), Scale::Pixels, Extension::Mirror);
+        const auto map = compose(conditionNamed("h"), reliefOnly(relief), DisplayScale::Pixels, Extension::Mirror);
         QCOMPARE(map.values.size(), cv::Size(1280, 800));
         QCOMPARE(map.extension, std::string("mirror"));
         const int left = (1280 - columns) / 2, top = (800 - rows) / 2;
@@ -77,11 +78,11 @@ private Q_SLOTS:
     void largeReliefIsCroppedInItsMiddle()
     {
         const cv::Mat relief = ramp(1000, 1500);
-        const auto map = compose(conditionNamed("v_grey"), reliefOnly(relief), Scale::Pixels);
+        const auto map = compose(conditionNamed("v_grey"), reliefOnly(relief), DisplayScale::Pixels);
         QCOMPARE(cv::norm(map.values, relief(cv::Rect(110, 100, 1280, 800)), cv::NORM_INF), 0.0);
         QCOMPARE(map.extension, std::string("none (cropped)"));
-        QCOMPARE(compose(conditionNamed("v_grey"), reliefOnly(ramp(800, 1280)), Scale::Pixels).extension, std::string("none"));
-        QCOMPARE(compose(conditionNamed("v_grey"), reliefOnly(ramp(500, 2000)), Scale::Pixels, Extension::Mirror).extension,
+        QCOMPARE(compose(conditionNamed("v_grey"), reliefOnly(ramp(800, 1280)), DisplayScale::Pixels).extension, std::string("none"));
+        QCOMPARE(compose(conditionNamed("v_grey"), reliefOnly(ramp(500, 2000)), DisplayScale::Pixels, Extension::Mirror).extension,
                  std::string("mirror"));
     }
 
@@ -89,7 +90,7 @@ private Q_SLOTS:
     {
         Sources sources;
         for (int i = 0; i < 480; ++i) sources.trace.push_back(0.5 + 0.001 * i);
-        const auto map = compose(conditionNamed("f"), sources, Scale::Pixels, Extension::Mirror);
+        const auto map = compose(conditionNamed("f"), sources, DisplayScale::Pixels, Extension::Mirror);
         for (const int row : {0, 399, 799}) {
             for (int i = 0; i < 480; ++i)
                 QCOMPARE(map.values.at<float>(row, 400 + i), static_cast<float>(sources.trace[static_cast<std::size_t>(i)]));
@@ -102,10 +103,10 @@ private Q_SLOTS:
     {
         auto sources = reliefOnly(ramp(10, 10));
         sources.meanFriction = 0.25;
-        const auto map = compose(conditionNamed("h&f"), sources, Scale::Pixels);
-        QCOMPARE(cv::norm(map.values, 0.25 * compose(conditionNamed("h"), sources, Scale::Pixels).values, cv::NORM_INF), 0.0);
+        const auto map = compose(conditionNamed("h&f"), sources, DisplayScale::Pixels);
+        QCOMPARE(cv::norm(map.values, 0.25 * compose(conditionNamed("h"), sources, DisplayScale::Pixels).values, cv::NORM_INF), 0.0);
         sources.meanFriction.reset();
-        QVERIFY(refusalOf([&] { compose(conditionNamed("h&f"), sources, Scale::Pixels); }).contains("mean friction"));
+        QVERIFY(refusalOf([&] { compose(conditionNamed("h&f"), sources, DisplayScale::Pixels); }).contains("mean friction"));
     }
 
     void physicalScaleKeepsMillimetres_data()
@@ -126,7 +127,7 @@ private Q_SLOTS:
             for (int j = 0; j < n; ++j) relief.at<float>(i, j) = static_cast<float>(wave((j - 200) * pitch));
         auto sources = reliefOnly(relief);
         sources.reliefMmPerPixel = pitch;
-        const auto map = compose(conditionNamed("h"), sources, Scale::Physical);
+        const auto map = compose(conditionNamed("h"), sources, DisplayScale::Physical);
         // Crest to crest on the screen, counted near its middle.
         const cv::Mat row = map.values.row(400);
         double bestCorrelation = -1, bestCentre = 0;
@@ -151,7 +152,7 @@ private Q_SLOTS:
             for (int j = 0; j < 400; ++j) relief.at<float>(i, j) = static_cast<float>(std::cos(2 * std::numbers::pi * j / 4));
         auto sources = reliefOnly(relief);
         sources.reliefMmPerPixel = 0.05;
-        const auto map = compose(conditionNamed("h"), sources, Scale::Physical);
+        const auto map = compose(conditionNamed("h"), sources, DisplayScale::Physical);
         const cv::Mat middle = map.values(cv::Rect(600, 360, 80, 80));
         QVERIFY2(spread(middle) < 0.04 * spread(relief), qPrintable(QString::number(spread(middle))));
     }
@@ -161,7 +162,7 @@ private Q_SLOTS:
         Sources sources;
         sources.traceMmPerSample = 5.0 / 60;
         for (int i = 0; i < 480; ++i) sources.trace.push_back(i < 240 ? 0.0 : 1.0);
-        const auto map = compose(conditionNamed("f"), sources, Scale::Physical, Extension::Mirror);
+        const auto map = compose(conditionNamed("f"), sources, DisplayScale::Physical, Extension::Mirror);
         // 40 mm are 235 pixels: the step in the middle, undone in the mirror image 40 mm to its right.
         const auto at = [&](int place) { return map.values.at<float>(400, place); };
         QVERIFY(at(635) < 0.01F && at(645) > 0.99F);
@@ -172,17 +173,17 @@ private Q_SLOTS:
     void physicalScaleNeedsAPitch()
     {
         QVERIFY(
-            refusalOf([] { compose(conditionNamed("h"), reliefOnly(ramp(5, 5)), Scale::Physical); }).contains("mm_per_pixel"));
+            refusalOf([] { compose(conditionNamed("h"), reliefOnly(ramp(5, 5)), DisplayScale::Physical); }).contains("mm_per_pixel"));
         Sources sources;
         sources.trace = {0.1, 0.2};
-        QVERIFY(!refusalOf([&] { compose(conditionNamed("f"), sources, Scale::Physical); }).isEmpty());
+        QVERIFY(!refusalOf([&] { compose(conditionNamed("f"), sources, DisplayScale::Physical); }).isEmpty());
     }
 
     void rangeOfAllObjectsBecomes0To255()
     {
-        const auto low = compose(conditionNamed("h"), reliefOnly(cv::Mat(2, 2, CV_32FC1, cv::Scalar(1))), Scale::Pixels);
-        const auto middle = compose(conditionNamed("h"), reliefOnly(cv::Mat(2, 2, CV_32FC1, cv::Scalar(2.2))), Scale::Pixels);
-        const auto high = compose(conditionNamed("h"), reliefOnly(cv::Mat(2, 2, CV_32FC1, cv::Scalar(4))), Scale::Pixels);
+        const auto low = compose(conditionNamed("h"), reliefOnly(cv::Mat(2, 2, CV_32FC1, cv::Scalar(1))), DisplayScale::Pixels);
+        const auto middle = compose(conditionNamed("h"), reliefOnly(cv::Mat(2, 2, CV_32FC1, cv::Scalar(2.2))), DisplayScale::Pixels);
+        const auto high = compose(conditionNamed("h"), reliefOnly(cv::Mat(2, 2, CV_32FC1, cv::Scalar(4))), DisplayScale::Pixels);
         const auto range = rangeOf({low, high, middle});
         QCOMPARE(range.min, 1.0);
         QCOMPARE(range.max, 4.0);
@@ -209,7 +210,7 @@ private Q_SLOTS:
 
     void constantRangeMapsTo0()
     {
-        const auto map = compose(conditionNamed("h"), reliefOnly(cv::Mat(3, 3, CV_32FC1, cv::Scalar(0.7))), Scale::Pixels);
+        const auto map = compose(conditionNamed("h"), reliefOnly(cv::Mat(3, 3, CV_32FC1, cv::Scalar(0.7))), DisplayScale::Pixels);
         QVERIFY(rangeOf({map}).constant());
         QCOMPARE(cv::countNonZero(mapToDisplay(map, rangeOf({map}))), 0);
         QCOMPARE(mapToDisplay(map, {}).size(), cv::Size(1280, 800));
@@ -269,14 +270,14 @@ private Q_SLOTS:
 
     void croppedVarianceIsTold()
     {
-        const auto whole = compose(conditionNamed("h"), reliefOnly(ramp(240, 320)), Scale::Pixels);
+        const auto whole = compose(conditionNamed("h"), reliefOnly(ramp(240, 320)), DisplayScale::Pixels);
         QCOMPARE(*whole.varianceLost, 0.0);
         cv::Mat relief(800, 3280, CV_32FC1);
         for (int i = 0; i < relief.rows; ++i)
             for (int j = 0; j < relief.cols; ++j) relief.at<float>(i, j) = static_cast<float>((i + j) % 2);
-        const auto cropped = compose(conditionNamed("h"), reliefOnly(relief), Scale::Pixels);
+        const auto cropped = compose(conditionNamed("h"), reliefOnly(relief), DisplayScale::Pixels);
         QVERIFY(std::abs(*cropped.varianceLost - (1 - 1280.0 / 3280)) < 1e-6);
-        QVERIFY(!compose(conditionNamed("h"), reliefOnly(cv::Mat::ones(9, 9, CV_32FC1)), Scale::Pixels).varianceLost);
+        QVERIFY(!compose(conditionNamed("h"), reliefOnly(cv::Mat::ones(9, 9, CV_32FC1)), DisplayScale::Pixels).varianceLost);
     }
 
     void varianceThatTheDisplayCannotHoldIsTold()
@@ -289,7 +290,7 @@ private Q_SLOTS:
                                                             std::sin(2 * std::numbers::pi * i * 0.05 / 0.2));
         auto sources = reliefOnly(relief);
         sources.reliefMmPerPixel = 0.05;
-        const auto map = compose(conditionNamed("h"), sources, Scale::Physical);
+        const auto map = compose(conditionNamed("h"), sources, DisplayScale::Physical);
         QVERIFY2(std::abs(*map.varianceLost - 0.5) < 0.02, qPrintable(QString::number(*map.varianceLost)));
     }
 
@@ -311,7 +312,7 @@ private Q_SLOTS:
         auto sources = reliefOnly(relief);
         sources.reliefMmPerPixel = 0.05;
         sources.meanFriction = 0.5;
-        for (const auto scale : {Scale::Pixels, Scale::Physical}) {
+        for (const auto scale : {DisplayScale::Pixels, DisplayScale::Physical}) {
             const auto map = compose(conditionNamed("h&f"), sources, scale);
             QVERIFY(cv::checkRange(map.values));
             double least = 0, most = 0;
@@ -328,10 +329,10 @@ private Q_SLOTS:
         sources.trace.resize(10000000);
         for (std::size_t i = 0; i < sources.trace.size(); ++i)
             sources.trace[i] = std::sin(2 * std::numbers::pi * static_cast<double>(i) * 1e-5 / 4) + (i % 2 == 0 ? 0.5 : -0.5);
-        const auto map = compose(conditionNamed("f"), sources, Scale::Physical);
+        const auto map = compose(conditionNamed("f"), sources, DisplayScale::Physical);
         QVERIFY(cv::checkRange(map.values));
         QVERIFY(std::abs(*map.varianceLost - 1.0 / 3) < 0.02);  // the alternation; the wave of 4 mm stays
-        QCOMPARE(compose(conditionNamed("f"), sources, Scale::Pixels).values.size(), cv::Size(1280, 800));
+        QCOMPARE(compose(conditionNamed("f"), sources, DisplayScale::Pixels).values.size(), cv::Size(1280, 800));
     }
 
     /// Why the range is that of all objects: image by image, h&f would be h.
@@ -342,8 +343,8 @@ private Q_SLOTS:
         smooth.meanFriction = 0.2;
         const auto imageOf = [](const char* condition, const Sources& sources, const std::vector<Sources>& all) {
             std::vector<ScaledMap> maps;
-            for (const auto& one : all) maps.push_back(compose(conditionNamed(condition), one, Scale::Pixels, Extension::Mirror));
-            return mapToDisplay(compose(conditionNamed(condition), sources, Scale::Pixels, Extension::Mirror), rangeOf(maps));
+            for (const auto& one : all) maps.push_back(compose(conditionNamed(condition), one, DisplayScale::Pixels, Extension::Mirror));
+            return mapToDisplay(compose(conditionNamed(condition), sources, DisplayScale::Pixels, Extension::Mirror), rangeOf(maps));
         };
         const cv::Mat alone = imageOf("h&f", smooth, {smooth}), reliefAlone = imageOf("h", smooth, {smooth});
         QVERIFY(cv::norm(alone, reliefAlone, cv::NORM_INF) <= 1);
@@ -359,16 +360,16 @@ private Q_SLOTS:
     {
         cv::Mat broken = ramp(4, 4);
         broken.at<float>(1, 1) = std::numeric_limits<float>::quiet_NaN();
-        QVERIFY(refusalOf([&] { compose(conditionNamed("h"), reliefOnly(broken), Scale::Pixels); }).contains("not finite"));
-        QVERIFY(refusalOf([&] { compose(conditionNamed("f"), {}, Scale::Pixels); }).contains("empty"));
+        QVERIFY(refusalOf([&] { compose(conditionNamed("h"), reliefOnly(broken), DisplayScale::Pixels); }).contains("not finite"));
+        QVERIFY(refusalOf([&] { compose(conditionNamed("f"), {}, DisplayScale::Pixels); }).contains("empty"));
         broken.at<float>(1, 1) = std::numeric_limits<float>::infinity();
-        QVERIFY(refusalOf([&] { compose(conditionNamed("h"), reliefOnly(broken), Scale::Pixels); }).contains("not finite"));
+        QVERIFY(refusalOf([&] { compose(conditionNamed("h"), reliefOnly(broken), DisplayScale::Pixels); }).contains("not finite"));
         auto large = reliefOnly(ramp(4, 4));
         large.meanFriction = 1e40;
-        QVERIFY(refusalOf([&] { compose(conditionNamed("h&f"), large, Scale::Pixels); }).contains("not finite"));
+        QVERIFY(refusalOf([&] { compose(conditionNamed("h&f"), large, DisplayScale::Pixels); }).contains("not finite"));
         Sources trace;
         trace.trace = {0.1, 1e300};
-        QVERIFY(refusalOf([&] { compose(conditionNamed("f"), trace, Scale::Pixels); }).contains("not finite"));
+        QVERIFY(refusalOf([&] { compose(conditionNamed("f"), trace, DisplayScale::Pixels); }).contains("not finite"));
     }
 };
 

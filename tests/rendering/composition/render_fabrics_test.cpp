@@ -1,5 +1,7 @@
 // A small data set written to disk, rendered with generators that only count how they are asked.
 #include "rendering/composition/render_fabrics.h"
+#include "rendering/composition/photograph_warnings.h"
+#include "rendering/composition/render_json.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -111,7 +113,7 @@ RenderRequest requestFor(const SmallDataset& small, const char* conditions, Aske
     return request;
 }
 
-QString countsOf(const Rendering& rendering)
+QString countsOf(const RenderedFabrics& rendering)
 {
     QStringList counts;
     for (const auto& [signal, count] : rendering.computed)
@@ -119,7 +121,7 @@ QString countsOf(const Rendering& rendering)
     return counts.join(", ");
 }
 
-double meanLevel(const Rendering& rendering, std::size_t condition, const char* fabric)
+double meanLevel(const RenderedFabrics& rendering, std::size_t condition, const char* fabric)
 {
     return cv::mean(rendering.conditions.at(condition).images.at(FabricId(fabric)))[0];
 }
@@ -319,7 +321,7 @@ private Q_SLOTS:
         small.dataset.cameraMmPerPixel.reset();
         Asked asked;
         auto request = requestFor(small, "v_grey", asked);
-        request.scale = Scale::Physical;
+        request.scale = DisplayScale::Physical;
         QVERIFY(refusalOf([&] { renderFabrics(small.dataset, request); }).contains("scale"));
         request.conditions = protocols::conditionList("h,f");
         QCOMPARE(renderFabrics(small.dataset, request).conditions.size(), std::size_t(2));
@@ -386,7 +388,7 @@ private Q_SLOTS:
         QCOMPARE(lines.size(), std::size_t(3));
         QVERIFY2(lines[0].starts_with("F01: v_grey, t_grey, h: tile, 0.0 % of its variance lost"), lines[0].c_str());
         QVERIFY2(lines[1].starts_with("F02: v_grey: none (cropped), 2"), lines[1].c_str());
-        request.scale = Scale::Physical;
+        request.scale = DisplayScale::Physical;
         const auto physical = renderFabrics(small.dataset, request);
         QVERIFY(*physical.conditions[2].maps.at(FabricId("F01")).varianceLost > 0.01);
     }

@@ -52,7 +52,7 @@ void attendFor(HapticDisplay& display, std::chrono::milliseconds duration)
     const auto end = std::chrono::steady_clock::now() + duration;
     while (std::chrono::steady_clock::now() < end) {
         pollfd waiting{display.descriptorToWatch(), POLLIN, 0};
-        if (::poll(&waiting, 1, 10) > 0) display.attend();
+        if (::poll(&waiting, 1, 10) > 0) display.processMessages();
     }
 }
 

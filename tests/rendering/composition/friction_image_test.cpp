@@ -1,5 +1,4 @@
 #include "rendering/composition/friction_image.h"
-#include "rendering/composition/display_mapping.h"
 
 #include <QTest>
 #include <cmath>
@@ -7,6 +6,7 @@
 #include <numbers>
 #include <opencv2/core.hpp>
 
+#include "rendering/composition/display_mapping.h"
 #include "tests/rendering/refusal.h"
 
 using namespace rendering;
@@ -14,7 +14,7 @@ using protocols::conditionNamed;
 
 namespace {
 
-/// Every pixel its own value, so that a misplaced one shows.
+/// Every pixel has its own value, so that a misplaced pixel is noticed.
 cv::Mat ramp(int rows, int columns)
 {
     cv::Mat image(rows, columns, CV_32FC1);
@@ -68,7 +68,7 @@ private Q_SLOTS:
         QCOMPARE(map.extension, std::string("mirror"));
         const int left = (1280 - columns) / 2, top = (800 - rows) / 2;
         QCOMPARE(cv::norm(map.values(cv::Rect(left, top, columns, rows)), relief, cv::NORM_INF), 0.0);
-        // Seamless: over the border the same value again, then back into the relief.
+        // Without a seam: across the border the same value occurs again, and then the relief is mirrored.
         for (int k = 0; k < std::min(columns, left); ++k)
             QCOMPARE(map.values.at<float>(top, left - 1 - k), relief.at<float>(0, k));
         for (int k = 0; k < std::min(rows, 800 - top - rows); ++k)
@@ -81,9 +81,11 @@ private Q_SLOTS:
         const auto map = compose(conditionNamed("v_grey"), reliefOnly(relief), DisplayScale::Pixels);
         QCOMPARE(cv::norm(map.values, relief(cv::Rect(110, 100, 1280, 800)), cv::NORM_INF), 0.0);
         QCOMPARE(map.extension, std::string("none (cropped)"));
-        QCOMPARE(compose(conditionNamed("v_grey"), reliefOnly(ramp(800, 1280)), DisplayScale::Pixels).extension, std::string("none"));
-        QCOMPARE(compose(conditionNamed("v_grey"), reliefOnly(ramp(500, 2000)), DisplayScale::Pixels, Extension::Mirror).extension,
-                 std::string("mirror"));
+        QCOMPARE(compose(conditionNamed("v_grey"), reliefOnly(ramp(800, 1280)), DisplayScale::Pixels).extension,
+                 std::string("none"));
+        QCOMPARE(
+            compose(conditionNamed("v_grey"), reliefOnly(ramp(500, 2000)), DisplayScale::Pixels, Extension::Mirror).extension,
+            std::string("mirror"));
     }
 
     void traceRunsAlongTheStroke()
@@ -104,7 +106,8 @@ private Q_SLOTS:
         auto sources = reliefOnly(ramp(10, 10));
         sources.meanFriction = 0.25;
         const auto map = compose(conditionNamed("h&f"), sources, DisplayScale::Pixels);
-        QCOMPARE(cv::norm(map.values, 0.25 * compose(conditionNamed("h"), sources, DisplayScale::Pixels).values, cv::NORM_INF), 0.0);
+        QCOMPARE(cv::norm(map.values, 0.25 * compose(conditionNamed("h"), sources, DisplayScale::Pixels).values, cv::NORM_INF),
+                 0.0);
         sources.meanFriction.reset();
         QVERIFY(refusalOf([&] { compose(conditionNamed("h&f"), sources, DisplayScale::Pixels); }).contains("mean friction"));
     }
@@ -119,7 +122,7 @@ private Q_SLOTS:
     void physicalScaleKeepsMillimetres()
     {
         QFETCH(double, pitch);
-        // A wave of 4 mm, its crest in the middle of the source.
+        // A wave of 4 mm with a crest in the middle of the source.
         const int n = 401;
         cv::Mat relief(n, n, CV_32FC1);
         const auto wave = [](double mm) { return std::cos(2 * std::numbers::pi * mm / 4); };
@@ -128,7 +131,7 @@ private Q_SLOTS:
         auto sources = reliefOnly(relief);
         sources.reliefMmPerPixel = pitch;
         const auto map = compose(conditionNamed("h"), sources, DisplayScale::Physical);
-        // Crest to crest on the screen, counted near its middle.
+        // Distance between crests on the screen, near its middle.
         const cv::Mat row = map.values.row(400);
         double bestCorrelation = -1, bestCentre = 0;
         for (double centre = 630; centre <= 650; centre += 0.25) {
@@ -144,9 +147,9 @@ private Q_SLOTS:
             QVERIFY(std::abs(row.at<float>(640 + j) - wave((640 + j - bestCentre) * displayMmPerPixel)) < 0.06);
     }
 
-    void textureFinerThanTheDisplayDoesNotFold()
+    void textureFinerThanTheDisplayIsNotAliased()
     {
-        // 0.2 mm at 0.05 mm per pixel: 1.2 pixels of the display, which would fold to a coarse wave.
+        // 0.2 mm at 0.05 mm per pixel are 1.2 pixels of the display, which would be aliased to a coarse wave.
         cv::Mat relief(400, 400, CV_32FC1);
         for (int i = 0; i < 400; ++i)
             for (int j = 0; j < 400; ++j) relief.at<float>(i, j) = static_cast<float>(std::cos(2 * std::numbers::pi * j / 4));
@@ -163,7 +166,7 @@ private Q_SLOTS:
         sources.traceMmPerSample = 5.0 / 60;
         for (int i = 0; i < 480; ++i) sources.trace.push_back(i < 240 ? 0.0 : 1.0);
         const auto map = compose(conditionNamed("f"), sources, DisplayScale::Physical, Extension::Mirror);
-        // 40 mm are 235 pixels: the step in the middle, undone in the mirror image 40 mm to its right.
+        // 40 mm are 235 pixels: the step lies in the middle, and its mirror image 40 mm to the right reverses it.
         const auto at = [&](int place) { return map.values.at<float>(400, place); };
         QVERIFY(at(635) < 0.01F && at(645) > 0.99F);
         QVERIFY(at(640 + 230) > 0.99F && at(640 + 240) < 0.01F);
@@ -172,8 +175,9 @@ private Q_SLOTS:
 
     void physicalScaleNeedsAPitch()
     {
-        QVERIFY(
-            refusalOf([] { compose(conditionNamed("h"), reliefOnly(ramp(5, 5)), DisplayScale::Physical); }).contains("mm_per_pixel"));
+        QVERIFY(refusalOf([] {
+                    compose(conditionNamed("h"), reliefOnly(ramp(5, 5)), DisplayScale::Physical);
+                }).contains("mm_per_pixel"));
         Sources sources;
         sources.trace = {0.1, 0.2};
         QVERIFY(!refusalOf([&] { compose(conditionNamed("f"), sources, DisplayScale::Physical); }).isEmpty());
@@ -182,7 +186,8 @@ private Q_SLOTS:
     void rangeOfAllObjectsBecomes0To255()
     {
         const auto low = compose(conditionNamed("h"), reliefOnly(cv::Mat(2, 2, CV_32FC1, cv::Scalar(1))), DisplayScale::Pixels);
-        const auto middle = compose(conditionNamed("h"), reliefOnly(cv::Mat(2, 2, CV_32FC1, cv::Scalar(2.2))), DisplayScale::Pixels);
+        const auto middle =
+            compose(conditionNamed("h"), reliefOnly(cv::Mat(2, 2, CV_32FC1, cv::Scalar(2.2))), DisplayScale::Pixels);
         const auto high = compose(conditionNamed("h"), reliefOnly(cv::Mat(2, 2, CV_32FC1, cv::Scalar(4))), DisplayScale::Pixels);
         const auto range = rangeOf({low, high, middle});
         QCOMPARE(range.min, 1.0);
@@ -192,7 +197,7 @@ private Q_SLOTS:
         QCOMPARE(int(mapToDisplay(high, range).at<unsigned char>(7, 7)), 255);
     }
 
-    void valuesAreRoundedNotCut()
+    void valuesAreRounded()
     {
         ScaledMap map{(cv::Mat_<float>(1, 4) << 0.F, 0.6F, 254.4F, 255.F), "none"};
         const cv::Mat image = mapToDisplay(map, rangeOf({map}));
@@ -216,7 +221,7 @@ private Q_SLOTS:
         QCOMPARE(mapToDisplay(map, {}).size(), cv::Size(1280, 800));
     }
 
-    void sixteenBitsShowWhatEightRoundAway()
+    void sixteenBitsKeepWhatEightRoundAway()
     {
         const ScaledMap map{(cv::Mat_<float>(1, 3) << 0.F, 0.0001F, 1.F), "none"};
         const auto range = rangeOf({map});
@@ -240,7 +245,7 @@ private Q_SLOTS:
         QVERIFY(cv::norm(image, plain, cv::NORM_INF) <= 1);
         QCOMPARE(cv::norm(image, mapToDisplay(map, range, {.dither = true}), cv::NORM_INF), 0.0);
         QVERIFY(cv::norm(image, mapToDisplay(map, range, {.dither = true, .seed = 2}), cv::NORM_INF) > 0);
-        QCOMPARE(cv::countNonZero(mapToDisplay(map, {}, {.dither = true})), 0);  // a constant range stays blank
+        QCOMPARE(cv::countNonZero(mapToDisplay(map, {}, {.dither = true})), 0);  // A constant range stays blank.
     }
 
     void percentilesAreThoseOfAllObjectsTogether()
@@ -260,7 +265,7 @@ private Q_SLOTS:
         QCOMPARE(robust.between(0, 100).min, whole.min);
         QCOMPARE(robust.between(0, 100).max, whole.max);
         QVERIFY(std::abs(shareOutside(maps[0], range) - 0.1) < 0.002);
-        // Nearly all of it one value: the whole range rather than none.
+        // Nearly all pixels have one value, so the whole range is used.
         cv::Mat flat = cv::Mat::zeros(1, 1000, CV_32FC1);
         flat.at<float>(7) = 1;
         RobustRange mostlyFlat(rangeOf({{flat, "none"}}));
@@ -268,7 +273,7 @@ private Q_SLOTS:
         QVERIFY(!mostlyFlat.between(1, 99).constant());
     }
 
-    void croppedVarianceIsTold()
+    void croppedVarianceIsReported()
     {
         const auto whole = compose(conditionNamed("h"), reliefOnly(ramp(240, 320)), DisplayScale::Pixels);
         QCOMPARE(*whole.varianceLost, 0.0);
@@ -280,9 +285,9 @@ private Q_SLOTS:
         QVERIFY(!compose(conditionNamed("h"), reliefOnly(cv::Mat::ones(9, 9, CV_32FC1)), DisplayScale::Pixels).varianceLost);
     }
 
-    void varianceThatTheDisplayCannotHoldIsTold()
+    void varianceThatTheDisplayCannotResolveIsReported()
     {
-        // Half of the power in a wave of 8 mm, half in one of 0.2 mm, which the display's pixels cannot hold.
+        // Half of the power is in a wave of 8 mm, half in one of 0.2 mm, which the display's pixels cannot resolve.
         cv::Mat relief(400, 400, CV_32FC1);
         for (int i = 0; i < 400; ++i)
             for (int j = 0; j < 400; ++j)
@@ -317,25 +322,25 @@ private Q_SLOTS:
             QVERIFY(cv::checkRange(map.values));
             double least = 0, most = 0;
             cv::minMaxLoc(mapToDisplay(map, rangeOf({map})), &least, &most);
-            const bool constant = rangeOf({map}).constant();  // 1e-44 may vanish in the filter
+            const bool constant = rangeOf({map}).constant();  // 1e-44 may vanish in the filter.
             QVERIFY(constant ? most == 0 : least == 0 && most == 255);
         }
     }
 
-    void longTracesTakeTheirMiddle()
+    void longTracesAreCroppedToTheirMiddle()
     {
         Sources sources;
-        sources.traceMmPerSample = 1e-5;  // 10^7 samples over 100 mm
+        sources.traceMmPerSample = 1e-5;  // 10^7 samples over 100 mm.
         sources.trace.resize(10000000);
         for (std::size_t i = 0; i < sources.trace.size(); ++i)
             sources.trace[i] = std::sin(2 * std::numbers::pi * static_cast<double>(i) * 1e-5 / 4) + (i % 2 == 0 ? 0.5 : -0.5);
         const auto map = compose(conditionNamed("f"), sources, DisplayScale::Physical);
         QVERIFY(cv::checkRange(map.values));
-        QVERIFY(std::abs(*map.varianceLost - 1.0 / 3) < 0.02);  // the alternation; the wave of 4 mm stays
+        QVERIFY(std::abs(*map.varianceLost - 1.0 / 3) < 0.02);  // The alternation is lost; the wave of 4 mm stays.
         QCOMPARE(compose(conditionNamed("f"), sources, DisplayScale::Pixels).values.size(), cv::Size(1280, 800));
     }
 
-    /// Why the range is that of all objects: image by image, h&f would be h.
+    /// Reason for a range over all fabrics: image by image, h&f would equal h.
     void meanFrictionIsFeltOnlyBecauseTheRangeIsCommon()
     {
         auto rough = reliefOnly(ramp(40, 40)), smooth = reliefOnly(ramp(40, 40).t());
@@ -343,8 +348,10 @@ private Q_SLOTS:
         smooth.meanFriction = 0.2;
         const auto imageOf = [](const char* condition, const Sources& sources, const std::vector<Sources>& all) {
             std::vector<ScaledMap> maps;
-            for (const auto& one : all) maps.push_back(compose(conditionNamed(condition), one, DisplayScale::Pixels, Extension::Mirror));
-            return mapToDisplay(compose(conditionNamed(condition), sources, DisplayScale::Pixels, Extension::Mirror), rangeOf(maps));
+            for (const auto& one : all)
+                maps.push_back(compose(conditionNamed(condition), one, DisplayScale::Pixels, Extension::Mirror));
+            return mapToDisplay(compose(conditionNamed(condition), sources, DisplayScale::Pixels, Extension::Mirror),
+                                rangeOf(maps));
         };
         const cv::Mat alone = imageOf("h&f", smooth, {smooth}), reliefAlone = imageOf("h", smooth, {smooth});
         QVERIFY(cv::norm(alone, reliefAlone, cv::NORM_INF) <= 1);
@@ -353,17 +360,19 @@ private Q_SLOTS:
         QVERIFY(cv::norm(together, relief, cv::NORM_INF) > 180);
         double highest = 0;
         cv::minMaxLoc(together, nullptr, &highest);
-        QCOMPARE(highest, 64.0);  // 255 * 0.2 / 0.8
+        QCOMPARE(highest, 64.0);  // 255 * 0.2 / 0.8.
     }
 
     void brokenSignalsAreRefused()
     {
         cv::Mat broken = ramp(4, 4);
         broken.at<float>(1, 1) = std::numeric_limits<float>::quiet_NaN();
-        QVERIFY(refusalOf([&] { compose(conditionNamed("h"), reliefOnly(broken), DisplayScale::Pixels); }).contains("not finite"));
+        QVERIFY(
+            refusalOf([&] { compose(conditionNamed("h"), reliefOnly(broken), DisplayScale::Pixels); }).contains("not finite"));
         QVERIFY(refusalOf([&] { compose(conditionNamed("f"), {}, DisplayScale::Pixels); }).contains("empty"));
         broken.at<float>(1, 1) = std::numeric_limits<float>::infinity();
-        QVERIFY(refusalOf([&] { compose(conditionNamed("h"), reliefOnly(broken), DisplayScale::Pixels); }).contains("not finite"));
+        QVERIFY(
+            refusalOf([&] { compose(conditionNamed("h"), reliefOnly(broken), DisplayScale::Pixels); }).contains("not finite"));
         auto large = reliefOnly(ramp(4, 4));
         large.meanFriction = 1e40;
         QVERIFY(refusalOf([&] { compose(conditionNamed("h&f"), large, DisplayScale::Pixels); }).contains("not finite"));

@@ -1,4 +1,4 @@
-// A training run killed while it writes its checkpoint, a hundred times.
+// A training run that is killed a hundred times while it writes its checkpoint.
 #include <QElapsedTimer>
 #include <QFile>
 #include <QProcess>
@@ -45,7 +45,7 @@ private:
                 "1"};
     }
 
-    /// Kills the run so many microseconds after its first checkpoint has begun to be written; what it had said.
+    /// Kills the run `delayUs` microseconds after it began to write its first checkpoint; returns its output.
     QString killedWhileWriting(bool resume, int delayUs) const
     {
         QProcess run;

@@ -1,9 +1,8 @@
-// The range law of friction_image.h: from m' to the levels of the display.
+#include "rendering/composition/display_mapping.h"
+
 #include <algorithm>
 #include <cmath>
 #include <opencv2/core.hpp>
-
-#include "rendering/composition/friction_image.h"
 
 namespace rendering {
 
@@ -11,7 +10,7 @@ namespace {
 
 constexpr std::size_t bins = 65536;
 
-/// Noise of a place, the same for every image: uniform in [0, 1) (splitmix64 of seed and place).
+/// Noise in [0, 1) that depends on the place but not on the image (splitmix64 of seed and place).
 double noiseAt(std::uint64_t seed, std::uint64_t place)
 {
     std::uint64_t z = (seed << 32U) + place * 0x9E3779B97F4A7C15U + 0x9E3779B97F4A7C15U;
@@ -20,7 +19,7 @@ double noiseAt(std::uint64_t seed, std::uint64_t place)
     return static_cast<double>((z ^ (z >> 31U)) >> 11U) * 0x1.0p-53;
 }
 
-/// Rounded where `offset` is 0.5, dithered where it is noise.
+/// Levels of values; an `offset` of 0.5 rounds, noise as `offset` dithers.
 template <class Level, class Offset>
 cv::Mat levelsOf(const cv::Mat& values, int type, const MapRange& range, double highest, Offset offset)
 {
@@ -30,7 +29,7 @@ cv::Mat levelsOf(const cv::Mat& values, int type, const MapRange& range, double 
         const float* value = values.ptr<float>(i);
         Level* level = image.ptr<Level>(i);
         for (int j = 0; j < values.cols; ++j) {
-            // Subtracted before scaling: a narrow range far from 0 would lose its last digits otherwise.
+            // Subtracting before scaling keeps the last digits of a narrow range far from 0.
             const double exact = (static_cast<double>(value[j]) - range.min) * gain + offset(i, j);
             level[j] = static_cast<Level>(std::min(std::max(exact, 0.0), highest));
         }
@@ -100,7 +99,7 @@ double shareOutside(const ScaledMap& map, const MapRange& range)
     const auto outside = [&](int comparison, double bound) {
         return cv::countNonZero(comparison == cv::CMP_LT ? map.values < bound : map.values > bound);
     };
-    // In the map's own 32 bits: its least value is the range's least value, rounded alike.
+    // Compared in the map's own 32 bits, because the range's least value is the map's least value, rounded alike.
     return static_cast<double>(outside(cv::CMP_LT, range.min) + outside(cv::CMP_GT, range.max)) /
            static_cast<double>(map.values.total());
 }

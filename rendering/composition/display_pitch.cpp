@@ -13,20 +13,20 @@ namespace rendering {
 
 namespace {
 
-/// Rows of a source and where they lie: row j of `values` is at first + j * step of the source's rows.
-struct Rows {
+/// Rows of a source with their positions: row j of `values` lies at first + j * step of the source's rows.
+struct SourceRows {
     cv::Mat values;
     double first = 0, step = 1;
 };
 
-/// Means over whole rows where a new pixel holds more than eight: a filter over all of them would take
-/// thousands of taps. A quarter of a new pixel at most, so that the filter that follows decides.
-Rows averaged(const cv::Mat& source, double ratio)
+/// Means over whole rows where a new pixel covers more than eight rows, because a filter over all of them would take
+/// thousands of taps. The means cover at most a quarter of a new pixel, so that the following filter decides.
+SourceRows averaged(const cv::Mat& source, double ratio)
 {
     const int together = std::min(static_cast<int>(std::min(0.25 / ratio, 1e9)), source.rows);
     if (together < 2) return {source, 0, 1};
     const int count = source.rows / together, left = (source.rows - count * together) / 2;
-    Rows rows{cv::Mat(count, source.cols, CV_32FC1), left + (together - 1) / 2.0, static_cast<double>(together)};
+    SourceRows rows{cv::Mat(count, source.cols, CV_32FC1), left + (together - 1) / 2.0, static_cast<double>(together)};
     for (int i = 0; i < count; ++i) {
         const int start = left + i * together;
         cv::reduce(source.rowRange(start, start + together), rows.values.row(i), 0, cv::REDUCE_AVG, CV_32F);
@@ -34,7 +34,7 @@ Rows averaged(const cv::Mat& source, double ratio)
     return rows;
 }
 
-/// Lanczos' window of three lobes: flat to a third of the new pixels' rate, under 2 % from two thirds on.
+/// Lanczos window of three lobes: flat up to a third of the new pixels' rate, under 2 % from two thirds on.
 double lanczos(double x)
 {
     constexpr double lobes = 3;
@@ -43,10 +43,10 @@ double lanczos(double x)
     return std::abs(x) < 1e-9 ? 1 : lobes * std::sin(angle) * std::sin(angle / lobes) / (angle * angle);
 }
 
-/// Row i about first + i * step of the source, mirrored outside.
+/// Filtered rows; row i is centred at first + i * step of the source, which is mirrored at its border.
 cv::Mat filteredRows(const cv::Mat& source, int count, double first, double step)
 {
-    const double width = std::max(step, 1.0);  // finer than the source: its own pixels are the limit
+    const double width = std::max(step, 1.0);  // Enlargement is limited by the source's own pixels.
     cv::Mat result = cv::Mat::zeros(count, source.cols, CV_32FC1);
     std::vector<double> weights;
     for (int i = 0; i < count; ++i) {
@@ -70,8 +70,8 @@ AtDisplayPitch scaledRows(const cv::Mat& source, double ratio, int most)
     const double wanted = std::clamp(std::round(source.rows * ratio), 1.0, 1e9);
     const int count = static_cast<int>(std::min(wanted, static_cast<double>(most)));
     const double skipped = std::floor((wanted - count) / 2);
-    const Rows rows = averaged(source, ratio);
-    // In rows of `rows`: the new pixel's step, and its first pixel that is kept.
+    const SourceRows rows = averaged(source, ratio);
+    // In rows of `rows`: the step of the new pixels, and the first new pixel that is kept.
     const double step = 1 / (ratio * rows.step);
     const double first = ((source.rows - 1) / 2.0 - ((wanted - 1) / 2 - skipped) / ratio - rows.first) / rows.step;
     return {filteredRows(rows.values, count, first, step), wanted > count};

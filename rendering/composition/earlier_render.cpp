@@ -11,7 +11,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Names = std::set<std::string>;
 
-/// The texts of an array; throws nlohmann's exceptions for anything else.
+/// Strings of an array; throws nlohmann's exceptions for anything else.
 Names namesIn(const Json& condition, const char* field)
 {
     Names names;
@@ -40,23 +40,23 @@ std::string rangeText(const Json& condition)
     return range.at("min").dump() + " to " + range.at("max").dump();
 }
 
-/// What differs between two renderings of a condition, in words; empty where images of both can be compared.
+/// Differences between two renderings of a condition, in words; empty where their images can be compared.
 std::string difference(const Json& now, const Json& before)
 {
     const Names over = namesIn(now, "range_over"), wasOver = namesIn(before, "range_over");
     const Names added = without(over, wasOver), gone = without(wasOver, over);
     std::string text;
-    const auto say = [&](const std::string& what) { text += (text.empty() ? "" : "; ") + what; };
-    if (!added.empty()) say("its range is now also over " + listed(added));
-    if (!gone.empty()) say("its range is no longer over " + listed(gone));
+    const auto add = [&](const std::string& what) { text += (text.empty() ? "" : "; ") + what; };
+    if (!added.empty()) add("its range now includes " + listed(added));
+    if (!gone.empty()) add("its range no longer includes " + listed(gone));
     if (now.at("range") != before.at("range") || now.value("ranges", Json()) != before.value("ranges", Json()))
-        say("the range was " + rangeText(before) + " and is " + rangeText(now));
+        add("the range was " + rangeText(before) + " and is now " + rangeText(now));
     if (now.at("mapping") != before.value("mapping", Json()))
-        say("the mapping was " + before.value("mapping", Json()).dump() + " and is " + now.at("mapping").dump());
+        add("the mapping was " + before.value("mapping", Json()).dump() + " and is now " + now.at("mapping").dump());
     return text;
 }
 
-/// What is said of each fabric, taken over for images that are not made anew.
+/// Copies the facts on fabrics whose images are not rendered again.
 void keepFacts(Json& now, const Json& before, const Names& fabrics)
 {
     for (const char* field : {"extension", "agreement", "variance_lost", "outside_range"})
@@ -79,7 +79,7 @@ void joinCondition(const std::string& id, Json& now, const Json& before, const s
         otherwise.insert(kept.begin(), kept.end());
         warnings.push_back(
             where + ": " + id + ": " + changed +
-            (kept.empty() ? "" : "; the images of " + listed(kept) + " there keep the old one: render them again"));
+            (kept.empty() ? "" : "; the images of " + listed(kept) + " in that folder keep the old one: render them again"));
     }
     if (!otherwise.empty()) now["mapped_otherwise"] = otherwise;
 }
@@ -91,7 +91,7 @@ JoinedRender joinedOrThrow(const std::string& json, std::string_view earlier, co
     JoinedRender result;
     const std::string data = before.at("dataset").get<std::string>();
     const std::string otherData =
-        data == now.at("dataset") ? "" : "the data set was " + data + " and is " + now.at("dataset").get<std::string>();
+        data == now.at("dataset") ? "" : "the data set was " + data + " and is now " + now.at("dataset").get<std::string>();
     for (const auto& [id, condition] : before.at("conditions").items()) {
         if (now.at("conditions").contains(id))
             joinCondition(id, now["conditions"][id], condition, otherData, where, result.warnings);
@@ -114,8 +114,9 @@ JoinedRender joined(const std::string& json, std::string_view earlier, const std
     try {
         return joinedOrThrow(json, earlier, where);
     } catch (const nlohmann::json::exception&) {
-        return {json,
-                {where + ": cannot be read and is replaced; ranges of images that lie there are unknown: render them again"}};
+        return {
+            json,
+            {where + ": cannot be read and is replaced; the ranges of the images in that folder are unknown: render them again"}};
     }
 }
 

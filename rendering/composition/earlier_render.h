@@ -1,6 +1,5 @@
-// Rendering into a folder that holds images already: what render.json said of them stays, and images that
-// the new ranges do not fit are named. Two images of a condition can only be compared where one range
-// mapped both.
+// Rendering into a folder that already holds images. The contents of its render.json are kept, and images that do not
+// fit the new ranges are named. Two images of a condition can only be compared if one range mapped both.
 #pragma once
 
 #include <string>
@@ -10,12 +9,12 @@
 namespace rendering {
 
 struct JoinedRender {
-    std::string json;                   ///< for render.json: the new one and what still holds of the earlier one
-    std::vector<std::string> warnings;  ///< a line each: which set, range or mapping changed, which images are left behind
+    std::string json;                   ///< new text of render.json, including valid contents of the earlier one
+    std::vector<std::string> warnings;  ///< lines on changed sets, ranges and mappings, and the images that keep old ones
 };
 
-/// `json`: of renderJson(). `earlier`: the text of the render.json that lies there; one that cannot be read is
-/// replaced, with a warning. `where` names it in the warnings.
+/// `json`: text from renderJson(). `earlier`: text of the existing render.json; an unreadable one is replaced, with a warning.
+/// `where` names it in the warnings.
 JoinedRender joined(const std::string& json, std::string_view earlier, const std::string& where);
 
 }  // namespace rendering

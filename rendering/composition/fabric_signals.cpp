@@ -16,71 +16,72 @@ namespace {
 
 using fabrics::Modality;
 
-struct Reading {
+/// A kind of recording and its sample index in a choice.
+struct RecordingKind {
     Signal signal;
     Modality modality;
     int SampleChoice::*index;
     const char* plural;
 };
 
-constexpr Reading readings[] = {
+constexpr RecordingKind recordingKinds[] = {
     {Signal::Photograph, Modality::Visual, &SampleChoice::visual, "photographs"},
     {Signal::TactileFrame, Modality::Tactile, &SampleChoice::tactile, "tactile frames"},
     {Signal::FrictionRecord, Modality::Friction, &SampleChoice::friction, "friction records"},
 };
 
-std::string forWhom(const protocols::FabricId& fabric, const protocols::Condition& condition)
+std::string ofFabric(const protocols::FabricId& fabric, const protocols::Condition& condition)
 {
     return " of fabric " + fabric.value + ", which condition " + std::string(condition.id) + " needs";
 }
 
-std::optional<protocols::Fault> lackOfSample(const fabrics::Dataset& dataset, const protocols::FabricId& fabric,
-                                             const SampleChoice& samples, const protocols::Condition& condition,
-                                             const Reading& reading)
+std::optional<protocols::Fault> missingSample(const fabrics::Dataset& dataset, const protocols::FabricId& fabric,
+                                              const SampleChoice& samples, const protocols::Condition& condition,
+                                              const RecordingKind& kind)
 {
-    const auto indices = fabrics::sampleIndices(dataset, fabric, reading.modality);
-    const int wanted = samples.*(reading.index);
-    const auto folder = dataset.folder / fabric.value / fabrics::nameOf(reading.modality);
+    const auto indices = fabrics::sampleIndices(dataset, fabric, kind.modality);
+    const int wanted = samples.*(kind.index);
+    const auto folder = dataset.folder / fabric.value / fabrics::nameOf(kind.modality);
     if (indices.empty())
-        return protocols::Fault{std::string("the data set has no ") + reading.plural + forWhom(fabric, condition),
-                                folder.string(), "at least one sample", "import some, or leave the condition out"};
+        return protocols::Fault{std::string("the data set has no ") + kind.plural + ofFabric(fabric, condition), folder.string(),
+                                "at least one sample", "import some, or leave the condition out"};
     if (!std::binary_search(indices.begin(), indices.end(), wanted))
         return protocols::Fault{
-            "sample " + std::to_string(wanted) + " is not among the " + reading.plural + forWhom(fabric, condition),
+            "sample " + std::to_string(wanted) + " is not among the " + kind.plural + ofFabric(fabric, condition),
             folder.string(), "an index from " + std::to_string(indices.front()) + " to " + std::to_string(indices.back()),
             "choose another --sample"};
     return {};
 }
 
-std::optional<protocols::Fault> lackOfHeight(const fabrics::Dataset& dataset, const protocols::FabricId& fabric,
-                                             const SampleChoice& samples, const protocols::Condition& condition)
+std::optional<protocols::Fault> missingHeight(const fabrics::Dataset& dataset, const protocols::FabricId& fabric,
+                                              const SampleChoice& samples, const protocols::Condition& condition)
 {
-    const auto heights = "the height" + forWhom(fabric, condition) + ", cannot be had: ";
+    const auto heights = "the height" + ofFabric(fabric, condition) + ", cannot be computed: ";
     const auto where = (dataset.folder / "dataset.json").string();
     if (dataset.tactileCalibration.empty())
         return protocols::Fault{heights + "the tactile frames have no calibration", where, "tactile.calibration",
-                                "make one with vis2hap calibrate and name it there"};
+                                "calibrate with vis2hap calibrate and name the file in dataset.json"};
     if (dataset.tactileCalibration != "known") return {};
     if (fabrics::readKnownHeight(dataset, fabric, samples.tactile)) return {};
-    return protocols::Fault{heights + "the data set calls heights known but has none for this sample", where,
-                            fabric.value + "/height/*.tiff", "add it, or name a calibration"};
+    return protocols::Fault{heights + "the data set states known heights but has none for this sample", where,
+                            fabric.value + "/height/*.tiff", "add the height, or name a calibration"};
 }
 
-/// The pitch of what a recording shows, as the data set states it.
+/// Pitch of a signal's recording, as the data set states it.
 std::optional<double> statedPitch(const fabrics::Dataset& dataset, Signal signal)
 {
-    return recordingBelow(signal) == Signal::Photograph ? dataset.cameraMmPerPixel : dataset.tactileMmPerPixel;
+    return recordingOf(signal) == Signal::Photograph ? dataset.cameraMmPerPixel : dataset.tactileMmPerPixel;
 }
 
-protocols::Fault lackOfPitch(const fabrics::Dataset& dataset, const std::string& what)
+protocols::Fault missingPitch(const fabrics::Dataset& dataset, const std::string& what)
 {
     return {what + ", is unknown", (dataset.folder / "dataset.json").string(), "mm_per_pixel",
-            "state it there, or use --scale pixels"};
+            "state it in dataset.json, or use --scale pixels"};
 }
 
-/// Runs one computation, counted and timed.
+/// Runs one computation, counts it and adds its time.
 template <class Work>
-void computed(Rendering& counts, Signal signal, Work work)
+void computed(RenderedFabrics& counts, Signal signal, Work work)
 {
     const auto start = std::chrono::steady_clock::now();
     work();
@@ -95,34 +96,35 @@ const cv::Mat& imageOf(const FabricSignals& signals, Signal signal) { return sig
 SampleChoice firstSamples(const fabrics::Dataset& dataset, const protocols::FabricId& fabric)
 {
     SampleChoice choice;
-    for (const auto& reading : readings)
-        if (const auto indices = fabrics::sampleIndices(dataset, fabric, reading.modality); !indices.empty())
-            choice.*(reading.index) = indices.front();
+    for (const auto& kind : recordingKinds)
+        if (const auto indices = fabrics::sampleIndices(dataset, fabric, kind.modality); !indices.empty())
+            choice.*(kind.index) = indices.front();
     return choice;
 }
 
-std::optional<protocols::Fault> lackOf(const fabrics::Dataset& dataset, const protocols::FabricId& fabric,
-                                       const SampleChoice& samples, const protocols::Condition& condition, Scale scale)
+std::optional<protocols::Fault> missingInput(const fabrics::Dataset& dataset, const protocols::FabricId& fabric,
+                                             const SampleChoice& samples, const protocols::Condition& condition,
+                                             DisplayScale scale)
 {
     const auto needed = signalsFor(condition);
     const auto needs = [&](Signal signal) { return std::find(needed.begin(), needed.end(), signal) != needed.end(); };
-    for (const auto& reading : readings)
-        if (needs(reading.signal))
-            if (auto fault = lackOfSample(dataset, fabric, samples, condition, reading)) return fault;
+    for (const auto& kind : recordingKinds)
+        if (needs(kind.signal))
+            if (auto fault = missingSample(dataset, fabric, samples, condition, kind)) return fault;
     if (needs(Signal::PhotometricHeight))
-        if (auto fault = lackOfHeight(dataset, fabric, samples, condition)) return fault;
+        if (auto fault = missingHeight(dataset, fabric, samples, condition)) return fault;
     const auto relief = reliefSignal(condition);
-    if (scale == Scale::Physical && relief && !statedPitch(dataset, *relief))
-        return lackOfPitch(dataset, "the physical scale of the images" + forWhom(fabric, condition));
+    if (scale == DisplayScale::Physical && relief && !statedPitch(dataset, *relief))
+        return missingPitch(dataset, "the physical scale of the images" + ofFabric(fabric, condition));
     if (needs(Signal::HeightGradient) && !dataset.tactileMmPerPixel) {
-        auto fault = lackOfPitch(dataset, "the pitch of the tactile frames" + forWhom(fabric, condition));
-        fault.nextStep = "state it there, or leave the condition out";
+        auto fault = missingPitch(dataset, "the pitch of the tactile frames" + ofFabric(fabric, condition));
+        fault.nextStep = "state it in dataset.json, or leave the condition out";
         return fault;
     }
     return {};
 }
 
-cv::Mat SignalWorkshop::tactileHeight(const protocols::FabricId& fabric, int index, const cv::Mat& frame)
+cv::Mat SignalComputation::tactileHeight(const protocols::FabricId& fabric, int index, const cv::Mat& frame)
 {
     if (m_dataset.tactileCalibration == "known") return fabrics::readKnownHeight(m_dataset, fabric, index).value();
     if (!m_calibration) {
@@ -134,8 +136,8 @@ cv::Mat SignalWorkshop::tactileHeight(const protocols::FabricId& fabric, int ind
     return signals::heightFromFrame(frame, m_reference, *m_calibration, quality);
 }
 
-FabricSignals SignalWorkshop::measured(const protocols::FabricId& fabric, const SampleChoice& samples,
-                                       const std::set<Signal>& needed, Rendering& counts)
+FabricSignals SignalComputation::measured(const protocols::FabricId& fabric, const SampleChoice& samples,
+                                          const std::set<Signal>& needed, RenderedFabrics& counts)
 {
     FabricSignals result;
     result.photographMmPerPixel = m_dataset.cameraMmPerPixel;
@@ -194,9 +196,9 @@ Sources sourcesOf(const protocols::Condition& condition, const FabricSignals& si
     Sources sources;
     if (const auto relief = reliefSignal(condition)) {
         sources.relief = imageOf(signals, *relief);
-        sources.reliefMmPerPixel = byGenerator(*relief)                            ? signals.generatedMmPerPixel
-                                   : recordingBelow(*relief) == Signal::Photograph ? signals.photographMmPerPixel
-                                                                                   : signals.tactileMmPerPixel;
+        sources.reliefMmPerPixel = isGenerated(*relief)                         ? signals.generatedMmPerPixel
+                                   : recordingOf(*relief) == Signal::Photograph ? signals.photographMmPerPixel
+                                                                                : signals.tactileMmPerPixel;
     }
     if (const auto friction = frictionSignal(condition)) {
         const bool generated = *friction == Signal::GeneratedTrace;

@@ -1,5 +1,5 @@
-// The signals of one fabric: whether the data set has what they are made of, reading and computing
-// them, and what a condition takes from them.
+// Signals of one fabric: whether the data set has their inputs, their computation, and the sources that a condition
+// takes from them.
 #pragma once
 
 #include <optional>
@@ -11,25 +11,26 @@
 
 namespace rendering {
 
-/// The first sample of each signal that the data set has of a fabric; 0 where it has none.
+/// Index of the first sample of each signal of a fabric; 0 where the data set has none.
 SampleChoice firstSamples(const fabrics::Dataset& dataset, const protocols::FabricId& fabric);
 
-/// Why a condition of a fabric cannot be rendered: what the data set lacks. Reads no image.
-std::optional<protocols::Fault> lackOf(const fabrics::Dataset& dataset, const protocols::FabricId& fabric,
-                                       const SampleChoice& samples, const protocols::Condition& condition, Scale scale);
+/// Input that the data set lacks for a condition of a fabric, as a fault; nullopt where it can be rendered. Reads no image.
+std::optional<protocols::Fault> missingInput(const fabrics::Dataset& dataset, const protocols::FabricId& fabric,
+                                             const SampleChoice& samples, const protocols::Condition& condition,
+                                             DisplayScale scale);
 
-/// Reads and computes signals, each at most once, and counts and times them.
-class SignalWorkshop {
+/// Reads and computes signals, each at most once; counts them and measures their time.
+class SignalComputation {
 public:
-    SignalWorkshop(const fabrics::Dataset& dataset, models::Quality quality, const signals::ShadingOptions& shading = {})
+    SignalComputation(const fabrics::Dataset& dataset, models::Quality quality, const signals::ShadingOptions& shading = {})
         : m_dataset(dataset), m_quality(quality), m_shading(shading)
     {
         if (quality == models::Quality::Fast) m_shading.quality = signals::ShadingQuality::Fast;
     }
 
-    /// All of `needed` that no generator makes.
+    /// Signals in `needed`, except those that a generator makes.
     FabricSignals measured(const protocols::FabricId& fabric, const SampleChoice& samples, const std::set<Signal>& needed,
-                           Rendering& counts);
+                           RenderedFabrics& counts);
 
 private:
     cv::Mat tactileHeight(const protocols::FabricId& fabric, int index, const cv::Mat& frame);
@@ -41,10 +42,10 @@ private:
     std::optional<signals::Calibration> m_calibration;
 };
 
-/// Puts what the generators made of a fabric's photograph to its signals.
+/// Adds the signals that the generators made from a fabric's photograph.
 void addGenerated(FabricSignals& signals, models::GeneratedSignals generated, const std::set<Signal>& needed);
 
-/// Relief and friction of a condition. All signals that it needs must be there.
+/// Relief and friction of a condition. All signals that it needs must exist.
 Sources sourcesOf(const protocols::Condition& condition, const FabricSignals& signals);
 
 }  // namespace rendering

@@ -1,7 +1,7 @@
+#include "rendering/composition/photograph_warnings.h"
+
 #include <cmath>
 #include <cstdio>
-
-#include "rendering/composition/render_fabrics.h"
 
 namespace rendering {
 
@@ -13,38 +13,37 @@ std::string oneDecimal(double value)
     return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10);
 }
 
-std::string photographOf(const Rendering& rendering, const protocols::FabricId& fabric)
+std::string photographOf(const RenderedFabrics& rendering, const protocols::FabricId& fabric)
 {
     return "photograph " + std::to_string(rendering.samples.at(fabric).visual) + " of " + fabric.value;
 }
 
 }  // namespace
 
-std::vector<std::string> unfamiliarPhotographs(const Rendering& rendering)
+std::vector<std::string> unfamiliarPhotographs(const RenderedFabrics& rendering)
 {
     std::vector<std::string> lines;
-    bool untold = false;
+    bool unknown = false;
     for (const auto& [fabric, signals] : rendering.signals) {
         if (!signals.photograph) continue;
-        untold = untold || !signals.photograph->distance;
+        unknown = unknown || !signals.photograph->distance;
         if (signals.photograph->unfamiliar())
-            lines.push_back(photographOf(rendering, fabric) +
-                            " is unlike every photograph that the model was trained on (distance " +
+            lines.push_back(photographOf(rendering, fabric) + " differs from all training photographs (distance " +
                             oneDecimal(*signals.photograph->distance) + ", 99 % of known fabrics lie below " +
-                            oneDecimal(signals.photograph->usualDistance) + "); what it generates is a guess");
+                            oneDecimal(signals.photograph->usualDistance) + "); its height and friction are extrapolations");
     }
-    if (untold)
-        lines.push_back("these weights do not tell which photographs they know; what is generated of an unlike one is a guess");
+    if (unknown)
+        lines.push_back("the weights do not state their training photographs, so unfamiliar photographs cannot be recognised");
     return lines;
 }
 
-std::vector<std::string> cutPhotographs(const Rendering& rendering)
+std::vector<std::string> cutPhotographs(const RenderedFabrics& rendering)
 {
     std::vector<std::string> lines;
     for (const auto& [fabric, signals] : rendering.signals)
         if (signals.photograph && signals.photograph->middleOnly)
             lines.push_back(photographOf(rendering, fabric) +
-                            " is larger than the generators take; its middle of 2048 px at the model's pitch is used");
+                            " is too large for the generators; only its middle of 2048 px at the model's pitch is used");
     return lines;
 }
 

@@ -11,15 +11,15 @@ namespace {
 using protocols::FrictionSource;
 using protocols::ReliefSource;
 
-/// One signal: its name, what it is computed from, and which source of a condition it is. Below: every
-/// signal after those it rests on, so the order of this table is an order of computing.
+/// Row of a signal: its name, its inputs, and the source of a condition that it is. Every signal comes after its inputs, so
+/// the order of the table is a valid order of computation.
 struct SignalRow {
     Signal signal;
     const char* name;
     std::vector<Signal> from;
     ReliefSource relief = ReliefSource::None;
     FrictionSource friction = FrictionSource::None;
-    bool byGenerator = false;
+    bool isGenerated = false;
 };
 
 const std::vector<SignalRow>& signalTable()
@@ -63,10 +63,10 @@ const SignalRow& rowOf(Signal signal)
     return *found;
 }
 
-void addWithGround(std::set<Signal>& needed, Signal signal)
+void addWithInputs(std::set<Signal>& needed, Signal signal)
 {
     needed.insert(signal);
-    for (const Signal ground : rowOf(signal).from) addWithGround(needed, ground);
+    for (const Signal input : rowOf(signal).from) addWithInputs(needed, input);
 }
 
 std::vector<Signal> inOrder(const std::set<Signal>& needed)
@@ -111,7 +111,7 @@ std::vector<Signal> signalsFor(const protocols::Condition& condition)
 {
     std::set<Signal> needed;
     for (const auto& source : {reliefSignal(condition), frictionSignal(condition)})
-        if (source) addWithGround(needed, *source);
+        if (source) addWithInputs(needed, *source);
     return inOrder(needed);
 }
 
@@ -123,17 +123,17 @@ std::vector<Signal> signalsFor(std::span<const protocols::ConditionId> condition
     return inOrder(needed);
 }
 
-bool byGenerator(Signal signal) { return rowOf(signal).byGenerator; }
+bool isGenerated(Signal signal) { return rowOf(signal).isGenerated; }
 
-Signal recordingBelow(Signal signal)
+Signal recordingOf(Signal signal)
 {
     const auto& from = rowOf(signal).from;
-    return from.empty() ? signal : recordingBelow(from.front());
+    return from.empty() ? signal : recordingOf(from.front());
 }
 
 bool needsGenerators(std::span<const Signal> signals)
 {
-    return std::any_of(signals.begin(), signals.end(), [](Signal signal) { return rowOf(signal).byGenerator; });
+    return std::any_of(signals.begin(), signals.end(), [](Signal signal) { return rowOf(signal).isGenerated; });
 }
 
 std::string explain(std::span<const protocols::ConditionId> conditions)
@@ -145,8 +145,8 @@ std::string explain(std::span<const protocols::ConditionId> conditions)
                 (needsGenerators(signals) ? "  [generators, libtorch]" : "  [no libtorch]") + "\n";
     }
     const auto all = signalsFor(conditions);
-    text += "computed once a fabric: " + joined(all) + "\n";
-    text += needsGenerators(all) ? "libtorch is needed (vis2hap-nn is started)\n" : "libtorch is not needed\n";
+    text += "computed once for each fabric: " + joined(all) + "\n";
+    text += needsGenerators(all) ? "libtorch is needed (vis2hap-nn starts)\n" : "libtorch is not needed\n";
     return text;
 }
 

@@ -1,4 +1,4 @@
-// From conditions to the fewest signals that they need; a table, printed by `render --explain`.
+// The smallest set of signals that conditions need, from a table that `render --explain` prints.
 #pragma once
 
 #include <optional>
@@ -11,14 +11,14 @@
 
 namespace rendering {
 
-/// Everything that can be computed on the way to a friction image.
+/// Every signal on the way to a friction image.
 enum class Signal {
     Photograph,
     TactileFrame,
-    FrictionRecord,  // read from the data set
+    FrictionRecord,  // Recordings, read from the data set.
     GreyPhotograph,
     ShapeFromShading,
-    GreyTactile,  // reliefs
+    GreyTactile,  // Reliefs.
     PhotometricHeight,
     HeightGradient,
     GeneratedHeight,
@@ -29,23 +29,23 @@ enum class Signal {
 
 std::string nameOf(Signal signal);
 
-/// The signal that a condition takes its relief from, or its friction; none where it has no such part.
+/// Signal of a condition's relief or friction; nullopt where the condition has no such part.
 std::optional<Signal> reliefSignal(const protocols::Condition& condition);
 std::optional<Signal> frictionSignal(const protocols::Condition& condition);
 
-/// The sources of a condition and all they rest on, in an order in which they can be computed.
+/// Signals of a condition and their inputs, in a valid order of computation.
 std::vector<Signal> signalsFor(const protocols::Condition& condition);
 std::vector<Signal> signalsFor(std::span<const protocols::ConditionId> conditions);
 
-/// Whether a trained generator makes the signal.
-bool byGenerator(Signal signal);
-/// The recording that lies below a signal: photograph, tactile frame or friction record.
-Signal recordingBelow(Signal signal);
+/// True for a signal that a trained generator makes.
+bool isGenerated(Signal signal);
+/// Recording from which a signal is computed: photograph, tactile frame or friction record.
+Signal recordingOf(Signal signal);
 
-/// Whether any of them needs the trained generators (and so libtorch).
+/// True where a signal needs the trained generators and therefore libtorch.
 bool needsGenerators(std::span<const Signal> signals);
 
-/// The table that --explain prints.
+/// Table that --explain prints.
 std::string explain(std::span<const protocols::ConditionId> conditions);
 
 }  // namespace rendering

@@ -14,10 +14,10 @@ namespace {
 using protocols::ConditionId;
 using protocols::FabricId;
 
-/// What is to be done, settled before anything is computed.
-struct Job {
-    std::map<FabricId, std::set<Signal>> needed;           ///< of every fabric that takes part
-    std::map<ConditionId, std::vector<FabricId>> rangeOf;  ///< whose maps a condition's range is over
+/// Work of a rendering, planned before anything is computed.
+struct RenderPlan {
+    std::map<FabricId, std::set<Signal>> needed;           ///< signals of every fabric that is used
+    std::map<ConditionId, std::vector<FabricId>> rangeOf;  ///< fabrics whose maps determine a condition's range
 };
 
 std::vector<FabricId> rangeFabrics(const fabrics::Dataset& dataset, const RenderRequest& request)
@@ -30,29 +30,29 @@ std::vector<FabricId> rangeFabrics(const fabrics::Dataset& dataset, const Render
     return ids;
 }
 
-Job settle(const fabrics::Dataset& dataset, const RenderRequest& request, Rendering& rendering)
+RenderPlan planFor(const fabrics::Dataset& dataset, const RenderRequest& request, RenderedFabrics& rendering)
 {
-    Job job;
+    RenderPlan plan;
     for (const auto& fabric : rangeFabrics(dataset, request)) {
-        dataset.fabric(fabric);  // refuses an unknown one by name
+        dataset.fabric(fabric);  // Throws for an unknown id.
         const bool written = std::find(request.fabrics.begin(), request.fabrics.end(), fabric) != request.fabrics.end();
         const auto chosen = request.samples.find(fabric);
         const auto samples = chosen != request.samples.end() ? chosen->second : firstSamples(dataset, fabric);
         for (const auto& id : request.conditions) {
             const auto& condition = protocols::conditionNamed(id.value);
-            if (const auto fault = lackOf(dataset, fabric, samples, condition, request.scale)) {
+            if (const auto fault = missingInput(dataset, fabric, samples, condition, request.scale)) {
                 if (written) throw protocols::badInput(*fault);
                 continue;
             }
-            for (const Signal signal : signalsFor(condition)) job.needed[fabric].insert(signal);
-            job.rangeOf[id].push_back(fabric);
+            for (const Signal signal : signalsFor(condition)) plan.needed[fabric].insert(signal);
+            plan.rangeOf[id].push_back(fabric);
             rendering.samples[fabric] = samples;
         }
     }
-    return job;
+    return plan;
 }
 
-std::set<Signal> generatedOnes(const std::set<Signal>& needed)
+std::set<Signal> generatedAmong(const std::set<Signal>& needed)
 {
     std::set<Signal> result;
     for (const Signal signal : {Signal::GeneratedHeight, Signal::GeneratedSpectrogram, Signal::GeneratedTrace})
@@ -60,14 +60,14 @@ std::set<Signal> generatedOnes(const std::set<Signal>& needed)
     return result;
 }
 
-/// All photographs in one call: starting the generators costs more than running them.
-void generate(const Job& job, const RenderRequest& request, Rendering& rendering)
+/// Passes all photographs in one call, because starting the generators costs more than running them.
+void generate(const RenderPlan& plan, const RenderRequest& request, RenderedFabrics& rendering)
 {
     std::vector<FabricId> fabrics;
     std::vector<models::InputPhotograph> photographs;
     std::set<Signal> wanted;
-    for (const auto& [fabric, needed] : job.needed) {
-        const auto generated = generatedOnes(needed);
+    for (const auto& [fabric, needed] : plan.needed) {
+        const auto generated = generatedAmong(needed);
         if (generated.empty()) continue;
         wanted.insert(generated.begin(), generated.end());
         const auto& signals = rendering.signals.at(fabric);
@@ -86,21 +86,21 @@ void generate(const Job& job, const RenderRequest& request, Rendering& rendering
         throw protocols::workFailed({.what = "the generators answered " + std::to_string(generated.size()) + " of " +
                                              std::to_string(fabrics.size()) + " photographs",
                                      .where = "",
-                                     .expected = "signals for each",
-                                     .nextStep = ""});
+                                     .expected = "signals for each photograph",
+                                     .nextStep = "build both executables again"});
     for (std::size_t i = 0; i < fabrics.size(); ++i) {
         addGenerated(rendering.signals[fabrics[i]], std::move(generated[i]), wanted);
         for (const Signal signal : wanted) ++rendering.computed[signal];
     }
 }
 
-/// Which range a map belongs to: that of its measured friction's quantity, where it has one.
+/// Key of the range of a map: the quantity of its measured friction, or "".
 std::string rangeKey(const protocols::Condition& condition, const FabricSignals& signals)
 {
     return condition.friction == protocols::FrictionSource::MeasuredTrace ? signals.measuredQuantity : "";
 }
 
-/// Ranges between percentiles of all pixels: another pass over the maps, since their whole range must be known.
+/// Replaces ranges by those between percentiles of all pixels. Needs another pass, because the whole range must be known.
 template <class KeyOf, class MapOf>
 void makeRobust(std::map<std::string, MapRange>& ranges, const KeyOf& keyOf, const MapOf& mapOf,
                 const std::vector<FabricId>& rangeOver, const Percentiles& percentiles)
@@ -114,14 +114,14 @@ void makeRobust(std::map<std::string, MapRange>& ranges, const KeyOf& keyOf, con
 void requirePercentiles(const Percentiles& percentiles)
 {
     if (percentiles.low >= 0 && percentiles.low < percentiles.high && percentiles.high <= 100) return;
-    throw protocols::badInput({.what = "the percentiles of the range are no range",
+    throw protocols::badInput({.what = "the percentiles do not form a range",
                                .where = "--range-percentiles",
-                               .expected = "0 <= LO < HI <= 100, e.g. 0.1,99.9",
-                               .nextStep = ""});
+                               .expected = "0 <= LO < HI <= 100, such as 0.1,99.9",
+                               .nextStep = "correct the option"});
 }
 
 RenderedCondition renderCondition(const ConditionId& id, const std::vector<FabricId>& rangeOver, const RenderRequest& request,
-                                  const Rendering& rendering)
+                                  const RenderedFabrics& rendering)
 {
     const auto start = std::chrono::steady_clock::now();
     const auto& condition = protocols::conditionNamed(id.value);
@@ -131,7 +131,7 @@ RenderedCondition renderCondition(const ConditionId& id, const std::vector<Fabri
     RenderedCondition result;
     result.condition = id;
     result.rangeOver = rangeOver;
-    // Two passes: composing again is quick, keeping the maps of all fabrics is 4 MB each.
+    // Two passes, because composing again is fast, while keeping the maps of all fabrics would take 4 MB each.
     const auto keyOf = [&](const FabricId& fabric) { return rangeKey(condition, rendering.signals.at(fabric)); };
     for (const auto& fabric : rangeOver) result.ranges[keyOf(fabric)].include(mapOf(fabric));
     if (!request.percentiles.whole()) makeRobust(result.ranges, keyOf, mapOf, rangeOver, request.percentiles);
@@ -149,30 +149,30 @@ RenderedCondition renderCondition(const ConditionId& id, const std::vector<Fabri
 
 }  // namespace
 
-Rendering renderFabrics(const fabrics::Dataset& dataset, const RenderRequest& request,
-                        const std::function<void(int, int, const std::string&)>& progress)
+RenderedFabrics renderFabrics(const fabrics::Dataset& dataset, const RenderRequest& request,
+                              const std::function<void(int, int, const std::string&)>& progress)
 {
     requirePercentiles(request.percentiles);
-    Rendering rendering;
-    const Job job = settle(dataset, request, rendering);
-    const int total = static_cast<int>(job.needed.size() + request.conditions.size()) + 1;
+    RenderedFabrics rendering;
+    const RenderPlan plan = planFor(dataset, request, rendering);
+    const int total = static_cast<int>(plan.needed.size() + request.conditions.size()) + 1;
     int done = 0;
     const auto report = [&](const std::string& what) {
         if (progress) progress(done, total, what);
         ++done;
     };
-    SignalWorkshop workshop(dataset, request.generation.quality, request.shading);
-    for (const auto& [fabric, needed] : job.needed) {
+    SignalComputation computation(dataset, request.generation.quality, request.shading);
+    for (const auto& [fabric, needed] : plan.needed) {
         report("signals of " + fabric.value);
-        rendering.signals[fabric] = workshop.measured(fabric, rendering.samples.at(fabric), needed, rendering);
+        rendering.signals[fabric] = computation.measured(fabric, rendering.samples.at(fabric), needed, rendering);
     }
     const auto wanted = signalsFor(request.conditions);
     report(needsGenerators(wanted) ? "generating" : "composing");
-    generate(job, request, rendering);
+    generate(plan, request, rendering);
     for (const auto& id : request.conditions) {
         report(id.value);
-        const auto rangeOver = job.rangeOf.find(id);
-        if (rangeOver != job.rangeOf.end())
+        const auto rangeOver = plan.rangeOf.find(id);
+        if (rangeOver != plan.rangeOf.end())
             rendering.conditions.push_back(renderCondition(id, rangeOver->second, request, rendering));
     }
     if (progress) progress(total, total, "done");

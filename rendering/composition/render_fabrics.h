@@ -1,5 +1,5 @@
-// Data set -> friction images of fabrics x conditions, computing each needed signal once per fabric
-// and nothing else.
+// Friction images of fabrics x conditions from a data set. Each needed signal is computed once for each fabric, and
+// nothing else.
 #pragma once
 
 #include <functional>
@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "protocols/condition.h"
+#include "rendering/composition/display_mapping.h"
 #include "rendering/composition/friction_image.h"
 #include "rendering/composition/plan.h"
 #include "rendering/fabrics/dataset.h"
@@ -29,83 +30,67 @@ struct Percentiles {
 };
 
 struct RenderRequest {
-    std::vector<protocols::FabricId> fabrics;    ///< what to write
-    std::vector<protocols::FabricId> rangeOver;  ///< whose maps set the range; empty: all of the data set
+    std::vector<protocols::FabricId> fabrics;    ///< fabrics whose images are rendered
+    std::vector<protocols::FabricId> rangeOver;  ///< fabrics whose maps set the range; empty: all of the data set
     std::vector<protocols::ConditionId> conditions;
-    std::map<protocols::FabricId, SampleChoice> samples;  ///< missing: the first sample of each signal
-    Scale scale = Scale::Pixels;
+    std::map<protocols::FabricId, SampleChoice> samples;  ///< for missing fabrics the first sample of each signal
+    DisplayScale scale = DisplayScale::Pixels;
     Extension extension = Extension::Tile;
-    Percentiles percentiles;  ///< of the pixels of all objects together; 0 and 100: their least and greatest value
+    Percentiles percentiles;  ///< of the pixels of all fabrics together; 0 and 100 are the least and greatest value
     DisplayMapping mapping;
-    signals::ShadingOptions shading;       ///< of v_shape; its quality follows from generation.quality
-    models::GenerationOptions generation;  ///< model and quality; what is generated follows from the conditions
+    signals::ShadingOptions shading;       ///< for v_shape; its quality follows from generation.quality
+    models::GenerationOptions generation;  ///< model and quality; the conditions determine which signals are generated
 
-    /// Asked at most once, with the photographs of all fabrics, and only where a condition needs it.
+    /// Called at most once, with the photographs of all fabrics, and only if a condition needs it.
     std::function<std::vector<models::GeneratedSignals>(std::span<const models::InputPhotograph>,
                                                         const models::GenerationOptions&)>
         generate = models::generate;
 };
 
-/// Signals of one fabric, so that measured and generated can be compared and shown.
+/// Signals of one fabric, for comparing and showing measured and generated ones.
 struct FabricSignals {
     std::map<Signal, cv::Mat> images;
     std::map<Signal, std::vector<double>> traces;
     std::optional<double> measuredMeanFriction, generatedMeanFriction;
-    std::optional<signals::Light> light;                ///< that shape from shading was lit by
-    std::optional<double> colourVariation;              ///< of the photograph it was made from
-    std::optional<models::PhotographFacts> photograph;  ///< where something was generated from it
-    std::string measuredQuantity = "mu";                ///< what the measured trace holds; "mu": a coefficient
+    std::optional<signals::Light> light;                ///< light that shape from shading used
+    std::optional<double> colourVariation;              ///< of the photograph that shape from shading used
+    std::optional<models::PhotographFacts> photograph;  ///< set where signals were generated from it
+    std::string measuredQuantity = "mu";                ///< quantity of the measured trace; "mu" for a coefficient
     std::optional<double> photographMmPerPixel, tactileMmPerPixel, generatedMmPerPixel, traceMmPerSample,
         generatedTraceMmPerSample;
 };
 
-/// What became of a source on its way to the screen.
+/// Facts on the conversion of a source to a map on the screen.
 struct MapFacts {
-    std::string extension;               ///< how a source smaller than the screen was continued
-    double agreement = 0;                ///< of overlapping strips, correlation
+    std::string extension;               ///< method that extends a source smaller than the screen
+    double agreement = 0;                ///< correlation of overlapping strips
     std::optional<double> varianceLost;  ///< ScaledMap::varianceLost
-    double outsideRange = 0;             ///< share of pixels that robust percentiles cut off
+    double outsideRange = 0;             ///< share of pixels outside the range between percentiles
 };
 
 struct RenderedCondition {
     protocols::ConditionId condition;
-    MapRange range;  ///< of the first fabric written
-    /// By the quantity of the measured friction ("" where none is used): a coefficient and a count of
-    /// sensor units have no common range.
+    MapRange range;  ///< range of the first rendered fabric
+    /// Ranges by quantity of the measured friction ("" where none is used), because a coefficient and a count of sensor units
+    /// have no common range.
     std::map<std::string, MapRange> ranges;
-    std::vector<protocols::FabricId> rangeOver;     ///< whose maps the ranges are of
-    std::map<protocols::FabricId, MapFacts> maps;   ///< of RenderRequest::fabrics
-    std::map<protocols::FabricId, cv::Mat> images;  ///< [800 x 1280], CV_8UC1 or CV_16UC1, of RenderRequest::fabrics
+    std::vector<protocols::FabricId> rangeOver;     ///< fabrics whose maps set the ranges
+    std::map<protocols::FabricId, MapFacts> maps;   ///< for each of RenderRequest::fabrics
+    std::map<protocols::FabricId, cv::Mat> images;  ///< [800 x 1280], CV_8UC1 or CV_16UC1, for each of RenderRequest::fabrics
     double milliseconds = 0;
 };
 
-struct Rendering {
+struct RenderedFabrics {
     std::vector<RenderedCondition> conditions;
     std::map<protocols::FabricId, FabricSignals> signals;
-    std::map<Signal, int> computed;         ///< how often each signal was computed
-    std::map<Signal, double> milliseconds;  ///< spent on it, all fabrics; both generators under the first
+    std::map<Signal, int> computed;         ///< number of computations of each signal
+    std::map<Signal, double> milliseconds;  ///< time over all fabrics; both generators are counted under the first
     std::map<protocols::FabricId, SampleChoice> samples;
 };
 
-/// `progress(done, total, what)`. Throws badInput naming the fabric and the signal that the data set
-/// lacks for an image asked for, before anything is computed; a fabric that would only take part in the
-/// range is left out of it instead.
-Rendering renderFabrics(const fabrics::Dataset& dataset, const RenderRequest& request,
-                        const std::function<void(int, int, const std::string&)>& progress = {});
-
-/// The text of render.json: range and its set, samples, signals computed, extension, variance lost, ms.
-std::string renderJson(const fabrics::Dataset& dataset, const RenderRequest& request, const Rendering& rendering);
-
-/// What became of each fabric's sources, a line a fabric for people.
-std::vector<std::string> describeMaps(const Rendering& rendering);
-
-/// Fabrics whose photographs break the assumption of shape from shading, that only slope changes brightness; a line each.
-std::vector<std::string> shadingWarnings(const Rendering& rendering);
-
-/// Photographs that the generators know nothing like of, a line each; one more where the weights do not tell.
-std::vector<std::string> unfamiliarPhotographs(const Rendering& rendering);
-
-/// Photographs of which only the middle is used, a line each.
-std::vector<std::string> cutPhotographs(const Rendering& rendering);
+/// `progress(done, total, what)` reports each step. Throws badInput before any computation where the data set lacks a signal
+/// for a requested image; it names the fabric and the signal. A fabric that only contributes to the range is left out instead.
+RenderedFabrics renderFabrics(const fabrics::Dataset& dataset, const RenderRequest& request,
+                              const std::function<void(int, int, const std::string&)>& progress = {});
 
 }  // namespace rendering

@@ -1,9 +1,9 @@
+#include "rendering/composition/render_json.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
-
-#include "rendering/composition/render_fabrics.h"
 
 namespace rendering {
 
@@ -11,15 +11,15 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Microseconds are enough of a time.
+/// Rounded to microseconds.
 double rounded(double milliseconds) { return std::round(milliseconds * 1000) / 1000; }
 
 Json jsonOf(const MapRange& range) { return {{"min", range.min}, {"max", range.max}, {"constant", range.constant()}}; }
 
-const char* nameOf(Scale scale) { return scale == Scale::Pixels ? "pixels" : "physical"; }
+const char* nameOf(DisplayScale scale) { return scale == DisplayScale::Pixels ? "pixels" : "physical"; }
 const char* nameOf(Extension extension) { return extension == Extension::Tile ? "tile" : "mirror"; }
 
-/// All that decides how a value becomes a level, beside the range itself.
+/// Everything besides the range that determines how a value becomes a level.
 Json mappingOf(const RenderRequest& request)
 {
     Json json{{"scale", nameOf(request.scale)},
@@ -54,7 +54,7 @@ Json jsonOf(const RenderedCondition& rendered, const RenderRequest& request)
     return json;
 }
 
-/// How like the photographs trained on; see rendering/models/familiarity.h.
+/// Comparison with the training photographs; see rendering/models/familiarity.h.
 Json jsonOf(const models::PhotographFacts& photograph)
 {
     Json json{{"distance", nullptr},
@@ -67,13 +67,13 @@ Json jsonOf(const models::PhotographFacts& photograph)
         json["usual_distance"] = photograph.usualDistance;
     } else {
         json["unfamiliar"] = nullptr;
-        json["why"] = {{"distance", "the weights do not tell which photographs they know"}};
+        json["why"] = {{"distance", "the weights do not state their training photographs"}};
     }
     return json;
 }
 
-/// Only the signals that the fabric's images rest on.
-Json samplesOf(const SampleChoice& samples, const Rendering& rendering)
+/// Sample indices of the signals that the fabric's images use.
+Json samplesOf(const SampleChoice& samples, const RenderedFabrics& rendering)
 {
     Json json = Json::object();
     if (rendering.computed.contains(Signal::Photograph)) json["visual"] = samples.visual;
@@ -110,27 +110,27 @@ std::string percent(double share)
 std::string inWords(const MapFacts& facts)
 {
     return facts.extension + (facts.varianceLost ? ", " + percent(*facts.varianceLost) + " of its variance lost" : ", constant") +
-           (facts.outsideRange > 0 ? ", " + percent(facts.outsideRange) + " of its pixels beyond the range" : "");
+           (facts.outsideRange > 0 ? ", " + percent(facts.outsideRange) + " of its pixels outside the range" : "");
 }
 
 }  // namespace
 
-std::vector<std::string> describeMaps(const Rendering& rendering)
+std::vector<std::string> describeMaps(const RenderedFabrics& rendering)
 {
-    // Conditions of one source share its fate: named together.
-    std::map<protocols::FabricId, std::vector<std::pair<std::string, std::string>>> fates;
+    // Conditions with the same facts share one description.
+    std::map<protocols::FabricId, std::vector<std::pair<std::string, std::string>>> descriptions;
     for (const auto& rendered : rendering.conditions)
         for (const auto& [fabric, facts] : rendered.maps) {
-            auto& known = fates[fabric];
+            auto& known = descriptions[fabric];
             const auto words = inWords(facts);
-            const auto same = std::find_if(known.begin(), known.end(), [&](const auto& fate) { return fate.first == words; });
+            const auto same = std::find_if(known.begin(), known.end(), [&](const auto& entry) { return entry.first == words; });
             if (same == known.end())
                 known.emplace_back(words, rendered.condition.value);
             else
                 same->second += ", " + rendered.condition.value;
         }
     std::vector<std::string> lines;
-    for (const auto& [fabric, known] : fates) {
+    for (const auto& [fabric, known] : descriptions) {
         std::string line;
         for (const auto& [words, conditions] : known)
             line += (line.empty() ? fabric.value + ": " : "; ") + conditions + ": " + words;
@@ -139,17 +139,17 @@ std::vector<std::string> describeMaps(const Rendering& rendering)
     return lines;
 }
 
-std::vector<std::string> shadingWarnings(const Rendering& rendering)
+std::vector<std::string> shadingWarnings(const RenderedFabrics& rendering)
 {
     std::vector<std::string> lines;
-    for (const auto& [fabric, ready] : rendering.signals)
-        if (ready.colourVariation && *ready.colourVariation > signals::coloursSpoilShading)
-            lines.push_back(fabric.value + ": its photograph varies in colour by " + percent(*ready.colourVariation) +
-                            " of its brightness; v_shape may take dye for relief");
+    for (const auto& [fabric, computed] : rendering.signals)
+        if (computed.colourVariation && *computed.colourVariation > signals::coloursSpoilShading)
+            lines.push_back(fabric.value + ": its photograph varies in colour by " + percent(*computed.colourVariation) +
+                            " of its brightness; v_shape may mistake dye for relief");
     return lines;
 }
 
-std::string renderJson(const fabrics::Dataset& dataset, const RenderRequest& request, const Rendering& rendering)
+std::string renderJson(const fabrics::Dataset& dataset, const RenderRequest& request, const RenderedFabrics& rendering)
 {
     Json json{{"schema", "vis2hap.render/1"},       {"dataset", dataset.name},
               {"scale", nameOf(request.scale)},     {"quality", nameOf(request.generation.quality)},
@@ -159,20 +159,20 @@ std::string renderJson(const fabrics::Dataset& dataset, const RenderRequest& req
     for (const auto& [fabric, samples] : rendering.samples) json["samples"][fabric.value] = samplesOf(samples, rendering);
     for (const auto& [signal, count] : rendering.computed) json["signals_computed"][nameOf(signal)] = count;
     for (const auto& [signal, milliseconds] : rendering.milliseconds) json["signals_ms"][nameOf(signal)] = rounded(milliseconds);
-    for (const auto& [fabric, ready] : rendering.signals)
-        if (ready.measuredMeanFriction)
-            json["measured_friction"][fabric.value] = {{"quantity", ready.measuredQuantity},
-                                                       {"mean", *ready.measuredMeanFriction}};
-    for (const auto& [fabric, ready] : rendering.signals)
-        if (ready.light)
+    for (const auto& [fabric, computed] : rendering.signals)
+        if (computed.measuredMeanFriction)
+            json["measured_friction"][fabric.value] = {{"quantity", computed.measuredQuantity},
+                                                       {"mean", *computed.measuredMeanFriction}};
+    for (const auto& [fabric, computed] : rendering.signals)
+        if (computed.light)
             json["shading"][fabric.value] = {
                 {"method", request.shading.method == signals::ShadingMethod::Linear ? "linear" : "bumps"},
                 {"light_from", request.shading.lightFromBelow ? "below" : "above"},
-                {"light_azimuth_deg", ready.light->azimuthDeg},
-                {"light_coherence", ready.light->coherence},
-                {"colour_variation", *ready.colourVariation}};
-    for (const auto& [fabric, ready] : rendering.signals)
-        if (ready.photograph) json["photographs"][fabric.value] = jsonOf(*ready.photograph);
+                {"light_azimuth_deg", computed.light->azimuthDeg},
+                {"light_coherence", computed.light->coherence},
+                {"colour_variation", *computed.colourVariation}};
+    for (const auto& [fabric, computed] : rendering.signals)
+        if (computed.photograph) json["photographs"][fabric.value] = jsonOf(*computed.photograph);
     return json.dump(2) + "\n";
 }
 

@@ -24,9 +24,9 @@ cv::Mat mirrored(const cv::Mat& patch, cv::Size canvas)
     return values;
 }
 
-/// Three running means over a share of the patch: what is wider than about that. Of a large patch every fourth row
-/// and column say as much.
-cv::Mat slowPart(const cv::Mat& patch, int share)
+/// Low-frequency part of a patch: three moving averages over a share of it. A large patch is reduced to every fourth row
+/// and column first, which gives nearly the same result.
+cv::Mat lowFrequencyPart(const cv::Mat& patch, int share)
 {
     const bool large = std::min(patch.rows, patch.cols) >= 128;
     cv::Mat slow = patch;
@@ -41,13 +41,14 @@ cv::Mat slowPart(const cv::Mat& patch, int share)
     return slow;
 }
 
-/// What makes a texture of spread 1 the patch's own again, and keeps it within the patch's range.
+/// Conversion of a texture with standard deviation 1 to the patch's own units, and the limits of the patch's range.
 struct Units {
     float gain = 1, offset = 0, least = 0, most = 0;
 };
 
-/// (slow + contrast * texture) in the patch's own units, row by row: screens of each in between would cost more than
-/// the sum. `slow` and `contrast`: as wide as the canvas, as high as the patch; mirrored where the canvas is higher.
+/// (slow + contrast * texture) in the patch's own units, row by row, because whole screens of intermediate results would cost
+/// more than the sum. `slow` and `contrast` are as wide as the canvas and as high as the patch; they are mirrored where the
+/// canvas is higher.
 cv::Mat joined(const cv::Mat& slow, const cv::Mat& contrast, const cv::Mat& laid, const std::vector<cv::Point>& places,
                cv::Size canvas, const Units& units)
 {
@@ -67,29 +68,29 @@ cv::Mat joined(const cv::Mat& slow, const cv::Mat& contrast, const cv::Mat& laid
     return values;
 }
 
-/// A patch about its mean and of spread 1 as slow + contrast * texture: a fold's shade and how strongly the weave
-/// shows in it change slowly, the texture is everywhere alike.
-struct Parts {
+/// A normalised patch (mean 0, standard deviation 1) as slow + contrast * texture. The shade of a fold and the
+/// contrast of the weave change slowly; the texture is uniform.
+struct TextureParts {
     cv::Mat slow, contrast, texture;
 };
 
-Parts partsOf(const cv::Mat& normal)
+TextureParts partsOf(const cv::Mat& normal)
 {
-    constexpr double leastContrast = 0.05;  // of the spread of the whole: what is flatter has no texture to lay
-    Parts parts{slowPart(normal, 6), {}, {}};
+    constexpr double leastContrast = 0.05;  // Of the deviation of the whole; a flatter area has no texture to extend.
+    TextureParts parts{lowFrequencyPart(normal, 6), {}, {}};
     parts.texture = normal - parts.slow;
     cv::multiply(parts.texture, parts.texture, parts.contrast);
-    parts.contrast = slowPart(parts.contrast, 3);
+    parts.contrast = lowFrequencyPart(parts.contrast, 3);
     cv::max(parts.contrast, leastContrast * leastContrast, parts.contrast);
     cv::sqrt(parts.contrast, parts.contrast);
     cv::divide(parts.texture, parts.contrast, parts.texture);
     return parts;
 }
 
-/// Steps along x and y; a patch as wide or high as the screen is not laid along that axis.
-std::optional<std::pair<Step, Step>> stepsOf(const cv::Mat& texture, bool needsX, bool needsY)
+/// Steps along x and y. Along an axis on which the patch fills the screen there is no step.
+std::optional<std::pair<TileStep, TileStep>> stepsOf(const cv::Mat& texture, bool needsX, bool needsY)
 {
-    std::pair<Step, Step> steps{{.along = texture.cols}, {.along = texture.rows}};
+    std::pair<TileStep, TileStep> steps{{.along = texture.cols}, {.along = texture.rows}};
     for (const bool alongX : {true, false}) {
         if (alongX ? !needsX : !needsY) continue;
         const auto found = stepAlongX(alongX ? texture : cv::Mat(texture.t()), needsX && needsY);
@@ -99,19 +100,19 @@ std::optional<std::pair<Step, Step>> stepsOf(const cv::Mat& texture, bool needsX
     return steps;
 }
 
-/// The texture is laid on a lattice. Folds have no direction to keep and never meet themselves: they are mirrored,
-/// which joins them without an edge.
+/// Lays the texture on a lattice. Folds have no period and no copy fits the next one, so they are mirrored, which
+/// gives no edge.
 std::optional<Extended> tiled(const cv::Mat& patch)
 {
     const cv::Size screen(displayWidthPx, displayHeightPx);
     const bool needsX = patch.cols < screen.width, needsY = patch.rows < screen.height && patch.rows > 1;
     cv::Scalar mean, sd;
     cv::meanStdDev(patch, mean, sd);
-    if (!(sd[0] > 1e-30)) return {};  // 1 / sd must be a number of 32 bits
-    // About its mean and of spread 1: heights of 1 nm and of 1 km are laid alike.
+    if (!(sd[0] > 1e-30)) return {};  // 1 / sd must be a finite 32-bit number.
+    // Normalised, so that heights of 1 nm and of 1 km give the same result.
     cv::Mat normal;
     patch.convertTo(normal, CV_32F, 1 / sd[0], -mean[0] / sd[0]);
-    const Parts parts = partsOf(normal);
+    const TextureParts parts = partsOf(normal);
     const cv::Mat& texture = parts.texture;
     const auto steps = stepsOf(texture, needsX, needsY);
     if (!steps) return {};
@@ -127,7 +128,7 @@ std::optional<Extended> tiled(const cv::Mat& patch)
     cv::Mat values = joined(
         mirrored(parts.slow, wide), mirrored(parts.contrast, wide), laid, lattice(corner + kept.tl(), laid.size(), canvas, x, y),
         canvas, {static_cast<float>(sd[0]), static_cast<float>(mean[0]), static_cast<float>(least), static_cast<float>(most)});
-    // What no neighbour reaches is the source itself, bit by bit. Slanted neighbours reach half a strip further.
+    // Copy the source bit by bit where no neighbour overlaps it. Slanted neighbours reach half a strip further.
     const int marginX = x.strip + x.strip / 2, marginY = y.strip + y.strip / 2;
     const cv::Rect inside(marginX, marginY, kept.width - 2 * marginX, kept.height - 2 * marginY);
     if (inside.width > 0 && inside.height > 0) patch(kept)(inside).copyTo(values(inside + corner + kept.tl()));
@@ -136,7 +137,7 @@ std::optional<Extended> tiled(const cv::Mat& patch)
 
 }  // namespace
 
-Extended overScreen(const cv::Mat& patch, Extension extension)
+Extended extendToScreen(const cv::Mat& patch, Extension extension)
 {
     const cv::Size screen(displayWidthPx, displayHeightPx);
     const cv::Size kept(std::min(patch.cols, screen.width), std::min(patch.rows, screen.height));

@@ -1,8 +1,8 @@
-// A patch over the whole screen. `tile` lays its texture side by side, shifted so that it meets itself, and
-// blends the strip where two patches overlap; what changes slowly (folds, shade, and how strongly the
-// texture shows) is mirrored. `mirror` reflects the whole patch at its edges, which turns the direction of
-// a twill in every second field: of a texture's power it moves 28 % to other directions or periods, tile
-// 6 % (means over heights and photographs of 15 procedural fabrics at both scales; tile was closer in all).
+// Extension of a patch over the whole screen. `tile` lays copies of its texture side by side, shifted so that they
+// match, and blends the strips where they overlap. The low-frequency parts (folds, shade, contrast of the texture) are
+// mirrored. `mirror` reflects the whole patch at its borders, which changes the direction of a twill in every second
+// field. `mirror` moves 28 % of a texture's power to other directions or periods, `tile` 6 %: means over heights and
+// photographs of 15 procedural fabrics at both scales; `tile` was better in every case.
 #pragma once
 
 #include <opencv2/core/mat.hpp>
@@ -14,12 +14,12 @@ enum class Extension { Tile, Mirror };
 
 struct Extended {
     cv::Mat values;        ///< CV_32FC1 [800 x 1280]
-    std::string how;       ///< "tile", "mirror", "none", "none (cropped)", and why where it is not what was asked for
-    double agreement = 0;  ///< of overlapping strips, correlation -1..1; 0 where none were laid
+    std::string how;       ///< "tile", "mirror", "none", "none (cropped)", with the reason if the request was not possible
+    double agreement = 0;  ///< correlation of overlapping strips, -1 to 1; 0 where there are none
 };
 
-/// The patch lies in the middle of the screen; where it is larger, its middle is shown. A patch of fewer
-/// than 16 pixels along an axis that must be continued, or a constant one, is mirrored.
-Extended overScreen(const cv::Mat& patch, Extension extension);
+/// Puts the patch into the middle of the screen; shows the middle of a larger patch. Mirrors a constant patch, and one of
+/// fewer than 16 pixels along an axis that must be extended.
+Extended extendToScreen(const cv::Mat& patch, Extension extension);
 
 }  // namespace rendering

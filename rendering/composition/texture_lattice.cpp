@@ -10,12 +10,12 @@ namespace rendering {
 
 namespace {
 
-constexpr int leastPatch = 16;         ///< px along an axis; below it there is no strip to compare
-constexpr int longestCompared = 192;   ///< px of a strip's length, in its middle
-constexpr int mostCut = 128;           ///< px; more would leave little to lay
-constexpr double costOfCutting = 0.1;  ///< correlation that cutting the whole patch away must win
+constexpr int leastPatch = 16;         ///< px along an axis; smaller patches have no strip to compare
+constexpr int longestCompared = 192;   ///< px of a strip that are compared, in its middle
+constexpr int mostCut = 128;           ///< px; cutting more would leave too little to lay
+constexpr double costOfCutting = 0.1;  ///< gain of correlation that would justify cutting the whole patch
 
-/// 0 to 1 over a strip at either end, so that two of them a step apart add up to 1.
+/// Weights that rise from 0 to 1 over a strip at either end, so that two patches at one step add up to 1.
 cv::Mat ramps(int length, int strip)
 {
     cv::Mat weights = cv::Mat::ones(length, 1, CV_32FC1);
@@ -26,20 +26,20 @@ cv::Mat ramps(int length, int strip)
     return weights;
 }
 
-/// The part of a patch at `place` that lies on a canvas, and where there; empty where none does.
-struct Seen {
+/// Overlap of a patch and a canvas, as rectangles in both; empty where there is none.
+struct Overlap {
     cv::Rect onCanvas, ofPatch;
 };
 
-Seen seenOf(cv::Size patch, cv::Point place, cv::Size canvas)
+Overlap overlapOf(cv::Size patch, cv::Point place, cv::Size canvas)
 {
-    const cv::Rect seen = cv::Rect(place, patch) & cv::Rect(cv::Point(), canvas);
-    return {seen, seen.empty() ? cv::Rect() : seen - place};
+    const cv::Rect common = cv::Rect(place, patch) & cv::Rect(cv::Point(), canvas);
+    return {common, common.empty() ? cv::Rect() : common - place};
 }
 
-/// Blending takes the mean of two patches, whose variance is smaller the less they agree: made up for, within
-/// the patch's own range.
-void settle(cv::Mat& sum, const cv::Mat& weight, const cv::Mat& squares, double agreement, float least, float most)
+/// Restores the variance of the blended sum. The mean of two patches has less variance, the less they agree. The result is
+/// limited to the patch's own range.
+void restoreContrast(cv::Mat& sum, const cv::Mat& weight, const cv::Mat& squares, double agreement, float least, float most)
 {
     const auto correlation = static_cast<float>(std::clamp(agreement, 0.0, 1.0));
     for (int i = 0; i < sum.rows; ++i) {
@@ -55,12 +55,12 @@ void settle(cv::Mat& sum, const cv::Mat& weight, const cv::Mat& squares, double 
 
 }  // namespace
 
-std::optional<Step> stepAlongX(const cv::Mat& patch, bool mayShift)
+std::optional<TileStep> stepAlongX(const cv::Mat& patch, bool mayShift)
 {
     if (patch.cols < leastPatch) return {};
-    Step step;
+    TileStep step;
     step.strip = std::clamp(patch.cols / 8, 4, 48);
-    // Up to half a strip sideways: further, the patches' corners would leave gaps.
+    // At most half a strip sideways, because larger shifts would leave gaps at the corners of the patches.
     const int sideways = mayShift ? std::min(step.strip / 2, patch.rows / 4) : 0;
     const int length = std::min(patch.rows - 2 * sideways, longestCompared), top = (patch.rows - length) / 2;
     const cv::Mat last = patch(cv::Rect(patch.cols - step.strip, top, step.strip, length));
@@ -83,32 +83,32 @@ std::optional<Step> stepAlongX(const cv::Mat& patch, bool mayShift)
     return step;
 }
 
-std::vector<cv::Point> lattice(cv::Point first, cv::Size patch, cv::Size canvas, const Step& x, const Step& y)
+std::vector<cv::Point> lattice(cv::Point first, cv::Size patch, cv::Size canvas, const TileStep& x, const TileStep& y)
 {
     std::vector<cv::Point> places;
     const int columns = canvas.width / x.along + 2, rows = canvas.height / y.along + 2;
-    // A slanted lattice leaves the canvas sideways: so many more columns and rows bring it back.
+    // A slanted lattice leaves the canvas sideways; these additional columns and rows cover it again.
     const int moreColumns = 2 + rows * std::abs(y.across) / x.along, moreRows = 2 + columns * std::abs(x.across) / y.along;
     for (int i = -columns - moreColumns; i <= columns + moreColumns; ++i)
         for (int j = -rows - moreRows; j <= rows + moreRows; ++j) {
             const cv::Point place(first.x + i * x.along + j * y.across, first.y + j * y.along + i * x.across);
-            if (!seenOf(patch, place, canvas).onCanvas.empty()) places.push_back(place);
+            if (!overlapOf(patch, place, canvas).onCanvas.empty()) places.push_back(place);
         }
     return places;
 }
 
-cv::Mat blended(const cv::Mat& patch, const Step& x, const Step& y, double agreement)
+cv::Mat blended(const cv::Mat& patch, const TileStep& x, const TileStep& y, double agreement)
 {
     const cv::Mat window = ramps(patch.rows, y.strip) * ramps(patch.cols, x.strip).t();
     cv::Mat sum = cv::Mat::zeros(patch.size(), CV_32FC1), weight = sum.clone(), squares = sum.clone();
     for (const cv::Point place : lattice({}, patch.size(), patch.size(), x, y)) {
-        const Seen seen = seenOf(patch.size(), place, patch.size());
-        for (int i = 0; i < seen.onCanvas.height; ++i) {
-            const int row = seen.onCanvas.y + i, from = seen.ofPatch.y + i;
-            const float *value = patch.ptr<float>(from) + seen.ofPatch.x, *w = window.ptr<float>(from) + seen.ofPatch.x;
-            float *s = sum.ptr<float>(row) + seen.onCanvas.x, *t = weight.ptr<float>(row) + seen.onCanvas.x,
-                  *q = squares.ptr<float>(row) + seen.onCanvas.x;
-            for (int j = 0; j < seen.onCanvas.width; ++j) {
+        const Overlap overlap = overlapOf(patch.size(), place, patch.size());
+        for (int i = 0; i < overlap.onCanvas.height; ++i) {
+            const int row = overlap.onCanvas.y + i, from = overlap.ofPatch.y + i;
+            const float *value = patch.ptr<float>(from) + overlap.ofPatch.x, *w = window.ptr<float>(from) + overlap.ofPatch.x;
+            float *s = sum.ptr<float>(row) + overlap.onCanvas.x, *t = weight.ptr<float>(row) + overlap.onCanvas.x,
+                  *q = squares.ptr<float>(row) + overlap.onCanvas.x;
+            for (int j = 0; j < overlap.onCanvas.width; ++j) {
                 s[j] += w[j] * value[j];
                 t[j] += w[j];
                 q[j] += w[j] * w[j];
@@ -117,7 +117,7 @@ cv::Mat blended(const cv::Mat& patch, const Step& x, const Step& y, double agree
     }
     double least = 0, most = 0;
     cv::minMaxLoc(patch, &least, &most);
-    settle(sum, weight, squares, agreement, static_cast<float>(least), static_cast<float>(most));
+    restoreContrast(sum, weight, squares, agreement, static_cast<float>(least), static_cast<float>(most));
     return sum;
 }
 

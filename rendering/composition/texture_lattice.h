@@ -1,5 +1,5 @@
-// How a texture continues itself: the steps by which copies of a patch are laid so that their overlapping
-// strips agree, and the patch with those strips blended.
+// Lattice of copies of a texture patch: the steps between copies, so that their overlapping strips agree, and the patch
+// with blended strips.
 #pragma once
 
 #include <opencv2/core/mat.hpp>
@@ -8,28 +8,28 @@
 
 namespace rendering {
 
-/// Where the next patch along an axis begins, so that its first strip lies on this one's last.
-struct Step {
+/// Offset of the next patch along an axis, so that its first strip lies on the last strip of this one.
+struct TileStep {
     int strip = 0;   ///< width of the overlap, px
-    int cut = 0;     ///< px of the patch's beginning that are not laid
-    int along = 0;   ///< from patch to patch
-    int across = 0;  ///< sideways shift from patch to patch
+    int cut = 0;     ///< px at the patch's beginning that are left out
+    int along = 0;   ///< distance from patch to patch, px
+    int across = 0;  ///< sideways shift from patch to patch, px
     double correlation = 0;
 };
 
-/// Of `patch` along its columns (x). Every shift is tried, cutting away at most 128 px; the best strip wins, longer
-/// steps preferred. Sideways shifts, up to half a strip, only where the other axis is laid too. None for fewer than 16
-/// columns.
-std::optional<Step> stepAlongX(const cv::Mat& patch, bool mayShift);
+/// Best step of `patch` along its columns (x). Every shift is compared, with at most 128 px cut away; the strip with the
+/// highest correlation wins, with a preference for long steps. Sideways shifts of up to half a strip are tried if `mayShift`
+/// (the other axis is tiled too). Returns nullopt for fewer than 16 columns.
+std::optional<TileStep> stepAlongX(const cv::Mat& patch, bool mayShift);
 
-/// Patches on the lattice of two steps, one of them at `first`, that reach into a canvas.
-std::vector<cv::Point> lattice(cv::Point first, cv::Size patch, cv::Size canvas, const Step& x, const Step& y);
+/// Positions of the patches on a lattice, with one patch at `first`, that reach into a canvas.
+std::vector<cv::Point> lattice(cv::Point first, cv::Size patch, cv::Size canvas, const TileStep& x, const TileStep& y);
 
-/// The patch with its neighbours blended in: the same wherever it is laid, so made once. Blending takes the mean of two
-/// patches, whose variance is smaller the less they agree: made up for by `agreement`, within the patch's own range.
-cv::Mat blended(const cv::Mat& patch, const Step& x, const Step& y, double agreement);
+/// The patch blended with its neighbours. It is the same for every copy, so it is computed once. The mean of two patches has
+/// less variance, the less they agree; `agreement` restores it within the patch's own range.
+cv::Mat blended(const cv::Mat& patch, const TileStep& x, const TileStep& y, double agreement);
 
-/// Row `row` of what is laid at `places`.
+/// Row `row` of the copies of `laid` at `places`.
 void layRow(std::vector<float>& target, const cv::Mat& laid, const std::vector<cv::Point>& places, int row);
 
 }  // namespace rendering

@@ -29,10 +29,11 @@ public:
         try {
             writePgm(current, frictionImage, protocols::Sync::Later);  // nobody needs it after the session
         } catch (const std::exception& fault) {
-            throw protocols::workFailed({.what = std::string("the display's folder takes no image (") + fault.what() + ")",
-                                         .where = current.string(),
-                                         .expected = "a writable folder",
-                                         .nextStep = "make room or correct the permissions, then show it again"});
+            throw protocols::workFailed(
+                {.what = std::string("the image cannot be written into the display's folder (") + fault.what() + ")",
+                 .where = current.string(),
+                 .expected = "a writable folder",
+                 .nextStep = "free space or correct the permissions, then show the image again"});
         }
     }
 
@@ -47,7 +48,7 @@ std::unique_ptr<HapticDisplay> openFolder(const std::filesystem::path& folder)
 {
     protocols::makeFolders(folder);
     auto display = std::make_unique<FolderDisplay>(folder);
-    display->clear();  // what an earlier session left there must not be felt
+    display->clear();  // The image of an earlier session must not be felt.
     return display;
 }
 
@@ -63,7 +64,7 @@ std::unique_ptr<HapticDisplay> openDisplay(const std::string& specification)
     throw protocols::badInput({.what = "unknown display '" + specification + "'",
                                .where = "",
                                .expected = "none, folder:DIR, exec:COMMAND or tcp:HOST:PORT",
-                               .nextStep = ""});
+                               .nextStep = "correct the name of the display"});
 }
 
 }  // namespace rendering

@@ -1,6 +1,6 @@
-// The electrovibration display as a session sees it: show an image, clear it. Kinds: none (the
-// session runs without a device), a folder that a device's own program watches, and a driver: a
-// program of the display's owner that speaks the protocol of display_protocol.md.
+// The electrovibration display from the view of a session: show an image, clear it. Kinds: none (a session without a
+// device), a folder that a device's own program watches, and a driver. A driver is a program of the display's owner that
+// uses the protocol of display_protocol.md.
 #pragma once
 
 #include <chrono>
@@ -12,36 +12,35 @@
 
 namespace rendering {
 
-/// A finger came down on the display.
+/// A finger touched the display.
 struct Touch {
-    std::chrono::nanoseconds ago{0};  ///< how long before it was told here, where the device knows
+    std::chrono::nanoseconds ago{0};  ///< time between the touch and this report, if the device knows it
 };
 
 class HapticDisplay {
 public:
     virtual ~HapticDisplay() = default;
-    /// Returns when the image can be felt. Throws workFailed where the device does not take it; nothing of
-    /// the session is lost then, and the next call tries anew.
+    /// Returns when the image can be felt. Throws workFailed where the device does not show it; the session loses nothing, and
+    /// the next call tries again.
     virtual void show(const cv::Mat& frictionImage) = 0;
     virtual void clear() = 0;
     virtual std::string name() const = 0;
 
     virtual bool reportsTouches() const { return false; }
-    /// Called, on the thread that shows images, whenever the display begins to be touched; only where it reports touches.
+    /// Sets the function that is called when a finger touches the display, on the thread that shows images.
     virtual void onTouched(std::function<void(const Touch&)>) {}
 
-    /// Can be read whenever the device has something to tell between two calls, and stays the same as long
-    /// as the display lives; -1 where it never has.
+    /// File descriptor that becomes readable when the device sends something between two calls; constant for the lifetime of
+    /// the display. -1 where the device never does.
     virtual int descriptorToWatch() const { return -1; }
-    /// Takes in what the device tells unasked, without waiting. Throws workFailed where the device was lost
-    /// while it showed an image: what was being felt is not to be trusted.
-    virtual void attend() {}
+    /// Processes waiting messages of the device without blocking. Throws workFailed where the device was lost while it showed
+    /// an image, because the felt image is then uncertain.
+    virtual void processMessages() {}
 };
 
-/// "none"; "folder:DIR" (keeps DIR/current.pgm: the image shown, all 0 while cleared; replaced by rename,
-/// so that a reader never sees half of one); "exec:COMMAND" (a driver that is started here and speaks over
-/// its standard streams); "tcp:HOST:PORT" (a driver that waits for us). Throws badInput for any other,
-/// workFailed for a driver that does not answer.
+/// "none"; "folder:DIR" (keeps DIR/current.pgm: the shown image, all 0 while cleared; replaced by rename, so that a reader
+/// never sees half an image); "exec:COMMAND" (a driver that is started and uses its standard streams); "tcp:HOST:PORT" (a
+/// driver that waits for a connection). Throws badInput for any other, workFailed for a driver that does not answer.
 std::unique_ptr<HapticDisplay> openDisplay(const std::string& specification);
 
 }  // namespace rendering

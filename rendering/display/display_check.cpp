@@ -4,7 +4,7 @@
 #include <thread>
 
 #include "rendering/composition/friction_image.h"
-#include "rendering/display/driver_talk.h"
+#include "rendering/display/driver_dialogue.h"
 
 namespace rendering {
 
@@ -12,11 +12,10 @@ namespace {
 
 using std::chrono::milliseconds;
 using std::chrono::steady_clock;
-using Kind = DriverMessage::Kind;
 
 constexpr int timedImages = 10;
 
-/// Line ends, braces and every other value: bytes that a driver must count and not read as lines.
+/// Image of line ends, braces and all other values: a driver must count these bytes and not read them as lines.
 std::string trickyImage(int widthPx, int heightPx)
 {
     const std::string request = "\n" + clearLine(1) + "\r\n\x1a";
@@ -26,23 +25,23 @@ std::string trickyImage(int widthPx, int heightPx)
     return image;
 }
 
-class Check {
+class DriverCheck {
 public:
-    Check(const DriverAddress& address, const DisplayCheckOptions& options)
-        : m_address(address), m_options(options), m_talk(address, options.patience)
+    DriverCheck(const DriverAddress& address, const DisplayCheckOptions& options)
+        : m_address(address), m_options(options), m_driver(address, options.patience)
     {
     }
 
-    DisplayCheck run(const std::function<void(const DisplayDemand&)>& tell);
+    DisplayCheck run(const std::function<void(const DisplayDemand&)>& report);
 
 private:
     struct Demand {
         const char* text;
-        std::string (Check::*faultOf)();
+        std::string (DriverCheck::*faultOf)();
     };
     static const std::vector<Demand>& demands();
 
-    // ---- the demands; each returns what is wrong, or an empty text
+    // The requirements; each function returns the fault, or an empty text.
     std::string hello();
     std::string nothingFirst();
     std::string shows();
@@ -59,227 +58,231 @@ private:
     std::string touches();
     std::string endsAtEndOfFile();
     std::string beginsAgain();
-    std::string saysNothingElse() { return m_talk.stray(); }
+    std::string saysNothingElse() { return m_driver.unexpected(); }
 
     std::optional<DriverMessage> shown(std::string_view image = {});
-    std::string expect(const std::optional<DriverMessage>& said, Kind kind);
+    std::string expect(const std::optional<DriverMessage>& reply, MessageKind kind);
     std::string expectShowing(std::optional<std::int64_t> image);
 
     DriverAddress m_address;
     DisplayCheckOptions m_options;
     DisplayCheck m_result;
-    DriverTalk m_talk;
+    DriverDialogue m_driver;
 };
 
-const std::vector<Check::Demand>& Check::demands()
+const std::vector<DriverCheck::Demand>& DriverCheck::demands()
 {
     static const std::vector<Demand> table{
-        {"says hello, with its schema, a name and the size of its surface", &Check::hello},
-        {"shows nothing after hello", &Check::nothingFirst},
-        {"shows an image and says so in time", &Check::shows},
-        {"its status names the image that it shows", &Check::statusNamesTheImage},
-        {"takes the bytes of an image as bytes, whatever they look like", &Check::imageBytesAreNoLines},
-        {"a new image takes the place of the one before", &Check::newImageReplaces},
-        {"clears in time, and its status says so", &Check::clears},
-        {"clearing what is clear is no fault", &Check::clearsTwice},
-        {"answers requests that come at once, in their order", &Check::manyAtOnce},
-        {"understands a request that comes in pieces", &Check::inPieces},
-        {"answers \"failed\" to a request that it does not know, and goes on", &Check::unknownRequest},
-        {"answers a hello of a newer schema with its own", &Check::newerSchema},
-        {"shows or refuses an image of another size, and goes on", &Check::wrongSize},
-        {"tells a touch, with the id of the image", &Check::touches},
-        {"says nothing but messages: one reply a request, touches of the image shown alone", &Check::saysNothingElse},
-        {"ends showing when its input ends", &Check::endsAtEndOfFile},
-        {"can be begun again and then works", &Check::beginsAgain},
+        {"sends hello with its schema, a name and the size of its surface", &DriverCheck::hello},
+        {"shows nothing after hello", &DriverCheck::nothingFirst},
+        {"shows an image and replies in time", &DriverCheck::shows},
+        {"names the shown image in its status", &DriverCheck::statusNamesTheImage},
+        {"counts the bytes of an image and does not interpret them", &DriverCheck::imageBytesAreNoLines},
+        {"replaces the image by a new one", &DriverCheck::newImageReplaces},
+        {"clears in time and states it in its status", &DriverCheck::clears},
+        {"accepts a second clear", &DriverCheck::clearsTwice},
+        {"answers several requests at once in their order", &DriverCheck::manyAtOnce},
+        {"reads a request that arrives in pieces", &DriverCheck::inPieces},
+        {"answers \"failed\" to an unknown request and continues", &DriverCheck::unknownRequest},
+        {"answers a hello of a newer schema with its own schema", &DriverCheck::newerSchema},
+        {"shows or refuses an image of another size and continues", &DriverCheck::wrongSize},
+        {"reports a touch with the id of the image", &DriverCheck::touches},
+        {"sends only messages: one reply to each request, and touches of the shown image", &DriverCheck::saysNothingElse},
+        {"stops showing when its input ends", &DriverCheck::endsAtEndOfFile},
+        {"works after it is started again", &DriverCheck::beginsAgain},
     };
     return table;
 }
 
-DisplayCheck Check::run(const std::function<void(const DisplayDemand&)>& tell)
+DisplayCheck DriverCheck::run(const std::function<void(const DisplayDemand&)>& report)
 {
     for (const Demand& demand : demands()) {
-        const bool isAsked = demand.faultOf != &Check::touches || m_options.touchWithin.count() > 0;
+        const bool isAsked = demand.faultOf != &DriverCheck::touches || m_options.touchWithin.count() > 0;
         if (!isAsked) continue;
-        const bool needsDriver = demand.faultOf != &Check::saysNothingElse;
+        const bool needsDriver = demand.faultOf != &DriverCheck::saysNothingElse;
         std::string fault;
-        // What it said instead of hello is told; of one that said nothing, nothing is known.
-        if (m_talk.hello().schema.empty() && !m_result.demands.empty() && (needsDriver || m_talk.stray().empty()))
-            fault = "could not be asked: there was no hello";
-        else if (needsDriver && !m_talk.isOpen() && demand.faultOf != &Check::hello)
-            fault = m_talk.opening();
+        // Without a hello only an unexpected message can be reported.
+        if (m_driver.hello().schema.empty() && !m_result.demands.empty() && (needsDriver || m_driver.unexpected().empty()))
+            fault = "could not be tested, because there was no hello";
+        else if (needsDriver && !m_driver.isOpen() && demand.faultOf != &DriverCheck::hello)
+            fault = m_driver.opening();
         else
             fault = (this->*demand.faultOf)();
-        if (!fault.empty() && needsDriver) m_talk.drop();
-        m_result.name = m_talk.hello().name;
+        if (!fault.empty() && needsDriver) m_driver.drop();
+        m_result.name = m_driver.hello().name;
         m_result.demands.push_back({demand.text, fault});
-        if (tell) tell(m_result.demands.back());
+        if (report) report(m_result.demands.back());
     }
     return m_result;
 }
 
-/// The image, or a grey one of the size that it told.
-std::optional<DriverMessage> Check::shown(std::string_view image)
+/// Shows `image`, or a grey image of the size that the driver stated.
+std::optional<DriverMessage> DriverCheck::shown(std::string_view image)
 {
-    const int width = m_talk.hello().widthPx > 0 ? m_talk.hello().widthPx : displayWidthPx;
-    const int height = m_talk.hello().heightPx > 0 ? m_talk.hello().heightPx : displayHeightPx;
+    const int width = m_driver.hello().widthPx > 0 ? m_driver.hello().widthPx : displayWidthPx;
+    const int height = m_driver.hello().heightPx > 0 ? m_driver.hello().heightPx : displayHeightPx;
     const std::string grey(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), '\x80');
     const std::string_view bytes = image.empty() ? std::string_view(grey) : image;
-    const std::int64_t id = m_talk.nextId();
-    m_talk.showing = id;
-    return m_talk.ask(showLine(id, width, height, bytes.size()), bytes);
+    const std::int64_t id = m_driver.nextId();
+    m_driver.showing = id;
+    return m_driver.ask(showLine(id, width, height, bytes.size()), bytes);
 }
 
-std::string Check::expect(const std::optional<DriverMessage>& said, Kind kind)
+std::string DriverCheck::expect(const std::optional<DriverMessage>& reply, MessageKind kind)
 {
-    if (said && said->kind == kind) return {};
-    return said ? "answers " + seen(said) : m_talk.lost("no reply");
+    if (reply && reply->kind == kind) return {};
+    return reply ? "answers " + inWords(reply) : m_driver.withReason("no reply");
 }
 
-std::string Check::expectShowing(std::optional<std::int64_t> image)
+std::string DriverCheck::expectShowing(std::optional<std::int64_t> image)
 {
-    const auto said = m_talk.ask(statusLine(m_talk.nextId()));
-    if (!said || said->kind != Kind::Status) return "status: " + expect(said, Kind::Status);
-    return said->showing == image ? "" : "its status is " + seen(said);
+    const auto reply = m_driver.ask(statusLine(m_driver.nextId()));
+    if (!reply || reply->kind != MessageKind::Status) return "status: " + expect(reply, MessageKind::Status);
+    return reply->showing == image ? "" : "its status is " + inWords(reply);
 }
 
-std::string Check::hello()
+std::string DriverCheck::hello()
 {
-    if (!m_talk.isOpen()) return m_talk.opening();
-    if (m_talk.hello().schema != displaySchema) return "its schema is \"" + m_talk.hello().schema + "\", not " + displaySchema;
-    if (m_talk.hello().name.empty()) return "it tells no name";
-    return m_talk.hello().widthPx > 0 && m_talk.hello().heightPx > 0 ? "" : "it tells no width and height";
+    if (!m_driver.isOpen()) return m_driver.opening();
+    if (m_driver.hello().schema != displaySchema)
+        return "its schema is \"" + m_driver.hello().schema + "\", not " + displaySchema;
+    if (m_driver.hello().name.empty()) return "its hello has no name";
+    return m_driver.hello().widthPx > 0 && m_driver.hello().heightPx > 0 ? "" : "its hello has no width and height";
 }
 
-std::string Check::nothingFirst() { return expectShowing(std::nullopt); }
+std::string DriverCheck::nothingFirst() { return expectShowing(std::nullopt); }
 
-std::string Check::shows()
+std::string DriverCheck::shows()
 {
     for (int image = 0; image < timedImages; ++image)
         for (const bool isShow : {true, false}) {
             const Instant begin = steady_clock::now();
-            const auto said = isShow ? shown() : m_talk.ask(clearLine(m_talk.nextId()));
-            if (const auto fault = expect(said, isShow ? Kind::Shown : Kind::Cleared); !fault.empty()) return fault;
+            const auto reply = isShow ? shown() : m_driver.ask(clearLine(m_driver.nextId()));
+            if (const auto fault = expect(reply, isShow ? MessageKind::Shown : MessageKind::Cleared); !fault.empty())
+                return fault;
             const std::chrono::duration<double, std::milli> took = steady_clock::now() - begin;
             (isShow ? m_result.showMs : m_result.clearMs).push_back(took.count());
         }
     return {};
 }
 
-std::string Check::statusNamesTheImage()
+std::string DriverCheck::statusNamesTheImage()
 {
-    const auto fault = expect(shown(), Kind::Shown);
-    return fault.empty() ? expectShowing(m_talk.showing) : fault;
+    const auto fault = expect(shown(), MessageKind::Shown);
+    return fault.empty() ? expectShowing(m_driver.showing) : fault;
 }
 
-std::string Check::imageBytesAreNoLines()
+std::string DriverCheck::imageBytesAreNoLines()
 {
-    const int width = std::max(1, m_talk.hello().widthPx), height = std::max(1, m_talk.hello().heightPx);
-    const auto fault = expect(shown(trickyImage(width, height)), Kind::Shown);
-    return fault.empty() ? expectShowing(m_talk.showing) : fault;
+    const int width = std::max(1, m_driver.hello().widthPx), height = std::max(1, m_driver.hello().heightPx);
+    const auto fault = expect(shown(trickyImage(width, height)), MessageKind::Shown);
+    return fault.empty() ? expectShowing(m_driver.showing) : fault;
 }
 
-std::string Check::newImageReplaces()
+std::string DriverCheck::newImageReplaces()
 {
     for (int image = 0; image < 2; ++image)
-        if (const auto fault = expect(shown(), Kind::Shown); !fault.empty()) return fault;
-    return expectShowing(m_talk.showing);
+        if (const auto fault = expect(shown(), MessageKind::Shown); !fault.empty()) return fault;
+    return expectShowing(m_driver.showing);
 }
 
-std::string Check::clears()
+std::string DriverCheck::clears()
 {
-    if (const auto fault = expect(shown(), Kind::Shown); !fault.empty()) return fault;
-    if (const auto fault = expect(m_talk.ask(clearLine(m_talk.nextId())), Kind::Cleared); !fault.empty()) return fault;
-    m_talk.showing.reset();
+    if (const auto fault = expect(shown(), MessageKind::Shown); !fault.empty()) return fault;
+    if (const auto fault = expect(m_driver.ask(clearLine(m_driver.nextId())), MessageKind::Cleared); !fault.empty()) return fault;
+    m_driver.showing.reset();
     return expectShowing(std::nullopt);
 }
 
-std::string Check::clearsTwice()
+std::string DriverCheck::clearsTwice()
 {
     for (int time = 0; time < 2; ++time)
-        if (const auto fault = expect(m_talk.ask(clearLine(m_talk.nextId())), Kind::Cleared); !fault.empty()) return fault;
-    m_talk.showing.reset();
+        if (const auto fault = expect(m_driver.ask(clearLine(m_driver.nextId())), MessageKind::Cleared); !fault.empty())
+            return fault;
+    m_driver.showing.reset();
     return {};
 }
 
-std::string Check::manyAtOnce()
+std::string DriverCheck::manyAtOnce()
 {
     const std::string image = trickyImage(16, 10);
-    const std::int64_t first = m_talk.nextId();
+    const std::int64_t first = m_driver.nextId();
     constexpr int requests = 4;
-    m_talk.open(requests);
-    m_talk.showing = first;
-    if (!m_talk.send(showLine(first, 16, 10, image.size()) + image + statusLine(first + 1) + clearLine(first + 2) +
-                     statusLine(first + 3)))
-        return m_talk.lost("it takes no more");
+    m_driver.open(requests);
+    m_driver.showing = first;
+    if (!m_driver.send(showLine(first, 16, 10, image.size()) + image + statusLine(first + 1) + clearLine(first + 2) +
+                       statusLine(first + 3)))
+        return m_driver.withReason("it accepts no more bytes");
     for (std::int64_t id = first; id < first + requests; ++id) {
-        const auto found = m_talk.reply(id);
-        if (!found) return m_talk.lost("no reply to request " + std::to_string(id - first + 1) + " of 4");
-        if (m_talk.hasOtherReplies()) return "the replies come in another order";  // one came before its turn
+        const auto found = m_driver.reply(id);
+        if (!found) return m_driver.withReason("no reply to request " + std::to_string(id - first + 1) + " of 4");
+        if (m_driver.hasOtherReplies()) return "the replies come in another order";
     }
-    m_talk.showing.reset();
+    m_driver.showing.reset();
     return {};
 }
 
-std::string Check::inPieces()
+std::string DriverCheck::inPieces()
 {
-    const std::int64_t id = m_talk.nextId();
+    const std::int64_t id = m_driver.nextId();
     const std::string line = statusLine(id);
-    m_talk.open(1);
+    m_driver.open(1);
     for (const std::size_t begin : {std::size_t{0}, line.size() / 3, 2 * line.size() / 3}) {
-        if (!m_talk.send(line.substr(begin, begin == 2 * line.size() / 3 ? line.npos : line.size() / 3)))
-            return m_talk.lost("it takes no more");
+        if (!m_driver.send(line.substr(begin, begin == 2 * line.size() / 3 ? line.npos : line.size() / 3)))
+            return m_driver.withReason("it accepts no more bytes");
         std::this_thread::sleep_for(milliseconds(20));
     }
-    return expect(m_talk.reply(id), Kind::Status);
+    return expect(m_driver.reply(id), MessageKind::Status);
 }
 
-std::string Check::unknownRequest()
+std::string DriverCheck::unknownRequest()
 {
-    const std::string line = "{\"type\":\"wobble\",\"id\":" + std::to_string(m_talk.nextId()) + "}\n";
-    if (const auto fault = expect(m_talk.ask(line), Kind::Failed); !fault.empty()) return fault;
-    return expect(m_talk.ask(statusLine(m_talk.nextId())), Kind::Status);
+    const std::string line = "{\"type\":\"wobble\",\"id\":" + std::to_string(m_driver.nextId()) + "}\n";
+    if (const auto fault = expect(m_driver.ask(line), MessageKind::Failed); !fault.empty()) return fault;
+    return expect(m_driver.ask(statusLine(m_driver.nextId())), MessageKind::Status);
 }
 
-std::string Check::newerSchema()
+std::string DriverCheck::newerSchema()
 {
-    const auto said = m_talk.ask(helloLine(m_talk.nextId(), "vis2hap.display/99"));
-    if (const auto fault = expect(said, Kind::Hello); !fault.empty()) return fault;
-    return said->schema == displaySchema ? "" : "it answers with \"" + said->schema + "\"";
+    const auto reply = m_driver.ask(helloLine(m_driver.nextId(), "vis2hap.display/99"));
+    if (const auto fault = expect(reply, MessageKind::Hello); !fault.empty()) return fault;
+    return reply->schema == displaySchema ? "" : "it answers with \"" + reply->schema + "\"";
 }
 
-std::string Check::wrongSize()
+std::string DriverCheck::wrongSize()
 {
     const std::string image(7 * 5, '\x40');
-    m_talk.showing = m_talk.nextId();
-    const auto said = m_talk.ask(showLine(*m_talk.showing, 7, 5, image.size()), image);
-    if (!said || (said->kind != Kind::Shown && said->kind != Kind::Failed)) return expect(said, Kind::Shown);
-    return expect(m_talk.ask(clearLine(m_talk.nextId())), Kind::Cleared);
+    m_driver.showing = m_driver.nextId();
+    const auto reply = m_driver.ask(showLine(*m_driver.showing, 7, 5, image.size()), image);
+    if (!reply || (reply->kind != MessageKind::Shown && reply->kind != MessageKind::Failed))
+        return expect(reply, MessageKind::Shown);
+    return expect(m_driver.ask(clearLine(m_driver.nextId())), MessageKind::Cleared);
 }
 
-std::string Check::touches()
+std::string DriverCheck::touches()
 {
-    if (!m_talk.hello().touches) return "its hello says that it tells no touches";
-    if (const auto fault = expect(shown(), Kind::Shown); !fault.empty()) return fault;
-    m_talk.awaitTouch(steady_clock::now() + m_options.touchWithin);
-    return m_talk.isTouched() ? "" : m_talk.lost("no touch was told");
+    if (!m_driver.hello().touches) return "its hello states that it reports no touches";
+    if (const auto fault = expect(shown(), MessageKind::Shown); !fault.empty()) return fault;
+    m_driver.awaitTouch(steady_clock::now() + m_options.touchWithin);
+    return m_driver.isTouched() ? "" : m_driver.withReason("no touch was reported");
 }
 
-/// A program ends; whoever waits for connections shows nothing to the next.
-std::string Check::endsAtEndOfFile()
+/// A started program must end. A driver that waits for connections must show nothing to the next one.
+std::string DriverCheck::endsAtEndOfFile()
 {
-    if (const auto fault = expect(shown(), Kind::Shown); !fault.empty()) return fault;
-    const bool hasEnded = m_talk.endInput(steady_clock::now() + m_options.patience.reply);
-    if (!hasEnded) return "it went on after the end of its input, and was ended";
+    if (const auto fault = expect(shown(), MessageKind::Shown); !fault.empty()) return fault;
+    const bool hasEnded = m_driver.endInput(steady_clock::now() + m_options.patience.reply);
+    if (!hasEnded) return "it continued after the end of its input and was killed";
     if (m_address.isProgram()) return {};
-    return m_talk.isOpen() ? expectShowing(std::nullopt) : m_talk.opening();
+    return m_driver.isOpen() ? expectShowing(std::nullopt) : m_driver.opening();
 }
 
-std::string Check::beginsAgain()
+std::string DriverCheck::beginsAgain()
 {
-    m_talk.drop();
-    if (!m_talk.isOpen()) return m_talk.opening();
-    if (const auto fault = expect(shown(), Kind::Shown); !fault.empty()) return fault;
-    return expect(m_talk.ask(clearLine(m_talk.nextId())), Kind::Cleared);
+    m_driver.drop();
+    if (!m_driver.isOpen()) return m_driver.opening();
+    if (const auto fault = expect(shown(), MessageKind::Shown); !fault.empty()) return fault;
+    return expect(m_driver.ask(clearLine(m_driver.nextId())), MessageKind::Cleared);
 }
 
 }  // namespace
@@ -291,9 +294,9 @@ int DisplayCheck::faults() const
 }
 
 DisplayCheck checkDisplay(const DriverAddress& address, const DisplayCheckOptions& options,
-                          const std::function<void(const DisplayDemand&)>& tell)
+                          const std::function<void(const DisplayDemand&)>& report)
 {
-    return Check(address, options).run(tell);
+    return DriverCheck(address, options).run(report);
 }
 
 }  // namespace rendering

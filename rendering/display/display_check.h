@@ -1,4 +1,4 @@
-// What display_protocol.md demands of a driver, asked of one: for the owner of a display, before a study.
+// Check of a driver against the requirements of display_protocol.md, for the owner of a display before a study.
 #pragma once
 
 #include <functional>
@@ -10,25 +10,25 @@
 namespace rendering {
 
 struct DisplayDemand {
-    std::string demand;  ///< "says hello, ..."
-    std::string fault;   ///< what it did instead; empty where it meets the demand
+    std::string demand;  ///< requirement in words
+    std::string fault;   ///< what the driver did instead; empty where it meets the requirement
 };
 
 struct DisplayCheck {
-    std::string name;  ///< as its hello told it
+    std::string name;  ///< as stated in its hello
     std::vector<DisplayDemand> demands;
-    std::vector<double> showMs, clearMs;  ///< from the first byte of a request to its reply, full-size images
+    std::vector<double> showMs, clearMs;  ///< time from the first byte of a request to its reply, full-size images
 
     int faults() const;
 };
 
 struct DisplayCheckOptions {
     DriverPatience patience;
-    std::chrono::milliseconds touchWithin{0};  ///< wait so long for somebody to touch the display; 0: not asked
+    std::chrono::milliseconds touchWithin{0};  ///< time to wait for a finger on the display; 0 skips this test
 };
 
-/// Begins the driver, as often as needed, and asks it everything; `tell` hears each demand when it is decided.
+/// Starts the driver, as often as needed, and tests every requirement; `report` receives each result.
 DisplayCheck checkDisplay(const DriverAddress& address, const DisplayCheckOptions& options = {},
-                          const std::function<void(const DisplayDemand&)>& tell = {});
+                          const std::function<void(const DisplayDemand&)>& report = {});
 
 }  // namespace rendering

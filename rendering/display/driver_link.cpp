@@ -19,7 +19,7 @@
 
 #include "protocols/files/errors.h"
 
-extern char** environ;  // NOLINT: the C library's own
+extern char** environ;  // NOLINT: declared by the C library.
 
 namespace rendering {
 
@@ -28,7 +28,7 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::steady_clock;
 
-constexpr std::size_t mostWaiting = std::size_t{1} << 22;  // bytes of lines that nobody has asked for yet
+constexpr std::size_t mostWaiting = std::size_t{1} << 22;  // Bytes of lines that have not been requested yet.
 constexpr std::size_t errorTextKept = 2000;
 
 std::string systemText() { return std::strerror(errno); }
@@ -46,7 +46,7 @@ int millisecondsTo(Instant deadline)
 
 void setOption(int socket, int level, int option, int value) { ::setsockopt(socket, level, option, &value, sizeof value); }
 
-/// Small requests go out at once, and a computer that is gone is noticed within seconds.
+/// Sends small requests at once, and detects a lost computer within seconds.
 void tuneConnection(int socket)
 {
     setOption(socket, IPPROTO_TCP, TCP_NODELAY, 1);
@@ -56,7 +56,7 @@ void tuneConnection(int socket)
     setOption(socket, IPPROTO_TCP, TCP_KEEPCNT, 3);
 }
 
-/// The error number of the attempt; 0 where it is connected.
+/// Error number of the attempt; 0 where it is connected.
 int connectBefore(int socket, const addrinfo& place, Instant deadline)
 {
     if (::connect(socket, place.ai_addr, place.ai_addrlen) == 0) return 0;
@@ -80,7 +80,7 @@ std::string lastLineOf(const std::string& text)
 std::string endingText(int status)
 {
     if (WIFSIGNALED(status)) return "was ended by signal " + std::to_string(WTERMSIG(status));
-    constexpr int shellsSignal = 128;  // the shell between us ends with 128 + signal
+    constexpr int shellsSignal = 128;  // The shell in between ends with 128 + signal.
     if (WEXITSTATUS(status) > shellsSignal) return "was ended by signal " + std::to_string(WEXITSTATUS(status) - shellsSignal);
     return "ended with exit code " + std::to_string(WEXITSTATUS(status));
 }
@@ -97,8 +97,10 @@ std::optional<DriverAddress> driverAddressFrom(const std::string& specification)
 {
     const std::string exec = "exec:", tcp = "tcp:";
     const auto refusal = [&](const std::string& expected) {
-        return protocols::badInput(
-            {.what = "display '" + specification + "' names no driver", .where = "", .expected = expected, .nextStep = ""});
+        return protocols::badInput({.what = "display '" + specification + "' names no driver",
+                                    .where = "",
+                                    .expected = expected,
+                                    .nextStep = "correct the name of the display"});
     };
     if (specification.starts_with(exec)) {
         if (specification.find_first_not_of(' ', exec.size()) == std::string::npos) throw refusal("exec:COMMAND");
@@ -123,7 +125,7 @@ DriverLink::DriverLink(const DriverAddress& address, Instant deadline)
 
 DriverLink::~DriverLink() { close(steady_clock::now() + milliseconds(500)); }
 
-/// Its standard input and output are one socket: writing to a dead driver then fails instead of raising SIGPIPE.
+/// Standard input and output are one socket, so that writing to an ended driver fails without SIGPIPE.
 void DriverLink::startProgram(const std::string& command)
 {
     std::array<int, 2> streams{}, errors{};
@@ -138,7 +140,7 @@ void DriverLink::startProgram(const std::string& command)
     posix_spawn_file_actions_adddup2(&actions, streams[1], STDIN_FILENO);
     posix_spawn_file_actions_adddup2(&actions, streams[1], STDOUT_FILENO);
     posix_spawn_file_actions_adddup2(&actions, errors[1], STDERR_FILENO);
-    // A group of its own: Ctrl-C in the terminal is ours alone, and all that the command starts can be ended.
+    // A process group of its own: Ctrl-C in the terminal reaches only this program, and all child processes can be ended.
     posix_spawnattr_t attributes;
     posix_spawnattr_init(&attributes);
     posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
@@ -185,10 +187,10 @@ bool DriverLink::send(std::string_view bytes, Instant deadline)
         if (sent > 0)
             bytes.remove_prefix(static_cast<std::size_t>(sent));
         else if (errno == EAGAIN || errno == EWOULDBLOCK)
-            // It may be waiting for us to read before it reads on.
+            // The driver may wait until we read.
             pump(POLLIN | POLLOUT, deadline);
         else if (errno != EINTR)
-            takeIn();  // tells why
+            takeIn();  // Sets the reason.
         if (sent <= 0 && !isLost() && steady_clock::now() >= deadline) return false;
     }
     return bytes.empty();
@@ -204,7 +206,7 @@ std::optional<std::string> DriverLink::receive(Instant deadline)
     }
 }
 
-/// Waits until something can be read (or sent, where asked for) and takes in what there is.
+/// Waits until something can be read (or sent, if requested) and reads what has arrived.
 void DriverLink::pump(short events, Instant deadline)
 {
     std::array<pollfd, 2> waiting{pollfd{m_socket, events, 0}, pollfd{m_errors, POLLIN, 0}};
@@ -221,7 +223,7 @@ void DriverLink::takeIn()
         m_incoming.append(chunk.data(), static_cast<std::size_t>(got));
     const bool isOpen = got > 0 || (got < 0 && (errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR));
     if (m_incoming.size() >= mostWaiting)
-        m_trouble = "says more than anybody asked for";
+        m_trouble = "sends more than was requested";
     else if (!isOpen)
         m_trouble = m_program > 0 ? "closed its standard output" : "closed the connection";
 }
@@ -234,7 +236,7 @@ void DriverLink::takeErrors()
         m_errorText.append(chunk.data(), static_cast<std::size_t>(got));
         if (m_errorText.size() > errorTextKept) m_errorText.erase(0, m_errorText.size() - errorTextKept);
     }
-    if (got == 0) {  // closed: it would be readable for ever
+    if (got == 0) {  // At end of file the descriptor would stay readable.
         ::close(m_errors);
         m_errors = -1;
     }
@@ -264,7 +266,7 @@ std::string DriverLink::trouble()
     if (m_ending) text = endingText(*m_ending);
     if (m_errors >= 0) takeErrors();
     const std::string words = lastLineOf(m_errorText);
-    return words.empty() ? text : text + "; it said: " + words;
+    return words.empty() ? text : text + "; its error text: " + words;
 }
 
 bool DriverLink::waitForEnd(Instant deadline)

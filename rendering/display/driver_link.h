@@ -1,6 +1,6 @@
-// The way to a display's driver and back: a program that is started here, or a TCP connection. Bytes
-// out, lines in, never without a deadline; a driver that dies or babbles is a state of the link, not a
-// signal and not an exception.
+// Connection to a display's driver: a program that is started here, or a TCP connection. It sends bytes and receives
+// lines, always with a deadline. A driver that ends or floods the connection is a state of the link, not a signal and
+// not an exception.
 #pragma once
 
 #include <sys/types.h>
@@ -15,46 +15,46 @@ namespace rendering {
 
 using Instant = std::chrono::steady_clock::time_point;
 
-/// Where a driver is to be had: a command for the shell, or host and port.
+/// Address of a driver: a command for the shell, or host and port.
 struct DriverAddress {
     std::string command;
     std::string host, port;
 
     bool isProgram() const { return !command.empty(); }
-    std::string text() const;  ///< "exec:COMMAND", "tcp:HOST:PORT"
+    std::string text() const;  ///< "exec:COMMAND" or "tcp:HOST:PORT"
 };
 
-/// None for other kinds of display. Throws badInput for "exec:" without a command or "tcp:" without host or port.
+/// Returns nullopt for other kinds of display. Throws badInput for "exec:" without a command or "tcp:" without host or port.
 std::optional<DriverAddress> driverAddressFrom(const std::string& specification);
 
 class DriverLink {
 public:
     static constexpr std::size_t longestLine = 65536;
 
-    /// Where the program cannot be started or nobody takes the connection it is lost from the beginning.
+    /// The link is lost from the beginning where the program cannot be started or the connection is refused.
     DriverLink(const DriverAddress& address, Instant deadline);
-    /// Ends it as `close` does.
+    /// Ends the driver like `close`.
     ~DriverLink();
     DriverLink(const DriverLink&) = delete;
     DriverLink& operator=(const DriverLink&) = delete;
 
-    /// False where the deadline passed or the driver was lost before all of it went out.
+    /// Returns false where the deadline passed or the driver was lost before all bytes were sent.
     bool send(std::string_view bytes, Instant deadline);
-    /// The next line without its end; none where the deadline passed or the driver was lost. Lines that are there
-    /// already are given out even then, so whoever waits for a certain one minds the time itself.
+    /// The next line without its line end; nullopt where the deadline passed or the driver was lost. Lines that have already
+    /// arrived are returned even after the deadline, so a caller that waits for a certain line must check the time.
     std::optional<std::string> receive(Instant deadline);
 
     bool isLost() const { return !m_trouble.empty(); }
-    /// A whole line was read ahead; the socket will not tell of it again.
+    /// True where a whole line was read ahead; the socket does not report it again.
     bool hasLineWaiting() const { return m_incoming.find('\n') != std::string::npos; }
-    /// Why it was lost: "ended with exit code 3", with what it wrote to standard error; empty while all is well.
+    /// Reason of the loss, such as "ended with exit code 3", with the driver's error text; empty while the link works.
     std::string trouble();
-    /// Can be read when there is something to receive; the second, its standard error, is -1 where there is none.
+    /// Descriptors that become readable when something arrives; errorStream() is -1 where there is none.
     int socket() const { return m_socket; }
     int errorStream() const { return m_errors; }
 
-    /// Gives the driver its end of file. A program that has not ended by the deadline is ended. True where
-    /// it ended by itself; always for a connection.
+    /// Closes the driver's input. A program that has not ended by the deadline is killed. Returns true where it ended by
+    /// itself, and always for a connection.
     bool close(Instant deadline);
 
 private:
@@ -69,9 +69,9 @@ private:
     int m_socket = -1;
     int m_errors = -1;
     pid_t m_program = -1;
-    std::optional<int> m_ending;  ///< as waitpid tells it
+    std::optional<int> m_ending;  ///< status from waitpid
     std::string m_incoming, m_errorText, m_trouble;
-    std::size_t m_searched = 0;  ///< so much of what came in holds no line end
+    std::size_t m_searched = 0;  ///< number of received bytes that contain no line end
 };
 
 }  // namespace rendering

@@ -8,23 +8,23 @@ namespace rendering {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using Kind = DriverMessage::Kind;
 
 struct KindRow {
-    Kind kind;
+    MessageKind kind;
     const char* name;
 };
-constexpr KindRow kinds[] = {{Kind::Hello, "hello"},   {Kind::Shown, "shown"},     {Kind::Cleared, "cleared"},
-                             {Kind::Status, "status"}, {Kind::Touched, "touched"}, {Kind::Failed, "failed"}};
+constexpr KindRow kinds[] = {{MessageKind::Hello, "hello"},     {MessageKind::Shown, "shown"},
+                             {MessageKind::Cleared, "cleared"}, {MessageKind::Status, "status"},
+                             {MessageKind::Touched, "touched"}, {MessageKind::Failed, "failed"}};
 
-std::optional<Kind> kindNamed(const Json& name)
+std::optional<MessageKind> kindNamed(const Json& name)
 {
     for (const KindRow& row : kinds)
         if (name == row.name) return row.kind;
     return std::nullopt;
 }
 
-/// A field that is missing or null leaves `target`; one of another kind than asked for spoils the message.
+/// Reads a field into `target`. A missing or null field leaves it; a field of the wrong type makes the message invalid.
 template <class Value>
 bool take(const Json& message, const char* field, bool (Json::*isRight)() const noexcept, Value& target)
 {
@@ -35,7 +35,7 @@ bool take(const Json& message, const char* field, bool (Json::*isRight)() const 
     return true;
 }
 
-/// A number that counts; drivers in languages without integers write 7.0.
+/// Reads a whole number. Drivers in languages without integers write 7.0.
 bool takeCount(const Json& message, const char* field, std::optional<std::int64_t>& target)
 {
     constexpr double most = 9e15;
@@ -48,22 +48,22 @@ bool takeCount(const Json& message, const char* field, std::optional<std::int64_
     return true;
 }
 
-bool takeFields(const Json& message, DriverMessage& said)
+bool takeFields(const Json& message, DriverMessage& result)
 {
     std::optional<std::int64_t> id, width, height;
     double deviceS = std::nan("");
     const bool isWhole =
         takeCount(message, "id", id) && takeCount(message, "width", width) && takeCount(message, "height", height) &&
-        takeCount(message, "showing", said.showing) && take(message, "at_s", &Json::is_number, deviceS) &&
-        take(message, "schema", &Json::is_string, said.schema) && take(message, "name", &Json::is_string, said.name) &&
-        take(message, "why", &Json::is_string, said.why) && take(message, "touches", &Json::is_boolean, said.touches);
+        takeCount(message, "showing", result.showing) && take(message, "at_s", &Json::is_number, deviceS) &&
+        take(message, "schema", &Json::is_string, result.schema) && take(message, "name", &Json::is_string, result.name) &&
+        take(message, "why", &Json::is_string, result.why) && take(message, "touches", &Json::is_boolean, result.touches);
     if (!isWhole || !id) return false;
-    said.id = *id;
+    result.id = *id;
     constexpr std::int64_t widest = 1 << 14;
-    said.widthPx = static_cast<int>(std::min(width.value_or(0), widest));
-    said.heightPx = static_cast<int>(std::min(height.value_or(0), widest));
-    constexpr double latest = 4e9;  // beyond any clock's seconds, and differences still fit into nanoseconds
-    if (std::abs(deviceS) <= latest) said.deviceS = deviceS;
+    result.widthPx = static_cast<int>(std::min(width.value_or(0), widest));
+    result.heightPx = static_cast<int>(std::min(height.value_or(0), widest));
+    constexpr double latest = 4e9;  // Larger than any clock in seconds, while differences still fit into nanoseconds.
+    if (std::abs(deviceS) <= latest) result.deviceS = deviceS;
     return true;
 }
 
@@ -71,7 +71,7 @@ std::string lineOf(const Json& request) { return request.dump() + "\n"; }
 
 }  // namespace
 
-const char* nameOf(Kind kind)
+const char* nameOf(MessageKind kind)
 {
     for (const KindRow& row : kinds)
         if (row.kind == kind) return row.name;
@@ -83,10 +83,10 @@ std::optional<DriverMessage> driverMessageFrom(std::string_view line)
     const Json message = Json::parse(line, nullptr, false);
     if (!message.is_object() || !message.contains("type")) return std::nullopt;
     const auto kind = kindNamed(message.at("type"));
-    DriverMessage said;
-    if (!kind || !takeFields(message, said)) return std::nullopt;
-    said.kind = *kind;
-    return said;
+    DriverMessage result;
+    if (!kind || !takeFields(message, result)) return std::nullopt;
+    result.kind = *kind;
+    return result;
 }
 
 std::string helloLine(std::int64_t id, std::string_view schema)

@@ -19,12 +19,11 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::nanoseconds;
 using std::chrono::steady_clock;
-using Kind = DriverMessage::Kind;
 
-constexpr std::size_t stampsKept = 8;  // few, so that clocks that run apart do not add up
+constexpr std::size_t stampsKept = 8;  // Few, so that a drift between the clocks does not accumulate.
 constexpr nanoseconds oldestTouch = std::chrono::seconds(2);
 constexpr milliseconds restBeforeNextTry(250);
-constexpr int linesAtOnce = 1000;  // a driver that babbles must not hold the window
+constexpr int linesAtOnce = 1000;  // A driver that floods the connection must not block the window.
 constexpr std::size_t noiseKept = 80;
 
 std::string secondsText(milliseconds duration)
@@ -41,8 +40,8 @@ void watch(int set, int descriptor)
     if (descriptor >= 0) ::epoll_ctl(set, EPOLL_CTL_ADD, descriptor, &event);
 }
 
-/// As part of a message: short, and nothing but characters that can be read.
-std::string readable(const std::string& line)
+/// A part of a line for messages: short and only printable characters.
+std::string printable(const std::string& line)
 {
     std::string text = line.substr(0, noiseKept);
     std::replace_if(
@@ -56,14 +55,14 @@ ExternalDisplay::ExternalDisplay(const DriverAddress& address, const DriverPatie
     : m_address(address),
       m_patience(patience),
       m_watched(::epoll_create1(EPOLL_CLOEXEC)),
-      m_bell(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK))
+      m_wake(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK))
 {
-    watch(m_watched, m_bell);
+    watch(m_watched, m_wake);
     try {
-        m_isGivenUp = true;  // one try: a wrong command is not better the third time
-        clear();             // what an earlier session left there must not be felt
+        m_isGivenUp = true;  // One try only, because a wrong command does not improve.
+        clear();             // The image of an earlier session must not be felt.
     } catch (...) {
-        ::close(m_bell);
+        ::close(m_wake);
         ::close(m_watched);
         throw;
     }
@@ -72,7 +71,7 @@ ExternalDisplay::ExternalDisplay(const DriverAddress& address, const DriverPatie
 ExternalDisplay::~ExternalDisplay()
 {
     m_link.reset();
-    ::close(m_bell);
+    ::close(m_wake);
     ::close(m_watched);
 }
 
@@ -83,34 +82,35 @@ std::string ExternalDisplay::name() const
 
 void ExternalDisplay::show(const cv::Mat& frictionImage)
 {
-    assert(frictionImage.type() == CV_8UC1 && "friction images have one byte a pixel");
+    assert(frictionImage.type() == CV_8UC1 && "friction images have one byte per pixel");
     const cv::Mat whole = frictionImage.isContinuous() ? frictionImage : frictionImage.clone();
     const std::string_view bytes(reinterpret_cast<const char*>(whole.data), whole.total());
     const auto line = [&](std::int64_t id) { return showLine(id, whole.cols, whole.rows, bytes.size()); };
     m_showing.reset();
-    ask({Kind::Shown, line, bytes}, m_patience.tries);
+    ask({MessageKind::Shown, line, bytes}, m_patience.tries);
     m_showing = m_lastId;
 }
 
 void ExternalDisplay::clear()
 {
     m_showing.reset();
-    // A driver that was given up just now is asked once more, not three times again.
-    ask({Kind::Cleared, clearLine, {}}, m_isGivenUp ? 1 : m_patience.tries);
+    // A driver that has just been given up gets one more try, not three.
+    ask({MessageKind::Cleared, clearLine, {}}, m_isGivenUp ? 1 : m_patience.tries);
 }
 
-void ExternalDisplay::ask(const Request& request, int tries)
+void ExternalDisplay::ask(const DriverRequest& request, int tries)
 {
     int tried = 0;
-    Begun begun = Begun::Yes;
-    while (tried < tries && begun != Begun::Never) {
+    StartResult started = StartResult::Started;
+    while (tried < tries && started != StartResult::GiveUp) {
         if (tried++ > 0) std::this_thread::sleep_for(restBeforeNextTry);
-        begun = m_link ? Begun::Yes : begin();
-        const auto reply = begun == Begun::Yes ? exchange(request, m_patience.reply) : std::nullopt;
+        started = m_link ? StartResult::Started : start();
+        const auto reply = started == StartResult::Started ? exchange(request, m_patience.reply) : std::nullopt;
         if (!reply) continue;
         m_isGivenUp = false;
-        ringIfSomethingWaits();
-        if (reply->kind == Kind::Failed) throw protocols::workFailed(fault("the display refuses: " + readable(reply->why)));
+        wakeIfLinesWait();
+        if (reply->kind == MessageKind::Failed)
+            throw protocols::workFailed(fault("the display refuses: " + printable(reply->why)));
         return;
     }
     m_isGivenUp = true;
@@ -118,26 +118,26 @@ void ExternalDisplay::ask(const Request& request, int tries)
     throw protocols::workFailed(fault("the display's driver " + m_trouble + often));
 }
 
-ExternalDisplay::Begun ExternalDisplay::begin()
+ExternalDisplay::StartResult ExternalDisplay::start()
 {
     m_link = std::make_unique<DriverLink>(m_address, steady_clock::now() + m_patience.reply);
     if (m_link->isLost()) {
         lose(m_link->trouble());
-        return Begun::NotNow;
+        return StartResult::TryAgain;
     }
     watch(m_watched, m_link->socket());
     watch(m_watched, m_link->errorStream());
-    const auto reply = exchange({Kind::Hello, [](std::int64_t id) { return helloLine(id); }, {}}, m_patience.start);
-    if (!reply) return m_isTimedOut ? Begun::Never : Begun::NotNow;
-    if (reply->kind == Kind::Hello && reply->schema == displaySchema) return Begun::Yes;
-    if (reply->kind == Kind::Failed)
-        lose("does not begin: " + readable(reply->why));
+    const auto reply = exchange({MessageKind::Hello, [](std::int64_t id) { return helloLine(id); }, {}}, m_patience.start);
+    if (!reply) return m_isTimedOut ? StartResult::GiveUp : StartResult::TryAgain;
+    if (reply->kind == MessageKind::Hello && reply->schema == displaySchema) return StartResult::Started;
+    if (reply->kind == MessageKind::Failed)
+        lose("does not start: " + printable(reply->why));
     else
-        lose("speaks \"" + readable(m_hello.schema) + "\", this program " + displaySchema);
-    return Begun::Never;
+        lose("uses \"" + printable(m_hello.schema) + "\", but this program uses " + displaySchema);
+    return StartResult::GiveUp;
 }
 
-std::optional<DriverMessage> ExternalDisplay::exchange(const Request& request, milliseconds patience)
+std::optional<DriverMessage> ExternalDisplay::exchange(const DriverRequest& request, milliseconds patience)
 {
     const std::int64_t id = ++m_lastId;
     const Instant deadline = steady_clock::now() + patience;
@@ -145,67 +145,68 @@ std::optional<DriverMessage> ExternalDisplay::exchange(const Request& request, m
     bool isWaiting = m_link->send(request.line(id), deadline) && m_link->send(request.bytes, deadline);
     while (isWaiting) {
         const auto line = m_link->receive(deadline);
-        const auto said = line ? heard(*line) : std::nullopt;
-        if (said && said->id == id && (said->kind == request.reply || said->kind == Kind::Failed)) return said;
-        isWaiting = line && steady_clock::now() < deadline;  // a driver that babbles on does not answer either
+        const auto message = line ? received(*line) : std::nullopt;
+        if (message && message->id == id && (message->kind == request.reply || message->kind == MessageKind::Failed))
+            return message;
+        isWaiting = line && steady_clock::now() < deadline;  // A driver that sends other lines does not answer either.
     }
     m_isTimedOut = !m_link->isLost();
-    const std::string noise = m_noise.empty() ? "" : "; heard instead: " + m_noise;
+    const std::string noise = m_noise.empty() ? "" : "; it sent instead: " + m_noise;
     lose(m_isTimedOut ? std::string("does not answer \"") + nameOf(request.reply) + "\" within " + secondsText(patience) + noise
                       : m_link->trouble());
     return std::nullopt;
 }
 
-/// Whatever comes, whether it was asked for or not; a reply to an old request means nothing any more.
-std::optional<DriverMessage> ExternalDisplay::heard(const std::string& line)
+/// Processes a line, whether it was requested or not. Replies to old requests have no effect.
+std::optional<DriverMessage> ExternalDisplay::received(const std::string& line)
 {
-    const auto said = driverMessageFrom(line);
-    if (!said) {
-        m_noise = readable(line);
+    const auto message = driverMessageFrom(line);
+    if (!message) {
+        m_noise = printable(line);
         return std::nullopt;
     }
-    if (said->deviceS) {
-        const auto device = std::chrono::duration_cast<nanoseconds>(std::chrono::duration<double>(*said->deviceS));
+    if (message->deviceS) {
+        const auto device = std::chrono::duration_cast<nanoseconds>(std::chrono::duration<double>(*message->deviceS));
         m_clockAhead.push_back(steady_clock::now().time_since_epoch() - device);
         if (m_clockAhead.size() > stampsKept) m_clockAhead.pop_front();
     }
-    if (said->kind == Kind::Hello) m_hello = *said;
-    if (said->kind == Kind::Touched) hearTouch(*said);
-    return said;
+    if (message->kind == MessageKind::Hello) m_hello = *message;
+    if (message->kind == MessageKind::Touched) reportTouch(*message);
+    return message;
 }
 
-/// The message that travelled least tells how far apart the clocks are; the touch was so long ago as its own
-/// message took longer than that, or was held back.
-void ExternalDisplay::hearTouch(const DriverMessage& touch)
+/// The message with the shortest delay gives the difference between the clocks. The touch is as old as the additional delay
+/// of its own message.
+void ExternalDisplay::reportTouch(const DriverMessage& message)
 {
-    if (!m_showing || touch.id != *m_showing || !m_touched) return;
-    Touch told;
-    if (touch.deviceS)
-        told.ago = std::min(m_clockAhead.back() - *std::min_element(m_clockAhead.begin(), m_clockAhead.end()), oldestTouch);
-    m_touched(told);
+    if (!m_showing || message.id != *m_showing || !m_touched) return;
+    Touch touch;
+    if (message.deviceS)
+        touch.ago = std::min(m_clockAhead.back() - *std::min_element(m_clockAhead.begin(), m_clockAhead.end()), oldestTouch);
+    m_touched(touch);
 }
 
-void ExternalDisplay::attend()
+void ExternalDisplay::processMessages()
 {
-    std::uint64_t rung = 0;
-    [[maybe_unused]] const ssize_t none = ::read(m_bell, &rung, sizeof rung);
+    std::uint64_t count = 0;
+    [[maybe_unused]] const ssize_t none = ::read(m_wake, &count, sizeof count);
     if (!m_link) return;
     const bool wasFelt = m_showing.has_value();
     for (int lines = 0; lines < linesAtOnce; ++lines) {
         const auto line = m_link->receive(steady_clock::now());
         if (!line) break;
-        heard(*line);
+        received(*line);
     }
-    if (!m_link->isLost()) return ringIfSomethingWaits();
+    if (!m_link->isLost()) return wakeIfLinesWait();
     lose(m_link->trouble());
     if (wasFelt) throw protocols::workFailed(fault("while an image was felt, the display's driver " + m_trouble));
 }
 
-void ExternalDisplay::ringIfSomethingWaits()
+void ExternalDisplay::wakeIfLinesWait()
 {
     const std::uint64_t once = 1;
     if (m_link && m_link->hasLineWaiting()) [[maybe_unused]]
-        const ssize_t rung = ::write(m_bell, &once, sizeof once);
+        const ssize_t written = ::write(m_wake, &once, sizeof once);
 }
 
 void ExternalDisplay::lose(const std::string& why)
@@ -218,8 +219,8 @@ void ExternalDisplay::lose(const std::string& why)
 
 protocols::Fault ExternalDisplay::fault(const std::string& what) const
 {
-    return {what, "display " + m_address.text(), "its reply by the protocol " + std::string(displaySchema),
-            "see to the device and its driver (`vis2hap display check` names what is wrong), then show it again"};
+    return {what, "display " + m_address.text(), "a reply by the protocol " + std::string(displaySchema),
+            "check the device and its driver (`vis2hap display check` names the fault), then show the image again"};
 }
 
 }  // namespace rendering

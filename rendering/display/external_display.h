@@ -1,5 +1,5 @@
-// A display whose owner's driver speaks the protocol of display_protocol.md. A driver that dies, hangs
-// or babbles is started (or connected to) again, a stated number of times; then the fault is told by name.
+// A display whose owner's driver uses the protocol of display_protocol.md. A driver that ends, hangs or sends nonsense
+// is started (or connected to) again, a fixed number of times. Then the fault is thrown.
 #pragma once
 
 #include <deque>
@@ -15,13 +15,13 @@ namespace rendering {
 
 struct DriverPatience {
     std::chrono::milliseconds reply{2000};  ///< from the first byte of a request to its reply
-    std::chrono::milliseconds start{5000};  ///< from the start to the hello: an engine may have to come up
-    int tries = 3;                          ///< of one request, the driver begun anew for each but the first
+    std::chrono::milliseconds start{5000};  ///< from the start to the hello, because a device may need time to start
+    int tries = 3;                          ///< for one request; the driver is started again before each further try
 };
 
 class ExternalDisplay final : public HapticDisplay {
 public:
-    /// Starts or reaches the driver and clears it. Throws workFailed.
+    /// Starts or connects to the driver and clears it. Throws workFailed.
     explicit ExternalDisplay(const DriverAddress& address, const DriverPatience& patience = {});
     ~ExternalDisplay() override;
 
@@ -32,36 +32,36 @@ public:
     bool reportsTouches() const override { return m_hello.touches; }
     void onTouched(std::function<void(const Touch&)> touched) override { m_touched = std::move(touched); }
     int descriptorToWatch() const override { return m_watched; }
-    void attend() override;
+    void processMessages() override;
 
 private:
-    /// What is asked, under a new id each time; `bytes` follow the line.
-    struct Request {
-        DriverMessage::Kind reply;
+    /// A request, which gets a new id for each try; `bytes` follow the line.
+    struct DriverRequest {
+        MessageKind reply;
         std::function<std::string(std::int64_t id)> line;
         std::string_view bytes;
     };
-    enum class Begun { Yes, NotNow, Never };
-    void ask(const Request& request, int tries);
-    Begun begin();
-    std::optional<DriverMessage> exchange(const Request& request, std::chrono::milliseconds patience);
-    std::optional<DriverMessage> heard(const std::string& line);
-    void hearTouch(const DriverMessage& touch);
+    enum class StartResult { Started, TryAgain, GiveUp };
+    void ask(const DriverRequest& request, int tries);
+    StartResult start();
+    std::optional<DriverMessage> exchange(const DriverRequest& request, std::chrono::milliseconds patience);
+    std::optional<DriverMessage> received(const std::string& line);
+    void reportTouch(const DriverMessage& touch);
     void lose(const std::string& why);
-    void ringIfSomethingWaits();
+    void wakeIfLinesWait();
     protocols::Fault fault(const std::string& what) const;
 
     DriverAddress m_address;
     DriverPatience m_patience;
-    int m_watched = -1, m_bell = -1;     ///< an epoll set, which stays while drivers come and go; rung for lines read already
-    std::unique_ptr<DriverLink> m_link;  ///< empty: lost
+    int m_watched = -1, m_wake = -1;     ///< an epoll set that outlives drivers, and an event in it for lines read ahead
+    std::unique_ptr<DriverLink> m_link;  ///< null while the driver is lost
     DriverMessage m_hello;
     std::int64_t m_lastId = 0;
     std::optional<std::int64_t> m_showing;
     bool m_isGivenUp = false;                           ///< the last request failed after all its tries
-    bool m_isTimedOut = false;                          ///< the last exchange failed by its deadline, not by an ending
-    std::string m_trouble, m_noise;                     ///< why the driver was lost last; the last line that was no message
-    std::deque<std::chrono::nanoseconds> m_clockAhead;  ///< our clock less the device's, at the last stamps heard
+    bool m_isTimedOut = false;                          ///< the last exchange failed by its deadline; the driver did not end
+    std::string m_trouble, m_noise;                     ///< reason of the last loss; the last line that was not a message
+    std::deque<std::chrono::nanoseconds> m_clockAhead;  ///< our clock minus the device's for the last time stamps
     std::function<void(const Touch&)> m_touched;
 };
 

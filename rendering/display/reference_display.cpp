@@ -1,11 +1,11 @@
-// vis2hap-reference-display: the smallest whole driver of a display by display_protocol.md, to start one's
-// own from. Its device is a folder: current.pgm is what would be felt, all 0 while cleared. Nothing of the
-// main program is used here, so that the file can be taken along.
+// vis2hap-reference-display: the smallest complete driver of a display by display_protocol.md, as a starting point for
+// your own. Its device is a folder: current.pgm is the image that can be felt, all 0 while cleared. It uses nothing of
+// the main program, so this file can be copied.
 //
 //   vis2hap-reference-display DIR [--listen PORT] [--delay MS] [--touch-after MS] [--crash-at N]
 //
-// Without --listen it speaks over its standard streams. For tests: --delay holds every reply back,
-// --touch-after tells a touch so long after each image, --crash-at dies at the Nth image.
+// Without --listen it uses its standard streams. For tests: --delay delays every reply, --touch-after reports a touch
+// after each image, --crash-at ends the program at the Nth image.
 #include <arpa/inet.h>
 #include <poll.h>
 #include <sys/socket.h>
@@ -24,7 +24,7 @@
 namespace {
 
 using Json = nlohmann::ordered_json;
-using Clock = std::chrono::steady_clock;
+using std::chrono::steady_clock;
 
 constexpr const char* schema = "vis2hap.display/1";
 constexpr int widthPx = 1280, heightPx = 800;
@@ -35,18 +35,18 @@ struct Options {
     int port = 0, delayMs = 0, touchAfterMs = -1, crashAt = 0;
 };
 
-double nowS() { return std::chrono::duration<double>(Clock::now().time_since_epoch()).count(); }
+double nowS() { return std::chrono::duration<double>(steady_clock::now().time_since_epoch()).count(); }
 
-/// One computer's connection, from its first byte to its end of file.
-class Conversation {
+/// The connection to one computer, from its first byte to its end of file.
+class Connection {
 public:
-    Conversation(const Options& options, int in, int out) : m_options(options), m_in(in), m_out(out) {}
+    Connection(const Options& options, int in, int out) : m_options(options), m_in(in), m_out(out) {}
 
     void run()
     {
-        feel(0, 0, {});
+        output(0, 0, {});
         while (const auto line = nextLine()) answer(Json::parse(*line, nullptr, false));
-        feel(0, 0, {});  // end of file: whoever showed this is gone, so nothing may be felt any more
+        output(0, 0, {});  // At end of file the computer is gone, so nothing may be felt.
     }
 
 private:
@@ -56,49 +56,49 @@ private:
         const std::string type = request.is_object() ? request.value("type", Json("")).dump() : "";
         std::this_thread::sleep_for(std::chrono::milliseconds(m_options.delayMs));
         if (type == "\"hello\"")
-            say({{"type", "hello"},
-                 {"id", id},
-                 {"schema", schema},
-                 {"name", "reference display"},
-                 {"width", widthPx},
-                 {"height", heightPx},
-                 {"touches", m_options.touchAfterMs >= 0}});
+            send({{"type", "hello"},
+                  {"id", id},
+                  {"schema", schema},
+                  {"name", "reference display"},
+                  {"width", widthPx},
+                  {"height", heightPx},
+                  {"touches", m_options.touchAfterMs >= 0}});
         else if (type == "\"show\"")
             show(request, id);
         else if (type == "\"clear\"")
             clear(id);
         else if (type == "\"status\"")
-            say({{"type", "status"}, {"id", id}, {"showing", m_showing}, {"at_s", nowS()}});
+            send({{"type", "status"}, {"id", id}, {"showing", m_showing}, {"at_s", nowS()}});
         else
-            say({{"type", "failed"}, {"id", id}, {"why", "unknown request"}});
+            send({{"type", "failed"}, {"id", id}, {"why", "unknown request"}});
     }
 
     void show(const Json& request, const Json& id)
     {
         const int width = request.value("width", 0), height = request.value("height", 0);
         const auto bytes = request.value("bytes", std::size_t{0});
-        if (bytes > mostBytes) std::exit(1);  // the stream cannot be followed any more
+        if (bytes > mostBytes) std::exit(1);  // The next message could not be found any more.
         const std::string image = exactly(bytes);
-        if (image.size() != bytes) return;  // end of file in the middle of an image
+        if (image.size() != bytes) return;  // End of file within an image.
         if (++m_images == m_options.crashAt) std::raise(SIGKILL);
         if (width < 1 || height < 1 || bytes != static_cast<std::size_t>(width) * static_cast<std::size_t>(height))
-            return say({{"type", "failed"}, {"id", id}, {"why", "width x height is not the number of bytes"}});
-        feel(width, height, image);
+            return send({{"type", "failed"}, {"id", id}, {"why", "width x height differs from the number of bytes"}});
+        output(width, height, image);
         m_showing = id;
-        if (m_options.touchAfterMs >= 0) m_touchDue = Clock::now() + std::chrono::milliseconds(m_options.touchAfterMs);
-        say({{"type", "shown"}, {"id", id}, {"at_s", nowS()}});
+        if (m_options.touchAfterMs >= 0) m_touchDue = steady_clock::now() + std::chrono::milliseconds(m_options.touchAfterMs);
+        send({{"type", "shown"}, {"id", id}, {"at_s", nowS()}});
     }
 
     void clear(const Json& id)
     {
-        feel(0, 0, {});
+        output(0, 0, {});
         m_showing = nullptr;
         m_touchDue.reset();
-        say({{"type", "cleared"}, {"id", id}, {"at_s", nowS()}});
+        send({{"type", "cleared"}, {"id", id}, {"at_s", nowS()}});
     }
 
-    /// Here a device's own interface would be called. By rename, so that nobody reads half an image.
-    void feel(int width, int height, const std::string& image) const
+    /// Call the interface of your device here. This one renames a file, so that nobody reads half an image.
+    void output(int width, int height, const std::string& image) const
     {
         const bool isClear = image.empty();
         std::ofstream file(m_options.folder / "next.pgm.part", std::ios::binary);
@@ -109,24 +109,25 @@ private:
         std::filesystem::rename(m_options.folder / "next.pgm.part", m_options.folder / "current.pgm");
     }
 
-    void say(const Json& message) const
+    void send(const Json& message) const
     {
         const std::string line = message.dump() + "\n";
         for (std::size_t sent = 0; sent < line.size();) {
             const ssize_t now = ::write(m_out, line.data() + sent, line.size() - sent);
-            if (now <= 0) return;  // nobody listens; the end of file follows
+            if (now <= 0) return;  // Nobody reads; the end of file follows.
             sent += static_cast<std::size_t>(now);
         }
     }
 
-    /// Waits for more, and tells a touch when its time comes. False at the end of file.
+    /// Waits for more bytes, and reports a touch when it is due. Returns false at the end of file.
     bool readMore()
     {
         while (true) {
-            const auto left = m_touchDue ? std::chrono::ceil<std::chrono::milliseconds>(*m_touchDue - Clock::now()).count() : -1;
+            const auto left =
+                m_touchDue ? std::chrono::ceil<std::chrono::milliseconds>(*m_touchDue - steady_clock::now()).count() : -1;
             pollfd waiting{m_in, POLLIN, 0};
             if (::poll(&waiting, 1, m_touchDue ? static_cast<int>(std::max(0L, static_cast<long>(left))) : -1) > 0) break;
-            if (m_touchDue) say({{"type", "touched"}, {"id", m_showing}, {"at_s", nowS()}});
+            if (m_touchDue) send({{"type", "touched"}, {"id", m_showing}, {"at_s", nowS()}});
             m_touchDue.reset();
         }
         char chunk[65536];
@@ -159,10 +160,10 @@ private:
     std::string m_buffer;
     Json m_showing = nullptr;
     int m_images = 0;
-    std::optional<Clock::time_point> m_touchDue;
+    std::optional<steady_clock::time_point> m_touchDue;
 };
 
-/// One computer after the other; prints the port, which the system chooses where it is 0.
+/// Serves one computer after the other; prints the port, which the system chooses for port 0.
 int listenAt(const Options& options)
 {
     const int server = ::socket(AF_INET, SOCK_STREAM, 0);
@@ -182,8 +183,8 @@ int listenAt(const Options& options)
     while (true) {
         const int client = ::accept(server, nullptr, nullptr);
         if (client < 0) continue;
-        ::setsockopt(client, SOL_SOCKET, SO_KEEPALIVE, &yes, sizeof yes);  // a computer that loses its power says no good-bye
-        Conversation(options, client, client).run();
+        ::setsockopt(client, SOL_SOCKET, SO_KEEPALIVE, &yes, sizeof yes);  // A computer without power closes nothing.
+        Connection(options, client, client).run();
         ::close(client);
     }
 }
@@ -215,6 +216,6 @@ int main(int argc, char** argv)
     std::filesystem::create_directories(options.folder);
     std::signal(SIGPIPE, SIG_IGN);
     if (isListening) return listenAt(options);
-    Conversation(options, STDIN_FILENO, STDOUT_FILENO).run();
+    Connection(options, STDIN_FILENO, STDOUT_FILENO).run();
     return 0;
 }

@@ -24,7 +24,7 @@ std::filesystem::path pathOf(const std::filesystem::path& stimuli, const protoco
     return stimuli / (code.value + ".pgm");
 }
 
-/// "" for a sound stimulus.
+/// Fault of a stimulus; empty for a sound one.
 std::string faultOf(const std::filesystem::path& file, const std::string& hash)
 {
     std::error_code ignored;
@@ -36,11 +36,11 @@ std::string faultOf(const std::filesystem::path& file, const std::string& hash)
     }
 }
 
-protocols::Error unusable(const std::string& what, const std::filesystem::path& file)
+protocols::Error notUsable(const std::string& what, const std::filesystem::path& file)
 {
     return protocols::workFailed({.what = what,
                                   .where = file.string(),
-                                  .expected = "the file that the study was made with",
+                                  .expected = "the file from the making of the study",
                                   .nextStep = "restore it from a backup; vis2hap verify lists all faults"});
 }
 
@@ -50,13 +50,13 @@ std::string writeStimulus(const std::filesystem::path& stimuli, const protocols:
 {
     const auto file = pathOf(stimuli, code);
     writePgm(file, image, protocols::Sync::Later);
-    // When a stimulus was made and by whom it may be read would tell one from another.
+    // Different times or permissions would distinguish stimuli.
     const timespec times[2] = {{stimulusTime, 0}, {stimulusTime, 0}};
     if (chmod(file.c_str(), 0644) != 0 || utimensat(AT_FDCWD, file.c_str(), times, 0) != 0)
         throw protocols::environmentFault({.what = std::string("the time stamp cannot be set (") + std::strerror(errno) + ")",
                                            .where = file.string(),
-                                           .expected = "a folder of ours on a local disk",
-                                           .nextStep = "choose another place for the study"});
+                                           .expected = "a folder of this user on a local disk",
+                                           .nextStep = "choose another folder for the study"});
     return protocols::sha256OfFile(file);
 }
 
@@ -79,8 +79,8 @@ void StimulusBank::prefetch(const protocols::FileCode& code)
         return;
     }
     const auto hash = m_hashes.find(code);
-    if (hash == m_hashes.end()) throw unusable("the study has no stimulus of this name", file);
-    if (const auto fault = faultOf(file, hash->second); !fault.empty()) throw unusable(fault, file);
+    if (hash == m_hashes.end()) throw notUsable("the study has no stimulus of this name", file);
+    if (const auto fault = faultOf(file, hash->second); !fault.empty()) throw notUsable(fault, file);
     m_ready[code] = readPgm(file);
     m_order.push_back(code);
     if (m_order.size() > keptReady) {

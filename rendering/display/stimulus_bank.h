@@ -1,5 +1,5 @@
-// File code -> ready friction image: all that a session ever asks rendering for. It knows nothing of
-// fabrics and conditions. Stimulus files have equal size (PGM) and an equal time stamp.
+// Friction images by file code, the only part of rendering that a session uses. It knows no fabrics and no conditions.
+// Stimulus files have equal size (PGM) and equal time stamps.
 #pragma once
 
 #include <filesystem>
@@ -21,14 +21,14 @@ public:
     /// `hashes`: SHA-256 of each stimulus, from the study's database.
     StimulusBank(std::filesystem::path stimuli, std::map<protocols::FileCode, std::string> hashes);
 
-    /// CV_8UC1 [800 x 1280]; the reference holds until another three are asked for. Throws workFailed
-    /// where the file is missing or altered.
+    /// CV_8UC1 [800 x 1280]; the reference is valid until three other images are requested. Throws workFailed where the file
+    /// is missing or altered.
     const cv::Mat& image(const protocols::FileCode& code);
 
-    /// Reads it now, so that showing it later takes no time that tells anything. Keeps the last few.
+    /// Reads the image now, so that the time to show it later reveals nothing. Keeps the last few images.
     void prefetch(const protocols::FileCode& code);
 
-    /// Every stimulus that is missing or altered, a line each.
+    /// One line for each stimulus that is missing or altered.
     std::vector<std::string> faults() const;
 
 private:

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
-#include <optional>
 
 #include "protocols/files/csv_table.h"
 #include "protocols/files/errors.h"
@@ -15,10 +14,10 @@ namespace rendering {
 
 namespace {
 
-/// Pixel values as the finger pad feels them along the row: the image averaged over the contact.
+/// Pixel values along the row, averaged over the contact of the finger pad.
 std::vector<double> feltAlong(const cv::Mat& image, int row, double sigmaPx)
 {
-    // Beyond the image there is only its own edge, so a wider reach would feel nothing else.
+    // Outside the image its border is repeated, so a wider kernel would change nothing.
     const double widest = 4.0 * std::max(image.cols, image.rows) + 1;
     const int reach = std::max(1, static_cast<int>(std::ceil(std::min(3 * sigmaPx, widest))));
     const cv::Mat kernel = cv::getGaussianKernel(2 * reach + 1, std::max(sigmaPx, 1e-3), CV_64F);
@@ -40,7 +39,7 @@ double at(const std::vector<double>& values, double place)
     return values[low] + (place - static_cast<double>(low)) * (values[high] - values[low]);
 }
 
-/// Follows what drives it, which changes evenly from one sample to the next; begins settled.
+/// First-order response to a drive that is linear between samples; starts in equilibrium.
 class FirstOrderResponse {
 public:
     explicit FirstOrderResponse(const StrokeOptions& options) : m_hasDelay(options.responseS > 0)
@@ -84,7 +83,8 @@ void requireUsable(const StrokeOptions& options)
     for (const Bound& bound : bounds)
         if (!(bound.value >= bound.least && bound.value <= bound.most))
             throw protocols::badInput({std::string("the ") + bound.name + " of a stroke is " + protocols::shortest(bound.value), "",
-                                       protocols::shortest(bound.least) + " to " + protocols::shortest(bound.most), ""});
+                                       protocols::shortest(bound.least) + " to " + protocols::shortest(bound.most),
+                                       "correct the option"});
 }
 
 std::size_t samplesFor(double lastPixel, double pixelsPerSample, const StrokeOptions& options)
@@ -94,7 +94,8 @@ std::size_t samplesFor(double lastPixel, double pixelsPerSample, const StrokeOpt
     if (count <= mostSamples) return static_cast<std::size_t>(count);
     const double slowest = std::ceil(lastPixel * options.mmPerPixel * options.sampleRateHz / (mostSamples - 1) * 1e6) / 1e6;
     throw protocols::badInput({"the stroke would take more than 10000000 samples", "",
-                               "a speed from " + protocols::shortest(slowest) + " mm/s at this sample rate", ""});
+                               "a speed from " + protocols::shortest(slowest) + " mm/s at this sample rate",
+                               "choose a higher speed"});
 }
 
 }  // namespace

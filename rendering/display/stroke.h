@@ -1,8 +1,7 @@
-// A simulated finger stroking a friction image: friction force over time, which simulated
-// participants feel. Model: the finger pad averages the image over its contact (Gaussian, sigma =
-// contactMm / 2), the display's friction rises linearly with the pixel value from the glass's own to
-// its highest, and the force follows with a first-order response: responseS * dF/dt + F = what drives it,
-// solved exactly for a drive that changes evenly between two samples.
+// A simulated finger that strokes a friction image: friction force over time, for simulated participants. The finger
+// pad averages the image over its contact (Gaussian, sigma = contactMm / 2). The display's friction rises linearly with
+// the pixel value from that of the glass to its highest value. The force follows with a first-order response:
+// responseS * dF/dt + F = driving force, solved exactly for a drive that is linear between two samples.
 #pragma once
 
 #include <opencv2/core/mat.hpp>
@@ -22,24 +21,24 @@ struct StrokeOptions {
     double sampleRateHz = 1000;
 };
 
-/// One instant of a stroke.
+/// One sample of a stroke.
 struct StrokeSample {
     double timeS = 0;
-    double positionMm = 0;  ///< of the finger's middle, from the middle of the first pixel
+    double positionMm = 0;  ///< of the finger's centre, from the centre of the first pixel
     double normalN = 0;
     double tangentialN = 0;
     bool operator==(const StrokeSample&) const = default;
 };
 
-/// One stroke from left to right along row `line` (vertical: top to bottom along column `line`), at least one
-/// sample. `image`: CV_8UC1, or CV_16UC1 whose full scale is 65535. Throws badInput for options out of range
-/// and for a speed at which the stroke would take more than 10^7 samples.
+/// One stroke from left to right along row `line` (vertical: from top to bottom along column `line`), at least one sample.
+/// `image`: CV_8UC1, or CV_16UC1 with a full scale of 65535. Throws badInput for options out of range and for a speed at which
+/// the stroke would take more than 10^7 samples.
 std::vector<StrokeSample> strokeImage(const cv::Mat& image, int line, bool vertical, const StrokeOptions& options = {});
 
-/// t_s,position_mm,normal_n,tangential_n; shortest numbers that read back exactly.
+/// CSV with the columns t_s,position_mm,normal_n,tangential_n; the shortest numbers that read back exactly.
 std::string strokeCsv(const std::vector<StrokeSample>& samples);
 
-/// The tangential forces of `strokeImage` alone, N.
+/// Tangential forces of `strokeImage`, N.
 std::vector<double> strokeForce(const cv::Mat& image, int row, bool vertical, const StrokeOptions& options = {});
 
 }  // namespace rendering

@@ -10,6 +10,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "protocols/random.h"
+#include "rendering/composition/display_mapping.h"
 #include "rendering/composition/friction_image.h"
 #include "rendering/fabrics/recordings/even_steps.h"
 #include "rendering/signals/spectrogram.h"
@@ -20,8 +21,8 @@ namespace study::bench {
 namespace {
 
 namespace signals = rendering::signals;
+using rendering::DisplayScale;
 using rendering::Extension;
-using rendering::Scale;
 using rendering::Sources;
 
 /// A twill of 0.9 mm with a little of its own at every place; its period divides no patch.
@@ -91,7 +92,7 @@ double powerMoved(const cv::Mat& screen, cv::Size source)
     return 100 * cv::norm(spectrumOf(screen), spectrumOf(screen(middle)), cv::NORM_L1) / 2;
 }
 
-void benchNineConditions(std::vector<BenchRow>& rows, Scale scale, Extension extension)
+void benchNineConditions(std::vector<BenchRow>& rows, DisplayScale scale, Extension extension)
 {
     const auto sources = readySources();
     cv::Mat relief;
@@ -104,7 +105,7 @@ void benchNineConditions(std::vector<BenchRow>& rows, Scale scale, Extension ext
             if (id == "h") relief = map.values;
         }
     });
-    const bool physical = scale == Scale::Physical;
+    const bool physical = scale == DisplayScale::Physical;
     const cv::Size source = physical ? cv::Size(94, 70) : cv::Size(320, 240);
     rows.push_back({std::string("nine conditions 800x1280, ") + (physical ? "physical" : "pixels"),
                     extension == Extension::Tile ? "tile" : "mirror", time, powerMoved(relief, source), "% of power moved",
@@ -170,7 +171,7 @@ std::vector<BenchRow> benchComposition()
     const int threads = cv::getNumThreads();
     cv::setNumThreads(1);
     std::vector<BenchRow> rows;
-    for (const auto scale : {Scale::Pixels, Scale::Physical})
+    for (const auto scale : {DisplayScale::Pixels, DisplayScale::Physical})
         for (const auto extension : {Extension::Tile, Extension::Mirror}) benchNineConditions(rows, scale, extension);
     benchResampling(rows);
     benchRoundTrip(rows);

@@ -8,6 +8,8 @@
 #include "protocols/files/errors.h"
 #include "rendering/composition/earlier_render.h"
 #include "rendering/composition/render_fabrics.h"
+#include "rendering/composition/photograph_warnings.h"
+#include "rendering/composition/render_json.h"
 #include "rendering/images/image_io.h"
 #include "rendering/models/exchange.h"
 #include "study/commands/command_line.h"
@@ -67,7 +69,7 @@ rendering::Percentiles percentilesFrom(const std::string& text)
     return {*low, *high};
 }
 
-void writeRendering(const fs::path& out, const rendering::Rendering& rendering, const std::string& json)
+void writeRendering(const fs::path& out, const rendering::RenderedFabrics& rendering, const std::string& json)
 {
     for (const auto& condition : rendering.conditions)
         for (const auto& [fabric, image] : condition.images) {
@@ -95,7 +97,7 @@ int render(const RenderCall& call)
     request.conditions = protocols::conditionList(call.condition);
     request.fabrics = fabricList(dataset, call.fabric);
     request.samples = chosenSamples(dataset, call.sample);
-    request.scale = call.scale == "physical" ? rendering::Scale::Physical : rendering::Scale::Pixels;
+    request.scale = call.scale == "physical" ? rendering::DisplayScale::Physical : rendering::DisplayScale::Pixels;
     request.extension = call.extension == "mirror" ? rendering::Extension::Mirror : rendering::Extension::Tile;
     request.percentiles = percentilesFrom(call.percentiles);
     request.mapping = {call.bits, call.dither, call.ditherSeed};

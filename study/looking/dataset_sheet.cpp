@@ -55,8 +55,8 @@ std::optional<int> indexAt(const Dataset& dataset, const protocols::FabricId& fa
 SeenSignal computedHeight(const Dataset& dataset, const protocols::FabricId& fabric, int index)
 {
     requireNotOfOpenStudy(samplePath(dataset, fabric, Modality::Tactile, index));
-    rendering::Rendering counts;
-    rendering::SignalWorkshop workshop(dataset, rendering::models::Quality::Accurate);
+    rendering::RenderedFabrics counts;
+    rendering::SignalComputation workshop(dataset, rendering::models::Quality::Accurate);
     const auto signals =
         workshop.measured(fabric, {0, index, 0}, {rendering::Signal::TactileFrame, rendering::Signal::PhotometricHeight}, counts);
     return seenHeight(

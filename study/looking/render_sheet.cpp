@@ -17,9 +17,9 @@ using rendering::Signal;
 const char* const shownConditions[] = {"h_g", "f_g", "h_g&f_g"};
 
 bool canRender(const rendering::fabrics::Dataset& dataset, const FabricId& fabric, const rendering::SampleChoice& samples,
-               const char* condition, rendering::Scale scale)
+               const char* condition, rendering::DisplayScale scale)
 {
-    return !rendering::lackOf(dataset, fabric, samples, protocols::conditionNamed(condition), scale);
+    return !rendering::missingInput(dataset, fabric, samples, protocols::conditionNamed(condition), scale);
 }
 
 /// Conditions h and f of the fabric need what is drawn as measured.
@@ -27,9 +27,9 @@ std::set<Signal> measuredOnes(const rendering::fabrics::Dataset& dataset, const 
                               const rendering::SampleChoice& samples)
 {
     std::set<Signal> needed;
-    if (canRender(dataset, fabric, samples, "h", rendering::Scale::Pixels))
+    if (canRender(dataset, fabric, samples, "h", rendering::DisplayScale::Pixels))
         needed.insert({Signal::TactileFrame, Signal::PhotometricHeight});
-    if (canRender(dataset, fabric, samples, "f", rendering::Scale::Pixels))
+    if (canRender(dataset, fabric, samples, "f", rendering::DisplayScale::Pixels))
         needed.insert({Signal::FrictionRecord, Signal::MeasuredTrace});
     return needed;
 }
@@ -93,9 +93,9 @@ ContactSheet contactSheetOf(const rendering::fabrics::Dataset& dataset, const re
     std::erase_if(render.fabrics, [&](const FabricId& fabric) {
         return !canRender(dataset, fabric, samplesOf(dataset, request, fabric), "h_g", request.scale);
     });
-    rendering::Rendering made;
+    rendering::RenderedFabrics made;
     if (!render.fabrics.empty()) made = renderFabrics(dataset, render, progress);
-    rendering::SignalWorkshop workshop(dataset, request.generation.quality);
+    rendering::SignalComputation workshop(dataset, request.generation.quality);
     for (const FabricId& fabric : request.fabrics) {
         ContactRow row;
         row.id = fabric.value;

@@ -54,7 +54,7 @@ std::optional<KeptImages> readImageFolder(const fs::path& folder, const std::str
 }
 
 void writeImageFolder(const fs::path& folder, const std::string& key, const std::string& renderJson,
-                      const rendering::Rendering& rendering, const std::string& signalsJson,
+                      const rendering::RenderedFabrics& rendering, const std::string& signalsJson,
                       const std::vector<std::string>& stamps)
 {
     ordered_json manifest{

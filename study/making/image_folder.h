@@ -28,7 +28,7 @@ std::optional<KeptImages> readImageFolder(const std::filesystem::path& folder, c
                                           const rendering::RenderRequest& request);
 
 void writeImageFolder(const std::filesystem::path& folder, const std::string& key, const std::string& renderJson,
-                      const rendering::Rendering& rendering, const std::string& signalsJson,
+                      const rendering::RenderedFabrics& rendering, const std::string& signalsJson,
                       const std::vector<std::string>& stamps);
 
 }  // namespace study::making

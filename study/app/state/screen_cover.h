@@ -26,7 +26,7 @@ public:
     /// Touches of a finger and presses of a mouse alike, and those that the display under the cover tells.
     void onTouched(std::function<void(const rendering::Touch&)> touched) override;
     int descriptorToWatch() const override { return m_felt->descriptorToWatch(); }
-    void attend() override { m_felt->attend(); }
+    void processMessages() override { m_felt->processMessages(); }
 
 private:
     class Window;

@@ -56,7 +56,7 @@ void SessionController::watchDisplay()
 void SessionController::attendDisplay()
 {
     try {
-        m_display->attend();
+        m_display->processMessages();
     } catch (const std::exception& fault) {
         // What was being felt is not to be trusted: the presentation begins again when the display is back.
         send(session::Paused{});

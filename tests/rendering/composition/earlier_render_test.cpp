@@ -1,4 +1,4 @@
-// Rendering twice into one folder: what changed is said, and nothing that still holds is forgotten.
+// Two renderings into one folder: changes are reported, and everything that is still valid is kept.
 #include "rendering/composition/earlier_render.h"
 
 #include <QJsonArray>
@@ -61,11 +61,11 @@ private Q_SLOTS:
             joined(rendered("h", "F01 F02 F03", "F03", 2), rendered("h", "F01 F02", "F01 F02", 1), "out/render.json");
         QCOMPARE(result.warnings.size(), std::size_t(1));
         const auto warning = QString::fromStdString(result.warnings[0]);
-        for (const char* part : {"out/render.json", "h: ", "also over F03", "0 to 1", "0 to 2", "images of F01, F02"})
+        for (const char* part : {"out/render.json", "h: ", "now includes F03", "0 to 1", "0 to 2", "images of F01, F02"})
             QVERIFY2(warning.contains(part), qPrintable(warning));
         QCOMPARE(namesIn(conditionOf(result.json, "h")["mapped_otherwise"]), "F01 F02");
         QCOMPARE(namesIn(conditionOf(result.json, "h")["images"]), "F03");
-        // Rendered again, they are as the others.
+        // After another rendering they are like the others.
         const auto again = joined(rendered("h", "F01 F02 F03", "F01 F02 F03", 2), result.json, "out/render.json");
         QVERIFY(again.warnings.empty());
         QVERIFY(!conditionOf(again.json, "h").contains("mapped_otherwise"));
@@ -78,10 +78,10 @@ private Q_SLOTS:
         const auto row = [](const char* title, const std::string& now, const char* said) {
             QTest::newRow(title) << QString::fromStdString(now) << QString(said);
         };
-        row("fabric gone", rendered("h", "F01", "F01", 1), "no longer over F02");
-        row("range", rendered("h", "F01 F02", "F01", 3), "was 0 to 1.0 and is 0 to 3.0");
+        row("fabric gone", rendered("h", "F01", "F01", 1), "no longer includes F02");
+        row("range", rendered("h", "F01 F02", "F01", 3), "was 0 to 1.0 and is now 0 to 3.0");
         row("scale", rendered("h", "F01 F02", "F01", 1, "wool", "physical"), "physical");
-        row("data set", rendered("h", "F01 F02", "F01", 1, "silk"), "was wool and is silk");
+        row("data set", rendered("h", "F01 F02", "F01", 1, "silk"), "was wool and is now silk");
     }
     void everyKindOfChangeIsNamed()
     {
@@ -93,7 +93,7 @@ private Q_SLOTS:
         QVERIFY2(warning.contains(said) || warning.contains(QString(said).remove(".0")), qPrintable(warning));
     }
 
-    void aSpoiltFileIsReplacedAndSaid_data()
+    void aSpoiltFileIsReplacedWithAWarning_data()
     {
         QTest::addColumn<QString>("earlier");
         for (const char* text :
@@ -102,7 +102,7 @@ private Q_SLOTS:
               R"({"dataset":"wool","conditions":{"h":{"range":{},"range_over":[1],"images":7}},"samples":[]})"})
             QTest::newRow(text[0] == 0 ? "empty" : text) << QString(text);
     }
-    void aSpoiltFileIsReplacedAndSaid()
+    void aSpoiltFileIsReplacedWithAWarning()
     {
         QFETCH(QString, earlier);
         const auto now = rendered("h", "F01", "F01", 1);

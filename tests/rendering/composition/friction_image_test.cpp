@@ -6,6 +6,7 @@
 #include <numbers>
 #include <opencv2/core.hpp>
 
+#include "rendering/composition/display_mapping.h"
 #include "tests/rendering/refusal.h"
 
 using namespace rendering;
@@ -13,7 +14,7 @@ using protocols::conditionNamed;
 
 namespace {
 
-/// Every pixel its own value, so that a misplaced one shows.
+/// Every pixel has its own value, so that a misplaced pixel is noticed.
 cv::Mat ramp(int rows, int columns)
 {
     cv::Mat image(rows, columns, CV_32FC1);
@@ -62,12 +63,12 @@ private Q_SLOTS:
         QFETCH(int, rows);
         QFETCH(int, columns);
         const cv::Mat relief = ramp(rows, columns);
-        const auto map = compose(conditionNamed("h"), reliefOnly(relief), Scale::Pixels, Extension::Mirror);
+        const auto map = compose(conditionNamed("h"), reliefOnly(relief), DisplayScale::Pixels, Extension::Mirror);
         QCOMPARE(map.values.size(), cv::Size(1280, 800));
         QCOMPARE(map.extension, std::string("mirror"));
         const int left = (1280 - columns) / 2, top = (800 - rows) / 2;
         QCOMPARE(cv::norm(map.values(cv::Rect(left, top, columns, rows)), relief, cv::NORM_INF), 0.0);
-        // Seamless: over the border the same value again, then back into the relief.
+        // Without a seam: across the border the same value occurs again, and then the relief is mirrored.
         for (int k = 0; k < std::min(columns, left); ++k)
             QCOMPARE(map.values.at<float>(top, left - 1 - k), relief.at<float>(0, k));
         for (int k = 0; k < std::min(rows, 800 - top - rows); ++k)
@@ -77,19 +78,21 @@ private Q_SLOTS:
     void largeReliefIsCroppedInItsMiddle()
     {
         const cv::Mat relief = ramp(1000, 1500);
-        const auto map = compose(conditionNamed("v_grey"), reliefOnly(relief), Scale::Pixels);
+        const auto map = compose(conditionNamed("v_grey"), reliefOnly(relief), DisplayScale::Pixels);
         QCOMPARE(cv::norm(map.values, relief(cv::Rect(110, 100, 1280, 800)), cv::NORM_INF), 0.0);
         QCOMPARE(map.extension, std::string("none (cropped)"));
-        QCOMPARE(compose(conditionNamed("v_grey"), reliefOnly(ramp(800, 1280)), Scale::Pixels).extension, std::string("none"));
-        QCOMPARE(compose(conditionNamed("v_grey"), reliefOnly(ramp(500, 2000)), Scale::Pixels, Extension::Mirror).extension,
-                 std::string("mirror"));
+        QCOMPARE(compose(conditionNamed("v_grey"), reliefOnly(ramp(800, 1280)), DisplayScale::Pixels).extension,
+                 std::string("none"));
+        QCOMPARE(
+            compose(conditionNamed("v_grey"), reliefOnly(ramp(500, 2000)), DisplayScale::Pixels, Extension::Mirror).extension,
+            std::string("mirror"));
     }
 
     void traceRunsAlongTheStroke()
     {
         Sources sources;
         for (int i = 0; i < 480; ++i) sources.trace.push_back(0.5 + 0.001 * i);
-        const auto map = compose(conditionNamed("f"), sources, Scale::Pixels, Extension::Mirror);
+        const auto map = compose(conditionNamed("f"), sources, DisplayScale::Pixels, Extension::Mirror);
         for (const int row : {0, 399, 799}) {
             for (int i = 0; i < 480; ++i)
                 QCOMPARE(map.values.at<float>(row, 400 + i), static_cast<float>(sources.trace[static_cast<std::size_t>(i)]));
@@ -102,10 +105,11 @@ private Q_SLOTS:
     {
         auto sources = reliefOnly(ramp(10, 10));
         sources.meanFriction = 0.25;
-        const auto map = compose(conditionNamed("h&f"), sources, Scale::Pixels);
-        QCOMPARE(cv::norm(map.values, 0.25 * compose(conditionNamed("h"), sources, Scale::Pixels).values, cv::NORM_INF), 0.0);
+        const auto map = compose(conditionNamed("h&f"), sources, DisplayScale::Pixels);
+        QCOMPARE(cv::norm(map.values, 0.25 * compose(conditionNamed("h"), sources, DisplayScale::Pixels).values, cv::NORM_INF),
+                 0.0);
         sources.meanFriction.reset();
-        QVERIFY(refusalOf([&] { compose(conditionNamed("h&f"), sources, Scale::Pixels); }).contains("mean friction"));
+        QVERIFY(refusalOf([&] { compose(conditionNamed("h&f"), sources, DisplayScale::Pixels); }).contains("mean friction"));
     }
 
     void physicalScaleKeepsMillimetres_data()
@@ -118,7 +122,7 @@ private Q_SLOTS:
     void physicalScaleKeepsMillimetres()
     {
         QFETCH(double, pitch);
-        // A wave of 4 mm, its crest in the middle of the source.
+        // A wave of 4 mm with a crest in the middle of the source.
         const int n = 401;
         cv::Mat relief(n, n, CV_32FC1);
         const auto wave = [](double mm) { return std::cos(2 * std::numbers::pi * mm / 4); };
@@ -126,8 +130,8 @@ private Q_SLOTS:
             for (int j = 0; j < n; ++j) relief.at<float>(i, j) = static_cast<float>(wave((j - 200) * pitch));
         auto sources = reliefOnly(relief);
         sources.reliefMmPerPixel = pitch;
-        const auto map = compose(conditionNamed("h"), sources, Scale::Physical);
-        // Crest to crest on the screen, counted near its middle.
+        const auto map = compose(conditionNamed("h"), sources, DisplayScale::Physical);
+        // Distance between crests on the screen, near its middle.
         const cv::Mat row = map.values.row(400);
         double bestCorrelation = -1, bestCentre = 0;
         for (double centre = 630; centre <= 650; centre += 0.25) {
@@ -143,15 +147,15 @@ private Q_SLOTS:
             QVERIFY(std::abs(row.at<float>(640 + j) - wave((640 + j - bestCentre) * displayMmPerPixel)) < 0.06);
     }
 
-    void textureFinerThanTheDisplayDoesNotFold()
+    void textureFinerThanTheDisplayIsNotAliased()
     {
-        // 0.2 mm at 0.05 mm per pixel: 1.2 pixels of the display, which would fold to a coarse wave.
+        // 0.2 mm at 0.05 mm per pixel are 1.2 pixels of the display, which would be aliased to a coarse wave.
         cv::Mat relief(400, 400, CV_32FC1);
         for (int i = 0; i < 400; ++i)
             for (int j = 0; j < 400; ++j) relief.at<float>(i, j) = static_cast<float>(std::cos(2 * std::numbers::pi * j / 4));
         auto sources = reliefOnly(relief);
         sources.reliefMmPerPixel = 0.05;
-        const auto map = compose(conditionNamed("h"), sources, Scale::Physical);
+        const auto map = compose(conditionNamed("h"), sources, DisplayScale::Physical);
         const cv::Mat middle = map.values(cv::Rect(600, 360, 80, 80));
         QVERIFY2(spread(middle) < 0.04 * spread(relief), qPrintable(QString::number(spread(middle))));
     }
@@ -161,8 +165,8 @@ private Q_SLOTS:
         Sources sources;
         sources.traceMmPerSample = 5.0 / 60;
         for (int i = 0; i < 480; ++i) sources.trace.push_back(i < 240 ? 0.0 : 1.0);
-        const auto map = compose(conditionNamed("f"), sources, Scale::Physical, Extension::Mirror);
-        // 40 mm are 235 pixels: the step in the middle, undone in the mirror image 40 mm to its right.
+        const auto map = compose(conditionNamed("f"), sources, DisplayScale::Physical, Extension::Mirror);
+        // 40 mm are 235 pixels: the step lies in the middle, and its mirror image 40 mm to the right reverses it.
         const auto at = [&](int place) { return map.values.at<float>(400, place); };
         QVERIFY(at(635) < 0.01F && at(645) > 0.99F);
         QVERIFY(at(640 + 230) > 0.99F && at(640 + 240) < 0.01F);
@@ -171,18 +175,20 @@ private Q_SLOTS:
 
     void physicalScaleNeedsAPitch()
     {
-        QVERIFY(
-            refusalOf([] { compose(conditionNamed("h"), reliefOnly(ramp(5, 5)), Scale::Physical); }).contains("mm_per_pixel"));
+        QVERIFY(refusalOf([] {
+                    compose(conditionNamed("h"), reliefOnly(ramp(5, 5)), DisplayScale::Physical);
+                }).contains("mm_per_pixel"));
         Sources sources;
         sources.trace = {0.1, 0.2};
-        QVERIFY(!refusalOf([&] { compose(conditionNamed("f"), sources, Scale::Physical); }).isEmpty());
+        QVERIFY(!refusalOf([&] { compose(conditionNamed("f"), sources, DisplayScale::Physical); }).isEmpty());
     }
 
     void rangeOfAllObjectsBecomes0To255()
     {
-        const auto low = compose(conditionNamed("h"), reliefOnly(cv::Mat(2, 2, CV_32FC1, cv::Scalar(1))), Scale::Pixels);
-        const auto middle = compose(conditionNamed("h"), reliefOnly(cv::Mat(2, 2, CV_32FC1, cv::Scalar(2.2))), Scale::Pixels);
-        const auto high = compose(conditionNamed("h"), reliefOnly(cv::Mat(2, 2, CV_32FC1, cv::Scalar(4))), Scale::Pixels);
+        const auto low = compose(conditionNamed("h"), reliefOnly(cv::Mat(2, 2, CV_32FC1, cv::Scalar(1))), DisplayScale::Pixels);
+        const auto middle =
+            compose(conditionNamed("h"), reliefOnly(cv::Mat(2, 2, CV_32FC1, cv::Scalar(2.2))), DisplayScale::Pixels);
+        const auto high = compose(conditionNamed("h"), reliefOnly(cv::Mat(2, 2, CV_32FC1, cv::Scalar(4))), DisplayScale::Pixels);
         const auto range = rangeOf({low, high, middle});
         QCOMPARE(range.min, 1.0);
         QCOMPARE(range.max, 4.0);
@@ -191,7 +197,7 @@ private Q_SLOTS:
         QCOMPARE(int(mapToDisplay(high, range).at<unsigned char>(7, 7)), 255);
     }
 
-    void valuesAreRoundedNotCut()
+    void valuesAreRounded()
     {
         ScaledMap map{(cv::Mat_<float>(1, 4) << 0.F, 0.6F, 254.4F, 255.F), "none"};
         const cv::Mat image = mapToDisplay(map, rangeOf({map}));
@@ -209,13 +215,13 @@ private Q_SLOTS:
 
     void constantRangeMapsTo0()
     {
-        const auto map = compose(conditionNamed("h"), reliefOnly(cv::Mat(3, 3, CV_32FC1, cv::Scalar(0.7))), Scale::Pixels);
+        const auto map = compose(conditionNamed("h"), reliefOnly(cv::Mat(3, 3, CV_32FC1, cv::Scalar(0.7))), DisplayScale::Pixels);
         QVERIFY(rangeOf({map}).constant());
         QCOMPARE(cv::countNonZero(mapToDisplay(map, rangeOf({map}))), 0);
         QCOMPARE(mapToDisplay(map, {}).size(), cv::Size(1280, 800));
     }
 
-    void sixteenBitsShowWhatEightRoundAway()
+    void sixteenBitsKeepWhatEightRoundAway()
     {
         const ScaledMap map{(cv::Mat_<float>(1, 3) << 0.F, 0.0001F, 1.F), "none"};
         const auto range = rangeOf({map});
@@ -239,7 +245,7 @@ private Q_SLOTS:
         QVERIFY(cv::norm(image, plain, cv::NORM_INF) <= 1);
         QCOMPARE(cv::norm(image, mapToDisplay(map, range, {.dither = true}), cv::NORM_INF), 0.0);
         QVERIFY(cv::norm(image, mapToDisplay(map, range, {.dither = true, .seed = 2}), cv::NORM_INF) > 0);
-        QCOMPARE(cv::countNonZero(mapToDisplay(map, {}, {.dither = true})), 0);  // a constant range stays blank
+        QCOMPARE(cv::countNonZero(mapToDisplay(map, {}, {.dither = true})), 0);  // A constant range stays blank.
     }
 
     void percentilesAreThoseOfAllObjectsTogether()
@@ -259,7 +265,7 @@ private Q_SLOTS:
         QCOMPARE(robust.between(0, 100).min, whole.min);
         QCOMPARE(robust.between(0, 100).max, whole.max);
         QVERIFY(std::abs(shareOutside(maps[0], range) - 0.1) < 0.002);
-        // Nearly all of it one value: the whole range rather than none.
+        // Nearly all pixels have one value, so the whole range is used.
         cv::Mat flat = cv::Mat::zeros(1, 1000, CV_32FC1);
         flat.at<float>(7) = 1;
         RobustRange mostlyFlat(rangeOf({{flat, "none"}}));
@@ -267,21 +273,21 @@ private Q_SLOTS:
         QVERIFY(!mostlyFlat.between(1, 99).constant());
     }
 
-    void croppedVarianceIsTold()
+    void croppedVarianceIsReported()
     {
-        const auto whole = compose(conditionNamed("h"), reliefOnly(ramp(240, 320)), Scale::Pixels);
+        const auto whole = compose(conditionNamed("h"), reliefOnly(ramp(240, 320)), DisplayScale::Pixels);
         QCOMPARE(*whole.varianceLost, 0.0);
         cv::Mat relief(800, 3280, CV_32FC1);
         for (int i = 0; i < relief.rows; ++i)
             for (int j = 0; j < relief.cols; ++j) relief.at<float>(i, j) = static_cast<float>((i + j) % 2);
-        const auto cropped = compose(conditionNamed("h"), reliefOnly(relief), Scale::Pixels);
+        const auto cropped = compose(conditionNamed("h"), reliefOnly(relief), DisplayScale::Pixels);
         QVERIFY(std::abs(*cropped.varianceLost - (1 - 1280.0 / 3280)) < 1e-6);
-        QVERIFY(!compose(conditionNamed("h"), reliefOnly(cv::Mat::ones(9, 9, CV_32FC1)), Scale::Pixels).varianceLost);
+        QVERIFY(!compose(conditionNamed("h"), reliefOnly(cv::Mat::ones(9, 9, CV_32FC1)), DisplayScale::Pixels).varianceLost);
     }
 
-    void varianceThatTheDisplayCannotHoldIsTold()
+    void varianceThatTheDisplayCannotResolveIsReported()
     {
-        // Half of the power in a wave of 8 mm, half in one of 0.2 mm, which the display's pixels cannot hold.
+        // Half of the power is in a wave of 8 mm, half in one of 0.2 mm, which the display's pixels cannot resolve.
         cv::Mat relief(400, 400, CV_32FC1);
         for (int i = 0; i < 400; ++i)
             for (int j = 0; j < 400; ++j)
@@ -289,7 +295,7 @@ private Q_SLOTS:
                                                             std::sin(2 * std::numbers::pi * i * 0.05 / 0.2));
         auto sources = reliefOnly(relief);
         sources.reliefMmPerPixel = 0.05;
-        const auto map = compose(conditionNamed("h"), sources, Scale::Physical);
+        const auto map = compose(conditionNamed("h"), sources, DisplayScale::Physical);
         QVERIFY2(std::abs(*map.varianceLost - 0.5) < 0.02, qPrintable(QString::number(*map.varianceLost)));
     }
 
@@ -311,30 +317,30 @@ private Q_SLOTS:
         auto sources = reliefOnly(relief);
         sources.reliefMmPerPixel = 0.05;
         sources.meanFriction = 0.5;
-        for (const auto scale : {Scale::Pixels, Scale::Physical}) {
+        for (const auto scale : {DisplayScale::Pixels, DisplayScale::Physical}) {
             const auto map = compose(conditionNamed("h&f"), sources, scale);
             QVERIFY(cv::checkRange(map.values));
             double least = 0, most = 0;
             cv::minMaxLoc(mapToDisplay(map, rangeOf({map})), &least, &most);
-            const bool constant = rangeOf({map}).constant();  // 1e-44 may vanish in the filter
+            const bool constant = rangeOf({map}).constant();  // 1e-44 may vanish in the filter.
             QVERIFY(constant ? most == 0 : least == 0 && most == 255);
         }
     }
 
-    void longTracesTakeTheirMiddle()
+    void longTracesAreCroppedToTheirMiddle()
     {
         Sources sources;
-        sources.traceMmPerSample = 1e-5;  // 10^7 samples over 100 mm
+        sources.traceMmPerSample = 1e-5;  // 10^7 samples over 100 mm.
         sources.trace.resize(10000000);
         for (std::size_t i = 0; i < sources.trace.size(); ++i)
             sources.trace[i] = std::sin(2 * std::numbers::pi * static_cast<double>(i) * 1e-5 / 4) + (i % 2 == 0 ? 0.5 : -0.5);
-        const auto map = compose(conditionNamed("f"), sources, Scale::Physical);
+        const auto map = compose(conditionNamed("f"), sources, DisplayScale::Physical);
         QVERIFY(cv::checkRange(map.values));
-        QVERIFY(std::abs(*map.varianceLost - 1.0 / 3) < 0.02);  // the alternation; the wave of 4 mm stays
-        QCOMPARE(compose(conditionNamed("f"), sources, Scale::Pixels).values.size(), cv::Size(1280, 800));
+        QVERIFY(std::abs(*map.varianceLost - 1.0 / 3) < 0.02);  // The alternation is lost; the wave of 4 mm stays.
+        QCOMPARE(compose(conditionNamed("f"), sources, DisplayScale::Pixels).values.size(), cv::Size(1280, 800));
     }
 
-    /// Why the range is that of all objects: image by image, h&f would be h.
+    /// Reason for a range over all fabrics: image by image, h&f would equal h.
     void meanFrictionIsFeltOnlyBecauseTheRangeIsCommon()
     {
         auto rough = reliefOnly(ramp(40, 40)), smooth = reliefOnly(ramp(40, 40).t());
@@ -342,8 +348,10 @@ private Q_SLOTS:
         smooth.meanFriction = 0.2;
         const auto imageOf = [](const char* condition, const Sources& sources, const std::vector<Sources>& all) {
             std::vector<ScaledMap> maps;
-            for (const auto& one : all) maps.push_back(compose(conditionNamed(condition), one, Scale::Pixels, Extension::Mirror));
-            return mapToDisplay(compose(conditionNamed(condition), sources, Scale::Pixels, Extension::Mirror), rangeOf(maps));
+            for (const auto& one : all)
+                maps.push_back(compose(conditionNamed(condition), one, DisplayScale::Pixels, Extension::Mirror));
+            return mapToDisplay(compose(conditionNamed(condition), sources, DisplayScale::Pixels, Extension::Mirror),
+                                rangeOf(maps));
         };
         const cv::Mat alone = imageOf("h&f", smooth, {smooth}), reliefAlone = imageOf("h", smooth, {smooth});
         QVERIFY(cv::norm(alone, reliefAlone, cv::NORM_INF) <= 1);
@@ -352,23 +360,25 @@ private Q_SLOTS:
         QVERIFY(cv::norm(together, relief, cv::NORM_INF) > 180);
         double highest = 0;
         cv::minMaxLoc(together, nullptr, &highest);
-        QCOMPARE(highest, 64.0);  // 255 * 0.2 / 0.8
+        QCOMPARE(highest, 64.0);  // 255 * 0.2 / 0.8.
     }
 
     void brokenSignalsAreRefused()
     {
         cv::Mat broken = ramp(4, 4);
         broken.at<float>(1, 1) = std::numeric_limits<float>::quiet_NaN();
-        QVERIFY(refusalOf([&] { compose(conditionNamed("h"), reliefOnly(broken), Scale::Pixels); }).contains("not finite"));
-        QVERIFY(refusalOf([&] { compose(conditionNamed("f"), {}, Scale::Pixels); }).contains("empty"));
+        QVERIFY(
+            refusalOf([&] { compose(conditionNamed("h"), reliefOnly(broken), DisplayScale::Pixels); }).contains("not finite"));
+        QVERIFY(refusalOf([&] { compose(conditionNamed("f"), {}, DisplayScale::Pixels); }).contains("empty"));
         broken.at<float>(1, 1) = std::numeric_limits<float>::infinity();
-        QVERIFY(refusalOf([&] { compose(conditionNamed("h"), reliefOnly(broken), Scale::Pixels); }).contains("not finite"));
+        QVERIFY(
+            refusalOf([&] { compose(conditionNamed("h"), reliefOnly(broken), DisplayScale::Pixels); }).contains("not finite"));
         auto large = reliefOnly(ramp(4, 4));
         large.meanFriction = 1e40;
-        QVERIFY(refusalOf([&] { compose(conditionNamed("h&f"), large, Scale::Pixels); }).contains("not finite"));
+        QVERIFY(refusalOf([&] { compose(conditionNamed("h&f"), large, DisplayScale::Pixels); }).contains("not finite"));
         Sources trace;
         trace.trace = {0.1, 1e300};
-        QVERIFY(refusalOf([&] { compose(conditionNamed("f"), trace, Scale::Pixels); }).contains("not finite"));
+        QVERIFY(refusalOf([&] { compose(conditionNamed("f"), trace, DisplayScale::Pixels); }).contains("not finite"));
     }
 };
 

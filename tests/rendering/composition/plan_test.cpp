@@ -67,7 +67,7 @@ private Q_SLOTS:
                  "photograph, tactile frame, friction record, grey photograph, photometric height, measured trace");
     }
 
-    void explanationSaysWhoNeedsTheGenerators()
+    void explanationStatesWhoNeedsTheGenerators()
     {
         const auto lines = QString::fromStdString(explain(protocols::conditionList("h,h_g+f_g"))).split('\n');
         QVERIFY(lines[0].startsWith("h ") && lines[0].contains("tactile frame, photometric height") &&

@@ -1,4 +1,4 @@
-// A small data set written to disk, rendered with generators that only count how they are asked.
+// A small data set on disk, rendered with generators that only record their calls.
 #include "rendering/composition/render_fabrics.h"
 
 #include <QJsonArray>
@@ -12,6 +12,8 @@
 #include <nlohmann/json.hpp>
 #include <opencv2/core.hpp>
 
+#include "rendering/composition/photograph_warnings.h"
+#include "rendering/composition/render_json.h"
 #include "rendering/images/image_io.h"
 #include "rendering/signals/photometric_stereo.h"
 #include "tests/rendering/refusal.h"
@@ -36,7 +38,7 @@ cv::Mat picture(int rows, int columns, double period, double contrast)
     return image;
 }
 
-/// Three fabrics with two samples of each signal; the friction of Fn is about 0.2 n.
+/// Three fabrics with two samples of each signal; the friction of fabric n is about 0.2 n.
 struct SmallDataset {
     SmallDataset()
     {
@@ -79,19 +81,18 @@ struct SmallDataset {
     fabrics::Dataset dataset;
 };
 
-/// Generators that note what they were asked for.
-struct Asked {
+/// Record of the calls of the generators.
+struct GeneratorCalls {
     int calls = 0, photographs = 0;
     bool height = false, friction = false;
 };
 
-RenderRequest requestFor(const SmallDataset& small, const char* conditions, Asked& asked)
+RenderRequest requestFor(const SmallDataset& small, const char* conditions, GeneratorCalls& asked)
 {
     RenderRequest request;
     for (const auto& fabric : small.dataset.fabrics) request.fabrics.push_back(fabric.id);
     request.conditions = protocols::conditionList(conditions);
-    request.generate = [&asked](std::span<const models::InputPhotograph> photographs,
-                                const models::GenerationOptions& options) {
+    request.generate = [&asked](std::span<const models::InputPhotograph> photographs, const models::GenerationOptions& options) {
         ++asked.calls;
         asked.photographs += static_cast<int>(photographs.size());
         asked.height = options.height;
@@ -111,7 +112,7 @@ RenderRequest requestFor(const SmallDataset& small, const char* conditions, Aske
     return request;
 }
 
-QString countsOf(const Rendering& rendering)
+QString countsOf(const RenderedFabrics& rendering)
 {
     QStringList counts;
     for (const auto& [signal, count] : rendering.computed)
@@ -119,7 +120,7 @@ QString countsOf(const Rendering& rendering)
     return counts.join(", ");
 }
 
-double meanLevel(const Rendering& rendering, std::size_t condition, const char* fabric)
+double meanLevel(const RenderedFabrics& rendering, std::size_t condition, const char* fabric)
 {
     return cv::mean(rendering.conditions.at(condition).images.at(FabricId(fabric)))[0];
 }
@@ -129,7 +130,7 @@ double meanLevel(const Rendering& rendering, std::size_t condition, const char* 
 class RenderFabricsTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void conditionComputesItsSignalsOnceAFabricAndNoOther_data()
+    void conditionComputesItsSignalsOnceForEachFabricAndNoOthers_data()
     {
         QTest::addColumn<QString>("conditions");
         QTest::addColumn<QString>("counts");
@@ -164,13 +165,13 @@ private Q_SLOTS:
                                 "generated spectrogram 3, generated trace 3"
                              << 1;
     }
-    void conditionComputesItsSignalsOnceAFabricAndNoOther()
+    void conditionComputesItsSignalsOnceForEachFabricAndNoOthers()
     {
         QFETCH(QString, conditions);
         QFETCH(QString, counts);
         QFETCH(int, calls);
         const SmallDataset small;
-        Asked asked;
+        GeneratorCalls asked;
         const auto request = requestFor(small, qPrintable(conditions), asked);
         const auto rendering = renderFabrics(small.dataset, request);
         QCOMPARE(countsOf(rendering), counts);
@@ -200,7 +201,7 @@ private Q_SLOTS:
         for (const char* fabric : {"F01", "F03"})
             fs::copy_file(small.dataset.folder / "F02/tactile/000.png", small.dataset.folder / fabric / "tactile/000.png",
                           fs::copy_options::overwrite_existing);
-        Asked asked;
+        GeneratorCalls asked;
         const auto rendering = renderFabrics(small.dataset, requestFor(small, "h,h&f", asked));
         QCOMPARE(meanLevel(rendering, 0, "F01"), meanLevel(rendering, 0, "F03"));
         QVERIFY(std::abs(meanLevel(rendering, 1, "F01") / meanLevel(rendering, 1, "F03") - 1.0 / 3) < 0.02);
@@ -209,7 +210,7 @@ private Q_SLOTS:
     void rangeIsThatOfTheDataSetWhenOneFabricIsWritten()
     {
         const SmallDataset small;
-        Asked asked;
+        GeneratorCalls asked;
         auto request = requestFor(small, "v_grey,f", asked);
         const auto all = renderFabrics(small.dataset, request);
         request.fabrics = {FabricId("F01")};
@@ -221,7 +222,7 @@ private Q_SLOTS:
                               cv::NORM_INF),
                      0.0);
         }
-        request.rangeOver = {FabricId("F03"), FabricId("F01")};  // the widest first: a range must not forget
+        request.rangeOver = {FabricId("F03"), FabricId("F01")};  // The widest first, because a range must not shrink again.
         QCOMPARE(renderFabrics(small.dataset, request).conditions[1].range.max, all.conditions[1].range.max);
         QCOMPARE(renderFabrics(small.dataset, request).conditions[1].range.min, all.conditions[1].range.min);
         request.rangeOver = {FabricId("F01"), FabricId("F02")};
@@ -231,7 +232,7 @@ private Q_SLOTS:
     void chosenSampleIsRead()
     {
         const SmallDataset small;
-        Asked asked;
+        GeneratorCalls asked;
         auto request = requestFor(small, "f", asked);
         request.samples[FabricId("F02")] = {.visual = 0, .tactile = 0, .friction = 1};
         const auto rendering = renderFabrics(small.dataset, request);
@@ -266,7 +267,7 @@ private Q_SLOTS:
         QFETCH(QString, said);
         const SmallDataset small;
         fs::remove_all(small.dataset.folder / "F02" / removed.toStdString());
-        Asked asked;
+        GeneratorCalls asked;
         int steps = 0;
         const auto request = requestFor(small, qPrintable(conditions), asked);
         const auto refusal =
@@ -280,7 +281,7 @@ private Q_SLOTS:
     {
         const SmallDataset small;
         fs::remove_all(small.dataset.folder / "F03" / "visual");
-        Asked asked;
+        GeneratorCalls asked;
         auto request = requestFor(small, "v_grey,f", asked);
         request.fabrics = {FabricId("F01")};
         const auto rendering = renderFabrics(small.dataset, request);
@@ -292,7 +293,7 @@ private Q_SLOTS:
     {
         SmallDataset small;
         small.dataset.tactileCalibration.clear();
-        Asked asked;
+        GeneratorCalls asked;
         QVERIFY(refusalOf([&] { renderFabrics(small.dataset, requestFor(small, "h", asked)); }).contains("no calibration"));
         QVERIFY(refusalOf([&] { renderFabrics(small.dataset, requestFor(small, "t_grey", asked)); }).isEmpty());
     }
@@ -301,7 +302,7 @@ private Q_SLOTS:
     {
         SmallDataset small;
         small.dataset.tactileCalibration = "known";
-        Asked asked;
+        GeneratorCalls asked;
         auto request = requestFor(small, "h", asked);
         QVERIFY(refusalOf([&] { renderFabrics(small.dataset, request); }).contains("F01"));
         for (const auto& fabric : request.fabrics) {
@@ -310,16 +311,16 @@ private Q_SLOTS:
         }
         const auto rendering = renderFabrics(small.dataset, request);
         QCOMPARE(rendering.conditions[0].range.max, 0.25);
-        QCOMPARE(cv::countNonZero(rendering.conditions[0].images.at(FabricId("F01"))), 0);  // constant: no relief
+        QCOMPARE(cv::countNonZero(rendering.conditions[0].images.at(FabricId("F01"))), 0);  // Constant, so no relief.
     }
 
     void physicalScaleNeedsThePitchOfItsSource()
     {
         SmallDataset small;
         small.dataset.cameraMmPerPixel.reset();
-        Asked asked;
+        GeneratorCalls asked;
         auto request = requestFor(small, "v_grey", asked);
-        request.scale = Scale::Physical;
+        request.scale = DisplayScale::Physical;
         QVERIFY(refusalOf([&] { renderFabrics(small.dataset, request); }).contains("scale"));
         request.conditions = protocols::conditionList("h,f");
         QCOMPARE(renderFabrics(small.dataset, request).conditions.size(), std::size_t(2));
@@ -329,7 +330,7 @@ private Q_SLOTS:
     {
         SmallDataset small;
         small.writeFriction(FabricId("F03"), "000", "taxel_sum_counts", 4000);
-        Asked asked;
+        GeneratorCalls asked;
         const auto rendering = renderFabrics(small.dataset, requestFor(small, "f,h&f", asked));
         const auto& f = rendering.conditions[0];
         QCOMPARE(f.ranges.size(), std::size_t(2));
@@ -338,14 +339,14 @@ private Q_SLOTS:
         QCOMPARE(rendering.signals.at(FabricId("F03")).measuredQuantity, std::string("taxel_sum_counts"));
         double high = 0;
         cv::minMaxLoc(f.images.at(FabricId("F02")), nullptr, &high);
-        QCOMPARE(high, 255.0);  // the counts do not flatten the coefficients
+        QCOMPARE(high, 255.0);  // The counts do not flatten the coefficients.
     }
 
     void gradientNeedsThePitchOfTheTactileFrames()
     {
         SmallDataset small;
         small.dataset.tactileMmPerPixel.reset();
-        Asked asked;
+        GeneratorCalls asked;
         const auto refusal = refusalOf([&] { renderFabrics(small.dataset, requestFor(small, "gradient", asked)); });
         QVERIFY2(refusal.contains("pitch") && refusal.contains("gradient"), qPrintable(refusal));
     }
@@ -356,7 +357,7 @@ private Q_SLOTS:
         cv::Mat speck = picture(60, 70, 9, 20);
         speck.at<cv::Vec3b>(30, 35) = {255, 255, 255};
         writePng(small.dataset.folder / "F01/visual/000.png", speck);
-        Asked asked;
+        GeneratorCalls asked;
         auto request = requestFor(small, "v_grey", asked);
         request.fabrics = {FabricId("F01")};
         request.rangeOver = {FabricId("F01")};
@@ -376,25 +377,25 @@ private Q_SLOTS:
         }
     }
 
-    void whatBecomesOfEachSourceIsTold()
+    void conversionOfEachSourceIsDescribed()
     {
         const SmallDataset small;
         writePng(small.dataset.folder / "F02/visual/000.png", picture(1000, 1400, 8, 40));
-        Asked asked;
+        GeneratorCalls asked;
         auto request = requestFor(small, "v_grey,t_grey,h", asked);
         const auto lines = describeMaps(renderFabrics(small.dataset, request));
         QCOMPARE(lines.size(), std::size_t(3));
         QVERIFY2(lines[0].starts_with("F01: v_grey, t_grey, h: tile, 0.0 % of its variance lost"), lines[0].c_str());
         QVERIFY2(lines[1].starts_with("F02: v_grey: none (cropped), 2"), lines[1].c_str());
-        request.scale = Scale::Physical;
+        request.scale = DisplayScale::Physical;
         const auto physical = renderFabrics(small.dataset, request);
         QVERIFY(*physical.conditions[2].maps.at(FabricId("F01")).varianceLost > 0.01);
     }
 
-    void photographsUnlikeThoseTrainedOnAreNamed()
+    void unfamiliarPhotographsAreNamed()
     {
         SmallDataset small;
-        Asked asked;
+        GeneratorCalls asked;
         auto request = requestFor(small, "h_g", asked);
         request.generate = [inner = request.generate](auto photographs, const auto& options) {
             auto generated = inner(photographs, options);
@@ -404,12 +405,11 @@ private Q_SLOTS:
         };
         const auto rendering = renderFabrics(small.dataset, request);
         const auto lines = unfamiliarPhotographs(rendering);
-        QCOMPARE(lines.size(), std::size_t{2});  // the third photograph's distance is not told
-        QCOMPARE(
-            QString::fromStdString(lines[0]),
-            "photograph 0 of F01 is unlike every photograph that the model was trained on (distance 9.1, 99 % of known fabrics "
-            "lie below 3.2); what it generates is a guess");
-        QVERIFY(QString::fromStdString(lines[1]).startsWith("these weights do not tell"));
+        QCOMPARE(lines.size(), std::size_t{2});  // The third photograph's distance is unknown.
+        QCOMPARE(QString::fromStdString(lines[0]),
+                 "photograph 0 of F01 differs from all training photographs (distance 9.1, 99 % of known fabrics "
+                 "lie below 3.2); its height and friction are extrapolations");
+        QVERIFY(QString::fromStdString(lines[1]).startsWith("the weights do not state"));
         QCOMPARE(cutPhotographs(rendering).size(), std::size_t{1});
         const auto json = nlohmann::json::parse(renderJson(small.dataset, request, rendering))["photographs"];
         QCOMPARE(json["F01"]["unfamiliar"].get<bool>(), true);
@@ -419,10 +419,10 @@ private Q_SLOTS:
         QVERIFY(unfamiliarPhotographs(renderFabrics(small.dataset, none)).empty());
     }
 
-    void jsonSaysRangeSamplesAndSignals()
+    void jsonContainsRangeSamplesAndSignals()
     {
         const SmallDataset small;
-        Asked asked;
+        GeneratorCalls asked;
         const auto request = requestFor(small, "v_grey,h&f", asked);
         const auto text = renderJson(small.dataset, request, renderFabrics(small.dataset, request));
         QVERIFY(text.starts_with("{\n  \"schema\": \"vis2hap.render/1\""));

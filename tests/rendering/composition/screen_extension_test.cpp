@@ -1,4 +1,4 @@
-// A patch over the whole screen: seams, direction and roughness are measured, not looked at.
+// A patch over the whole screen: measurements of seams, direction and roughness.
 #include "rendering/composition/screen_extension.h"
 
 #include <QTest>
@@ -14,7 +14,7 @@ using namespace rendering;
 
 namespace {
 
-/// A twill at 30 degrees: its period divides no patch.
+/// A twill at 30 degrees; its period divides no patch.
 cv::Mat twill(int rows, int columns, double period = 11.3)
 {
     cv::Mat patch(rows, columns, CV_32FC1);
@@ -24,7 +24,7 @@ cv::Mat twill(int rows, int columns, double period = 11.3)
     return patch;
 }
 
-/// Blobs of about four pixels that never repeat.
+/// Blobs of about four pixels without repetition.
 cv::Mat felt(int rows, int columns, std::uint64_t seed)
 {
     protocols::Random random(seed);
@@ -50,7 +50,7 @@ double spread(const cv::Mat& values)
     return sd[0];
 }
 
-/// Share of the power, over blocks of 64, that a texture of another direction or period would have to move.
+/// Share of the power, over blocks of 64, that differs in direction or period.
 double spectrumMoved(const cv::Mat& a, const cv::Mat& b)
 {
     const auto spectrum = [](const cv::Mat& values) {
@@ -92,7 +92,7 @@ private Q_SLOTS:
         QFETCH(int, rows);
         QFETCH(int, columns);
         const cv::Mat patch = twill(rows, columns);
-        const auto laid = overScreen(patch, Extension::Tile), reflected = overScreen(patch, Extension::Mirror);
+        const auto laid = extendToScreen(patch, Extension::Tile), reflected = extendToScreen(patch, Extension::Mirror);
         QCOMPARE(laid.values.size(), cv::Size(1280, 800));
         QCOMPARE(laid.how, std::string("tile"));
         QCOMPARE(reflected.how, std::string("mirror"));
@@ -119,7 +119,7 @@ private Q_SLOTS:
                     if (kind.startsWith("tilted")) patch.at<float>(i, j) += static_cast<float>(5 * x - 3 * y);
                     if (kind.startsWith("folded")) patch.at<float>(i, j) += static_cast<float>(std::sin(4 * x + 2 * y));
                 }
-            const auto laid = overScreen(patch, Extension::Tile);
+            const auto laid = extendToScreen(patch, Extension::Tile);
             QCOMPARE(laid.how, std::string("tile"));
             QVERIFY2(largestStep(laid.values) < 1.5 * largestStep(patch),
                      qPrintable(QString("%1 against %2").arg(largestStep(laid.values)).arg(largestStep(patch))));
@@ -129,37 +129,37 @@ private Q_SLOTS:
     void theMiddleIsTheSourceItself()
     {
         const cv::Mat patch = twill(240, 320);
-        const cv::Mat laid = overScreen(patch, Extension::Tile).values(middle(patch));
-        const cv::Rect heart(150, 110, 60, 40);  // beyond what is cut away and blended on either side
+        const cv::Mat laid = extendToScreen(patch, Extension::Tile).values(middle(patch));
+        const cv::Rect heart(150, 110, 60, 40);  // Inside everything that is cut away or blended.
         QCOMPARE(cv::norm(laid(heart), patch(heart), cv::NORM_INF), 0.0);
     }
 
-    /// The mean of two strips that do not agree has half their variance.
+    /// The mean of two uncorrelated strips has half their variance.
     void aTextureThatNeverRepeatsKeepsItsRoughness()
     {
         double screen = 0, patches = 0;
         for (std::uint64_t seed = 1; seed <= 8; ++seed) {
             const cv::Mat patch = felt(120, 160, seed);
-            screen += spread(overScreen(patch, Extension::Tile).values);
+            screen += spread(extendToScreen(patch, Extension::Tile).values);
             patches += spread(patch);
         }
         qInfo("roughness of the screen over that of the patches: %.3f", screen / patches);
-        QVERIFY(std::abs(screen / patches - 1) < 0.045);  // 0.940 where the mean is not made up for
+        QVERIFY(std::abs(screen / patches - 1) < 0.045);  // 0.940 without the restored variance.
     }
 
-    /// A weave that shows strongly in the light and weakly in the shade: seen on photographs of satin.
-    void contrastThatChangesGoesOnBesideThePatch()
+    /// A weave with high contrast in the light and low contrast in the shade, as on photographs of satin.
+    void changingContrastContinuesBesideThePatch()
     {
         cv::Mat patch = felt(256, 256, 9);
         for (int i = 0; i < patch.rows; ++i) patch.row(i) *= 0.15 + 0.85 * i / 255.0;
-        const cv::Mat laid = overScreen(patch, Extension::Tile).values;
+        const cv::Mat laid = extendToScreen(patch, Extension::Tile).values;
         double furthest = 1;
         for (int row = 0; row + 12 <= patch.rows; row += 12) {
             const double ratio = spread(laid.rowRange(272 + row, 284 + row)) / spread(patch.rowRange(row, row + 12));
             furthest = std::max({furthest, ratio, 1 / ratio});
         }
         qInfo("beside the patch, a strip's roughness differs from the patch's own by a factor of %.2f at most", furthest);
-        QVERIFY(furthest < 2);  // 3.6 where the texture keeps its own contrast
+        QVERIFY(furthest < 2);  // 3.6 if the texture keeps its own contrast.
     }
 
     void nothingLeavesTheRangeOfTheSource()
@@ -168,25 +168,25 @@ private Q_SLOTS:
             const cv::Mat patch = felt(60, 60, seed);
             double low = 0, high = 0, least = 0, most = 0;
             cv::minMaxLoc(patch, &low, &high);
-            cv::minMaxLoc(overScreen(patch, Extension::Tile).values, &least, &most);
+            cv::minMaxLoc(extendToScreen(patch, Extension::Tile).values, &least, &most);
             QVERIFY(least >= low && most <= high);
         }
     }
 
-    void aTraceRunsOnWithoutAJump()
+    void aTraceContinuesWithoutAJump()
     {
         protocols::Random random(4);
         cv::Mat trace(1, 480, CV_32FC1);
-        for (int i = 0; i < 480; ++i)  // drifts, so that its end is not its beginning
+        for (int i = 0; i < 480; ++i)  // Drifts, so that its end differs from its beginning.
             trace.at<float>(i) = static_cast<float>(0.5 + 0.001 * i + 0.05 * std::sin(0.7 * i) + 0.005 * random.normal());
-        const auto laid = overScreen(trace, Extension::Tile);
+        const auto laid = extendToScreen(trace, Extension::Tile);
         QCOMPARE(laid.values.size(), cv::Size(1280, 800));
         QCOMPARE(laid.how, std::string("tile"));
         QCOMPARE(cv::norm(laid.values.row(0), laid.values.row(799), cv::NORM_INF), 0.0);
         QVERIFY(largestStep(laid.values) < 1.3 * largestStep(trace));
     }
 
-    void whatCannotBeLaidIsMirroredAndSaid_data()
+    void whatCannotBeTiledIsMirroredWithAReason_data()
     {
         QTest::addColumn<int>("rows");
         QTest::addColumn<int>("columns");
@@ -196,22 +196,22 @@ private Q_SLOTS:
         QTest::newRow("a few pixels") << 15 << 15;
         QTest::newRow("constant") << 200 << 200;
     }
-    void whatCannotBeLaidIsMirroredAndSaid()
+    void whatCannotBeTiledIsMirroredWithAReason()
     {
         QFETCH(int, rows);
         QFETCH(int, columns);
         const cv::Mat patch = rows == 200 ? cv::Mat(rows, columns, CV_32FC1, cv::Scalar(0.4)) : twill(rows, columns);
-        const auto laid = overScreen(patch, Extension::Tile);
+        const auto laid = extendToScreen(patch, Extension::Tile);
         QCOMPARE(laid.how, std::string("mirror (too small or constant to tile)"));
-        QCOMPARE(cv::norm(laid.values, overScreen(patch, Extension::Mirror).values, cv::NORM_INF), 0.0);
+        QCOMPARE(cv::norm(laid.values, extendToScreen(patch, Extension::Mirror).values, cv::NORM_INF), 0.0);
     }
 
-    void heightsOfANanometreAndAKilometreAreLaidAlike()
+    void heightsOfANanometreAndAKilometreGiveTheSamePattern()
     {
         const cv::Mat patch = twill(100, 130);
-        const cv::Mat laid = overScreen(patch, Extension::Tile).values;
+        const cv::Mat laid = extendToScreen(patch, Extension::Tile).values;
         for (const double gain : {1e-6, 1e6}) {
-            const cv::Mat scaled = overScreen(patch * gain, Extension::Tile).values;
+            const cv::Mat scaled = extendToScreen(patch * gain, Extension::Tile).values;
             QVERIFY(cv::checkRange(scaled));
             QVERIFY(cv::norm(scaled / gain, laid, cv::NORM_INF) < 1e-4);
         }

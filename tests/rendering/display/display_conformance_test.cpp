@@ -1,5 +1,5 @@
-// The conformance check, as the owner of a display runs it: the reference driver meets every demand, and each
-// deliberately broken driver is found out by name.
+// The check that the owner of a display runs: the reference driver meets every requirement, and each deliberately broken
+// driver is recognised by name.
 #include <QCoreApplication>
 #include <QProcess>
 #include <QRegularExpression>
@@ -19,7 +19,7 @@ namespace {
 
 std::string reference() { return VIS2HAP_REFERENCE_DISPLAY; }
 
-/// Of a fault that names a time-out, few milliseconds are enough.
+/// Short times, because some faults are time-outs.
 DisplayCheckOptions impatient()
 {
     DisplayCheckOptions options;
@@ -88,36 +88,36 @@ private Q_SLOTS:
         QCOMPARE(check.name, std::string("reference display"));
         QCOMPARE(check.showMs.size(), std::size_t(10));
         if (arguments.contains("--delay")) QVERIFY(*std::min_element(check.showMs.begin(), check.showMs.end()) >= 20);
-        // After its end of file nothing is felt.
+        // After its end of file nothing can be felt.
         QCOMPARE(cv::countNonZero(readPgm((folder + "/current.pgm").toStdString())), 0);
     }
 
-    void referenceDriverOnAnotherComputerMeetsThemToo()
+    void referenceDriverMeetsEveryDemandOverTheNetwork()
     {
         const Listening driver({m_folder.filePath("tcp")});
         const auto check = checked(driver.specification, {});
         QVERIFY2(check.faults() == 0, qPrintable(faultsOf(check)));
     }
 
-    void brokenDriversAreFoundOut_data()
+    void brokenDriversAreRecognised_data()
     {
         QTest::addColumn<QString>("demand");
         QTest::addColumn<QString>("told");
-        QTest::newRow("silent at hello") << "says hello"
+        QTest::newRow("silent at hello") << "sends hello"
                                          << "no hello in time";
-        QTest::newRow("other schema") << "says hello"
+        QTest::newRow("other schema") << "sends hello"
                                       << "acme/7";
-        QTest::newRow("no name") << "says hello"
+        QTest::newRow("no name") << "sends hello"
                                  << "no name";
-        QTest::newRow("endless line") << "says hello"
+        QTest::newRow("endless line") << "sends hello"
                                       << "longer than 65536 bytes";
-        QTest::newRow("endless lines") << "says nothing but messages"
-                                       << "no message: x";
-        QTest::newRow("babbles") << "says nothing but messages"
+        QTest::newRow("endless lines") << "sends only messages"
+                                       << "not a message: x";
+        QTest::newRow("babbles") << "sends only messages"
                                  << "Engine 2.1 is ready";
-        QTest::newRow("answers twice") << "says nothing but messages"
+        QTest::newRow("answers twice") << "sends only messages"
                                        << "answered before";
-        QTest::newRow("touched elsewhere") << "says nothing but messages"
+        QTest::newRow("touched elsewhere") << "sends only messages"
                                            << "image 999999";
         QTest::newRow("echoes the schema") << "newer schema"
                                            << "display/99";
@@ -131,24 +131,24 @@ private Q_SLOTS:
                                      << "ended with exit code 0";
         QTest::newRow("refuses images") << "shows an image"
                                         << "no amplifier";
-        QTest::newRow("answers an old id") << "says nothing but messages"
+        QTest::newRow("answers an old id") << "sends only messages"
                                            << "request 1,";
-        QTest::newRow("reads images as lines") << "whatever they look like"
+        QTest::newRow("reads images as lines") << "does not interpret"
                                                << "";
-        QTest::newRow("status tells nothing") << "names the image"
+        QTest::newRow("status tells nothing") << "in its status"
                                               << "showing nothing";
         QTest::newRow("never clears") << "clears in time"
                                       << "showing";
         QTest::newRow("hangs at clearing") << "clears in time"
                                            << "no reply in time";
-        QTest::newRow("silent at the unknown") << "does not know"
+        QTest::newRow("silent at the unknown") << "unknown request"
                                                << "no reply in time";
-        QTest::newRow("ends at the unknown") << "does not know"
+        QTest::newRow("ends at the unknown") << "unknown request"
                                              << "ended with exit code 0";
         QTest::newRow("goes on without input") << "input ends"
                                                << "went on";
     }
-    void brokenDriversAreFoundOut()
+    void brokenDriversAreRecognised()
     {
         QFETCH(QString, demand);
         QFETCH(QString, told);
@@ -160,13 +160,13 @@ private Q_SLOTS:
         QVERIFY2(!found->fault.empty() && QString::fromStdString(found->fault).contains(told), qPrintable(faultsOf(check)));
     }
 
-    void theSameDriverWithoutAFaultIsFine()
+    void theSameDriverWithoutAFaultPasses()
     {
         const auto check = checked("exec:" VIS2HAP_BROKEN_DISPLAY " none", impatient());
         QVERIFY2(check.faults() == 0, qPrintable(faultsOf(check)));
     }
 
-    void programThatDoesNotStartIsToldAtEveryDemand()
+    void programThatDoesNotStartFailsEveryDemand()
     {
         const auto check = checked("exec:/nowhere/driver", impatient());
         QVERIFY(check.demands.front().fault.find("exit code 127") != std::string::npos);

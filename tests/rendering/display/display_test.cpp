@@ -51,7 +51,7 @@ private Q_SLOTS:
         QVERIFY(rest.find_first_not_of(char(50)) == std::string::npos);
     }
 
-    void lostFolderIsTold()
+    void lostFolderIsReported()
     {
         QTemporaryDir folder;
         const std::filesystem::path path(folder.filePath("watched").toStdString());

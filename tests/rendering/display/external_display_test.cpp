@@ -1,5 +1,5 @@
-// A display behind its owner's driver, as a session uses it: what is shown, what is told, and what happens when
-// the driver dies, hangs or babbles.
+// A display behind its owner's driver, as a session uses it: shown images, reported touches, and drivers that end, hang
+// or send nonsense.
 #include "rendering/display/external_display.h"
 
 #include <netinet/in.h>
@@ -32,7 +32,7 @@ DriverAddress broken(const std::string& fault) { return program(std::string(VIS2
 
 constexpr DriverPatience impatient{.reply = 300ms, .start = 500ms, .tries = 3};
 
-/// Nobody listens there: the system gave it out, and it was given back.
+/// A port where nobody listens: the system assigned it, and it was released.
 int freePort()
 {
     const int server = ::socket(AF_INET, SOCK_STREAM, 0);
@@ -46,13 +46,13 @@ int freePort()
     return ntohs(place.sin_port);
 }
 
-/// Lets the display tell what it has to tell, as an event loop would, for so long.
+/// Lets the display process its messages for a time, as an event loop would.
 void attendFor(HapticDisplay& display, std::chrono::milliseconds duration)
 {
     const auto end = std::chrono::steady_clock::now() + duration;
     while (std::chrono::steady_clock::now() < end) {
         pollfd waiting{display.descriptorToWatch(), POLLIN, 0};
-        if (::poll(&waiting, 1, 10) > 0) display.attend();
+        if (::poll(&waiting, 1, 10) > 0) display.processMessages();
     }
 }
 
@@ -79,7 +79,7 @@ private Q_SLOTS:
         for (int i = 0; i < image.rows * image.cols; ++i) image.data[i] = static_cast<unsigned char>(i * 7 % 256);
         display.show(image);
         QCOMPARE(cv::norm(felt(), image, cv::NORM_INF), 0.0);
-        display.show(image.colRange(100, 500));  // rows that do not follow on one another
+        display.show(image.colRange(100, 500));  // Rows that are not contiguous in memory.
         QCOMPARE(cv::norm(felt(), image.colRange(100, 500), cv::NORM_INF), 0.0);
         display.clear();
         QCOMPARE(cv::countNonZero(felt()), 0);
@@ -94,7 +94,7 @@ private Q_SLOTS:
         QCOMPARE(cv::countNonZero(felt()), 0);
     }
 
-    void touchIsToldWithTheTimeSince()
+    void touchIsReportedWithItsAge()
     {
         ExternalDisplay display(reference("--touch-after 40"));
         QVERIFY(display.reportsTouches());
@@ -104,15 +104,15 @@ private Q_SLOTS:
         attendFor(display, 200ms);
         QCOMPARE(touches.size(), std::size_t(1));
         display.show(grey);
-        std::this_thread::sleep_for(240ms);  // the window is busy while the finger comes down
+        std::this_thread::sleep_for(240ms);  // The window is busy while the finger comes down.
         attendFor(display, 50ms);
         QCOMPARE(touches.size(), std::size_t(2));
-        // Told 200 ms late, and known to be.
+        // Reported 200 ms late, with this delay as its age.
         QVERIFY2(touches.back().ago > 120ms && touches.back().ago > touches.front().ago,
                  qPrintable(QString::number(touches.back().ago.count())));
     }
 
-    void touchBetweenTwoImagesIsNone()
+    void touchBetweenTwoImagesIsIgnored()
     {
         ExternalDisplay display(reference("--touch-after 30"));
         int touches = 0;
@@ -124,7 +124,7 @@ private Q_SLOTS:
         QCOMPARE(touches, 0);
     }
 
-    void touchThatComesWithTheReplyIsNotForgotten()
+    void touchThatComesWithTheReplyIsReported()
     {
         ExternalDisplay display(reference("--touch-after 0"));
         int touches = 0;
@@ -136,16 +136,16 @@ private Q_SLOTS:
         }
     }
 
-    void driverThatDiesIsBegunAgain()
+    void driverThatDiesIsStartedAgain()
     {
         ExternalDisplay display(reference("--crash-at 2"));
-        for (int image = 0; image < 4; ++image) display.show(grey);  // every second one kills it
+        for (int image = 0; image < 4; ++image) display.show(grey);  // Every second image ends the driver.
         QCOMPARE(cv::norm(felt(), grey, cv::NORM_INF), 0.0);
         display.clear();
         QCOMPARE(cv::countNonZero(felt()), 0);
     }
 
-    void driverThatDiesBetweenTrialsIsBegunAgainInSilence()
+    void driverThatDiesBetweenTrialsIsStartedAgainSilently()
     {
         ExternalDisplay display(broken("dies after clearing"), impatient);
         for (int trial = 0; trial < 3; ++trial) {
@@ -155,26 +155,26 @@ private Q_SLOTS:
         }
     }
 
-    void driverThatDiesWhileAnImageIsFeltIsTold()
+    void driverThatDiesWhileAnImageIsFeltIsReported()
     {
         ExternalDisplay display(broken("dies after an image"), impatient);
         display.show(grey);
         const auto told = refusalOf([&] { attendFor(display, 300ms); });
         QVERIFY2(told.contains("while an image was felt") && told.contains("signal 9"), qPrintable(told));
-        QCOMPARE(refusalOf([&] { attendFor(display, 50ms); }), QString());  // once
+        QCOMPARE(refusalOf([&] { attendFor(display, 50ms); }), QString());  // Reported only once.
     }
 
-    void faultOfADriverIsToldByName_data()
+    void faultOfADriverIsNamed_data()
     {
         QTest::addColumn<QString>("told");
         QTest::newRow("hangs at an image") << "does not answer \"shown\" within 0.3 s (tried 3 times)";
         QTest::newRow("dies at an image") << "was ended by signal 9";
         QTest::newRow("half a line") << "ended with exit code 0 (tried 3 times)";
         QTest::newRow("refuses images") << "refuses: no amplifier";
-        QTest::newRow("babbles for ever") << "does not answer \"shown\" within 0.3 s; heard instead: frame (tried 3 times)";
+        QTest::newRow("babbles for ever") << "does not answer \"shown\" within 0.3 s; it sent instead: frame (tried 3 times)";
         QTest::newRow("answers an old id") << "does not answer \"shown\"";
     }
-    void faultOfADriverIsToldByName()
+    void faultOfADriverIsNamed()
     {
         QFETCH(QString, told);
         ExternalDisplay display(broken(QTest::currentDataTag()), impatient);
@@ -182,32 +182,32 @@ private Q_SLOTS:
         QVERIFY2(fault.contains(told) && fault.contains("exec:") && fault.contains("display check"), qPrintable(fault));
         QElapsedTimer timer;
         timer.start();
-        display.clear();  // one more try, and it clears
+        display.clear();  // One more try succeeds.
         QVERIFY(timer.elapsed() < 900);
     }
 
-    void driverThatCannotBeginIsToldAtOnce_data()
+    void driverThatCannotStartIsReportedAtOnce_data()
     {
         QTest::addColumn<QString>("told");
         QTest::newRow("silent at hello") << "does not answer \"hello\" within 0.5 s";
-        QTest::newRow("other schema") << "speaks \"acme/7\", this program vis2hap.display/1";
+        QTest::newRow("other schema") << "uses \"acme/7\", but this program uses vis2hap.display/1";
         QTest::newRow("endless line") << "longer than 65536 bytes";
         QTest::newRow("endless lines") << "";
     }
-    void driverThatCannotBeginIsToldAtOnce()
+    void driverThatCannotStartIsReportedAtOnce()
     {
         QFETCH(QString, told);
         const auto fault = refusalOf([&] { ExternalDisplay(broken(QTest::currentDataTag()), impatient); });
         QVERIFY2(!fault.isEmpty() && fault.contains(told), qPrintable(fault));
     }
 
-    void harmlessHabitsAreBorne_data()
+    void harmlessFaultsAreTolerated_data()
     {
         QTest::addColumn<QString>("fault");
         for (const char* fault : {"babbles", "answers twice", "touched elsewhere", "floods its errors"})
             QTest::newRow(fault) << fault;
     }
-    void harmlessHabitsAreBorne()
+    void harmlessFaultsAreTolerated()
     {
         QFETCH(QString, fault);
         ExternalDisplay display(broken(fault.toStdString()), impatient);
@@ -221,16 +221,16 @@ private Q_SLOTS:
         QCOMPARE(touches, 0);
     }
 
-    void whatItSaidBeforeItDiedIsTold()
+    void errorTextOfADeadDriverIsReported()
     {
         qputenv("BROKEN_DISPLAY_MARK", m_folder.filePath("died").toUtf8());
         ExternalDisplay display(broken("dies at the first image"), {.reply = 2s, .start = 2s, .tries = 1});
         const auto fault = refusalOf([&] { display.show(grey); });
-        QVERIFY2(fault.contains("exit code 3; it said: cannot open the amplifier"), qPrintable(fault));
-        display.show(grey);  // mended
+        QVERIFY2(fault.contains("exit code 3; its error text: cannot open the amplifier"), qPrintable(fault));
+        display.show(grey);  // Repaired.
     }
 
-    void nobodyAtTheAddressIsToldAtOnce()
+    void closedPortIsReportedAtOnce()
     {
         const auto port = std::to_string(freePort());
         const auto fault = refusalOf([&] { ExternalDisplay(DriverAddress{{}, "127.0.0.1", port}, impatient); });
@@ -239,7 +239,7 @@ private Q_SLOTS:
                  qPrintable(fault));
     }
 
-    void addressesAreUnderstood_data()
+    void addressesAreRead_data()
     {
         QTest::addColumn<QString>("specification");
         QTest::addColumn<QString>("host");
@@ -260,7 +260,7 @@ private Q_SLOTS:
                                          << ""
                                          << "";
     }
-    void addressesAreUnderstood()
+    void addressesAreRead()
     {
         QFETCH(QString, specification);
         QFETCH(QString, host);
@@ -276,7 +276,7 @@ private Q_SLOTS:
 
     void spoiltMessagesDoNoHarm()
     {
-        // Every line that a driver may say, with some of its bytes drawn anew.
+        // Every line that a driver may send, with some bytes replaced at random.
         const std::string lines[] = {
             "{\"type\":\"hello\",\"id\":1,\"schema\":\"vis2hap.display/"
             "1\",\"name\":\"A\",\"width\":40,\"height\":30,\"touches\":true}",

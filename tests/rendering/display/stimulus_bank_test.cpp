@@ -18,7 +18,7 @@ namespace {
 
 cv::Mat image(int level) { return cv::Mat(800, 1280, CV_8UC1, cv::Scalar(level)); }
 
-/// A bank of stimuli "a", "b" ... each of its own level.
+/// A bank of stimuli "a", "b" and so on, each with its own level.
 struct Stimuli {
     explicit Stimuli(int count)
     {
@@ -39,7 +39,7 @@ struct Stimuli {
 class StimulusBankTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void filesTellNothingOfTheirStimulus()
+    void filesRevealNothingAboutTheirStimulus()
     {
         QTemporaryDir folder;
         const std::filesystem::path path(folder.path().toStdString());

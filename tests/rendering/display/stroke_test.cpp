@@ -52,7 +52,7 @@ private Q_SLOTS:
         QFETCH(int, level);
         QFETCH(double, force);
         const auto felt = strokeForce(flat(level), 400, false);
-        // 1279 pixels of 0.170 mm at 50 mm/s and 1000 Hz, both ends counted.
+        // 1279 pixels of 0.170 mm at 50 mm/s and 1000 Hz, including both ends.
         QCOMPARE(felt.size(), std::size_t(1279 * 0.170 / 50 * 1000) + 1);
         for (const double value : felt) QVERIFY(std::abs(value - force) < 1e-12);
     }
@@ -68,15 +68,15 @@ private Q_SLOTS:
     }
     void stepIsFollowedAsTheSkinResponds()
     {
-        // tau F' + F = d(t). Between two pixels d rises evenly, for T = pitch / speed; from its beginning on
-        // F = d0 + a (t - tau + tau exp(-t/tau)) with a = (d1 - d0) / T, and after its end at T
-        // F = d1 + (F(T) - d1) exp(-(t - T)/tau). The samples meet the ramp's ends exactly: 8.5 mm/s, 0.17 mm: T = 20 ms.
+        // tau F' + F = d(t). Between two pixels d rises linearly for T = pitch / speed. From the beginning of the rise
+        // F = d0 + a (t - tau + tau exp(-t/tau)) with a = (d1 - d0) / T. After its end at T
+        // F = d1 + (F(T) - d1) exp(-(t - T)/tau). Samples lie exactly at the ends of the rise: 8.5 mm/s, 0.17 mm: T = 20 ms.
         QFETCH(double, responseS);
         QFETCH(double, sampleRateHz);
         cv::Mat image(3, 41, CV_8UC1, cv::Scalar(0));
         image.colRange(20, 41).setTo(255);
         StrokeOptions options;
-        options.contactMm = 0.001;  // a needle: the step stays a step
+        options.contactMm = 0.001;  // Such a narrow contact keeps the step a step.
         options.speedMmPerS = 8.5;
         options.responseS = responseS;
         options.sampleRateHz = sampleRateHz;
@@ -96,7 +96,7 @@ private Q_SLOTS:
         }
     }
 
-    void sixteenBitImageIsFeltAsItsEightBitOne()
+    void sixteenBitImageGivesTheForceOfItsEightBitOne()
     {
         cv::Mat fine;
         const cv::Mat image = grating(40);
@@ -151,7 +151,7 @@ private Q_SLOTS:
         QVERIFY2(refusal.contains(told), qPrintable(refusal));
     }
 
-    void fastestStrokeIsItsBeginning()
+    void fastestStrokeIsASingleSample()
     {
         StrokeOptions options;
         options.speedMmPerS = 1e6;
@@ -172,7 +172,7 @@ private Q_SLOTS:
 
     void fingerPadBlursFineTexture()
     {
-        // Gaussian of sigma 0.25 mm: a wave of 2 mm keeps exp(-2 pi^2 sigma^2 / 4) = 0.73, one of 0.5 mm 0.7 %.
+        // Gaussian of sigma 0.25 mm: a wave of 2 mm keeps exp(-2 pi^2 sigma^2 / 4) = 0.73, a wave of 0.5 mm keeps 0.7 %.
         StrokeOptions options;
         options.responseS = 0;
         const double coarse = spanInTheMiddle(strokeForce(grating(2 / 0.170), 400, false, options));

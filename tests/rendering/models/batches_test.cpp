@@ -1,4 +1,4 @@
-// What a batch holds: crops where they are expected, pairs that belong together.
+// Contents of a batch: crops at the expected places, and pairs that belong together.
 #include "rendering/models/networks/batches.h"
 
 #include <QTest>
@@ -12,14 +12,14 @@ using namespace rendering::models;
 
 namespace {
 
-/// Height and brightness fall along one line, so that a place can be read from either.
+/// Height and brightness decrease along one line, so that both reveal the place.
 TrainingData slopes(bool aligned)
 {
     TrainingData data;
     data.aligned = aligned;
     data.architecture.crop = 32;
     data.architecture.heightScaleMm = 1;
-    FabricSamples fabric;
+    TrainingFabric fabric;
     for (int index = 0; index < 2; ++index) {
         TrainingPhotograph photograph{index, cv::Mat(96, 96, CV_8UC3), 0};
         TrainingHeight height{index, cv::Mat(96, 96, CV_32F), 0, std::vector<float>(ringCount, -5)};
@@ -64,11 +64,11 @@ private Q_SLOTS:
     {
         const TrainingData data = slopes(true);
         protocols::Random random(5);
-        BatchWish wish;
-        wish.size = 6;
-        wish.augment = false;
-        wish.margin = 8;
-        const Batch batch = drawBatch(data, data.validation, wish, random);
+        BatchOptions options;
+        options.size = 6;
+        options.augment = false;
+        options.margin = 8;
+        const Batch batch = drawBatch(data, data.validation, options, random);
         QCOMPARE(batch.margin, 0);
         const std::size_t plane = 32 * 32;
         for (std::size_t i = 0; i < 6; ++i)
@@ -80,13 +80,13 @@ private Q_SLOTS:
     {
         const TrainingData data = slopes(true);
         protocols::Random random(6);
-        BatchWish wish;
-        wish.size = 40;
-        const Batch batch = drawBatch(data, data.training, wish, random);
+        BatchOptions options;
+        options.size = 40;
+        const Batch batch = drawBatch(data, data.training, options, random);
         const std::size_t plane = 32 * 32;
         for (std::size_t i = 0; i < 40; ++i) {
             const float* height = batch.heights.data() + i * plane;
-            // The slope of the plane, whatever its direction: away from mirrored borders the same in every crop.
+            // The plane has the same slope in every crop and direction, away from mirrored borders.
             const float right = (height[16 * 32 + 22] - height[16 * 32 + 10]) / 12,
                         down = (height[22 * 32 + 16] - height[10 * 32 + 16]) / 12;
             QVERIFY2(std::abs(std::hypot(right, down) - std::sqrt(2.0F) / 255) < 0.1F / 255,
@@ -98,21 +98,21 @@ private Q_SLOTS:
     {
         const TrainingData data = slopes(false);
         protocols::Random random(7);
-        BatchWish wish;
-        wish.heights = false;
-        const Batch batch = drawBatch(data, data.training, wish, random);
+        BatchOptions options;
+        options.heights = false;
+        const Batch batch = drawBatch(data, data.training, options, random);
         QVERIFY(batch.heights.empty() && batch.rings.empty());
         QCOMPARE(batch.means.size(), std::size_t{8});
     }
 
-    void weakPairsComeWithAMarginToBeRegisteredIn()
+    void weakPairsHaveAMarginForRegistration()
     {
         const TrainingData data = slopes(false);
         protocols::Random random(8);
-        BatchWish wish;
-        wish.size = 2;
-        wish.margin = 12;
-        const Batch batch = drawBatch(data, data.training, wish, random);
+        BatchOptions options;
+        options.size = 2;
+        options.margin = 12;
+        const Batch batch = drawBatch(data, data.training, options, random);
         QCOMPARE(batch.heights.size(), std::size_t{2 * 56 * 56});
     }
 };

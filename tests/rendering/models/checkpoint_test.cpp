@@ -1,4 +1,4 @@
-// A training run killed while it writes its checkpoint, a hundred times.
+// A training run that is killed a hundred times while it writes its checkpoint.
 #include <QElapsedTimer>
 #include <QFile>
 #include <QProcess>
@@ -48,7 +48,7 @@ private:
     /// Names of checkpoints that are being written, or were when the run was killed.
     QStringList unfinished() const { return QDir(m_folder.path()).entryList({".model.pt.checkpoint.unfinished-*"}, QDir::Files | QDir::Hidden); }
 
-    /// Kills the run so many microseconds after its first checkpoint has begun to be written; what it had said.
+    /// Kills the run `delayUs` microseconds after it began to write its first checkpoint; returns its output.
     QString killedWhileWriting(bool resume, int delayUs) const
     {
         QProcess run;

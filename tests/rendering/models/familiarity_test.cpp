@@ -1,4 +1,4 @@
-// Photographs unlike all that a model was trained on are told from other places on known fabrics.
+// Unfamiliar photographs are distinguished from other places on known fabrics.
 #include "rendering/models/familiarity.h"
 
 #include <QTemporaryDir>
@@ -51,10 +51,10 @@ private Q_SLOTS:
         m_familiarity = models::fitFamiliarity(m_training, m_validation);
     }
 
-    void photographsTrainedOnLieAtNoDistance()
+    void trainingPhotographsLieAtDistanceZero()
     {
         for (const Features& features : m_training)
-            QVERIFY(models::recognised(m_familiarity, features).distance < 0.01);  // four digits are kept
+            QVERIFY(models::recognised(m_familiarity, features).distance < 0.01);  // Four digits are kept.
     }
 
     void otherPlacesOnKnownFabricsAreFamiliar()
@@ -79,10 +79,10 @@ private Q_SLOTS:
         }
     }
 
-    void realFabricsAreToldFromProceduralOnes()
+    void realFabricsDifferFromProceduralOnes()
     {
         const auto folder = sharedData("fabricbtdf_photos");
-        if (!std::filesystem::exists(folder)) QSKIP("the shared data are not here");
+        if (!std::filesystem::exists(folder)) QSKIP("the shared data do not exist");
         for (const char* name : {"twill1_R.png", "twill3_R.png", "satin1_R.png", "satin2_R.png"})
             QVERIFY(models::recognised(m_familiarity, models::photographFeatures(readPng(folder / name))).distance >
                     m_familiarity.threshold);
@@ -108,7 +108,7 @@ private Q_SLOTS:
 
     void ninetyNineOfAHundredLieBelowTheThreshold()
     {
-        const std::vector<Features> training{plain(-1), plain(1)};  // mean 0, deviation 1 of each
+        const std::vector<Features> training{plain(-1), plain(1)};  // Mean 0 and deviation 1 of each feature.
         std::vector<Features> validation;
         for (int i = 1; i <= 200; ++i) {
             validation.push_back(plain(1));
@@ -127,9 +127,9 @@ private Q_SLOTS:
         QVERIFY(std::isfinite(models::recognised(familiarity, plain(7)).distance));
     }
 
-    void ringsOfTheFabricThatAPhotographIsLikeAreRemembered()
+    void similarPhotographGetsTheRingsOfItsFabric()
     {
-        // Two fabrics far apart; the second was photographed twice.
+        // Two fabrics far apart; the second one has two photographs.
         const std::vector<Features> training{plain(-1), plain(1), plain(1.02F)};
         const models::KnownFabrics fabrics{
             {0, 1, 1}, {std::vector<double>(models::ringCount, -4), std::vector<double>(models::ringCount, -9)}};
@@ -142,16 +142,16 @@ private Q_SLOTS:
             QVERIFY(std::abs(first.rings[static_cast<std::size_t>(ring)] + 4) < 1e-3);
             QVERIFY(std::abs(second.rings[static_cast<std::size_t>(ring)] + 9) < 1e-3);
         }
-        // Whatever lies as far from both is like both.
+        // A photograph at equal distance from both gets the mean of both.
         const models::Recognised neither = models::recognised(familiarity, plain(0));
         QVERIFY(neither.rings[0] < -4 && neither.rings[0] > -9);
         QVERIFY(models::recognised(models::fitFamiliarity(training, {}), plain(1)).rings.empty());
     }
 
-    void strangenessGrowsFromTheUsualDistanceToTwiceIt()
+    void unfamiliarityGrowsFromTheUsualDistanceToTwiceIt()
     {
         const std::vector<Features> training{plain(-1), plain(1)};
-        const Familiarity familiarity = models::fitFamiliarity(training, training);  // the threshold is its least, 1
+        const Familiarity familiarity = models::fitFamiliarity(training, training);  // The threshold is its minimum, 1.
         const auto strangenessAt = [&](double distance) {
             Features features = plain(1);
             features[4] += static_cast<float>(distance);
@@ -163,7 +163,7 @@ private Q_SLOTS:
         QCOMPARE(strangenessAt(2.5), 1.0);
     }
 
-    void memoryIsReadBackAndNonsenseInItRefused()
+    void ringsAreReadBackAndNonsenseIsRefused()
     {
         const std::vector<Features> training{plain(-1), plain(1)};
         const models::KnownFabrics fabrics{
@@ -185,7 +185,7 @@ private Q_SLOTS:
     {
         const auto text = models::familiarityJson(m_familiarity).dump();
         QCOMPARE(models::familiarityFrom(nlohmann::ordered_json::parse(text)), m_familiarity);
-        QVERIFY(text.size() / m_familiarity.nearest.size() < 22 * 12);  // a card of a few hundred stays small
+        QVERIFY(text.size() / m_familiarity.nearest.size() < 22 * 12);  // A card of a few hundred photographs stays small.
     }
 
     void nonsenseIsRefused_data()

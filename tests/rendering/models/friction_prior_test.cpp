@@ -1,4 +1,4 @@
-// The mean friction that a texture lets expect, for photographs like none in training.
+// The mean friction that is expected from a texture, for unfamiliar photographs.
 #include "rendering/models/friction_prior.h"
 
 #include <QTest>
@@ -17,7 +17,7 @@ namespace {
 
 constexpr int side = 128;
 
-/// A cloth without a direction, of threads about so many px thick, more or less pronounced.
+/// A cloth without direction; its threads have a thickness of about `threadPx` and a given contrast.
 cv::Mat cloth(double threadPx, double contrast, std::uint64_t seed, int rows = 256, int columns = 256, double brightness = 150)
 {
     protocols::Random random(seed);
@@ -52,7 +52,7 @@ class FrictionPriorTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void fabricNeverSeenGetsTheFrictionOfItsTexture()
+    void unknownFabricGetsTheFrictionOfItsTexture()
     {
         const FrictionPrior prior = learnt();
         for (const double thread : {5.0, 7.5})
@@ -62,7 +62,7 @@ private Q_SLOTS:
             }
     }
 
-    void noAnswerLiesBeyondWhatWasTrainedOn()
+    void noPredictionLiesOutsideTheTrainingRange()
     {
         const FrictionPrior prior = learnt();
         for (const cv::Mat& rgb :
@@ -72,7 +72,7 @@ private Q_SLOTS:
         }
     }
 
-    void beyondAllKnownThingsTheTypicalFrictionIsExpected()
+    void farFromAllKnownPhotographsTheTypicalFrictionIsExpected()
     {
         QCOMPARE(regressionWeight(3.9, 1), 1.0);
         QVERIFY(std::abs(regressionWeight(10, 2) - 0.5) < 1e-12);
@@ -95,7 +95,7 @@ private Q_SLOTS:
                      qPrintable(QString::number(i)));
     }
 
-    void anyPictureHasCoefficients()
+    void anyPictureHasFiniteCoefficients()
     {
         for (const cv::Mat& rgb : {cv::Mat(1, 1, CV_8UC3, cv::Scalar::all(255)), cv::Mat(300, 2, CV_8UC3, cv::Scalar::all(0)),
                                    cloth(6, 0.2, 5, 130, 700)})

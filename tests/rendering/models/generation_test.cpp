@@ -1,4 +1,4 @@
-// Generated signals by the shipped weights, through the second executable as the program uses it.
+// Signals generated with the weights of the program, through the second executable.
 #include "rendering/models/generation.h"
 
 #include <QFile>
@@ -45,7 +45,7 @@ void verifySound(const GeneratedSignals& signals, const cv::Size& size)
     QCOMPARE(signals.heightMm.rows, size.height);
     QVERIFY(cv::checkRange(signals.heightMm, true, nullptr, 0, 100));
     QVERIFY(cv::checkRange(signals.spectrogram, true, nullptr, 0, 1e6));
-    const auto& parameters = signals.spectrogramParameters;  // enough to undo it
+    const auto& parameters = signals.spectrogramParameters;  // Sufficient for the inversion.
     QCOMPARE(signals.spectrogram.rows, parameters.frequencies());
     QCOMPARE(signals.spectrogram.cols, parameters.frames(static_cast<int>(signals.trace.size())));
     QVERIFY(std::abs(parameters.sampleRateHz * signals.traceMmPerSample - 1) < 1e-12);
@@ -53,7 +53,7 @@ void verifySound(const GeneratedSignals& signals, const cv::Size& size)
     QVERIFY(std::abs(meanOf(signals.trace) / signals.meanFriction - 1) < 1e-6);
 }
 
-/// Runs with another program in the place of vis2hap-nn.
+/// Replaces vis2hap-nn by another program during its lifetime.
 class Instead {
 public:
     explicit Instead(const QByteArray& program) { qputenv("VIS2HAP_NN", program); }
@@ -87,7 +87,7 @@ private:
         return {fabrics::readPhotograph(m_dataset, protocols::FabricId(fabric), index), m_dataset.cameraMmPerPixel};
     }
 
-    /// A shell script that stands in for the second executable.
+    /// A shell script that replaces the second executable.
     QByteArray script(const char* body) const
     {
         const QString name = m_folder.filePath("stand-in.sh");
@@ -148,7 +148,7 @@ private Q_SLOTS:
                  qPrintable(QString::number(sum / static_cast<double>(answers.size()))));
     }
 
-    void onlyWhatIsAskedForIsComputed()
+    void onlyRequestedSignalsAreComputed()
     {
         GenerationOptions heightOnly, frictionOnly;
         heightOnly.friction = false;
@@ -161,7 +161,7 @@ private Q_SLOTS:
         QCOMPARE(stroke.trace.size(), std::size_t{480});
     }
 
-    void pictureOfNothingStillGivesNumbers_data()
+    void uniformPicturesGiveFiniteNumbers_data()
     {
         QTest::addColumn<int>("width");
         QTest::addColumn<int>("height");
@@ -173,7 +173,7 @@ private Q_SLOTS:
         QTest::newRow("a line") << 513 << 1 << 200;
     }
 
-    void pictureOfNothingStillGivesNumbers()
+    void uniformPicturesGiveFiniteNumbers()
     {
         QFETCH(int, width);
         QFETCH(int, height);
@@ -182,7 +182,7 @@ private Q_SLOTS:
         verifySound(generated({{plain, std::nullopt}}).front(), {width, height});
     }
 
-    void knownPitchIsBroughtToTheModels()
+    void knownPitchIsScaledToTheModels()
     {
         const cv::Mat plain(100, 200, CV_8UC3, cv::Scalar::all(120));
         verifySound(generated({{plain, 0.025}}).front(), {100, 50});

@@ -1,4 +1,4 @@
-// Photographs as a laboratory may feed them: very large, very long, grey, many at once, of unknown things.
+// Unusual photographs from a laboratory: very large, very long, grey, many at once, of unknown objects.
 #include <QTemporaryDir>
 #include <QTest>
 #include <cmath>
@@ -71,7 +71,7 @@ private:
         return {fabrics::readPhotograph(m_dataset, m_dataset.fabrics[fabric].id, index), m_dataset.cameraMmPerPixel};
     }
 
-    /// Texture, so that a piece taken elsewhere gives another map.
+    /// Texture, so that a part from another place gives another map.
     cv::Mat large(int width, int height) const
     {
         cv::Mat picture(height, width, CV_8UC3);
@@ -84,7 +84,7 @@ private:
         return picture;
     }
 
-    /// The shipped weights with a card of which something is changed.
+    /// The weights of the program with a changed card.
     fs::path withCard(const char* name, const std::function<void(models::ModelCardFields&)>& change) const
     {
         const fs::path model = m_folder.filePath(name).toStdString();
@@ -105,7 +105,7 @@ private Q_SLOTS:
         m_dataset = fabrics::makeProceduralFabrics(m_folder.filePath("fabrics").toStdString(), options);
     }
 
-    void manyAtOnceAreEachAsByItself()
+    void manyAtOnceEqualEachByItself()
     {
         const cv::Mat odd = large(300, 77);
         const std::vector<InputPhotograph> photographs{
@@ -134,7 +134,7 @@ private Q_SLOTS:
         const cv::Mat whole = large(width, height);
         const cv::Size shown(std::min(width, models::largestSidePx), std::min(height, models::largestSidePx));
         const cv::Mat middle = whole({(width - shown.width) / 2, (height - shown.height) / 2, shown.width, shown.height});
-        const bool isHuge = shown.area() > 1000000;  // once is slow enough
+        const bool isHuge = shown.area() > 1000000;  // A single pass is slow enough.
         const auto answers =
             isHuge ? generated({{whole, std::nullopt}}) : generated({{whole, std::nullopt}, {middle, std::nullopt}});
         QCOMPARE(answers[0].heightMm.cols, shown.width);
@@ -147,7 +147,7 @@ private Q_SLOTS:
         QCOMPARE(answers[0].trace, answers[1].trace);
     }
 
-    void pitchIsBroughtToTheModelsBeforeTheCut()
+    void pitchIsScaledBeforeTheCut()
     {
         const cv::Mat fine = large(3000, 200);
         const auto seen = models::photographAtPitch({fine, 0.025}, 0.05);
@@ -165,14 +165,14 @@ private Q_SLOTS:
         }
     }
 
-    void greyPhotographsAreTaken()
+    void greyPhotographsAreAccepted()
     {
         const fs::path photos = m_folder.filePath("grey").toStdString();
         fs::create_directories(photos);
         cv::Mat grey, colour;
         cv::cvtColor(photograph(1).photograph, grey, cv::COLOR_RGB2GRAY);
         cv::cvtColor(grey, colour, cv::COLOR_GRAY2RGB);
-        writePng(photos / "drill_1.png", grey);  // a file of one channel
+        writePng(photos / "drill_1.png", grey);  // A file with one channel.
         fabrics::ImportRequest request;
         request.from = {photos};
         request.out = m_folder.filePath("imported").toStdString();
@@ -186,7 +186,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(answers[0].meanFriction / coloured.meanFriction - 1) < 0.5);
     }
 
-    void cardsThatKnowPhotographsTellTheUnlike()
+    void cardsWithPhotographsRecogniseUnfamiliarOnes()
     {
         const fs::path model = m_folder.filePath("model.pt").toStdString();
         fs::copy_file(models::shippedModel(), model);
@@ -211,9 +211,9 @@ private Q_SLOTS:
                  models::recognised(*card.photographs, models::photographFeatures(seen)).distance);
     }
 
-    void rememberedFabricDecidesHowRoughAKnownPhotographFeels()
+    void knownFabricDeterminesTheRoughnessOfAKnownPhotograph()
     {
-        // One fabric is known; its waves are four times as strong (twice as high) in one card as in the other.
+        // One fabric is known; its waves have four times the power (twice the height) in one of two cards.
         const auto shipped = models::readModelCardFields(models::shippedModel());
         const std::vector<std::vector<float>> known{models::photographFeatures(photograph(0).photograph)};
         const std::vector<double> rings = models::recognised(*shipped.photographs, known[0]).rings;
@@ -232,9 +232,9 @@ private Q_SLOTS:
         QVERIFY2(ratio > 1.8 && ratio < 2.2, qPrintable(QString::number(ratio)));
     }
 
-    void frictionOfAStrangePhotographIsWhatItsTextureLetsExpect()
+    void frictionOfAnUnfamiliarPhotographFollowsItsTexture()
     {
-        models::FrictionPrior always;  // whatever the texture, 0.77
+        models::FrictionPrior always;  // 0.77 for every texture.
         const auto count = static_cast<std::size_t>(models::textureCoefficientCount);
         always.mean = always.slope = std::vector<double>(count, 0);
         always.deviation = std::vector<double>(count, 1);
@@ -251,8 +251,8 @@ private Q_SLOTS:
         const auto answers = generated({photograph(0), {noise, photograph(0).mmPerPixel}}, options);
         QVERIFY(*answers[1].photograph.distance > 2 * answers[1].photograph.usualDistance);
         QVERIFY(std::abs(answers[1].meanFriction - 0.77) < 1e-5);
-        QVERIFY2(std::abs(answers[0].meanFriction - 0.77) > 0.1, "a known photograph is left to the network");
-        // Left to itself the network says something else; half-way to strange, the answer lies half-way between.
+        QVERIFY2(std::abs(answers[0].meanFriction - 0.77) > 0.1, "the network must decide for a known photograph");
+        // The network alone gives another value; at half unfamiliarity the result lies half-way (in logarithms).
         const double farAway = *answers[1].photograph.distance;
         const auto meanAt = [&](double strangeness) {
             options.model = withCard("half-way.pt", [&](models::ModelCardFields& card) {
@@ -268,7 +268,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(meanAt(0.5) / std::sqrt(alone * 0.77) - 1) < 1e-3);
     }
 
-    void rememberedFabricsSayNothingOfAStrangePhotograph()
+    void knownFabricsDoNotAffectAnUnfamiliarPhotograph()
     {
         cv::Mat noise(256, 256, CV_8UC3);
         cv::theRNG().state = 8;
@@ -291,7 +291,7 @@ private Q_SLOTS:
         QVERIFY2(memory < 0.8 * half && half < 0.8 * network, qPrintable(QString("%1 %2 %3").arg(memory).arg(half).arg(network)));
     }
 
-    void fallingOffOfALampIsDividedOut()
+    void unevenLightIsDividedOut()
     {
         cv::Mat even(400, 600, CV_8UC3), lamp(400, 600, CV_8UC3);
         cv::theRNG().state = 3;
@@ -312,9 +312,9 @@ private Q_SLOTS:
         QVERIFY(cv::mean(even)[0] < 3);
     }
 
-    void unknownThingsAreSeenAtTheModelsPitch()
+    void unknownPhotographsAreSeenAtTheModelsPitch()
     {
-        // The same cloth, photographed twice as finely, is as familiar once its pitch is told.
+        // The same cloth at twice the resolution is equally familiar if its pitch is known.
         const auto card = models::readModelCardFields(models::shippedModel());
         cv::Mat fine;
         cv::resize(photograph(0).photograph, fine, {}, 2, 2, cv::INTER_CUBIC);

@@ -1,4 +1,4 @@
-// What the networks are told: distances against known answers, and losses at the extremes.
+// Losses of the networks: distances with known results, and finite losses at the extremes.
 #include "rendering/models/networks/losses.h"
 
 #include <QTest>
@@ -46,14 +46,14 @@ private Q_SLOTS:
         QVERIFY(torch::equal(registered(map, other).maps, other));
     }
 
-    void flatMapFindsSomePlace()
+    void flatMapIsRegisteredSomewhere()
     {
         const Registered found = registered(torch::ones({2, 1, 32, 32}), texture(48, 4).expand({2, 1, 48, 48}));
         QCOMPARE(found.maps.size(3), std::int64_t{32});
         QVERIFY(torch::isfinite(found.correlation).all().item<bool>());
     }
 
-    void ssimIsThatOfTheStatistics()
+    void ssimEqualsThatOfTheStatistics()
     {
         const torch::Tensor a = texture(64, 5), b = a * 0.8 + texture(64, 6) * 0.3;
         std::vector<double> left(64 * 64), right(64 * 64);
@@ -66,7 +66,7 @@ private Q_SLOTS:
         QVERIFY2(std::abs(number(ssim(a, b, 2)) - expected) < 1e-4, qPrintable(QString::number(expected)));
     }
 
-    void placeFreeDistancesDoNotSeeATurnOfTheTexture()
+    void placeFreeDistancesIgnoreAHalfTurnOfTheTexture()
     {
         const torch::Tensor a = texture(64, 7), turned = a.flip({2, 3});
         QVERIFY(number(sortedDistance(a, turned)) < 1e-6);
@@ -88,7 +88,7 @@ private Q_SLOTS:
         }
     }
 
-    void paperLossesAreItsEquations()
+    void paperLossesFollowItsEquations()
     {
         const torch::Tensor real = torch::tensor({0.5, -1.0}), fake = torch::tensor({0.2, 2.0});
         const auto probability = [](double logit) { return 1 / (1 + std::exp(-logit)); };
@@ -117,9 +117,10 @@ private Q_SLOTS:
     {
         for (const double level : {0.0, 1.0}) {
             const torch::Tensor height = torch::full({2, 1, 64, 64}, level).requires_grad_();
-            const FrictionGuess friction{torch::full({2, 1, 9, 7}, -9.0), torch::full({2, 1}, 1e-4)};
+            const FrictionOutput friction{torch::full({2, 1, 9, 7}, -9.0), torch::full({2, 1}, 1e-4)};
             const torch::Tensor rings = torch::zeros({2, ringCount});
-            const Touch generated{height, rings, friction}, measured{texture(64, 8).expand({2, 1, 64, 64}), rings, friction};
+            const BatchSignals generated{height, rings, friction},
+                measured{texture(64, 8).expand({2, 1, 64, 64}), rings, friction};
             const torch::Tensor apart = distance(generated, measured, defaultWeights(), {});
             QVERIFY(std::isfinite(number(apart)));
             apart.backward();

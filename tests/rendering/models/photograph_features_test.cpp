@@ -1,4 +1,4 @@
-// A photograph's numbers say which fabric it is of, whatever the place, the turn and the size.
+// Features of a photograph identify its fabric, independent of place, rotation and size.
 #include "rendering/models/photograph_features.h"
 
 #include <QTemporaryDir>
@@ -91,7 +91,7 @@ private Q_SLOTS:
         }
     }
 
-    void anySlantStaysWithItsFabric()
+    void anyRotationStaysWithItsFabric()
     {
         const cv::Mat whole = photograph(3, 0);
         cv::Mat slanted;
@@ -128,7 +128,7 @@ private Q_SLOTS:
         for (const float feature : features) QVERIFY(std::isfinite(feature) && std::abs(feature) < 20);
     }
 
-    void onlyColourPicturesAreTaken()
+    void onlyColourPicturesAreAccepted()
     {
         QVERIFY_THROWS_EXCEPTION(protocols::Error, photographFeatures(cv::Mat()));
         QVERIFY_THROWS_EXCEPTION(protocols::Error, photographFeatures(cv::Mat(9, 9, CV_8UC1, cv::Scalar(3))));

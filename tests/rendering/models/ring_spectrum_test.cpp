@@ -1,4 +1,4 @@
-// Radial spectra of height maps, and maps brought to a wanted one.
+// Radial power spectra of height maps, and maps that are filtered to a wanted spectrum.
 #include "rendering/models/ring_spectrum.h"
 
 #include <QTest>
@@ -73,7 +73,7 @@ private Q_SLOTS:
         QVERIFY2(std::abs(static_cast<double>(highest) - expected) <= 0.6, qPrintable(QString::number(highest)));
     }
 
-    void placesRunFromOneWaveASideToTheFinest()
+    void positionsRunFromOneWavePerSideToTheFinest()
     {
         QCOMPARE(ringPlace(1.0 / side, side), 0.0);
         QCOMPARE(ringPlace(0.1 / side, side), 0.0);
@@ -85,7 +85,7 @@ private Q_SLOTS:
 
     void slightlyOtherPeriodHardlyChangesTheRings()
     {
-        // A line that jumped from ring to ring would be two things to a network that sees one.
+        // A line that jumped between rings would look like two different features to a network.
         const std::vector<float> powers = ringPowers(waves({256, 256}, 0.05, 12), side);
         const std::vector<float> nearby = ringPowers(waves({256, 256}, 0.05, 12.12), side);
         for (std::size_t i = 0; i < powers.size(); ++i)
@@ -99,8 +99,8 @@ private Q_SLOTS:
         cv::Mat sums;
         cv::reduce(rows, sums, 1, cv::REDUCE_SUM);
         for (int ring = 0; ring < ringCount; ++ring) QVERIFY(std::abs(sums.at<float>(ring) - 1) < 1e-4F);
-        QCOMPARE(rows.at<float>(0, 0), 0.0F);  // the mean belongs to none
-        // 13 cycles a window to the right: between the two rings whose middles lie around.
+        QCOMPARE(rows.at<float>(0, 0), 0.0F);  // The mean belongs to no ring.
+        // 13 cycles per window to the right lie between the middles of two rings.
         const double place = ringPlace(13.0 / side, side);
         for (int ring = 0; ring < ringCount; ++ring) QCOMPARE(rows.at<float>(ring, 13) > 0, std::abs(ring - place) < 1);
     }
@@ -111,7 +111,7 @@ private Q_SLOTS:
         for (std::size_t i = 0; i < powers.size(); ++i) QVERIFY(std::abs(powers[i] - std::log(ringFloorMm2)) < 1e-3);
     }
 
-    void smallMapIsContinued()
+    void smallMapIsMirrored()
     {
         for (const cv::Size size : {cv::Size(1, 1), cv::Size(3, 200), cv::Size(60, 60)})
             for (const float power : ringPowers(noise(size, 0.05, 1, 5), side)) QVERIFY(std::isfinite(power));
@@ -142,14 +142,14 @@ private Q_SLOTS:
         QVERIFY(largestDifference(ringPowers(rough, side), wanted) > 1.5);
         const cv::Mat made = withRingPowers(rough, wanted, {.side = side, .mostGain = 100, .passes = 5, .zeroPercentile = 0});
         const std::vector<float> reached = ringPowers(made, side);
-        // The widest waves hardly fit into a window; of the finest the blurred map has nothing to be strengthened.
+        // The longest waves hardly fit into a window; the blurred map contains nothing of the finest ones to amplify.
         for (std::size_t i = 1; i < 12; ++i)
             QVERIFY2(std::abs(reached[i] - wanted[i]) < 0.5,
                      qPrintable(QString("%1: %2 for %3").arg(i).arg(reached[i]).arg(wanted[i])));
         QVERIFY(std::abs(deviation(made) / deviation(fine) - 1) < 0.15);
     }
 
-    void resultIsSettledAsAMeasuredMap()
+    void resultIsZeroedLikeAMeasuredMap()
     {
         const cv::Mat map = noise({256, 256}, 0.1, 2, 9);
         for (const double percentile : {1.0, 5.0}) {
@@ -163,7 +163,7 @@ private Q_SLOTS:
     {
         const cv::Mat before = waves({200, 168}, 0.02, 9);
         std::vector<float> wanted = ringPowers(before, side);
-        for (float& power : wanted) power += 1.4F;  // twice as high
+        for (float& power : wanted) power += 1.4F;  // Twice the height.
         const cv::Mat after = withRingPowers(before, wanted, {.side = side, .mostGain = 4, .zeroPercentile = 0});
         const cv::Mat inner = before({20, 20, 160, 128}), same = after({20, 20, 160, 128});
         cv::Mat correlation;
@@ -183,7 +183,7 @@ private Q_SLOTS:
         QVERIFY(deviation(made) < 4.2 * deviation(map));
     }
 
-    void anySizeIsAnswered()
+    void anySizeIsAccepted()
     {
         for (const cv::Size size : {cv::Size(1, 1), cv::Size(1, 50), cv::Size(129, 17), cv::Size(300, 17)}) {
             const cv::Mat made =

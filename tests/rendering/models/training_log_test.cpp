@@ -1,6 +1,5 @@
-// The folder that a training run leaves: tables, curves and sample pictures, the same whether the run
-// was broken off or not.
-#include "rendering/models/training_curves.h"
+// The folder of a training run: tables, curves and sample pictures. An interrupted and resumed run leaves the same folder
+// as an uninterrupted one.
 #include "rendering/models/training_log.h"
 
 #include <QTemporaryDir>
@@ -14,6 +13,7 @@
 #include "protocols/files/errors.h"
 #include "protocols/files/whole_file.h"
 #include "rendering/images/image_io.h"
+#include "rendering/models/training_curves.h"
 
 using namespace rendering;
 using models::NamedValue;
@@ -76,13 +76,13 @@ private Q_SLOTS:
         QCOMPARE(log.valuesOf("l1").back(), 1.0 / 40);
     }
 
-    void resumedRunLeavesWhatAnUnbrokenOneLeaves()
+    void resumedRunLeavesTheFolderOfAnUninterruptedOne()
     {
         TrainingLog unbroken(at("unbroken"));
         train(unbroken, 1, 90);
         {
             TrainingLog broken(at("broken"));
-            train(broken, 1, 67);  // killed after the checkpoint of step 50
+            train(broken, 1, 67);  // Killed after the checkpoint of step 50.
         }
         TrainingLog resumed(at("broken"), 50);
         QVERIFY(!fs::exists(at("broken") / "samples-000060.png"));
@@ -91,7 +91,7 @@ private Q_SLOTS:
         QCOMPARE(contents(at("broken")), contents(at("unbroken")));
     }
 
-    void newRunTakesAwayTheOldAndNothingElse()
+    void newRunDeletesTheOldFilesAndNothingElse()
     {
         {
             TrainingLog old(at("anew"));
@@ -114,7 +114,7 @@ private Q_SLOTS:
         QCOMPARE(protocols::readWholeFile(at("late") / "losses.csv"), "step,a,b\n1,1,\n2,,inf\n");
     }
 
-    void tableThatIsNoneIsRefusedWithItsLine()
+    void malformedTableIsRefusedWithItsLine()
     {
         fs::create_directories(at("spoilt"));
         protocols::writeWholeFile(at("spoilt") / "losses.csv", "step,a\n1,2\n2,two\n");
@@ -144,7 +144,7 @@ private Q_SLOTS:
             }
         QVERIFY2(!reader.hasError(), qPrintable(reader.errorString()));
         QCOMPARE(titles, QStringList({"loss: l1", "loss: generator", "validation: ssim"}));
-        QVERIFY(saysLogarithmic);  // l1 falls from 1 to 1/3000
+        QVERIFY(saysLogarithmic);  // l1 decreases from 1 to 1/3000.
         QVERIFY(!QString::fromStdString(svg).contains("nan"));
         QVERIFY2(svg.size() < 60000, qPrintable(QString::number(svg.size())));
     }
@@ -170,7 +170,7 @@ private Q_SLOTS:
             cv::minMaxLoc(sheet({56 + column * 200, 30, 190, 140}).clone().reshape(1), &least, &greatest);
             return greatest;
         };
-        QVERIFY(std::abs(brightest(1) - 127) <= 3);  // half as high as the generated one
+        QVERIFY(std::abs(brightest(1) - 127) <= 3);  // Half the height of the generated one.
         QVERIFY(brightest(2) > 250);
         QCOMPARE(sheet.at<cv::Vec3b>(100, 100), cv::Vec3b(200, 40, 40));
     }

@@ -1,4 +1,4 @@
-// Training by the real command on a tiny procedural data set.
+// Training through the real command on a tiny procedural data set.
 #include <QDir>
 #include <QElapsedTimer>
 #include <QFile>
@@ -28,14 +28,14 @@ using fabrics::Part;
 
 namespace {
 
-struct Outcome {
+struct TrainingOutcome {
     int exitCode = 0;
     QString output, errors;
 };
 
 QString program() { return QString::fromStdString(models::generatorProgram().string()); }
 
-Outcome run(const QStringList& arguments)
+TrainingOutcome run(const QStringList& arguments)
 {
     QProcess process;
     process.start(program(), arguments);
@@ -55,7 +55,7 @@ private:
     std::filesystem::path at(const char* name) const { return std::filesystem::path(m_folder.path().toStdString()) / name; }
     QString text(const char* name) const { return m_folder.filePath(name); }
 
-    /// A run small enough for a test: 64 px crops, narrow networks.
+    /// A run that is small enough for a test: crops of 64 px, narrow networks.
     QStringList smallRun(const char* out, int steps) const
     {
         return {"train",
@@ -80,7 +80,7 @@ private:
                 "1"};
     }
 
-    /// Kills a run of 24 steps as soon as its first checkpoint is there.
+    /// Kills a run of 24 steps as soon as its first checkpoint exists.
     void breakOffAtFirstCheckpoint(const char* out) const
     {
         QProcess broken;
@@ -92,14 +92,14 @@ private:
         broken.kill();
         broken.waitForFinished();
         QVERIFY(QFile::exists(checkpoint));
-        QVERIFY2(!QFile::exists(text(out)), "the run ended before it could be broken off");
+        QVERIFY2(!QFile::exists(text(out)), "the run ended before it was interrupted");
     }
 
 private Q_SLOTS:
     void initTestCase()
     {
         for (const auto& [name, value] : models::missingThreadSettings())
-            qputenv(name.c_str(), QByteArray::fromStdString(value));  // else each run starts twice, to set it
+            qputenv(name.c_str(), QByteArray::fromStdString(value));  // Otherwise each run starts twice, to set it.
         fabrics::ProceduralOptions options;
         options.fabrics = 3;
         options.samples = 10;
@@ -109,7 +109,7 @@ private Q_SLOTS:
 
     void trainingFromScratchLowersTheValidationDistances()
     {
-        const Outcome outcome = run(smallRun("model.pt", 160));
+        const TrainingOutcome outcome = run(smallRun("model.pt", 160));
         QVERIFY2(outcome.exitCode == 0, qPrintable(outcome.errors));
         QVERIFY(outcome.output.contains("step 160"));
         QVERIFY(outcome.output.contains("left"));
@@ -123,7 +123,7 @@ private Q_SLOTS:
             const double after = validation.at("after").at(figure).at("generated").get<double>();
             QVERIFY2(after < share * before, qPrintable(QString("%1: %2 -> %3").arg(figure).arg(before).arg(after)));
         }
-        // What is remembered for use: the rings of three fabrics, and how friction goes with texture.
+        // Stored for use: the rings of three fabrics, and the regression of friction on texture.
         QCOMPARE(card.photographs->fabricRings.size(), std::size_t{3});
         QCOMPARE(card.photographs->fabricOf.size(), card.photographs->nearest.size());
         QVERIFY(card.frictionByTexture && card.frictionByTexture->lowest < card.frictionByTexture->highest);
@@ -159,8 +159,8 @@ private Q_SLOTS:
 
     void heldOutFabricLeavesNoTrace()
     {
-        const Outcome outcome = run(smallRun("held.pt", 1) << "--hold-out"
-                                                           << "F02,F03");
+        const TrainingOutcome outcome = run(smallRun("held.pt", 1) << "--hold-out"
+                                                                   << "F02,F03");
         QVERIFY2(outcome.exitCode == 0, qPrintable(outcome.errors));
         const models::ModelCardFields card = models::readModelCardFields(at("held.pt"));
         QCOMPARE(card.heldOut, (std::vector<std::string>{"F02", "F03"}));
@@ -176,11 +176,11 @@ private Q_SLOTS:
                 }
     }
 
-    void resumedRunEqualsTheUnbrokenOne()
+    void resumedRunEqualsTheUninterruptedOne()
     {
         QCOMPARE(run(smallRun("whole.pt", 24)).exitCode, 0);
         breakOffAtFirstCheckpoint("broken.pt");
-        const Outcome resumed = run(smallRun("broken.pt", 24) << "--resume");
+        const TrainingOutcome resumed = run(smallRun("broken.pt", 24) << "--resume");
         QVERIFY2(resumed.exitCode == 0, qPrintable(resumed.errors));
         QVERIFY(resumed.output.contains("resumed at step"));
         QCOMPARE(protocols::sha256OfFile(at("broken.pt")), protocols::sha256OfFile(at("whole.pt")));
@@ -198,11 +198,11 @@ private Q_SLOTS:
 
     void wildLearningRateStopsTheRunAndWritesNothing()
     {
-        const Outcome outcome = run(smallRun("wild.pt", 40) << "--learning-rate"
-                                                            << "1e30");
+        const TrainingOutcome outcome = run(smallRun("wild.pt", 40) << "--learning-rate"
+                                                                    << "1e30");
         QCOMPARE(outcome.exitCode, 1);
         QCOMPARE(outcome.errors.trimmed().count('\n'), 0);
-        QVERIFY2(outcome.errors.contains("no longer a number"), qPrintable(outcome.errors));
+        QVERIFY2(outcome.errors.contains("the loss is not finite"), qPrintable(outcome.errors));
         QVERIFY(!QFile::exists(text("wild.pt.checkpoint")));
         QVERIFY(!QFile::exists(text("wild.pt")));
     }
@@ -214,10 +214,10 @@ private Q_SLOTS:
         const std::string spoilt =
             support::withNumbersSpoilt({std::istreambuf_iterator<char>(stream), {}}, std::string("\x00\x00\xC0\x7F", 4));
         std::ofstream(at("nan.pt.checkpoint"), std::ios::binary) << spoilt;
-        const Outcome outcome = run(smallRun("nan.pt", 24) << "--resume");
+        const TrainingOutcome outcome = run(smallRun("nan.pt", 24) << "--resume");
         QCOMPARE(outcome.exitCode, 1);
         QCOMPARE(outcome.errors.trimmed().count('\n'), 0);
-        QVERIFY2(outcome.errors.contains("no longer a number") && outcome.errors.contains("nan.pt.checkpoint"),
+        QVERIFY2(outcome.errors.contains("the loss is not finite") && outcome.errors.contains("nan.pt.checkpoint"),
                  qPrintable(outcome.errors));
         QCOMPARE(protocols::sha256OfFile(at("nan.pt.checkpoint")), protocols::sha256(spoilt));
         QVERIFY(!QFile::exists(text("nan.pt")));
@@ -228,12 +228,12 @@ private Q_SLOTS:
         QCOMPARE(run(smallRun("reference.pt", 2) << "--reference").exitCode, 0);
         const models::ModelCardFields card = models::readModelCardFields(at("reference.pt"));
         QCOMPARE(card.objective, std::string("reference"));
-        QVERIFY(card.photographs->fabricRings.empty() && !card.frictionByTexture);  // the paper's networks stand alone
+        QVERIFY(card.photographs->fabricRings.empty() && !card.frictionByTexture);  // The paper's networks use neither.
     }
 
     void controlByL1TrainsWithoutADiscriminator()
     {
-        const Outcome outcome = run(smallRun("l1.pt", 2) << "--l1-only");
+        const TrainingOutcome outcome = run(smallRun("l1.pt", 2) << "--l1-only");
         QCOMPARE(outcome.exitCode, 0);
         QVERIFY2(outcome.output.contains("D 0.0 "), qPrintable(outcome.output));
         QCOMPARE(models::readModelCardFields(at("l1.pt")).objective, std::string("l1-only"));
@@ -260,7 +260,7 @@ private Q_SLOTS:
              << "1"
              << "--learning-rate"
              << "0.05";
-        const Outcome outcome = run(call);
+        const TrainingOutcome outcome = run(call);
         QVERIFY2(outcome.exitCode == 0, qPrintable(outcome.errors));
         const models::ModelCardFields card = models::readModelCardFields(at("early.pt"));
         QVERIFY2(card.steps < 400, qPrintable(QString::number(card.steps)));
@@ -273,7 +273,7 @@ private Q_SLOTS:
         QCOMPARE(log.entryList({"losses.csv", "validation.csv", "curves.svg", "samples-*.png"}, QDir::Files).size(), 4);
         QFile losses(log.filePath("losses.csv"));
         QVERIFY(losses.open(QIODevice::ReadOnly));
-        QCOMPARE(losses.readAll().trimmed().count('\n'), 16);  // a header, then every tenth of 160 steps
+        QCOMPARE(losses.readAll().trimmed().count('\n'), 16);  // A header, then every tenth of 160 steps.
     }
 
     void minutesEndTheRunInTime()
@@ -321,7 +321,7 @@ private Q_SLOTS:
         QFETCH(QStringList, arguments);
         QFETCH(int, exitCode);
         QFETCH(QString, named);
-        const Outcome outcome = run(arguments);
+        const TrainingOutcome outcome = run(arguments);
         QCOMPARE(outcome.exitCode, exitCode);
         QCOMPARE(outcome.errors.trimmed().count('\n'), 0);
         QVERIFY2(outcome.errors.contains(named), qPrintable(outcome.errors));
@@ -332,7 +332,7 @@ private Q_SLOTS:
     {
         std::filesystem::copy(at("fabrics"), at("untouched"), std::filesystem::copy_options::recursive);
         for (const char* fabric : {"F01", "F02", "F03"}) std::filesystem::remove_all(at("untouched") / fabric / "friction");
-        const Outcome outcome = run({"train", text("untouched"), "--out", text("no.pt"), "--steps", "1"});
+        const TrainingOutcome outcome = run({"train", text("untouched"), "--out", text("no.pt"), "--steps", "1"});
         QCOMPARE(outcome.exitCode, 2);
         QVERIFY2(outcome.errors.contains("friction"), qPrintable(outcome.errors));
     }
@@ -340,11 +340,11 @@ private Q_SLOTS:
     void checkpointOfAnotherRunIsRefused()
     {
         std::filesystem::copy_file(at("nan.pt.checkpoint"), at("tame.pt.checkpoint"));
-        const Outcome outcome = run(smallRun("tame.pt", 3) << "--resume");
+        const TrainingOutcome outcome = run(smallRun("tame.pt", 3) << "--resume");
         QCOMPARE(outcome.exitCode, 2);
         QVERIFY2(outcome.errors.contains("another data set or other options"), qPrintable(outcome.errors));
         std::filesystem::resize_file(at("tame.pt.checkpoint"), 1000);
-        const Outcome damaged = run(smallRun("tame.pt", 3) << "--resume");
+        const TrainingOutcome damaged = run(smallRun("tame.pt", 3) << "--resume");
         QCOMPARE(damaged.exitCode, 2);
         QCOMPARE(damaged.errors.trimmed().count('\n'), 0);
     }

@@ -1,4 +1,4 @@
-// Weights files and model cards that cannot be used are refused in one line; the shipped ones load.
+// Unusable weights files and model cards are refused in one line; the weights of the program load.
 #include <QTemporaryDir>
 #include <QTest>
 #include <algorithm>
@@ -51,7 +51,7 @@ private:
         return "0";
     }
 
-    /// The card of the shipped weights as it would be for other bytes.
+    /// Writes the card of the program's weights for other bytes.
     void writeCardFor(const std::string& weights)
     {
         models::ModelCardFields card = models::readModelCardFields(models::shippedModel());
@@ -72,7 +72,7 @@ private Q_SLOTS:
         QVERIFY(fs::file_size(models::shippedModel()) + fs::file_size(models::cardOf(models::shippedModel())) < (4U << 20U));
     }
 
-    void shippedCardSaysWhatItRestsOn()
+    void shippedCardStatesItsOrigin()
     {
         const models::ModelCardFields card = models::readModelCardFields(models::shippedModel());
         QVERIFY(card.summary.trainedOnProceduralSet);
@@ -86,7 +86,7 @@ private Q_SLOTS:
         QVERIFY(after.at("mean_friction_relative_error").at("generated").get<double>() < 0.1);
     }
 
-    void cardsWithoutMemoryAreEnough()
+    void cardsWithoutKnownPhotographsAreEnough()
     {
         models::ModelCardFields card = models::readModelCardFields(models::shippedModel());
         card.photographs.reset();

@@ -111,7 +111,7 @@ void AppCoverTest::driverUnderTheCoverTellsItsTouchesToo()
     display->show(cv::Mat(8, 8, CV_8UC1, cv::Scalar(200)));
     pollfd waiting{display->descriptorToWatch(), POLLIN, 0};
     QCOMPARE(::poll(&waiting, 1, 5000), 1);
-    display->attend();
+    display->processMessages();
     QCOMPARE(touches, 1);
     QTest::mousePress(cover(), Qt::LeftButton);
     QCOMPARE(touches, 2);

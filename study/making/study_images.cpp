@@ -4,6 +4,8 @@
 #include <cctype>
 
 #include "protocols/random.h"
+#include "rendering/composition/photograph_warnings.h"
+#include "rendering/composition/render_json.h"
 #include "study/making/image_folder.h"
 #include "study/making/sample_choice.h"
 #include "study/making/signal_quality.h"

@@ -109,7 +109,7 @@ Correctable SessionController::correctableOf(const StoredAnswer& answer) const
 {
     const auto& trial = plan().trials.at(static_cast<std::size_t>(answer.index));
     std::vector<std::string> pieces;
-    for (const protocols::FabricId& fabric : trial.alternatives) pieces.push_back(nameIn(plan().fabricNames, fabric));
+    for (const protocols::FabricId& fabric : trial.alternatives) pieces.push_back(session::nameIn(plan().fabricNames, fabric));
     const auto& question = questionOf(answer);
     Correctable found{question.id, {}, formOf(question.kind, trial.alternatives, pieces)};
     found.current = textOf(found.form, answer.response);

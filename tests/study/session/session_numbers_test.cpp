@@ -119,9 +119,9 @@ private:
     {
         std::ostringstream text;
         text << ns << " " << kindOf(body) << ": " << nameOf(m_state) << written(m_state.stage) << " | @" << m_state.position
-             << " stored " << m_state.answersStored << " | sitting " << m_state.sitting << " prepared "
-             << m_state.preparedSitting << (m_state.sittingOverTold ? " over" : "") << " began " << m_state.sittingBeganAtNs
-             << " rested " << m_state.restedAtNs << " tray " << m_state.trayAskedAtNs;
+             << " stored " << m_state.answersStored << " | sitting " << m_state.sitting << " prepared " << m_state.preparedSitting
+             << (m_state.sittingOverTold ? " over" : "") << " began " << m_state.sittingBeganAtNs << " rested "
+             << m_state.restedAtNs << " tray " << m_state.trayAskedAtNs;
         for (std::size_t i = 0; i < effects.size(); ++i) text << (i == 0 ? " | " : ", ") << written(effects[i]);
         return text.str();
     }
@@ -191,11 +191,18 @@ private Q_SLOTS:
         for (int place = 0; place < static_cast<int>(session.state().order.size()); ++place)
             attempts << attemptAt(session.state(), place);
         session.at(103, BreakEnded{}).at(107, TrayReady{}).at(109, Answered{Tenths{1}}).at(113, Voided{"between questions"});
-        session.at(127, TrayReady{}).at(131, Answered{Tenths{2}}).at(137, Paused{}).at(139, Resumed{}).at(149, Voided{"on the tray"});
+        session.at(127, TrayReady{})
+            .at(131, Answered{Tenths{2}})
+            .at(137, Paused{})
+            .at(139, Resumed{})
+            .at(149, Voided{"on the tray"});
         session.at(151, TrayReady{}).at(157, Answered{Tenths{3}}).at(163, Answered{Tenths{4}});
         session.at(167, TrayReady{}).at(173, Answered{Tenths{5}}).at(179, Answered{Tenths{6}});
         session.at(181, TrayReady{}).at(191, Answered{Tenths{7}}).at(193, Answered{Tenths{8}});
-        session.at(197, Voided{"at the debriefing"}).at(199, TrayReady{}).at(211, Answered{Tenths{9}}).at(223, Answered{Tenths{10}});
+        session.at(197, Voided{"at the debriefing"})
+            .at(199, TrayReady{})
+            .at(211, Answered{Tenths{9}})
+            .at(223, Answered{Tenths{10}});
         compare(session.lines(), R"()");
         QCOMPARE(attempts, (QList<int>{1, 1, 1, 2, 2, 1, 3, 4, 1, 1, 1}));
     }
@@ -212,7 +219,10 @@ private Q_SLOTS:
         // One nanosecond short of two minutes since the sitting began, then two minutes.
         session.at(17, TrayReady{}).at(2 * minute + 2, Answered{FabricId("F01")});
         session.at(2 * minute + 2, TrayReady{}).at(2 * minute + 3, Answered{FabricId("F02")});
-        session.at(2 * minute + 7, BreakEnded{}).at(3 * minute, TrayReady{}).at(3 * minute + 1, Touched{}).at(3 * minute + 5, Paused{});
+        session.at(2 * minute + 7, BreakEnded{})
+            .at(3 * minute, TrayReady{})
+            .at(3 * minute + 1, Touched{})
+            .at(3 * minute + 5, Paused{});
         session.at(4 * minute, Resumed{}).at(4 * minute + 1, TrayReady{}).at(6 * minute - 1, Answered{FabricId("F03")});
         session.at(6 * minute + 3, SittingStarted{}).at(6 * minute + 5, SittingPrepared{});
         session.at(6 * minute + 7, ScaleTrainingDone{}).at(6 * minute + 11, ChecklistDone{{}, {}});

@@ -157,13 +157,15 @@ private Q_SLOTS:
         TickingSession session(folder);
         session << BreakEnded{} << TrayReady{} << Touched{} << Answered{Tenths{54}} << Touched{} << Answered{Tenths{0}};
         session << Noted{"loud", false} << Answered{Tenths{100}} << Corrected{QuestionId("Q3"), Tenths{7}, ""};
+        compare(
+            rowsOf(folder,
+                   "SELECT event, trial, attempt, question, CASE choice WHEN json_extract(alternatives, '$[0]') THEN 'A' WHEN "
+                   "json_extract(alternatives, '$[1]') THEN 'B' WHEN json_extract(alternatives, '$[2]') THEN 'C' END, "
+                   "rating_tenths, ready_at, touched_at, answered_at, stored_at, is_correction, touched_by FROM responses "
+                   "ORDER BY id"),
+            R"()");
         compare(rowsOf(folder,
-                       "SELECT event, trial, attempt, question, CASE choice WHEN json_extract(alternatives, '$[0]') THEN 'A' WHEN "
-                       "json_extract(alternatives, '$[1]') THEN 'B' WHEN json_extract(alternatives, '$[2]') THEN 'C' END, "
-                       "rating_tenths, ready_at, touched_at, answered_at, stored_at, is_correction, touched_by FROM responses "
-                       "ORDER BY id"),
-                R"()");
-        compare(rowsOf(folder, "SELECT sequence, sitting, kind, at_ns, wall_time FROM events WHERE participant <> '' ORDER BY sequence"),
+                       "SELECT sequence, sitting, kind, at_ns, wall_time FROM events WHERE participant <> '' ORDER BY sequence"),
                 R"()");
         compare(rowsOf(folder, "SELECT event, trial, attempt FROM voids"), R"()");
         compare(rowsOf(folder, "SELECT event, trial, attempt, question, text, is_flag FROM notes ORDER BY id"), R"()");
@@ -174,7 +176,8 @@ private Q_SLOTS:
     {
         Views views;
         views.at(10, SittingStarted{}).at(12, Begun{}).at(13, FamiliarisationDone{}).at(20, ScaleTrainingDone{});
-        for (const double seconds : {21.0, 32.0, 45.0, 60.0}) views.at(seconds, TrayReady{}).at(seconds + 10, Answered{FabricId("F02")});
+        for (const double seconds : {21.0, 32.0, 45.0, 60.0})
+            views.at(seconds, TrayReady{}).at(seconds + 10, Answered{FabricId("F02")});
         views.at(80, BreakEnded{}).at(85, TrayReady{}).at(97, Answered{FabricId("F01")});
         views.at(98, TrayReady{}).at(130, Answered{FabricId("F01")}).at(131, Voided{"noise"});
         views.at(132, TrayReady{}).at(133, Paused{}).at(134, Resumed{}).at(135, TrayReady{}).at(136, Answered{FabricId("F02")});

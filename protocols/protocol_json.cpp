@@ -51,13 +51,13 @@ AnswerKind taskOf(const ProtocolPart& phase, const std::string& place)
     return declared.empty() ? AnswerKind() : declared.front();
 }
 
-Phase phaseFrom(const ProtocolPart& part, const ProtocolPart& texts, const std::string& place)
+Phase phaseFrom(const ProtocolPart& part, const ProtocolPart& texts, const std::string& place, ProtocolEdition edition)
 {
     Phase phase;
     phase.task = taskOf(part, place);
     phase.catchTrials = part.whole("catch_trials", phase.catchTrials);
     for (const std::string& id : part.texts("questions")) {
-        const std::string text = texts.text(id, usualTextOf(QuestionId(id), phase.task));
+        const std::string text = texts.text(id, usualTextOf(QuestionId(id), phase.task, edition));
         // A text that the schema refuses is no missing text.
         phase.questions.push_back({QuestionId(id), text.empty() && texts.has(id) ? "?" : text, phase.task});
     }
@@ -83,11 +83,11 @@ void checkTexts(const Protocol& protocol, const json& texts, ProtocolFaults& fau
             faults.add("question_texts: '" + id + "' is asked in no phase, expected ids of the phases' questions");
 }
 
-void readPhases(const ProtocolPart& document, Protocol& protocol)
+void readPhases(const ProtocolPart& document, Protocol& protocol, ProtocolEdition edition)
 {
     const ProtocolPart texts = document.part("question_texts");
     for (const ProtocolPart& phase : document.parts("phases"))
-        protocol.phases.push_back(phaseFrom(phase, texts, "phases[" + std::to_string(protocol.phases.size()) + "]"));
+        protocol.phases.push_back(phaseFrom(phase, texts, "phases[" + std::to_string(protocol.phases.size()) + "]", edition));
     checkTexts(protocol, document.raw("question_texts"), document.faults());
 }
 
@@ -123,14 +123,14 @@ void readAnalysis(const ProtocolPart& document, Protocol& protocol)
     }
 }
 
-void readCourse(const ProtocolPart& document, Protocol& protocol)
+void readCourse(const ProtocolPart& document, Protocol& protocol, ProtocolEdition edition)
 {
     protocol.secondsPerPresentation = document.number("seconds_per_presentation", protocol.secondsPerPresentation);
     protocol.breakAfterPresentations = document.whole("break_after", protocol.breakAfterPresentations);
     protocol.sittingMinutes = document.whole("sitting_minutes", protocol.sittingMinutes);
     if (document.has("break_after_minutes")) protocol.breakAfterMinutes = document.whole("break_after_minutes", 1);
-    protocol.consent = document.text("consent", usualConsent());
-    protocol.strokeWords = document.text("stroke_words", usualStrokeWords());
+    protocol.consent = document.text("consent", usualConsent(edition));
+    protocol.strokeWords = document.text("stroke_words", usualStrokeWords(edition));
     protocol.swatchCodes = document.text("swatches", "once") == "fresh" ? SwatchCodes::PerParticipant : SwatchCodes::Once;
     protocol.familiarisationFabrics = document.whole("familiarisation_fabrics", protocol.familiarisationFabrics);
     protocol.secondEntry = document.yesOrNo("second_entry", protocol.secondEntry);
@@ -139,29 +139,28 @@ void readCourse(const ProtocolPart& document, Protocol& protocol)
     protocol.facts = document.texts("facts");
 }
 
-Protocol protocolFrom(const ProtocolPart& document)
+Protocol protocolFrom(const ProtocolPart& document, ProtocolEdition edition)
 {
     Protocol protocol;
     protocol.name = document.text("name", "");
     protocol.participants = document.whole("participants", protocol.participants);
     readFabrics(document, protocol);
     readConditions(document, protocol);
-    readPhases(document, protocol);
+    readPhases(document, protocol, edition);
     readAnalysis(document, protocol);
-    readCourse(document, protocol);
+    readCourse(document, protocol, edition);
     return protocol;
 }
 
-/// Reads by the rules of today or, where a study keeps the text already, by those that hold for every program version.
-Protocol readBy(RuleOfIds rule, std::string_view text, const std::string& where)
+Protocol readBy(ProtocolEdition edition, std::string_view text, const std::string& where)
 {
     const json document = parseStrictJson(text, where);
-    ProtocolFaults faults(schemaFaultsOf(document, rule));
+    ProtocolFaults faults(schemaFaultsOf(document, edition));
     // Without an object there is nothing to read on.
     if (!document.is_object()) refuse(faults.all(), where);
-    const Protocol protocol = protocolFrom(ProtocolPart(document, "", faults));
+    const Protocol protocol = protocolFrom(ProtocolPart(document, "", faults), edition);
     for (const std::string& fault : faultsOf(protocol)) faults.add(fault);
-    if (rule == RuleOfIds::Checked)
+    if (edition == ProtocolEdition::Current)
         for (const std::string& fault : faultsOfQuestionIds(protocol)) faults.add(fault);
     if (const Faults all = faults.all(); !all.empty()) refuse(all, where);
     return protocol;
@@ -169,9 +168,15 @@ Protocol readBy(RuleOfIds rule, std::string_view text, const std::string& where)
 
 }  // namespace
 
-Protocol protocolFromJson(std::string_view text, const std::string& where) { return readBy(RuleOfIds::Checked, text, where); }
+Protocol protocolFromJson(std::string_view text, const std::string& where)
+{
+    return readBy(ProtocolEdition::Current, text, where);
+}
 
-Protocol keptProtocolFromJson(std::string_view text, const std::string& where) { return readBy(RuleOfIds::AsKept, text, where); }
+Protocol keptProtocolFromJson(std::string_view text, const std::string& where, std::string_view madeBy)
+{
+    return readBy(editionOf(madeBy), text, where);
+}
 
 Protocol readProtocol(const std::filesystem::path& file) { return protocolFromJson(readWholeFile(file), file.string()); }
 

@@ -14,9 +14,9 @@ namespace protocols {
 Protocol protocolFromJson(std::string_view json, const std::string& where);
 Protocol readProtocol(const std::filesystem::path& file);
 
-/// The protocol that an existing study keeps. The rules for question ids (question_ids.h) are younger than some studies, so
-/// they are not applied.
-Protocol keptProtocolFromJson(std::string_view json, const std::string& where);
+/// The protocol that an existing study keeps, by the rules and usual texts of its time. `madeBy`: the program version that made
+/// the study.
+Protocol keptProtocolFromJson(std::string_view json, const std::string& where, std::string_view madeBy);
 
 /// The text of the paper's study, 7 fabrics x 9 conditions x 10 participants: the shipped protocols/vis2hap.json as it is built
 /// into the program. A study folder keeps this text and its hash.

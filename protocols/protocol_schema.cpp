@@ -106,7 +106,7 @@ SchemaFault inOurWords(const valijson::ValidationResults::Error& error, const js
 }
 
 /// Takes the limits of question ids out of the schema.
-void liftRuleOfIds(json& schema)
+void liftLimitsOfIds(json& schema)
 {
     json& phase = schema["properties"]["phases"]["items"]["properties"];
     for (const char* list : {"questions", "free_text"})
@@ -115,10 +115,10 @@ void liftRuleOfIds(json& schema)
 
 }  // namespace
 
-std::vector<SchemaFault> schemaFaultsOf(const json& document, RuleOfIds rule)
+std::vector<SchemaFault> schemaFaultsOf(const json& document, ProtocolEdition edition)
 {
     json schemaJson = json::parse(shipped::protocolSchema());
-    if (rule == RuleOfIds::AsKept) liftRuleOfIds(schemaJson);
+    if (edition == ProtocolEdition::Before06) liftLimitsOfIds(schemaJson);
     valijson::Schema schema;
     valijson::SchemaParser().populateSchema(valijson::adapters::NlohmannJsonAdapter(schemaJson), schema);
     valijson::ValidationResults results;

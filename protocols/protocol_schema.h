@@ -5,20 +5,16 @@
 #include <string>
 #include <vector>
 
-namespace protocols {
+#include "protocols/protocol_edition.h"
 
-/// Whether the schema's rules for question ids apply.
-enum class RuleOfIds {
-    Checked,
-    AsKept,  ///< by a study that was made before there were such rules
-};
+namespace protocols {
 
 struct SchemaFault {
     std::string place;  ///< "phases[0].scale.max"; of a missing or unknown key its own place; empty: the whole document
     std::string text;   ///< the place, the value there, and what was expected
 };
 
-/// Every place at which the document breaks the schema.
-std::vector<SchemaFault> schemaFaultsOf(const nlohmann::json& document, RuleOfIds rule);
+/// Every place at which the document breaks the schema. An earlier edition has no limits for question ids.
+std::vector<SchemaFault> schemaFaultsOf(const nlohmann::json& document, ProtocolEdition edition);
 
 }  // namespace protocols

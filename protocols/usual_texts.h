@@ -6,16 +6,17 @@
 
 #include "protocols/answer_kind.h"
 #include "protocols/ids.h"
+#include "protocols/protocol_edition.h"
 
 namespace protocols {
 
 /// The sentence of the paper's questions Q1 to Q4, in a phase with this task; empty for other questions.
-std::string usualTextOf(const QuestionId& question, const AnswerKind& task);
+std::string usualTextOf(const QuestionId& question, const AnswerKind& task, ProtocolEdition edition);
 
 /// What the operator confirms before the session begins.
-std::string usualConsent();
+std::string usualConsent(ProtocolEdition edition);
 
 /// How the participant strokes glass and cloth.
-std::string usualStrokeWords();
+std::string usualStrokeWords(ProtocolEdition edition);
 
 }  // namespace protocols

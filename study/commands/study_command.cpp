@@ -120,8 +120,9 @@ int amend(const Amendment& call)
         std::printf("%s: unchanged (version %d), nothing to take over\n", file.c_str(), kept.version);
         return 0;
     }
-    const auto changed = fixedPartsChanged(protocols::keptProtocolFromJson(kept.json, "the kept protocol"),
-                                           protocols::keptProtocolFromJson(text, file.string()));
+    const std::string madeBy = store.facts().programVersion;
+    const auto changed = fixedPartsChanged(protocols::keptProtocolFromJson(kept.json, "the kept protocol", madeBy),
+                                           protocols::keptProtocolFromJson(text, file.string(), madeBy));
     if (!changed.empty())
         throw protocols::badInput(
             {"it changes " + listed(changed) + ", on which running orders and stimuli hang", file.string(),

@@ -81,7 +81,7 @@ database::StudyStore openStudy(const std::filesystem::path& study)
 
 protocols::Protocol protocolOf(const database::StudyFacts& facts)
 {
-    return protocols::keptProtocolFromJson(facts.protocolJson, "the study's protocol");
+    return protocols::keptProtocolFromJson(facts.protocolJson, "the study's protocol", facts.programVersion);
 }
 
 Naming namingOf(const database::StudyStore& store, const protocols::Protocol& protocol,

@@ -29,7 +29,8 @@ std::string protocolTextFor(const StudyStore& store, const database::Enrolment& 
 Plan planOf(const StudyStore& store, const database::Enrolment& enrolment)
 {
     const database::StudyFacts facts = store.facts();
-    Plan plan{protocols::keptProtocolFromJson(protocolTextFor(store, enrolment), store.folder().protocol().string()),
+    Plan plan{protocols::keptProtocolFromJson(protocolTextFor(store, enrolment), store.folder().protocol().string(),
+                                              facts.programVersion),
               store.trials(enrolment.slot),
               facts.fabricNames,
               {}};

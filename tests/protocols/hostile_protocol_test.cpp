@@ -225,12 +225,38 @@ private Q_SLOTS:
         QVERIFY2(found.size() == faults, qPrintable(found.join("\n")));
     }
 
-    void anExistingStudyKeepsItsIds()
+    void anEarlierStudyKeepsItsIdsAndTexts()
     {
         const std::string json = ratingsOf({"soft/hard", "Real", "real", "condition", "fühlt sich echt an"});
         QCOMPARE(faultsIn(json).size(), 4);
-        QCOMPARE(keptProtocolFromJson(json, "a study of version 0.5.0").phases[0].questions[0].id, QuestionId("soft/hard"));
-        QVERIFY_EXCEPTION_THROWN(keptProtocolFromJson(ratingsOf({""}), "a study of version 0.5.0"), Error);
+        QCOMPARE(keptProtocolFromJson(json, "a study", "0.5.0").phases[0].questions[0].id, QuestionId("soft/hard"));
+        QVERIFY_EXCEPTION_THROWN(keptProtocolFromJson(json, "a study", "0.6.0"), Error);
+        QVERIFY_EXCEPTION_THROWN(keptProtocolFromJson(ratingsOf({""}), "a study", "0.5.0"), Error);
+        const std::string paper = R"({"schema": "vis2hap.protocol/1", "name": "a", "participants": 2, "fabrics": 4,
+ "conditions": ["h"], "phases": [{"questions": ["Q1"], "alternatives": 4}]})";
+        QCOMPARE(keptProtocolFromJson(paper, "a study", "0.5.0").phases[0].questions[0].text,
+                 std::string("Which of the showed fabric pieces does the haptic rendering match with?"));
+        QCOMPARE(keptProtocolFromJson(paper, "a study", "0.6.0").phases[0].questions[0].text,
+                 std::string("Which of the four pieces of fabric feels like the screen: A, B, C or D?"));
+    }
+
+    void theEditionFollowsTheVersion_data()
+    {
+        QTest::addColumn<QString>("version");
+        QTest::addColumn<bool>("earlier");
+        QTest::newRow("0.4.1") << "0.4.1" << true;
+        QTest::newRow("0.5.0") << "0.5.0" << true;
+        QTest::newRow("0.6.0") << "0.6.0" << false;
+        QTest::newRow("0.10.0") << "0.10.0" << false;
+        QTest::newRow("1.2.3") << "1.2.3" << false;
+        QTest::newRow("no version") << "test" << false;
+    }
+
+    void theEditionFollowsTheVersion()
+    {
+        QFETCH(const QString, version);
+        QFETCH(const bool, earlier);
+        QCOMPARE(editionOf(version.toStdString()), earlier ? ProtocolEdition::Before06 : ProtocolEdition::Current);
     }
 
     void theUsualTextOfQ1NamesThePieces_data()

@@ -110,10 +110,11 @@ MonitorOverview::Row rowOf(const database::StudyStore& store, const database::En
 MonitorOverview monitorOverview(const database::StudyStore& store, const std::string& now)
 {
     MonitorOverview seen;
-    seen.study = QString::fromStdString(store.facts().name);
+    const auto facts = store.facts();
+    seen.study = QString::fromStdString(facts.name);
     seen.isBlinded = !store.unblinding();
-    const auto protocol =
-        protocols::keptProtocolFromJson(store.protocolVersions().back().json, store.folder().protocol().string());
+    const auto protocol = protocols::keptProtocolFromJson(store.protocolVersions().back().json,
+                                                          store.folder().protocol().string(), facts.programVersion);
     const auto enrolments = store.enrolments();
     for (const database::Slot& slot : store.slots()) {
         for (const database::Enrolment& one : enrolments)

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
-#include <optional>
 
 #include "protocols/files/csv_table.h"
 #include "protocols/files/errors.h"
@@ -53,18 +52,18 @@ public:
 
     double to(double driven)
     {
-        if (m_driven && m_hasDelay)
-            m_force = m_keep * (m_force - *m_driven) + driven - (driven - *m_driven) * m_lag;
+        if (m_hasBegun && m_hasDelay)
+            m_force = m_keep * (m_force - m_driven) + driven - (driven - m_driven) * m_lag;
         else
             m_force = driven;
         m_driven = driven;
+        m_hasBegun = true;
         return m_force;
     }
 
 private:
-    bool m_hasDelay;
-    double m_keep = 0, m_lag = 0, m_force = 0;
-    std::optional<double> m_driven;
+    bool m_hasDelay, m_hasBegun = false;
+    double m_keep = 0, m_lag = 0, m_force = 0, m_driven = 0;
 };
 
 void requireUsable(const StrokeOptions& options)

@@ -7,6 +7,7 @@
 #include "protocols/files/errors.h"
 #include "protocols/files/sha256.h"
 #include "protocols/files/whole_file.h"
+#include "protocols/key_json.h"
 
 namespace database {
 
@@ -66,8 +67,8 @@ KeyHashes writeKeys(const StudyFolder& folder, const protocols::AllocationKey& k
 {
     for (const std::filesystem::path& file : {folder.allocationKey(), folder.maskedKey()})
         if (std::filesystem::exists(file))
-            throw protocols::environmentFault({"the key exists already", file.string(), "a new study folder",
-                                               "choose another folder; no key was replaced"});
+            throw protocols::environmentFault(
+                {"the key exists already", file.string(), "a new study folder", "choose another folder; no key was replaced"});
     const std::string full = protocols::toJson(key);
     const std::string half = protocols::toJson(protocols::masked(key));
     protocols::writeWholeFile(folder.allocationKey(), full, protocols::Sync::Now, protocols::Readers::OwnerOnly);

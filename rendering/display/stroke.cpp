@@ -6,6 +6,7 @@
 #include <cmath>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
+#include <optional>
 
 #include "protocols/files/csv_table.h"
 #include "protocols/files/errors.h"
@@ -52,17 +53,17 @@ public:
 
     double to(double driven)
     {
-        if (m_hasBegun && m_hasDelay)
+        if (m_isDriven && m_hasDelay)
             m_force = m_keep * (m_force - m_driven) + driven - (driven - m_driven) * m_lag;
         else
             m_force = driven;
         m_driven = driven;
-        m_hasBegun = true;
+        m_isDriven = true;
         return m_force;
     }
 
 private:
-    bool m_hasDelay, m_hasBegun = false;
+    bool m_hasDelay, m_isDriven = false;
     double m_keep = 0, m_lag = 0, m_force = 0, m_driven = 0;
 };
 

@@ -69,10 +69,11 @@ private:
         m_data.name = protocol.name;
         m_data.equivalenceBounds = protocol.equivalenceBounds;
         for (const protocols::Phase& phase : protocol.phases) {
-            if (phase.alternatives) m_data.alternatives = *phase.alternatives;
-            if (phase.scale) {
-                m_data.scaleMin = phase.scale->min.inScaleUnits();
-                m_data.scaleMax = phase.scale->max.inScaleUnits();
+            if (const auto* choice = std::get_if<protocols::ForcedChoice>(&phase.task))
+                m_data.alternatives = choice->alternatives;
+            if (const auto* rating = std::get_if<protocols::Rating>(&phase.task)) {
+                m_data.scaleMin = rating->scale.min.inScaleUnits();
+                m_data.scaleMax = rating->scale.max.inScaleUnits();
             }
         }
     }

@@ -1,9 +1,7 @@
 #include "stats/tests/bootstrap.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <thread>
 #include <vector>
 
 #include "stats/kernels/decimal_grid.h"
@@ -11,6 +9,7 @@
 #include "stats/kernels/draws.h"
 #include "stats/kernels/exact_sum.h"
 #include "stats/kernels/moments.h"
+#include "stats/kernels/threads.h"
 
 namespace stats {
 namespace {
@@ -70,19 +69,11 @@ std::vector<double> resampledSums(const std::vector<double>& values, const Boots
 {
     std::vector<double> sums(options.resamples);
     const std::size_t blocks = (sums.size() + blockOfResamples - 1) / blockOfResamples;
-    std::atomic<std::size_t> nextBlock{0};
-    const auto work = [&] {
-        for (std::size_t block = nextBlock++; block < blocks; block = nextBlock++) {
-            Draws draws(options.seed, block);
-            const std::size_t end = std::min(sums.size(), (block + 1) * blockOfResamples);
-            for (std::size_t i = block * blockOfResamples; i < end; ++i) sums[i] = resampledSum(values, draws);
-        }
-    };
-    const unsigned wanted = options.threads == 0 ? std::max(1U, std::thread::hardware_concurrency()) : options.threads;
-    std::vector<std::thread> others;
-    for (std::size_t i = 1; i < std::min<std::size_t>(wanted, blocks); ++i) others.emplace_back(work);
-    work();
-    for (std::thread& other : others) other.join();
+    onThreads(blocks, options.threads, [&](std::size_t block) {
+        Draws draws(options.seed, block);
+        const std::size_t end = std::min(sums.size(), (block + 1) * blockOfResamples);
+        for (std::size_t i = block * blockOfResamples; i < end; ++i) sums[i] = resampledSum(values, draws);
+    });
     return sums;
 }
 

@@ -26,6 +26,8 @@ namespace study::commands {
 
 namespace {
 
+using analyse::put;
+
 using nlohmann::ordered_json;
 
 /// The object as lines of text; nested objects are left to --json.

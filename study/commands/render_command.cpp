@@ -109,15 +109,15 @@ int render(const RenderCall& call)
     std::optional<looking::ContactSheet> sheet;
     if (!call.sheet.empty()) {
         Progress progress("contact sheet");
-        sheet = contactSheetOf(dataset, request,
-                               [&](int done, int total, const std::string& what) { progress.show(done, total, what); });
+        sheet = looking::contactSheetOf(dataset, request,
+                                        [&](int done, int total, const std::string& what) { progress.show(done, total, what); });
     }
     Progress progress("friction images");
     const auto rendering =
         renderFabrics(dataset, request, [&](int done, int total, const std::string& what) { progress.show(done, total, what); });
     const auto saved = savedJson(call.out, renderJson(dataset, request, rendering));
     writeRendering(call.out, rendering, saved.json);
-    if (sheet) writeContactSheet(call.sheet, *sheet);
+    if (sheet) looking::writeContactSheet(call.sheet, *sheet);
     for (const auto& warning : saved.warnings) std::fprintf(stderr, "warning: %s\n", warning.c_str());
     for (const auto& warning : rendering::shadingWarnings(rendering)) std::fprintf(stderr, "warning: %s\n", warning.c_str());
     for (const auto& warnings : {rendering::unfamiliarPhotographs(rendering), rendering::cutPhotographs(rendering)})

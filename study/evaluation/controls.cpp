@@ -7,6 +7,7 @@
 
 #include "protocols/random.h"
 #include "rendering/models/photograph_features.h"
+#include "stats/kernels/threads.h"
 
 namespace study::evaluation {
 
@@ -43,18 +44,18 @@ std::vector<std::pair<std::size_t, Sample>> drawnPresses(const TestPlan& plan, c
 }
 
 template <class Hear>
-std::vector<Heard> hear(const std::vector<std::pair<std::size_t, Sample>>& samples, int threads, const std::string& stage,
+std::vector<Heard> hear(const std::vector<std::pair<std::size_t, Sample>>& samples, unsigned threads, const std::string& stage,
                         const Report& report, const Hear& one)
 {
     std::vector<Heard> heard(samples.size());
-    onThreads(
+    stats::onThreads(
         samples.size(), threads,
         [&](std::size_t i) {
             heard[i] = one(samples[i].second);
             heard[i].fabric = samples[i].first;
         },
-        [&](int done) {
-            if (report) report(stage, done, static_cast<int>(samples.size()));
+        [&](std::size_t done) {
+            if (report) report(stage, static_cast<int>(done), static_cast<int>(samples.size()));
         });
     return heard;
 }
@@ -132,17 +133,17 @@ double squaredDistance(const std::vector<float>& a, const std::vector<float>& b)
 }
 
 std::vector<std::vector<float>> photographFeaturesOf(const fabrics::Dataset& dataset, const std::vector<Sample>& photographs,
-                                                     int threads, const Report& report)
+                                                     unsigned threads, const Report& report)
 {
     std::vector<std::vector<float>> features(photographs.size());
-    onThreads(
+    stats::onThreads(
         photographs.size(), threads,
         [&](std::size_t i) {
             features[i] = rendering::models::photographFeatures(
                 fabrics::readPhotograph(dataset, photographs[i].fabric, photographs[i].index));
         },
-        [&](int done) {
-            if (report) report("photographs to retrieve from", done, static_cast<int>(photographs.size()));
+        [&](std::size_t done) {
+            if (report) report("photographs to retrieve from", static_cast<int>(done), static_cast<int>(photographs.size()));
         });
     return features;
 }

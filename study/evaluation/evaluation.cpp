@@ -4,6 +4,7 @@
 
 #include "protocols/files/errors.h"
 #include "rendering/models/model_card.h"
+#include "stats/kernels/threads.h"
 #include "study/evaluation/speaking.h"
 #include "study/evaluation/summary.h"
 
@@ -156,7 +157,7 @@ std::vector<std::vector<Values>> hearAll(const Setting& setting, const Evaluatio
     for (std::size_t first = 0; first < total; first += photographsAtOnce) {
         const std::size_t count = std::min(photographsAtOnce, total - first);
         const auto answers = generatedFor(setting, request, opened, first, count, generate);
-        onThreads(
+        stats::onThreads(
             count, request.threads,
             [&](std::size_t k) {
                 const std::size_t i = first + k;
@@ -172,8 +173,8 @@ std::vector<std::vector<Values>> hearAll(const Setting& setting, const Evaluatio
                                       ? measuredItself(setting, pair, measured[i])
                                       : compare(setting, pair, measured[i], partner, said(s), rangeMm);
             },
-            [&](int done) {
-                if (report) report("generated against measured", static_cast<int>(first) + done, static_cast<int>(total));
+            [&](std::size_t done) {
+                if (report) report("generated against measured", static_cast<int>(first + done), static_cast<int>(total));
             });
     }
     return heard;
@@ -220,7 +221,7 @@ Evaluation evaluate(const fabrics::Dataset& dataset, const EvaluationRequest& re
     const Controls controls = learnControls(dataset, measured, plan, asked, report);
     const Setting setting{dataset, measured, plan, controls};
     std::vector<MeasuredPair> pairs(plan.pairs.size());
-    onThreads(plan.pairs.size(), request.threads, [&](std::size_t i) { pairs[i] = measurePair(setting, plan.pairs[i]); });
+    stats::onThreads(plan.pairs.size(), request.threads, [&](std::size_t i) { pairs[i] = measurePair(setting, plan.pairs[i]); });
 
     Evaluation evaluation;
     addFacts(dataset, opened, setting, evaluation);

@@ -57,7 +57,7 @@ struct EvaluationRequest {
     rendering::models::Quality quality = rendering::models::Quality::Balanced;
     std::optional<int> samplesPerFabric;
     double boundsFraction = 0.10;  ///< of the measured grand mean: equivalence bounds
-    int threads = 2;
+    unsigned threads = 0;          ///< 0: as many as the machine has; changes no number
 };
 
 struct Evaluation {

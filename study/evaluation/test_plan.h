@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -10,11 +11,13 @@
 #include <vector>
 
 #include "rendering/fabrics/dataset.h"
-#include "study/evaluation/both_cores.h"
 
 namespace study::evaluation {
 
 using rendering::fabrics::Modality;
+
+/// Progress of long work; called on one thread at a time.
+using Report = std::function<void(const std::string& stage, int done, int total)>;
 
 /// Augmented: the paper's split after augmentation, in which every original has copies in every part; nothing is left out
 /// of the test, and what a model was trained on is counted: such figures measure memory.
@@ -66,7 +69,7 @@ struct PlanRequest {
     std::set<std::string> trainedOn;           ///< SHA-256 of every file a model was trained on
     std::vector<protocols::FabricId> heldOut;  ///< by fabric: those tested on
     std::optional<int> samplesPerFabric;       ///< test photographs; none: all
-    int threads = 2;
+    unsigned threads = 0;                      ///< 0: as many as the machine has; changes no number
 };
 
 /// Throws badInput where the data set has no photographs, or nothing is left to test on.

@@ -89,8 +89,9 @@ private Q_SLOTS:
         protocol.name = "Ours";
         protocol.equivalenceBounds = {-0.3, 0.4};
         protocol.planned = {{protocols::ConditionId("a"), protocols::ConditionId("b")}};
-        protocol.phases = {{{{protocols::QuestionId("Q1"), "Which?"}}, 4, {}},
-                           {{{protocols::QuestionId("Q2"), "How?"}}, {}, protocols::Scale{}}};
+        const protocols::AnswerKind choice = protocols::ForcedChoice{4}, rating = protocols::Rating{};
+        protocol.phases = {{{{protocols::QuestionId("Q1"), "Which?", choice}}, choice},
+                           {{{protocols::QuestionId("Q2"), "How?", rating}}, rating}};
         QTemporaryDir folder;
         const auto data = reports::readAnswersCsv(written(folder, header + "P1,F1,a,1,5\nP1,F1,b,0,6\n"), {protocol, "ab", 3});
         QCOMPARE(data.alternatives, 4);

@@ -1,10 +1,6 @@
 #include "rendering/fabrics/procedural/procedural_fabrics.h"
 
-#include <atomic>
 #include <cmath>
-#include <exception>
-#include <mutex>
-#include <thread>
 
 #include "protocols/files/errors.h"
 #include "protocols/files/folder_draft.h"
@@ -15,6 +11,7 @@
 #include "rendering/fabrics/procedural/surface.h"
 #include "rendering/fabrics/procedural/tactile_press.h"
 #include "rendering/images/image_io.h"
+#include "stats/kernels/threads.h"
 
 namespace rendering::fabrics {
 
@@ -105,37 +102,22 @@ void makeSample(const Dataset& dataset, const Cloth& cloth, Modality modality, i
 
 constexpr Modality modalities[] = {Modality::Visual, Modality::Tactile, Modality::Friction};
 
-/// Every sample of every fabric, shared out to threads by an atomic counter; each has its own stream
-/// of random numbers, so that the order in which they are made changes nothing.
+/// Makes every sample of every fabric. Each sample has its own stream of random numbers, so the order of the work changes
+/// nothing.
 void makeAllSamples(const Dataset& dataset, const std::vector<Cloth>& cloths, const ProceduralOptions& options,
                     const std::function<void(int, int)>& progress)
 {
     const int perFabric = options.samples * 3;
     const int total = perFabric * int(cloths.size());
-    std::atomic<int> next{0};
-    std::mutex reporting;
-    int done = 0;
-    std::exception_ptr failure;
-    const auto work = [&] {
-        for (int job = next++; job < total; job = next++) {
-            try {
-                makeSample(dataset, cloths[std::size_t(job / perFabric)], modalities[job % 3], job % perFabric / 3, options);
-            } catch (...) {
-                const std::lock_guard lock(reporting);
-                failure = std::current_exception();
-                next = total;
-                return;
-            }
-            const std::lock_guard lock(reporting);
-            ++done;
-            if (progress) progress(done, total);
-        }
-    };
-    std::vector<std::thread> threads;
-    for (int i = 1; i < options.threads; ++i) threads.emplace_back(work);
-    work();
-    for (std::thread& thread : threads) thread.join();
-    if (failure) std::rethrow_exception(failure);
+    stats::onThreads(
+        static_cast<std::size_t>(total), options.threads,
+        [&](std::size_t number) {
+            const int job = static_cast<int>(number);
+            makeSample(dataset, cloths[std::size_t(job / perFabric)], modalities[job % 3], job % perFabric / 3, options);
+        },
+        [&](std::size_t done) {
+            if (progress) progress(static_cast<int>(done), total);
+        });
 }
 
 std::vector<SamplePlace> placesOf(const std::vector<Cloth>& cloths, const ProceduralOptions& options)

@@ -1,4 +1,4 @@
-#include "study/commands/look_at_data.h"
+#include "study/looking/look_at_data.h"
 
 #include <algorithm>
 
@@ -7,7 +7,7 @@
 #include "study/looking/open_study.h"
 #include "study/looking/sheet.h"
 
-namespace study::commands {
+namespace study::looking {
 
 namespace {
 
@@ -22,7 +22,7 @@ QStringList listOf(const std::vector<std::string>& texts)
 
 app::DataOverview openData(const fs::path& folder)
 {
-    const auto seen = looking::overviewOf(folder);
+    const auto seen = overviewOf(folder);
     app::DataOverview overview{QString::fromStdString(seen.name), QString::fromStdString(seen.about), {}};
     for (const auto& fabric : seen.fabrics)
         overview.fabrics.push_back({QString::fromStdString(fabric.id), QString::fromStdString(fabric.name),
@@ -34,21 +34,21 @@ app::DataOverview openData(const fs::path& folder)
 /// Columns as wide as fill the width; text must stay readable in them.
 app::DataSheet drawData(const app::DataSheetRequest& request)
 {
-    const auto seen = looking::sheetOf(request.folder, request.fabric.toStdString(), request.sample);
+    const auto seen = sheetOf(request.folder, request.fabric.toStdString(), request.sample);
     if (seen.signals.empty()) return {{}, {}, listOf(seen.faults)};
-    looking::SheetStyle style = request.theme == app::Theme::DarkRoom ? looking::darkSheet() : looking::lightSheet();
+    SheetStyle style = request.theme == app::Theme::DarkRoom ? darkSheet() : lightSheet();
     style.fontPx = request.fontPx;
     style.pixelRatio = request.pixelRatio;
     const int narrowest = static_cast<int>(22 * style.fontPx);
     const int perRow = std::clamp(request.widthPx / narrowest, 1, static_cast<int>(seen.signals.size()));
     constexpr int between = 14;
     style.columnPx = (request.widthPx - between) / perRow - between;
-    return {looking::drawSheet(seen.signals, style, perRow), looking::describe(seen.signals), listOf(seen.faults)};
+    return {drawSheet(seen.signals, style, perRow), describe(seen.signals), listOf(seen.faults)};
 }
 
 QStringList checkData(const fs::path& folder, const std::function<void(double)>& progress)
 {
-    looking::requireNotOfOpenStudy(folder);
+    requireNotOfOpenStudy(folder);
     return listOf(
         rendering::fabrics::faultsOfDataset(folder, [&](int done, int total) { progress(1.0 * done / std::max(1, total)); }));
 }
@@ -57,4 +57,4 @@ QStringList checkData(const fs::path& folder, const std::function<void(double)>&
 
 app::LookAtData lookAtData() { return {openData, drawData, checkData}; }
 
-}  // namespace study::commands
+}  // namespace study::looking

@@ -1,4 +1,4 @@
-#include "study/looking/calibration_report.h"
+#include "study/measuring/calibration_report.h"
 
 #include <algorithm>
 #include <chrono>
@@ -10,7 +10,9 @@
 
 #include "rendering/signals/photometric_stereo.h"
 
-namespace rendering {
+namespace study::measuring {
+
+namespace signals = rendering::signals;
 
 namespace {
 
@@ -163,4 +165,4 @@ cv::Mat pressSheet(const signals::BallPresses& presses, const signals::Calibrati
     return sheet;
 }
 
-}  // namespace rendering
+}  // namespace study::measuring

@@ -3,8 +3,8 @@
 
 #include "study/app/state/data_look.h"
 
-namespace study::commands {
+namespace study::looking {
 
 app::LookAtData lookAtData();
 
-}  // namespace study::commands
+}  // namespace study::looking

@@ -75,8 +75,9 @@ Move moveTo(const fs::path& from, const fs::path& to)
 {
     const bool isTaken = stands(to);
     if (isTaken && fs::is_directory(from) != fs::is_directory(to))
-        throw fs::filesystem_error("rename", from, to,
-                                   std::make_error_code(fs::is_directory(to) ? std::errc::is_a_directory : std::errc::not_a_directory));
+        throw fs::filesystem_error(
+            "rename", from, to,
+            std::make_error_code(fs::is_directory(to) ? std::errc::is_a_directory : std::errc::not_a_directory));
     return {from, to, isTaken};
 }
 

@@ -1,5 +1,4 @@
 #include "rendering/display/stroke.h"
-#include "protocols/files/number_text.h"
 
 #include <algorithm>
 #include <cassert>
@@ -10,6 +9,7 @@
 
 #include "protocols/files/csv_table.h"
 #include "protocols/files/errors.h"
+#include "protocols/files/number_text.h"
 
 namespace rendering {
 
@@ -83,8 +83,8 @@ void requireUsable(const StrokeOptions& options)
                             {"sample rate (Hz)", options.sampleRateHz, 1e-3, 1e6}};
     for (const Bound& bound : bounds)
         if (!(bound.value >= bound.least && bound.value <= bound.most))
-            throw protocols::badInput({std::string("the ") + bound.name + " of a stroke is " + protocols::shortest(bound.value), "",
-                                       protocols::shortest(bound.least) + " to " + protocols::shortest(bound.most), ""});
+            throw protocols::badInput({std::string("the ") + bound.name + " of a stroke is " + protocols::shortest(bound.value),
+                                       "", protocols::shortest(bound.least) + " to " + protocols::shortest(bound.most), ""});
 }
 
 std::size_t samplesFor(double lastPixel, double pixelsPerSample, const StrokeOptions& options)

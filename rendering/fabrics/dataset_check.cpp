@@ -31,7 +31,8 @@ public:
     std::vector<std::string> run()
     {
         try {
-            m_dataset = datasetFromJson(protocols::readWholeFile(m_folder / "dataset.json"), (m_folder / "dataset.json").string());
+            m_dataset =
+                datasetFromJson(protocols::readWholeFile(m_folder / "dataset.json"), (m_folder / "dataset.json").string());
         } catch (const protocols::Error& error) {
             return {error.what()};  // without it nothing says what else should be here
         }

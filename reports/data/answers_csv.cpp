@@ -160,8 +160,8 @@ private:
         const std::string fabric = named(row, "fabric");
         const std::string condition = conditionOf(named(row, "condition"));
         if (!m_seen.insert({participant, fabric, condition}).second)
-            fail("the answers of " + participant + " to " + fabric + " under " + condition + " occur twice",
-                 nameOf(row), "one row a participant, fabric and condition");
+            fail("the answers of " + participant + " to " + fabric + " under " + condition + " occur twice", nameOf(row),
+                 "one row a participant, fabric and condition");
         remember(m_data.participants, participant);
         remember(m_data.fabrics, fabric);
         remember(m_data.conditions, condition);

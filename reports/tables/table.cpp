@@ -34,7 +34,10 @@ bool isNumeric(const Table& table, std::size_t column)
 
 }  // namespace
 
-TableCell textCell(const std::string& text) { return {text, protocols::csvCell(text), escapedHtml(text), escapedTex(text), "", false}; }
+TableCell textCell(const std::string& text)
+{
+    return {text, protocols::csvCell(text), escapedHtml(text), escapedTex(text), "", false};
+}
 
 TableCell blankCell() { return {"", "", "", "", "", true}; }
 

@@ -1,6 +1,5 @@
 // samples.csv and the split over its groups.
 #include "rendering/fabrics/procedural/sample_places.h"
-#include "protocols/files/number_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +9,7 @@
 
 #include "protocols/files/csv_table.h"
 #include "protocols/files/errors.h"
+#include "protocols/files/number_text.h"
 #include "protocols/files/whole_file.h"
 #include "protocols/random.h"
 #include "rendering/fabrics/dataset.h"
@@ -29,8 +29,8 @@ Modality modalityAt(const protocols::CsvTable& table, std::size_t row, std::size
 {
     for (const Modality modality : modalities)
         if (table.rows[row][column] == nameOf(modality)) return modality;
-    throw protocols::badInput({"\"" + table.rows[row][column] + "\" is no signal", protocols::rowName(table, row) + ", column signal",
-                               "visual, tactile or friction", ""});
+    throw protocols::badInput({"\"" + table.rows[row][column] + "\" is no signal",
+                               protocols::rowName(table, row) + ", column signal", "visual, tactile or friction", ""});
 }
 
 int indexAt(const protocols::CsvTable& table, std::size_t row, std::size_t column)

@@ -1,10 +1,10 @@
 #include "rendering/fabrics/recordings/even_steps.h"
-#include "protocols/files/number_text.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "protocols/files/errors.h"
+#include "protocols/files/number_text.h"
 
 namespace rendering::fabrics {
 
@@ -15,9 +15,9 @@ TimeBase timeBaseOf(const std::vector<double>& timeS, const std::string& where)
     for (std::size_t i = 1; i < timeS.size(); ++i) {
         steps.push_back(timeS[i] - timeS[i - 1]);
         if (!(steps.back() > 0))
-            throw protocols::badInput({"time goes from " + protocols::shortest(timeS[i - 1]) + " s to " + protocols::shortest(timeS[i]) + " s",
-                                       where + ", row " + std::to_string(i + 1), "rows in order of time",
-                                       "cut or sort the record"});
+            throw protocols::badInput(
+                {"time goes from " + protocols::shortest(timeS[i - 1]) + " s to " + protocols::shortest(timeS[i]) + " s",
+                 where + ", row " + std::to_string(i + 1), "rows in order of time", "cut or sort the record"});
     }
     const auto [smallest, largest] = std::minmax_element(steps.begin(), steps.end());
     TimeBase base;

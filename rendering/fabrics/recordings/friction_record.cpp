@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "protocols/files/csv_table.h"
-#include "protocols/files/number_text.h"
 #include "protocols/files/errors.h"
+#include "protocols/files/number_text.h"
 #include "protocols/files/whole_file.h"
 #include "rendering/fabrics/dataset.h"
 
@@ -38,8 +38,9 @@ double coefficientIn(const protocols::CsvReader& reader, std::size_t normal, std
 {
     const double force = reader.number(normal);
     if (force <= leastNormalN)
-        throw protocols::badInput({"the normal force is " + protocols::shortest(force) + " N", reader.rowName() + ", column normal_n",
-                                   "more than 0.05 N: the probe must be in contact", "cut the record to the stroke"});
+        throw protocols::badInput({"the normal force is " + protocols::shortest(force) + " N",
+                                   reader.rowName() + ", column normal_n", "more than 0.05 N: the probe must be in contact",
+                                   "cut the record to the stroke"});
     const double coefficient = reader.number(tangential) / force;
     if (!std::isfinite(coefficient))
         throw protocols::badInput({"the forces have no finite ratio", reader.rowName(), "forces in N", ""});

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "protocols/files/csv_table.h"
-#include "protocols/files/number_text.h"
 #include "protocols/files/errors.h"
+#include "protocols/files/number_text.h"
 #include "protocols/files/whole_file.h"
 #include "rendering/fabrics/recordings/import_kinds.h"
 #include "rendering/fabrics/recordings/import_sources.h"

@@ -3,8 +3,8 @@
 #include <map>
 #include <opencv2/imgproc.hpp>
 
-#include "protocols/files/number_text.h"
 #include "protocols/files/errors.h"
+#include "protocols/files/number_text.h"
 #include "protocols/files/whole_file.h"
 #include "rendering/fabrics/recordings/import_kinds.h"
 #include "rendering/fabrics/recordings/import_sources.h"

@@ -74,7 +74,8 @@ json firstValueOf(const std::string& text)
         if (isString) continue;
         if (text[i] == '{' || text[i] == '[') ++depth;
         if (text[i] == '}' || text[i] == ']') --depth;
-        const bool isEnd = i + 1 == text.size() || (depth == 0 && std::string(",]} \n\t\r").find(text[i + 1]) != std::string::npos);
+        const bool isEnd =
+            i + 1 == text.size() || (depth == 0 && std::string(",]} \n\t\r").find(text[i + 1]) != std::string::npos);
         if (isEnd && depth == 0) return json::parse(text.substr(0, i + 1), nullptr, false);
     }
     return json::parse("", nullptr, false);
@@ -141,6 +142,14 @@ private Q_SLOTS:
             QVERIFY2(firstValueOf(textFrom(protocol, document.placeOf(pointer))) == value, pointer.c_str());
     }
 
+    void pathsOfMessagesArePointers()
+    {
+        QCOMPARE(pointerOf("phases[0].scale.min"), std::string("/phases/0/scale/min"));
+        QCOMPARE(pointerOf("planned[1][0]"), std::string("/planned/1/0"));
+        QCOMPARE(pointerOf("a/b"), std::string("/a~1b"));
+        QCOMPARE(pointerOf(""), std::string());
+    }
+
     void faultOfAValueNamesFileAndPlace()
     {
         const JsonDocument document(protocol, "p.json");
@@ -158,11 +167,12 @@ private Q_SLOTS:
         QTest::newRow("comma too many") << QByteArray("{\n  \"ä\": [1,],\n}") << "2: p.json, line 2, column 11: malformed JSON";
         QTest::newRow("two values") << QByteArray("{}\n{}") << "2: p.json, line 2, column 1: malformed JSON";
         QTest::newRow("no UTF-8") << QByteArray("{\"a\": \"\xE4\"}") << "2: p.json, line 1, column 8: the text is not UTF-8";
-        QTest::newRow("too large") << QByteArray("{\"a\": 1e999}") << "2: p.json: malformed JSON (number overflow parsing '1e999')";
-        QTest::newRow("doubled key")
-            << QByteArray("{\"a\": {\"b\": 1,\n \"b\" : [{\"b\": 2}]}, \"c\": \"b\",\n \"\\u0061\": 2}")
-            << "2: p.json: doubled key 'b' (line 2, column 2), 'a' (line 3, column 2); expected each key once in its object; remove "
-               "one of the two";
+        QTest::newRow("too large") << QByteArray("{\"a\": 1e999}")
+                                   << "2: p.json: malformed JSON (number overflow parsing '1e999')";
+        QTest::newRow("doubled key") << QByteArray("{\"a\": {\"b\": 1,\n \"b\" : [{\"b\": 2}]}, \"c\": \"b\",\n \"\\u0061\": 2}")
+                                     << "2: p.json: doubled key 'b' (line 2, column 2), 'a' (line 3, column 2); expected each "
+                                        "key once in its object; remove "
+                                        "one of the two";
     }
     void malformedTextsAreRefusedWithTheirPlace()
     {

@@ -71,8 +71,8 @@ KeyHashes writeKeys(const StudyFolder& folder, const protocols::AllocationKey& k
                 {"the key exists already", file.string(), "a new study folder", "choose another folder; no key was replaced"});
     const std::string full = protocols::toJson(key);
     const std::string half = protocols::toJson(protocols::masked(key));
-    protocols::writeWholeFile(folder.allocationKey(), full, protocols::Sync::Now, protocols::Readers::OwnerOnly);
-    protocols::writeWholeFile(folder.maskedKey(), half, protocols::Sync::Now, protocols::Readers::Everyone);
+    protocols::writeWholeFile(folder.allocationKey(), full, protocols::Sync::Later, protocols::Readers::OwnerOnly);
+    protocols::writeWholeFile(folder.maskedKey(), half, protocols::Sync::Later, protocols::Readers::Everyone);
     return {protocols::sha256(full), protocols::sha256(half)};
 }
 

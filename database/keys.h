@@ -32,7 +32,8 @@ protocols::MaskedKey readMaskedKey(const StudyStore& store);
 /// For scripted and simulated participants alone: drivers of tests, which must know what is shown.
 protocols::AllocationKey readAllocationKeyForTestDriver(const StudyStore& store, ParticipantKind kind);
 
-/// Writes allocation-key.json (mode 0600) and masked-key.json; returns their SHA-256.
+/// Writes allocation-key.json (mode 0600) and masked-key.json into a new study folder, which is synced as a whole. Returns
+/// their SHA-256. Throws environmentFault, also where a key stands already.
 struct KeyHashes {
     std::string allocation, masked;
 };

@@ -18,17 +18,18 @@ namespace protocols {
 namespace {
 
 using nlohmann::json;
-using Faults = std::vector<std::string>;
+using Faults = std::vector<SchemaFault>;
 
 constexpr int mostFabrics = 100;  // as the schema has it
 
-[[noreturn]] void refuse(const Faults& faults, const std::string& where)
+[[noreturn]] void refuse(const Faults& faults, const JsonDocument& document)
 {
     std::string list;
-    for (const std::string& fault : faults) list += (list.empty() ? "" : "; ") + fault;
+    for (const SchemaFault& fault : faults)
+        list += (list.empty() ? "" : "; ") + document.placeOf(pointerOf(fault.place)) + ", " + fault.text;
     const std::string count = faults.size() == 1 ? "1 fault" : std::to_string(faults.size()) + " faults";
     throw badInput({.what = "malformed protocol, " + count + ": " + list,
-                    .where = where,
+                    .where = document.where(),
                     .expected = "",
                     .nextStep = "see protocols/protocol.schema.json and protocols/vis2hap.json"});
 }
@@ -154,15 +155,15 @@ Protocol protocolFrom(const ProtocolPart& document, ProtocolEdition edition)
 
 Protocol readBy(ProtocolEdition edition, std::string_view text, const std::string& where)
 {
-    const json document = parseStrictJson(text, where);
-    ProtocolFaults faults(schemaFaultsOf(document, edition));
+    const JsonDocument document(std::string(text), where);
+    ProtocolFaults faults(schemaFaultsOf(document.root(), edition));
     // Without an object there is nothing to read on.
-    if (!document.is_object()) refuse(faults.all(), where);
-    const Protocol protocol = protocolFrom(ProtocolPart(document, "", faults), edition);
+    if (!document.root().is_object()) refuse(faults.all(), document);
+    const Protocol protocol = protocolFrom(ProtocolPart(document.root(), "", faults), edition);
     for (const std::string& fault : faultsOf(protocol)) faults.add(fault);
     if (edition == ProtocolEdition::Current)
         for (const std::string& fault : faultsOfQuestionIds(protocol)) faults.add(fault);
-    if (const Faults all = faults.all(); !all.empty()) refuse(all, where);
+    if (const Faults all = faults.all(); !all.empty()) refuse(all, document);
     return protocol;
 }
 

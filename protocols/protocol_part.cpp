@@ -1,6 +1,7 @@
 #include "protocols/protocol_part.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 namespace protocols {
 
@@ -34,7 +35,7 @@ void ProtocolFaults::add(const std::string& fault)
     const std::string place = fault.substr(0, fault.find(": "));
     const bool isConsequence =
         std::ranges::any_of(m_ofSchema, [&](const SchemaFault& known) { return isAround(known.place, place); });
-    if (!isConsequence) m_later.push_back(fault);
+    if (!isConsequence) m_later.push_back({place, fault});
 }
 
 bool ProtocolFaults::isRefused(const std::string& place) const
@@ -47,10 +48,9 @@ bool ProtocolFaults::isRefusedWithin(const std::string& place) const
     return std::ranges::any_of(m_ofSchema, [&](const SchemaFault& fault) { return isAround(place, fault.place); });
 }
 
-std::vector<std::string> ProtocolFaults::all() const
+std::vector<SchemaFault> ProtocolFaults::all() const
 {
-    std::vector<std::string> faults;
-    for (const SchemaFault& fault : m_ofSchema) faults.push_back(fault.text);
+    std::vector<SchemaFault> faults = m_ofSchema;
     faults.insert(faults.end(), m_later.begin(), m_later.end());
     return faults;
 }
@@ -61,6 +61,8 @@ ProtocolPart::ProtocolPart(const json& object, std::string place, ProtocolFaults
 }
 
 std::string ProtocolPart::placeOf(const std::string& key) const { return m_place.empty() ? key : m_place + "." + key; }
+
+bool ProtocolPart::has(const std::string& key) const { return m_object.contains(key); }
 
 const json& ProtocolPart::raw(const std::string& key) const
 {

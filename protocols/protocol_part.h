@@ -2,7 +2,7 @@
 // so that the rules beyond the schema are checked in the same run and all faults stand in one list.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -24,11 +24,11 @@ public:
     bool isRefusedWithin(const std::string& place) const;
 
     /// All of them, those of the schema first.
-    std::vector<std::string> all() const;
+    std::vector<SchemaFault> all() const;
 
 private:
     std::vector<SchemaFault> m_ofSchema;
-    std::vector<std::string> m_later;
+    std::vector<SchemaFault> m_later;
 };
 
 class ProtocolPart {
@@ -40,7 +40,7 @@ public:
     std::string placeOf(const std::string& key) const;
     ProtocolFaults& faults() const { return m_faults; }
 
-    bool has(const std::string& key) const { return m_object.contains(key); }
+    bool has(const std::string& key) const;
     /// The value as it stands; null where there is none.
     const nlohmann::json& raw(const std::string& key) const;
 

@@ -24,8 +24,8 @@ std::string rowText(const std::string& where, std::size_t row, std::size_t line)
 
 Error notANumber(const std::string& cell, const std::string& row, const std::string& column, const std::string& expected)
 {
-    return badInput({cell.empty() ? "the cell is empty" : "\"" + cell + "\" is not a number", row + ", column " + column,
-                     expected, ""});
+    return badInput(
+        {cell.empty() ? "the cell is empty" : "\"" + cell + "\" is not a number", row + ", column " + column, expected, ""});
 }
 
 }  // namespace
@@ -98,7 +98,8 @@ void CsvReader::readCell(std::string& cell)
     const std::size_t start = m_at;
     for (; !isAtCellEnd(); ++m_at)
         if (m_text[m_at] == '"')
-            throw badInput({"a quote stands inside a cell", lineName(), "the whole cell in quotes, with inner quotes doubled", ""});
+            throw badInput(
+                {"a quote stands inside a cell", lineName(), "the whole cell in quotes, with inner quotes doubled", ""});
     cell.assign(m_text.substr(start, m_at - start));
 }
 
@@ -173,8 +174,8 @@ std::optional<double> numberOrMissing(const CsvTable& table, std::size_t row, st
 
 std::string csvCell(std::string_view text, char separator)
 {
-    const bool needsQuotes = std::any_of(text.begin(), text.end(),
-                                         [&](char c) { return c == separator || c == '"' || c == '\r' || c == '\n'; });
+    const bool needsQuotes =
+        std::any_of(text.begin(), text.end(), [&](char c) { return c == separator || c == '"' || c == '\r' || c == '\n'; });
     if (!needsQuotes) return std::string(text);
     std::string quoted = "\"";
     for (const char c : text) {

@@ -32,13 +32,6 @@ Error cannotPutInPlace(const fs::path& place, const std::error_code& reason)
                              "a writable folder that no other program changes", "choose another folder"});
 }
 
-/// "report/" and "report" name the same folder.
-fs::path withoutTrailingSlash(const fs::path& folder)
-{
-    const fs::path whole = fs::absolute(folder.empty() ? fs::path(".") : folder).lexically_normal();
-    return whole.has_filename() ? whole : whole.parent_path();
-}
-
 /// The folder and its parents that do not exist yet, innermost first.
 std::vector<fs::path> missingOnes(const fs::path& folder)
 {
@@ -82,8 +75,9 @@ Move moveTo(const fs::path& from, const fs::path& to)
 {
     const bool isTaken = stands(to);
     if (isTaken && fs::is_directory(from) != fs::is_directory(to))
-        throw fs::filesystem_error("rename", from, to,
-                                   std::make_error_code(fs::is_directory(to) ? std::errc::is_a_directory : std::errc::not_a_directory));
+        throw fs::filesystem_error(
+            "rename", from, to,
+            std::make_error_code(fs::is_directory(to) ? std::errc::is_a_directory : std::errc::not_a_directory));
     return {from, to, isTaken};
 }
 
@@ -112,7 +106,7 @@ void makeAllOrNone(const std::vector<Move>& moves)
 }  // namespace
 
 FolderDraft::FolderDraft(const fs::path& place, Earlier earlier)
-    : m_place(withoutTrailingSlash(place)),
+    : m_place(folderPath(place)),
       m_earlier(earlier),
       m_joins((earlier == Earlier::EntriesReplaced || earlier == Earlier::FilesJoined) && stands(m_place))
 {
@@ -182,9 +176,15 @@ void FolderDraft::joinPlace(const std::vector<fs::path>& last)
     for (const fs::path& folder : changed) syncFolder(folder);
 }
 
+fs::path folderPath(const fs::path& folder)
+{
+    const fs::path whole = fs::absolute(folder.empty() ? fs::path(".") : folder).lexically_normal();
+    return whole.has_filename() ? whole : whole.parent_path();
+}
+
 void makeFolders(const fs::path& folder, Sync sync)
 {
-    const fs::path whole = withoutTrailingSlash(folder);
+    const fs::path whole = folderPath(folder);
     const std::vector<fs::path> missing = missingOnes(whole);
     std::error_code problem;
     fs::create_directories(whole, problem);

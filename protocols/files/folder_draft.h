@@ -47,6 +47,9 @@ private:
     bool m_joins;  ///< the draft lies inside its place and moves there entry by entry
 };
 
+/// Absolute and without a slash at its end: "report/" and "report" name the same folder.
+std::filesystem::path folderPath(const std::filesystem::path& folder);
+
 /// Makes a folder and its missing parents. Throws environmentFault.
 void makeFolders(const std::filesystem::path& folder, Sync sync = Sync::Now);
 

@@ -203,7 +203,8 @@ std::vector<std::string> stepsOf(std::string_view pointer)
         std::string step(pointer.substr(0, end));
         // In this order: "~01" means "~1".
         for (const auto& [code, letter] : {std::pair("~1", "/"), std::pair("~0", "~")})
-            for (std::size_t at = step.find(code); at != std::string::npos; at = step.find(code, at + 1)) step.replace(at, 2, letter);
+            for (std::size_t at = step.find(code); at != std::string::npos; at = step.find(code, at + 1))
+                step.replace(at, 2, letter);
         steps.push_back(std::move(step));
         pointer.remove_prefix(end);
     }
@@ -281,6 +282,17 @@ std::string pointerStep(std::string_view key)
         else
             step += c;
     return step;
+}
+
+std::string pointerOf(std::string_view path)
+{
+    std::string pointer;
+    while (!path.empty()) {
+        const std::size_t end = std::min(path.find_first_of(".[]"), path.size());
+        if (end > 0) pointer += "/" + pointerStep(path.substr(0, end));
+        path.remove_prefix(std::min(end + 1, path.size()));
+    }
+    return pointer;
 }
 
 }  // namespace protocols

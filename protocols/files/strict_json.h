@@ -43,4 +43,7 @@ private:
 /// A key as one step of a JSON pointer: "a/b" is "a~1b".
 std::string pointerStep(std::string_view key);
 
+/// The JSON pointer of a path as messages write it: "phases[0].scale" is "/phases/0/scale".
+std::string pointerOf(std::string_view path);
+
 }  // namespace protocols

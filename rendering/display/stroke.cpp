@@ -1,5 +1,4 @@
 #include "rendering/display/stroke.h"
-#include "protocols/files/number_text.h"
 
 #include <algorithm>
 #include <cassert>
@@ -9,6 +8,7 @@
 
 #include "protocols/files/csv_table.h"
 #include "protocols/files/errors.h"
+#include "protocols/files/number_text.h"
 
 namespace rendering {
 

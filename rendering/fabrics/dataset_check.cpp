@@ -35,7 +35,8 @@ public:
     std::vector<std::string> run()
     {
         try {
-            m_dataset = datasetFromJson(protocols::readWholeFile(m_folder / "dataset.json"), (m_folder / "dataset.json").string());
+            m_dataset =
+                datasetFromJson(protocols::readWholeFile(m_folder / "dataset.json"), (m_folder / "dataset.json").string());
         } catch (const protocols::Error& error) {
             return {error.what()};  // The list of fabrics is missing, so no other file can be checked.
         }

@@ -3,11 +3,11 @@
 #include <opencv2/imgproc.hpp>
 
 #include "protocols/files/errors.h"
+#include "protocols/files/temporary_folder.h"
 #include "rendering/models/child_process.h"
 #include "rendering/models/exchange.h"
 #include "rendering/models/model_card_fields.h"
 #include "rendering/models/photograph_at_pitch.h"
-#include "protocols/files/temporary_folder.h"
 
 namespace rendering::models {
 

@@ -28,7 +28,7 @@ fs::path valuesBeside(const fs::path& file)
 }
 
 template <class AnySpectrogram>
-void write(const fs::path& file, const AnySpectrogram& spectrogram, const char* kind, const cv::Mat& values)
+void write(const fs::path& file, const AnySpectrogram& spectrogram, const char* kind, const cv::Mat& values, protocols::Sync sync)
 {
     const auto& parameters = spectrogram.parameters;
     const Json json{{"schema", schema},
@@ -43,8 +43,8 @@ void write(const fs::path& file, const AnySpectrogram& spectrogram, const char* 
                     {"scaling", "none"},
                     {"trace_length", spectrogram.traceLength},
                     {"mean", spectrogram.mean}};
-    writeNpy(valuesBeside(file), values);
-    protocols::writeWholeFile(file, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+    writeNpy(valuesBeside(file), values, sync);
+    protocols::writeWholeFile(file, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n", sync);
 }
 
 protocols::Error malformed(const fs::path& file, const std::string& what, const std::string& expected)
@@ -101,16 +101,16 @@ void requireFit(const fs::path& file, const SpectrogramHeader& header, const cv:
 
 }  // namespace
 
-void writeSpectrogram(const fs::path& file, const Spectrogram& spectrogram)
+void writeSpectrogram(const fs::path& file, const Spectrogram& spectrogram, protocols::Sync sync)
 {
-    write(file, spectrogram, "complex", spectrogram.values.reshape(1));
+    write(file, spectrogram, "complex", spectrogram.values.reshape(1), sync);
 }
 
-void writeSpectrogram(const fs::path& file, const MagnitudeSpectrogram& spectrogram)
+void writeSpectrogram(const fs::path& file, const MagnitudeSpectrogram& spectrogram, protocols::Sync sync)
 {
     cv::Mat values;
     spectrogram.values.convertTo(values, CV_64F);
-    write(file, spectrogram, "magnitude", values);
+    write(file, spectrogram, "magnitude", values, sync);
 }
 
 std::variant<Spectrogram, MagnitudeSpectrogram> readSpectrogram(const fs::path& file)

@@ -5,14 +5,17 @@
 #include <filesystem>
 #include <variant>
 
+#include "protocols/files/whole_file.h"
 #include "rendering/signals/spectrogram.h"
 
 namespace rendering {
 
 /// Writes NAME.json and NAME.npy; `file` is NAME.json. The values are 64-bit: magnitudes [frequency x frame], or real and
 /// imaginary parts side by side [frequency x 2 frame]. Throws environmentFault.
-void writeSpectrogram(const std::filesystem::path& file, const signals::Spectrogram& spectrogram);
-void writeSpectrogram(const std::filesystem::path& file, const signals::MagnitudeSpectrogram& spectrogram);
+void writeSpectrogram(const std::filesystem::path& file, const signals::Spectrogram& spectrogram,
+                      protocols::Sync sync = protocols::Sync::Now);
+void writeSpectrogram(const std::filesystem::path& file, const signals::MagnitudeSpectrogram& spectrogram,
+                      protocols::Sync sync = protocols::Sync::Now);
 
 /// Throws badInput naming the file: missing, malformed, parameters that cannot be inverted, values whose size does not match
 /// the parameters, values that are not finite, or a negative magnitude.

@@ -1,6 +1,7 @@
 #include "study/analyse/analyse.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "study/analyse/analyse_counts.h"
 #include "study/analyse/analyse_inputs.h"

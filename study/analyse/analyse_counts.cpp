@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "stats/tests/binomial.h"
 #include "stats/tests/forced_choice.h"

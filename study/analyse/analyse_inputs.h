@@ -2,7 +2,7 @@
 // ("1/3", "sqrt(2)/2"), arrays, tables, and recipes of long arrays.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <stdexcept>
 #include <string>

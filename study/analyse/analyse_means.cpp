@@ -1,5 +1,7 @@
 #include "study/analyse/analyse_means.h"
 
+#include <nlohmann/json.hpp>
+
 #include "stats/tests/bayes_factor.h"
 #include "stats/tests/bootstrap.h"
 #include "stats/tests/equivalence.h"

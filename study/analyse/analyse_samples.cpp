@@ -1,6 +1,7 @@
 #include "study/analyse/analyse_samples.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "stats/kernels/descriptive.h"
 #include "stats/tests/speed_accuracy.h"

@@ -1,5 +1,6 @@
 #include "study/analyse/analyse_signals.h"
 
+#include <nlohmann/json.hpp>
 #include <opencv2/core/mat.hpp>
 
 #include "protocols/files/errors.h"

@@ -1,6 +1,7 @@
 #include "study/analyse/analyse_tables.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "stats/tests/friedman_exact.h"
 #include "stats/tests/intraclass.h"

@@ -7,6 +7,7 @@
 #include <QTemporaryDir>
 #include <algorithm>
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "database/keys.h"
 #include "protocols/counterbalancing.h"
@@ -33,7 +34,7 @@ database::StudyFolder makeStudy(const std::filesystem::path& path, const std::st
 {
     const database::StudyFolder folder{path};
     std::filesystem::create_directories(folder.stimuli());
-    protocols::writeWholeFile(folder.protocol(), protocolJson);
+    protocols::writeWholeFile(folder.protocol(), protocolJson, protocols::Sync::Later);
     const auto protocol = protocols::protocolFromJson(protocolJson, "bench");
     database::StudyFacts facts;
     for (int fabric = 1; fabric <= protocol.fabricCount; ++fabric) facts.fabrics.emplace_back("F" + std::to_string(100 + fabric));

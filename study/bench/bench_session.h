@@ -1,7 +1,7 @@
 // The session's own speed: how long an operator waits, in the engine and in the window.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 namespace study::bench {
 

@@ -2,7 +2,7 @@
 // Python's packages take for the same work on this machine, where they are installed.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 namespace study::bench {
 

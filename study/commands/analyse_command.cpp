@@ -1,9 +1,12 @@
 // vis2hap analyse: requests in one JSON file, answers in another.
 #include <CLI/CLI.hpp>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "protocols/files/errors.h"
+#include "protocols/files/strict_json.h"
+#include "protocols/files/whole_file.h"
 #include "study/analyse/analyse.h"
 #include "study/commands/command_line.h"
 #include "study/commands/json_output.h"
@@ -23,13 +26,7 @@ protocols::Error malformed(const std::string& what, const std::string& where)
 
 json readRequests(const std::string& file)
 {
-    const std::string text = readFile(file);
-    json document;
-    try {
-        document = json::parse(text);
-    } catch (const json::exception& fault) {
-        throw malformed(std::string("not JSON: ") + fault.what(), file);
-    }
+    json document = protocols::parseStrictJson(protocols::readWholeFile(file), file);
     if (!document.is_object() || !document.contains("cases") || !document["cases"].is_array())
         throw malformed("no array of cases", file);
     return document;
@@ -57,7 +54,7 @@ int analyse(const std::string& requests, const std::string& answers)
     const auto folder = std::filesystem::absolute(requests).parent_path();
     ordered_json all = ordered_json::object();
     for (std::size_t i = 0; i < ids.size(); ++i) all[ids[i]] = analyse::answerOf(cases[i], folder);
-    writeFile(answers, all.dump(1, ' ', false, json::error_handler_t::replace) + "\n");
+    protocols::writeWholeFile(answers, all.dump(1, ' ', false, json::error_handler_t::replace) + "\n");
     return 0;
 }
 

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "protocols/files/errors.h"
+#include "protocols/files/number_text.h"
 #include "rendering/models/second_program.h"
 #include "study/bench/bench.h"
 #include "study/bench/bench_recordings.h"
@@ -84,8 +86,8 @@ void addGeneratorPeers(ordered_json& rows)
         add("training step, 8 of 128x128", peer, peer.oursTrainMs, peer.theirsTrainMs, peer.trainRatio);
         add("networks alone, 1 of 128x128", peer, peer.oursInferMs, peer.theirsInferMs, peer.inferRatio);
         if (peer.answersApart)
-            rows.back()["note"] =
-                rows.back()["note"].get<std::string>() + "; same parameters, answers apart by " + numberText(*peer.answersApart);
+            rows.back()["note"] = rows.back()["note"].get<std::string>() + "; same parameters, answers apart by " +
+                                  protocols::shortest(*peer.answersApart);
     }
 }
 

@@ -2,10 +2,13 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <numeric>
 #include <opencv2/core.hpp>
 
 #include "protocols/files/errors.h"
+#include "protocols/files/folder_draft.h"
+#include "protocols/files/whole_file.h"
 #include "rendering/images/image_io.h"
 #include "rendering/images/true_map.h"
 #include "rendering/signals/press_folder.h"
@@ -112,9 +115,9 @@ int calibrateOnBalls(const CalibrateCall& call)
         tested = signals::scoreOf(calibration, others, signals::locate(others, located), allOf(others));
         report["test"] = measuring::jsonOf(*tested);
     }
-    writeFile(call.out, signals::toJson(calibration));
+    protocols::writeWholeFile(call.out, signals::toJson(calibration));
     writePictures(call, presses.background, measuring::pressSheet(presses, calibration, validated));
-    writeFile(besideOut(call, "-quality.json"), report.dump(2) + "\n");
+    protocols::writeWholeFile(besideOut(call, "-quality.json"), report.dump(2) + "\n");
     if (call.json) {
         writeJson(call.json, report);
         return 0;
@@ -159,7 +162,7 @@ int calibrateOnSurface(const CalibrateCall& call)
     const int first = row(call.rows[0]), last = row(call.rows[1]);
     auto calibration = signals::calibrationFrom(surface, first, last, qualities.at(call.quality));
     if (call.cutoffMm > 0) calibration.highPassCutoffMm = call.cutoffMm;
-    writeFile(call.out, signals::toJson(calibration));
+    protocols::writeWholeFile(call.out, signals::toJson(calibration));
     ordered_json report{{"schema", "vis2hap.calibration-report/1"}, {"quality", call.quality}, {"surface", call.surface}};
     const auto put = [&](const char* name, int from, int to) {
         if (from >= to) return;
@@ -184,12 +187,7 @@ int calibrateOnSurface(const CalibrateCall& call)
 
 int calibrate(const CalibrateCall& call)
 {
-    std::error_code failed;
-    const fs::path folder = fs::absolute(call.out).parent_path();
-    fs::create_directories(folder, failed);
-    if (failed)
-        throw protocols::environmentFault(
-            {"the folder cannot be made (" + failed.message() + ")", folder.string(), "a place that can be written to", ""});
+    protocols::makeFolders(fs::absolute(call.out).parent_path());
     if (!call.surface.empty()) return calibrateOnSurface(call);
     if (call.from.size() != 1)
         throw protocols::badInput({std::to_string(call.from.size()) + " places of presses are named", call.from[1], "one folder",

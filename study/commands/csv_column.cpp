@@ -8,18 +8,6 @@
 
 namespace study::commands {
 
-namespace {
-
-bool isMissing(const std::string& cell)
-{
-    const auto first = cell.find_first_not_of(" \t");
-    if (first == std::string::npos) return true;
-    const auto text = cell.substr(first, cell.find_last_not_of(" \t") - first + 1);
-    return text == "NA" || text == "NaN";
-}
-
-}  // namespace
-
 std::vector<double> readColumn(const std::filesystem::path& file, const std::string& column)
 {
     const auto table = protocols::readCsvTable(file);
@@ -32,8 +20,7 @@ std::vector<double> readColumn(const std::filesystem::path& file, const std::str
     std::vector<double> values;
     values.reserve(table.rows.size());
     for (std::size_t row = 0; row < table.rows.size(); ++row)
-        values.push_back(isMissing(table.rows[row][*index]) ? std::numeric_limits<double>::quiet_NaN()
-                                                            : protocols::numberAt(table, row, *index));
+        values.push_back(protocols::numberOrMissing(table, row, *index).value_or(std::numeric_limits<double>::quiet_NaN()));
     return values;
 }
 

@@ -3,8 +3,13 @@
 #include <cstdio>
 #include <functional>
 #include <memory>
+#include <nlohmann/json.hpp>
 
+#include "protocols/files/csv_table.h"
 #include "protocols/files/errors.h"
+#include "protocols/files/folder_draft.h"
+#include "protocols/files/number_text.h"
+#include "protocols/files/whole_file.h"
 #include "protocols/question_ids.h"
 #include "study/commands/command_line.h"
 #include "study/commands/json_output.h"
@@ -24,7 +29,7 @@ struct Export {
     database::StudyFacts facts;
     protocols::Protocol protocol;
     records::Naming naming;
-    fs::path out;
+    fs::path out;  ///< a draft, which is synced as a whole
 };
 
 /// One answer with everything that may be told of it; absent values are null.
@@ -62,8 +67,8 @@ ordered_json rowOf(const Export& job, const CurrentAnswer& answer)
 std::string cell(const ordered_json& value)
 {
     if (value.is_null()) return "";
-    if (value.is_string()) return csvCell(value.get<std::string>());
-    return value.is_number_float() ? numberText(value.get<double>()) : csvCell(value.dump());
+    if (value.is_string()) return value.get<std::string>();
+    return value.is_number_float() ? protocols::shortest(value.get<double>()) : value.dump();
 }
 
 ordered_json participantRows(const Export& job)
@@ -80,24 +85,26 @@ ordered_json participantRows(const Export& job)
 
 std::string csvOf(const ordered_json& rows, const std::vector<std::string>& columns)
 {
-    std::string text;
-    for (const auto& column : columns) text += (text.empty() ? "" : ",") + column;
-    text += "\n";
+    std::string text = protocols::csvRow(columns);
     for (const auto& row : rows) {
-        std::string line;
-        for (const auto& column : columns) line += (&column == &columns.front() ? "" : ",") + cell(row[column]);
-        text += line + "\n";
+        std::vector<std::string> cells;
+        for (const auto& column : columns) cells.push_back(cell(row[column]));
+        text += protocols::csvRow(cells);
     }
     return text;
+}
+
+void write(const Export& job, const char* name, const std::string& text)
+{
+    protocols::writeWholeFile(job.out / name, text, protocols::Sync::Later);
 }
 
 void writeCsv(const Export& job)
 {
     ordered_json rows = ordered_json::array();
     for (const auto& answer : job.store.answers()) rows.push_back(rowOf(job, answer));
-    writeFile(job.out / "answers.csv", csvOf(rows, {protocols::answerColumns().begin(), protocols::answerColumns().end()}));
-    writeFile(job.out / "participants.csv",
-              csvOf(participantRows(job), {"slot", "participant", "kind", "state", "protocol_version"}));
+    write(job, "answers.csv", csvOf(rows, {protocols::answerColumns().begin(), protocols::answerColumns().end()}));
+    write(job, "participants.csv", csvOf(participantRows(job), {"slot", "participant", "kind", "state", "protocol_version"}));
 }
 
 void writeJsonExport(const Export& job)
@@ -107,7 +114,7 @@ void writeJsonExport(const Export& job)
         {"blinded", job.naming.blinded}, {"stamps", job.facts.stamps}, {"participants", participantRows(job)}};
     json["answers"] = ordered_json::array();
     for (const auto& answer : job.store.answers()) json["answers"].push_back(rowOf(job, answer));
-    writeFile(job.out / "export.json", json.dump(1) + "\n");
+    write(job, "export.json", json.dump(1) + "\n");
 }
 
 int exportStudy(const std::string& study, const std::string& out, const std::string& format)
@@ -115,18 +122,15 @@ int exportStudy(const std::string& study, const std::string& out, const std::str
     const auto store = records::openStudy(study);
     auto facts = store.facts();
     const auto protocol = records::protocolOf(facts);
-    const Export job{store, facts, protocol, records::namingOf(store, protocol, recordedUnblinding(store)), out};
-    std::error_code failure;
-    fs::create_directories(job.out, failure);
-    if (failure)
-        throw protocols::environmentFault(
-            {"cannot make the folder (" + failure.message() + ")", out, "a writable place", "choose another --out"});
+    protocols::FolderDraft draft(out, protocols::Earlier::FilesJoined);
+    const Export job{store, facts, protocol, records::namingOf(store, protocol, recordedUnblinding(store)), draft.path()};
     if (format == "csv")
         writeCsv(job);
     else if (format == "json")
         writeJsonExport(job);
     else
         players::writeScripts(job.store, job.naming, job.out);
+    draft.putInPlace();
     std::printf("%s: %zu answers as %s%s\n", out.c_str(), store.answers().size(), format.c_str(),
                 job.naming.blinded ? ", blinded (conditions as K-labels)" : "");
     return 0;

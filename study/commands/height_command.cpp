@@ -3,9 +3,13 @@
 #include <cstdio>
 #include <map>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <opencv2/core.hpp>
 
 #include "protocols/files/errors.h"
+#include "protocols/files/folder_draft.h"
+#include "protocols/files/number_text.h"
+#include "protocols/files/whole_file.h"
 #include "rendering/images/image_io.h"
 #include "study/commands/command_line.h"
 #include "study/commands/json_output.h"
@@ -18,6 +22,7 @@ namespace study::commands {
 namespace {
 
 namespace fs = std::filesystem;
+using protocols::Sync;
 namespace signals = rendering::signals;
 using nlohmann::ordered_json;
 
@@ -64,26 +69,22 @@ measuring::FramesRequest framesOf(const HeightCall& call)
 
 void write(const HeightCall& call, const measuring::Reconstruction& result)
 {
-    const fs::path out(call.out);
-    std::error_code failed;
-    fs::create_directories(out, failed);
-    if (failed)
-        throw protocols::environmentFault(
-            {"the folder cannot be made (" + failed.message() + ")", call.out, "a place that can be written to", ""});
+    protocols::FolderDraft draft(call.out, protocols::Earlier::FilesJoined);
     double low = 0, high = 0;
     cv::minMaxLoc(result.heightMm, &low, &high);
     cv::Scalar mean, sd;
     cv::meanStdDev(result.heightMm, mean, sd);
-    rendering::writeTiff(out / (result.name + ".tiff"), result.heightMm);
-    rendering::writeNpy(out / (result.name + "-gx.npy"), result.slopes.x);
-    rendering::writeNpy(out / (result.name + "-gy.npy"), result.slopes.y);
+    rendering::writeTiff(draft.file(result.name + ".tiff"), result.heightMm, Sync::Later);
+    rendering::writeNpy(draft.file(result.name + "-gx.npy"), result.slopes.x, Sync::Later);
+    rendering::writeNpy(draft.file(result.name + "-gy.npy"), result.slopes.y, Sync::Later);
     ordered_json facts{{"schema", "vis2hap.height/1"}, {"range_mm", {low, high}}, {"sq_mm", sd[0]}};
     facts.update(result.facts);
-    writeFile(out / (result.name + ".json"), facts.dump(2) + "\n");
-    std::printf("%s.tiff  %d x %d, 0 to %.4g mm, Sq %.4g mm%s\n", (out / result.name).c_str(), result.heightMm.cols,
-                result.heightMm.rows, high, sd[0],
+    protocols::writeWholeFile(draft.file(result.name + ".json"), facts.dump(2) + "\n", Sync::Later);
+    draft.putInPlace();
+    std::printf("%s.tiff  %d x %d, 0 to %.4g mm, Sq %.4g mm%s\n", (fs::path(call.out) / result.name).c_str(),
+                result.heightMm.cols, result.heightMm.rows, high, sd[0],
                 facts.contains("curl_residual")
-                    ? (", curl " + numberText(std::round(1e4 * facts["curl_residual"].get<double>()) / 1e4)).c_str()
+                    ? (", curl " + protocols::shortest(std::round(1e4 * facts["curl_residual"].get<double>()) / 1e4)).c_str()
                     : "");
 }
 

@@ -5,6 +5,8 @@
 #include <memory>
 
 #include "protocols/files/errors.h"
+#include "protocols/files/folder_draft.h"
+#include "protocols/files/whole_file.h"
 #include "rendering/fabrics/recordings/import.h"
 #include "rendering/images/image_io.h"
 #include "rendering/signals/calibration.h"
@@ -49,6 +51,7 @@ void writeSpectrograms(const std::filesystem::path& out, const std::filesystem::
 {
     using namespace rendering::fabrics;
     const auto dataset = readDataset(out);
+    protocols::FolderDraft draft(plots, protocols::Earlier::FilesJoined);
     for (const auto& fabric : dataset.fabrics)
         for (const int index : sampleIndices(dataset, fabric.id, Modality::Friction)) {
             const auto sample = samplePath(dataset, fabric.id, Modality::Friction, index);
@@ -59,8 +62,10 @@ void writeSpectrograms(const std::filesystem::path& out, const std::filesystem::
             const auto trace = rendering::signals::frictionTrace(record, sample.string());
             rendering::signals::SpectrogramParameters parameters;
             parameters.sampleRateHz = trace.sampleRateHz;
-            rendering::writeSpectrogram(plots / (name + ".spectrogram.json"), rendering::signals::stft(trace.values, parameters));
+            rendering::writeSpectrogram(draft.file(name + ".spectrogram.json"),
+                                        rendering::signals::stft(trace.values, parameters), protocols::Sync::Later);
         }
+    draft.putInPlace();
 }
 
 /// A calibration and the untouched frame that `calibrate` saved beside it.
@@ -72,7 +77,7 @@ rendering::fabrics::ImportedSensor sensorFrom(const std::filesystem::path& file)
         throw protocols::badInput({"the sensor has " + std::to_string(calibration.channels) + " lamps, one frame each",
                                    file.string(), "a sensor of colour frames",
                                    "turn its frames into heights with vis2hap height"});
-    rendering::fabrics::ImportedSensor sensor{readFile(file), calibration.mmPerPixel, {}, {}};
+    rendering::fabrics::ImportedSensor sensor{protocols::readWholeFile(file), calibration.mmPerPixel, {}, {}};
     sensor.requireSame = [look = calibration.sensor, file](const cv::Mat& reference, const std::string& where) {
         const auto difference = look ? signals::differenceOf(*look, signals::appearanceOf(reference)) : std::nullopt;
         if (difference)
@@ -100,10 +105,7 @@ int import(const ImportCall& call)
         request.sensor = sensorFrom(call.calibration);
     }
     request.plots = call.plots;
-    std::error_code failed;
-    if (!call.plots.empty() && (std::filesystem::create_directories(call.plots, failed), failed))
-        throw protocols::environmentFault({"the folder of plots cannot be made (" + failed.message() + ")", call.plots,
-                                           "a place that can be written to", "nothing was imported; choose another"});
+    if (!call.plots.empty()) protocols::makeFolders(call.plots);  // before the import, so that a fault leaves no half of it
     for (const auto& line : rendering::fabrics::importRecordings(request)) std::printf("%s\n", line.c_str());
     if (!call.plots.empty() && std::filesystem::exists(call.plots)) writeSpectrograms(call.out, call.plots);
     return 0;

@@ -1,11 +1,9 @@
 // `--json [FILE]`: one JSON object to a file, or alone on standard output.
 #pragma once
 
-#include <filesystem>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
-#include <string_view>
 
 namespace CLI {
 class App;
@@ -20,17 +18,5 @@ using JsonTarget = std::optional<std::string>;
 void addJsonOption(CLI::App& command, JsonTarget& target);
 
 void writeJson(const JsonTarget& target, const nlohmann::ordered_json& object);
-
-/// Whole file, written beside it and renamed. Throws environmentFault.
-void writeFile(const std::filesystem::path& file, std::string_view text);
-
-/// Throws badInput where it cannot be read.
-std::string readFile(const std::filesystem::path& file);
-
-/// One CSV cell by RFC 4180.
-std::string csvCell(const std::string& text);
-
-/// The shortest text that reads back exactly.
-std::string numberText(double value);
 
 }  // namespace study::commands

@@ -1,6 +1,5 @@
 // vis2hap erase STUDY --participant ID, and vis2hap backup STUDY --out FILE
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <QProcess>
@@ -9,6 +8,7 @@
 
 #include "database/study_store.h"
 #include "protocols/files/errors.h"
+#include "protocols/files/folder_draft.h"
 #include "study/commands/command_line.h"
 #include "study/records/stored_study.h"
 
@@ -27,29 +27,6 @@ int erase(const std::string& study, const database::Erasure& erasure)
                 erasure.participant.value.c_str());
     return 0;
 }
-
-/// A folder beside the backup in which its files lie together; vanishes at the end.
-class Staging {
-public:
-    explicit Staging(const fs::path& out) : m_folder(out)
-    {
-        m_folder += ".partial-" + std::to_string(getpid());
-        std::error_code failure;
-        fs::create_directories(m_folder, failure);
-        if (failure || ::chmod(m_folder.c_str(), 0700) != 0)
-            throw protocols::environmentFault({"cannot make a folder beside the backup (" + failure.message() + ")",
-                                               m_folder.string(), "a writable place", "choose another one"});
-    }
-    ~Staging()
-    {
-        std::error_code ignored;
-        fs::remove_all(m_folder, ignored);
-    }
-    const fs::path& folder() const { return m_folder; }
-
-private:
-    fs::path m_folder;
-};
 
 /// Everything but the live database, its lock and what SQLite keeps beside it.
 void copyFiles(const fs::path& study, const fs::path& to)
@@ -92,15 +69,17 @@ int backup(const std::string& study, const std::string& out)
         throw protocols::badInput({"the file exists", out, "a new file", "choose another name; nothing was written"});
     const auto store = records::openStudy(study);
     const std::string name = nameOfFolder(study);
-    const Staging staging(out);
+    // The files of the backup lie together in a folder beside it that is never put in place.
+    const protocols::FolderDraft staging(out, protocols::Earlier::Refused);
     try {
-        fs::create_directory(staging.folder() / name);
-        copyFiles(study, staging.folder() / name);
-        store.copyTo(staging.folder() / name / "study.db");
-        const fs::path archive = staging.folder() / "archive.tar";
-        pack(staging.folder(), name, archive);
+        fs::permissions(staging.path(), fs::perms::owner_all);
+        fs::create_directory(staging.path() / name);
+        copyFiles(study, staging.path() / name);
+        store.copyTo(staging.path() / name / "study.db");
+        const fs::path archive = staging.path() / "archive.tar";
+        pack(staging.path(), name, archive);
         ::chmod(archive.c_str(), 0600);  // the allocation key is in it
-        fs::rename(archive, out);
+        protocols::putFileInPlace(archive, out);
     } catch (const fs::filesystem_error& fault) {
         throw protocols::environmentFault({std::string("the backup cannot be written: ") + fault.what(), out,
                                            "room for a copy of the study",

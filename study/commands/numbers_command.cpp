@@ -3,10 +3,11 @@
 #include <cmath>
 #include <cstdio>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "protocols/files/csv_table.h"
-#include "protocols/files/number_text.h"
 #include "protocols/files/errors.h"
+#include "protocols/files/number_text.h"
 #include "rendering/images/image_io.h"
 #include "rendering/signals/grey.h"
 #include "stats/kernels/descriptive.h"

@@ -2,6 +2,7 @@
 // how often each test of the report rejects when there is nothing to find.
 #include <CLI/CLI.hpp>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "protocols/protocol_json.h"
 #include "stats/power/calibration.h"

@@ -4,8 +4,10 @@
 #include <memory>
 #include <sstream>
 
-#include "protocols/files/number_text.h"
 #include "protocols/files/errors.h"
+#include "protocols/files/folder_draft.h"
+#include "protocols/files/number_text.h"
+#include "protocols/files/whole_file.h"
 #include "rendering/composition/earlier_render.h"
 #include "rendering/composition/render_fabrics.h"
 #include "rendering/composition/photograph_warnings.h"
@@ -71,23 +73,21 @@ rendering::Percentiles percentilesFrom(const std::string& text)
 
 void writeRendering(const fs::path& out, const rendering::RenderedFabrics& rendering, const std::string& json)
 {
+    protocols::FolderDraft draft(out, protocols::Earlier::FilesJoined);
     for (const auto& condition : rendering.conditions)
-        for (const auto& [fabric, image] : condition.images) {
-            std::error_code failure;
-            fs::create_directories(out / fabric.value, failure);
-            if (failure)
-                throw protocols::environmentFault({"cannot make the folder (" + failure.message() + ")",
-                                                   (out / fabric.value).string(), "a writable place", "choose another --out"});
-            rendering::writePng(out / fabric.value / (protocols::fileNameOf(condition.condition) + ".png"), image);
-        }
-    writeFile(out / "render.json", json);
+        for (const auto& [fabric, image] : condition.images)
+            rendering::writePng(draft.file(fs::path(fabric.value) / (protocols::fileNameOf(condition.condition) + ".png")), image,
+                                protocols::Sync::Later);
+    protocols::writeWholeFile(draft.file("render.json"), json, protocols::Sync::Later);
+    draft.putInPlace({"render.json"});
 }
 
 /// Joined with what an earlier call left in the folder.
 rendering::JoinedRender savedJson(const fs::path& out, const std::string& json)
 {
     const auto file = out / "render.json";
-    return fs::exists(file) ? rendering::joined(json, readFile(file), file.string()) : rendering::JoinedRender{json, {}};
+    return fs::exists(file) ? rendering::joined(json, protocols::readWholeFile(file), file.string())
+                            : rendering::JoinedRender{json, {}};
 }
 
 int render(const RenderCall& call)

@@ -8,6 +8,7 @@
 
 #include "database/keys.h"
 #include "protocols/files/errors.h"
+#include "protocols/files/whole_file.h"
 #include "rendering/display/display.h"
 #include "rendering/display/stimulus_bank.h"
 #include "study/app/gui_hands.h"
@@ -41,7 +42,7 @@ std::vector<players::Script> readScripts(const std::vector<std::string>& files, 
     std::vector<players::Script> scripts;
     std::set<protocols::ParticipantId> seen;
     for (const auto& file : files) {
-        scripts.push_back(players::scriptFromJson(readFile(file), file, protocol));
+        scripts.push_back(players::scriptFromJson(protocols::readWholeFile(file), file, protocol));
         if (!seen.insert(scripts.back().participant).second)
             throw protocols::badInput({"participant " + scripts.back().participant.value + " comes twice", file,
                                        "one script for each participant", "leave one out"});

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "protocols/files/errors.h"
+#include "protocols/files/whole_file.h"
 #include "rendering/display/stroke.h"
 #include "rendering/images/image_io.h"
 #include "study/commands/command_line.h"
@@ -44,7 +45,7 @@ int stroke(const StrokeCall& call)
     looking::requireNotOfOpenStudy(call.image);
     const cv::Mat image = readFrictionImage(call.image);
     const auto samples = rendering::strokeImage(image, lineOf(call, image), call.vertical, call.options);
-    writeFile(call.csv, rendering::strokeCsv(samples));
+    protocols::writeWholeFile(call.csv, rendering::strokeCsv(samples));
     double sum = 0;
     for (const auto& sample : samples) sum += sample.tangentialN / sample.normalN;
     std::printf("%s: %zu samples over %.2f mm in %.3f s, mean coefficient of friction %.3f\n", call.csv.c_str(), samples.size(),

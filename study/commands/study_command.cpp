@@ -5,8 +5,11 @@
 
 #include "database/study_store.h"
 #include "protocols/balance.h"
+#include "protocols/files/csv_table.h"
 #include "protocols/files/errors.h"
+#include "protocols/files/number_text.h"
 #include "protocols/files/sha256.h"
+#include "protocols/files/whole_file.h"
 #include "protocols/protocol_json.h"
 #include "study/commands/command_line.h"
 #include "study/commands/json_output.h"
@@ -83,11 +86,11 @@ int plan(const std::string& study, const std::string& csv)
                 tray += (tray.empty() ? "" : " ") + pieceName(facts, slot.number, fabric);
             const double minutes = (trial.number.value - 1) * protocol.secondsPerPresentation / 60;
             const int sitting = 1 + static_cast<int>(minutes / protocol.sittingMinutes);
-            text += std::to_string(slot.number) + "," + std::to_string(trial.number.value) + "," + csvCell(questions) + "," +
-                    trial.presentationCode.value + "," + csvCell(tray) + "," + numberText(minutes) + "," +
-                    std::to_string(sitting) + "\n";
+            text +=
+                protocols::csvRow({std::to_string(slot.number), std::to_string(trial.number.value), questions,
+                                   trial.presentationCode.value, tray, protocols::shortest(minutes), std::to_string(sitting)});
         }
-    writeFile(csv, text);
+    protocols::writeWholeFile(csv, text);
     std::printf("%s: running orders of %d slots\n", csv.c_str(), protocol.participants);
     return 0;
 }
@@ -111,11 +114,11 @@ int amend(const Amendment& call)
     const auto file = store.folder().protocol();
     const auto kept = store.protocolVersions().back();
     if (call.undo) {
-        writeFile(file, kept.json);
+        protocols::writeWholeFile(file, kept.json);
         std::printf("%s: put back as it was (version %d)\n", file.c_str(), kept.version);
         return 0;
     }
-    const std::string text = readFile(file);
+    const std::string text = protocols::readWholeFile(file);
     if (protocols::sha256(text) == kept.sha256) {
         std::printf("%s: unchanged (version %d), nothing to take over\n", file.c_str(), kept.version);
         return 0;

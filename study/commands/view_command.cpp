@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "protocols/files/errors.h"
+#include "protocols/files/whole_file.h"
 #include "study/commands/command_line.h"
 #include "study/commands/json_output.h"
 #include "study/commands/number_checks.h"
@@ -37,7 +38,7 @@ int view(const ViewCall& call)
     QByteArray bytes;
     QBuffer buffer(&bytes);
     looking::drawSheet(signals, style, call.perRow).save(&buffer, "PNG");
-    writeFile(call.out, std::string_view(bytes.constData(), static_cast<std::size_t>(bytes.size())));
+    protocols::writeWholeFile(call.out, std::string_view(bytes.constData(), static_cast<std::size_t>(bytes.size())));
     std::printf("%s\n", looking::describe(signals).toUtf8().constData());
     return 0;
 }

@@ -1,5 +1,7 @@
 #include "study/evaluation/evaluation_json.h"
 
+#include <nlohmann/json.hpp>
+
 #include "study/evaluation/criteria.h"
 
 namespace study::evaluation {

@@ -1,7 +1,7 @@
 // An evaluation as JSON, schema vis2hap.evaluation/1.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include "study/evaluation/evaluation.h"
 

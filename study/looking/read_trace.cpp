@@ -1,11 +1,11 @@
 #include "study/looking/read_trace.h"
-#include "protocols/files/number_text.h"
 
 #include <cmath>
 #include <limits>
 
 #include "protocols/files/csv_table.h"
 #include "protocols/files/errors.h"
+#include "protocols/files/number_text.h"
 #include "study/looking/place_in_dataset.h"
 
 namespace study::looking {

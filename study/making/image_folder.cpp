@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "protocols/condition.h"
-#include "protocols/files/errors.h"
+#include "protocols/files/folder_draft.h"
 #include "protocols/files/sha256.h"
 #include "protocols/files/whole_file.h"
 #include "rendering/images/image_io.h"
@@ -59,19 +59,16 @@ void writeImageFolder(const fs::path& folder, const std::string& key, const std:
 {
     ordered_json manifest{
         {"schema", "vis2hap.images/1"}, {"key", key}, {"signals", ordered_json::parse(signalsJson)}, {"stamps", stamps}};
+    protocols::FolderDraft draft(folder, protocols::Earlier::FilesJoined);
     for (const auto& condition : rendering.conditions)
         for (const auto& [fabric, image] : condition.images) {
-            const auto file = imagePath(folder, fabric, condition.condition);
-            std::error_code failure;
-            fs::create_directories(file.parent_path(), failure);
-            if (failure)
-                throw protocols::environmentFault({"cannot make the folder (" + failure.message() + ")",
-                                                   file.parent_path().string(), "a writable place", "choose another one"});
-            rendering::writePng(file, image);
-            manifest["sha256"][fs::relative(file, folder).string()] = protocols::sha256OfFile(file);
+            const auto file = draft.file(imagePath("", fabric, condition.condition));
+            rendering::writePng(file, image, protocols::Sync::Later);
+            manifest["sha256"][file.lexically_relative(draft.path()).string()] = protocols::sha256OfFile(file);
         }
-    protocols::writeWholeFile(folder / "render.json", renderJson);
-    protocols::writeWholeFile(folder / manifestName, manifest.dump(1) + "\n");
+    protocols::writeWholeFile(draft.file("render.json"), renderJson, protocols::Sync::Later);
+    protocols::writeWholeFile(draft.file(manifestName), manifest.dump(1) + "\n", protocols::Sync::Later);
+    draft.putInPlace({"render.json", manifestName});
 }
 
 }  // namespace study::making

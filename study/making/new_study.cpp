@@ -1,15 +1,13 @@
 #include "study/making/new_study.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 
 #include "database/keys.h"
 #include "protocols/allocation.h"
 #include "protocols/condition.h"
 #include "protocols/files/errors.h"
+#include "protocols/files/folder_draft.h"
 #include "protocols/files/sha256.h"
-#include "protocols/files/whole_file.h"
 #include "rendering/display/stimulus_bank.h"
 #include "study/making/study_images.h"
 #include "study/making/study_material.h"
@@ -42,41 +40,6 @@ void requireFreePlace(const NewStudy& request)
                                    request.study.string(), "a study with simulated participants only",
                                    "move the folder or choose another name"});
 }
-
-/// A folder that vanishes unless it becomes the study.
-class Unfinished {
-public:
-    explicit Unfinished(const fs::path& study) : m_study(study), m_folder(study)
-    {
-        m_folder += ".making-" + std::to_string(getpid());
-        std::error_code failure;
-        fs::create_directories(m_folder / "stimuli", failure);
-        if (failure)
-            throw protocols::environmentFault({"cannot make the folder (" + failure.message() + ")", m_folder.string(),
-                                               "a writable place", "choose another one"});
-    }
-    ~Unfinished()
-    {
-        std::error_code ignored;
-        fs::remove_all(m_folder, ignored);
-    }
-    database::StudyFolder folder() const { return {m_folder}; }
-    void becomeStudy()
-    {
-        fs::path old = m_study;
-        old += ".old-" + std::to_string(getpid());
-        std::error_code failure;
-        if (fs::exists(m_study)) fs::rename(m_study, old, failure);
-        if (!failure) fs::rename(m_folder, m_study, failure);
-        if (failure)
-            throw protocols::environmentFault({"cannot be put in place (" + failure.message() + ")", m_study.string(),
-                                               "a writable place", "choose another one"});
-        fs::remove_all(old, failure);
-    }
-
-private:
-    fs::path m_study, m_folder;
-};
 
 /// All that is known before the images are made.
 database::StudyFacts factsOf(const NewStudy& request, const StudyMaterial& material)
@@ -135,18 +98,20 @@ std::map<protocols::FileCode, std::string> writeStimuli(const fs::path& folder, 
 }
 
 /// The whole folder or nothing. Adds the hashes of the keys to the facts.
-void writeStudy(const fs::path& study, const protocols::Allocation& allocation, const StudyImages& images,
+void writeStudy(const NewStudy& request, const protocols::Allocation& allocation, const StudyImages& images,
                 const FamiliarisationImages& familiarisation, database::StudyFacts& facts)
 {
-    Unfinished unfinished(study);
-    const auto folder = unfinished.folder();
+    const auto earlier = request.replaceSimulated ? protocols::Earlier::Replaced : protocols::Earlier::Refused;
+    protocols::FolderDraft draft(request.study, earlier);
+    const database::StudyFolder folder{draft.path()};
+    protocols::makeFolders(folder.stimuli(), protocols::Sync::Later);
     const auto hashes = writeStimuli(folder.stimuli(), allocation, images, familiarisation);
     const auto keys = database::writeKeys(folder, allocation.key);
     facts.keySha256 = keys.allocation;
     facts.maskedKeySha256 = keys.masked;
-    protocols::writeWholeFile(folder.protocol(), facts.protocolJson);
+    protocols::writeWholeFile(folder.protocol(), facts.protocolJson, protocols::Sync::Later);
     database::StudyStore::create(folder, facts, allocation.participants, hashes);
-    unfinished.becomeStudy();
+    draft.putInPlace();
 }
 
 }  // namespace
@@ -167,7 +132,7 @@ MadeStudy makeStudy(const NewStudy& request, const StepProgress& progress)
     const auto allocation =
         allocate(material.protocol, design, material.fabrics, secret, static_cast<int>(familiarisation.names.size()));
     noteAllocation(allocation, familiarisation, made.facts);
-    writeStudy(request.study, allocation, images, familiarisation, made.facts);
+    writeStudy(request, allocation, images, familiarisation, made.facts);
     return made;
 }
 

@@ -3,9 +3,9 @@
 #include <cstdio>
 
 #include "protocols/files/csv_table.h"
-#include "protocols/files/errors.h"
+#include "protocols/files/folder_draft.h"
+#include "protocols/files/markup_text.h"
 #include "protocols/files/number_text.h"
-#include "protocols/files/whole_file.h"
 #include "study/records/stored_study.h"
 
 namespace study::making {
@@ -14,17 +14,9 @@ namespace {
 
 using protocols::shortest;
 
-std::string escaped(const std::string& text)
-{
-    std::string html;
-    for (const char c : text)
-        html += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '"' ? "&quot;" : std::string(1, c);
-    return html;
-}
-
 std::string page(const std::string& title, const std::string& body)
 {
-    return "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" + escaped(title) +
+    return "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" + protocols::escapedMarkup(title) +
            "</title><style>\n"
            "body{font:14pt 'DejaVu Sans',sans-serif;margin:15mm;color:#000;background:#fff}\n"
            "h1{font-size:20pt}h2{font-size:15pt;margin-top:10mm}table{border-collapse:collapse}\n"
@@ -32,7 +24,7 @@ std::string page(const std::string& title, const std::string& body)
            ".label{display:inline-block;border:1px dashed #000;padding:6mm 9mm;margin:2mm;font-size:26pt;font-weight:bold}\n"
            ".sheet{page-break-after:always}p{max-width:170mm}\n"
            "</style></head><body>\n<h1>" +
-           escaped(title) + "</h1>\n" + body + "</body></html>\n";
+           protocols::escapedMarkup(title) + "</h1>\n" + body + "</body></html>\n";
 }
 
 /// Codes of one set of labels: all slots share one where pieces are labelled once.
@@ -68,13 +60,13 @@ std::string preparationPage(const database::StudyFacts& facts, const std::vector
     for (const auto& set : sets) {
         body += "<div class=\"sheet\"><h2>" + set.title + "</h2>\n<table><tr><th>code</th><th>fabric</th><th>id</th></tr>\n";
         for (const auto& [fabric, code] : set.codes)
-            body += "<tr><td><b>" + code + "</b></td><td>" + escaped(facts.fabricNames.at(fabric)) + "</td><td>" +
-                    escaped(fabric.value) + "</td></tr>\n";
+            body += "<tr><td><b>" + code + "</b></td><td>" + protocols::escapedMarkup(facts.fabricNames.at(fabric)) +
+                    "</td><td>" + protocols::escapedMarkup(fabric.value) + "</td></tr>\n";
         body += "</table>\n<p>Besides: sandpaper, silk, and a duplicate of one fabric, for the ends of the scale.</p>";
         if (!facts.familiarisation.empty()) {
             body += "<p>For getting to know the display:";
             for (const auto& item : facts.familiarisation)
-                body += " " + escaped(item.name) + (&item == &facts.familiarisation.back() ? "." : ",");
+                body += " " + protocols::escapedMarkup(item.name) + (&item == &facts.familiarisation.back() ? "." : ",");
             body += "</p>";
         }
         body += "</div>\n";
@@ -100,8 +92,11 @@ std::string scaleDrawing(const protocols::RatingScale& scale)
                shortest(value.inScaleUnits()) + "</text><text x=\"" + shortest(x) +
                "\" y=\"160\" font-size=\"24\" text-anchor=\"" + anchor + "\">" + words + "</text>";
     };
-    return svg + end(left, scale.min, "start", scale.labels.empty() ? "unrelated" : escaped(scale.labels.front()).c_str()) +
-           end(left + width, scale.max, "end", scale.labels.empty() ? "totally the same" : escaped(scale.labels.back()).c_str()) +
+    return svg +
+           end(left, scale.min, "start",
+               scale.labels.empty() ? "unrelated" : protocols::escapedMarkup(scale.labels.front()).c_str()) +
+           end(left + width, scale.max, "end",
+               scale.labels.empty() ? "totally the same" : protocols::escapedMarkup(scale.labels.back()).c_str()) +
            "</svg>\n";
 }
 
@@ -115,7 +110,7 @@ std::string scaleCard(const database::StudyFacts& facts, const protocols::Rating
                 shortest(scale.step.inScaleUnits()) + ".</p>\n";
     else {
         body += "<ol start=\"" + shortest(scale.min.inScaleUnits()) + "\">";
-        for (const auto& label : scale.labels) body += "<li>" + escaped(label) + "</li>";
+        for (const auto& label : scale.labels) body += "<li>" + protocols::escapedMarkup(label) + "</li>";
         body += "</ol>\n";
     }
     return page(facts.name + ": the scale", body);
@@ -128,15 +123,14 @@ int writeSheets(const database::StudyStore& store, const std::filesystem::path& 
     const auto facts = store.facts();
     const auto protocol = records::protocolOf(facts);
     const auto sets = labelSetsOf(facts, protocol);
-    std::error_code failure;
-    std::filesystem::create_directories(out, failure);
-    if (failure)
-        throw protocols::environmentFault(
-            {"cannot make the folder (" + failure.message() + ")", out.string(), "a writable place", "choose another one"});
-    protocols::writeWholeFile(out / "labels.html", labelsPage(facts, sets));
-    protocols::writeWholeFile(out / "preparation.html", preparationPage(facts, sets));
-    if (const auto* scale = memorisedScaleOf(protocol))
-        protocols::writeWholeFile(out / "scale-card.html", scaleCard(facts, *scale));
+    protocols::FolderDraft draft(out, protocols::Earlier::FilesJoined);
+    const auto write = [&](const char* name, const std::string& html) {
+        protocols::writeWholeFile(draft.file(name), html, protocols::Sync::Later);
+    };
+    write("labels.html", labelsPage(facts, sets));
+    write("preparation.html", preparationPage(facts, sets));
+    if (const auto* scale = memorisedScaleOf(protocol)) write("scale-card.html", scaleCard(facts, *scale));
+    draft.putInPlace();
     std::printf("%s: pages to print\n", out.c_str());
     return 0;
 }

@@ -1,5 +1,6 @@
 #include "study/measuring/height_reconstruction.h"
 
+#include <nlohmann/json.hpp>
 #include <opencv2/core.hpp>
 #include <set>
 

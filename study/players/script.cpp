@@ -9,6 +9,7 @@
 
 #include "protocols/condition.h"
 #include "protocols/files/errors.h"
+#include "protocols/files/strict_json.h"
 
 namespace study::players {
 
@@ -177,12 +178,7 @@ const ScriptedAnswer* Script::answerTo(const protocols::QuestionId& question, co
 
 Script scriptFromJson(std::string_view text, const std::string& where, const protocols::Protocol& protocol)
 {
-    json root;
-    try {
-        root = json::parse(text);
-    } catch (const json::exception& problem) {
-        throw fault(std::string("no JSON (") + problem.what() + ")", where, "a script as the README describes it");
-    }
+    json root = protocols::parseStrictJson(text, where);
     if (!root.is_object() || root.value("schema", "") != "vis2hap.script/1")
         throw fault("no script of this program", where, "\"schema\": \"vis2hap.script/1\"");
     Script script;

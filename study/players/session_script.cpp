@@ -121,7 +121,7 @@ void writeScripts(const database::StudyStore& store, const records::Naming& nami
         const Plan plan = readPlan(store, enrolment.participant);
         Recorder recorder(plan, naming, script, hasVoids);
         for (const auto& record : log) recorder.follow(record);
-        protocols::writeWholeFile(out / (enrolment.participant.value + ".json"), script.dump(1) + "\n");
+        protocols::writeWholeFile(out / (enrolment.participant.value + ".json"), script.dump(1) + "\n", protocols::Sync::Later);
     }
 }
 

@@ -1,7 +1,7 @@
 // How a study stands: who is where, balance planned and reached, flags on the data. Blinded.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "database/study_store.h"

@@ -1,10 +1,8 @@
 #include "study/session/driver.h"
 
-#include <fstream>
-#include <iterator>
-
 #include "protocols/files/errors.h"
 #include "protocols/files/sha256.h"
+#include "protocols/files/whole_file.h"
 #include "protocols/protocol_json.h"
 #include "study/session/session_moves.h"
 #include "study/session/session_record.h"
@@ -133,10 +131,9 @@ void requireKeptProtocol(const StudyStore& store)
 {
     const std::filesystem::path file = store.folder().protocol();
     const std::string study = store.folder().folder.string();
-    std::ifstream stream(file, std::ios::binary);
-    const std::string text{std::istreambuf_iterator<char>(stream), {}};
-    if (stream && protocols::sha256(text) == store.protocolVersions().back().sha256) return;
-    throw protocols::badInput({stream ? "the protocol was changed after the study was made" : "the protocol cannot be read",
+    const std::optional<std::string> text = protocols::readIfPossible(file);
+    if (text && protocols::sha256(*text) == store.protocolVersions().back().sha256) return;
+    throw protocols::badInput({text ? "the protocol was changed after the study was made" : "the protocol cannot be read",
                                file.string(), "the text that the study keeps",
                                "take the change over with `vis2hap study amend " + study +
                                    " --who NAME --why TEXT`, or put the kept text back with `vis2hap study amend " + study +

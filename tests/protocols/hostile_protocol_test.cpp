@@ -1,5 +1,7 @@
 // Protocols that could break a study later: each is refused by name, or read whole. All faults of a file stand in one list.
+#include <QRegularExpression>
 #include <QtTest>
+#include <algorithm>
 
 #include "protocols/counterbalancing.h"
 #include "protocols/files/errors.h"
@@ -29,6 +31,13 @@ std::string ratingsOf(const QStringList& ids)
     return protocolWith(QString(R"({"questions": [%1], "scale": {"min": 0, "max": 10}})").arg(quoted(ids)), ids);
 }
 
+/// Without its line and column, which every fault has.
+QString withoutPlace(QString fault)
+{
+    static const QRegularExpression place("^line \\d+, column \\d+, ");
+    return place.match(fault).hasMatch() ? fault.remove(place) : "without a place: " + fault;
+}
+
 /// The faults of a text, in order; empty where it was taken.
 QStringList faultsIn(const std::string& json)
 {
@@ -38,7 +47,9 @@ QStringList faultsIn(const std::string& json)
         const QString line = error.what();
         const QString begin = "malformed protocol, ";
         const qsizetype list = line.indexOf(": ", line.indexOf(begin) + begin.size()) + 2;
-        return line.mid(list, line.indexOf("; see protocols/") - list).split("; ");
+        QStringList faults = line.mid(list, line.indexOf("; see protocols/") - list).split("; ");
+        std::transform(faults.begin(), faults.end(), faults.begin(), withoutPlace);
+        return faults;
     }
     return {};
 }

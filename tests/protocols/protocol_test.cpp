@@ -192,6 +192,20 @@ private Q_SLOTS:
             QVERIFY2(refusal.contains(place), qPrintable(refusal));
     }
 
+    void faultsNameTheirLineAndColumn()
+    {
+        const QString json =
+            "{\"schema\": \"vis2hap.protocol/1\", \"name\": \"Größe\", \"participants\": 0,\n"
+            " \"fabrics\": 3, \"velvet\": 1,\n"
+            " \"conditions\": [\"f\",\n"
+            "                \"f\"],\n"
+            " \"phases\": [{\"questions\": [\"Q1\"], \"alternatives\": 9}]}";
+        const QString refusal = refusalOf(json);
+        for (const char* place : {"line 1, column 66, participants: 0", "line 2, column 26, the protocol: unknown key 'velvet'",
+                                  "line 4, column 17, conditions[1]: 'f' is named twice", "line 5, column 48, phases[0].alternatives: 9 of 3"})
+            QVERIFY2(refusal.contains(place), qPrintable(refusal));
+    }
+
     void severalBrokenRulesAreListedAtOnce()
     {
         QString json = smallProtocol("v_grey", "velvet");

@@ -26,7 +26,7 @@ struct Observation {
 std::mutex guard;
 std::optional<Observation> observation;
 constexpr std::size_t longestWrite = 1000;  // bytes, so that a file takes several steps and may end half-written
-thread_local bool isLooking = false;  // the observer's own calls are not observed
+thread_local bool isLooking = false;        // the observer's own calls are not observed
 
 std::filesystem::path fileOf(int descriptor)
 {

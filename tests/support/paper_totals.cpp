@@ -1,6 +1,7 @@
 #include "tests/support/paper_totals.h"
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 namespace support {
 

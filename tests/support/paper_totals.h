@@ -2,7 +2,7 @@
 // paper gives only an order or a difference, the total is chosen to agree with it and marked so.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 

@@ -1,10 +1,10 @@
 #include "rendering/fabrics/recordings/friction_options.h"
-#include "protocols/files/number_text.h"
 
 #include <algorithm>
 #include <utility>
 
 #include "protocols/files/errors.h"
+#include "protocols/files/number_text.h"
 #include "rendering/fabrics/recordings/import_sources.h"
 
 namespace rendering::fabrics {

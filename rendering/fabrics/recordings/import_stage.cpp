@@ -18,13 +18,6 @@ bool isNewOrEmpty(const fs::path& folder)
     return !fs::exists(folder, problem) || (fs::is_directory(folder, problem) && fs::is_empty(folder, problem));
 }
 
-/// "fabrics/" and "fabrics" name the same folder.
-fs::path withoutTrailingSlash(const fs::path& folder)
-{
-    const fs::path whole = fs::absolute(folder).lexically_normal();
-    return whole.has_filename() ? whole : whole.parent_path();
-}
-
 Dataset begunAt(const fs::path& folder)
 {
     Dataset dataset;
@@ -36,7 +29,7 @@ Dataset begunAt(const fs::path& folder)
 }  // namespace
 
 ImportStage::ImportStage(const fs::path& out)
-    : m_out(withoutTrailingSlash(out)),
+    : m_out(protocols::folderPath(out)),
       m_isNew(isNewOrEmpty(m_out)),
       m_dataset(m_isNew ? begunAt(m_out) : readDataset(m_out)),
       m_draft(m_out, protocols::Earlier::FilesJoined)

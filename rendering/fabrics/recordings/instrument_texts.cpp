@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "protocols/files/number_text.h"
 #include "protocols/files/errors.h"
+#include "protocols/files/number_text.h"
 #include "protocols/files/whole_file.h"
 #include "rendering/fabrics/recordings/column_names.h"
 #include "rendering/fabrics/recordings/import_sources.h"

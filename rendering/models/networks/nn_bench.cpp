@@ -11,13 +11,13 @@
 #include <optional>
 
 #include "protocols/files/errors.h"
+#include "protocols/files/temporary_folder.h"
 #include "protocols/files/whole_file.h"
 #include "rendering/fabrics/dataset.h"
 #include "rendering/fabrics/procedural/procedural_fabrics.h"
 #include "rendering/models/exchange.h"
 #include "rendering/models/networks/inference.h"
 #include "rendering/models/photograph_at_pitch.h"
-#include "protocols/files/temporary_folder.h"
 #include "rendering/signals/friction_trace.h"
 #include "rendering/signals/photometric_stereo.h"
 

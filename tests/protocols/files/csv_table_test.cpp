@@ -35,7 +35,8 @@ private Q_SLOTS:
         QTest::newRow("5: quotes") << QByteArray("a,b,c\r\n\"aaa\",\"bbb\",\"ccc\"\r\nzzz,yyy,xxx");
         QTest::newRow("of Unix") << QByteArray("a,b,c\naaa,bbb,ccc\nzzz,yyy,xxx\n");
         QTest::newRow("of old Macs") << QByteArray("a,b,c\raaa,bbb,ccc\rzzz,yyy,xxx\r");
-        QTest::newRow("byte order mark, empty lines, blanks") << QByteArray("\xEF\xBB\xBF\n a ,b,c\n\naaa,bbb,ccc\n  \nzzz,yyy,xxx\n\n");
+        QTest::newRow("byte order mark, empty lines, blanks")
+            << QByteArray("\xEF\xBB\xBF\n a ,b,c\n\naaa,bbb,ccc\n  \nzzz,yyy,xxx\n\n");
     }
     void examplesOfTheStandardAreRead()
     {
@@ -74,12 +75,14 @@ private Q_SLOTS:
                                   << "2: t.csv, row 2 (line 4): the row has 3 cells; expected 2, as the header has";
         QTest::newRow("open quote") << QByteArray("a,b\n1,2\n3,\"4\n")
                                     << "2: t.csv, line 3: a quote is never closed; expected a closing quote";
-        QTest::newRow("quote inside") << QByteArray("a,b\n1,5\"\n")
-                                      << "2: t.csv, line 2: a quote stands inside a cell; expected the whole cell in quotes, with "
-                                         "inner quotes doubled";
-        QTest::newRow("text after a quote") << QByteArray("a,b\n1,\"5\"x\n")
-                                            << "2: t.csv, line 2: text follows a closing quote; expected a separator or the end of "
-                                               "the line";
+        QTest::newRow("quote inside")
+            << QByteArray("a,b\n1,5\"\n")
+            << "2: t.csv, line 2: a quote stands inside a cell; expected the whole cell in quotes, with "
+               "inner quotes doubled";
+        QTest::newRow("text after a quote")
+            << QByteArray("a,b\n1,\"5\"x\n")
+            << "2: t.csv, line 2: text follows a closing quote; expected a separator or the end of "
+               "the line";
     }
     void faultsNameFileRowAndLine()
     {

@@ -265,7 +265,8 @@ private Q_SLOTS:
     void filesThatMakeTheOthersValidComeLast()
     {
         fill(place(), {{"dataset.json", "old"}, {"F01/visual/000.png", "old"}});
-        const Contents added{{"dataset.json", "new"}, {"samples.csv", "new"}, {"F01/visual/001.png", "new"}, {"F02/visual/000.png", "new"}};
+        const Contents added{
+            {"dataset.json", "new"}, {"samples.csv", "new"}, {"F01/visual/001.png", "new"}, {"F02/visual/000.png", "new"}};
         const ObservedDisk disk(folder());
         write(place(), Earlier::FilesJoined, added, {"samples.csv", "dataset.json"});
         std::vector<std::string> moved;

@@ -202,9 +202,9 @@ private Q_SLOTS:
         writeWholeFile(folder() / "draft", "whole", Sync::Later);
         const ObservedDisk disk(folder());
         putFileInPlace(folder() / "draft", file());
-        QCOMPARE(disk.steps(), (std::vector<DiskStep>{{DiskCall::Sync, folder() / "draft"},
-                                                      {DiskCall::Rename, file()},
-                                                      {DiskCall::Sync, folder()}}));
+        QCOMPARE(disk.steps(),
+                 (std::vector<DiskStep>{
+                     {DiskCall::Sync, folder() / "draft"}, {DiskCall::Rename, file()}, {DiskCall::Sync, folder()}}));
         QCOMPARE(readWholeFile(file()), std::string("whole"));
     }
 

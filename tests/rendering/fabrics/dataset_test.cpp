@@ -1,6 +1,5 @@
 // The reader of data sets, its refusals, the split over groups, and the check with planted faults.
 #include "rendering/fabrics/dataset.h"
-#include "protocols/files/number_text.h"
 
 #include <clocale>
 #include <functional>
@@ -8,6 +7,7 @@
 #include <memory>
 #include <set>
 
+#include "protocols/files/number_text.h"
 #include "rendering/fabrics/dataset_check.h"
 #include "tests/rendering/fabric_files.h"
 

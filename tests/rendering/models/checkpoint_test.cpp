@@ -46,7 +46,10 @@ private:
     }
 
     /// Names of checkpoints that are being written, or were when the run was killed.
-    QStringList unfinished() const { return QDir(m_folder.path()).entryList({".model.pt.checkpoint.unfinished-*"}, QDir::Files | QDir::Hidden); }
+    QStringList unfinished() const
+    {
+        return QDir(m_folder.path()).entryList({".model.pt.checkpoint.unfinished-*"}, QDir::Files | QDir::Hidden);
+    }
 
     /// Kills the run `delayUs` microseconds after it began to write its first checkpoint; returns its output.
     QString killedWhileWriting(bool resume, int delayUs) const
@@ -56,8 +59,7 @@ private:
                   resume ? endlessRun() << "--resume" : endlessRun());
         QElapsedTimer waited;
         waited.start();
-        while (unfinished().isEmpty() && waited.elapsed() < 60000 && run.state() != QProcess::NotRunning)
-            run.waitForReadyRead(0);
+        while (unfinished().isEmpty() && waited.elapsed() < 60000 && run.state() != QProcess::NotRunning) run.waitForReadyRead(0);
         QThread::usleep(static_cast<unsigned long>(delayUs));
         run.kill();
         run.waitForFinished();

@@ -2,6 +2,7 @@
 #include "study/analyse/analyse.h"
 
 #include <QtTest>
+#include <nlohmann/json.hpp>
 
 #include "study/analyse/analyse_formula.h"
 #include "study/analyse/analyse_inputs.h"

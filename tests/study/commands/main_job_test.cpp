@@ -8,6 +8,7 @@
 #include <QtTest>
 #include <csignal>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "tests/support/paper_totals.h"

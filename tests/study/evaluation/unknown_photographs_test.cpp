@@ -18,7 +18,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-nlohmann::ordered_json readJson(const QString& file) { return nlohmann::ordered_json::parse(protocols::readWholeFile(file.toStdString())); }
+nlohmann::ordered_json readJson(const QString& file)
+{
+    return nlohmann::ordered_json::parse(protocols::readWholeFile(file.toStdString()));
+}
 
 int countIn(const QString& text, const char* part) { return static_cast<int>(text.count(part)); }
 

@@ -1,0 +1,127 @@
+// A new study is on the disk as a whole before it gets its name.
+#include "study/making/new_study.h"
+
+#include <QTemporaryDir>
+#include <QtTest>
+#include <algorithm>
+#include <cerrno>
+
+#include "protocols/files/errors.h"
+#include "protocols/files/whole_file.h"
+#include "rendering/fabrics/procedural/procedural_fabrics.h"
+#include "tests/support/observed_disk.h"
+
+using tests::support::DiskCall;
+using tests::support::DiskStep;
+using tests::support::ObservedDisk;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Conditions without generated signals need no networks.
+constexpr const char* protocolText = R"({"schema":"vis2hap.protocol/1","name":"small","participants":1,"fabrics":3,
+  "conditions":["f"],"phases":[{"questions":["Q1"],"alternatives":3}]})";
+
+std::vector<fs::path> filesIn(const fs::path& folder)
+{
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::recursive_directory_iterator(folder))
+        if (entry.is_regular_file()) files.push_back(entry.path().lexically_relative(folder));
+    return files;
+}
+
+}  // namespace
+
+class NewStudyTest : public QObject {
+    Q_OBJECT
+    QTemporaryDir m_place;
+    int m_studies = 0;
+
+    fs::path at(const char* name) const { return fs::path(m_place.path().toStdString()) / name; }
+
+    study::making::NewStudy requested()
+    {
+        study::making::NewStudy request;
+        request.study = at("studies") / ("study" + std::to_string(++m_studies));
+        request.dataset = at("fabrics");
+        request.protocol = at("protocol.json");
+        request.keySeed = 7;
+        return request;
+    }
+
+private Q_SLOTS:
+    void initTestCase()
+    {
+        rendering::fabrics::ProceduralOptions options;
+        options.fabrics = 3;
+        options.samples = 1;
+        rendering::fabrics::makeProceduralFabrics(at("fabrics"), options);
+        protocols::writeWholeFile(at("protocol.json"), protocolText);
+        fs::create_directories(at("studies"));
+    }
+
+    void everyFileIsSyncedBeforeTheStudyGetsItsName()
+    {
+        const auto request = requested();
+        const ObservedDisk disk(at("studies"));
+        makeStudy(request);
+        const auto steps = disk.steps();
+        const auto named = std::find(steps.begin(), steps.end(), DiskStep{DiskCall::Rename, request.study});
+        QVERIFY(named != steps.end());
+        const auto files = filesIn(request.study);
+        QCOMPARE(files.size(), std::size_t{8});  // protocol, two keys, database, three stimuli, the lock
+        for (const fs::path& file : files) {
+            const auto isOfFile = [&](const DiskStep& step) { return step.file.string().ends_with("/" + file.string()); };
+            const auto renamed = std::find_if(std::make_reverse_iterator(named), steps.rend(), [&](const DiskStep& step) {
+                return isOfFile(step) && step.call == DiskCall::Rename;
+            });
+            QVERIFY2(std::any_of(renamed.base(), named,
+                                 [&](const DiskStep& step) { return isOfFile(step) && step.call == DiskCall::Sync; }),
+                     file.c_str());
+        }
+        QVERIFY(std::find(named, steps.end(), DiskStep{DiskCall::Sync, at("studies")}) != steps.end());
+    }
+
+    void failingDiskLeavesNoStudy()
+    {
+        std::vector<std::size_t> syncs;
+        {
+            const ObservedDisk disk(at("studies"));
+            makeStudy(requested());
+            const auto steps = disk.steps();
+            for (std::size_t i = 0; i < steps.size(); ++i)
+                if (steps[i].call != DiskCall::Write) syncs.push_back(i);
+        }
+        const auto before = filesIn(at("studies"));
+        for (const std::size_t step : {syncs.front(), syncs[syncs.size() / 2], syncs[syncs.size() - 2]}) {
+            ObservedDisk disk(at("studies"));
+            disk.failAt(step, EIO);
+            try {
+                makeStudy(requested());
+                QFAIL(qPrintable(QString("step %1 did not fail").arg(step)));
+            } catch (const protocols::Error& fault) {
+                QVERIFY2(fault.exitCode() == protocols::ExitCode::Environment, fault.what());
+            }
+            QCOMPARE(filesIn(at("studies")), before);
+        }
+    }
+
+    void studyOfSimulatedParticipantsIsReplacedAsAWhole()
+    {
+        auto request = requested();
+        makeStudy(request);
+        protocols::writeWholeFile(request.study / "notes.txt", "of the earlier one");
+        QVERIFY_EXCEPTION_THROWN(makeStudy(request), protocols::Error);
+        QVERIFY(fs::exists(request.study / "notes.txt"));
+        request.replaceSimulated = true;
+        request.seed = 2;
+        makeStudy(request);
+        QVERIFY(!fs::exists(request.study / "notes.txt"));
+        for (const auto& entry : fs::directory_iterator(at("studies")))
+            QVERIFY2(!entry.path().filename().string().starts_with("."), entry.path().c_str());
+    }
+};
+
+QTEST_GUILESS_MAIN(NewStudyTest)
+#include "new_study_test.moc"

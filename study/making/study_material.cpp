@@ -1,6 +1,7 @@
 #include "study/making/study_material.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "protocols/files/errors.h"
 #include "protocols/files/whole_file.h"

@@ -27,7 +27,7 @@ std::string bothNames(const std::filesystem::path& a, const std::filesystem::pat
 
 std::vector<double> readOneColumn(const std::filesystem::path& file)
 {
-    const auto table = rendering::fabrics::readCsvTable(file);
+    const auto table = protocols::readCsvTable(file);
     if (table.columns.size() != 1)
         throw protocols::badInput(
             {"has " + std::to_string(table.columns.size()) + " columns", file.string(), "a trace of one column", ""});

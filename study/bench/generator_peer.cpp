@@ -14,9 +14,9 @@
 #include <sstream>
 
 #include "protocols/files/errors.h"
+#include "protocols/files/temporary_folder.h"
 #include "rendering/models/child_process.h"
 #include "rendering/models/second_program.h"
-#include "rendering/models/temporary_folder.h"
 #include "study/bench/peer_programs.h"
 
 extern char** environ;
@@ -170,7 +170,7 @@ PeerComparison withReferenceBlas(Partner& ours, int pairs)
 {
     PeerComparison comparison;
     comparison.peer = "ours on the reference BLAS";
-    const rendering::models::TemporaryFolder folder;
+    const protocols::TemporaryFolder folder;
     if (!std::filesystem::exists("/usr/lib/x86_64-linux-gnu/blas/libblas.so.3")) {
         comparison.whyNot = "libblas3 is not installed";
         return comparison;
@@ -188,7 +188,7 @@ PeerComparison withReferenceBlas(Partner& ours, int pairs)
 std::vector<PeerComparison> compareGeneratorPeers(int pairs)
 {
     ::signal(SIGPIPE, SIG_IGN);  // NOLINT: a peer that ends early is reported by name
-    const rendering::models::TemporaryFolder folder;
+    const protocols::TemporaryFolder folder;
     Partner ours({rendering::models::secondProgram(), "peer-steps", folder.path().string()}, "");
     std::vector<std::string> ready = wordsOf(ours.line());
     if (ready.size() != 6 || ready[0] != "ready")

@@ -4,8 +4,8 @@
 #include <map>
 #include <memory>
 
-#include "protocols/files/csv_table.h"
 #include "protocols/files/errors.h"
+#include "protocols/files/number_text.h"
 #include "study/analyse/column_statistics.h"
 #include "study/analyse/csv_column.h"
 #include "study/analyse/similarity.h"
@@ -62,8 +62,8 @@ struct CompareCall {
 std::pair<double, double> boundsFrom(const std::string& text)
 {
     const auto comma = text.find(',');
-    const auto low = comma == std::string::npos ? std::nullopt : rendering::fabrics::numberIn(text.substr(0, comma));
-    const auto high = comma == std::string::npos ? std::nullopt : rendering::fabrics::numberIn(text.substr(comma + 1));
+    const auto low = comma == std::string::npos ? std::nullopt : protocols::numberIn(text.substr(0, comma));
+    const auto high = comma == std::string::npos ? std::nullopt : protocols::numberIn(text.substr(comma + 1));
     if (!low || !high || !(*low < *high))
         throw protocols::badInput(
             {"bounds \"" + text + "\"", "--bounds", "LOW,HIGH with LOW below HIGH, e.g. --bounds=-0.5,0.5", ""});

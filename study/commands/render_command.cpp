@@ -4,7 +4,7 @@
 #include <memory>
 #include <sstream>
 
-#include "protocols/files/csv_table.h"
+#include "protocols/files/number_text.h"
 #include "protocols/files/errors.h"
 #include "rendering/composition/earlier_render.h"
 #include "rendering/composition/render_fabrics.h"
@@ -60,8 +60,8 @@ rendering::Percentiles percentilesFrom(const std::string& text)
 {
     if (text.empty()) return {};
     const auto comma = text.find(',');
-    const auto low = rendering::fabrics::numberIn(text.substr(0, comma));
-    const auto high = comma == std::string::npos ? std::nullopt : rendering::fabrics::numberIn(text.substr(comma + 1));
+    const auto low = protocols::numberIn(text.substr(0, comma));
+    const auto high = comma == std::string::npos ? std::nullopt : protocols::numberIn(text.substr(comma + 1));
     if (!low || !high)
         throw protocols::badInput(
             {"\"" + text + "\" does not give two percentiles", "--range-percentiles", "LO,HI, e.g. 0.1,99.9", ""});

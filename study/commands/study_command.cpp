@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "database/study_store.h"
-#include "protocols/counterbalancing.h"
+#include "protocols/balance.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/sha256.h"
 #include "protocols/protocol_json.h"
@@ -99,8 +99,8 @@ int amend(const Amendment& call)
         std::printf("%s: unchanged (version %d)\n", file.c_str(), kept.version);
         return 0;
     }
-    const auto changed = fixedPartsChanged(protocols::protocolFromJson(kept.json, "the kept protocol"),
-                                           protocols::protocolFromJson(text, file.string()));
+    const auto changed = fixedPartsChanged(protocols::keptProtocolFromJson(kept.json, "the kept protocol"),
+                                           protocols::keptProtocolFromJson(text, file.string()));
     if (!changed.empty())
         throw protocols::badInput(
             {"the edit changes " + listed(changed) + ", which running orders and stimuli depend on", file.string(),

@@ -122,7 +122,7 @@ void writeContactSheet(const std::filesystem::path& png, const ContactSheet& she
     QByteArray bytes;
     QBuffer buffer(&bytes);
     looking::drawContactSheet(sheet, looking::lightSheet()).save(&buffer, "PNG");
-    rendering::writeWholeFile(png, std::string_view(bytes.constData(), static_cast<std::size_t>(bytes.size())));
+    protocols::writeWholeFile(png, std::string_view(bytes.constData(), static_cast<std::size_t>(bytes.size())));
 }
 
 }  // namespace study::looking

@@ -144,7 +144,7 @@ void writeStudy(const fs::path& study, const protocols::Allocation& allocation, 
     const auto keys = database::writeKeys(folder, allocation.key);
     facts.keySha256 = keys.allocation;
     facts.maskedKeySha256 = keys.masked;
-    rendering::writeWholeFile(folder.protocol(), facts.protocolJson);
+    protocols::writeWholeFile(folder.protocol(), facts.protocolJson);
     database::StudyStore::create(folder, facts, allocation.participants, hashes);
     unfinished.becomeStudy();
 }

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "database/study_store.h"
-#include "protocols/counterbalancing.h"
+#include "protocols/balance.h"
 
 namespace study::making {
 

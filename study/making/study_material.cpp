@@ -20,7 +20,7 @@ void readProtocol(const NewStudy& request, StudyMaterial& material)
 {
     const std::string where = request.protocol.empty() ? "the paper's protocol" : request.protocol.string();
     auto& json = material.protocolJson;
-    json = request.protocol.empty() ? std::string(protocols::paperProtocolJson()) : rendering::readWholeFile(request.protocol);
+    json = request.protocol.empty() ? std::string(protocols::paperProtocolJson()) : protocols::readWholeFile(request.protocol);
     material.protocol = protocols::protocolFromJson(json, where);
     if (!request.participants || *request.participants == material.protocol.participants) return;
     auto changed = nlohmann::ordered_json::parse(json);

@@ -4,6 +4,7 @@
 
 #include "protocols/files/csv_table.h"
 #include "protocols/files/errors.h"
+#include "protocols/files/number_text.h"
 #include "protocols/files/whole_file.h"
 #include "study/records/stored_study.h"
 
@@ -11,7 +12,7 @@ namespace study::making {
 
 namespace {
 
-using rendering::fabrics::shortest;
+using protocols::shortest;
 
 std::string escaped(const std::string& text)
 {
@@ -82,7 +83,7 @@ std::string preparationPage(const database::StudyFacts& facts, const std::vector
 }
 
 /// The line with its equal sections. Only the ends have numbers, because the participant memorises the rest.
-std::string scaleDrawing(const protocols::Scale& scale)
+std::string scaleDrawing(const protocols::RatingScale& scale)
 {
     const double width = 900, left = 60;
     std::string svg =
@@ -104,7 +105,7 @@ std::string scaleDrawing(const protocols::Scale& scale)
            "</svg>\n";
 }
 
-std::string scaleCard(const database::StudyFacts& facts, const protocols::Scale& scale)
+std::string scaleCard(const database::StudyFacts& facts, const protocols::RatingScale& scale)
 {
     std::string body = "<p>Memorise this line. You will not see it during the session.</p>\n" + scaleDrawing(scale);
     if (scale.labels.empty())
@@ -132,13 +133,10 @@ void writeSheets(const database::StudyStore& store, const std::filesystem::path&
     if (failure)
         throw protocols::environmentFault(
             {"cannot make the folder (" + failure.message() + ")", out.string(), "a writable place", "choose another one"});
-    rendering::writeWholeFile(out / "labels.html", labelsPage(facts, sets));
-    rendering::writeWholeFile(out / "preparation.html", preparationPage(facts, sets));
-    for (const auto& phase : protocol.phases)
-        if (phase.scale) {
-            rendering::writeWholeFile(out / "scale-card.html", scaleCard(facts, *phase.scale));
-            break;
-        }
+    protocols::writeWholeFile(out / "labels.html", labelsPage(facts, sets));
+    protocols::writeWholeFile(out / "preparation.html", preparationPage(facts, sets));
+    if (const auto* scale = memorisedScaleOf(protocol))
+        protocols::writeWholeFile(out / "scale-card.html", scaleCard(facts, *scale));
 }
 
 }  // namespace study::making

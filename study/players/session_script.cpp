@@ -1,13 +1,14 @@
 #include "study/players/session_script.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <set>
 
-#include <nlohmann/json.hpp>
-
 #include "protocols/files/whole_file.h"
+#include "study/players/player_answers.h"
 #include "study/session/driver.h"
 #include "study/session/session_moves.h"
+#include "study/session/session_record.h"
 
 namespace study::players {
 
@@ -16,10 +17,11 @@ namespace {
 using namespace session;
 using nlohmann::ordered_json;
 
-ordered_json jsonOf(const Response& response)
+ordered_json jsonOf(const GivenAnswer& answer)
 {
-    if (const auto* rating = std::get_if<protocols::Tenths>(&response)) return rating->inScaleUnits();
-    return textOf(response);
+    return std::visit(protocols::Overloaded{[](const std::string& text) { return ordered_json(text); },
+                                            [](const protocols::Tenths& rating) { return ordered_json(rating.inScaleUnits()); }},
+                      scriptedFormOf(answer));
 }
 
 /// Follows one log through the engine and writes down what a script needs to do the same again.
@@ -35,7 +37,7 @@ public:
         const EventBody body = eventFromRecord(record.kind, record.payloadJson);
         write(body, record.atNs);
         auto outcome = apply(m_plan, m_state, {body, record.atNs});
-        if (auto* step = std::get_if<Step>(&outcome)) m_state = std::move(step->next);
+        if (auto* step = std::get_if<SessionStep>(&outcome)) m_state = std::move(step->next);
     }
 
 private:
@@ -119,7 +121,7 @@ void writeScripts(const database::StudyStore& store, const records::Naming& nami
         const Plan plan = readPlan(store, enrolment.participant);
         Recorder recorder(plan, naming, script, hasVoids);
         for (const auto& record : log) recorder.follow(record);
-        rendering::writeWholeFile(out / (enrolment.participant.value + ".json"), script.dump(1) + "\n");
+        protocols::writeWholeFile(out / (enrolment.participant.value + ".json"), script.dump(1) + "\n");
     }
 }
 

@@ -1,14 +1,15 @@
 #include "study/records/running_orders_csv.h"
 
 #include "protocols/files/csv_table.h"
+#include "protocols/files/number_text.h"
 #include "study/records/stored_study.h"
 
 namespace study::records {
 
 namespace {
 
-using rendering::fabrics::csvCell;
-using rendering::fabrics::shortest;
+using protocols::csvCell;
+using protocols::shortest;
 
 /// The code on the fabric piece, or the fabric's id where pieces have no codes.
 std::string pieceName(const database::StudyFacts& facts, int slot, const protocols::FabricId& fabric)

@@ -29,9 +29,6 @@ struct Naming {
 Naming namingOf(const database::StudyStore& store, const protocols::Protocol& protocol,
                 const std::optional<database::Unblinded>& permission);
 
-/// Of a choice, or of same/different; the record must hold an answer.
-bool isCorrect(const database::AnswerRecord& record, const protocols::FabricId& truth);
-
 protocols::Protocol protocolOf(const database::StudyFacts& facts);
 
 reports::StudyData studyData(const database::StudyStore& store);

@@ -5,7 +5,7 @@
 #include <map>
 #include <set>
 
-#include "protocols/counterbalancing.h"
+#include "protocols/balance.h"
 #include "reports/write_report.h"
 #include "study/records/realised_balance.h"
 #include "study/records/stored_study.h"

@@ -52,6 +52,6 @@ struct OpenSession {
 std::optional<study::session::EventBody> nextEvent(const study::session::View& view, const study::session::Plan& plan);
 
 /// By the code of the presentation and the question.
-study::session::Response responseTo(const study::session::View& view);
+study::session::GivenAnswer responseTo(const study::session::View& view);
 
 }  // namespace tests::support

@@ -34,7 +34,7 @@ private:
     /// How far the spoken number lay from the mark, kindly.
     QString deviation(const session::ScalePlaced& placed) const;
 
-    protocols::Scale m_scale;
+    protocols::RatingScale m_scale;
     std::optional<protocols::Tenths> m_place;     ///< to be named now
     std::optional<session::ScalePlaced> m_asked;  ///< not known to be stored yet
     std::optional<session::ScalePlaced> m_lastNamed;

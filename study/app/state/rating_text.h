@@ -15,18 +15,18 @@ struct NoRating {
 };
 
 /// "5", "5.4", "5,4" -> tenths on the scale; else the reason.
-std::variant<protocols::Tenths, NoRating> ratingFromText(const QString& typed, const protocols::Scale& scale);
+std::variant<protocols::Tenths, NoRating> ratingFromText(const QString& typed, const protocols::RatingScale& scale);
 
 /// "5.4", "10", always with a point; whole numbers without a decimal.
 QString textOf(protocols::Tenths rating);
 
 /// "5, agree" where the scale has words for its steps, else as textOf.
-QString wordedText(protocols::Tenths rating, const protocols::Scale& scale);
+QString wordedText(protocols::Tenths rating, const protocols::RatingScale& scale);
 
 /// "from 0 to 10, one decimal"
-QString rangeText(const protocols::Scale& scale);
+QString rangeText(const protocols::RatingScale& scale);
 
 /// The rating of the scale's step that lies nearest to `fraction` (0..1) of the line.
-protocols::Tenths ratingAt(double fraction, const protocols::Scale& scale);
+protocols::Tenths ratingAt(double fraction, const protocols::RatingScale& scale);
 
 }  // namespace study::app

@@ -12,13 +12,13 @@ namespace study::app {
 
 struct SessionFacts {
     QString participant;
-    QString consent;                        ///< what is confirmed when the participant agrees
-    QStringList facts;                      ///< asked about the participant
-    QStringList checklist, readings;        ///< of each sitting
-    QString strokeWords;                    ///< said the same for glass and cloth
-    std::optional<protocols::Scale> scale;  ///< of the first rating question
-    int sittingMinutes = 60;                ///< a sitting's planned length
-    bool secondEntry = false;               ///< every answer is entered twice and must agree
+    QString consent;                              ///< what is confirmed when the participant agrees
+    QStringList facts;                            ///< asked about the participant
+    QStringList checklist, readings;              ///< of each sitting
+    QString strokeWords;                          ///< said the same for glass and cloth
+    std::optional<protocols::RatingScale> scale;  ///< of the first rating question
+    int sittingMinutes = 60;                      ///< a sitting's planned length
+    bool secondEntry = false;                     ///< every answer is entered twice and must agree
     bool displayReportsTouches = false;
 };
 

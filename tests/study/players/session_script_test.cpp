@@ -64,7 +64,7 @@ std::string scriptOf(const database::StudyStore& store, const std::filesystem::p
 {
     const auto protocol = study::records::protocolOf(store.facts());
     study::players::writeScripts(store, study::records::namingOf(store, protocol, recordedUnblinding(store)), out);
-    return rendering::readWholeFile(out / "S01.json");
+    return protocols::readWholeFile(out / "S01.json");
 }
 
 void replay(const std::string& text, OpenSession& session)

@@ -1,16 +1,19 @@
-// Everything that adds to a study: places taken, events with their answers, unblindings.
+#include "database/study_writing.h"
+
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "database/event_chain.h"
-#include "database/store_connection.h"
-#include "database/study_store.h"
+#include "database/stored_texts.h"
+#include "database/study_rows.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/sha256.h"
 
 namespace database {
 
 namespace {
+
+std::string folderOf(const SqliteConnection& sqlite) { return sqlite.file().parent_path().string(); }
 
 void checkId(const protocols::ParticipantId& participant)
 {
@@ -47,15 +50,17 @@ bool hasAnswer(const SqliteConnection& sqlite, const ResponseRow& row)
 /// A correction changes what was answered, not when.
 void takeStampsOfFirst(const SqliteConnection& sqlite, ResponseRow& row)
 {
-    QSqlQuery first =
-        sqlite.run(QStringLiteral("SELECT ready_at, touched_at, answered_at FROM responses WHERE participant = ? AND trial = ? "
-                                  "AND attempt = ? AND question = ? ORDER BY id LIMIT 1"),
+    QSqlQuery query =
+        sqlite.run(QStringLiteral("SELECT %1 FROM responses WHERE participant = ? AND trial = ? AND attempt = ? AND "
+                                  "question = ? ORDER BY id LIMIT 1")
+                       .arg(namesOf(ResponseColumns::OfTable)),
                    {toQt(row.participant), row.trial, row.attempt, toQt(row.question)});
-    if (!first.next())
+    if (!query.next())
         throw protocols::workFailed({"there is no answer to correct", placeOf(row.participant, row.trial, row.question), "", ""});
-    row.readyAt = first.value(0).toLongLong();
-    row.touchedAt = first.value(1).isNull() ? std::nullopt : std::optional<std::int64_t>(first.value(1).toLongLong());
-    row.answeredAt = first.value(2).toLongLong();
+    const ResponseRow first = rowFrom(query, ResponseColumns::OfTable, 0);
+    row.readyAt = first.readyAt;
+    row.touchedAt = first.touchedAt;
+    row.answeredAt = first.answeredAt;
 }
 
 ResponseRow rowOf(const SqliteConnection& sqlite, const StudyStore::Append& entry, const AnswerRecord& answer)
@@ -113,30 +118,28 @@ void moveState(const SqliteConnection& sqlite, const protocols::ParticipantId& p
 
 }  // namespace
 
-Slot StudyStore::enrol(const protocols::ParticipantId& participant, ParticipantKind kind)
+Slot enrolIn(const SqliteConnection& sqlite, const protocols::ParticipantId& participant, ParticipantKind kind)
 {
     checkId(participant);
-    const SqliteConnection& sqlite = m_connection->sqlite;
     Transaction transaction(sqlite);
-    for (const Erasure& erasure : erasures())
+    for (const Erasure& erasure : erasuresIn(sqlite))
         if (erasure.participant == participant && erasure.answersToo)
-            throw protocols::badInput(
-                {"participant " + participant.value + " was erased", folder().folder.string(), "another id", ""});
-    for (const Enrolment& known : enrolments()) {
+            throw protocols::badInput({"participant " + participant.value + " was erased", folderOf(sqlite), "another id", ""});
+    for (const Enrolment& known : enrolmentsIn(sqlite)) {
         if (known.participant != participant) continue;
         if (known.kind != kind)
             throw protocols::badInput({"participant " + participant.value + " is " + nameOf(known.kind) + ", not " + nameOf(kind),
-                                       folder().folder.string(), "another id", ""});
+                                       folderOf(sqlite), "another id", ""});
         return {known.slot, known.state, participant, kind};
     }
     std::optional<Slot> free;
-    for (const Slot& slot : slots())
+    for (const Slot& slot : slotsIn(sqlite))
         if (!free && slot.state == SlotState::Free) free = slot;
     if (!free)
-        throw protocols::workFailed({"every slot of the study is taken", folder().folder.string(),
-                                     "a free slot for " + participant.value, "make a study with more participants"});
+        throw protocols::workFailed({"every slot of the study is taken", folderOf(sqlite), "a free slot for " + participant.value,
+                                     "make a study with more participants"});
     *free = {free->number, SlotState::Started, participant, kind};
-    const int version = protocolVersions().back().version;
+    const int version = protocolVersionsIn(sqlite).back().version;
     sqlite.run(QStringLiteral("INSERT INTO participants(id, slot, kind, state, protocol_version) VALUES (?, ?, ?, ?, ?)"),
                {toQt(participant.value), free->number, toQt(nameOf(kind)), toQt(nameOf(free->state)), version});
     nlohmann::ordered_json payload{{"slot", free->number}, {"participant", participant.value}, {"kind", nameOf(kind)}};
@@ -146,27 +149,16 @@ Slot StudyStore::enrol(const protocols::ParticipantId& participant, ParticipantK
     return *free;
 }
 
-protocols::ParticipantId StudyStore::nextParticipantId() const
+void setSlotStateIn(const SqliteConnection& sqlite, const protocols::ParticipantId& participant, SlotState state)
 {
-    const std::vector<Enrolment> taken = enrolments();
-    for (int number = 1;; ++number) {
-        const protocols::ParticipantId id((number < 10 ? "P0" : "P") + std::to_string(number));
-        if (std::none_of(taken.begin(), taken.end(), [&](const Enrolment& known) { return known.participant == id; })) return id;
-    }
-}
-
-void StudyStore::setSlotState(const protocols::ParticipantId& participant, SlotState state)
-{
-    const SqliteConnection& sqlite = m_connection->sqlite;
     Transaction transaction(sqlite);
     moveState(sqlite, participant, state);
     store(sqlite, actOnStudy("slot_state_set", {{"participant", participant.value}, {"state", nameOf(state)}}, wallTimeNow()));
     transaction.commit();
 }
 
-void StudyStore::append(const Append& entry)
+void appendTo(const SqliteConnection& sqlite, const StudyStore::Append& entry)
 {
-    const SqliteConnection& sqlite = m_connection->sqlite;
     Transaction transaction(sqlite);
     store(sqlite, logEntryOf(sqlite, entry));
     if (entry.slotState) moveState(sqlite, entry.event.participant, *entry.slotState);
@@ -176,14 +168,13 @@ void StudyStore::append(const Append& entry)
     transaction.commit();
 }
 
-void StudyStore::takeProtocol(const std::string& json, const std::string& who, const std::string& why)
+void takeProtocolInto(const SqliteConnection& sqlite, const std::string& json, const std::string& who, const std::string& why)
 {
     if (who.empty() || why.empty())
         throw protocols::badInput(
-            {"a change of the protocol needs a name and a reason", folder().folder.string(), "--who NAME --why TEXT", ""});
-    const SqliteConnection& sqlite = m_connection->sqlite;
+            {"a change of the protocol needs a name and a reason", folderOf(sqlite), "--who NAME --why TEXT", ""});
     Transaction transaction(sqlite);
-    const int version = protocolVersions().back().version + 1;
+    const int version = protocolVersionsIn(sqlite).back().version + 1;
     const std::string hash = protocols::sha256(json), wallTime = wallTimeNow();
     const std::int64_t event = store(
         sqlite, actOnStudy("protocol_taken", {{"version", version}, {"sha256", hash}, {"who", who}, {"why", why}}, wallTime));
@@ -193,25 +184,15 @@ void StudyStore::takeProtocol(const std::string& json, const std::string& who, c
     transaction.commit();
 }
 
-void StudyStore::recordUnblinding(const UnblindingRecord& record)
+void recordUnblindingIn(const SqliteConnection& sqlite, const UnblindingRecord& record)
 {
     if (record.who.empty() || record.why.empty())
-        throw protocols::badInput(
-            {"an unblinding needs a name and a reason", folder().folder.string(), "--who NAME --why TEXT", ""});
-    const SqliteConnection& sqlite = m_connection->sqlite;
+        throw protocols::badInput({"an unblinding needs a name and a reason", folderOf(sqlite), "--who NAME --why TEXT", ""});
     Transaction transaction(sqlite);
     LogEntry entry = actOnStudy("unblinded", {{"who", record.who}, {"why", record.why}}, record.wallTime);
     entry.unblinding = record;
     store(sqlite, entry);
     transaction.commit();
-}
-
-std::optional<UnblindingRecord> StudyStore::unblinding() const
-{
-    QSqlQuery row =
-        m_connection->sqlite.run(QStringLiteral("SELECT who, why, wall_time FROM unblindings ORDER BY event LIMIT 1"));
-    if (!row.next()) return std::nullopt;
-    return UnblindingRecord{fromQt(row.value(0)), fromQt(row.value(1)), fromQt(row.value(2))};
 }
 
 }  // namespace database

@@ -1,13 +1,14 @@
-// A folder of its own under the system's temporary one, gone with this value.
+// A folder for this run only, under the system's temporary folder. Nothing in it is synced.
 #pragma once
 
 #include <filesystem>
 
-namespace rendering::models {
+namespace protocols {
 
+/// Vanishes with all it holds.
 class TemporaryFolder {
 public:
-    TemporaryFolder();  ///< throws environmentFault where none can be made
+    TemporaryFolder();  ///< throws environmentFault
     ~TemporaryFolder();
     TemporaryFolder(const TemporaryFolder&) = delete;
     TemporaryFolder& operator=(const TemporaryFolder&) = delete;
@@ -17,4 +18,4 @@ private:
     std::filesystem::path m_path;
 };
 
-}  // namespace rendering::models
+}  // namespace protocols

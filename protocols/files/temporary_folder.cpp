@@ -1,4 +1,4 @@
-#include "rendering/models/temporary_folder.h"
+#include "protocols/files/temporary_folder.h"
 
 #include <cerrno>
 #include <cstdlib>
@@ -8,7 +8,7 @@
 
 #include "protocols/files/errors.h"
 
-namespace rendering::models {
+namespace protocols {
 
 TemporaryFolder::TemporaryFolder()
 {
@@ -17,7 +17,7 @@ TemporaryFolder::TemporaryFolder()
     if (fault) parent = "/tmp";
     std::string name = (parent / "vis2hap-XXXXXX").string();
     if (::mkdtemp(name.data()) == nullptr)
-        throw protocols::environmentFault({std::string("no temporary folder can be made: ") + std::strerror(errno),
+        throw protocols::environmentFault({std::string("a temporary folder cannot be made (") + std::strerror(errno) + ")",
                                            parent.string(), "a writable folder with free space", "free space or set TMPDIR"});
     m_path = name;
 }
@@ -28,4 +28,4 @@ TemporaryFolder::~TemporaryFolder()
     std::filesystem::remove_all(m_path, ignored);
 }
 
-}  // namespace rendering::models
+}  // namespace protocols

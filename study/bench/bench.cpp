@@ -26,7 +26,7 @@ namespace signals = rendering::signals;
 constexpr double pitchMm = 0.05;
 constexpr int repeats = 21;
 
-/// Of several runs after one that fills the caches; long work is not done so often.
+/// Median of several runs, after one run that fills the caches. Long work is repeated less often.
 double medianMilliseconds(const std::function<void()>& work)
 {
     return bench::medianMilliseconds(millisecondsOf(work) > 50 ? 3 : repeats, work);
@@ -93,7 +93,7 @@ void benchIntegration(std::vector<BenchRow>& rows, int height, int width)
     }
 }
 
-/// The transforms alone, of which an integration needs one there and one back, and OpenCV's beside them.
+/// The transforms alone, ours and OpenCV's. An integration needs one forward and one inverse transform.
 void benchTransforms(std::vector<BenchRow>& rows)
 {
     cv::Mat values;
@@ -101,7 +101,7 @@ void benchTransforms(std::vector<BenchRow>& rows)
     cv::Mat back;
     const double ours = medianMilliseconds([&] { back = signals::inverseCosineTransform(signals::cosineTransform(values)); });
     rows.push_back({"cosine transforms 480x640", "ours", ours, cv::norm(back, values, cv::NORM_INF), "mm, largest",
-                    "pocketfft, 32 bits, there and back"});
+                    "pocketfft, 32 bits, forward and inverse"});
     const double theirs = medianMilliseconds([&] {
         cv::Mat spectrum;
         cv::dct(values, spectrum);
@@ -111,7 +111,7 @@ void benchTransforms(std::vector<BenchRow>& rows)
                     "cv::dct and cv::idct on the same image"});
 }
 
-/// Three lamps 120 degrees apart, the colour change exact but for the rounding to 8 bits.
+/// Three lamps 120 degrees apart. The change of colour is exact except for the rounding to 8 bits.
 signals::Calibration threeLamps(cv::Matx<float, 3, 2>& colourFromSlope)
 {
     constexpr double gain = 0.4;
@@ -130,7 +130,7 @@ signals::Calibration threeLamps(cv::Matx<float, 3, 2>& colourFromSlope)
     return calibration;
 }
 
-/// A map of another kind that says the same: fitted to the frame's light and its true slopes.
+/// A map of another kind, fitted to the light of the frame and its true slopes.
 signals::SlopeMap fittedMap(const KnownSurface& known, const cv::Mat& frame, const cv::Mat& reference,
                             signals::MapQuality quality)
 {
@@ -142,7 +142,7 @@ signals::SlopeMap fittedMap(const KnownSurface& known, const cv::Mat& frame, con
                 cv::Mat(frame.size(), CV_8UC1, cv::Scalar(255)), 4);
     signals::FitOptions options;
     options.quality = quality;
-    options.degree = 4;  // as presses of a ball are fitted
+    options.degree = 4;  // the degree that presses of a ball are fitted with
     return signals::fitSlopeMap(samples, options);
 }
 
@@ -246,8 +246,8 @@ void benchSpectrogram(std::vector<BenchRow>& rows)
         rows.push_back({"spectrogram inversion", quality == InversionQuality::Fast ? "fast" : "accurate", time,
                         100 * inversion.spectralConvergence, "% of magnitude",
                         std::to_string(options.iterations) +
-                            " iterations; the trace, whose phases the magnitude does not hold, off by " +
-                            std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + " % of its mean"});
+                            " iterations; the magnitude has no phases, so the trace deviates by " + std::to_string(tenths / 10) +
+                            "." + std::to_string(tenths % 10) + " % of its mean"});
     }
 }
 

@@ -1,5 +1,4 @@
-// The speed and the error of every signal stage that has a quality to choose, on surfaces and traces
-// whose true values are known.
+// Speed and error of every signal stage that has a choice of quality, on surfaces and traces whose true values are known.
 #pragma once
 
 #include <string>
@@ -12,11 +11,11 @@ struct BenchRow {
     std::string quality;      ///< "full", "fast"
     double milliseconds = 0;  ///< median of several runs
     double error = 0;
-    std::string errorUnit;  ///< what `error` is: "% of Sq"
+    std::string errorUnit;  ///< meaning of `error`: "% of Sq"
     std::string note;
 };
 
-/// A few seconds of work, one thread of ours.
+/// Takes a few seconds on one thread.
 std::vector<BenchRow> benchSignals();
 
 }  // namespace study::bench

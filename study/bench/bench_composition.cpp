@@ -25,7 +25,7 @@ using rendering::DisplayScale;
 using rendering::Extension;
 using rendering::Sources;
 
-/// A twill of 0.9 mm with a little of its own at every place; its period divides no patch.
+/// A twill of 0.9 mm with some noise at every place. Its period does not divide the size of a patch.
 cv::Mat twill(int rows, int columns, double mmPerPixel)
 {
     protocols::Random random(5);
@@ -46,7 +46,7 @@ std::vector<double> traceOf(std::size_t length)
     return trace;
 }
 
-/// The signals of one fabric as each of the nine conditions takes them.
+/// The signals of one fabric that each of the nine conditions uses.
 std::map<std::string, Sources> readySources()
 {
     using protocols::ReliefSource;
@@ -84,8 +84,8 @@ cv::Mat spectrumOf(const cv::Mat& values)
     return sum / cv::sum(sum)[0];
 }
 
-/// Share of the texture's power that lies at another direction or period on the screen than in its middle, where
-/// the source itself is; percent.
+/// Share of the texture's power, in percent, that has another direction or period on the whole screen than in its middle,
+/// which shows the source unchanged.
 double powerMoved(const cv::Mat& screen, cv::Size source)
 {
     const cv::Rect middle((screen.cols - source.width) / 2, (screen.rows - source.height) / 2, source.width, source.height);
@@ -109,7 +109,7 @@ void benchNineConditions(std::vector<BenchRow>& rows, DisplayScale scale, Extens
     const cv::Size source = physical ? cv::Size(94, 70) : cv::Size(320, 240);
     rows.push_back({std::string("nine conditions 800x1280, ") + (physical ? "physical" : "pixels"),
                     extension == Extension::Tile ? "tile" : "mirror", time, powerMoved(relief, source), "% of power moved",
-                    "composed, ranged and mapped; of a twill's texture on the screen, what lies at another direction"});
+                    "composed, ranged and mapped; share of a twill's power with another direction on the screen"});
 }
 
 void benchResampling(std::vector<BenchRow>& rows)
@@ -159,7 +159,7 @@ void benchMean(std::vector<BenchRow>& rows)
     for (const std::size_t iteration : {std::size_t{0}, std::size_t{1}, std::size_t{4}, inversion.convergence.size() / 2})
         course += std::to_string(std::lround(100 * inversion.convergence.at(iteration))) + ", ";
     rows.push_back({"mean through a magnitude alone", "fast", time, 100 * std::abs(mean / spectrogram.mean - 1), "% of mean",
-                    "read from the row of frequency 0, then Griffin-Lim, whose magnitudes were off by " + course +
+                    "read from the row of frequency 0, then Griffin-Lim; its magnitudes deviated by " + course +
                         std::to_string(std::lround(100 * inversion.spectralConvergence)) +
                         " % before iterations 1, 2, 5 and 17 and at its end"});
 }

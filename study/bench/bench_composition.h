@@ -1,5 +1,5 @@
-// The speed and the error of what leads from ready signals to friction images, and of friction records: on
-// textures and traces whose true values are known.
+// Speed and error of the steps from signals to friction images and of friction records, on textures and traces whose true
+// values are known.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace study::bench {
 
-/// One row each: nine conditions at both scales and with either extension, resampling at import, complex
-/// spectrogram and back, the mean through a magnitude alone. One thread; a second or two.
+/// One row each: nine conditions at both scales and with either extension, resampling at import, complex spectrogram and back,
+/// the mean recovered from a magnitude. Takes one thread and a second or two.
 std::vector<BenchRow> benchComposition();
 
 }  // namespace study::bench

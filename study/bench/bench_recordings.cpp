@@ -29,10 +29,11 @@ using rendering::readPicture;
 using rendering::readTrueMap;
 using rendering::TrueMap;
 
-constexpr double ballRadiusMm = 2.0, ballMmPerPixel = 0.1245;  ///< of the presses in taxim_gelsight
-constexpr double grainCutoffPx = 400;                          ///< longer waves of a normal map are its form, not its grain
+constexpr double ballRadiusMm = 2.0, ballMmPerPixel = 0.1245;  ///< presses in taxim_gelsight
+constexpr double grainCutoffPx = 400;  ///< longer waves of a normal map are the form of the object, not its grain
 constexpr int grainPartPx = 2048;
-constexpr double finePx = 1.5, coarsePx = 40;  ///< Gaussians between which shading is compared with the surface
+constexpr double finePx = 1.5,
+                 coarsePx = 40;  ///< widths of the Gaussians that band-limit shading and surface before they are compared
 
 std::string text(const char* format, auto... values)
 {
@@ -52,7 +53,7 @@ std::vector<fs::path> filesIn(const fs::path& folder, const std::string& pattern
     return files;
 }
 
-/// About the mean of the finite values; the others become 0.
+/// Subtracts the mean of the finite values. Other values become 0.
 cv::Mat centred(const cv::Mat& values)
 {
     cv::Mat result;
@@ -70,7 +71,7 @@ double rmsOf(const cv::Mat& centredValues, const cv::Mat& like)
 
 double sqOf(const cv::Mat& values) { return rmsOf(centred(values), values); }
 
-/// Of the differences about their means, where the known surface is known.
+/// Root mean square of the differences without their mean, over the places where the surface is known.
 double rms(const cv::Mat& found, const cv::Mat& known)
 {
     cv::Mat a, b;
@@ -121,7 +122,7 @@ DifferencedMap differenced(const TrueMap& map)
     return result;
 }
 
-/// Missing points, where there are any, are bridged.
+/// Fills missing points smoothly.
 cv::Mat integrated(const signals::Slopes& slopes, const signals::Pitch& pitch, signals::SlopeKind kind)
 {
     const bool whole = cv::checkRange(slopes.x) && cv::checkRange(slopes.y);
@@ -135,7 +136,7 @@ void addIntegration(std::vector<BenchRow>& rows, const fs::path& file)
     cv::Mat height;
     const double time = millisecondsOf([&] { height = integrated(map.slopes, map.pitch, signals::SlopeKind::Central); });
     const std::string size =
-        text("%d x %d, central differences said to be such; at least 1, aim 0.1", map.heightMm.cols, map.heightMm.rows);
+        text("%d x %d, central differences integrated as such; at least 1, aim 0.1", map.heightMm.cols, map.heightMm.rows);
     rows.push_back({stage, "full", time, 100 * rms(height, map.heightMm) / sqOf(map.heightMm), "% of Sq", size});
     protocols::Random random(1);
     const signals::Slopes rough{noisy(map.slopes.x, 0.02, random), noisy(map.slopes.y, 0.02, random)};
@@ -144,7 +145,7 @@ void addIntegration(std::vector<BenchRow>& rows, const fs::path& file)
                     "noise of 2 % of the slopes' RMS on each"});
     height = integrated(map.slopes, map.pitch, signals::SlopeKind::Point);
     rows.push_back({stage, "as point", time, 100 * rms(height, map.heightMm) / sqOf(map.heightMm), "% of Sq",
-                    "the same taken for point slopes: what a wrong kind costs"});
+                    "the same differences taken for point slopes: the cost of a wrong kind"});
 }
 
 void addMaps(RecordingsBench& bench, const fs::path& folder)
@@ -221,7 +222,7 @@ void addGroove(RecordingsBench& bench, const fs::path& folder, const Decode& dec
             score = signals::scoreOf(signals::calibrationFrom(surface, 0, half, quality), surface, half, map.heightMm.rows);
         });
         bench.rows.push_back({"groove from photographs", measuring::nameOf(quality), time, 1000 * score.heightErrorMm, "um RMSE",
-                              text("learned on the top half, read on the bottom half, less a quadratic; slopes %.4f off; at "
+                              text("fitted on the top half, tested on the bottom half, without a quadratic; slopes %.4f off; at "
                                    "least 12.5, aim 8 (balanced)",
                                    score.slopeError)});
     }
@@ -280,7 +281,7 @@ void addGrain(RecordingsBench& bench, const fs::path& folder, const Decode& deco
         std::is_sorted(byGrit.begin(), byGrit.end(), [](const auto& a, const auto& b) { return a.second >= b.second; });
     if (byGrit.size() > 1)
         bench.rows.push_back({"grain order", "full", 0, inOrder ? 0.0 : 1.0, "out of order",
-                              inOrder ? "the coarser the paper, the longer" : "the lengths do not fall with the grit"});
+                              inOrder ? "coarser paper has longer waves" : "the lengths do not decrease with the grit"});
 }
 
 }  // namespace

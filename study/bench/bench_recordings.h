@@ -1,6 +1,5 @@
-// The signal stages on real recordings, against what is known of each: the figures by which the measured conditions can be
-// trusted. The folder's layout is that of the recordings this project was built on (README, "Bench on recordings"); any part may
-// be missing and is then named.
+// The signal stages on real recordings, compared with known values. README, "Bench on recordings", describes the layout of
+// the folder. Every part may be missing.
 #pragma once
 
 #include <filesystem>
@@ -14,7 +13,7 @@ namespace study::bench {
 
 struct RecordingsBench {
     std::vector<BenchRow> rows;
-    std::vector<std::string> skipped;  ///< what the folder lacks, a line each
+    std::vector<std::string> skipped;  ///< missing parts of the folder, one line each
 };
 
 /// truemap_heightmaps/*.tmd       integration from central differences, without and with 2 % noise

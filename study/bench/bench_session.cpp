@@ -28,7 +28,7 @@ namespace {
 using namespace session;
 using nlohmann::ordered_json;
 
-/// A study of constant images: what is measured here does not look at them.
+/// A study of constant images. The measured times do not depend on the images.
 database::StudyFolder makeStudy(const std::filesystem::path& path, const std::string& protocolJson,
                                 protocols::Design (*draw)(const protocols::Protocol&), const cv::Mat& image)
 {
@@ -56,7 +56,7 @@ database::StudyFolder makeStudy(const std::filesystem::path& path, const std::st
 
 protocols::Design balancedDesign(const protocols::Protocol& protocol) { return drawDesign(protocol, 1); }
 
-/// One participant, every rendering in turn: for a session so long that no one balances it.
+/// One participant and every rendering in turn. So long a session cannot be balanced.
 protocols::Design plainDesign(const protocols::Protocol& protocol)
 {
     protocols::Design design;
@@ -68,7 +68,7 @@ protocols::Design plainDesign(const protocols::Protocol& protocol)
     return design;
 }
 
-/// The paper's study with ratings in so many phases, one question each.
+/// The paper's study with ratings in `phases` phases, one question each.
 std::string longProtocol(int phases)
 {
     auto json = ordered_json::parse(std::string(protocols::paperProtocolJson()));
@@ -90,7 +90,7 @@ GivenAnswer someResponse(const View& view)
     return view.trayIds[static_cast<std::size_t>(view.presentation) % view.trayIds.size()];
 }
 
-/// What is done next in this state; empty at the end.
+/// The next event in this state; none at the end.
 std::optional<EventBody> nextEvent(const View& view, const Plan& plan)
 {
     if (const auto preparation = nextOfPreparation(plan.protocol, view.state.stage)) return preparation;
@@ -135,7 +135,7 @@ struct Session {
     Driver driver;
 };
 
-/// Milliseconds of every answer until it is acknowledged; stops after `trials` presentations.
+/// Milliseconds from every answer to its acknowledgement. Stops after `trials` presentations.
 std::vector<double> playThroughEngine(Session& session, int trials)
 {
     std::vector<double> ms;
@@ -157,7 +157,7 @@ struct WindowTimes {
     std::vector<double> keyToDrawnMs;
 };
 
-/// A session by keys: from the key press until the answer is stored and what follows is painted.
+/// A session by keys. Measures from the key press until the answer is stored and the next question is painted.
 WindowTimes playThroughWindow(const database::StudyFolder& folder)
 {
     WindowTimes times;
@@ -199,7 +199,7 @@ ordered_json sessionRows()
     const auto paper = makeStudy(path / "paper", std::string(protocols::paperProtocolJson()), balancedDesign,
                                  cv::Mat(rendering::displayHeightPx, rendering::displayWidthPx, CV_8UC1, cv::Scalar(128)));
     const WindowTimes window = playThroughWindow(paper);
-    rows.push_back(row("window with a study", "", window.untilShownMs, 0, "-", "from its making to its first picture"));
+    rows.push_back(row("window with a study", "", window.untilShownMs, 0, "-", "from its creation to its first picture"));
     rows.push_back(row("answer typed, stored, next drawn", "median", percentile(window.keyToDrawnMs, 0.5), 0, "-",
                        "keys, sync and painting"));
     rows.push_back(row("answer typed, stored, next drawn", "99th", percentile(window.keyToDrawnMs, 0.99), 0, "-", ""));

@@ -47,7 +47,7 @@ long double pairedT(const std::vector<double>& x, const std::vector<double>& y)
 
 struct Stage {
     std::string name;
-    std::string key;  ///< of the peers
+    std::string key;  ///< in the times of the peers
     std::string quality;
     double milliseconds = 0;
     double error = 0;
@@ -93,7 +93,7 @@ Stage signFlipStage()
 {
     const auto x = ratingDifferences(70);
     const double time = medianMilliseconds(15, [&] { stats::signFlipTest(x, {}); });
-    // Thirds lie on no decimal grid: there all signs are gone through one by one.
+    // Thirds do not lie on a decimal grid, so the test enumerates all signs.
     auto few = ratingDifferences(16);
     const double exact = *stats::signFlipTest(few, {}).p;
     for (double& difference : few) difference /= 3;
@@ -104,7 +104,7 @@ Stage signFlipStage()
 
 constexpr std::size_t width = 1280;
 constexpr std::size_t height = 800;
-// SSIM of these two images in 80-bit arithmetic, every window by itself.
+// SSIM of these two images in 80-bit arithmetic, window by window.
 constexpr double trueSsim = 0.9528596586430464;
 
 std::pair<Stage, Stage> ssimStages()
@@ -176,7 +176,7 @@ ordered_json rowOf(const Stage& stage)
             {"error", stage.error}, {"error_is", stage.errorIs}, {"note", stage.note}};
 }
 
-/// Into the row's "peers", and in words into its note.
+/// Adds the times to "peers" and, in words, to the note of the row.
 void addPeers(ordered_json& row, const std::map<std::string, std::optional<double>>& peers)
 {
     std::string note = row["note"].get<std::string>();

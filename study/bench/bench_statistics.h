@@ -1,5 +1,5 @@
-// The speed of the statistics that have to be fast, on one core, with their error; beside what R and
-// Python's packages take for the same work on this machine, where they are installed.
+// Speed and error of the statistics that must be fast, on one core, beside the times of R and packages of Python for the same
+// work on this machine.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

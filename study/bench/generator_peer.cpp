@@ -26,18 +26,18 @@ namespace study::bench {
 namespace {
 
 constexpr const char* referenceBlas = "/usr/lib/x86_64-linux-gnu/blas:/usr/lib/x86_64-linux-gnu/lapack";
-constexpr double answersMayDiffer = 1e-3;  ///< of numbers of about ten, in single precision
+constexpr double answersMayDiffer = 1e-3;  ///< for numbers of about ten, in single precision
 
 double numberIn(const std::string& text)
 {
     double number = 0;
     const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
     if (read.ec != std::errc())
-        throw protocols::workFailed({"a peer answers '" + text + "'", "bench --peers", "milliseconds", ""});
+        throw protocols::workFailed({"a peer answered '" + text + "'", "bench --peers", "milliseconds", ""});
     return number;
 }
 
-/// A program that answers each line with a line. Ends with its input.
+/// A program that answers each line with a line. It ends at the end of its input.
 class Partner {
 public:
     Partner(std::vector<std::string> command, const std::string& libraries);
@@ -45,7 +45,7 @@ public:
     Partner(const Partner&) = delete;
     Partner& operator=(const Partner&) = delete;
 
-    std::string line();  ///< empty: it ended
+    std::string line();  ///< empty where the program has ended
     double asked(const std::string& order);
 
 private:
@@ -58,13 +58,13 @@ Partner::Partner(std::vector<std::string> command, const std::string& libraries)
 {
     std::array<int, 2> to{}, from{};
     if (pipe2(to.data(), O_CLOEXEC) != 0 || pipe2(from.data(), O_CLOEXEC) != 0)
-        throw protocols::environmentFault({"no pipe can be made", "bench --peers", "", ""});
+        throw protocols::environmentFault({"cannot make a pipe", "bench --peers", "", ""});
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_adddup2(&actions, to[0], STDIN_FILENO);
     posix_spawn_file_actions_adddup2(&actions, from[1], STDOUT_FILENO);
     posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
-    // As our program sets itself up; threads that wait by spinning would slow the other partner.
+    // The same settings as in our program: threads that wait by spinning would slow the other partner.
     std::vector<std::string> surroundings;
     for (const auto& [name, value] : rendering::models::missingThreadSettings()) surroundings.push_back(name + "=" + value);
     if (!libraries.empty()) surroundings.push_back("LD_LIBRARY_PATH=" + libraries);
@@ -112,7 +112,7 @@ double median(std::vector<double> values)
     return values[values.size() / 2];
 }
 
-/// In turns, the one that begins changing from pair to pair; the first pair warms both up.
+/// Times both in turns. The first of a pair alternates, and one pair before the others warms both up.
 void timeInTurns(Partner& ours, Partner& theirs, const std::string& order, int pairs, std::optional<double>& oursMs,
                  std::optional<double>& theirsMs, std::optional<double>& ratio)
 {
@@ -153,13 +153,13 @@ PeerComparison withPython(Partner& ours, const std::vector<std::string>& sizes, 
     PeerComparison comparison;
     comparison.peer = "python torch";
     if (ready.size() != 3 || ready[0] != "ready") {
-        comparison.whyNot = "python3-torch is not installed, or its networks are not ours any more";
+        comparison.whyNot = "python3-torch is not installed, or its networks differ from ours";
         return comparison;
     }
     comparison.peer += " " + ready[1];
     comparison.answersApart = numberIn(ready[2]);
     if (*comparison.answersApart > answersMayDiffer) {
-        comparison.whyNot = "its networks answer otherwise than ours";
+        comparison.whyNot = "its networks give other outputs than ours";
         return comparison;
     }
     compare(ours, python, pairs, comparison);
@@ -187,7 +187,7 @@ PeerComparison withReferenceBlas(Partner& ours, int pairs)
 
 std::vector<PeerComparison> compareGeneratorPeers(int pairs)
 {
-    ::signal(SIGPIPE, SIG_IGN);  // NOLINT: a peer that ends early is told by name
+    ::signal(SIGPIPE, SIG_IGN);  // NOLINT: a peer that ends early is reported by name
     const protocols::TemporaryFolder folder;
     Partner ours({rendering::models::secondProgram(), "peer-steps", folder.path().string()}, "");
     std::vector<std::string> ready = wordsOf(ours.line());

@@ -1,5 +1,5 @@
-// The generators' networks timed in turns with the same networks elsewhere: in Debian's Python torch
-// (python3-torch), and in ours on the reference BLAS. Peers only; nothing of ours needs them.
+// The networks of the generators, timed in turns with the same networks in Python's torch (python3-torch) and with ours on the
+// reference BLAS. Neither is needed by the program.
 #pragma once
 
 #include <optional>
@@ -9,14 +9,16 @@
 namespace study::bench {
 
 struct PeerComparison {
-    std::string peer;                                              ///< "python torch 1.13.0", "ours on the reference BLAS"
-    std::string whyNot;                                            ///< where it could not be compared; the numbers are empty then
-    std::optional<double> oursTrainMs, theirsTrainMs, trainRatio;  ///< medians; ours over theirs, median of the pairs
+    std::string peer;    ///< "python torch 1.13.0", "ours on the reference BLAS"
+    std::string whyNot;  ///< the reason where it could not be compared; there are no numbers then
+    std::optional<double> oursTrainMs, theirsTrainMs,
+        trainRatio;  ///< medians; the ratio is ours over theirs, its median over the pairs
     std::optional<double> oursInferMs, theirsInferMs, inferRatio;
-    std::optional<double> answersApart;  ///< largest difference of any answer to the same batch with the same parameters
+    std::optional<double> answersApart;  ///< largest difference of the outputs for the same batch and parameters
 };
 
-/// `pairs` of a training step and of inference each, in turns. Throws environmentFault where vis2hap-nn cannot be started.
+/// Runs `pairs` training steps and `pairs` inferences of each, in turns. Throws environmentFault where vis2hap-nn cannot be
+/// started.
 std::vector<PeerComparison> compareGeneratorPeers(int pairs = 10);
 
 }  // namespace study::bench

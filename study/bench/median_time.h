@@ -1,4 +1,4 @@
-// How long a piece of work takes on this machine, for benches.
+// The time of a piece of work on this machine, for benches.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// Other people's programs, timed on the same work: /usr/bin/python3 with scipy and scikit-image, and R.
-// One thread each.
+// Other programs timed on the same work, one thread each: /usr/bin/python3 with scipy and scikit-image, and R. Their scripts
+// are files in tests/study/bench/peers.
 #pragma once
 
 #include <filesystem>
@@ -13,14 +13,14 @@ namespace study::bench {
 /// Throws environmentFault where it is in neither.
 std::filesystem::path peerScript(const std::string& name);
 
-/// Milliseconds by stage and peer; no number where the peer or its package is not installed.
+/// Milliseconds by stage and peer; none where the peer or its package is not installed.
 using PeerTimes = std::map<std::string, std::map<std::string, std::optional<double>>>;
 
-/// Stages: "paired t", "bca", "ssim", "ssim float". Half a minute at most.
+/// Times "paired t", "bca", "ssim" and "ssim float". Takes at most half a minute.
 PeerTimes peerTimes();
 
-/// scipy alone: "cosine transforms 480x640" (float, there and back) and "integration 480x640" (its transforms, numpy's
-/// differences, in single precision). A few seconds.
+/// Times scipy on "cosine transforms 480x640" (single precision, forward and inverse) and "integration 480x640" (scipy's
+/// transforms and numpy's differences, single precision). Takes a few seconds.
 PeerTimes signalPeerTimes();
 
 }  // namespace study::bench

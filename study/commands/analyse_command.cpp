@@ -28,18 +28,18 @@ json readRequests(const std::string& file)
 {
     json document = protocols::parseStrictJson(protocols::readWholeFile(file), file);
     if (!document.is_object() || !document.contains("cases") || !document["cases"].is_array())
-        throw malformed("no array of cases", file);
+        throw malformed("the file has no array of cases", file);
     return document;
 }
 
-/// The ids of all cases, each once; an answer needs a name.
+/// The ids of all cases. Each occurs once, because an answer stands under its id.
 std::vector<std::string> idsOf(const json& cases, const std::string& file)
 {
     std::vector<std::string> ids;
     std::set<std::string> seen;
     for (const json& one : cases) {
         const std::string where = file + ", case " + std::to_string(ids.size() + 1);
-        if (!one.is_object() || !one.contains("id") || !one["id"].is_string()) throw malformed("a case without an id", where);
+        if (!one.is_object() || !one.contains("id") || !one["id"].is_string()) throw malformed("the case has no id", where);
         ids.push_back(one["id"].get<std::string>());
         if (!seen.insert(ids.back()).second) throw malformed("the id " + ids.back() + " is used twice", where);
     }
@@ -62,11 +62,11 @@ int analyse(const std::string& requests, const std::string& answers)
 
 void addAnalyse(CLI::App& app, Action& action)
 {
-    auto* command = app.add_subcommand("analyse", "any analysis of the stats module, in batch");
+    auto* command = app.add_subcommand("analyse", "answer requests for statistical analyses, in batch");
     auto requests = std::make_shared<std::string>();
     auto answers = std::make_shared<std::string>();
-    command->add_option("REQUESTS", *requests, "JSON file of requests")->required();
-    command->add_option("--out", *answers, "JSON file of answers")->required();
+    command->add_option("REQUESTS", *requests, "JSON file with the requests")->required();
+    command->add_option("--out", *answers, "JSON file to write the answers to")->required();
     command->callback(
         [requests, answers, &action] { action.work = [requests, answers] { return analyse(*requests, *answers); }; });
 }

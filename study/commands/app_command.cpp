@@ -1,4 +1,4 @@
-// vis2hap [STUDY]: the app; vis2hap --monitor STUDY: the live monitor.
+// vis2hap [STUDY]: the window for sessions; vis2hap --monitor STUDY: the live monitor.
 #include <CLI/CLI.hpp>
 #include <memory>
 
@@ -66,10 +66,10 @@ app::AppOptions optionsOf(const Call& call)
 int runWindow(const Call& call)
 {
     if (call.monitor && call.study.empty())
-        throw protocols::badInput({"no study to monitor", "", "vis2hap --monitor STUDY", "name the study's folder"});
+        throw protocols::badInput({"no study is named", "--monitor", "vis2hap --monitor STUDY", "name the folder of the study"});
     if (!call.study.empty() && !std::filesystem::exists(call.study))
         throw protocols::badInput(
-            {"neither a command nor a study folder", call.study, "a study, or one of the commands", "see `vis2hap --help`"});
+            {"this is neither a command nor the folder of a study", call.study, "a study or a command", "see `vis2hap --help`"});
     return call.monitor ? app::runMonitor(optionsOf(call)) : app::runApp(optionsOf(call));
 }
 
@@ -78,14 +78,14 @@ int runWindow(const Call& call)
 void addApp(CLI::App& app, Action& action)
 {
     auto call = std::make_shared<Call>();
-    app.add_option("STUDY", call->study, "open this study in the app");
+    app.add_option("STUDY", call->study, "open this study in the window");
     app.add_option("--display", call->display,
-                   "haptic display: none, folder:DIR (keeps DIR/current.pgm), exec:COMMAND (a driver that is started), "
-                   "tcp:HOST:PORT (a driver on another computer), cover:N (blackens touch screen N, which tells the first "
-                   "touch), or one under a cover: folder:DIR,cover:N")
+                   "haptic display: none; folder:DIR (writes DIR/current.pgm); exec:COMMAND (starts a driver); "
+                   "tcp:HOST:PORT (a driver on another computer); cover:N (a black window on touch screen N, which "
+                   "reports the first touch); or a display under a cover: folder:DIR,cover:N")
         ->capture_default_str();
     app.add_flag("--monitor", call->monitor,
-                 "watch this study instead: who is where, what is missing, flags; reads only, blinded");
+                 "watch this study: progress of each participant, missing answers, flags; read-only and blinded");
     app.callback([&app, call, &action] {
         if (!app.get_subcommands().empty()) return;
         action.surroundings = Surroundings::Window;

@@ -1,4 +1,4 @@
-// vis2hap bench: speed and error of every stage that has a fast and an accurate way.
+// vis2hap bench: speed and error of every stage.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
@@ -39,12 +39,12 @@ ordered_json jsonOf(const bench::BenchRow& row)
             {"error", row.error}, {"error_is", row.errorUnit}, {"note", row.note}};
 }
 
-/// What the folder lacks is said at once, on standard error.
+/// Lists on standard error what the folder lacks.
 void addRecordings(ordered_json& rows, const std::string& folder)
 {
     if (!std::filesystem::is_directory(folder))
         throw protocols::badInput(
-            {"the folder of recordings is not there", folder, "a folder laid out as README, \"Bench on recordings\", says", ""});
+            {"there is no folder of recordings", folder, "the folders that README describes under \"Bench on recordings\"", ""});
     const auto recordings = bench::benchRecordings(folder, looking::decodeByQt);
     for (const auto& line : recordings.skipped) std::fprintf(stderr, "skipped: %s\n", line.c_str());
     for (const auto& row : recordings.rows) rows.push_back(jsonOf(row));
@@ -67,7 +67,7 @@ ordered_json signalRows(const BenchCall& call)
     return rows;
 }
 
-/// Two rows a peer, and ours as it ran in the same turns.
+/// Two rows for each peer, with our time from the same turns in the note.
 void addGeneratorPeers(ordered_json& rows)
 {
     const auto add = [&](const char* stage, const bench::PeerComparison& peer, const std::optional<double>& ours,
@@ -160,12 +160,13 @@ int bench(const BenchCall& call)
 
 void addBench(CLI::App& app, Action& action)
 {
-    auto* command = app.add_subcommand("bench", "the speed-accuracy table of this machine");
+    auto* command = app.add_subcommand("bench", "print speed and error of every stage on this machine");
     auto call = std::make_shared<BenchCall>();
     command->add_option("STAGE", call->wanted, "signals, statistics, session, generators (default: all)")
         ->check(CLI::IsMember(stages));
-    command->add_flag("--peers", call->peers, "time R and Python's packages on the same work beside ours");
-    command->add_option("--data", call->data, "a folder of recordings: the signal stages on them, against what is known of each");
+    command->add_flag("--peers", call->peers, "also time R and packages of Python on the same work");
+    command->add_option("--data", call->data,
+                        "folder of recordings: also run the signal stages on them and compare with known values");
     addJsonOption(*command, call->target);
     command->callback([call, &action] {
         action.surroundings = Surroundings::Offscreen;

@@ -39,7 +39,7 @@ struct CalibrateCall {
     JsonTarget json;
 };
 
-/// Beside FILE: FILE's name without its ending, and this.
+/// A file beside --out, with its name and another ending.
 fs::path besideOut(const CalibrateCall& call, const std::string& ending)
 {
     return fs::path(call.out).parent_path() / (fs::path(call.out).stem().string() + ending);
@@ -54,14 +54,14 @@ void writePictures(const CalibrateCall& call, const cv::Mat& reference, const cv
 void printScore(const char* of, const rendering::signals::CalibrationScore& score)
 {
     std::printf(
-        "%-28s normals %.2f deg off (median), depth %.4f mm off in contact, peak %.2f mm (%.2f to %.2f) where the circles say "
-        "%.2f\n",
+        "%-28s median error of normals %.2f deg, error of depth in contact %.4f mm, peak %.2f mm (%.2f to %.2f) where the "
+        "circles give %.2f\n",
         of, score.normalErrorDeg, score.depthErrorMm, score.peakMm, score.lowestPeakMm, score.highestPeakMm, score.ballPeakMm);
 }
 
 void printTrade(const std::vector<measuring::QualityTrade>& trades, MapQuality chosen)
 {
-    std::printf("\n%-10s %12s %14s %10s %14s %8s\n", "quality", "normals deg", "depth off mm", "peak mm", "ms a frame", "fit s");
+    std::printf("\n%-10s %12s %14s %10s %14s %8s\n", "quality", "normals deg", "depth err mm", "peak mm", "ms a frame", "fit s");
     for (const auto& trade : trades)
         std::printf("%-10s %12.2f %14.4f %10.3f %14.2f %8.2f%s\n", measuring::nameOf(trade.quality).c_str(),
                     trade.score.normalErrorDeg, trade.score.depthErrorMm, trade.score.peakMm, trade.millisecondsAFrame,
@@ -122,11 +122,11 @@ int calibrateOnBalls(const CalibrateCall& call)
         writeJson(call.json, report);
         return 0;
     }
-    std::printf("%zu presses; the ball touches over %.1f px (%.2f mm) of radius\n", presses.presses.size(), located.contactPx,
+    std::printf("%zu presses; radius of contact %.1f px (%.2f mm)\n", presses.presses.size(), located.contactPx,
                 located.contactPx * call.mmPerPixel);
     printScore("cross-validated:", validated);
     if (tested) printScore((call.test + ":").c_str(), *tested);
-    std::printf("%-28s the gel around the ball bridges to its rest surface: with it the peak would be %.2f mm\n", "",
+    std::printf("%-28s with the gel around the contact, which bends up to its rest surface, the peak is %.2f mm\n", "",
                 validated.peakOverGelMm);
     printTrade(trades, quality);
     std::printf("\nwrote %s, %s, %s and %s\n", call.out.c_str(), besideOut(call, "-background.png").c_str(),
@@ -143,7 +143,7 @@ rendering::TrueMap knownSurface(const CalibrateCall& call)
         return map;
     }
     if (!(call.mmPerPixel > 0))
-        throw protocols::badInput({"the pitch of the surface is not known", call.surface, "--mm-per-pixel", "state it"});
+        throw protocols::badInput({"the pitch of the surface is unknown", call.surface, "--mm-per-pixel", "state it"});
     return {rendering::readImage(file), call.mmPerPixel, call.mmPerPixel, ""};
 }
 
@@ -172,8 +172,9 @@ int calibrateOnSurface(const CalibrateCall& call)
                         {"height_error_mm", score.heightErrorMm},
                         {"surface_sq_mm", score.knownSqMm}};
         if (!call.json)
-            std::printf("%-12s rows %d to %d: slopes %.4f off, height %.2f um off (RMS, less a quadratic) of Sq %.1f um\n", name,
-                        from, to, score.slopeError, 1000 * score.heightErrorMm, 1000 * score.knownSqMm);
+            std::printf(
+                "%-12s rows %d to %d: RMS error of slopes %.4f, of height %.2f um (without a quadratic surface); Sq %.1f um\n",
+                name, from, to, score.slopeError, 1000 * score.heightErrorMm, 1000 * score.knownSqMm);
     };
     put("learned", first, last);
     put("above", 0, first);
@@ -190,8 +191,8 @@ int calibrate(const CalibrateCall& call)
     protocols::makeFolders(fs::absolute(call.out).parent_path());
     if (!call.surface.empty()) return calibrateOnSurface(call);
     if (call.from.size() != 1)
-        throw protocols::badInput({std::to_string(call.from.size()) + " places of presses are named", call.from[1], "one folder",
-                                   "put the presses and background.png into one folder, or give --surface"});
+        throw protocols::badInput({std::to_string(call.from.size()) + " folders of presses are named", call.from[1], "one folder",
+                                   "put the presses and background.png into one folder, or use --surface"});
     return calibrateOnBalls(call);
 }
 
@@ -199,28 +200,30 @@ int calibrate(const CalibrateCall& call)
 
 void addCalibrate(CLI::App& app, Action& action)
 {
-    auto* command =
-        app.add_subcommand("calibrate", "ball presses of a GelSight sensor, or a known surface -> calibration and its quality");
+    auto* command = app.add_subcommand("calibrate", "calibrate a GelSight sensor from presses of a ball or from a known surface");
     auto call = std::make_shared<CalibrateCall>();
-    command->add_option("PRESSES", call->from, "a folder with background.png and one picture a press; with --surface the frames")
+    command
+        ->add_option("PRESSES", call->from,
+                     "folder with background.png and one picture for each press; with --surface: the frames")
         ->required();
-    auto* ball = command->add_option("--ball-radius", call->ballRadiusMm, "mm")->check(aboveZero());
-    auto* pitch = command->add_option("--mm-per-pixel", call->mmPerPixel, "mm")->check(aboveZero());
-    command->add_option("--out", call->out, "the calibration to write; its report and pictures come beside it")->required();
-    command->add_option("--test", call->test, "further presses, only read: how good is it on these")->needs(ball);
+    auto* ball = command->add_option("--ball-radius", call->ballRadiusMm, "radius of the ball, mm")->check(aboveZero());
+    auto* pitch = command->add_option("--mm-per-pixel", call->mmPerPixel, "pitch of the frames, mm")->check(aboveZero());
+    command->add_option("--out", call->out, "calibration to write; its report and pictures go beside it")->required();
+    command->add_option("--test", call->test, "folder of further presses to test the calibration on")->needs(ball);
     command->add_option("--quality", call->quality, "fast (linear), balanced (polynomial) or accurate (network)")
         ->check(CLI::IsMember({"fast", "balanced", "accurate"}));
     command
         ->add_option("--cutoff", call->cutoffMm,
-                     "mm; slower surfaces are taken out of frames of full contact (balls: a quarter of the frame)")
+                     "mm; removes longer waves from frames of full contact (default for balls: a quarter of the frame)")
         ->check(aboveZero());
     auto* surface = command
                         ->add_option("--surface", call->surface,
-                                     "known height of the frame (.tmd, .tiff or .npy, mm) instead of balls; several "
-                                     "frames are lamps of one surface")
+                                     "known height in mm (.tmd, .tiff or .npy) instead of balls; several frames show "
+                                     "the same surface under one lamp each")
                         ->excludes(ball);
     command->add_option("--background", call->background, "with --surface: the untouched sensor")->needs(surface);
-    command->add_option("--rows", call->rows, "with --surface: learn from these rows only, e.g. 0,0.5")
+    command
+        ->add_option("--rows", call->rows, "with --surface: use only these rows for the fit, as shares of the height, e.g. 0,0.5")
         ->delimiter(',')
         ->expected(2)
         ->check(finiteIn(0, 1))
@@ -228,7 +231,7 @@ void addCalibrate(CLI::App& app, Action& action)
     addJsonOption(*command, call->json);
     command->callback([call, ball, pitch, surface, &action] {
         if (surface->count() == 0 && (ball->count() == 0 || pitch->count() == 0))
-            throw CLI::ValidationError("calibrate", "--ball-radius and --mm-per-pixel are needed (or --surface)");
+            throw CLI::ValidationError("calibrate", "--ball-radius and --mm-per-pixel are required, or --surface");
         action.surroundings = Surroundings::Core;
         action.work = [call] { return calibrate(*call); };
     });

@@ -1,5 +1,5 @@
-// The commands of the program, one file each. A command adds itself to the command line and, when it
-// is the one called, leaves its work in `Action`; main() runs it after the whole line was understood.
+// The commands of the program, one file each. A command adds itself to the command line. When the line calls it, it puts its
+// work into `Action`, and main() runs that work after the whole line is parsed.
 #pragma once
 
 #include <functional>
@@ -11,11 +11,11 @@ class App;
 
 namespace study::commands {
 
-/// What kind of Qt application the work needs around it.
+/// The Qt application that the work needs.
 enum class Surroundings {
     None,       ///< no Qt at all
-    Core,       ///< Qt SQL needs a QCoreApplication for its driver
-    Window,     ///< a real screen; without one the command ends with exit code 3
+    Core,       ///< a QCoreApplication, for Qt SQL and image formats
+    Window,     ///< widgets on a screen; without a screen the command ends with exit code 3
     Offscreen,  ///< widgets, with or without a screen
 };
 
@@ -47,10 +47,10 @@ void addBench(CLI::App& app, Action& action);
 void addDisplay(CLI::App& app, Action& action);
 void addStroke(CLI::App& app, Action& action);
 void addView(CLI::App& app, Action& action);
-/// The app itself: `vis2hap [STUDY]`, when no command is named.
+/// The window: `vis2hap [STUDY]`, when no command is named.
 void addApp(CLI::App& app, Action& action);
 
-/// Text that `--version` prints.
+/// The text that `--version` prints and that studies store.
 std::string versionText();
 
 }  // namespace study::commands

@@ -29,8 +29,8 @@ void printTimes(const char* what, std::vector<double> milliseconds)
 {
     if (milliseconds.empty()) return;
     std::sort(milliseconds.begin(), milliseconds.end());
-    std::printf("%s: %.1f ms in the middle of %zu, %.1f ms at most\n", what, milliseconds[milliseconds.size() / 2],
-                milliseconds.size(), milliseconds.back());
+    std::printf("%s: median %.1f ms of %zu, longest %.1f ms\n", what, milliseconds[milliseconds.size() / 2], milliseconds.size(),
+                milliseconds.back());
 }
 
 int check(const CheckCall& call)
@@ -38,14 +38,14 @@ int check(const CheckCall& call)
     const auto address = rendering::driverAddressFrom(call.specification);
     if (!address)
         throw protocols::badInput(
-            {"display '" + call.specification + "' has no driver to check", "", "exec:COMMAND or tcp:HOST:PORT", ""});
+            {"display '" + call.specification + "' has no driver to check", "SPEC", "exec:COMMAND or tcp:HOST:PORT", ""});
     rendering::DisplayCheckOptions options;
     options.touchWithin = std::chrono::milliseconds(static_cast<long>(1000 * call.touchSeconds));
     if (call.touchSeconds > 0)
-        std::printf("Touch the display when you feel that it is on; there are %g seconds.\n", call.touchSeconds);
+        std::printf("Touch the display as soon as you feel that it is on. You have %g seconds.\n", call.touchSeconds);
     const auto result = checkDisplay(*address, options, printDemand);
-    printTimes("show, until it can be felt", result.showMs);
-    printTimes("clear", result.clearMs);
+    printTimes("show an image", result.showMs);
+    printTimes("clear the display", result.clearMs);
     const std::string name = result.name.empty() ? call.specification : result.name;
     const int faults = result.faults();
     std::printf("%s: %s\n", name.c_str(), faults == 0 ? "meets every demand" : (std::to_string(faults) + " faults").c_str());
@@ -56,13 +56,14 @@ int check(const CheckCall& call)
 
 void addDisplay(CLI::App& app, Action& action)
 {
-    auto* display = app.add_subcommand("display", "for owners of a display: check its driver");
+    auto* display = app.add_subcommand("display", "check the driver of a haptic display");
     display->require_subcommand(1);
-    auto* checkDriver =
-        display->add_subcommand("check", "every demand of the protocol, with pass or FAIL; the display shows images meanwhile");
+    auto* checkDriver = display->add_subcommand(
+        "check", "test every demand of the driver protocol: pass or FAIL; the display shows images meanwhile");
     auto call = std::make_shared<CheckCall>();
     checkDriver->add_option("SPEC", call->specification, "exec:COMMAND or tcp:HOST:PORT, as for vis2hap --display")->required();
-    checkDriver->add_option("--touch", call->touchSeconds, "wait so many seconds for a finger, to check that touches are told")
+    checkDriver
+        ->add_option("--touch", call->touchSeconds, "seconds to wait for a finger, to check that the driver reports touches")
         ->check(finiteIn(0, 600));
     checkDriver->callback([call, &action] { action.work = [call] { return check(*call); }; });
 }

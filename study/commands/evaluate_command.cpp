@@ -36,7 +36,7 @@ const std::map<std::string, evaluation::SplitKind> splits{{"sample", evaluation:
                                                           {"location", evaluation::SplitKind::Location},
                                                           {"fabric", evaluation::SplitKind::Fabric},
                                                           {"augmented", evaluation::SplitKind::Augmented}};
-/// A bar for each stage of the work.
+/// A progress bar for each stage of the work.
 class StagesShown {
 public:
     void show(const std::string& stage, int done, int total)
@@ -95,23 +95,24 @@ int evaluate(const EvaluateCall& call)
 
 void addEvaluate(CLI::App& app, Action& action)
 {
-    auto* command =
-        app.add_subcommand("evaluate", "generated against measured signals, beside controls that give the figures meaning");
+    auto* command = app.add_subcommand("evaluate", "compare generated with measured signals, beside controls");
     auto call = std::make_shared<EvaluateCall>();
     command->add_option("DATASET", call->dataset, "the data set")->required();
     command->add_option("--model", call->model, "weights (default: the shipped ones)");
-    command->add_option("--against", call->against, "further weights, measured beside it");
+    command->add_option("--against", call->against, "further weights to evaluate on the same test samples");
     command
-        ->add_option("--split", call->split,
-                     "sample: the paper's; location: no fabric shown twice; fabric: those the model held out")
+        ->add_option(
+            "--split", call->split,
+            "sample: the paper's split; location: no place in training and test; fabric: fabrics held out from training; "
+            "augmented: copies of a sample in every part")
         ->check(CLI::IsMember({"sample", "location", "fabric", "augmented"}))
         ->capture_default_str();
-    command->add_option("--split-seed", call->splitSeed, "of the split (default: the model's own)");
-    command->add_option("--quality", call->quality, "of the generators")
+    command->add_option("--split-seed", call->splitSeed, "seed of the split (default: that of the model)");
+    command->add_option("--quality", call->quality, "quality of the generators")
         ->check(CLI::IsMember({"fast", "balanced", "accurate"}))
         ->capture_default_str();
-    command->add_option("--samples", call->samples, "test photographs a fabric (default: all)")->check(CLI::Range(1, 100000));
-    command->add_option("--bounds", call->bounds, "of equal means, a fraction of the measured mean")
+    command->add_option("--samples", call->samples, "test photographs per fabric (default: all)")->check(CLI::Range(1, 100000));
+    command->add_option("--bounds", call->bounds, "equivalence bounds of means, as a fraction of the measured mean")
         ->check(finiteIn(1e-6, 1))
         ->capture_default_str();
     addJsonOption(*command, call->json);

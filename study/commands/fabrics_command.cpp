@@ -25,7 +25,7 @@ int make(const MakeCall& call)
     options.pairing = call.pairing == "aligned" ? rendering::fabrics::Pairing::Aligned : rendering::fabrics::Pairing::Weak;
     Progress progress("fabrics");
     const auto dataset = makeProceduralFabrics(call.folder, options, [&](int done, int total) { progress.show(done, total); });
-    std::printf("%s: %zu procedural fabrics, %d photographs, presses and strokes each\n", call.folder.c_str(),
+    std::printf("%s: %zu procedural fabrics with %d photographs, presses and strokes each\n", call.folder.c_str(),
                 dataset.fabrics.size(), options.samples);
     return 0;
 }
@@ -34,7 +34,9 @@ int check(const std::string& folder)
 {
     const auto faults = rendering::fabrics::faultsOfDataset(folder);
     for (const auto& fault : faults) std::printf("%s\n", fault.c_str());
-    std::printf("%s: %s\n", folder.c_str(), faults.empty() ? "sound" : (std::to_string(faults.size()) + " faults").c_str());
+    std::printf(
+        "%s: %s\n", folder.c_str(),
+        faults.empty() ? "no faults" : (std::to_string(faults.size()) + (faults.size() == 1 ? " fault" : " faults")).c_str());
     return static_cast<int>(faults.empty() ? protocols::ExitCode::Done : protocols::ExitCode::WorkFailed);
 }
 
@@ -48,19 +50,19 @@ void addFabrics(CLI::App& app, Action& action)
     auto* makeSet = fabrics->add_subcommand("make", "a procedural fabric data set");
     auto call = std::make_shared<MakeCall>();
     makeSet->add_option("DIR", call->folder, "folder to make")->required();
-    makeSet->add_option("--fabrics", call->options.fabrics, "how many structures")
-        ->check(CLI::Range(1, 15))
-        ->capture_default_str();
-    makeSet->add_option("--samples", call->options.samples, "of each signal and fabric")
+    makeSet->add_option("--fabrics", call->options.fabrics, "number of fabrics")->check(CLI::Range(1, 15))->capture_default_str();
+    makeSet->add_option("--samples", call->options.samples, "samples of each signal and fabric")
         ->check(CLI::Range(1, 100000))
         ->capture_default_str();
     makeSet->add_option("--seed", call->options.seed, "the same seed gives the same data set")->capture_default_str();
-    makeSet->add_option("--pairing", call->pairing, "weak: photo, press and stroke at different places")
+    makeSet
+        ->add_option("--pairing", call->pairing,
+                     "weak: photograph, press and stroke at different places; aligned: at the same place")
         ->check(CLI::IsMember({"weak", "aligned"}))
         ->capture_default_str();
     makeSet->callback([call, &action] { action.work = [call] { return make(*call); }; });
 
-    auto* checkSet = fabrics->add_subcommand("check", "every fault of a data set, each with its file");
+    auto* checkSet = fabrics->add_subcommand("check", "list every fault of a data set with its file");
     auto folder = std::make_shared<std::string>();
     checkSet->add_option("DIR", *folder, "the data set")->required();
     checkSet->callback([folder, &action] { action.work = [folder] { return check(*folder); }; });

@@ -92,16 +92,17 @@ int height(const HeightCall& call)
 {
     const int sources = !call.frames.empty() + !call.gradients.empty() + !call.normals.empty();
     if (sources != 1 || (!call.frames.empty() && call.calibration.empty()))
-        throw protocols::badInput({sources == 1 ? "frames need a calibration" : "one source of heights is needed", "",
+        throw protocols::badInput({sources == 1 ? "frames need a calibration" : "there must be one source of heights", "",
                                    "frames with --calibration, or --gradients, or --normals", ""});
     if (!call.frames.empty() && (!call.mask.empty() || !call.pitch.empty() || call.kind != "point"))
-        throw protocols::badInput({"--mask, --pitch and --kind are of gradients and normal maps", call.frames.front(),
-                                   "a calibration knows its pitch; --contact takes a mask", ""});
+        throw protocols::badInput({"--mask, --pitch and --kind apply to --gradients and --normals only, not to frames",
+                                   call.frames.front(), "frames and --calibration",
+                                   "leave them out; --contact takes a mask of the contact"});
     if (call.frames.empty() && (call.contact != "auto" || !call.calibration.empty()))
-        throw protocols::badInput({"--contact and --calibration are of frames", "", "frames", ""});
+        throw protocols::badInput({"--contact and --calibration apply to frames only", "", "frames", "leave them out"});
     if (call.contact != "auto" && call.contact != "whole" && call.contact != "part" && !fs::exists(call.contact))
-        throw protocols::badInput(
-            {"\"" + call.contact + "\" is no kind of contact", "--contact", "auto, whole, part, or a mask image", ""});
+        throw protocols::badInput({"\"" + call.contact + "\" is neither a kind of contact nor an image", "--contact",
+                                   "auto, whole, part, or a mask image", ""});
     const auto options = optionsOf(call);
     if (!call.gradients.empty())
         write(call, measuring::fromGradients(call.gradients[0], call.gradients[1], samplingOf(call), options));
@@ -117,29 +118,32 @@ int height(const HeightCall& call)
 
 void addHeight(CLI::App& app, Action& action)
 {
-    auto* command = app.add_subcommand("height", "tactile frames, gradients or a normal map -> height in mm");
+    auto* command = app.add_subcommand("height", "compute heights in mm from tactile frames, gradients or a normal map");
     auto call = std::make_shared<HeightCall>();
     command->add_option("FRAME", call->frames, "colour frames, or grey ones in the order of the sensor's lamps");
-    command->add_option("--calibration", call->calibration, "made by vis2hap calibrate");
-    command->add_option("--background", call->background, "the untouched sensor (default: the one saved with the calibration)");
+    command->add_option("--calibration", call->calibration, "calibration file from vis2hap calibrate");
+    command->add_option("--background", call->background,
+                        "frame of the untouched sensor (default: the one saved with the calibration)");
     command->add_option("--contact", call->contact,
-                        "auto, whole (fabric over the whole frame), part, or a mask image: where the object touches");
+                        "where the object touches the sensor: auto, whole (the whole frame), part, or a mask image");
     command->add_option("--gradients", call->gradients, "dh/dx and dh/dy in mm/mm (.npy or .tiff)")->expected(2);
-    command->add_option("--kind", call->kind, "of gradients: point slopes, central or forward differences")
+    command->add_option("--kind", call->kind, "what the gradients are: point slopes, central or forward differences")
         ->check(CLI::IsMember({"point", "central", "forward"}));
-    command->add_option("--normals", call->normals, "a normal map, (n + 1) / 2 as RGB");
-    command->add_option("--normals-y", call->normalsY, "up, down, or auto: whichever is a surface")
+    command->add_option("--normals", call->normals, "normal map, (n + 1) / 2 as RGB");
+    command
+        ->add_option("--normals-y", call->normalsY,
+                     "direction of y in the normal map: up, down, or auto (the one that is a surface)")
         ->check(CLI::IsMember({"auto", "up", "down"}));
-    command->add_option("--pitch", call->pitch, "mm between pixels along x,y (one number: both; default 1)")
+    command->add_option("--pitch", call->pitch, "mm between pixels along x,y (one number: both directions; default 1)")
         ->delimiter(',')
         ->expected(1, 2)
         ->check(aboveZero());
     command->add_option("--mask", call->mask,
-                        "0 where gradients or normals were not measured; these places, and NaN, are bridged");
-    command->add_option("--cutoff", call->cutoffMm, "mm; waves longer than this are taken out")->check(aboveZero());
-    command->add_option("--quality", call->quality, "full (double precision) or fast (single)")
+                        "image, 0 where gradients or normals were not measured; these places, and NaN, are filled smoothly");
+    command->add_option("--cutoff", call->cutoffMm, "mm; removes waves longer than this")->check(aboveZero());
+    command->add_option("--quality", call->quality, "full (double precision) or fast (single precision)")
         ->check(CLI::IsMember({"full", "fast"}));
-    command->add_option("--out", call->out, "folder for NAME.tiff, NAME-gx.npy, NAME-gy.npy and NAME.json")->required();
+    command->add_option("--out", call->out, "folder to write NAME.tiff, NAME-gx.npy, NAME-gy.npy and NAME.json to")->required();
     command->callback([call, &action] {
         action.surroundings = Surroundings::Core;
         action.work = [call] { return height(*call); };

@@ -39,14 +39,14 @@ rendering::fabrics::FrictionOptions frictionOptions(const ImportCall& call)
     options.forceUnit = call.forceUnit;
     if (!call.forceUnit.empty() && !newtonsIn(call.forceUnit))
         throw protocols::badInput(
-            {"\"" + call.forceUnit + "\" is no unit of force", "--force-unit", std::string(knownForceUnits), ""});
+            {"\"" + call.forceUnit + "\" is not a known unit of force", "--force-unit", std::string(knownForceUnits), ""});
     options.zero = selectionFrom(call.zero, "--zero", options.zeroInterval);
     options.trim = selectionFrom(call.trim, "--trim", options.trimInterval);
     options.rateHz = call.rate;
     return options;
 }
 
-/// The spectrogram of each stroke that came in, with its parameters, beside its picture.
+/// Writes the spectrogram of each imported stroke, with its parameters, beside its plot.
 void writeSpectrograms(const std::filesystem::path& out, const std::filesystem::path& plots)
 {
     using namespace rendering::fabrics;
@@ -68,22 +68,22 @@ void writeSpectrograms(const std::filesystem::path& out, const std::filesystem::
     draft.putInPlace();
 }
 
-/// A calibration and the untouched frame that `calibrate` saved beside it.
+/// A calibration, with the frame of the untouched sensor that `calibrate` saved beside it.
 rendering::fabrics::ImportedSensor sensorFrom(const std::filesystem::path& file)
 {
     namespace signals = rendering::signals;
     const auto calibration = signals::readCalibration(file);
     if (calibration.channels != 3)
-        throw protocols::badInput({"the sensor has " + std::to_string(calibration.channels) + " lamps, one frame each",
+        throw protocols::badInput({"the sensor takes " + std::to_string(calibration.channels) + " frames, one for each lamp",
                                    file.string(), "a sensor of colour frames",
-                                   "turn its frames into heights with vis2hap height"});
+                                   "compute heights from its frames with vis2hap height"});
     rendering::fabrics::ImportedSensor sensor{protocols::readWholeFile(file), calibration.mmPerPixel, {}, {}};
     sensor.requireSame = [look = calibration.sensor, file](const cv::Mat& reference, const std::string& where) {
         const auto difference = look ? signals::differenceOf(*look, signals::appearanceOf(reference)) : std::nullopt;
         if (difference)
-            throw protocols::badInput({"is not of the calibrated sensor: " + *difference, where,
+            throw protocols::badInput({"the frame is not from the calibrated sensor: " + *difference, where,
                                        "a frame of the sensor of " + file.string(),
-                                       "calibrate this sensor, or take its own background"});
+                                       "calibrate this sensor, or name its own background"});
     };
     const auto background = file.parent_path() / (file.stem().string() + "-background.png");
     if (std::filesystem::exists(background)) sensor.untouched = rendering::readPng(background);
@@ -101,7 +101,8 @@ int import(const ImportCall& call)
     request.friction = frictionOptions(call);
     if (!call.calibration.empty()) {
         if (request.kind != rendering::fabrics::ImportKind::Gelsight)
-            throw protocols::badInput({"only tactile frames have a calibration", "--calibration", "import gelsight", ""});
+            throw protocols::badInput(
+                {"only tactile frames have a calibration", "--calibration", "import gelsight", "leave --calibration out"});
         request.sensor = sensorFrom(call.calibration);
     }
     request.plots = call.plots;
@@ -115,31 +116,33 @@ int import(const ImportCall& call)
 
 void addImport(CLI::App& app, Action& action)
 {
-    auto* command = app.add_subcommand("import", "real recordings into a data set");
+    auto* command = app.add_subcommand("import", "import recordings into a data set");
     auto call = std::make_shared<ImportCall>();
     command->add_option("KIND", call->kind, "photos, gelsight, friction-csv, tribometer, labview or slide")->required();
-    command->add_option("FROM", call->from, "files or folders")->required();
-    command->add_option("--out", call->out, "the data set; an existing one is added to")->required();
-    command->add_option("--fabric", call->fabric, "put everything into this fabric, e.g. F03");
+    command->add_option("FROM", call->from, "files or folders to import")->required();
+    command->add_option("--out", call->out, "the data set; recordings are added to an existing one")->required();
+    command->add_option("--fabric", call->fabric, "import everything as recordings of this fabric, e.g. F03");
     command->add_option("--calibration", call->calibration,
-                        "of the sensor that gelsight frames are of, made by vis2hap calibrate");
+                        "calibration of the sensor that took the gelsight frames, from vis2hap calibrate");
     const char* friction = "Friction records";
-    command->add_option("--normal", call->normal, "column of the normal force; a minus turns it: --normal=-fz")->group(friction);
-    command->add_option("--tangential", call->tangential, "one column, which keeps its sign, or two: fx,fy is sqrt(fx^2 + fy^2)")
+    command->add_option("--normal", call->normal, "column of the normal force; a minus reverses its sign: --normal=-fz")
         ->group(friction);
-    command->add_option("--force-unit", call->forceUnit, "of columns whose names state none (default: N)")->group(friction);
-    command->add_option("--zero", call->zero, "unloaded samples, whose mean is subtracted: auto, none, or FROM,TO in s")
+    command
+        ->add_option("--tangential", call->tangential, "one column, which keeps its sign, or two: fx,fy gives sqrt(fx^2 + fy^2)")
+        ->group(friction);
+    command->add_option("--force-unit", call->forceUnit, "unit of columns whose names state none (default: N)")->group(friction);
+    command->add_option("--zero", call->zero, "unloaded part, whose mean is subtracted: auto, none, or FROM,TO in s")
         ->group(friction)
         ->capture_default_str();
-    command->add_option("--trim", call->trim, "to the steady slide: auto, none, or FROM,TO in s")
+    command->add_option("--trim", call->trim, "steady slide, which is kept: auto, none, or FROM,TO in s")
         ->group(friction)
         ->capture_default_str();
-    command->add_option("--rate", call->rate, "resample to so many Hz (default: the median of the record's own steps)")
+    command->add_option("--rate", call->rate, "sample rate in Hz to resample to (default: the median of the record's own steps)")
         ->group(friction)
         ->check(finiteIn(1e-3, 1e7));
-    command->add_option("--plots", call->plots, "folder for a picture and a spectrogram of each stroke")->group(friction);
+    command->add_option("--plots", call->plots, "folder to write a plot and a spectrogram of each stroke to")->group(friction);
     command->callback([call, &action] {
-        action.surroundings = Surroundings::Core;  // Qt finds its JPEG reader through the application
+        action.surroundings = Surroundings::Core;  // Qt finds its JPEG reader through the application object
         action.work = [call] { return import(*call); };
     });
 }

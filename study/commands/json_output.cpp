@@ -13,7 +13,7 @@ void addJsonOption(CLI::App& command, JsonTarget& target)
     command
         .add_option_function<std::vector<std::string>>(
             "--json", [&target](const std::vector<std::string>& values) { target = values.empty() ? "" : values.front(); },
-            "one JSON object instead of text; to FILE, else to standard output")
+            "print one JSON object instead of text, or write it to FILE")
         ->expected(0, 1)
         ->type_name("[FILE]")
         ->trigger_on_parse();

@@ -1,4 +1,4 @@
-// `--json [FILE]`: one JSON object to a file, or alone on standard output.
+// The option `--json [FILE]`: one JSON object, in a file or alone on standard output.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -11,10 +11,10 @@ class App;
 
 namespace study::commands {
 
-/// Absent: text for people. Present and empty: standard output. Else a file.
+/// None: text for people. Empty: standard output. Otherwise the name of a file.
 using JsonTarget = std::optional<std::string>;
 
-/// Adds the option; `target` must outlive the parse.
+/// Adds the option; `target` must live until the line is parsed.
 void addJsonOption(CLI::App& command, JsonTarget& target);
 
 void writeJson(const JsonTarget& target, const nlohmann::ordered_json& object);

@@ -22,26 +22,26 @@ int erase(const std::string& study, const database::Erasure& erasure)
 {
     database::StudyStore store({study}, database::StudyStore::Access::Write);
     store.erase(erasure);
-    std::printf("%s: %s of %s erased, recorded\n", study.c_str(),
+    std::printf("%s: erased %s of %s; the erasure is recorded\n", study.c_str(),
                 erasure.answersToo ? "facts, debriefing, answers and notes" : "facts and debriefing",
                 erasure.participant.value.c_str());
     return 0;
 }
 
-/// Everything but the live database, its lock and what SQLite keeps beside it.
+/// Copies everything except the live database, its lock and the files that SQLite keeps beside it.
 void copyFiles(const fs::path& study, const fs::path& to)
 {
     for (const auto& entry : fs::directory_iterator(study)) {
         const std::string name = entry.path().filename().string();
         if (name != ".lock" && !name.starts_with("study.db")) fs::copy(entry.path(), to / name, fs::copy_options::recursive);
     }
-    // Equal time stamps, as the study's own stimuli have: a copy must not tell the order of making.
+    // The stimuli keep their equal time stamps: the order of copying must not reveal the order of making.
     if (fs::exists(study / "stimuli"))
         for (const auto& stimulus : fs::directory_iterator(study / "stimuli"))
             fs::last_write_time(to / "stimuli" / stimulus.path().filename(), fs::last_write_time(stimulus.path()));
 }
 
-/// tar is on every Debian system.
+/// Uses tar, which every Debian system has.
 void pack(const fs::path& folder, const std::string& name, const fs::path& archive)
 {
     const QStringList arguments{"--create",
@@ -56,7 +56,7 @@ void pack(const fs::path& folder, const std::string& name, const fs::path& archi
                                            "make room or choose another disk; the study itself is untouched"});
 }
 
-/// "study" of "demo/study" and of "demo/study/".
+/// "study" for "demo/study" and for "demo/study/".
 std::string nameOfFolder(const fs::path& study)
 {
     const fs::path whole = fs::absolute(study).lexically_normal();
@@ -66,7 +66,7 @@ std::string nameOfFolder(const fs::path& study)
 int backup(const std::string& study, const std::string& out)
 {
     if (fs::exists(out))
-        throw protocols::badInput({"the file exists", out, "a new file", "choose another name; nothing was written"});
+        throw protocols::badInput({"the file exists", out, "the name of a new file", "choose another name; nothing was written"});
     const auto store = records::openStudy(study);
     const std::string name = nameOfFolder(study);
     // The files of the backup lie together in a folder beside it that is never put in place.
@@ -78,15 +78,14 @@ int backup(const std::string& study, const std::string& out)
         store.copyTo(staging.path() / name / "study.db");
         const fs::path archive = staging.path() / "archive.tar";
         pack(staging.path(), name, archive);
-        ::chmod(archive.c_str(), 0600);  // the allocation key is in it
+        ::chmod(archive.c_str(), 0600);  // it contains the allocation key
         protocols::putFileInPlace(archive, out);
     } catch (const fs::filesystem_error& fault) {
-        throw protocols::environmentFault({std::string("the backup cannot be written: ") + fault.what(), out,
+        throw protocols::environmentFault({std::string("cannot write the backup: ") + fault.what(), out,
                                            "room for a copy of the study",
                                            "make room or choose another disk; the study itself is untouched"});
     }
-    std::printf("%s: a whole copy of %s (%zu answers); `tar xf` brings it back\n", out.c_str(), study.c_str(),
-                store.answers().size());
+    std::printf("%s: a copy of %s with %zu answers; `tar xf` restores it\n", out.c_str(), study.c_str(), store.answers().size());
     return 0;
 }
 
@@ -98,13 +97,13 @@ void addErase(CLI::App& app, Action& action)
         std::string study, participant, who, why;
         bool answers = false;
     };
-    auto* command = app.add_subcommand("erase", "remove what is known about a participant; who and why are recorded");
+    auto* command = app.add_subcommand("erase", "erase personal data of a participant; who and why are recorded");
     auto call = std::make_shared<Call>();
     command->add_option("STUDY", call->study, "the study")->required();
-    command->add_option("--participant", call->participant, "whose")->required();
+    command->add_option("--participant", call->participant, "the participant")->required();
     command->add_option("--who", call->who, "your name")->required();
     command->add_option("--why", call->why, "the reason")->required();
-    command->add_flag("--answers", call->answers, "also every answer and note; the participant then counts as withdrawn");
+    command->add_flag("--answers", call->answers, "erase every answer and note too; the participant then counts as withdrawn");
     command->callback([call, &action] {
         action.surroundings = Surroundings::Core;
         action.work = [call] {
@@ -118,7 +117,7 @@ void addBackup(CLI::App& app, Action& action)
     struct Call {
         std::string study, out;
     };
-    auto* command = app.add_subcommand("backup", "the whole study as one tar file, also while a session runs");
+    auto* command = app.add_subcommand("backup", "copy the whole study into one tar file, also while a session runs");
     auto call = std::make_shared<Call>();
     command->add_option("STUDY", call->study, "the study")->required();
     command->add_option("--out", call->out, "file to write")->required();

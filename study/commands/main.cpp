@@ -1,5 +1,5 @@
-// The program `vis2hap`: understands the command line, makes the surroundings that the command needs,
-// runs it, and turns every fault into one line and an exit code.
+// The program `vis2hap`: parses the command line, makes the Qt application that the command needs, runs the command, and
+// turns every fault into one line and an exit code.
 #include <CLI/CLI.hpp>
 #include <QApplication>
 #include <QCoreApplication>
@@ -24,8 +24,8 @@ bool screenIsThere()
            std::getenv("QT_QPA_PLATFORM") != nullptr;
 }
 
-/// Nobody sees this window: what its platform cannot do is no news to whoever reads standard error.
-void tellFaultsAlone(QtMsgType type, const QMessageLogContext&, const QString& text)
+/// The offscreen platform warns about what it cannot do. Nobody sees that window, so only faults are printed.
+void printFaultsOnly(QtMsgType type, const QMessageLogContext&, const QString& text)
 {
     if (type == QtCriticalMsg || type == QtFatalMsg) std::fprintf(stderr, "vis2hap: %s\n", qPrintable(text));
 }
@@ -35,11 +35,11 @@ std::unique_ptr<QCoreApplication> surroundingsFor(Surroundings kind, int& argc, 
     if (kind == Surroundings::None) return nullptr;
     if (kind == Surroundings::Core) return std::make_unique<QCoreApplication>(argc, argv);
     if (kind == Surroundings::Window && !screenIsThere())
-        throw protocols::environmentFault({"the app needs a screen", "", "DISPLAY or WAYLAND_DISPLAY to be set",
-                                           "start it from a desktop, or use `vis2hap replay` and `vis2hap report`"});
+        throw protocols::environmentFault({"the window needs a screen", "", "DISPLAY or WAYLAND_DISPLAY to be set",
+                                           "start the program from a desktop, or use `vis2hap replay` and `vis2hap report`"});
     if (!screenIsThere()) {
         qputenv("QT_QPA_PLATFORM", "offscreen");
-        qInstallMessageHandler(tellFaultsAlone);
+        qInstallMessageHandler(printFaultsOnly);
     }
     return std::make_unique<QApplication>(argc, argv);
 }
@@ -84,10 +84,10 @@ int run(int argc, char** argv)
         std::fprintf(stderr, "vis2hap: %s; see `vis2hap %s--help`\n", problem.what(), command.c_str());
         return static_cast<int>(ExitCode::BadInput);
     }
-    // Qt would take options of ours for its own: --display names a screen of the X server to it.
+    // Qt gets no options, because it would read ours: to Qt, --display names a screen of the X server.
     int programNameAlone = 1;
     const auto application = surroundingsFor(action.surroundings, programNameAlone, argv);
-    std::setlocale(LC_NUMERIC, "C");  // Qt has set the user's, under which C functions read 5.4 as 5
+    std::setlocale(LC_NUMERIC, "C");  // Qt has set the user's locale, in which C functions may read 5.4 as 5
     return action.work();
 }
 
@@ -101,10 +101,10 @@ int main(int argc, char** argv)
         std::fprintf(stderr, "vis2hap: %s\n", error.what());
         return static_cast<int>(error.exitCode());
     } catch (const std::bad_alloc&) {
-        std::fputs("vis2hap: not enough memory; close other programs or use smaller input\n", stderr);
+        std::fputs("vis2hap: the memory is used up; close other programs or use smaller input\n", stderr);
         return static_cast<int>(ExitCode::Environment);
     } catch (const std::exception& error) {
-        std::fprintf(stderr, "vis2hap: unexpected failure: %s; please report it with the command that you ran\n", error.what());
+        std::fprintf(stderr, "vis2hap: unexpected failure: %s; report it with the command that you ran\n", error.what());
         return static_cast<int>(ExitCode::WorkFailed);
     }
 }

@@ -1,4 +1,4 @@
-// Checks of numbers on the command line that NaN does not slip through, as it does through CLI::Range and CLI::PositiveNumber.
+// Checks of numbers on the command line. Unlike CLI::Range and CLI::PositiveNumber they refuse NaN.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -16,7 +16,7 @@ inline CLI::Validator finiteIn(double least, double most)
         [=, range = std::string(words)](std::string& text) {
             double value = 0;
             const bool good = CLI::detail::lexical_cast(text, value) && std::isfinite(value) && value >= least && value <= most;
-            return good ? std::string() : text + " is no number from " + range;
+            return good ? std::string() : text + " is not a number from " + range;
         },
         words);
 }
@@ -27,7 +27,7 @@ inline CLI::Validator aboveZero()
         [](std::string& text) {
             double value = 0;
             const bool good = CLI::detail::lexical_cast(text, value) && std::isfinite(value) && value > 0;
-            return good ? std::string() : text + " is no number above 0";
+            return good ? std::string() : text + " is not a number above 0";
         },
         "above 0");
 }

@@ -1,5 +1,5 @@
-// vis2hap power: what a planned study can and cannot detect, before anyone is tested; with --calibrate,
-// how often each test of the report rejects when there is nothing to find.
+// vis2hap power: the effects that a planned study can detect, before any participant takes part. With --calibrate: how often
+// each test of the report rejects in studies without a difference.
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -7,9 +7,9 @@
 #include "protocols/protocol_json.h"
 #include "stats/power/calibration.h"
 #include "stats/power/power_plan.h"
+#include "study/analyse/power_report.h"
 #include "study/commands/command_line.h"
 #include "study/commands/json_output.h"
-#include "study/commands/power_tables.h"
 #include "study/commands/progress.h"
 
 namespace study::commands {
@@ -27,7 +27,7 @@ struct PowerCall {
     JsonTarget target;
 };
 
-// What the default truth is written for; other scales are taken as this one stretched.
+// The defaults of stats::RatingTruth hold for a scale of this length. Other scales are stretched to it.
 constexpr double hapticScale = 10;
 
 void putScale(stats::RatingTruth& truth, const protocols::RatingScale& scale)
@@ -84,7 +84,7 @@ std::vector<stats::PlannedTest> planned(stats::PowerOptions options)
 std::vector<stats::CalibrationRow> calibrated(const stats::PowerOptions& options, std::size_t studies)
 {
     if (studies == 0) return {};
-    Progress progress("studies with nothing to find");
+    Progress progress("studies without a difference");
     stats::CalibrationOptions calibration;
     calibration.design = options.design;
     calibration.ratings = options.ratings;
@@ -105,15 +105,15 @@ int power(const PowerCall& call)
     const auto tests = planned(options);
     const auto calibration = calibrated(options, call.calibrate);
     if (!call.target) {
-        printDesign(protocol.name, options);
-        printTests(tests);
-        if (!calibration.empty()) printCalibration(calibration);
+        analyse::printDesign(protocol.name, options);
+        analyse::printTests(tests);
+        if (!calibration.empty()) analyse::printCalibration(calibration);
         return 0;
     }
     ordered_json json{{"schema", "vis2hap.power/1"}, {"protocol", protocol.name}};
-    putDesign(json, options);
-    putTests(json, tests);
-    if (!calibration.empty()) putCalibration(json, calibration);
+    analyse::putDesign(json, options);
+    analyse::putTests(json, tests);
+    if (!calibration.empty()) analyse::putCalibration(json, calibration);
     writeJson(call.target, json);
     return 0;
 }
@@ -122,17 +122,19 @@ int power(const PowerCall& call)
 
 void addPower(CLI::App& app, Action& action)
 {
-    auto* command = app.add_subcommand("power", "what this design can and cannot detect, before anyone is tested");
+    auto* command = app.add_subcommand("power", "the effects that this design can detect, before any participant takes part");
     auto call = std::make_shared<PowerCall>();
     command->add_option("--protocol", call->protocol, "the study's protocol (default: the paper's)");
-    command->add_option("--participants", call->participants, "instead of the protocol's number")->check(CLI::Range(2, 1000));
-    command->add_option("--studies", call->studies, "simulated studies for each effect")
+    command->add_option("--participants", call->participants, "number of participants (default: the protocol's)")
+        ->check(CLI::Range(2, 1000));
+    command->add_option("--studies", call->studies, "number of simulated studies for each effect")
         ->check(CLI::Range(20, 100000))
         ->capture_default_str();
-    command->add_option("--calibrate", call->calibrate, "also: how often each test rejects where nothing differs, in N studies")
+    command
+        ->add_option("--calibrate", call->calibrate, "also print how often each test rejects in N studies without a difference")
         ->check(CLI::Range(100, 1000000))
         ->type_name("N");
-    command->add_option("--seed", call->seed, "draws the simulated studies")->capture_default_str();
+    command->add_option("--seed", call->seed, "seed of the simulated studies")->capture_default_str();
     addJsonOption(*command, call->target);
     command->callback([call, &action] { action.work = [call] { return power(*call); }; });
 }

@@ -1,5 +1,4 @@
-// Progress of long work on standard error: a bar with the remaining time on a terminal, plain lines
-// otherwise.
+// Progress of long work on standard error: a bar with the remaining time on a terminal, else plain lines.
 #pragma once
 
 #include <chrono>
@@ -14,7 +13,7 @@ public:
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
-    /// Cheap to call often; prints at most ten times a second (a line at every tenth part otherwise).
+    /// Prints at most ten times a second on a terminal, else one line for every tenth of the work. `what` names the current step.
     void show(int done, int total, const std::string& what = {});
 
 private:

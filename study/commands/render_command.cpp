@@ -49,7 +49,7 @@ std::vector<protocols::FabricId> fabricList(const rendering::fabrics::Dataset& d
     return ids;
 }
 
-/// The asked-for index of every signal, which must be there for each signal that the conditions read.
+/// One index for every signal. Each signal that the conditions read must have a sample with this index.
 std::map<protocols::FabricId, rendering::SampleChoice> chosenSamples(const rendering::fabrics::Dataset& dataset,
                                                                      std::optional<int> sample)
 {
@@ -59,7 +59,7 @@ std::map<protocols::FabricId, rendering::SampleChoice> chosenSamples(const rende
     return samples;
 }
 
-/// "LO,HI"; locale-free.
+/// "LO,HI" in any locale.
 rendering::Percentiles percentilesFrom(const std::string& text)
 {
     if (text.empty()) return {};
@@ -67,7 +67,8 @@ rendering::Percentiles percentilesFrom(const std::string& text)
     const auto low = protocols::numberIn(text.substr(0, comma));
     const auto high = comma == std::string::npos ? std::nullopt : protocols::numberIn(text.substr(comma + 1));
     if (!low || !high)
-        throw protocols::badInput({"\"" + text + "\" are no two percentiles", "--range-percentiles", "LO,HI, e.g. 0.1,99.9", ""});
+        throw protocols::badInput(
+            {"\"" + text + "\" does not give two percentiles", "--range-percentiles", "LO,HI, e.g. 0.1,99.9", ""});
     return {*low, *high};
 }
 
@@ -82,7 +83,7 @@ void writeRendering(const fs::path& out, const rendering::RenderedFabrics& rende
     draft.putInPlace({"render.json"});
 }
 
-/// Joined with what an earlier call left in the folder.
+/// Joins the JSON with the one that an earlier call left in the folder.
 rendering::JoinedRender savedJson(const fs::path& out, const std::string& json)
 {
     const auto file = out / "render.json";
@@ -107,7 +108,7 @@ int render(const RenderCall& call)
     request.generation.model = call.model;
     request.generation.quality = rendering::models::qualityNamed(call.quality);
     if (call.explain) std::fputs(rendering::explain(request.conditions).c_str(), stdout);
-    // Drawn before anything is written: where it cannot be, nothing is left behind.
+    // The sheet is drawn first, so that a fault leaves nothing behind.
     std::optional<looking::ContactSheet> sheet;
     if (!call.sheet.empty()) {
         Progress progress("contact sheet");
@@ -125,8 +126,9 @@ int render(const RenderCall& call)
     for (const auto& warnings : {rendering::unfamiliarPhotographs(rendering), rendering::cutPhotographs(rendering)})
         for (const auto& warning : warnings) std::fprintf(stderr, "warning: %s\n", warning.c_str());
     for (const auto& line : rendering::describeMaps(rendering)) std::printf("%s\n", line.c_str());
-    std::printf("%s: friction images of %zu fabrics x %zu conditions, ranges over %zu fabrics in render.json; traces along x\n",
-                call.out.c_str(), request.fabrics.size(), request.conditions.size(), dataset.fabrics.size());
+    std::printf(
+        "%s: friction images of %zu fabrics x %zu conditions; render.json has the ranges over %zu fabrics; traces run along x\n",
+        call.out.c_str(), request.fabrics.size(), request.conditions.size(), dataset.fabrics.size());
     if (call.explain)
         for (const auto& [signal, times] : rendering.computed)
             std::printf("computed %s: %d times\n", rendering::nameOf(signal).c_str(), times);
@@ -137,39 +139,44 @@ int render(const RenderCall& call)
 
 void addRender(CLI::App& app, Action& action)
 {
-    auto* command = app.add_subcommand("render", "friction images of fabrics under conditions");
+    auto* command = app.add_subcommand("render", "render friction images of fabrics under conditions");
     auto call = std::make_shared<RenderCall>();
     command->add_option("DATASET", call->dataset, "the data set")->required();
     command->add_option("--fabric", call->fabric, "ids, comma-separated, or all")->capture_default_str();
-    command->add_option("--condition", call->condition, "ids, comma-separated, or all; h_g+f_g is h_g&f_g")
+    command->add_option("--condition", call->condition, "ids, comma-separated, or all; h_g+f_g stands for h_g&f_g")
         ->capture_default_str();
-    command->add_option("--out", call->out, "folder for DIR/F01/h_g+f_g.png and DIR/render.json")->required();
-    command->add_option("--sample", call->sample, "sample index of every signal (default: the first there is)");
+    command->add_option("--out", call->out, "folder to write DIR/F01/h_g+f_g.png and DIR/render.json to")->required();
+    command->add_option("--sample", call->sample, "sample index for every signal (default: the first one)");
     command->add_option("--model", call->model, "weights (default: the shipped ones)");
-    command->add_option("--quality", call->quality, "of the generators")
+    command->add_option("--quality", call->quality, "quality of the generators")
         ->check(CLI::IsMember({"fast", "balanced", "accurate"}))
         ->capture_default_str();
-    command->add_option("--scale", call->scale, "pixels: 1:1 as in the paper; physical: true millimetres")
+    command->add_option("--scale", call->scale, "pixels: 1:1 as in the paper; physical: in true millimetres")
         ->check(CLI::IsMember({"pixels", "physical"}))
         ->capture_default_str();
-    command->add_option("--extension", call->extension, "over the screen: tile (texture meets itself) or mirror")
+    command->add_option("--extension", call->extension, "fills the screen by tile (the texture continues) or mirror")
         ->check(CLI::IsMember({"tile", "mirror"}))
         ->capture_default_str();
-    command->add_option("--shading", call->shading, "of v_shape: linear (Pentland), or bumps (Gaussian, the paper's reference)")
+    command
+        ->add_option("--shading", call->shading,
+                     "shape from shading in v_shape: linear (Pentland) or bumps (Gaussian, the paper's reference)")
         ->check(CLI::IsMember({"linear", "bumps"}))
         ->capture_default_str();
-    command->add_option("--light-from", call->lightFrom, "of v_shape: above, as people see; below turns bumps into dents")
+    command
+        ->add_option("--light-from", call->lightFrom,
+                     "direction of light in v_shape: above, as people assume; below turns bumps into dents")
         ->check(CLI::IsMember({"above", "below"}))
         ->capture_default_str();
     command->add_option("--range-percentiles", call->percentiles,
-                        "LO,HI of all fabrics' pixels (default 0,100: least and greatest)");
-    command->add_option("--bits", call->bits, "of the PNG files; the display takes 8")
+                        "LO,HI: range of all fabrics' pixels (default 0,100: minimum and maximum)");
+    command->add_option("--bits", call->bits, "bits per pixel of the PNG files; the display uses 8")
         ->check(CLI::IsMember({8, 16}))
         ->capture_default_str();
-    command->add_flag("--dither", call->dither, "noise of one level before rounding");
-    command->add_option("--dither-seed", call->ditherSeed, "of that noise")->capture_default_str();
-    command->add_option("--sheet", call->sheet,
-                        "PNG, a row each fabric: photograph, measured and generated height and friction, friction images");
+    command->add_flag("--dither", call->dither, "add noise of one level before rounding");
+    command->add_option("--dither-seed", call->ditherSeed, "seed of that noise")->capture_default_str();
+    command->add_option(
+        "--sheet", call->sheet,
+        "PNG to write with one row per fabric: photograph, measured and generated height and friction, friction images");
     command->add_flag("--explain", call->explain, "print which signals each condition computes");
     command->callback([call, &action] {
         if (!call->sheet.empty()) action.surroundings = Surroundings::Offscreen;

@@ -1,5 +1,5 @@
-// vis2hap replay STUDY SCRIPT... [--gui]: scripted participants through the session engine, or through
-// the window's own widgets.
+// vis2hap replay STUDY SCRIPT... [--gui]: scripted participants answer through the session engine, or through the widgets of
+// the window.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
@@ -44,8 +44,8 @@ std::vector<players::Script> readScripts(const std::vector<std::string>& files, 
     for (const auto& file : files) {
         scripts.push_back(players::scriptFromJson(protocols::readWholeFile(file), file, protocol));
         if (!seen.insert(scripts.back().participant).second)
-            throw protocols::badInput({"participant " + scripts.back().participant.value + " comes twice", file,
-                                       "one script for each participant", "leave one out"});
+            throw protocols::badInput({"participant " + scripts.back().participant.value + " has two scripts", file,
+                                       "one script for each participant", "leave one of them out"});
     }
     return scripts;
 }
@@ -57,18 +57,18 @@ database::Slot slotOf(const StudyStore& store, const protocols::ParticipantId& p
     return {};
 }
 
-/// A script drives its own sessions alone, never on in the session of a person.
+/// A script must not continue the session of a person.
 void requireScripted(const database::Slot& slot, const players::Script& script)
 {
     if (slot.state != SlotState::Free && slot.kind != ParticipantKind::Scripted)
         throw protocols::badInput({"participant " + script.participant.value + " is " + nameOf(slot.kind) + ", not scripted",
-                                   script.where, "a participant id of its own", "change \"participant\" in the script"});
+                                   script.where, "the id of a scripted participant", "change \"participant\" in the script"});
 }
 
 bool finishedAlready(const database::Slot& slot, const players::Script& script)
 {
     if (slot.state != SlotState::Finished && slot.state != SlotState::Withdrawn) return false;
-    std::printf("%s: %s already, nothing to do\n", script.participant.value.c_str(), nameOf(slot.state).c_str());
+    std::printf("%s: already %s, nothing to do\n", script.participant.value.c_str(), nameOf(slot.state).c_str());
     return true;
 }
 
@@ -152,12 +152,11 @@ void addReplay(CLI::App& app, Action& action)
         std::vector<std::string> scripts;
         bool gui = false;
     };
-    auto* command =
-        app.add_subcommand("replay", "scripted participants through the session engine; resumes where it was stopped");
+    auto* command = app.add_subcommand("replay", "let scripted participants answer; resumes where it stopped");
     auto call = std::make_shared<Call>();
     command->add_option("STUDY", call->study, "the study")->required();
-    command->add_option("SCRIPT", call->scripts, "scripts, a participant each")->required();
-    command->add_flag("--gui", call->gui, "press the keys of the window instead (without a screen: offscreen)");
+    command->add_option("SCRIPT", call->scripts, "scripts, one for each participant")->required();
+    command->add_flag("--gui", call->gui, "press the keys of the window, with or without a screen");
     command->callback([call, &action] {
         action.surroundings = call->gui ? Surroundings::Offscreen : Surroundings::Core;
         action.work = [call] { return replay(call->study, call->scripts, call->gui); };

@@ -1,5 +1,5 @@
-// vis2hap simulate STUDY: simulated participants feel the friction images and answer through the
-// session engine, like everybody else.
+// vis2hap simulate STUDY: simulated participants feel the friction images and answer through the session engine, as people
+// do.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
@@ -30,7 +30,7 @@ struct SimulateCall {
     std::uint64_t seed = 1;
 };
 
-/// Those begun and not finished go on first; then the free slots, as many as asked for.
+/// Sessions that have begun come first, then free slots, `wanted` of them or all.
 std::vector<protocols::ParticipantId> participantsToPlay(const StudyStore& store, std::optional<int> wanted)
 {
     std::vector<protocols::ParticipantId> participants;
@@ -43,7 +43,7 @@ std::vector<protocols::ParticipantId> participantsToPlay(const StudyStore& store
     }
     if (wanted && *wanted > free)
         throw protocols::badInput({"only " + std::to_string(free) + " slots are free", store.folder().folder.string(),
-                                   "--participants of at most that", "make a study with more participants"});
+                                   "--participants " + std::to_string(free) + " or less", "make a study with more participants"});
     for (int i = 0; i < wanted.value_or(free); ++i) {
         std::string number = std::to_string(known + i + 1);
         participants.emplace_back("SIM" + std::string(number.size() < 2 ? 1 : 0, '0') + number);
@@ -83,12 +83,13 @@ int simulate(const SimulateCall& call)
 
 void addSimulate(CLI::App& app, Action& action)
 {
-    auto* command = app.add_subcommand("simulate", "simulated participants take the free slots");
+    auto* command = app.add_subcommand("simulate", "let simulated participants answer in the free slots");
     auto call = std::make_shared<SimulateCall>();
     command->add_option("STUDY", call->study, "the study")->required();
-    command->add_option("--participants", call->participants, "how many (default: all free slots)")->check(CLI::Range(1, 10000));
-    command->add_option("--seed", call->seed, "draws the people and their noise")->capture_default_str();
-    command->add_option("--dataset", call->dataset, "where the data set lies now, if it was moved");
+    command->add_option("--participants", call->participants, "number of participants (default: all free slots)")
+        ->check(CLI::Range(1, 10000));
+    command->add_option("--seed", call->seed, "seed of the participants and their noise")->capture_default_str();
+    command->add_option("--dataset", call->dataset, "folder of the data set, if it was moved");
     command->callback([call, &action] {
         action.surroundings = Surroundings::Core;
         action.work = [call] { return simulate(*call); };

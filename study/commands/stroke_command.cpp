@@ -28,7 +28,7 @@ cv::Mat readFrictionImage(const std::string& file)
     const cv::Mat image = rendering::readImage(file);
     if (image.type() == CV_8UC1 || image.type() == CV_16UC1) return image;
     throw protocols::badInput(
-        {"is no friction image", file, "one grey channel of 8 or 16 bits", "make one with `vis2hap render`"});
+        {"is not a friction image", file, "one grey channel of 8 or 16 bits", "make one with `vis2hap render`"});
 }
 
 int lineOf(const StrokeCall& call, const cv::Mat& image)
@@ -37,7 +37,7 @@ int lineOf(const StrokeCall& call, const cv::Mat& image)
     const int line = call.row.value_or(lines / 2);
     if (line >= 0 && line < lines) return line;
     throw protocols::badInput({"there is no line " + std::to_string(line) + " to stroke along", call.image,
-                               "0 to " + std::to_string(lines - 1), "leave --line out for the middle"});
+                               "0 to " + std::to_string(lines - 1), "leave --line out to stroke along the middle"});
 }
 
 int stroke(const StrokeCall& call)
@@ -57,25 +57,25 @@ int stroke(const StrokeCall& call)
 
 void addStroke(CLI::App& app, Action& action)
 {
-    auto* command = app.add_subcommand("stroke", "friction force over time under a simulated finger");
+    auto* command = app.add_subcommand("stroke", "compute the friction force on a simulated finger over time");
     command->footer(
-        "The model: the finger pad averages the image over its contact (a Gaussian of sigma = contact / 2); friction rises\n"
-        "linearly with the pixel value, from the glass's own 0.3 at 0 to 0.9 at full scale; the tangential force is\n"
-        "friction times the normal force and follows with a first-order response (2 ms). The stroke runs from left to\n"
-        "right (--vertical: top to bottom) at an even speed. Columns: t_s, position_mm, normal_n, tangential_n.\n"
-        "Simulated participants feel images in this way.");
+        "The model: the finger pad averages the image over its contact (a Gaussian with sigma = contact / 2). Friction rises\n"
+        "linearly with the pixel value, from 0.3 (plain glass) at 0 to 0.9 at full scale. The tangential force is friction\n"
+        "times normal force, with a first-order response (2 ms). The stroke runs from left to right (--vertical: from top\n"
+        "to bottom) at constant speed. Columns: t_s, position_mm, normal_n, tangential_n. Simulated participants feel\n"
+        "images in this way.");
     auto call = std::make_shared<StrokeCall>();
     auto& options = call->options;
     command->add_option("IMAGE", call->image, "friction image: PNG or PGM, grey")->required();
     command->add_option("--csv", call->csv, "file to write")->required();
-    command->add_option("--speed", options.speedMmPerS, "of the finger, mm/s")->capture_default_str();
+    command->add_option("--speed", options.speedMmPerS, "speed of the finger, mm/s")->capture_default_str();
     command->add_option("--line", call->row, "row (--vertical: column) to stroke along, from 0 (default: the middle one)");
-    command->add_flag("--vertical", call->vertical, "from top to bottom");
-    command->add_option("--mm-per-pixel", options.mmPerPixel, "of the display")->capture_default_str();
-    command->add_option("--normal-force", options.normalForceN, "of the finger, N")->capture_default_str();
-    command->add_option("--contact", options.contactMm, "width of the contact, mm")->capture_default_str();
+    command->add_flag("--vertical", call->vertical, "stroke from top to bottom");
+    command->add_option("--mm-per-pixel", options.mmPerPixel, "pitch of the display, mm")->capture_default_str();
+    command->add_option("--normal-force", options.normalForceN, "normal force of the finger, N")->capture_default_str();
+    command->add_option("--contact", options.contactMm, "diameter of the contact, mm")->capture_default_str();
     command->add_option("--response", options.responseS, "time constant of the response, s")->capture_default_str();
-    command->add_option("--rate", options.sampleRateHz, "samples a second")->capture_default_str();
+    command->add_option("--rate", options.sampleRateHz, "samples per second")->capture_default_str();
     command->callback([call, &action] {
         action.surroundings = Surroundings::Core;
         action.work = [call] { return stroke(*call); };

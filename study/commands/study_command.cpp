@@ -16,6 +16,7 @@
 #include "study/commands/progress.h"
 #include "study/making/new_study.h"
 #include "study/making/study_sheets.h"
+#include "study/records/running_orders_csv.h"
 #include "study/records/stored_study.h"
 #include "study/records/study_status.h"
 
@@ -44,13 +45,14 @@ int makeNew(const making::NewStudy& request)
     for (const auto& fabric : made.facts.fabrics)
         std::printf(" %s (%s)", fabric.value.c_str(), made.facts.fabricNames.at(fabric).c_str());
     std::printf(", %zu conditions%s\n", protocol.conditions.size(), made.imagesReused ? ", friction images reused" : "");
-    std::printf("  %d presentations and %d answers a participant: about %.0f minutes in %s, by %g s a presentation\n",
+    std::printf("  %d presentations and %d answers for each participant: about %.0f minutes in %s, at %g s a presentation\n",
                 protocol.presentations(), protocol.answersPerParticipant(), protocol.minutesPerParticipant(),
                 sittingsText(protocol.sittingsPerParticipant()).c_str(), protocol.secondsPerPresentation);
     if (!made.facts.familiarisation.empty())
-        std::printf("  for getting to know the display: %s\n", listOf(made.facts.familiarisation).c_str());
-    std::printf("balance reached:\n%s", describe(made.balance).c_str());
-    std::printf("next: vis2hap study sheets %s --out DIR prints the swatch codes and the scale's card\n", request.study.c_str());
+        std::printf("  fabrics for familiarisation: %s\n", listOf(made.facts.familiarisation).c_str());
+    std::printf("balance of the running orders:\n%s", describe(made.balance).c_str());
+    std::printf("next: `vis2hap study sheets %s --out DIR` writes the labels of the fabric pieces and the card of the scale\n",
+                request.study.c_str());
     return 0;
 }
 
@@ -64,34 +66,11 @@ int status(const std::string& study, const JsonTarget& target)
     return 0;
 }
 
-/// The codes on the fabric pieces, where there are any.
-std::string pieceName(const database::StudyFacts& facts, int slot, const protocols::FabricId& fabric)
-{
-    const auto index = static_cast<std::size_t>(slot) - 1;
-    return index < facts.swatches.size() ? facts.swatches[index].at(fabric) : fabric.value;
-}
-
 int plan(const std::string& study, const std::string& csv)
 {
     const auto store = records::openStudy(study);
-    const auto facts = store.facts();
-    const auto protocol = records::protocolOf(facts);
-    std::string text = "slot,trial,questions,presentation_code,tray,minutes,sitting\n";
-    for (const auto& slot : store.slots())
-        for (const auto& trial : store.trials(slot.number)) {
-            std::string questions, tray;
-            for (const auto& question : protocol.phases[trial.phase].questions)
-                questions += (questions.empty() ? "" : " ") + question.id.value;
-            for (const auto& fabric : trial.alternatives)
-                tray += (tray.empty() ? "" : " ") + pieceName(facts, slot.number, fabric);
-            const double minutes = (trial.number.value - 1) * protocol.secondsPerPresentation / 60;
-            const int sitting = 1 + static_cast<int>(minutes / protocol.sittingMinutes);
-            text +=
-                protocols::csvRow({std::to_string(slot.number), std::to_string(trial.number.value), questions,
-                                   trial.presentationCode.value, tray, protocols::shortest(minutes), std::to_string(sitting)});
-        }
-    protocols::writeWholeFile(csv, text);
-    std::printf("%s: running orders of %d slots\n", csv.c_str(), protocol.participants);
+    protocols::writeWholeFile(csv, records::runningOrdersCsv(store));
+    std::printf("%s: running orders of %zu slots\n", csv.c_str(), store.slots().size());
     return 0;
 }
 
@@ -107,7 +86,7 @@ std::string listed(const std::vector<std::string>& items)
     return text;
 }
 
-/// protocol.json was edited: taken over for participants to come, or put back.
+/// Takes an edited protocol.json over for later participants, or restores the stored one.
 int amend(const Amendment& call)
 {
     database::StudyStore store({call.study}, database::StudyStore::Access::Write);
@@ -115,12 +94,12 @@ int amend(const Amendment& call)
     const auto kept = store.protocolVersions().back();
     if (call.undo) {
         protocols::writeWholeFile(file, kept.json);
-        std::printf("%s: put back as it was (version %d)\n", file.c_str(), kept.version);
+        std::printf("%s: restored (version %d)\n", file.c_str(), kept.version);
         return 0;
     }
     const std::string text = protocols::readWholeFile(file);
     if (protocols::sha256(text) == kept.sha256) {
-        std::printf("%s: unchanged (version %d), nothing to take over\n", file.c_str(), kept.version);
+        std::printf("%s: unchanged (version %d)\n", file.c_str(), kept.version);
         return 0;
     }
     const std::string madeBy = store.facts().programVersion;
@@ -128,11 +107,11 @@ int amend(const Amendment& call)
                                            protocols::keptProtocolFromJson(text, file.string(), madeBy));
     if (!changed.empty())
         throw protocols::badInput(
-            {"it changes " + listed(changed) + ", on which running orders and stimuli hang", file.string(),
-             "changes of words, times, breaks, bounds, contrasts, checklist or facts",
-             "make a new study for it; `vis2hap study amend " + call.study + " --undo` puts the kept text back"});
+            {"the edit changes " + listed(changed) + ", which running orders and stimuli depend on", file.string(),
+             "changes of texts, times, breaks, bounds, contrasts, checklist or facts only",
+             "make a new study; `vis2hap study amend " + call.study + " --undo` restores the stored protocol"});
     store.takeProtocol(text, call.who, call.why);
-    std::printf("%s: taken over as version %d; participants enrolled before keep theirs\n", file.c_str(), kept.version + 1);
+    std::printf("%s: now version %d; participants who have started keep their version\n", file.c_str(), kept.version + 1);
     return 0;
 }
 
@@ -143,16 +122,17 @@ void addNew(CLI::App& study, Action& action)
     call->programVersion = versionText();
     command->add_option("STUDY", call->study, "folder to make")->required();
     command->add_option("--dataset", call->dataset, "the data set")->required();
-    command->add_option("--protocol", call->protocol, "protocol JSON (default: the paper's study)");
+    command->add_option("--protocol", call->protocol, "protocol file (default: the paper's study)");
     command->add_option("--model", call->model, "weights of the generators (default: the shipped ones)");
-    command->add_option("--participants", call->participants, "instead of the protocol's number")->check(CLI::Range(1, 10000));
-    command->add_option("--seed", call->seed, "draws fabrics, samples and running orders")->capture_default_str();
-    command->add_option("--key-seed", call->keySeed, "for tests: draws the allocation, which is else a secret of the system");
+    command->add_option("--participants", call->participants, "number of participants (default: the protocol's)")
+        ->check(CLI::Range(1, 10000));
+    command->add_option("--seed", call->seed, "seed of fabrics, samples and running orders")->capture_default_str();
+    command->add_option("--key-seed", call->keySeed, "for tests: seed of the allocation (default: a secret of the system)");
     command->add_flag("--allow-training-samples", call->allowTrainingSamples,
-                      "show samples the model was trained on; stamped into the report");
+                      "allow samples that the model was trained on; the report says so");
     command->add_option("--images", call->images,
-                        "keep the friction images here under their names, and reuse them while they fit");
-    command->add_flag("--replace-simulated", call->replaceSimulated, "remake a study in which no human took part");
+                        "folder to keep the friction images in under their names, and to reuse them from");
+    command->add_flag("--replace-simulated", call->replaceSimulated, "replace a study in which no human took part");
     command->callback([call, &action] {
         action.surroundings = Surroundings::Core;
         action.work = [call] { return makeNew(*call); };
@@ -163,11 +143,11 @@ void addNew(CLI::App& study, Action& action)
 
 void addStudy(CLI::App& app, Action& action)
 {
-    auto* study = app.add_subcommand("study", "make a study, see how it stands, print its running orders");
+    auto* study = app.add_subcommand("study", "make a study, see its progress, print its running orders");
     study->require_subcommand(1);
     addNew(*study, action);
 
-    auto* statusCommand = study->add_subcommand("status", "progress, balance, data-quality flags; blinded");
+    auto* statusCommand = study->add_subcommand("status", "show progress, balance and data-quality flags; blinded");
     auto folder = std::make_shared<std::string>();
     auto target = std::make_shared<JsonTarget>();
     statusCommand->add_option("STUDY", *folder, "the study")->required();
@@ -177,28 +157,32 @@ void addStudy(CLI::App& app, Action& action)
         action.work = [folder, target] { return status(*folder, *target); };
     });
 
-    auto* amendCommand =
-        study->add_subcommand("amend", "take an edited protocol.json over for participants to come, or undo the edit");
+    auto* amendCommand = study->add_subcommand("amend", "use an edited protocol.json for later participants, or undo the edit");
     auto amendment = std::make_shared<Amendment>();
     amendCommand->add_option("STUDY", amendment->study, "the study")->required();
-    amendCommand->add_option("--who", amendment->who, "who changes it");
-    amendCommand->add_option("--why", amendment->why, "why");
-    amendCommand->add_flag("--undo", amendment->undo, "put the text back that the study keeps");
+    amendCommand->add_option("--who", amendment->who, "your name");
+    amendCommand->add_option("--why", amendment->why, "the reason");
+    amendCommand->add_flag("--undo", amendment->undo, "restore the protocol that the study stores");
     amendCommand->callback([amendment, &action] {
         action.surroundings = Surroundings::Core;
         action.work = [amendment] { return amend(*amendment); };
     });
 
-    auto* sheetsCommand = study->add_subcommand("sheets", "to print: swatch labels, preparation sheets, the scale's card");
+    auto* sheetsCommand = study->add_subcommand(
+        "sheets", "write pages to print: labels of the fabric pieces, preparation sheets, the card of the scale");
     auto out = std::make_shared<std::string>();
     sheetsCommand->add_option("STUDY", *folder, "the study")->required();
-    sheetsCommand->add_option("--out", *out, "folder to write")->required();
+    sheetsCommand->add_option("--out", *out, "folder to write the pages to")->required();
     sheetsCommand->callback([folder, out, &action] {
         action.surroundings = Surroundings::Core;
-        action.work = [folder, out] { return making::writeSheets(records::openStudy(*folder), *out); };
+        action.work = [folder, out] {
+            making::writeSheets(records::openStudy(*folder), *out);
+            std::printf("%s: pages to print\n", out->c_str());
+            return 0;
+        };
     });
 
-    auto* planCommand = study->add_subcommand("plan", "the blinded running order, one row a trial");
+    auto* planCommand = study->add_subcommand("plan", "write the blinded running orders, one row a trial");
     auto csv = std::make_shared<std::string>();
     planCommand->add_option("STUDY", *folder, "the study")->required();
     planCommand->add_option("--csv", *csv, "file to write")->required();

@@ -5,35 +5,20 @@
 
 #include "database/keys.h"
 #include "protocols/files/errors.h"
-#include "protocols/files/sha256.h"
-#include "rendering/display/stimulus_bank.h"
 #include "study/commands/command_line.h"
 #include "study/commands/json_output.h"
 #include "study/records/stored_study.h"
+#include "study/records/study_faults.h"
 #include "study/session/clock.h"
 
 namespace study::commands {
 
 namespace {
 
-std::vector<std::string> faultsOf(const database::StudyStore& store)
-{
-    auto faults = store.faults();
-    const auto add = [&](const std::vector<std::string>& more) { faults.insert(faults.end(), more.begin(), more.end()); };
-    add(faultsOfKeys(store));
-    add(rendering::StimulusBank(store.folder().stimuli(), store.stimulusHashes()).faults());
-    const auto file = store.folder().protocol();
-    if (!std::filesystem::exists(file))
-        faults.push_back("protocol.json: missing");
-    else if (protocols::sha256OfFile(file) != store.protocolVersions().back().sha256)
-        faults.push_back("protocol.json: changed since the study was made or last amended");
-    return faults;
-}
-
 int verify(const std::string& study, const JsonTarget& target)
 {
     const auto store = records::openStudy(study);
-    const auto faults = faultsOf(store);
+    const auto faults = records::faultsOf(store);
     if (target)
         writeJson(target, {{"schema", "vis2hap.verify/1"},
                            {"study", store.facts().name},
@@ -55,13 +40,13 @@ int unblind(const std::string& study, const std::string& who, const std::string&
 {
     database::StudyStore store({study}, database::StudyStore::Access::Write);
     if (const auto earlier = store.unblinding()) {
-        std::printf("%s: unblinded already, by %s on %s (%s)\n", study.c_str(), earlier->who.c_str(), earlier->wallTime.c_str(),
+        std::printf("%s: already unblinded by %s on %s (%s)\n", study.c_str(), earlier->who.c_str(), earlier->wallTime.c_str(),
                     earlier->why.c_str());
         return 0;
     }
     const auto done = database::unblind(store, who, why, session::SystemClock().wallTime());
     const auto key = readAllocationKey(store, done);
-    std::printf("%s: unblinded by %s, recorded\n", study.c_str(), who.c_str());
+    std::printf("%s: unblinded by %s; this is recorded\n", study.c_str(), who.c_str());
     std::map<protocols::ConditionLabel, protocols::ConditionId> names;
     for (const auto& [code, entry] : key.entries) names[entry.label] = entry.condition;
     for (const auto& [label, condition] : names) std::printf("  %s is %s\n", label.value.c_str(), condition.value.c_str());
@@ -77,7 +62,7 @@ std::string nonEmpty(const std::string& text)
 
 void addVerify(CLI::App& app, Action& action)
 {
-    auto* command = app.add_subcommand("verify", "integrity, hash chain, keys and stimuli of a study");
+    auto* command = app.add_subcommand("verify", "check the database, hash chain, keys and stimuli of a study");
     auto study = std::make_shared<std::string>();
     auto target = std::make_shared<JsonTarget>();
     command->add_option("STUDY", *study, "the study")->required();
@@ -93,7 +78,7 @@ void addUnblind(CLI::App& app, Action& action)
     struct Call {
         std::string study, who, why;
     };
-    auto* command = app.add_subcommand("unblind", "open the key of a study; who and why are recorded");
+    auto* command = app.add_subcommand("unblind", "reveal the conditions of a study; who and why are recorded");
     auto call = std::make_shared<Call>();
     command->add_option("STUDY", call->study, "the study")->required();
     command->add_option("--who", call->who, "your name")->required()->check(nonEmpty);

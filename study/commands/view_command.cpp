@@ -47,23 +47,26 @@ int view(const ViewCall& call)
 
 void addView(CLI::App& app, Action& action)
 {
-    auto* command = app.add_subcommand("view", "signals as picture, relief and profile with units, side by side on one sheet");
+    auto* command =
+        app.add_subcommand("view", "draw signals as picture, relief and profile with units, side by side on one sheet");
     command->footer(
-        "Photographs, tactile frames and friction images (PNG, PGM, JPEG), heights in mm (TIFF, TMD), gradients (.npy) and\n"
-        "friction records (CSV: curve, spectrogram and spectrum). States least, largest and mean value, Sq (root mean\n"
-        "square about the mean), and the shares of clipped and missing points. In a data set the scale is known;\n"
-        "elsewhere say it. The stimuli of a study that is not unblinded are refused.");
+        "Shows photographs, tactile frames and friction images (PNG, PGM, JPEG), heights in mm (TIFF, TMD), gradients (.npy)\n"
+        "and friction records (CSV: curve, spectrogram and spectrum). States minimum, maximum and mean, Sq (root mean square\n"
+        "about the mean), and the shares of clipped and missing points. A data set states its scale; for other files use\n"
+        "--mm-per-pixel. Stimuli of a study that is not unblinded are refused.");
     auto call = std::make_shared<ViewCall>();
-    command->add_option("FILE", call->files, "what to look at")->required();
+    command->add_option("FILE", call->files, "files to show")->required();
     command->add_option("--out", call->out, "PNG to write")->required();
     command->add_option("--mm-per-pixel", call->reading.mmPerPixel, "scale of pictures and maps")->check(finiteIn(1e-6, 1e3));
-    command->add_option("--speed", call->reading.speedMmPerS, "of a stroke, mm/s, to draw it over mm")
+    command->add_option("--speed", call->reading.speedMmPerS, "speed of a stroke in mm/s, to draw it over mm")
         ->check(finiteIn(1e-6, 1e6));
-    command->add_option("--unit", call->reading.unit, "of the values of TIFF and .npy (default: mm; .npy: mm/mm)");
-    command->add_option("--per-row", call->perRow, "signals beside each other")->check(CLI::Range(1, 12))->capture_default_str();
-    command->add_option("--quantity", call->reading.quantity, "column of a record to look at (default: its friction)");
-    command->add_option("--width", call->columnPx, "pixels across for each")->check(CLI::Range(300, 2000))->capture_default_str();
-    command->add_flag("--dark", call->isDark, "light on dark");
+    command->add_option("--unit", call->reading.unit, "unit of values in TIFF and .npy (default: mm; .npy: mm/mm)");
+    command->add_option("--per-row", call->perRow, "signals in one row")->check(CLI::Range(1, 12))->capture_default_str();
+    command->add_option("--quantity", call->reading.quantity, "column of a record to show (default: its friction)");
+    command->add_option("--width", call->columnPx, "width of each signal in pixels")
+        ->check(CLI::Range(300, 2000))
+        ->capture_default_str();
+    command->add_flag("--dark", call->isDark, "draw light on dark");
     command->callback([call, &action] {
         action.surroundings = Surroundings::Offscreen;
         action.work = [call] { return view(*call); };

@@ -31,7 +31,7 @@ app::DataOverview openData(const fs::path& folder)
     return overview;
 }
 
-/// Columns as wide as fill the width; text must stay readable in them.
+/// Fits as many columns as stay readable, and widens them to fill the page.
 app::DataSheet drawData(const app::DataSheetRequest& request)
 {
     const auto seen = sheetOf(request.folder, request.fabric.toStdString(), request.sample);

@@ -1,4 +1,4 @@
-// What the app's page for looking at a data set is fed from.
+// The functions behind the page of the window that shows a data set.
 #pragma once
 
 #include "study/app/state/data_look.h"

@@ -1,5 +1,5 @@
-// JPEG and whatever else Qt's image formats read, for readers that are lent a decoder. Needs a QCoreApplication
-// (Surroundings::Core), through which Qt finds its formats.
+// A decoder for JPEG and the other image formats of Qt. The readers in rendering/ take it as a function. It needs a
+// QCoreApplication, through which Qt finds its formats.
 #pragma once
 
 #include <filesystem>
@@ -7,7 +7,7 @@
 
 namespace study::looking {
 
-/// CV_8UC3, R, G, B; upright by the camera's orientation mark. Throws badInput.
+/// CV_8UC3 in the order R, G, B, turned upright by the orientation mark of the camera. Throws badInput.
 cv::Mat decodeByQt(const std::filesystem::path& file);
 
 }  // namespace study::looking

@@ -22,7 +22,7 @@ bool canRender(const rendering::fabrics::Dataset& dataset, const FabricId& fabri
     return !rendering::missingInput(dataset, fabric, samples, protocols::conditionNamed(condition), scale);
 }
 
-/// Conditions h and f of the fabric need what is drawn as measured.
+/// The measured signals of the sheet are those that conditions h and f need.
 std::set<Signal> measuredOnes(const rendering::fabrics::Dataset& dataset, const FabricId& fabric,
                               const rendering::SampleChoice& samples)
 {
@@ -56,11 +56,11 @@ void addMeasured(ContactRow& row, const rendering::FabricSignals& signals)
 void addGenerated(ContactRow& row, const rendering::FabricSignals& signals)
 {
     row.photograph = mapOf(signals, Signal::Photograph, signals.photographMmPerPixel);
-    // Where the photograph's scale is unknown, so is that of what was made from it.
+    // Signals generated from a photograph of unknown scale have an unknown scale too.
     row.generatedHeight =
         mapOf(signals, Signal::GeneratedHeight, signals.photographMmPerPixel ? signals.generatedMmPerPixel : std::nullopt);
     row.generatedFriction = traceOf(signals, Signal::GeneratedTrace, signals.generatedTraceMmPerSample);
-    if (signals.photograph && signals.photograph->unfamiliar()) row.remark = "unlike the photographs trained on: a guess";
+    if (signals.photograph && signals.photograph->unfamiliar()) row.remark = "unlike the training photographs: extrapolated";
 }
 
 rendering::SampleChoice samplesOf(const rendering::fabrics::Dataset& dataset, const rendering::RenderRequest& request,
@@ -81,11 +81,12 @@ ContactSheet contactSheetOf(const rendering::fabrics::Dataset& dataset, const re
                             const std::function<void(int, int, const std::string&)>& progress)
 {
     ContactSheet sheet;
-    sheet.title = dataset.name + ": photographs, and what is measured and generated of each fabric";
-    if (dataset.pairing == rendering::fabrics::Pairing::Weak) sheet.title += "; measured at other places than photographed";
+    sheet.title = dataset.name + ": photographs, measured and generated signals of each fabric";
+    if (dataset.pairing == rendering::fabrics::Pairing::Weak)
+        sheet.title += "; photographs and measurements are from different places";
     rendering::RenderRequest render = request;
     render.conditions.clear();
-    render.mapping = {};  // as the display takes it
+    render.mapping = {};  // the display needs 8 bits without dither
     for (const char* condition : shownConditions) {
         render.conditions.emplace_back(condition);
         sheet.frictionColumns.emplace_back(condition);
@@ -111,7 +112,7 @@ ContactSheet contactSheetOf(const rendering::fabrics::Dataset& dataset, const re
         sheet.rows.push_back(row);
     }
     if (std::all_of(sheet.rows.begin(), sheet.rows.end(), isEmpty))
-        throw protocols::badInput({"nothing can be drawn: no photograph, no measured height and no friction of these fabrics",
+        throw protocols::badInput({"these fabrics have no photograph, no measured height and no friction record",
                                    dataset.folder.string(), "a data set with at least one signal", "import recordings first"});
     return sheet;
 }

@@ -1,4 +1,4 @@
-// `render --sheet`: what a data set shows of its fabrics and what the generators make of them, on one sheet.
+// The sheet of `vis2hap render --sheet`: measured and generated signals of fabrics, one row a fabric.
 #pragma once
 
 #include "rendering/composition/render_fabrics.h"
@@ -6,8 +6,8 @@
 
 namespace study::looking {
 
-/// Rows for the request's fabrics with its samples, model and quality; what a fabric lacks stays empty.
-/// Throws badInput where there is neither a photograph nor a measured signal of any of them.
+/// The sheet for the fabrics, samples, model and quality of the request. A cell stays empty where the fabric has no signal
+/// for it. Throws badInput where no fabric has a photograph or a measured signal.
 ContactSheet contactSheetOf(const rendering::fabrics::Dataset& dataset, const rendering::RenderRequest& request,
                             const std::function<void(int, int, const std::string&)>& progress = {});
 

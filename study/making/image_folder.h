@@ -1,6 +1,5 @@
-// Friction images kept by name beside a study that people made themselves (`study new --images`), so
-// that they can be looked at and need not be made twice. Reused only where everything they follow
-// from, and every file's hash, is the same.
+// The folder of `vis2hap study new --images`: the friction images of a study under their names, to look at and to reuse. They
+// are reused only if all their inputs and every file's hash are the same.
 #pragma once
 
 #include <filesystem>
@@ -17,13 +16,13 @@ namespace study::making {
 struct KeptImages {
     std::map<protocols::ConditionId, std::map<protocols::FabricId, cv::Mat>> images;
     std::string signalsJson;
-    std::vector<std::string> stamps;  ///< sentences on the images that a report must carry
+    std::vector<std::string> stamps;  ///< sentences about the images that every report must carry
 };
 
-/// SHA-256 over all that the images follow from: data set, fabrics, samples, conditions, weights, program.
+/// SHA-256 over all inputs of the images: data set, fabrics, samples, conditions, weights and version of the program.
 std::string imageFolderKey(const database::StudyFacts& facts, const rendering::RenderRequest& request);
 
-/// Empty where the folder is missing, was made from something else, or holds an altered file.
+/// None where the folder is missing, was made from other inputs, or contains a changed file.
 std::optional<KeptImages> readImageFolder(const std::filesystem::path& folder, const std::string& key,
                                           const rendering::RenderRequest& request);
 

@@ -1,5 +1,5 @@
-// Making a study: protocol + data set + seed -> study folder with blinded lists, stimuli and keys.
-// Everything is made in a temporary folder beside the study and renamed at the end.
+// Makes a study from protocol, data set and seed: a folder with blinded running orders, stimuli and keys. The folder is made
+// under a temporary name beside its place and renamed at the end.
 #pragma once
 
 #include <cstdint>
@@ -17,15 +17,15 @@ namespace study::making {
 struct NewStudy {
     std::filesystem::path study;
     std::filesystem::path dataset;
-    std::filesystem::path protocol;        ///< empty: the paper's
+    std::filesystem::path protocol;        ///< empty: the protocol of the paper
     std::filesystem::path model;           ///< empty: the shipped weights
-    std::optional<int> participants;       ///< instead of the protocol's
-    std::uint64_t seed = 1;                ///< fabrics, samples, running orders
-    std::optional<std::uint64_t> keySeed;  ///< tests only; else a secret of the system
+    std::optional<int> participants;       ///< replaces the number of the protocol
+    std::uint64_t seed = 1;                ///< for fabrics, samples and running orders
+    std::optional<std::uint64_t> keySeed;  ///< for tests; otherwise a secret of the system
     bool allowTrainingSamples = false;
-    std::string programVersion;     ///< kept with the study, e.g. "vis2hap 0.5.0"
-    std::filesystem::path images;   ///< keep the friction images here by name, and reuse them if they fit
-    bool replaceSimulated = false;  ///< remake a study in which no human took part
+    std::string programVersion;     ///< stored with the study, e.g. "vis2hap 0.5.0"
+    std::filesystem::path images;   ///< folder for the friction images under their names; reused if they fit
+    bool replaceSimulated = false;  ///< replaces a study in which no human took part
 };
 
 struct MadeStudy {
@@ -37,8 +37,8 @@ struct MadeStudy {
 
 using StepProgress = std::function<void(int done, int total, const std::string& what)>;
 
-/// Throws badInput (a folder that exists, a protocol that does not fit the data set, a signal that is
-/// missing, only samples that the model was trained on), environmentFault (disk).
+/// Throws badInput: the folder exists, the protocol does not fit the data set, a signal is missing, the model was trained on
+/// all samples. Throws environmentFault: faults of the disk.
 MadeStudy makeStudy(const NewStudy& request, const StepProgress& progress = {});
 
 }  // namespace study::making

@@ -31,7 +31,7 @@ Draw drawSample(const rendering::fabrics::Dataset& dataset, const protocols::Fab
     const std::string name = rendering::fabrics::nameOf(modality);
     if (indices.empty())
         throw protocols::badInput({"fabric " + fabric.value + " has no " + name + " sample", dataset.folder.string(),
-                                   "at least one, because a condition of the protocol needs it",
+                                   "at least one, which a condition of the protocol needs",
                                    "add recordings or leave those conditions out of the protocol"});
     auto random = protocols::Random::stream(seed, "sample/" + fabric.value + "/" + name);
     random.shuffle(indices);
@@ -40,8 +40,8 @@ Draw drawSample(const rendering::fabrics::Dataset& dataset, const protocols::Fab
         if (!wasTrainedOn(*card, samplePath(dataset, fabric, modality, index))) return {index, false};
     if (!allowTrained)
         throw protocols::badInput({"the model was trained on every " + name + " sample of fabric " + fabric.value,
-                                   dataset.folder.string(), "a sample that it has not seen",
-                                   "use another data set or model, or --allow-training-samples (stamped into the report)"});
+                                   dataset.folder.string(), "a sample outside the training data",
+                                   "use another data set or model, or --allow-training-samples, which every report states"});
     return {indices.front(), true};
 }
 

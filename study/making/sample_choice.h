@@ -1,5 +1,4 @@
-// Which sample of each fabric and signal a study shows: drawn by seed among those that the generators
-// were not trained on.
+// Draws by seed the sample of each fabric and signal that a study shows, among those that the generators were not trained on.
 #pragma once
 
 #include <cstdint>
@@ -16,8 +15,8 @@ struct ChosenSamples {
     bool someTrainedOn = false;
 };
 
-/// `trained`: sorted hashes of the model's training files; empty where no model is used. Throws
-/// badInput naming the fabric and signal that has no other sample, unless `allowTrained`.
+/// `card`: the model, whose card lists the hashes of its training files; null where no model is used. Throws badInput for a
+/// fabric without a sample, or, unless `allowTrained`, for one whose samples were all used in training.
 ChosenSamples chooseSamples(const rendering::fabrics::Dataset& dataset, const std::vector<protocols::FabricId>& fabrics,
                             const std::vector<rendering::Signal>& signals, const rendering::models::ModelCard* card,
                             std::uint64_t seed, bool allowTrained);

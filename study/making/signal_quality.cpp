@@ -33,7 +33,7 @@ const cv::Mat* imageOf(const FabricSignals& signals, Signal signal)
     return found == signals.images.end() || found->second.empty() ? nullptr : &found->second;
 }
 
-/// Central crop of both at the pitch of the measured map.
+/// Central crops of both maps at the pitch of the measured one.
 struct HeightPair {
     cv::Mat generated, measured;  // CV_64F
 };
@@ -81,7 +81,7 @@ ordered_json tTest(const std::string& signal, const Pairs& pairs)
         tost["verdict"] = equivalence.verdict();
     } else {
         tost["equivalent"] = nullptr;
-        tost["why"]["equivalent"] = "the measured mean is 0, a tenth of it is no bound";
+        tost["why"]["equivalent"] = "the measured mean is 0, so a tenth of it is not a bound";
     }
     json["tost"] = tost;
     return json;

@@ -1,4 +1,4 @@
-// Generated against measured signals of a study's fabrics: the `signals` object of results.json.
+// Generated compared with measured signals of a study's fabrics: the object `signals` of results.json.
 #pragma once
 
 #include <map>
@@ -9,10 +9,10 @@
 
 namespace study::making {
 
-/// friction_mae and friction_mae_over_mean over the common length of the traces; height_ssim over
-/// central crops of equal pitch, both maps in mm, with the range of the measured maps as L; the
-/// paper's t tests with fabrics as the unit, beside the equivalence test that its sentence needs
-/// (bounds: a tenth of the measured mean, our choice). What cannot be had is null with its reason.
+/// friction_mae and friction_mae_over_mean are over the common length of the traces. height_ssim is over central crops of equal
+/// pitch, both maps in mm, with the range of the measured maps as L. The t tests are the paper's, with fabrics as the unit;
+/// beside each stands the equivalence test that the paper's sentence needs, with bounds of a tenth of the measured mean (our
+/// choice). Numbers that do not exist are null, with their reason.
 nlohmann::ordered_json signalQuality(const std::map<protocols::FabricId, rendering::FabricSignals>& signals);
 
 }  // namespace study::making

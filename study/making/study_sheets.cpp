@@ -27,7 +27,7 @@ std::string page(const std::string& title, const std::string& body)
            protocols::escapedMarkup(title) + "</h1>\n" + body + "</body></html>\n";
 }
 
-/// Codes of one set of labels: all slots share one where pieces are labelled once.
+/// One set of labels. All slots share one set where the pieces are labelled once.
 struct LabelSet {
     std::string title;
     protocols::SwatchLabels codes;
@@ -45,7 +45,7 @@ std::vector<LabelSet> labelSetsOf(const database::StudyFacts& facts, const proto
 
 std::string labelsPage(const database::StudyFacts& facts, const std::vector<LabelSet>& sets)
 {
-    std::string body = "<p>Cut out and fix each to the back of its piece, as the preparation sheet says.</p>\n";
+    std::string body = "<p>Cut out the labels. Fix each label to the back of its piece, as the preparation sheet shows.</p>\n";
     for (const auto& set : sets) {
         body += "<h2>" + set.title + "</h2>\n<div>";
         for (const auto& [fabric, code] : set.codes) body += "<span class=\"label\">" + code + "</span>";
@@ -56,15 +56,15 @@ std::string labelsPage(const database::StudyFacts& facts, const std::vector<Labe
 
 std::string preparationPage(const database::StudyFacts& facts, const std::vector<LabelSet>& sets)
 {
-    std::string body = "<p>For the person who labels the pieces. The operator of a session needs the codes alone.</p>\n";
+    std::string body = "<p>For the person who labels the pieces. The operator of a session only needs the codes.</p>\n";
     for (const auto& set : sets) {
         body += "<div class=\"sheet\"><h2>" + set.title + "</h2>\n<table><tr><th>code</th><th>fabric</th><th>id</th></tr>\n";
         for (const auto& [fabric, code] : set.codes)
             body += "<tr><td><b>" + code + "</b></td><td>" + protocols::escapedMarkup(facts.fabricNames.at(fabric)) +
                     "</td><td>" + protocols::escapedMarkup(fabric.value) + "</td></tr>\n";
-        body += "</table>\n<p>Besides: sandpaper, silk, and a duplicate of one fabric, for the ends of the scale.</p>";
+        body += "</table>\n<p>You also need sandpaper, silk and a second piece of one fabric, for the two ends of the scale.</p>";
         if (!facts.familiarisation.empty()) {
-            body += "<p>For getting to know the display:";
+            body += "<p>Fabrics for familiarisation with the display:";
             for (const auto& item : facts.familiarisation)
                 body += " " + protocols::escapedMarkup(item.name) + (&item == &facts.familiarisation.back() ? "." : ",");
             body += "</p>";
@@ -74,7 +74,7 @@ std::string preparationPage(const database::StudyFacts& facts, const std::vector
     return page(facts.name + ": preparation of the fabric pieces", body);
 }
 
-/// The line with its equal sections; only the ends carry a number, for the participant memorises the rest.
+/// The line with its equal sections. Only the ends have numbers, because the participant memorises the rest.
 std::string scaleDrawing(const protocols::RatingScale& scale)
 {
     const double width = 900, left = 60;
@@ -102,11 +102,11 @@ std::string scaleDrawing(const protocols::RatingScale& scale)
 
 std::string scaleCard(const database::StudyFacts& facts, const protocols::RatingScale& scale)
 {
-    std::string body = "<p>Please learn this line by heart: you will not see it later.</p>\n" + scaleDrawing(scale);
+    std::string body = "<p>Memorise this line. You will not see it during the session.</p>\n" + scaleDrawing(scale);
     if (scale.labels.empty())
-        body += "<p><b>" + shortest(scale.min.inScaleUnits()) + "</b> is like sandpaper beside silk. <b>" +
+        body += "<p><b>" + shortest(scale.min.inScaleUnits()) + "</b> means as different as sandpaper and silk. <b>" +
                 shortest(scale.max.inScaleUnits()) +
-                "</b> is like two pieces of the same fabric. You may say any number between, in steps of " +
+                "</b> means as similar as two pieces of the same fabric. You may say any number in between, in steps of " +
                 shortest(scale.step.inScaleUnits()) + ".</p>\n";
     else {
         body += "<ol start=\"" + shortest(scale.min.inScaleUnits()) + "\">";
@@ -118,7 +118,7 @@ std::string scaleCard(const database::StudyFacts& facts, const protocols::Rating
 
 }  // namespace
 
-int writeSheets(const database::StudyStore& store, const std::filesystem::path& out)
+void writeSheets(const database::StudyStore& store, const std::filesystem::path& out)
 {
     const auto facts = store.facts();
     const auto protocol = records::protocolOf(facts);

@@ -32,7 +32,7 @@ cv::Mat grey(const cv::Mat& heightMm, double from, double to)
     return colour;
 }
 
-/// Blue: too low; red: too high; white: right.
+/// Blue where too low, red where too high, white where exact.
 cv::Mat signedColours(const cv::Mat& differenceMm, double mostMm)
 {
     cv::Mat colour(differenceMm.size(), CV_8UC3);

@@ -1,4 +1,4 @@
-// What a calibration's maker wants to see: the numbers as JSON, and a sheet with the presses that were read worst.
+// The quality of a calibration: its figures as JSON, and a sheet with the presses that have the largest errors.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -18,15 +18,15 @@ struct QualityTrade {
 
 std::string nameOf(rendering::signals::MapQuality quality);  ///< "fast", "balanced", "accurate"
 
-/// Cross-validated, at one quality, with its cost.
+/// The cross-validated score at one quality, with its cost.
 QualityTrade tradeOf(const rendering::signals::BallPresses& presses, const rendering::signals::LocatedPresses& located,
                      rendering::signals::MapQuality quality);
 
 /// {"normal_error_deg":..,"depth_error_mm":..,"peak_mm":..,"peak_range_mm":[..],"ball_peak_mm":..,"peak_over_gel_mm":..,"presses":[..]}
 nlohmann::ordered_json jsonOf(const rendering::signals::CalibrationScore& score);
 
-/// One row a press, the worst dozen first: frame with the circle found, height, the ball's height, their difference; labelled.
-/// CV_8UC3, RGB.
+/// CV_8UC3, RGB. One labelled row for each of the dozen presses with the largest errors: frame with the circle found, height,
+/// height of the ball, their difference.
 cv::Mat pressSheet(const rendering::signals::BallPresses& presses, const rendering::signals::Calibration& calibration,
                    const rendering::signals::CalibrationScore& score);
 

@@ -13,15 +13,15 @@ namespace {
 using rendering::fabrics::Dataset;
 using rendering::fabrics::Modality;
 
-constexpr int placesFelt = 4;  // a hand goes over a swatch, not over one spot
+constexpr int placesFelt = 4;  // a hand explores the whole swatch, not one spot
 
-/// The sample at place `place` of `places`, spread over all there are.
+/// The sample for place `place` of `places`, spread evenly over all samples.
 int sampleAt(const Dataset& dataset, const protocols::FabricId& fabric, Modality modality, int place)
 {
     const auto indices = sampleIndices(dataset, fabric, modality);
     if (indices.empty())
         throw protocols::badInput({"fabric " + fabric.value + " has no " + nameOf(modality) + " sample", dataset.folder.string(),
-                                   "presses and strokes, from which simulated participants know a fabric's touch",
+                                   "presses and strokes, from which simulated participants learn how a fabric feels",
                                    "use scripted participants (`vis2hap replay`) for this study"});
     return indices[static_cast<std::size_t>(place) * (indices.size() - 1) / (placesFelt - 1)];
 }
@@ -43,7 +43,7 @@ std::map<protocols::FabricId, Percept> expectedTouch(const database::StudyFacts&
 {
     const auto dataset = rendering::fabrics::readDataset(folder);
     if (hashOf(dataset) != facts.datasetSha256)
-        std::fprintf(stderr, "warning: %s is not the data set that the study was made from\n", folder.c_str());
+        std::fprintf(stderr, "warning: the study was not made from the data set %s\n", folder.c_str());
     rendering::RenderRequest request;
     request.fabrics = facts.fabrics;
     request.rangeOver = facts.fabrics;

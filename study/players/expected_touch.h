@@ -1,5 +1,4 @@
-// What a participant who knows the display expects a real fabric to feel like on it (the assumption is
-// told in simulated_participant.h).
+// The touch that a participant who knows the display expects of a real fabric. simulated_participant.h states the assumption.
 #pragma once
 
 #include <filesystem>
@@ -10,9 +9,9 @@
 
 namespace study::players {
 
-/// Friction x relief of each of the study's fabrics from its own presses and strokes, felt at up to
-/// four places spread over the data set's samples and averaged. Warns on standard error where the data
-/// set is not the one of the study. Throws badInput where it has no tactile or friction signal.
+/// Friction x relief of each of the study's fabrics from its own presses and strokes, averaged over up to four places that
+/// are spread over the data set's samples. Warns on standard error about a data set that the study was not made from. Throws
+/// badInput for a data set without tactile or friction signal.
 std::map<protocols::FabricId, Percept> expectedTouch(const database::StudyFacts& facts, const std::filesystem::path& dataset);
 
 }  // namespace study::players

@@ -1,5 +1,5 @@
-// What a scripted or simulated participant acts through: the session driver itself, or the window's
-// widgets. Both take the same events and show the same state.
+// The way in which a scripted or simulated participant acts: through the session driver, or through the widgets of the window.
+// Both take the same events and show the same state.
 #pragma once
 
 #include <optional>

@@ -12,11 +12,11 @@ namespace {
 
 constexpr int strokesAlongEachAxis = 4;
 constexpr double lowestBandHz = 8;
-constexpr double leastNoticedRms = 0.003;  // coefficient; below it nothing varies to a finger
+constexpr double leastNoticedRms = 0.003;  // coefficient; a finger does not notice less variation
 constexpr double frictionJnd = 0.2;        // Weber fraction of friction
-constexpr double textureJnd = 0.15;        // log10 of the r.m.s. in a band
+constexpr double textureJnd = 0.15;        // log10 of the root mean square in a band
 
-/// Mean square in each octave band, by the periodogram of the stroke without its mean.
+/// Mean square in each octave band, from the periodogram of the stroke without its mean.
 std::array<double, Percept::bands> bandPower(const std::vector<double>& coefficient, double mean, double sampleRateHz)
 {
     cv::Mat signal(1, cv::getOptimalDFTSize(static_cast<int>(coefficient.size())), CV_64F, cv::Scalar(0));

@@ -1,5 +1,5 @@
-// What a simulated finger makes of a friction image: how slippery it is and how its friction varies
-// from place to place. Computed from strokes (rendering/stroke.h), along both axes of the image.
+// A friction image as a simulated finger feels it: its slipperiness, and the variation of its friction from place to place.
+// Computed from strokes (rendering/display/stroke.h) along both axes of the image.
 #pragma once
 
 #include <array>
@@ -11,12 +11,12 @@ namespace study::players {
 struct Percept {
     static constexpr int bands = 6;  ///< octaves of temporal frequency, from 8 Hz
     double slipperiness = 0;         ///< natural logarithm of the mean coefficient of friction
-    /// log10 of the r.m.s. coefficient in each band (along x, then along y), floored at the least
-    /// variation that a finger notices.
+    /// log10 of the root mean square coefficient in each band, along x, then along y. Variation below the threshold of a
+    /// finger counts as the threshold.
     std::array<double, 2 * bands> texture{};
 };
 
-/// `image`: CV_8UC1. A constant image gives the floor in every band.
+/// `image`: CV_8UC1. A constant image gives the threshold in every band.
 Percept feel(const cv::Mat& image);
 
 /// Difference of slipperiness in just-noticeable differences (one is a Weber fraction of 0.2).

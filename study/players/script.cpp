@@ -25,13 +25,13 @@ const std::map<std::string, What> eventNames{{"pause", What::Pause},       {"res
 
 protocols::Error fault(const std::string& what, const std::string& where, const std::string& expected)
 {
-    return protocols::badInput({what, where, expected, "mend the script and run the same command again"});
+    return protocols::badInput({what, where, expected, "correct the script and run the same command again"});
 }
 
 std::string textField(const json& entry, const char* field, const std::string& where)
 {
     if (!entry.contains(field) || !entry[field].is_string())
-        throw fault(std::string("no text \"") + field + "\"", where, std::string("\"") + field + "\": \"...\"");
+        throw fault(std::string("the text \"") + field + "\" is missing", where, std::string("\"") + field + "\": \"...\"");
     return entry[field].get<std::string>();
 }
 
@@ -39,7 +39,7 @@ ScriptedResponse responseFrom(const json& value, const std::string& where)
 {
     if (value.is_string()) return value.get<std::string>();
     if (!value.is_number())
-        throw fault("an answer that is neither text nor a number", where, "correct, foil:1, a fabric id, or a rating");
+        throw fault("the answer is neither text nor a number", where, "correct, foil:1, a fabric id, or a rating");
     const double tenths = value.get<double>() * 10;
     if (std::abs(tenths) > 1e6 || std::abs(tenths - std::round(tenths)) > 1e-6)
         throw fault("rating " + value.dump() + " is not a whole number of tenths", where, "a rating like 5.4");
@@ -51,11 +51,11 @@ ScriptedPlace placeFrom(const json& entry, const std::string& where)
     ScriptedPlace place;
     if (entry.contains("attempt")) {
         if (!entry["attempt"].is_number_integer() || entry["attempt"].get<int>() < 1)
-            throw fault("attempt is no whole number from 1", where, "\"attempt\": N");
+            throw fault("attempt is not a whole number from 1", where, "\"attempt\": N");
         place.attempt = entry["attempt"].get<int>();
     }
     if (entry.contains("trial")) {
-        if (!entry["trial"].is_number_integer()) throw fault("trial is no whole number", where, "\"trial\": N, from 1");
+        if (!entry["trial"].is_number_integer()) throw fault("trial is not a whole number", where, "\"trial\": N, from 1");
         place.trial = protocols::TrialNumber{entry["trial"].get<int>()};
         return place;
     }
@@ -72,12 +72,12 @@ ScriptedPlace placeFrom(const json& entry, const std::string& where)
     return place;
 }
 
-/// Seconds that a clock can go on by.
+/// A time in seconds by which the clock can advance.
 double secondsIn(const json& entry, const char* field, double least, const std::string& where)
 {
     const double seconds = entry[field].is_number() ? entry[field].get<double>() : -1;
     if (!(seconds >= least && seconds < 86400))
-        throw fault(std::string(field) + " out of range", where, "a number above 0 and below a day");
+        throw fault(std::string(field) + " is out of range", where, "a number above 0 and below a day");
     return seconds;
 }
 
@@ -86,7 +86,7 @@ ScriptedAnswer answerFrom(const json& entry, const std::string& where)
     ScriptedAnswer answer;
     answer.question = protocols::QuestionId(textField(entry, "question", where));
     answer.place = placeFrom(entry, where);
-    if (!entry.contains("answer")) throw fault("no answer", where, "\"answer\": ...");
+    if (!entry.contains("answer")) throw fault("the answer is missing", where, "\"answer\": ...");
     answer.response = responseFrom(entry["answer"], where);
     answer.seconds = entry.contains("seconds") ? secondsIn(entry, "seconds", 1e-9, where) : 1.0;
     if (entry.contains("touch_seconds")) answer.touchSeconds = secondsIn(entry, "touch_seconds", 0, where);
@@ -94,7 +94,7 @@ ScriptedAnswer answerFrom(const json& entry, const std::string& where)
     return answer;
 }
 
-/// The fields of an expectation, each optional and of its kind.
+/// The fields of an expectation. Each is optional.
 ScriptedExpectation expectationFrom(const json& entry, const std::string& where)
 {
     ScriptedExpectation expectation;
@@ -103,7 +103,7 @@ ScriptedExpectation expectationFrom(const json& entry, const std::string& where)
     for (const auto& [field, target] : {std::pair{"presentation", &expectation.presentation}, {"trial", &expectation.trial}})
         if (entry.contains(field)) {
             if (!entry[field].is_number_integer())
-                throw fault(std::string(field) + " is no whole number", where, std::string("\"") + field + "\": N");
+                throw fault(std::string(field) + " is not a whole number", where, std::string("\"") + field + "\": N");
             *target = entry[field].get<int>();
         }
     return expectation;
@@ -120,19 +120,19 @@ ScriptedEvent eventFrom(const json& entry, const std::string& where)
     event.beforeAnswer = entry.contains("before_answer");
     const char* count = event.beforeAnswer ? "before_answer" : "after_answer";
     if (!entry.contains(count) || !entry[count].is_number_integer() || entry[count].get<int>() < (event.beforeAnswer ? 1 : 0))
-        throw fault("an event without its place", where, "before_answer or after_answer: N, counted from 1");
+        throw fault("the event has no place", where, "before_answer or after_answer: N, counted from 1");
     event.answersStoredBefore = entry[count].get<int>() - (event.beforeAnswer ? 1 : 0);
     if (event.what == What::Correct) event.question = protocols::QuestionId(textField(entry, "question", where));
     if (event.what == What::Correct || event.what == What::Answer) {
-        if (!entry.contains("answer")) throw fault("an event without its answer", where, "\"answer\": ...");
+        if (!entry.contains("answer")) throw fault("the event has no answer", where, "\"answer\": ...");
         event.response = responseFrom(entry["answer"], where);
     }
     if (event.what == What::Expect) event.expectation = expectationFrom(entry, where);
     event.isFlag = entry.value("flag", json()) == true;
     event.mustFail = entry.value("must_fail", json()) == true;
     if (event.what == What::Answer && !event.mustFail)
-        throw fault("an answer among the events that need not fail", where,
-                    "\"must_fail\": true; answers stand under \"answers\"");
+        throw fault("an answer among the events must have \"must_fail\"", where,
+                    "\"must_fail\": true; other answers stand under \"answers\"");
     if (entry.contains("refusal")) event.refusal = textField(entry, "refusal", where);
     event.text = entry.value(event.what == What::Note ? "text" : "why", std::string());
     return event;
@@ -145,7 +145,7 @@ void checkQuestions(const Script& script, const protocols::Protocol& protocol)
         for (const auto& question : phase.questions) known.insert(question.id);
     for (const auto& answer : script.answers)
         if (!known.contains(answer.question))
-            throw fault("the protocol asks no question " + answer.question.value, script.where, "the questions of the protocol");
+            throw fault("the protocol has no question " + answer.question.value, script.where, "the questions of the protocol");
 }
 
 void checkDoubled(const Script& script)
@@ -155,7 +155,7 @@ void checkDoubled(const Script& script)
         if (seen.emplace(answer.question, answer.place).second) continue;
         const std::string place = answer.place.trial ? "trial " + std::to_string(answer.place.trial->value)
                                                      : answer.place.condition.value + ", " + answer.place.fabric.value;
-        throw fault("doubled answer to " + answer.question.value + " for " + place, script.where,
+        throw fault("there are two answers to " + answer.question.value + " for " + place, script.where,
                     "one answer for each question and rendering");
     }
 }
@@ -180,12 +180,13 @@ Script scriptFromJson(std::string_view text, const std::string& where, const pro
 {
     json root = protocols::parseStrictJson(text, where);
     if (!root.is_object() || root.value("schema", "") != "vis2hap.script/1")
-        throw fault("no script of this program", where, "\"schema\": \"vis2hap.script/1\"");
+        throw fault("the file is not a script of this program", where, "\"schema\": \"vis2hap.script/1\"");
     Script script;
     script.where = where;
     script.participant = protocols::ParticipantId(textField(root, "participant", where));
-    if (script.participant.empty()) throw fault("an empty participant id", where, "\"participant\": \"S01\"");
-    if (!root.contains("answers") || !root["answers"].is_array()) throw fault("no list of answers", where, "\"answers\": [...]");
+    if (script.participant.empty()) throw fault("the participant id is empty", where, "\"participant\": \"S01\"");
+    if (!root.contains("answers") || !root["answers"].is_array())
+        throw fault("the list of answers is missing", where, "\"answers\": [...]");
     for (std::size_t i = 0; i < root["answers"].size(); ++i)
         script.answers.push_back(answerFrom(root["answers"][i], where + ", answer " + std::to_string(i + 1)));
     if (root.contains("events"))

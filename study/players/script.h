@@ -1,5 +1,5 @@
-// A scripted participant's file (schema vis2hap.script/1): what is answered to which rendering, and
-// what happens on the way. Reading it finds every malformed or doubled answer before anything is stored.
+// The file of a scripted participant (schema vis2hap.script/1): the answer to each rendering, and the events of the session.
+// Reading finds every malformed or doubled answer before anything is stored.
 #pragma once
 
 #include <filesystem>
@@ -21,7 +21,7 @@ struct ScriptedPlace {
     std::optional<protocols::TrialNumber> trial;  ///< by number, else by rendering
     protocols::ConditionId condition;             ///< "catch" for the blank glass of a catch trial
     protocols::FabricId fabric;
-    std::optional<int> attempt = std::nullopt;  ///< of presentations that were voided and given again; from 1
+    std::optional<int> attempt = std::nullopt;  ///< counts presentations of the same trial from 1; later ones follow a void
     auto operator<=>(const ScriptedPlace&) const = default;
 };
 
@@ -34,7 +34,7 @@ struct ScriptedAnswer {
     bool touchedByDisplay = false;
 };
 
-/// What must be true when its turn comes; what is not set is not looked at.
+/// The state that the session must be in when the event comes. Fields without a value are not checked.
 struct ScriptedExpectation {
     std::optional<std::string> stage;     ///< as session::nameOf() names it: "Presenting", "OnBreak", "PlacingTray (paused)"
     std::optional<std::string> question;  ///< the one that is asked
@@ -45,14 +45,14 @@ struct ScriptedExpectation {
 struct ScriptedEvent {
     enum class What { Pause, Resume, Correct, Void, Crash, Note, Withdraw, Answer, Touch, Expect };
     What what = What::Pause;
-    int answersStoredBefore = 0;  ///< happens when so many answers are stored
-    bool beforeAnswer = false;    ///< while the next answer is being given; else right after the last one
+    int answersStoredBefore = 0;  ///< number of stored answers at which the event happens
+    bool beforeAnswer = false;    ///< while the next question is asked; else right after the last answer
     protocols::QuestionId question;
     std::optional<ScriptedResponse> response;
     std::string text;       ///< why, or the note
     bool isFlag = false;    ///< of a note
     bool mustFail = false;  ///< the session must refuse it ...
-    std::string refusal;    ///< ... with a reason that holds this text
+    std::string refusal;    ///< ... with a reason that contains this text
     ScriptedExpectation expectation;
 };
 
@@ -62,7 +62,7 @@ struct Script {
     std::vector<ScriptedAnswer> answers;
     std::vector<ScriptedEvent> events;
 
-    /// The answer for this attempt, or else the one that is for any; null without either.
+    /// The answer for this attempt, else the answer for any attempt, else null.
     const ScriptedAnswer* answerTo(const protocols::QuestionId& question, const ScriptedPlace& place) const;
 };
 

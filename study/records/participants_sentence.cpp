@@ -45,7 +45,7 @@ std::string described(const std::string& fact, const std::vector<double>& number
     const stats::Description all = stats::describe(numbers);
     std::string text = fact + " mean " + oneDecimal(*all.mean);
     if (all.sd.exists()) text += ", SD " + oneDecimal(*all.sd) + ", " + oneDecimal(*low) + " to " + oneDecimal(*high);
-    return numbers.size() < people ? text + " (" + std::to_string(people - numbers.size()) + " not told)" : text;
+    return numbers.size() < people ? text + " (" + std::to_string(people - numbers.size()) + " not stated)" : text;
 }
 
 std::string counted(const std::string& fact, const std::vector<std::string>& values, std::size_t people)
@@ -61,11 +61,11 @@ std::string counted(const std::string& fact, const std::vector<std::string>& val
             text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + value;
     }
     if (others > 0) text += (text.empty() ? "" : ", ") + std::to_string(others) + " other";
-    if (values.size() < people) text += (text.empty() ? "" : ", ") + std::to_string(people - values.size()) + " not told";
+    if (values.size() < people) text += (text.empty() ? "" : ", ") + std::to_string(people - values.size()) + " not stated";
     return fact + ": " + text;
 }
 
-/// Values of one fact by those whose answers are analysed.
+/// The values of one fact, from participants whose answers are analysed.
 std::vector<std::string> valuesOf(const database::StudyStore& store, const std::string& fact)
 {
     const auto facts = store.personalFacts();

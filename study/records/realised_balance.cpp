@@ -13,7 +13,7 @@ namespace {
 
 using protocols::DesignTrial;
 
-/// Numbers for the names in a key, in the order of the names.
+/// Numbers the names of a key from 0, in their order.
 template <class Name>
 std::map<Name, int> numbered(const std::set<Name>& names)
 {
@@ -54,7 +54,7 @@ DesignTrial designTrialOf(const protocols::BlindedTrial& trial, const Numbers& n
     return design;
 }
 
-/// Trial numbers of a participant's answers that count, in the order in which they were answered.
+/// Trial numbers of each participant's valid answers, in the order of answering.
 std::map<protocols::ParticipantId, std::vector<int>> presentedTrials(const database::StudyStore& store)
 {
     std::map<protocols::ParticipantId, std::map<int, std::int64_t>> lastStored;

@@ -1,4 +1,4 @@
-// The balance that was reached by what was presented, not by what was planned.
+// The balance of the presentations that took place, beside the planned balance.
 #pragma once
 
 #include "database/study_store.h"
@@ -6,9 +6,9 @@
 
 namespace study::records {
 
-/// Over all sessions of participants who did not withdraw, in the order in which trials were presented; of a
-/// voided trial the presentation that counts. Uses the masked key alone: conditions are K-labels, so the
-/// certificate tells none. Empty ranges while nothing was presented.
+/// Covers all sessions of participants who did not withdraw, in the order of presentation. For a voided trial, the
+/// presentation that is analysed counts. Conditions are K-labels of the masked key, so the certificate names none of them.
+/// Has no ranges while nothing was presented.
 protocols::BalanceCertificate realisedBalance(const database::StudyStore& store, const protocols::Protocol& protocol);
 
 }  // namespace study::records

@@ -102,7 +102,7 @@ std::string peopleText(const ordered_json& status)
                      slot["corrected"].get<int>(), slot["flagged"].get<int>());
     }
     for (const auto& one : status["withdrawn"])
-        text += line("  withdrew: %s (slot %d, %d answers, not analysed; the slot is free again or taken anew)\n",
+        text += line("  withdrew: %s (slot %d, %d answers, not analysed; the slot is free again or in use)\n",
                      word(one, "participant").c_str(), one["slot"].get<int>(), one["answers"].get<int>());
     return text;
 }
@@ -150,12 +150,12 @@ ordered_json statusOf(const database::StudyStore& store)
 std::string textOf(const ordered_json& status)
 {
     std::string text = line("%s (%s)\n", word(status, "study").c_str(), status["blinded"].get<bool>() ? "blinded" : "unblinded");
-    text += line("  planned: about %.0f minutes a participant, sittings: %d\n", status["minutes_per_participant"].get<double>(),
-                 status["sittings_per_participant"].get<int>());
+    text += line("  planned: about %.0f minutes for each participant, sittings: %d\n",
+                 status["minutes_per_participant"].get<double>(), status["sittings_per_participant"].get<int>());
     text += peopleText(status);
     text += "balance of the running orders:\n" + balanceText(status["balance"]);
     if (!status["balance_presented"].empty())
-        text += "balance of what was presented so far:\n" + balanceText(status["balance_presented"]);
+        text += "balance of the presentations so far:\n" + balanceText(status["balance_presented"]);
     for (const auto& stamp : status["stamps"]) text += "note: " + stamp.get<std::string>() + "\n";
     for (const auto& flag : status["quality"])
         text += "flag: " + (flag["participant"].is_string() ? flag["participant"].get<std::string>() + " " : std::string()) +

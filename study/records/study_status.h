@@ -1,4 +1,4 @@
-// How a study stands: who is where, balance planned and reached, flags on the data. Blinded.
+// The state of a study: progress of each participant, planned and reached balance, flags on the data. Blinded.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -11,7 +11,7 @@ namespace study::records {
 /// The object of `study status --json`, schema vis2hap.status/1.
 nlohmann::ordered_json statusOf(const database::StudyStore& store);
 
-/// The same in lines for people.
+/// The same object as lines of text.
 std::string textOf(const nlohmann::ordered_json& status);
 
 }  // namespace study::records

@@ -182,13 +182,11 @@ void DataPage::open(const QString& asked)
         return m_message->tellHint(tr("Name the data set's folder, or browse to it."));
     }
     m_message->tellDone(tr("Reading…"));
-    m_reading->run([this, folder](const std::atomic<bool>&) -> InBackground::Then {
-        try {
+    m_reading->run(
+        [this, folder](const std::atomic<bool>&) -> InBackground::Then {
             return [this, folder, overview = m_look.open(folder.toStdString())] { showOverview(folder, overview); };
-        } catch (const std::exception& fault) {
-            return [this, why = QString::fromUtf8(fault.what())] { m_message->tellFault(why); };
-        }
-    });
+        },
+        [this](const QString& why) { m_message->tellFault(why); });
 }
 
 void DataPage::showOverview(const QString& folder, const DataOverview& overview)
@@ -219,7 +217,7 @@ void DataPage::checkFiles()
 {
     m_checked->setText(tr("Checking every file…"));
     m_faults->hide();
-    m_checking->run([this, folder = m_folder.toStdString()](const std::atomic<bool>& isStopping) -> InBackground::Then {
+    const auto check = [this, folder = m_folder.toStdString()](const std::atomic<bool>& isStopping) -> InBackground::Then {
         const auto progress = [&](double share) {
             if (isStopping) throw Stopped();
             QMetaObject::invokeMethod(
@@ -230,12 +228,9 @@ void DataPage::checkFiles()
                 },
                 Qt::QueuedConnection);
         };
-        try {
-            return [this, faults = m_look.check(folder, progress)] { showFaults(faults); };
-        } catch (const std::exception& fault) {
-            return [this, why = QString::fromUtf8(fault.what())] { showFaults({why}); };
-        }
-    });
+        return [this, faults = m_look.check(folder, progress)] { showFaults(faults); };
+    };
+    m_checking->run(check, [this](const QString& why) { showFaults({why}); });
 }
 
 void DataPage::showFaults(const QStringList& faults)
@@ -288,13 +283,13 @@ void DataPage::draw()
                                    .widthPx = std::min(width(), 1306) - marginsPx,
                                    .fontPx = QFontInfo(QApplication::font()).pixelSize() * factorOf(Type::Plain),
                                    .pixelRatio = devicePixelRatioF()};
-    m_drawing->run([this, request](const std::atomic<bool>&) -> InBackground::Then {
-        try {
+    m_drawing->run(
+        [this, request](const std::atomic<bool>&) -> InBackground::Then {
             return [this, sheet = m_look.draw(request)] { showSheet(sheet); };
-        } catch (const std::exception& fault) {
-            return [this, why = QString::fromUtf8(fault.what())] { showSheet({{}, {}, {why}}); };
-        }
-    });
+        },
+        [this](const QString& why) {
+            showSheet({{}, {}, {why}});
+        });
 }
 
 void DataPage::drawSoon()

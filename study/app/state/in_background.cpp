@@ -1,18 +1,34 @@
 #include "study/app/state/in_background.h"
 
+#include <exception>
+
 namespace study::app {
 
-void InBackground::run(Work work)
+namespace {
+
+InBackground::Then outcomeOf(const InBackground::Work& work, const std::atomic<bool>& isStopping,
+                             const InBackground::Failed& failed)
+{
+    try {
+        return work(isStopping);
+    } catch (const std::exception& fault) {
+        return [failed, why = QString::fromUtf8(fault.what())] { failed(why); };
+    }
+}
+
+}  // namespace
+
+void InBackground::run(Work work, Failed failed)
 {
     stop();
     m_isStopping = false;
     m_isBusy = true;
-    m_thread = std::thread([this, run = m_run, work = std::move(work)] {
-        const Then then = work(m_isStopping);
+    m_thread = std::thread([this, run = m_run, work = std::move(work), failed = std::move(failed)] {
+        const Then then = outcomeOf(work, m_isStopping, failed);
         QMetaObject::invokeMethod(
             this,
             [this, run, then] {
-                if (run != m_run) return;  // stopped since
+                if (run != m_run) return;
                 m_isBusy = false;
                 then();
             },

@@ -1,7 +1,8 @@
-// Work on a thread of its own, so that the window stays alive; what it returns is done on the window's thread.
+// Work on a thread of its own, so that the window stays alive. Its result or its fault comes back to the window's thread.
 #pragma once
 
 #include <QObject>
+#include <QString>
 #include <atomic>
 #include <functional>
 #include <thread>
@@ -10,17 +11,21 @@ namespace study::app {
 
 class InBackground : public QObject {
 public:
-    /// What is to be done with the result, on the window's thread.
+    /// Handles the result, on the window's thread.
     using Then = std::function<void()>;
-    /// Must not throw; looks at `isStopping` now and then where it takes long.
+    /// The work. Long work reads `isStopping` now and then and throws once it is true.
     using Work = std::function<Then(const std::atomic<bool>& isStopping)>;
+    /// Handles an exception of the work, on the window's thread.
+    using Failed = std::function<void(const QString& why)>;
 
-    explicit InBackground(QObject* parent) : QObject(parent) {}
-    /// Asks the work to stop and waits for it; its result is dropped.
+    explicit InBackground(QObject* parent = nullptr) : QObject(parent) {}
     ~InBackground() override { stop(); }
 
-    /// Stops what is being done before.
-    void run(Work work);
+    /// Stops the work that is under way, then begins this one.
+    void run(Work work, Failed failed);
+    /// Asks the work to end early. Its result or fault still comes.
+    void askToStop() { m_isStopping = true; }
+    /// Asks the work to end early, waits for its end and drops its result.
     void stop();
     bool isBusy() const { return m_isBusy; }
 
@@ -28,7 +33,7 @@ private:
     std::thread m_thread;
     std::atomic<bool> m_isStopping = false;
     bool m_isBusy = false;
-    int m_run = 0;
+    int m_run = 0;  ///< results of earlier runs are dropped
 };
 
 }  // namespace study::app

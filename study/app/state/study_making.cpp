@@ -1,7 +1,5 @@
 #include "study/app/state/study_making.h"
 
-#include <exception>
-
 #include "protocols/files/errors.h"
 
 namespace study::app {
@@ -11,33 +9,26 @@ StudyMaking::StudyMaking(MakeStudy make, NewStudyRequest request, QObject* paren
 {
 }
 
-StudyMaking::~StudyMaking()
-{
-    stop();
-    if (m_thread.joinable()) m_thread.join();
-}
-
 void StudyMaking::begin()
 {
-    m_thread = std::thread([this] { work(); });
+    m_work.run(
+        [this](const std::atomic<bool>& isStopping) -> InBackground::Then {
+            make(isStopping);
+            return [this] { Q_EMIT done(); };
+        },
+        [this](const QString& why) { Q_EMIT failed(why); });
 }
 
-void StudyMaking::work()
+void StudyMaking::make(const std::atomic<bool>& isStopping)
 {
-    const auto progress = [this](double fraction, const std::string& what) {
-        if (m_isStopping)
+    m_make(m_request, [&](double fraction, const std::string& what) {
+        if (isStopping)
             throw protocols::workFailed({.what = "the making of the study was stopped",
                                          .where = m_request.study.string(),
                                          .expected = {},
                                          .nextStep = "make it again whenever you like; nothing was kept"});
         Q_EMIT progressed(fraction, QString::fromStdString(what));
-    };
-    try {
-        m_make(m_request, progress);
-        Q_EMIT done();
-    } catch (const std::exception& fault) {
-        Q_EMIT failed(QString::fromUtf8(fault.what()));
-    }
+    });
 }
 
 }  // namespace study::app

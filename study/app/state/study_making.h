@@ -1,40 +1,36 @@
-// Runs the making of a study on a thread of its own, so that the window stays alive; what it tells comes back
-// to the window's thread, one queued signal each.
+// Makes a study in the background and reports its progress to the window.
 #pragma once
 
 #include <QObject>
 #include <QString>
-#include <atomic>
-#include <thread>
 
 #include "study/app/state/app_options.h"
+#include "study/app/state/in_background.h"
 
 namespace study::app {
 
 class StudyMaking : public QObject {
     Q_OBJECT
 public:
+    /// Its end stops the work and waits for it.
     StudyMaking(MakeStudy make, NewStudyRequest request, QObject* parent);
-    /// Asks the work to stop and waits for it.
-    ~StudyMaking() override;
 
     void begin();
-    /// The work stops where it next tells its progress.
-    void stop() { m_isStopping = true; }
+    /// The work ends at its next report of progress, and `failed` follows.
+    void stop() { m_work.askToStop(); }
     const NewStudyRequest& request() const { return m_request; }
 
 Q_SIGNALS:
-    void progressed(double fraction, const QString& what);
+    void progressed(double fraction, const QString& what);  ///< sent from the thread of the work
     void done();
     void failed(const QString& why);
 
 private:
-    void work();
+    void make(const std::atomic<bool>& isStopping);
 
     MakeStudy m_make;
     NewStudyRequest m_request;
-    std::atomic<bool> m_isStopping = false;
-    std::thread m_thread;
+    InBackground m_work;
 };
 
 }  // namespace study::app

@@ -38,7 +38,7 @@ private Q_SLOTS:
     {
         const auto ended =
             mustRun({"render", m_fabrics, "--condition", "v_grey,f,h", "--out", path("mm"), "--scale", "physical"});
-        for (const char* part : {"F01: ", "F04: ", "tile, ", "of its variance lost", "traces along x"})
+        for (const char* part : {"F01: ", "F04: ", "tile, ", "of its variance lost", "traces run along x"})
             QVERIFY2(ended.out.contains(part), qPrintable(ended.out));
         const auto condition = readJson(path("mm/render.json"))["conditions"]["h"];
         QCOMPARE(condition["mapping"]["scale"].get<std::string>(), std::string("physical"));

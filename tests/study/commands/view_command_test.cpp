@@ -62,7 +62,7 @@ private Q_SLOTS:
         QTest::newRow("backwards") << QStringList{"stroke", "IMAGE", "--csv", "OUT", "--speed", "-3"} << "speed";
         QTest::newRow("far too fast") << QStringList{"stroke", "IMAGE", "--csv", "OUT", "--speed", "1e9"} << "speed";
         QTest::newRow("line outside") << QStringList{"stroke", "IMAGE", "--csv", "OUT", "--line", "60"} << "no line 60";
-        QTest::newRow("photograph") << QStringList{"stroke", "PHOTO", "--csv", "OUT"} << "no friction image";
+        QTest::newRow("photograph") << QStringList{"stroke", "PHOTO", "--csv", "OUT"} << "not a friction image";
         QTest::newRow("missing") << QStringList{"view", "NOTHING", "--out", "OUT"} << "nothing-here.png";
         QTest::newRow("more than a sheet holds")
             << QStringList{"view", "--per-row", "1", "--width", "2000", "--out", "OUT"} + QStringList(9, "IMAGE")

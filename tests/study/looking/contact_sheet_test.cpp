@@ -150,7 +150,7 @@ private Q_SLOTS:
             QFAIL("a sheet of nothing was drawn");
         } catch (const protocols::Error& fault) {
             QCOMPARE(fault.exitCode(), protocols::ExitCode::BadInput);
-            QVERIFY2(QString(fault.what()).contains("nothing can be drawn"), fault.what());
+            QVERIFY2(QString(fault.what()).contains("have no photograph, no measured height"), fault.what());
         }
     }
 };

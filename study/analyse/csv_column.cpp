@@ -1,4 +1,4 @@
-#include "study/commands/csv_column.h"
+#include "study/analyse/csv_column.h"
 
 #include <cmath>
 #include <limits>
@@ -6,7 +6,7 @@
 #include "protocols/files/csv_table.h"
 #include "protocols/files/errors.h"
 
-namespace study::commands {
+namespace study::analyse {
 
 std::vector<double> readColumn(const std::filesystem::path& file, const std::string& column)
 {
@@ -15,7 +15,7 @@ std::vector<double> readColumn(const std::filesystem::path& file, const std::str
     if (!index) {
         std::string names;
         for (const auto& name : table.columns) names += (names.empty() ? "" : ", ") + name;
-        throw protocols::badInput({"no column " + column, file.string(), "one of " + names, "check the spelling"});
+        throw protocols::badInput({"there is no column " + column, file.string(), "one of " + names, "check the spelling"});
     }
     std::vector<double> values;
     values.reserve(table.rows.size());
@@ -46,4 +46,4 @@ std::vector<double> present(const std::vector<double>& values)
     return kept;
 }
 
-}  // namespace study::commands
+}  // namespace study::analyse

@@ -1,4 +1,4 @@
-#include "study/commands/power_tables.h"
+#include "study/analyse/power_report.h"
 
 #include <cmath>
 #include <cstdio>
@@ -7,11 +7,9 @@
 
 #include "study/analyse/statistic_json.h"
 
-namespace study::commands {
+namespace study::analyse {
 
 namespace {
-
-using analyse::put;
 
 using nlohmann::ordered_json;
 
@@ -36,7 +34,7 @@ ordered_json testJson(const stats::PlannedTest& test)
 const std::map<stats::Promise, const char*> promises{{stats::Promise::Exact, "4.1 to 5.9 %"},
                                                      {stats::Promise::AtMost, "at most 5.9 %"},
                                                      {stats::Promise::Printed, "printed, flagged above 6 %"},
-                                                     {stats::Promise::Shown, "not used by the report for this"}};
+                                                     {stats::Promise::Shown, "the report does not use it for this"}};
 
 ordered_json calibrationJson(const stats::CalibrationRow& row)
 {
@@ -111,20 +109,20 @@ void printDesign(const std::string& protocol, const stats::PowerOptions& options
                 design.conditions);
     if (options.hasRatings)
         std::printf(
-            "assumed of ratings, variances: participants %.3g, fabrics %.3g, participant x condition %.3g,\n"
-            "  fabric x condition %.3g, residual %.3g; a participant's difference of two conditions has SD %.2f\n",
+            "assumed variances of ratings: participants %.3g, fabrics %.3g, participant x condition %.3g,\n"
+            "  fabric x condition %.3g, residual %.3g; a participant's difference between two conditions has SD %.2f\n",
             truth.participant, truth.fabric, truth.participantCondition, truth.fabricCondition, truth.residual,
             truth.sdOfDifference(design));
     if (options.hasChoices)
-        std::printf("assumed of choices among %d: log odds differ by SD %.2g between participants and %.2g between fabrics\n",
+        std::printf("assumed log odds of choices among %d: SD %.2g between participants and %.2g between fabrics\n",
                     design.alternatives, options.choices.participantSd, options.choices.fabricSd);
-    std::printf("results hold as far as these assumptions do; %zu simulated studies a row: rates within +-%.1f points\n",
+    std::printf("The results depend on these assumptions. Each row rests on %zu simulated studies: rates within +-%.1f points.\n",
                 options.simulation.studies, 196 * std::sqrt(0.25 / static_cast<double>(options.simulation.studies)));
 }
 
 void printTests(const std::vector<stats::PlannedTest>& tests)
 {
-    if (tests.empty()) std::printf("nothing can be compared in this design\n");
+    if (tests.empty()) std::printf("this design has no conditions to compare\n");
     std::string effect;
     for (const auto& test : tests) {
         if (test.effect != effect) std::printf("\n%s: %s\n", test.question.c_str(), (effect = test.effect).c_str());
@@ -138,7 +136,7 @@ void printTests(const std::vector<stats::PlannedTest>& tests)
 
 void printCalibration(const std::vector<stats::CalibrationRow>& rows)
 {
-    std::printf("\nrejections at alpha 5 %% where there is nothing to find\n");
+    std::printf("\nrejections at alpha 5 %% in studies without a difference\n");
     std::string truth;
     for (const auto& row : rows) {
         if (row.truth != truth) std::printf("%s\n", (truth = row.truth).c_str());
@@ -148,8 +146,8 @@ void printCalibration(const std::vector<stats::CalibrationRow>& rows)
             row.attainableSize.exists() ? ", attainable " + shown(100 * *row.attainableSize, "%.2f") + " %" : "";
         std::printf("  %-58s %6zu of %6zu  %5.2f %% [%.2f, %.2f]%s %s%s\n", row.test.c_str(), result.rejected, result.studies,
                     100 * result.rate(), 100 * *interval.low, 100 * *interval.high, size.c_str(), row.verdict().c_str(),
-                    row.promise == stats::Promise::Shown ? " (not used by the report for this)" : "");
+                    row.promise == stats::Promise::Shown ? " (the report does not use it for this)" : "");
     }
 }
 
-}  // namespace study::commands
+}  // namespace study::analyse

@@ -1,4 +1,4 @@
-// What `vis2hap power` says, as text and as JSON.
+// The results of `vis2hap power`, as text on standard output and as JSON.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -8,7 +8,7 @@
 #include "stats/power/calibration.h"
 #include "stats/power/power_plan.h"
 
-namespace study::commands {
+namespace study::analyse {
 
 /// Adds "design", "assumed" and "simulation".
 void putDesign(nlohmann::ordered_json& json, const stats::PowerOptions& options);
@@ -21,4 +21,4 @@ void printDesign(const std::string& protocol, const stats::PowerOptions& options
 void printTests(const std::vector<stats::PlannedTest>& tests);
 void printCalibration(const std::vector<stats::CalibrationRow>& rows);
 
-}  // namespace study::commands
+}  // namespace study::analyse

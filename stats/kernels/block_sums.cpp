@@ -13,7 +13,7 @@ constexpr std::size_t lanes = 4;
 constexpr std::size_t stride = 2 * lanes;
 using Four = double __attribute__((vector_size(lanes * sizeof(double))));
 
-// By reference: a vector register as an argument would depend on the instruction set.
+// The vector is returned by reference, because a vector register as an argument depends on the instruction set.
 [[gnu::always_inline]] inline void load(const double* from, Four& to) { std::memcpy(&to, from, sizeof to); }
 
 [[gnu::always_inline]] inline double total(const Four& x) { return (x[0] + x[1]) + (x[2] + x[3]); }

@@ -26,7 +26,7 @@ struct BlockTable {
     }
 };
 
-/// Of rows of equal length; `fault` says why there is no table.
+/// A table made of rows of equal length; `fault` says why there is none.
 struct BlockTableResult {
     BlockTable table;
     std::string fault;

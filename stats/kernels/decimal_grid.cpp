@@ -15,7 +15,7 @@ constexpr double mostUnits = 1e15;
 bool liesOn(double x, double unitsPerOne)
 {
     const double units = std::nearbyint(x * unitsPerOne);
-    // Both are whole or exact powers of ten below 2^53, so the division is the nearest double.
+    // Both numbers are whole and below 2^53, so that the division gives the nearest double.
     return std::fabs(units) <= mostUnits && units / unitsPerOne == x;
 }
 
@@ -33,7 +33,7 @@ std::optional<DecimalGrid> decimalGridOf(std::span<const double> x)
     grid.places = places;
     grid.units.reserve(x.size());
     for (const double value : x) {
-        // A finer grid than the value's own may be too fine for its size.
+        // The common grid may be finer than the value's own, and then too fine for a large value.
         if (!liesOn(value, grid.unitsPerOne())) return std::nullopt;
         grid.units.push_back(static_cast<std::int64_t>(std::nearbyint(value * grid.unitsPerOne())));
     }

@@ -1,5 +1,5 @@
 // Ratings are decimals: 0.3 - 0.2 and 0.9 - 0.8 are tied, although their doubles differ. Sums, ranks
-// and means of such data are taken on whole multiples of 10^-places, where ties are ties.
+// and means of such data are therefore computed from whole multiples of 10^-places, where ties are exact.
 #pragma once
 
 #include <cstdint>
@@ -19,12 +19,12 @@ struct DecimalGrid {
     double unitsPerOne() const;
 };
 
-/// The coarsest grid (0 to 9 places) on which every number lies, each being the double nearest to a
-/// multiple; none where there is no such grid or a number is too large (above 10^15 units).
+/// The coarsest grid (0 to 9 places) on which every number lies: each is the double nearest to a multiple.
+/// Empty where there is no such grid, or where a number exceeds 10^15 units.
 std::optional<DecimalGrid> decimalGridOf(std::span<const double> x);
 
-/// Mean; on a decimal grid exactly rounded, so that equal sums of equally many ratings give equal means
-/// in any order. Undefined for no values or values that are not finite.
+/// Mean. On a decimal grid it is exactly rounded: equal sums of equally many ratings give equal means in any
+/// order. Undefined for no values and for values that are not finite.
 Value meanOf(std::span<const double> x);
 
 }  // namespace stats

@@ -20,16 +20,16 @@ struct Description {
     Value q3;
     Value min;
     Value max;
-    Interval ci95;  ///< of the mean, Student's t
+    Interval ci95;  ///< confidence interval of the mean, Student's t
 };
 
-/// Infinite values make everything but the counts undefined.
+/// Describes a sample. Where a value is infinite, everything but the counts is undefined.
 Description describe(std::span<const double> x);
 
-/// Type-7 quantile of finite numbers in ascending order; 0 <= probability <= 1; undefined for none.
+/// Type-7 quantile of finite numbers in ascending order, 0 <= probability <= 1. Undefined for no numbers.
 Value quantile(std::span<const double> ascending, double probability);
 
-/// Of finite numbers in any order.
+/// Median of finite numbers in any order.
 Value median(std::span<const double> x);
 
 }  // namespace stats

@@ -17,10 +17,10 @@ using Quiet = bm::policies::policy<bm::policies::overflow_error<bm::policies::ig
                                    bm::policies::underflow_error<bm::policies::ignore_error>,
                                    bm::policies::evaluation_error<bm::policies::ignore_error>>;
 
-// Below this the linear value has lost digits to denormals; its logarithm is then computed directly.
+// Below this, p is so small that it loses digits as a denormal number: its logarithm is then computed directly.
 constexpr double smallestLinear = 1e-280;
 
-/// log I_x(a, b) for x well below 1: x^a (1-x)^b / (a B(a, b)) times 2F1(a+b, 1; a+1; x), all terms positive.
+/// log I_x(a, b) for x well below 1, from x^a (1-x)^b / (a B(a, b)) 2F1(a+b, 1; a+1; x), whose terms are all positive.
 double logBetaLower(double a, double b, double logX, double x)
 {
     double term = 1;
@@ -33,7 +33,7 @@ double logBetaLower(double a, double b, double logX, double x)
     return a * logX + b * std::log1p(-x) - std::log(a) - logBeta + std::log(series);
 }
 
-/// log Q(a, x), x > a + 1, by the continued fraction of Legendre (modified Lentz).
+/// log Q(a, x), x > a + 1, from Legendre's continued fraction (modified Lentz algorithm).
 double logGammaUpper(double a, double x)
 {
     constexpr double tiny = 1e-300;
@@ -75,7 +75,7 @@ TailProbability complementOf(const TailProbability& tail) { return {1 - tail.p, 
 TailProbability studentUpper(double t, double df)
 {
     if (t < 0) return complementOf(studentUpper(-t, df));
-    // df / (df + t^2), written so that no square can overflow.
+    // df / (df + t^2) without a square that can overflow.
     const double ratio = std::sqrt(df) / t;
     if (ratio < 1e-5 || t > 1e100) {
         const double x = t > 0 ? ratio * ratio / (1 + ratio * ratio) : 1;
@@ -93,7 +93,7 @@ TailProbability studentTwoSided(double t, double df)
 {
     const double magnitude = std::fabs(t);
     if (magnitude < 0.5) {
-        // From what lies between -t and t: a p near 1 keeps the digits of its distance from 1.
+        // P(-t < T < t) is small here; 1 - p therefore keeps its digits.
         const double squared = magnitude * magnitude;
         return complementOf({bm::ibeta(0.5, df / 2, squared / (df + squared), Quiet()), 0});
     }
@@ -143,7 +143,7 @@ std::string decimalOfLogarithm(double logarithm)
 {
     const long double tens = static_cast<long double>(logarithm) / std::numbers::ln10_v<long double>;
     long double exponent = std::floor(tens);
-    // A logarithm of hundreds or more keeps about this many digits of its number.
+    // A logarithm of some hundreds determines about ten digits of its number.
     std::array<char, 40> text{};
     const auto write = [&] {
         const auto mantissa = std::pow(10.0L, tens - exponent);

@@ -1,4 +1,4 @@
-// Tail probabilities with their logarithms, so that a p below the smallest double still has a size.
+// Tail probabilities with their logarithms: the logarithm still has digits where p is below the smallest double.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 namespace stats {
 
 struct TailProbability {
-    double p = 1;     ///< rounds to 0 below 1e-308: then read logP
+    double p = 1;     ///< 0 where it is below the smallest double: then read logP
     double logP = 0;  ///< natural logarithm
 };
 
@@ -28,22 +28,22 @@ TailProbability normalUpper(double z);
 /// The z that is exceeded with probability `upperTail`.
 double normalQuantile(double upperTail);
 
-/// P(a <= x) of the beta distribution, its complement, and the inverse of the former.
+/// P(X <= x) of the beta distribution, P(X >= x), and the x at which P(X <= x) = p.
 double betaLower(double a, double b, double x);
 double betaUpper(double a, double b, double x);
 double betaQuantile(double a, double b, double p);
 
-/// Twice a tail (at most 1) and 1 minus a tail, with their logarithms.
+/// Twice a tail (at most 1), and 1 minus a tail, with their logarithms.
 TailProbability twice(const TailProbability& tail);
 TailProbability complementOf(const TailProbability& tail);
 
-/// e^logarithm; beyond the range of double a decimal.
+/// e^logarithm; beyond the range of double, its decimal.
 Value exponential(double logarithm);
 
-/// e^logarithm as a decimal, "4.2000000000e-398", for numbers that no double holds.
+/// e^logarithm as a decimal, "4.2000000000e-398", for numbers beyond the range of double.
 std::string decimalOfLogarithm(double logarithm);
 
-/// Hedges' correction of a standardised difference on m degrees of freedom, exact gamma form; m >= 2.
+/// Hedges' correction factor of a standardised difference with m >= 2 degrees of freedom, in its exact form.
 double hedgesCorrection(double m);
 
 }  // namespace stats

@@ -1,5 +1,5 @@
-// Random numbers of simulated studies and of resampling: each study, and each block of resamples, has a stream
-// of its own, so that neither the number of threads nor another study changes a draw.
+// Random numbers for simulated studies and for resampling. Each study, and each block of resamples, has its own
+// stream: neither the number of threads nor another study changes a draw.
 #pragma once
 
 #include <cmath>
@@ -7,7 +7,7 @@
 
 namespace stats {
 
-/// SplitMix64 (Steele, Lea and Flood 2014).
+/// The generator SplitMix64 (Steele, Lea and Flood 2014).
 class Draws {
 public:
     Draws(std::uint64_t seed, std::uint64_t stream) : m_state(mixed(mixed(seed) + stream)) {}
@@ -15,12 +15,12 @@ public:
     /// The next 64 bits.
     std::uint64_t bits() { return mixed(m_state += 0x9E3779B97F4A7C15U); }
 
-    /// Between 0 and 1, neither of them.
+    /// Uniform between 0 and 1, both excluded.
     double uniform() { return (static_cast<double>(bits() >> 12U) + 0.5) * 0x1p-52; }
 
     bool happens(double probability) { return uniform() < probability; }
 
-    /// Standard normal (polar method; its second number is not kept, so that each draw stands for itself).
+    /// Standard normal, by the polar method. Its second number is not kept, so that no draw depends on an earlier one.
     double normal()
     {
         while (true) {

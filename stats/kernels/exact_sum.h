@@ -1,5 +1,5 @@
-// Sums that keep the rounding errors of their additions (Knuth's two-sum): [1e16, 1, -1e16] adds up
-// to 1. Must not be compiled with fast-math, which would optimise the error term away.
+// Compensated sums, which add up the rounding errors as well (Knuth's two-sum): [1e16, 1, -1e16] gives 1.
+// They must not be compiled with fast-math, which would remove the error terms.
 #pragma once
 
 #include <algorithm>
@@ -9,6 +9,7 @@
 
 namespace stats {
 
+/// Compensated sum of the terms added.
 class ExactSum {
 public:
     void add(double term)
@@ -27,8 +28,8 @@ private:
     double m_error = 0;
 };
 
-/// Sum of term(0) ... term(n-1). Four interleaved sums, so that the compiler can use vector registers
-/// and no addition waits for the one before.
+/// Compensated sum of term(0) ... term(n-1). It has four interleaved partial sums, so that the compiler can
+/// use vector registers and no addition waits for the previous one.
 template <typename Term>
 double exactSum(std::size_t n, Term term)
 {
@@ -51,7 +52,7 @@ double exactSum(std::size_t n, Term term)
     return all.total();
 }
 
-/// The same, but in ascending order of the terms: who was first in a file changes no bit of a result.
+/// Compensated sum in ascending order of the terms: the order of the rows in a file changes no bit.
 template <typename Term>
 double orderFreeSum(std::size_t n, Term term)
 {

@@ -6,7 +6,7 @@
 namespace stats {
 namespace {
 
-// A pivot this much smaller than its diagonal is what rounding leaves of a dependent column.
+// Relative to its diagonal element, a pivot below this is the rounding error of a linearly dependent column.
 constexpr double dependent = 1e-11;
 
 /// target[from...] -= factor * source[from...]
@@ -15,7 +15,7 @@ void subtract(std::span<double> target, std::span<const double> source, double f
     for (std::size_t j = from; j < to; ++j) target[j] -= factor * source[j];
 }
 
-/// The rotation in the plane (p, q) that makes element (p, q) zero.
+/// Rotates in the plane (p, q) so that element (p, q) becomes zero.
 void rotate(Matrix& a, Matrix& vectors, std::size_t p, std::size_t q)
 {
     const double theta = (a(q, q) - a(p, p)) / (2 * a(p, q));

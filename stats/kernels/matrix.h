@@ -1,5 +1,5 @@
-// Small dense matrices for the mixed models: factorisation, inverse and eigenvectors, written so that
-// every inner loop runs along a row and no sum is reordered.
+// Small dense matrices for the mixed models: Cholesky factor, inverse and eigenvectors. Every inner loop runs
+// along a row, and no sum is reordered.
 #pragma once
 
 #include <cstddef>
@@ -28,25 +28,25 @@ private:
     std::vector<double> m_values;
 };
 
-/// Replaces the upper triangle of a symmetric matrix by U with U'U = matrix; the strict lower triangle is
-/// neither read nor written. Returns how many columns were done: all of them, or the index of the first
-/// that lies, up to rounding, in the span of those before it.
+/// Replaces the upper triangle of a symmetric matrix by its Cholesky factor U, U'U = matrix. The lower triangle
+/// is neither read nor written. Returns the number of columns done: all, or the index of the first column that
+/// depends linearly, up to rounding, on those before it.
 std::size_t factorise(Matrix& matrix);
 
-/// Transposed inverse of U, lower triangular, of the leading `order` columns.
+/// Inverse of U' (lower triangular) for the leading `order` columns of the Cholesky factor U.
 Matrix inverseOfTransposed(const Matrix& upper, std::size_t order);
 
-/// (U'U)^-1 of the leading `order` columns, whole and symmetric, from the inverse of U'.
+/// (U'U)^-1 of the leading `order` columns as a full symmetric matrix, from the inverse of U'.
 Matrix inverseFrom(const Matrix& lowerInverse, std::size_t order);
 
-/// Solution of a symmetric positive definite system, by factorisation; empty where it is singular.
+/// Solution of a symmetric positive definite system; empty where the matrix is singular.
 std::vector<double> solved(Matrix symmetric, std::span<const double> right);
 
 struct Eigen {
     std::vector<double> values;
     Matrix vectors;  ///< one eigenvector a row
 };
-/// Of a symmetric matrix (Jacobi rotations).
+/// Eigenvalues and eigenvectors of a symmetric matrix, by Jacobi rotations.
 Eigen eigenOf(Matrix symmetric);
 
 double dot(std::span<const double> a, std::span<const double> b);

@@ -16,9 +16,9 @@ namespace {
 constexpr int smallestSafeExponent = -200;
 constexpr int largestSafeExponent = 200;
 
-// Samples up to this length are summed in ascending order and with their rounding errors: the order of the
-// values changes no bit. Longer ones go in blocks whose plain sums about their own mean lose next to nothing
-// and run at the speed of the memory; there the order may change the last bit.
+// Samples up to this length are sorted and summed with compensation: the order of the values changes no bit.
+// Longer samples are summed in blocks, each about its own mean. That loses almost no digits and runs at the speed
+// of the memory, but the order of the values may change the last bit.
 constexpr std::size_t longestShort = 4096;
 constexpr std::size_t blockLength = 1024;
 
@@ -29,13 +29,13 @@ double largestMagnitude(std::span<const double> x)
     return largest;
 }
 
-/// Seen from the sum of magnitudes alone: no number is too large, and the largest is not too small.
+/// True where the sum of magnitudes alone shows that no number is too large and the largest is not too small.
 bool isClearlySafe(double sumOfAll, std::size_t n)
 {
     return sumOfAll < std::ldexp(1.0, largestSafeExponent) && sumOfAll > std::ldexp(static_cast<double>(n), smallestSafeExponent);
 }
 
-/// number * 2^exponent, also beyond the range of double.
+/// number * 2^exponent; its decimal where that is beyond the range of double.
 Value scaledBack(double number, int exponent)
 {
     const double value = std::ldexp(number, exponent);
@@ -64,7 +64,7 @@ Moments momentsOfShort(std::span<const double> values)
     return moments;
 }
 
-/// Blocks brought together about one common shift.
+/// Combines the sums of all blocks about one common shift.
 class BlockMoments {
 public:
     explicit BlockMoments(std::size_t n) : m_n(n) { m_blocks.reserve(n / blockLength + 1); }

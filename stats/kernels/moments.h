@@ -1,6 +1,6 @@
-// Mean and sum of squared deviations that survive offsets (1e15 + small) and scales (2^±600,
-// denormals, sums beyond 1e308): data are brought near 1 by a power of two, which is exact, and
-// summed in two passes around their mean.
+// Mean and sum of squared deviations that stay accurate for large offsets (1e15 + small) and extreme scales
+// (2^±600, denormal numbers, sums beyond 1e308). Data are multiplied by a power of two, which is exact, and
+// summed in two passes about their mean.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@
 
 namespace stats {
 
-/// Several samples divided by one common power of two. Nothing is copied in the everyday range.
+/// Several samples divided by one common power of two. Samples of ordinary size are not copied.
 class ScaledSamples {
 public:
     /// `references`: further numbers of the same unit (a tested mean, bounds) that must not overflow.
@@ -23,10 +23,11 @@ public:
     ScaledSamples& operator=(const ScaledSamples&) = delete;
 
     std::span<const double> sample(std::size_t index) const { return m_samples[index]; }
+    /// A reference in the unit of the scaled samples.
     double scaled(double reference) const;
-    /// Back to the unit of the data; a decimal where it is beyond the range of double.
+    /// The number in the unit of the data; its decimal where it is beyond the range of double.
     Value unscaled(double number) const;
-    /// The same for the square of a unit.
+    /// The same for a squared unit.
     Value unscaledSquare(double number) const;
     int exponent() const { return m_exponent; }
 
@@ -38,7 +39,7 @@ private:
 
 struct Moments {
     std::size_t n = 0;
-    double shift = 0;     ///< near the mean
+    double shift = 0;     ///< a number near the mean
     double residual = 0;  ///< mean - shift
     double squares = 0;   ///< sum of (x - mean)^2
     double smallest = 0;
@@ -47,26 +48,26 @@ struct Moments {
     double mean() const { return shift + residual; }
     /// Mean minus `reference`, without the cancellation of mean() - reference.
     double meanMinus(double reference) const { return (shift - reference) + residual; }
-    /// Of a sample, n >= 2.
+    /// Variance of a sample, n >= 2.
     double variance() const { return squares / static_cast<double>(n - 1); }
 };
 
-/// Of finite numbers of moderate size (ScaledSamples); n >= 1.
+/// Moments of n >= 1 finite numbers of moderate size (ScaledSamples).
 Moments momentsOf(std::span<const double> x);
 
 struct PairedMoments {
     Moments x;
     Moments y;
-    Moments differences;  ///< of x - y
+    Moments differences;  ///< x - y
 };
 
-/// Of equally many numbers, one look at each pair; n >= 1.
+/// Moments of n >= 1 pairs, in one pass over the data.
 PairedMoments pairedMomentsOf(std::span<const double> x, std::span<const double> y);
 
-/// All numbers equal but for the last bit of the largest: the spread is rounding noise, not data.
+/// True where all numbers are equal up to the last bit of the largest: their spread is rounding error.
 bool isConstant(const Moments& moments);
 
-/// "value 3 of x is not a number", or empty when all numbers are finite. Counted from 1.
+/// "value 3 of x is not a number", counted from 1; empty where all numbers are finite.
 std::string nonFiniteFault(std::span<const double> x, const std::string& name);
 
 /// Distance from |x| to the next larger double.

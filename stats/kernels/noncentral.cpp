@@ -16,8 +16,8 @@ using Quiet = bm::policies::policy<bm::policies::overflow_error<bm::policies::ig
                                    bm::policies::underflow_error<bm::policies::ignore_error>,
                                    bm::policies::evaluation_error<bm::policies::ignore_error>>;
 
-// Below this the central distribution is meant: the series need a noncentrality above 0. Above the others
-// the series have too many terms, and the limits below are good to all digits that matter.
+// Below the first limit the central distribution is used, because the series need a noncentrality above 0. Above
+// the other two the series have too many terms, and the approximations below are accurate enough.
 constexpr double negligibleNoncentrality = 1e-12;
 constexpr double largeNoncentrality = 1e4;
 constexpr double largeT = 3e3;
@@ -45,7 +45,7 @@ double patnaikDegrees(double df, double noncentrality)
 double noncentralStudentUpper(double t, double df, double noncentrality)
 {
     if (std::fabs(noncentrality) > largeT) {
-        // The normal part of T's numerator is nothing beside the noncentrality.
+        // Beside this noncentrality the normal variable in the numerator of T is negligible.
         if ((noncentrality > 0) != (t > 0)) return noncentrality > 0 ? 1 : 0;
         const double below = 1 - chiSquaredUpperTail(df * (noncentrality / t) * (noncentrality / t), df);
         return noncentrality > 0 ? below : 1 - below;

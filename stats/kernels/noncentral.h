@@ -1,4 +1,4 @@
-// Tail probabilities of test statistics when the hypothesis is false: what power is made of.
+// Tail probabilities of test statistics when the null hypothesis is false; they give the power of a test.
 #pragma once
 
 namespace stats {
@@ -10,7 +10,7 @@ double noncentralFisherUpper(double f, double df1, double df2, double noncentral
 /// P(X >= x), noncentral chi-squared.
 double noncentralChiSquaredUpper(double x, double df, double noncentrality);
 
-/// The F and the chi-squared that are exceeded with probability `upperTail` when the hypothesis is true.
+/// The F and the chi-squared that are exceeded with probability `upperTail` under the null hypothesis.
 double fisherQuantile(double upperTail, double df1, double df2);
 double chiSquaredQuantile(double upperTail, double df);
 

@@ -9,10 +9,10 @@ namespace {
 
 constexpr int mostSearchSteps = 300;
 constexpr double smallestDecrease = 1e-9;  // expected further decrease
-constexpr double longestStep = 1;          // of a parameter: a poor guess of the curvature must not leave the valley
-constexpr double hessianStep = 1e-4;       // of a parameter, for the Hessian
+constexpr double longestStep = 1;     // of a parameter: a poor guess of the curvature must not leave the valley of the minimum
+constexpr double hessianStep = 1e-4;  // of a parameter, for the Hessian
 
-/// Adds what one step taught about the curvature.
+/// The BFGS update of the inverse Hessian after one step.
 void update(Matrix& inverse, std::span<const double> step, std::span<const double> change)
 {
     const double along = dot(step, change);
@@ -54,7 +54,7 @@ public:
         for (int steps = 0; m_at.exists && steps < mostSearchSteps && !minimum.why.empty(); ++steps) {
             const auto step = downhill(m_inverse, m_at.gradient);
             const double decrease = -dot(step, m_at.gradient) / 2;
-            // Where no step goes down any more, rounding is all that is left.
+            // Where no step lowers the function, only rounding error is left.
             if (decrease < smallestDecrease || !take(step, decrease)) minimum.why.clear();
         }
         minimum.place = m_place;
@@ -63,7 +63,7 @@ public:
     }
 
 private:
-    /// Halves the step until the function falls.
+    /// Halves the step until the function falls; false where it never does.
     bool take(std::span<const double> step, double decrease)
     {
         for (double fraction = 1; fraction > 1e-8; fraction /= 2) {

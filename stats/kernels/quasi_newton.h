@@ -1,4 +1,4 @@
-// Minimises a smooth function from its values and gradients (Broyden, Fletcher, Goldfarb and Shanno).
+// Minimises a smooth function from its values and gradients by the BFGS method (Broyden, Fletcher, Goldfarb, Shanno).
 #pragma once
 
 #include <functional>
@@ -11,22 +11,22 @@
 namespace stats {
 
 struct PointOfFunction {
-    bool exists = false;  ///< false: the function cannot be had there, the search steps back
+    bool exists = false;  ///< false where the function has no value: the search then shortens its step
     double value = 0;
     std::vector<double> gradient;
 };
 using SmoothFunction = std::function<PointOfFunction(std::span<const double>)>;
 
 struct Minimum {
-    std::string why;  ///< empty when one was found
+    std::string why;  ///< empty when a minimum was found
     std::vector<double> place;
     PointOfFunction at;
 };
 
-/// `inverseHessian`: a guess that only costs steps where it is bad.
+/// `inverseHessian`: a first guess. A bad guess costs steps, not accuracy.
 Minimum minimised(const SmoothFunction& function, std::vector<double> start, Matrix inverseHessian);
 
-/// Second derivatives by central differences of the gradient; empty where a neighbour does not exist.
+/// Second derivatives by central differences of the gradient; empty where the function has no value nearby.
 Matrix hessianOf(const SmoothFunction& function, std::span<const double> place);
 
 }  // namespace stats

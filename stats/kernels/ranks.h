@@ -8,11 +8,11 @@
 namespace stats {
 
 struct MidRanks {
-    std::vector<long long> doubled;  ///< twice the rank of each value (1 = smallest), hence whole
-    std::vector<std::size_t> ties;   ///< sizes of the groups of equal values, 1 for a value alone
+    std::vector<long long> doubled;  ///< twice the rank of each value (1 = smallest), which is a whole number
+    std::vector<std::size_t> ties;   ///< sizes of the groups of equal values; 1 for a single value
 };
 
-/// T: a number type with < and ==.
+/// Mid-ranks of numbers of a type T that has < and ==.
 template <typename T>
 MidRanks midRanks(std::span<const T> x);
 

@@ -23,7 +23,7 @@ double largestOf(std::span<const double> x)
     return largest;
 }
 
-/// A difference of decimals is off by a unit in the last place of each of the four values it is made of.
+/// A residual is made of four rounded values, each off by at most a unit in the last place.
 constexpr double roundings = 4;
 
 }  // namespace
@@ -40,7 +40,7 @@ TwoWayEffects twoWayEffects(std::span<const double> scaled, const BlockTable& sh
     const std::size_t n = shape.blocks;
     const std::size_t k = shape.conditions;
     const Moments all = momentsOf(scaled);
-    // Differences from a number near the mean are exact or nearly so; all later sums are small.
+    // Differences from a number near the mean are almost exact, and all later sums are small.
     std::vector<double> y(scaled.size());
     std::transform(scaled.begin(), scaled.end(), y.begin(), [&](double x) { return (x - all.shift) - all.residual; });
     TwoWayEffects effects;

@@ -1,5 +1,5 @@
-// A table of blocks by conditions taken apart: grand mean + block effect + condition effect + residual.
-// What repeated-measures analysis, sphericity, within-subject intervals and intraclass correlations share.
+// Decomposes a table of blocks by conditions: grand mean + block effect + condition effect + residual.
+// Repeated-measures analysis, sphericity, within-subject intervals and intraclass correlations use it.
 #pragma once
 
 #include <span>
@@ -10,7 +10,7 @@
 
 namespace stats {
 
-/// In the power-of-two scale of the table (ScaledSamples).
+/// All effects in the power-of-two scale of the table (ScaledSamples).
 struct TwoWayEffects {
     std::size_t blocks = 0;
     std::size_t conditions = 0;
@@ -22,18 +22,18 @@ struct TwoWayEffects {
     double ssResidual = 0;
 
     double residualAt(std::size_t i, std::size_t j) const { return residual[i * conditions + j]; }
-    /// The residuals are no larger than what rounding to doubles leaves of a table without any.
+    /// True where the residuals are no larger than the rounding errors of a table without residuals.
     bool hasNoResiduals() const;
-    /// The same for all effects: every value of the table is the same.
+    /// True where every value of the table is the same, up to rounding.
     bool isConstant() const;
 
     double grain = 0;  ///< distance between neighbouring doubles at the table's largest value
 };
 
-/// `scaled`: the values of a table of this shape.
+/// Decomposes the values `scaled` of a table of this shape.
 TwoWayEffects twoWayEffects(std::span<const double> scaled, const BlockTable& shape);
 
-/// Fewer than 2 conditions or blocks, a value that is not finite; empty when there is none.
+/// The reason against a decomposition: fewer than 2 conditions or blocks, a value that is not finite. Else empty.
 std::string twoWayFault(const BlockTable& table);
 
 }  // namespace stats

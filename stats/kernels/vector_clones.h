@@ -1,4 +1,4 @@
-// One body, compiled for several instruction sets; the program takes the best one at its start. Without
+// Compiles one function for several instruction sets; the program chooses the best one when it starts. Without
 // fused products (-ffp-contract=off) all of them give the same bits.
 #pragma once
 

@@ -12,8 +12,8 @@
 namespace stats {
 namespace {
 
-// Windows of a tile. Each tile is shifted by its own centre before squares are taken, so that neither an
-// offset nor a slope over the image costs digits.
+// Size of a tile in windows. The value at the centre of a tile is subtracted from its pixels before they are
+// squared, so that neither an offset nor a slope over the image costs digits.
 constexpr std::size_t tileWidth = ssimTileWidth;
 constexpr std::size_t tileHeight = 64;
 
@@ -58,14 +58,15 @@ std::string faultOf(const BasicImageView<Pixel>& a, const BasicImageView<Pixel>&
     return pixelFault(b, "second");
 }
 
-struct Tile {
+/// A rectangle of windows.
+struct SsimTile {
     std::size_t left = 0;
     std::size_t top = 0;
-    std::size_t width = 0;  ///< of its windows
+    std::size_t width = 0;  ///< number of windows
     std::size_t height = 0;
 };
 
-/// The largest power of two by which numbers of this type may be multiplied without surprises.
+/// Exponent of the largest power of two by which the pixels are multiplied.
 constexpr int safeExponent(double) { return 1000; }
 constexpr int safeExponent(float) { return 120; }
 
@@ -79,7 +80,7 @@ public:
         m_window = weights.size();
         m_weights.half = m_window / 2;
         for (std::size_t i = 0; i <= m_weights.half; ++i) m_weights.weight[i] = static_cast<Pixel>(weights[i]);
-        // A power of two near the range: exact, and keeps squares of 1e150 from overflowing.
+        // The product with a power of two is exact; without it, squares of 1e150 would overflow.
         const int limit = safeExponent(Pixel{});
         const double factor = std::ldexp(1.0, -std::clamp(std::ilogb(range), -limit, limit));
         const double pixels = static_cast<double>(m_window * m_window);
@@ -89,7 +90,7 @@ public:
         m_terms.momentFactor = static_cast<Pixel>(options.sampleMoments ? pixels / (pixels - 1) : 1.0);
     }
 
-    void addTile(const Tile& tile)
+    void addTile(const SsimTile& tile)
     {
         const std::size_t centre = (tile.top + tile.height / 2) * m_a.width + tile.left + tile.width / 2;
         m_terms.shiftA = m_a.values[centre] * m_factor;
@@ -119,7 +120,7 @@ public:
     double largest() const { return m_largest; }
 
 private:
-    void filterRow(const Tile& tile, std::size_t y)
+    void filterRow(const SsimTile& tile, std::size_t y)
     {
         const std::size_t begin = (tile.top + y) * m_a.width + tile.left;
         const std::size_t count = tile.width + m_window - 1;
@@ -136,7 +137,7 @@ private:
     SsimWeights<Pixel> m_weights{};
     SsimTerms<Pixel> m_terms{};
     Pixel m_factor = 1;
-    std::array<SsimRow<Pixel>, ssimWidestWindow> m_rows{};  ///< the last rows filtered, in turn
+    std::array<SsimRow<Pixel>, ssimWidestWindow> m_rows{};  ///< ring of the last rows filtered
     std::array<Pixel, tileWidth + ssimWidestWindow - 1> m_rowA{};
     std::array<Pixel, tileWidth + ssimWidestWindow - 1> m_rowB{};
     ExactSum m_total;

@@ -1,6 +1,6 @@
 // Structural similarity of two images exactly as Wang, Bovik, Sheikh and Simoncelli (2004) define it:
 // Gaussian window of 11 x 11 with sigma 1.5, K1 = 0.01, K2 = 0.03, moments of the population, mean
-// over the windows that lie wholly inside. Other choices are variants and have to be asked for.
+// over the windows that lie wholly inside. Other variants are chosen by options.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace stats {
 
-/// Row-major [height x width].
+/// Pixels, row-major [height x width].
 template <typename Pixel>
 struct BasicImageView {
     std::span<const Pixel> values;
@@ -35,18 +35,18 @@ struct SsimOptions {
 struct Ssim {
     std::string why;  ///< empty when it exists
     Value mean;       ///< 1 exactly for equal images; between -1 and 1
-    Value smallest;   ///< over the windows
+    Value smallest;   ///< smallest value of a window
     Value largest;
     std::size_t windowsAcross = 0;
     std::size_t windowsDown = 0;
 };
 
-/// `range` is L, the difference of the largest and the smallest possible value, > 0 and finite.
+/// Structural similarity. `range` is L, the difference of the largest and the smallest possible value, > 0.
 /// Refused with a reason: images that differ in shape or are smaller than the window, a pixel that is
 /// not finite, a range that is not positive, K1 or K2 that are not positive.
 Ssim ssim(const ImageView& a, const ImageView& b, double range, const SsimOptions& options = {});
 
-/// The same in 32-bit arithmetic: twice as fast, off by less than 1e-5 for images within their range.
+/// The same in 32-bit arithmetic: twice as fast, with an error below 1e-5 for images within their range.
 Ssim ssim(const FloatImageView& a, const FloatImageView& b, double range, const SsimOptions& options = {});
 
 }  // namespace stats

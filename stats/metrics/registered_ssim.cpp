@@ -11,33 +11,33 @@
 namespace stats {
 namespace {
 
-struct Shift {
+struct PixelShift {
     int right = 0;
     int down = 0;
 
     int length() const { return right * right + down * down; }
 };
 
-/// The pixels of a and b that lie on each other when b is moved back by the shift.
-struct Overlap {
+/// The rectangles of a and b that coincide when b is moved back by the shift.
+struct ShiftOverlap {
     std::size_t width = 0;
     std::size_t height = 0;
     std::size_t leftA = 0, topA = 0;
     std::size_t leftB = 0, topB = 0;
 };
 
-Overlap overlapOf(std::size_t width, std::size_t height, const Shift& shift)
+ShiftOverlap overlapOf(std::size_t width, std::size_t height, const PixelShift& shift)
 {
     const auto size = [](int x) { return static_cast<std::size_t>(std::abs(x)); };
-    Overlap overlap{width - size(shift.right), height - size(shift.down)};
+    ShiftOverlap overlap{width - size(shift.right), height - size(shift.down)};
     (shift.right > 0 ? overlap.leftB : overlap.leftA) = size(shift.right);
     (shift.down > 0 ? overlap.topB : overlap.topA) = size(shift.down);
     return overlap;
 }
 
-/// Pearson's, of images about their means; none without variation.
+/// Pearson correlation of images that were centred before; empty where one does not vary.
 std::optional<double> correlationOf(const std::vector<double>& a, const std::vector<double>& b, std::size_t width,
-                                    const Overlap& overlap)
+                                    const ShiftOverlap& overlap)
 {
     double sumA = 0, sumB = 0, squaresA = 0, squaresB = 0, products = 0;
     for (std::size_t y = 0; y < overlap.height; ++y) {
@@ -66,7 +66,7 @@ std::vector<double> aboutMean(std::span<const double> scaled)
     return result;
 }
 
-std::vector<double> cut(const ImageView& image, std::size_t left, std::size_t top, const Overlap& overlap)
+std::vector<double> cut(const ImageView& image, std::size_t left, std::size_t top, const ShiftOverlap& overlap)
 {
     std::vector<double> pixels;
     pixels.reserve(overlap.width * overlap.height);
@@ -78,11 +78,11 @@ std::vector<double> cut(const ImageView& image, std::size_t left, std::size_t to
 }
 
 struct FoundShift {
-    Shift shift;
+    PixelShift shift;
     double correlation = 0;
 };
 
-/// The shift of the largest correlation; of equal ones the shortest. None where no overlap varies.
+/// The shift of the largest correlation, the shortest of equally good ones; empty where no overlap varies.
 std::optional<FoundShift> bestShift(const ImageView& a, const ImageView& b, int most)
 {
     const ScaledSamples scaled({a.values, b.values});
@@ -91,7 +91,7 @@ std::optional<FoundShift> bestShift(const ImageView& a, const ImageView& b, int 
     std::optional<FoundShift> best;
     for (int down = -most; down <= most; ++down)
         for (int right = -most; right <= most; ++right) {
-            const Shift shift{right, down};
+            const PixelShift shift{right, down};
             const auto found = correlationOf(centredA, centredB, a.width, overlapOf(a.width, a.height, shift));
             const bool isBetter = found && (!best || *found > best->correlation ||
                                             (*found == best->correlation && shift.length() < best->shift.length()));
@@ -121,7 +121,7 @@ RegisteredSsim registeredSsim(const ImageView& a, const ImageView& b, double ran
         return refuse(result, "a shift of " + std::to_string(mostShift) + " pixels leaves less than a window");
     const auto best = bestShift(a, b, mostShift);
     if (!best) return refuse(result, "an image without variation cannot be registered");
-    const Overlap overlap = overlapOf(a.width, a.height, best->shift);
+    const ShiftOverlap overlap = overlapOf(a.width, a.height, best->shift);
     const auto cutA = cut(a, overlap.leftA, overlap.topA, overlap);
     const auto cutB = cut(b, overlap.leftB, overlap.topB, overlap);
     result.right = best->shift.right;

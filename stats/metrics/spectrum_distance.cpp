@@ -16,7 +16,7 @@ std::vector<double> hannWindow(std::size_t n)
     return window;
 }
 
-/// |sum of x_i exp(-2 pi i f t / n)|^2, from a table of one period.
+/// Adds |sum over t of x_t exp(-2 pi i f t / n)|^2 to the powers, from a table of one period.
 void addPowers(const std::vector<double>& x, const std::vector<double>& cosines, std::vector<double>& powers)
 {
     const std::size_t n = x.size();
@@ -32,7 +32,7 @@ void addPowers(const std::vector<double>& x, const std::vector<double>& cosines,
     }
 }
 
-/// One period of the cosine, then one of the sine.
+/// One period of the cosine, then one period of the sine.
 std::vector<double> circle(std::size_t n)
 {
     std::vector<double> values(2 * n);
@@ -81,7 +81,7 @@ SpectrumDistance spectrumDistance(std::span<const double> generated, std::span<c
     const ScaledSamples scaled({generated, truth});
     const auto g = powerSpectrum(scaled.sample(0), segment);
     const auto t = powerSpectrum(scaled.sample(1), segment);
-    // Each trace's power is a mean over its own number of segments.
+    // The power of a trace is a sum over its own number of segments.
     const auto segments = [&](std::size_t n) { return static_cast<double>((n - segment) / (segment - segment / 2) + 1); };
     const double scale = segments(truth.size()) / segments(generated.size());
     double sum = 0;

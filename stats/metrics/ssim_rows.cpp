@@ -7,8 +7,8 @@
 namespace stats {
 namespace {
 
-// The half ssimTileWidth is known when this is compiled and its taps are written out, so that a column's sum stays
-// in a register.
+// The half width is a constant of the template and the taps are unrolled, so that the sum of a column stays in a
+// register.
 template <typename Number, std::size_t... tap>
 [[gnu::always_inline]] inline void alongOne(const Number* __restrict in, const Number* __restrict weight, Number* __restrict out,
                                             std::index_sequence<tap...>)
@@ -79,7 +79,7 @@ template <typename Number>
         const Number meanA = terms.shiftA + a[x];
         const Number meanB = terms.shiftB + b[x];
         const Number distance = (terms.shiftA - terms.shiftB) + (a[x] - b[x]);
-        // (2 A B + C1)/(A^2 + B^2 + C1), without losing the difference of two large means.
+        // (2 A B + C1)/(A^2 + B^2 + C1), written so that two large means lose no digits of their difference.
         const Number luminance = 1 - distance * distance / (meanA * meanA + meanB * meanB + terms.c1);
         const Number structure = (2 * covariance + terms.c2) / (varianceA + varianceB + terms.c2);
         values[x] = notAbove(notBelow(luminance * structure, Number(-1)), Number(1));

@@ -5,11 +5,11 @@
 
 namespace stats {
 
-/// Windows across a tile, and the widest window.
+/// Number of windows across a tile, and width of the widest window.
 constexpr std::size_t ssimTileWidth = 64;
 constexpr std::size_t ssimWidestWindow = 11;
 
-/// Weighted sums of a, b, a^2, b^2 and ab.
+/// Number of weighted sums: of a, b, a^2, b^2 and ab.
 constexpr std::size_t ssimQuantities = 5;
 
 template <typename Number>
@@ -26,14 +26,14 @@ struct SsimWeights {
 
 template <typename Number>
 struct SsimTerms {
-    Number shiftA;  ///< what was taken from the pixels of a
+    Number shiftA;  ///< subtracted from the pixels of a
     Number shiftB;
     Number c1;
     Number c2;
     Number momentFactor;  ///< 1, or N / (N - 1)
 };
 
-/// Over the columns of a tile, one entry a column.
+/// Sum and extremes of the similarities, one entry for each column of a tile.
 template <typename Number>
 struct SsimColumns {
     Number sum[ssimTileWidth];
@@ -41,21 +41,21 @@ struct SsimColumns {
     Number largest[ssimTileWidth];
 };
 
-// Always over all ssimTileWidth columns; a narrow tile ignores what it does not have.
+// All functions work on ssimTileWidth columns; a narrower tile ignores the surplus.
 
-/// a, b: ssimTileWidth + 2 half shifted pixels.
+/// Filters along a row. a, b: ssimTileWidth + 2 half shifted pixels.
 void filterAlong(const double* a, const double* b, const SsimWeights<double>& weights, SsimRow<double>& out);
 void filterAlong(const float* a, const float* b, const SsimWeights<float>& weights, SsimRow<float>& out);
 
-/// rows: 2 half + 1 filtered rows, from top to bottom.
+/// Filters down the columns. rows: 2 half + 1 filtered rows, from top to bottom.
 void filterDown(const SsimRow<double>* const* rows, const SsimWeights<double>& weights, SsimRow<double>& out);
 void filterDown(const SsimRow<float>* const* rows, const SsimWeights<float>& weights, SsimRow<float>& out);
 
-/// One SSIM a column, added to what the columns hold.
+/// Adds the similarity of one window in each column.
 void addSimilarities(const SsimRow<double>& sums, const SsimTerms<double>& terms, SsimColumns<double>& columns);
 void addSimilarities(const SsimRow<float>& sums, const SsimTerms<float>& terms, SsimColumns<float>& columns);
 
-/// How many of n pixels are NaN or infinite.
+/// Number of NaN and infinite pixels among n.
 std::size_t countNotFinite(const double* pixels, std::size_t n);
 std::size_t countNotFinite(const float* pixels, std::size_t n);
 

@@ -1,4 +1,4 @@
-// How far a generated trace lies from the true one.
+// Errors of a generated trace against the true one, value by value.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@ namespace stats {
 struct TraceError {
     std::string why;  ///< empty when the traces can be compared
     std::size_t n = 0;
-    Value mae;  ///< mean absolute error, unit of the traces
+    Value mae;  ///< mean absolute error, in the unit of the traces
     Value meanTruth;
     Value maeOverMean;  ///< undefined where the mean of the truth is not positive
     Value rmse;

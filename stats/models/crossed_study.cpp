@@ -5,7 +5,7 @@
 namespace stats {
 namespace {
 
-/// The rows that have a value, with the conditions that none has.
+/// The rows that have a value; conditions without any are added to `leftOut`.
 CrossedStudy present(const CrossedStudy& study, std::vector<LeftOut>& leftOut)
 {
     std::vector<std::size_t> rows;
@@ -22,7 +22,7 @@ CrossedStudy present(const CrossedStudy& study, std::vector<LeftOut>& leftOut)
     return result;
 }
 
-/// Empty where a variance between the levels of the group can be estimated.
+/// The reason why the variance between the levels of a group cannot be estimated; empty where it can.
 std::string reasonAgainst(const Factor& group, std::size_t rows)
 {
     if (group.levels.size() < 2) return "has one level only";
@@ -30,7 +30,7 @@ std::string reasonAgainst(const Factor& group, std::size_t rows)
     return {};
 }
 
-/// Keeps the groups that can be estimated; says which cannot.
+/// Keeps the groups whose variance can be estimated and lists the others.
 class Groups {
 public:
     Groups(std::size_t rows, std::vector<LeftOut>& leftOut) : m_rows(rows), m_leftOut(leftOut) {}

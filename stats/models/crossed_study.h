@@ -1,5 +1,5 @@
-// The study's own models: ratings or choices of participants who each meet every fabric under every
-// condition. Which random effects can be estimated follows from the data; what cannot is left out by name.
+// The models of the study: ratings or choices of participants, crossed with fabrics and conditions. The data decide
+// which random effects can be estimated; those that cannot be are left out and named.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace stats {
 
-/// One row an answer. The order of the conditions is that of their levels.
+/// Answers, one in each row. The levels of `condition` give the order of the conditions.
 struct CrossedStudy {
     Factor participant;
     Factor fabric;
@@ -18,22 +18,23 @@ struct CrossedStudy {
     std::vector<double> values;  ///< ratings, or 1 and 0; NaN missing
 };
 
-/// A random effect, or a condition, that the data cannot tell anything about.
+/// A random effect or a condition that cannot be estimated, and the reason.
 struct LeftOut {
     std::string name;
     std::string why;
 };
 
 struct RatingModel {
-    std::string formula;  ///< as R writes it, without what was left out
+    std::string formula;  ///< in R's notation, without the effects left out
     MixedModel model;
     FTest condition;
     std::vector<LeftOut> leftOut;
-    std::vector<std::string> conditions;  ///< that have ratings: the first is the reference
+    std::vector<std::string> conditions;  ///< conditions that have ratings; the first is the reference
 };
 
-/// Random intercepts of participant, fabric, participant x condition and fabric x condition. Left out are
-/// groups of one level, groups with a level for every rating, interactions with a group left out.
+/// Linear mixed model with random intercepts of participant, fabric, participant x condition and fabric x
+/// condition. Groups of one level, groups with a level for every rating, and interactions with a group that is
+/// left out are left out.
 RatingModel fitRatings(const CrossedStudy& study, const MixedModelOptions& options = {});
 
 struct ChoiceModel {
@@ -43,7 +44,7 @@ struct ChoiceModel {
     std::vector<std::string> conditions;
 };
 
-/// Random intercepts of participant and fabric.
+/// Logistic mixed model with random intercepts of participant and fabric.
 ChoiceModel fitChoices(const CrossedStudy& study, double confidence = 0.95);
 
 }  // namespace stats

@@ -1,5 +1,5 @@
-// Who, what and under which condition: a categorical variable of the rows of a data set, and the columns
-// that its differences from a reference level make.
+// A categorical variable of the rows of a data set (participant, fabric, condition), and the columns that code its
+// differences from a reference level.
 #pragma once
 
 #include <cstddef>
@@ -15,13 +15,13 @@ struct Factor {
     std::vector<std::size_t> of;  ///< level of each row
 };
 
-/// Levels in the order of first appearance.
+/// A factor whose levels are in the order of first appearance.
 Factor factorOf(std::string name, std::span<const std::string> values);
 
-/// One level for each pair that occurs, in the order of first appearance; named "a:b".
+/// The interaction "a:b": one level for each pair that occurs, in the order of first appearance.
 Factor interactionOf(const Factor& a, const Factor& b);
 
-/// Of the rows named; levels that no row has are left out, the others keep their order.
+/// The factor of these rows only. Levels that no row has are left out; the others keep their order.
 Factor rowsOf(const Factor& factor, std::span<const std::size_t> rows);
 
 /// Fixed effects: named columns of one length.
@@ -30,11 +30,11 @@ struct FixedEffects {
     std::vector<std::vector<double>> columns;
 };
 
-/// An intercept, which is the mean of the first level, and one column for each further level: its
-/// difference from the first (treatment coding). Names as in R: "(Intercept)", "conditionf".
+/// Treatment coding: an intercept, which is the mean of the first level, and one column for the difference of each
+/// other level from it. Names as in R: "(Intercept)", "conditionf".
 FixedEffects treatmentCoded(const Factor& factor);
 
-/// The intercept alone.
+/// The intercept only.
 FixedEffects interceptOnly(std::size_t rows);
 
 }  // namespace stats

@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::size_t factorsPerLogarithm = 512;  // each between 1 and 2: their product cannot overflow
 constexpr int mostPasses = 60;
-constexpr double farOut = 200;  // log odds; no likelihood rises out there
+constexpr double farOut = 200;  // log odds; beyond, no likelihood increases
 
 }  // namespace
 
@@ -44,7 +44,7 @@ std::vector<double> LaplaceCriterion::crudeMeans() const
     return right;
 }
 
-/// Probabilities, Z'(y - p) and Z'WZ (lower triangle) at u. Returns -2 log p(y | u) + u'u.
+/// Computes probabilities, Z'(y - p) and Z'WZ (lower triangle) at u. Returns -2 log p(y | u) + u'u.
 double LaplaceCriterion::pass(std::span<const double> parameters, std::span<const double> u)
 {
     std::vector<double> effect(u.begin(), u.end());
@@ -76,7 +76,7 @@ double LaplaceCriterion::pass(std::span<const double> parameters, std::span<cons
     return 2 * (logarithms + std::log(product)) + dot(u, u);
 }
 
-/// Lambda'Z'WZ Lambda + I of the last pass.
+/// Lambda'Z'WZ Lambda + I, from the last pass.
 Matrix LaplaceCriterion::information(std::span<const double> parameters) const
 {
     const std::size_t q = m_termOf.size();
@@ -89,7 +89,7 @@ Matrix LaplaceCriterion::information(std::span<const double> parameters) const
     return result;
 }
 
-/// Newton's method in u, steps halved where they do not go down. The penalised likelihood is concave.
+/// Newton's method in u; a step that does not lower the value is halved. The penalised likelihood is concave.
 bool LaplaceCriterion::findMode(std::span<const double> parameters, double& penalised)
 {
     for (const double parameter : parameters)
@@ -113,18 +113,18 @@ bool LaplaceCriterion::findMode(std::span<const double> parameters, double& pena
         }
         m_mode = next;
         penalised = value;
-        if (expected < 1e-11) return true;  // the step just taken has squared that
+        if (expected < 1e-11) return true;  // the step just taken has squared this error
     }
     return false;
 }
 
-/// By the chain rule: parameters move the log odds of a row directly and through the mode, and these move
-/// the weights in the determinant.
+/// Gradient by the chain rule: a parameter changes the log odds of a row directly and through the mode, and the log
+/// odds change the weights in the determinant.
 std::vector<double> LaplaceCriterion::gradient(std::span<const double> parameters, std::span<const double> u,
                                                const Matrix& inverse, const NewtonStep& step) const
 {
     const std::size_t q = m_termOf.size();
-    std::vector<double> direct(m_rows);  // change of log |M| with the log odds: leverage x change of the weight
+    std::vector<double> direct(m_rows);  // derivative of log |M| in the log odds: leverage x derivative of the weight
     std::vector<double> pulled(q);
     for (std::size_t i = 0; i < m_rows; ++i) {
         const std::uint32_t* const columns = m_columns.data() + i * m_terms;
@@ -155,7 +155,7 @@ std::vector<double> LaplaceCriterion::gradient(std::span<const double> parameter
     return result;
 }
 
-/// Adds the determinant of the last pass; without a step the mode is the true one.
+/// Adds the determinant of the last pass. Without a step, u is the exact mode.
 LaplaceCriterion::At LaplaceCriterion::finished(std::span<const double> parameters, std::span<const double> u, double penalised,
                                                 const NewtonStep* step) const
 {
@@ -205,7 +205,7 @@ LaplaceCriterion::At LaplaceCriterion::atOneStep(std::span<const double> paramet
     Matrix upper = information(parameters);
     if (factorise(upper) < q) return {};
     NewtonStep step{inverseFrom(inverseOfTransposed(upper, q), q), m_heldRowWeights, std::vector<double>(q)};
-    // Residuals of the linearised model, first without random effects, then at the u that they give.
+    // Residuals of the linearised model, first without random effects, then at the resulting u.
     const auto residual = [&](std::span<const double> u) {
         const auto eta = logOdds(parameters, u);
         std::vector<double> sums(q);

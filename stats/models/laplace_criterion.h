@@ -1,5 +1,5 @@
-// -2 log likelihood of a logistic model with crossed random intercepts, the random effects integrated
-// out by Laplace's approximation at their mode, with its gradient:
+// -2 log likelihood of a logistic model with crossed random intercepts, and its gradient. Laplace's approximation
+// at the mode integrates the random effects out:
 //
 //     -2 log p(y | u) + u'u + log |Lambda'Z'WZ Lambda + I|,  eta = mean of the cell + Z Lambda u.
 #pragma once
@@ -16,36 +16,36 @@ namespace stats {
 
 class LaplaceCriterion {
 public:
-    /// `right`: 0 or 1 a row. One fixed mean (log odds) a level of `cells`; one random term a group.
+    /// `right`: 0 or 1 in each row. Each level of `cells` has a fixed mean (log odds), each group a random term.
     LaplaceCriterion(std::span<const double> right, const Factor& cells, std::span<const Factor> groups);
 
-    /// Standard deviations of the terms, then the means of the cells.
+    /// Number of parameters: standard deviations of the terms, then means of the cells.
     std::size_t parameterCount() const { return m_terms + m_cells; }
     std::size_t termCount() const { return m_terms; }
 
     struct At {
-        bool exists = false;  ///< false: the mode was not found (parameters far out)
+        bool exists = false;  ///< false where the mode was not found (extreme parameters)
         double value = 0;
         std::vector<double> gradient;
     };
-    /// Begins the search for the mode where the last one ended.
+    /// The criterion. The search for the mode begins where the previous one ended.
     At at(std::span<const double> parameters);
 
-    /// Holds the mode of the last at().
+    /// Stores the mode of the last at().
     void holdMode(std::span<const double> parameters);
-    /// The criterion where the mode follows the parameters by one Newton step from the one held. Equal to
-    /// at() with its gradient where it was held; its curvature there is what lme4 takes standard errors
-    /// from (a mode that moves all the way makes them larger by 0.1 to 0.2 %).
+    /// The criterion at a mode that is one Newton step away from the stored one. At the stored parameters it
+    /// equals at(), and so does its gradient. Its curvature there gives lme4's standard errors; with the exact mode
+    /// they would be larger by 0.1 to 0.2 %.
     At atOneStep(std::span<const double> parameters);
 
-    /// Log odds with half an answer of each kind added to every cell: where a fit may begin.
+    /// Starting values of a fit: log odds with half an answer of each kind added to every cell.
     std::vector<double> crudeMeans() const;
 
 private:
-    /// The Newton step that led to a mode: how the mode answers to the parameters.
+    /// The Newton step that led to a mode: it determines how the mode depends on the parameters.
     struct NewtonStep {
-        Matrix inverse;                ///< of Lambda'Z'WZ Lambda + I
-        std::vector<double> weights;   ///< by row
+        Matrix inverse;                ///< inverse of Lambda'Z'WZ Lambda + I
+        std::vector<double> weights;   ///< one for each row
         std::vector<double> residual;  ///< Z'(y - p), linearised at the mode
     };
     double pass(std::span<const double> parameters, std::span<const double> u);
@@ -63,14 +63,14 @@ private:
     std::vector<double> m_right;
     std::vector<std::uint32_t> m_cellOf;
     std::vector<std::uint32_t> m_columns;  ///< [rows x terms] random column of each row and term
-    std::vector<std::uint32_t> m_termOf;   ///< of each random column
+    std::vector<std::uint32_t> m_termOf;   ///< term of each random column
     std::vector<double> m_mode;            ///< u
-    // Of the last pass.
+    // Results of the last pass.
     std::vector<double> m_probability;
     std::vector<double> m_rowWeights;  ///< p (1 - p)
     std::vector<double> m_residual;    ///< Z'(y - p)
     Matrix m_weights;                  ///< Z'WZ, lower triangle
-    // Of the mode held.
+    // The same at the stored mode.
     std::vector<double> m_heldLogOdds;
     std::vector<double> m_heldProbability;
     std::vector<double> m_heldRowWeights;

@@ -11,9 +11,9 @@ namespace {
 
 constexpr double startSd = 0.5;
 constexpr double zeroSd = 1e-3;
-constexpr double largestSd = 50;  // of log odds: beyond, the likelihood rises without end
+constexpr double largestSd = 50;  // of log odds; beyond, the likelihood has no maximum
 
-/// Curvature near the start: about the information of each cell's own choices, and of few levels.
+/// First guess of the inverse Hessian: about the information in the choices of each cell.
 Matrix guessedInverse(const LaplaceCriterion& criterion, const std::vector<double>& right, const Factor& cells)
 {
     const std::size_t terms = criterion.termCount();
@@ -44,17 +44,17 @@ Matrix covarianceFrom(Matrix hessian)
     return covariance;
 }
 
-/// The groups that have a standard deviation so far, and the fit with these.
+/// A fit with some of the groups.
 struct Attempt {
-    std::vector<std::size_t> kept;
+    std::vector<std::size_t> kept;  ///< groups in this fit
     Minimum minimum;
-    Matrix covariance;  ///< of standard deviations and means; empty where the criterion is flat
+    Matrix covariance;  ///< covariance of standard deviations and means; empty where the criterion is flat
 
     std::span<const double> sds() const { return std::span(minimum.place).first(kept.size()); }
     std::span<const double> means() const { return std::span(minimum.place).subspan(kept.size()); }
 };
 
-/// Ends with one Newton step, which squares what is left of the error.
+/// Fits, and ends with one Newton step, which squares the remaining error.
 Attempt attempted(const std::vector<double>& right, const Factor& cells, const std::vector<Factor>& groups,
                   std::vector<std::size_t> kept, int& evaluations)
 {
@@ -97,7 +97,7 @@ LaplaceFit laplaceFit(const std::vector<double>& right, const Factor& cells, con
         fit.why = attempt.minimum.why;
         for (std::size_t i = 0; i < attempt.kept.size(); ++i)
             if (std::fabs(attempt.sds()[i]) > largestSd)
-                fit.why = "the random effects all but reproduce the choices: the standard deviation of " +
+                fit.why = "the random effects reproduce almost every choice: the standard deviation of " +
                           groups[attempt.kept[i]].name + " has no finite estimate";
         if (!fit.why.empty()) return fit;
         kept.clear();

@@ -9,14 +9,14 @@
 namespace stats {
 namespace {
 
-/// Choices that are there, and what became of each condition.
+/// The choices that are not missing, and the conditions that are separated.
 struct Prepared {
     std::string why;
     std::size_t missing = 0;
     std::vector<double> right;
     Factor condition;
     std::vector<Factor> groups;
-    std::vector<bool> separated;  ///< by condition
+    std::vector<bool> separated;  ///< one for each condition
 };
 
 std::vector<std::size_t> presentRows(const std::vector<double>& right)
@@ -51,7 +51,7 @@ std::string faultOf(const Prepared& data)
     if (sum == 0) return "every choice was wrong";
     if (sum == static_cast<std::ptrdiff_t>(right.size())) return "every choice was right";
     for (const Factor& group : data.groups)
-        if (group.levels.size() < 2) return "all choices belong to one " + group.name + ", which has then no variance of its own";
+        if (group.levels.size() < 2) return "all choices belong to one " + group.name + ": its variance cannot be estimated";
     return {};
 }
 
@@ -103,7 +103,7 @@ void putSeparation(LogisticMixedModel& model, const Prepared& data)
     model.separationWhy = (all ? "complete separation: " : "quasi-complete separation: ") + model.separationWhy;
 }
 
-/// `cellOf`: which cell of the fit a condition became.
+/// `cellOf`: cell of the fit for each condition.
 void putFixed(LogisticMixedModel& model, const Prepared& data, const LaplaceFit& fit, const std::vector<std::size_t>& cellOf,
               double confidence)
 {
@@ -123,7 +123,7 @@ void putFixed(LogisticMixedModel& model, const Prepared& data, const LaplaceFit&
     }
 }
 
-/// From the covariance of the cells' means to that of the treatment-coded effects.
+/// Covariance of the treatment-coded effects, from the covariance of the means of the cells.
 Matrix treatmentCovariance(const Matrix& c)
 {
     const auto effect = [&](std::size_t i, std::size_t j) {  // cov(mean_i - mean_0, mean_j)
@@ -162,8 +162,8 @@ void refuse(LogisticMixedModel& model, const Prepared& data, const std::string& 
     for (const Factor& group : data.groups) model.random.push_back({group.name, none, false});
 }
 
-/// The model of the conditions that are not separated; those that are add nothing to the likelihood in the
-/// limit. `cellOf` tells where each condition went.
+/// Fits the conditions that are not separated. In the limit, the others contribute nothing to the log likelihood.
+/// `cellOf` receives the cell of each condition.
 LaplaceFit fitUnseparated(const Prepared& data, std::vector<std::size_t>& cellOf)
 {
     std::vector<std::size_t> rows;
@@ -172,7 +172,7 @@ LaplaceFit fitUnseparated(const Prepared& data, std::vector<std::size_t>& cellOf
     std::size_t cell = 0;
     for (const bool separated : data.separated) cellOf.push_back(separated ? 0 : cell++);
     if (rows.empty()) {
-        LaplaceFit fit;  // every probability is 0 or 1: the likelihood is 1, whatever the groups
+        LaplaceFit fit;  // every probability is 0 or 1, so that the likelihood is 1 for any groups
         fit.sd.assign(data.groups.size(), 0);
         return fit;
     }

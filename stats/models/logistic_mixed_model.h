@@ -1,9 +1,9 @@
-// Logistic mixed model of right and wrong choices: one probability a condition, random intercepts of
-// crossed groups (participants and fabrics), fitted by Laplace's approximation with all parameters
-// together, and the likelihood-ratio test of condition against the model without it.
+// Logistic mixed model of right and wrong choices: one probability for each condition and random intercepts of
+// crossed groups (participants and fabrics), fitted by Laplace's approximation in all parameters together. The
+// likelihood-ratio test compares it with the model without condition.
 //
-// Where a condition was answered always rightly or always wrongly the likelihood has no maximum: its log
-// odds run off to infinity (separation). That is said instead of a number; the rest is still fitted.
+// Where all choices of a condition are right, or all wrong, the likelihood has no maximum: the log odds become
+// infinite (separation). The result then names the condition instead of a number; the rest is still fitted.
 #pragma once
 
 #include <string>
@@ -15,8 +15,8 @@
 
 namespace stats {
 
-/// One row a choice: 1 right, 0 wrong, NaN missing (counted and left out). The first level of condition
-/// that has choices is the reference.
+/// Choices, one in each row: 1 right, 0 wrong, NaN missing (counted and left out). The first level of condition that
+/// has choices is the reference.
 struct LogisticData {
     std::vector<double> right;
     Factor condition;
@@ -35,7 +35,7 @@ struct LogOdds {
     Value estimate;
     Value se;
     Value z;
-    Value p;  ///< Wald, two-sided
+    Value p;  ///< Wald test, two-sided
     Value logP;
     Interval ci;
 };
@@ -51,21 +51,21 @@ struct LogisticMixedModel {
     std::size_t rows = 0;
     std::size_t missing = 0;
     Separation separation = Separation::None;
-    std::string separationWhy;  ///< names the conditions
+    std::string separationWhy;  ///< names the separated conditions
     std::vector<LogOdds> fixed;
     std::vector<RandomIntercept> random;
     bool singular = false;  ///< a standard deviation was estimated as zero
-    Value logLikelihood;    ///< Laplace; its supremum where there is separation
+    Value logLikelihood;    ///< Laplace's approximation; its supremum where there is separation
     Value logLikelihoodNull;
     Value chiSquared;  ///< likelihood-ratio test of condition
     Value df;
     Value p;
     Value logP;
-    Matrix covariance;  ///< of the estimates; empty where there is separation
+    Matrix covariance;  ///< covariance of the estimates; empty where there is separation
     int evaluations = 0;
 };
 
-/// Refused with a reason: no choices, all right or all wrong, a value that is neither, one condition,
+/// Fits the model. Refused with a reason: no choices, all right or all wrong, a value that is neither, one condition,
 /// groups of one level.
 LogisticMixedModel fitLogisticMixedModel(const LogisticData& data, double confidence = 0.95);
 

@@ -11,7 +11,7 @@
 namespace stats {
 namespace {
 
-/// Which random terms have a variance, and the fit of the model with these.
+/// The fit of the model with those random terms whose variance is not zero.
 struct Fitted {
     std::vector<std::size_t> kept;
     std::optional<MixedModelEquations> equations;
@@ -20,7 +20,7 @@ struct Fitted {
 
 bool isZero(const TermPlace& term, const ThetaFit& fit) { return term.components == 1 && !fit.free[term.firstTheta]; }
 
-/// Fits, leaves out the intercepts whose variance is zero, and fits again without them.
+/// Fits; leaves out the intercepts whose variance is zero, and fits again without them.
 Fitted fitWithoutZeros(const MixedModelRows& data, bool reml)
 {
     Fitted result;
@@ -39,8 +39,8 @@ Fitted fitWithoutZeros(const MixedModelRows& data, bool reml)
     }
 }
 
-/// Hessian of -2 log likelihood in (free thetas, sigma^2), not profiled, inverted: twice that is the
-/// covariance of these parameters. `rows`: the jacobian's rows of the free thetas.
+/// Covariance of (free thetas, sigma^2): twice the inverse of the Hessian of -2 log likelihood, not profiled.
+/// `rows`: rows of the Jacobian that belong to the free thetas.
 Matrix parameterCovariance(const Fitted& fitted, bool reml, double variance, const std::vector<std::size_t>& rows)
 {
     const auto& d = fitted.fit.derivatives;
@@ -65,7 +65,7 @@ Matrix parameterCovariance(const Fitted& fitted, bool reml, double variance, con
     const double largest = *std::max_element(eigen.values.begin(), eigen.values.end());
     Matrix inverse(m + 1, m + 1);
     for (std::size_t k = 0; k <= m; ++k) {
-        if (eigen.values[k] <= 1e-12 * largest) continue;  // a direction that the data do not determine
+        if (eigen.values[k] <= 1e-12 * largest) continue;  // the data do not determine this direction
         const auto v = eigen.vectors.row(k);
         for (std::size_t i = 0; i <= m; ++i)
             for (std::size_t j = 0; j <= m; ++j) inverse(i, j) += 2 * v[i] * v[j] / eigen.values[k];
@@ -73,7 +73,7 @@ Matrix parameterCovariance(const Fitted& fitted, bool reml, double variance, con
     return inverse;
 }
 
-/// Covariance of the estimates with its derivatives in (free thetas, sigma^2); y still scaled.
+/// Sets the covariance of the estimates and its derivatives in (free thetas, sigma^2); y is still scaled.
 void putCovariance(MixedModel& model, const Fitted& fitted, bool reml, double variance)
 {
     const ThetaFit& fit = fitted.fit;
@@ -97,7 +97,7 @@ void putCovariance(MixedModel& model, const Fitted& fitted, bool reml, double va
         }
 }
 
-/// x 2^exponent, where that is a double.
+/// x 2^exponent; undefined beyond the range of double.
 Value unscaled(double x, int exponent)
 {
     const double value = std::ldexp(x, exponent);
@@ -116,7 +116,7 @@ RandomEffect randomEffect(const RandomTerm& term, const std::string& why)
     return effect;
 }
 
-/// `residual`: its variance, y scaled; theta empty for a term left out.
+/// `residual`: residual variance, y scaled. `theta`: empty for a term that was left out.
 RandomEffect randomEffect(const RandomTerm& term, double residual, std::span<const double> theta, int exponent, int slopeExponent)
 {
     RandomEffect effect = randomEffect(term, "");

@@ -1,8 +1,7 @@
-// Linear mixed model: fixed effects (condition) beside random intercepts, and slopes of one covariate,
-// of any crossed or nested groups (participants, fabrics, their interactions with condition), so that a
-// difference of conditions holds for new participants and new fabrics, not only for those tested.
-// REML or maximum likelihood; Satterthwaite's degrees of freedom (Kuznetsova et al. 2017, J. Stat.
-// Softw. 82(13)). Missing cells need no care: every row there is counts.
+// Linear mixed model: fixed effects (condition), and random intercepts and slopes of crossed or nested groups
+// (participants, fabrics, their interactions with condition). A difference of conditions then holds for new
+// participants and new fabrics, not only for those tested. Fitted by REML or maximum likelihood, with
+// Satterthwaite's degrees of freedom. Cells may be missing: every row with a value is used.
 #pragma once
 
 #include <span>
@@ -17,7 +16,7 @@
 
 namespace stats {
 
-/// One row a value; NaN in y means missing and is counted and left out. All columns of y's length.
+/// Values, one in each row. NaN in y means missing; it is counted and left out. All columns have the length of y.
 struct MixedModelData {
     std::vector<double> y;
     FixedEffects fixed;
@@ -25,7 +24,7 @@ struct MixedModelData {
 };
 
 struct MixedModelOptions {
-    bool reml = true;  ///< false: maximum likelihood
+    bool reml = true;  ///< restricted maximum likelihood; false: maximum likelihood
     double confidence = 0.95;
 };
 
@@ -34,16 +33,16 @@ struct FixedEffect {
     ContrastTest test;
 };
 
-/// Variances in squared units of y (of y per unit of the covariate for slopes).
+/// Variances of a random term, in squared units of y; for slopes, of y per unit of the covariate.
 struct RandomEffect {
-    std::string name;  ///< of the group
-    Value variance;    ///< of the intercepts
+    std::string name;  ///< name of the group
+    Value variance;    ///< variance of the intercepts
     Value sd;
-    std::string slopeName;  ///< empty for intercepts alone: then the rest is undefined
+    std::string slopeName;  ///< empty where there are intercepts only; the rest is then undefined
     Value slopeVariance;
     Value slopeSd;
     Value correlation;
-    bool zero = false;  ///< the estimate lies on the boundary
+    bool zero = false;  ///< true where the estimate is zero, or a correlation 1
 };
 
 struct MixedModel {
@@ -55,21 +54,21 @@ struct MixedModel {
     Value residualVariance;
     Value residualSd;
     Value criterion;        ///< -2 log restricted likelihood (the "REML criterion"), or -2 log likelihood
-    bool singular = false;  ///< some random effect was estimated as zero, or a correlation as 1: the tests
-                            ///< are those of the model without it
-    int steps = 0;          ///< of the fit
+    bool singular = false;  ///< some variance was estimated as zero, or a correlation as 1; the tests
+                            ///< are those of the model without that variance
+    int steps = 0;          ///< Newton steps of the fit
 
-    // What further tests need; y is scaled by 2^-exponent here.
+    // For further tests; y is scaled by 2^-exponent here.
     int exponent = 0;
     std::vector<double> estimates;
-    Matrix covariance;                          ///< of the estimates
-    std::vector<Matrix> covarianceDerivatives;  ///< by variance parameter
-    Matrix parameterCovariance;                 ///< of the variance parameters
-    Matrix sequential;                          ///< row k: the contrast that fixed effect k adds to those before it (type I)
+    Matrix covariance;                          ///< covariance of the estimates
+    std::vector<Matrix> covarianceDerivatives;  ///< its derivatives, one for each variance parameter
+    Matrix parameterCovariance;                 ///< covariance of the variance parameters
+    Matrix sequential;                          ///< row k: sequential (type I) contrast of fixed effect k
 };
 
-/// Refused with a reason: too few values, values that are not finite, all equal, fixed effects that
-/// determine each other, groups of one level or with a level for every row, nothing left for the residual.
+/// Fits the model. Refused with a reason: too few values, values that are not finite or all equal, linearly dependent
+/// fixed effects, groups of one level or with a level for every row, no residual variation.
 MixedModel fitMixedModel(const MixedModelData& data, const MixedModelOptions& options = {});
 
 }  // namespace stats

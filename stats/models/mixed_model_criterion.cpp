@@ -6,7 +6,7 @@
 namespace stats {
 namespace {
 
-/// V_k joins components a and b of every level of a term.
+/// A direction gamma_k: V_k combines components a and b of every level of a term.
 struct VarianceDirection {
     const TermPlace* term;
     std::size_t a, b;
@@ -26,7 +26,7 @@ std::vector<VarianceDirection> directionsOf(const MixedModelEquations& equations
     return directions;
 }
 
-/// Calls with (a, b), and with (b, a) where they differ: V_k is symmetric.
+/// Calls `visit` with (a, b), and with (b, a) where they differ: V_k is symmetric.
 template <typename Visit>
 void bothOrders(const VarianceDirection& direction, Visit visit)
 {
@@ -52,7 +52,7 @@ double formOf(std::span<const double> score, const VarianceDirection& k)
     return sum;
 }
 
-/// Sum over all pairs of levels of term(k's x and y column, l's z and w column).
+/// Sum of term(column x of k, column y of k, column z of l, column w of l) over all pairs of levels.
 template <typename Term>
 double sumOverPairs(const VarianceDirection& k, const VarianceDirection& l, Term term)
 {
@@ -67,7 +67,7 @@ double sumOverPairs(const VarianceDirection& k, const VarianceDirection& l, Term
     return sum;
 }
 
-/// F V_k F' of F = C X'V^-1 Z.
+/// F V_k F' with F = C X'V^-1 Z.
 Matrix covarianceDerivative(const Matrix& f, const VarianceDirection& k)
 {
     const std::size_t p = f.rows();

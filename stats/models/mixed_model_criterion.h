@@ -1,18 +1,18 @@
-// Deviance or REML criterion of a linear mixed model, sigma profiled out, with its first two
-// derivatives in theta: what the fit climbs down, and what Satterthwaite's degrees of freedom need.
+// Deviance or REML criterion of a linear mixed model, sigma profiled out, and its first two derivatives in theta. The
+// fit minimises the criterion; Satterthwaite's degrees of freedom use the derivatives.
 #pragma once
 
 #include "stats/models/mixed_model_equations.h"
 
 namespace stats {
 
-/// REML: -2 log restricted likelihood; otherwise -2 log likelihood. Rows minus fixed effects are the
-/// degrees of freedom of sigma with REML, else the rows.
+/// The criterion: -2 log restricted likelihood (REML), otherwise -2 log likelihood; and the degrees of freedom of
+/// sigma: rows minus fixed effects (REML), otherwise rows.
 double profiledCriterion(const MixedModelEquations& equations, const Factorised& factorised, bool reml);
 double residualDegrees(const MixedModelEquations& equations, bool reml);
 
-/// Derivatives in the relative (co)variances gamma_k, V = sigma^2 (I + sum of gamma_k V_k): one direction
-/// an intercept term; variance of intercepts, covariance, variance of slopes for a term with slope.
+/// Derivatives in the relative (co)variances gamma_k, V = sigma^2 (I + sum of gamma_k V_k). An intercept term has one
+/// direction; a term with slope has three: variance of intercepts, covariance, variance of slopes.
 struct VarianceDerivatives {
     std::vector<double> traces;           ///< tr(P V_k); tr(V^-1 V_k) without REML
     std::vector<double> forms;            ///< y'P V_k P y
@@ -22,7 +22,7 @@ struct VarianceDerivatives {
 };
 VarianceDerivatives varianceDerivatives(const MixedModelEquations& equations, const Solved& solved, bool reml);
 
-/// d gamma_l / d theta_k [theta x direction].
+/// Jacobian d gamma_l / d theta_k [theta x direction].
 Matrix thetaJacobian(const MixedModelEquations& equations, std::span<const double> theta);
 
 /// Hessian in theta of a function with the given gradient and Hessian in gamma.
@@ -33,7 +33,7 @@ struct ThetaDerivatives {
     std::vector<double> gradient;
     Matrix hessian;
 };
-/// Of the profiled criterion.
+/// Gradient and Hessian of the profiled criterion in theta.
 ThetaDerivatives profiledDerivatives(const MixedModelEquations& equations, const Factorised& factorised,
                                      const VarianceDerivatives& derivatives, bool reml);
 

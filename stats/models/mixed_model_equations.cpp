@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::size_t noTerm = static_cast<std::size_t>(-1);
 
-/// The intercept term with most levels, which saves most when eliminated.
+/// The intercept term with the most levels, whose elimination saves the most work.
 std::size_t termToEliminate(std::span<const RandomTerm> terms)
 {
     std::size_t best = noTerm;
@@ -18,7 +18,7 @@ std::size_t termToEliminate(std::span<const RandomTerm> terms)
     return best;
 }
 
-/// Row c becomes diagonal[c] row c + below[c] row c+1, over the columns [from, to).
+/// Row c becomes diagonal[c] row c + below[c] row c+1.
 template <typename Scaling>
 void scaleRows(Matrix& matrix, const Scaling& scale)
 {
@@ -77,7 +77,7 @@ void MixedModelEquations::place(std::span<const RandomTerm> terms)
     m_rest = column - m_eliminated;
 }
 
-/// What one row has besides its eliminated column, whose level is returned (noTerm: nothing is eliminated).
+/// Collects the nonzeros of a row outside the eliminated block. Returns its level there, or noTerm.
 std::size_t MixedModelEquations::nonzerosOf(std::size_t i, const Columns& data, std::vector<Nonzero>& row) const
 {
     row.clear();
@@ -128,7 +128,7 @@ void MixedModelEquations::sumProducts(const Columns& data)
     }
 }
 
-/// Of all random columns.
+/// Scaling of all random columns.
 MixedModelEquations::Scaling MixedModelEquations::scaling(std::span<const double> theta) const
 {
     Scaling scale{std::vector<double>(m_eliminated + m_rest, 1), std::vector<double>(m_eliminated + m_rest, 0)};
@@ -154,7 +154,7 @@ MixedModelEquations::Scaling MixedModelEquations::inverseScaling(std::span<const
     return scale;
 }
 
-/// The borders of one level, scaled.
+/// Scales the borders of one level.
 void MixedModelEquations::scaleBorder(std::span<double> values, std::size_t level, const Scaling& scale) const
 {
     for (std::size_t k = 0; k < values.size(); ++k) {
@@ -162,12 +162,12 @@ void MixedModelEquations::scaleBorder(std::span<double> values, std::size_t leve
         if (c >= m_rest) continue;
         values[k] *= scale.diagonal[m_eliminated + c];
         const double below = scale.below[m_eliminated + c];
-        if (below != 0) values[k] += below * values[k + 1];  // intercept and slope of a level stand together
+        if (below != 0) values[k] += below * values[k + 1];  // intercept and slope of a level are neighbours
     }
     for (double& value : values) value *= scale.diagonal[level];
 }
 
-/// Scales the eliminated rows and takes their Schur complement from the rest.
+/// Scales the eliminated rows and subtracts their products from the rest, which becomes the Schur complement.
 void MixedModelEquations::eliminate(Factorised& result, const Scaling& scale) const
 {
     result.pivots.resize(m_eliminated);
@@ -200,7 +200,7 @@ Factorised MixedModelEquations::factorised(std::span<const double> theta) const
     const Scaling rest{restOf(all.diagonal), restOf(all.below)};
     result.upper = m_products;
     for (std::size_t i = 0; i < m_rest; ++i)
-        if (rest.below[i] != 0) result.upper(i + 1, i) = result.upper(i, i + 1);  // read by the next line's rows
+        if (rest.below[i] != 0) result.upper(i + 1, i) = result.upper(i, i + 1);  // scaleRows reads it
     scaleRows(result.upper, rest);
     scaleColumns(result.upper, rest);
     for (std::size_t i = 0; i < m_rest; ++i) result.upper(i, i) += 1;
@@ -228,8 +228,8 @@ Matrix MixedModelEquations::bordered(const Factorised& factorised, const Matrix&
     return result;
 }
 
-/// Z'PZ, or Z'V^-1 Z where `inverse` leaves out the fixed effects: Lambda^-T (I - K) Lambda^-1, K being
-/// the random part of the inverse of the whole system.
+/// Z'PZ, or Z'V^-1 Z where `inverse` leaves out the fixed effects: Lambda^-T (I - K) Lambda^-1, where K is the random
+/// part of the inverse of the whole system.
 Matrix MixedModelEquations::whitened(const Factorised& factorised, const Matrix& inverse, const Matrix& bordering) const
 {
     Matrix result(m_eliminated + m_rest, m_eliminated + m_rest);

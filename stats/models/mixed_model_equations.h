@@ -1,11 +1,11 @@
-// Henderson's mixed-model equations of a linear mixed model, for many values of theta, the relative
-// covariance parameters (Bates et al. 2015, J. Stat. Softw. 67(1)):
+// Henderson's mixed-model equations of a linear mixed model, solved for many values of theta, the relative covariance
+// parameters (Bates et al. 2015, J. Stat. Softw. 67(1)):
 //
 //     | Lambda'Z'Z Lambda + I   Lambda'Z'X |
 //     | X'Z Lambda              X'X        |      V = sigma^2 (Z Lambda Lambda' Z' + I)
 //
-// Cross-products are taken once. The term with most levels makes a diagonal block, which is eliminated
-// row by row; only the rest, bordered by y, is factorised as a dense matrix.
+// The cross-products are computed once. The term with the most levels is a diagonal block, which is eliminated row by
+// row; only the remaining Schur complement, bordered by y, has a dense Cholesky factor.
 #pragma once
 
 #include <cstddef>
@@ -18,16 +18,15 @@
 
 namespace stats {
 
-/// An intercept for each level of a group and, where there is a slope, its coefficient as well,
-/// correlated with the intercept.
+/// A random intercept for each level of a group and, where there is a covariate, a random slope correlated with it.
 struct RandomTerm {
     Factor group;
-    std::vector<double> slope;  ///< the covariate of each row; empty: intercepts only
+    std::vector<double> slope;  ///< covariate of each row; empty: intercepts only
     std::string slopeName;
 };
 
-/// Where a term lies among the random columns (level by level) and in theta: (sd) of an intercept,
-/// (l00, l10, l11) of the lower triangular factor of an intercept with slope.
+/// Position of a term among the random columns (level by level) and in theta. An intercept has the theta (sd), an
+/// intercept with slope the lower triangular factor (l00, l10, l11).
 struct TermPlace {
     std::size_t components = 1;
     std::size_t levels = 0;
@@ -35,31 +34,31 @@ struct TermPlace {
     std::size_t firstTheta = 0;
 };
 
-/// The equations factorised for one theta; all that the criterion needs.
+/// Cholesky factor of the equations for one theta; the criterion needs no more.
 struct Factorised {
-    bool exists = false;      ///< false: singular up to rounding
+    bool exists = false;      ///< false where the matrix is singular up to rounding
     double logDetRandom = 0;  ///< log |Lambda'Z'Z Lambda + I|
     double logDetFixed = 0;   ///< log |X'V^-1 X|, sigma = 1
     double residual = 0;      ///< y'Py, sigma = 1: the penalised residual sum of squares
     std::vector<double> theta;
-    std::vector<double> pivots;     ///< of the eliminated columns
-    std::vector<double> bordering;  ///< their scaled rows, in the order of the sparse cross-products
-    Matrix upper;                   ///< of the rest, the fixed effects and y
+    std::vector<double> pivots;     ///< pivots of the eliminated columns
+    std::vector<double> bordering;  ///< scaled rows of these columns, in the order of the sparse cross-products
+    Matrix upper;                   ///< Cholesky factor of the rest, the fixed effects and y
 };
 
-/// The equations solved, sigma = 1. P = V^-1 - V^-1 X (X'V^-1 X)^-1 X'V^-1.
+/// Solution of the equations, sigma = 1. P = V^-1 - V^-1 X (X'V^-1 X)^-1 X'V^-1.
 struct Solved {
     std::vector<double> fixed;  ///< estimates
     Matrix fixedCovariance;     ///< C = (X'V^-1 X)^-1
     Matrix fixedOnRandom;       ///< C X'V^-1 Z  [fixed x random]
     Matrix projected;           ///< Z'PZ
-    Matrix weighted;            ///< Z'V^-1 Z; only where asked for
+    Matrix weighted;            ///< Z'V^-1 Z; empty unless asked for
     std::vector<double> score;  ///< Z'Py
 };
 
 class MixedModelEquations {
 public:
-    /// All columns of one length, all numbers finite; slopes of a size near 1.
+    /// All columns have the same length, all numbers are finite, and slopes have a size near 1.
     MixedModelEquations(std::span<const double> y, const FixedEffects& fixed, std::span<const RandomTerm> terms);
 
     const std::vector<TermPlace>& terms() const { return m_terms; }
@@ -68,7 +67,7 @@ public:
     std::size_t thetaCount() const;
 
     Factorised factorised(std::span<const double> theta) const;
-    /// Every diagonal element of theta must be positive.
+    /// The solution; every diagonal element of theta must be positive.
     Solved solved(const Factorised& factorised, bool withWeighted) const;
 
 private:
@@ -105,12 +104,12 @@ private:
 
     std::size_t m_rows = 0;
     std::size_t m_fixed = 0;
-    std::size_t m_eliminated = 0;  ///< columns of the term eliminated, which are the first
-    std::size_t m_rest = 0;        ///< other random columns
+    std::size_t m_eliminated = 0;  ///< number of eliminated columns, which are the first
+    std::size_t m_rest = 0;        ///< number of other random columns
     std::vector<TermPlace> m_terms;
     std::vector<double> m_counts;  ///< diagonal of the eliminated block
-    SparseRows m_borders;          ///< its products with [rest, X, y]
-    Matrix m_products;             ///< of [rest, X, y] with itself, upper triangle
+    SparseRows m_borders;          ///< products of the eliminated block with [rest, X, y]
+    Matrix m_products;             ///< products of [rest, X, y] with itself, upper triangle
 };
 
 }  // namespace stats

@@ -7,7 +7,7 @@ namespace stats {
 namespace {
 
 constexpr int mostFitSteps = 200;
-constexpr double largestTheta = 1e5;         // beyond: nothing is left for the residual
+constexpr double largestTheta = 1e5;         // beyond, no residual variation is left
 constexpr double negligibleDecrease = 1e-9;  // expected further decrease; the step taken then squares the error
 constexpr double smallestFraction = 0.1;     // of a standard deviation that one step may leave,
 constexpr double small = 0.02;               // unless it was small already: then it may go to the floor
@@ -20,12 +20,12 @@ std::vector<bool> diagonalOf(const MixedModelEquations& equations)
     return diagonal;
 }
 
-/// Variances whose quadratic forms equal their expectations (minimum norm quadratic unbiased estimation at
-/// the present theta), as theta. Balanced data are fitted by this alone. Terms of intercepts only.
+/// Theta from the method of moments: variances for which the quadratic forms equal their expectations (MINQUE at the
+/// present theta). Balanced data need no more. For terms of intercepts only.
 std::vector<double> momentTheta(const MixedModelEquations& equations, const Factorised& at, const VarianceDerivatives& d)
 {
     const std::size_t n = at.theta.size();
-    Matrix expected(n + 1, n + 1);  // the last is the residual, V = I
+    Matrix expected(n + 1, n + 1);  // the last row and column: the residual, V = I
     std::vector<double> found = d.forms;
     found.push_back(at.residual);
     expected(n, n) = residualDegrees(equations, true);
@@ -49,7 +49,7 @@ std::vector<double> momentTheta(const MixedModelEquations& equations, const Fact
     return theta;
 }
 
-/// Newton's step in the free directions; a direction in which the criterion is concave is followed downhill.
+/// Newton's step in the free directions. Where the criterion is concave, the step goes downhill.
 std::vector<double> newtonStep(const ThetaDerivatives& at, const std::vector<bool>& free)
 {
     Matrix hessian = at.hessian;
@@ -72,7 +72,7 @@ std::vector<double> newtonStep(const ThetaDerivatives& at, const std::vector<boo
     return step;
 }
 
-/// One fit on its way down.
+/// Newton's method for one fit.
 class Descent {
 public:
     Descent(const MixedModelEquations& equations, bool reml)
@@ -146,7 +146,7 @@ private:
         return theta;
     }
 
-    /// Halves the step until the criterion falls; false where no step does.
+    /// Halves the step until the criterion falls; false where it never does.
     bool descend(const std::vector<double>& step, double decrease)
     {
         const double before = profiledCriterion(m_equations, m_at, m_reml);

@@ -1,5 +1,5 @@
-// Finds the theta at which a linear mixed model's criterion is least: Newton's method with exact second
-// derivatives, steps kept downhill. Deterministic.
+// Minimises the criterion of a linear mixed model over theta: Newton's method with exact second derivatives; every
+// step must lower the criterion. Deterministic.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace stats {
 
-/// Relative standard deviations are kept above this; one that ends here is zero.
+/// Lower bound of a relative standard deviation; an estimate at the bound counts as zero.
 inline constexpr double thetaFloor = 1e-4;
 
 struct ThetaFit {
@@ -16,7 +16,7 @@ struct ThetaFit {
     Factorised factorised;
     Solved solved;
     VarianceDerivatives derivatives;
-    std::vector<bool> free;  ///< by theta: not held at the floor
+    std::vector<bool> free;  ///< for each theta: not at the lower bound
     int steps = 0;
 };
 

@@ -27,13 +27,13 @@ std::vector<double> rowsOf(std::span<const double> column, std::span<const std::
 
 std::string groupFault(const Factor& group, std::size_t rows)
 {
-    if (group.levels.size() < 2) return "all values belong to one " + group.name + ", which has then no variance of its own";
+    if (group.levels.size() < 2) return "all values belong to one " + group.name + ": its variance cannot be estimated";
     if (group.levels.size() >= rows)
-        return "every value has its own level of " + group.name + ", which cannot be told from the residual";
+        return "every value has its own level of " + group.name + ", which cannot be separated from the residual";
     return {};
 }
 
-/// Row k: what column k adds to those before it, as a contrast of the fixed effects.
+/// Row k: the sequential (type I) contrast of fixed effect k, from the Cholesky factor of X'X.
 Matrix sequentialContrasts(const Matrix& upper)
 {
     const std::size_t p = upper.rows();
@@ -43,7 +43,7 @@ Matrix sequentialContrasts(const Matrix& upper)
     return contrasts;
 }
 
-/// Two groups that divide the rows alike cannot be told apart.
+/// True where two groups divide the rows in the same way; their variances cannot be separated.
 bool divideAlike(const Factor& a, const Factor& b)
 {
     if (a.levels.size() != b.levels.size()) return false;
@@ -56,13 +56,14 @@ std::string groupsFault(const std::vector<RandomTerm>& terms, std::size_t rows)
         if (const std::string fault = groupFault(terms[i].group, rows); !fault.empty()) return fault;
         for (std::size_t j = 0; j < i; ++j)
             if (divideAlike(terms[j].group, terms[i].group))
-                return terms[j].group.name + " and " + terms[i].group.name + " divide the values alike and cannot be told apart";
+                return terms[j].group.name + " and " + terms[i].group.name +
+                       " divide the values in the same way and cannot be separated";
     }
     return {};
 }
 
-/// Takes what least squares explains from y; why not, where the columns determine each other. Twice: the
-/// second pass finds the digits that the first lost to a large common offset.
+/// Subtracts the least-squares fit from y, in two passes: the second recovers the digits that the first lost to a
+/// large common offset. Returns the reason where the columns are linearly dependent.
 std::string removeFixed(MixedModelRows& data)
 {
     const std::size_t p = data.fixed.columns.size();
@@ -83,7 +84,7 @@ std::string removeFixed(MixedModelRows& data)
             for (std::size_t row = 0; row < data.y.size(); ++row) data.y[row] -= more[i] * data.fixed.columns[i][row];
         }
     }
-    // y was near 1: what lies below this is rounding.
+    // y was near 1: below this there is only rounding error.
     const bool nothingLeft = !(dot(data.y, data.y) > 1e-24 * static_cast<double>(data.y.size()));
     return nothingLeft ? "the fixed effects reproduce every value: there is no variation left" : "";
 }

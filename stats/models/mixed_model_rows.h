@@ -1,4 +1,4 @@
-// The rows of a mixed model's data that have a value, ready for the equations.
+// The rows of the data that have a value, scaled and checked for the mixed-model equations.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace stats {
 
-/// Values are brought near 1 by powers of two; y is freed of what the fixed effects alone explain, which
+/// Values are brought near 1 by powers of two. The least-squares fit of the fixed effects is subtracted from y, which
 /// changes no variance and keeps digits.
 struct MixedModelRows {
     std::string why;  ///< empty when a model can be fitted
@@ -18,7 +18,7 @@ struct MixedModelRows {
     FixedEffects fixed;
     std::vector<RandomTerm> random;
     std::vector<int> slopeExponents;
-    std::vector<double> leastSquares;  ///< estimates without random effects, scaled
+    std::vector<double> leastSquares;  ///< scaled estimates without random effects
     Matrix sequential;                 ///< MixedModel::sequential
 };
 

@@ -10,7 +10,7 @@
 namespace stats {
 namespace {
 
-/// 2 v^2 / var(v), v being the variance of the contrast and var(v) its own, by the delta method.
+/// Satterthwaite's 2 v^2 / var(v), where v is the variance of the contrast and var(v) comes from the delta method.
 double degreesOf(const MixedModel& model, std::span<const double> weights, double variance)
 {
     std::vector<double> gradient;
@@ -24,7 +24,7 @@ ContrastTest undefinedContrast(const std::string& why)
     return {none, none, none, none, none, none, {none, none}};
 }
 
-/// Denominator degrees of freedom of an F that is the mean of squared t with these degrees.
+/// Denominator degrees of freedom of an F that is the mean of squared t variables with these degrees of freedom.
 double denominatorDegrees(std::span<const double> degrees)
 {
     const auto [least, most] = std::minmax_element(degrees.begin(), degrees.end());

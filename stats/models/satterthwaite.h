@@ -16,7 +16,7 @@ struct MixedModel;
 struct ContrastTest {
     Value estimate;
     Value se;
-    Value df;  ///< Satterthwaite
+    Value df;  ///< Satterthwaite's
     Value t;
     Value p;  ///< two-sided
     Value logP;
@@ -32,17 +32,15 @@ struct FTest {
     Value logP;
 };
 
-/// Weights: one a fixed effect, in their order.
+/// Test of a contrast; one weight for each fixed effect, in their order.
 ContrastTest contrastTest(const MixedModel& model, std::span<const double> weights, double confidence = 0.95);
 
-/// Difference of two levels of a treatment-coded factor that is the only fixed effect: level a - level b,
-/// level 0 being the reference.
+/// Test of level a - level b of a treatment-coded factor that is the only fixed effect; level 0 is the reference.
 ContrastTest levelDifference(const MixedModel& model, std::size_t a, std::size_t b, double confidence = 0.95);
 
-/// All the fixed effects but the first (the intercept) against 0 together: the F test of condition. F
-/// itself does not depend on how the hypothesis is written as contrasts; its denominator degrees of
-/// freedom (from the eigenvectors of their covariance, Fai and Cornelius 1996) do where cells are missing.
-/// As in lmerTest they are the sequential contrasts.
+/// F test of all fixed effects except the intercept together: the test of condition. F does not depend on the
+/// contrasts that express the hypothesis. Its denominator degrees of freedom (from the eigenvectors of their
+/// covariance, Fai and Cornelius 1996) do where cells are missing; as in lmerTest, the contrasts are sequential.
 FTest effectTest(const MixedModel& model);
 
 }  // namespace stats

@@ -21,7 +21,7 @@ void run(std::vector<CalibrationRow>& rows, CalibrationFamily family, const Cali
     }
 }
 
-/// How far from 5 % a rate may lie: 0.9 points, more where fewer studies than 10,000 make it uncertain.
+/// Largest distance of a rate from 5 %: 0.9 points, or more where there are fewer than 10,000 studies.
 double tolerance(std::size_t studies)
 {
     return std::max(0.009,

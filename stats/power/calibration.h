@@ -1,5 +1,5 @@
-// How often each test of the report rejects when there is nothing to find, measured: studies are drawn
-// from models in which the hypothesis is true and analysed by the very functions of the report.
+// Measured size of each test of the report: how often it rejects a true null hypothesis. Studies are drawn from models
+// in which the hypothesis is true, and analysed by the functions that the report uses.
 #pragma once
 
 #include <string>
@@ -12,25 +12,25 @@ namespace stats {
 /// The level at which every test is tried.
 inline constexpr double nominalAlpha = 0.05;
 
-/// What is asked of a rate at nominalAlpha.
+/// Requirement on a rate at nominalAlpha.
 enum class Promise {
     Exact,    ///< 4.1 to 5.9 %: within four standard errors of 5 % in 10,000 studies
-    AtMost,   ///< at most 5.9 %: exact and family-wise tests, whose size is attained below 5 %
-    Printed,  ///< approximate tests: the rate is told, above 6 % it is flagged
-    Shown,    ///< a test used where it must not be: told to show why the report does not
+    AtMost,   ///< at most 5.9 %: exact and family-wise tests, whose size lies below 5 %
+    Printed,  ///< approximate tests: the rate is printed, and flagged above 6 %
+    Shown,    ///< a test outside its assumptions: printed to show why the report does not use it
 };
 
 struct CalibrationRow {
     std::string test;
-    std::string truth;  ///< what the studies were drawn from
+    std::string truth;  ///< the model that the studies were drawn from
     Promise promise = Promise::Printed;
     Rejections result;
-    Value attainableSize;  ///< of exact tests, at alpha
+    Value attainableSize;  ///< largest size of an exact test up to alpha
 
-    /// Above 6 %, and that not by chance: the interval of the rate lies above 5 %.
+    /// True where the rate is above 6 % and its interval lies above 5 %.
     bool antiConservative() const { return result.rate() > 0.06 && *result.interval().low > 0.05; }
-    bool kept() const;            ///< the promise, where one was made
-    std::string verdict() const;  ///< "kept", "broken", "anti-conservative", "" and why
+    bool kept() const;            ///< the rate fulfils its promise, where there is one
+    std::string verdict() const;  ///< "kept", "broken", "anti-conservative" or ""
 };
 
 struct CalibrationOptions {
@@ -43,7 +43,7 @@ struct CalibrationOptions {
 
 std::vector<CalibrationRow> calibration(const CalibrationOptions& options = {});
 
-/// Simulated studies in all, for progress.
+/// Number of simulated studies in all, for a progress display.
 std::size_t calibrationStudies(const CalibrationOptions& options);
 
 }  // namespace stats

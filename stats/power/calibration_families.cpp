@@ -19,7 +19,7 @@ namespace {
 
 constexpr double lowBound = -0.5;
 constexpr double highBound = 0.5;
-constexpr double narrowSd = 0.3;  // of differences, for which the two bounds lie far apart
+constexpr double narrowSd = 0.3;  // of differences; the bounds are far apart for it
 
 CalibrationRow row(std::string test, Promise promise, Value attainable = Value::undefined("not an exact test"))
 {
@@ -34,7 +34,7 @@ Value smallest(const std::vector<Value>& p)
     return least;
 }
 
-/// The least p of all pairs of conditions, Holm-corrected: significant when any of them is.
+/// Smallest Holm-adjusted p of all pairs of conditions: it is significant when any pair is.
 Value leastOfAllPairs(const BlockTable& table)
 {
     std::vector<Value> p;
@@ -43,7 +43,7 @@ Value leastOfAllPairs(const BlockTable& table)
     return smallest(adjusted(p, Adjustment::Holm));
 }
 
-/// Conditions in turn spread once and twice as wide about their common mean: not spherical.
+/// Doubles the spread of every second condition about the common mean, so that the table is not spherical.
 BlockTable unequallySpread(BlockTable table, double centre)
 {
     for (std::size_t i = 0; i < table.values.size(); ++i)
@@ -57,14 +57,14 @@ std::vector<double> shifted(std::vector<double> x, double by)
     return x;
 }
 
-/// Largest p at most nominalAlpha that differences without ties can have: what an exact test attains.
+/// Size of an exact test: the largest p up to nominalAlpha that differences without ties can have.
 template <typename PValue>
 Value attainableSize(std::size_t n, PValue pValue)
 {
     double best = 0;
     std::vector<double> differences(n);
     for (std::size_t i = 0; i < n; ++i) differences[i] = static_cast<double>(i + 1);
-    // One sign after the other turned round walks through the rank sums from the most extreme on.
+    // Changing one or two signs goes through the rank sums from the most extreme one on.
     for (std::size_t i = 0; i < std::min<std::size_t>(n, 20); ++i)
         for (std::size_t j = 0; j <= i; ++j) {
             auto x = differences;

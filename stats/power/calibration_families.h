@@ -1,4 +1,4 @@
-// The studies without anything to find that calibrate the tests, and the tests tried on each.
+// Families of simulated studies in which the null hypothesis is true, and the tests tried on each.
 #pragma once
 
 #include <string>
@@ -10,13 +10,13 @@
 namespace stats {
 
 struct CalibrationFamily {
-    std::string truth;  ///< what the studies are drawn from
+    std::string truth;  ///< the model that the studies are drawn from
     std::vector<CalibrationRow> tests;
     StudyAnalysis analysis;
     std::size_t studies = 0;
 };
 
-/// Those that the design allows.
+/// The families that the design allows.
 std::vector<CalibrationFamily> calibrationFamilies(const CalibrationOptions& options);
 
 }  // namespace stats

@@ -1,6 +1,6 @@
-// How often the report's tests rejected in 10,000 simulated studies without anything to find, of the
-// paper's design: 10 participants, 7 fabrics, 9 conditions, 3 alternatives. What calibration() counted;
-// kept here because a report must not take minutes.
+// Number of rejections by the report's tests in 10,000 simulated studies with a true null hypothesis, for the paper's
+// design: 10 participants, 7 fabrics, 9 conditions, 3 alternatives. calibration() counted them; they are stored here
+// because a report must not take minutes.
 #pragma once
 
 #include <span>
@@ -14,10 +14,10 @@ inline constexpr std::size_t measuredStudies = 10000;
 
 struct MeasuredSize {
     std::string_view test;
-    std::string_view truth;  ///< what the studies were drawn from
+    std::string_view truth;  ///< the model that the studies were drawn from
     Promise promise = Promise::Printed;
-    std::size_t rejected = 0;   ///< of measuredStudies, at alpha = 0.05
-    double attainableSize = 0;  ///< of exact tests; 0: not an exact test
+    std::size_t rejected = 0;   ///< rejections among measuredStudies, at alpha = 0.05
+    double attainableSize = 0;  ///< largest size of an exact test up to alpha; 0: not an exact test
 
     double rate() const { return static_cast<double>(rejected) / static_cast<double>(measuredStudies); }
     bool antiConservative() const { return rate() > 0.06; }

@@ -12,7 +12,7 @@ namespace {
 
 double normalBelow(double z) { return 1 - normalUpper(z).p; }
 
-/// Density of s / sigma, s^2 with `df` degrees of freedom.
+/// Density of s / sigma, where s^2 is a variance estimate with `df` degrees of freedom.
 double densityOfSd(double ratio, double df)
 {
     if (ratio <= 0) return 0;
@@ -21,7 +21,7 @@ double densityOfSd(double ratio, double df)
     return std::exp(logarithm);
 }
 
-/// Integral from 0 to `end` (Simpson's rule).
+/// Integral from 0 to `end` by Simpson's rule.
 template <typename Function>
 double integral(Function function, double end)
 {
@@ -39,8 +39,8 @@ double twoSidedPower(double df, double noncentrality, double alpha)
                     noncentralStudentUpper(critical, df, noncentrality) + noncentralStudentUpper(critical, df, -noncentrality));
 }
 
-/// Satterthwaite's, of a condition's mean in balanced data: its error is a sum of three mean squares,
-/// participant x condition + fabric x condition - residual.
+/// Satterthwaite's degrees of freedom of a condition's mean in balanced data, whose error is a sum of three mean
+/// squares: participant x condition + fabric x condition - residual.
 double degreesOfMean(const StudyDesign& design, const RatingTruth& truth)
 {
     const auto p = static_cast<double>(design.participants);
@@ -63,9 +63,9 @@ double equivalencePower(const EquivalencePlan& plan, double trueDifference)
 {
     const double df = plan.n - 1;
     const double t = studentQuantile(plan.alpha, df);
-    const double se = plan.sd / std::sqrt(plan.n);  // the true one; the observed one is ratio times that
+    const double se = plan.sd / std::sqrt(plan.n);  // the true standard error; the observed one is ratio times it
     const double widest = (plan.high - plan.low) / (2 * t * se);
-    const double mostRatio = 1 + 12 / std::sqrt(2 * df);  // beyond: a chance below 1e-20
+    const double mostRatio = 1 + 12 / std::sqrt(2 * df);  // beyond, the probability is below 1e-20
     const auto inside = [&](double ratio) {
         const double low = (plan.low - trueDifference) / se + t * ratio;
         const double high = (plan.high - trueDifference) / se - t * ratio;

@@ -21,7 +21,7 @@ constexpr double largestStandardised = 10;
 using Draw = std::function<void(CrossedStudy& study, double effect, Draws& draws)>;
 using Analyse = std::function<void(const CrossedStudy& study, std::span<Value> p)>;
 
-/// An analysis of a crossed study of this design.
+/// Combines drawing and analysing a crossed study of this design.
 auto crossed(const StudyDesign& design, Draw draw, Analyse analyse)
 {
     return [empty = emptyStudy(design), draw = std::move(draw), analyse = std::move(analyse)](double effect, Draws& draws,
@@ -32,7 +32,7 @@ auto crossed(const StudyDesign& design, Draw draw, Analyse analyse)
     };
 }
 
-/// Ratings whose conditions have the means that an effect makes.
+/// Draws ratings whose conditions have the means for an effect.
 Draw ratings(const RatingTruth& truth, std::vector<double> (*means)(std::size_t conditions, double effect))
 {
     return [truth, means](CrossedStudy& study, double effect, Draws& draws) {
@@ -40,7 +40,7 @@ Draw ratings(const RatingTruth& truth, std::vector<double> (*means)(std::size_t 
     };
 }
 
-/// Only the first two conditions differ, half the effect to either side of the others.
+/// Means of which the first two differ from the others by plus and minus half the effect.
 std::vector<double> firstPairApart(std::size_t conditions, double effect)
 {
     std::vector<double> means(conditions);
@@ -64,7 +64,7 @@ double pairsOf(const StudyDesign& design) { return static_cast<double>(design.co
 
 double logOddsOf(double probability) { return std::log(probability / (1 - probability)); }
 
-/// The p of the first pair, corrected by Holm for all pairs.
+/// The p of the first pair, adjusted by Holm's method for all pairs.
 Value firstPairAfterHolm(const BlockTable& table)
 {
     std::vector<Value> p;
@@ -165,7 +165,7 @@ std::vector<Value> againstChance(const CrossedStudy& study, double chance)
     return p;
 }
 
-/// By formula, as if all choices of a condition were independent and equally likely to be right.
+/// Tests whose formulas assume that all choices of a condition are independent and equally likely to be right.
 std::vector<GroupedTest> chanceTests(double chance)
 {
     const auto power = [chance](const StudyDesign& d, double excess, double level) {
@@ -218,7 +218,7 @@ PowerGroup allChoices(const PowerOptions& options)
     return group;
 }
 
-/// Generated against measured signals: the fabrics are the unit.
+/// Generated against measured signals, with the fabrics as units.
 PowerGroup signals(const PowerOptions& options)
 {
     PowerGroup group{"signals", "mean difference of generated and measured, SDs of the differences", {0.5, 1, 1.5}, {}, {}};

@@ -20,7 +20,7 @@ Value participantsFor(const GroupedTest& test, StudyDesign design, double effect
         1000, wantedPower);
 }
 
-/// The narrowest bounds about 0 within which no difference at all would be shown equivalent.
+/// The narrowest bounds about 0 for which a true difference of 0 is shown equivalent with the power wanted.
 Value narrowestBounds(const PowerOptions& options)
 {
     const auto n = static_cast<double>(options.design.participants);

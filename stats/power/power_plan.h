@@ -1,5 +1,5 @@
-// What a planned study can and cannot detect, before anyone is tested: each test that the report will
-// run, with its power by formula where there is one and by simulation through the same analysis.
+// What a planned study can detect: the power of each test of the report, by formula where there is one, and by
+// simulation with the same analysis.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ namespace stats {
 
 struct PowerOptions {
     StudyDesign design;
-    RatingTruth ratings;  ///< what is assumed about ratings; the deviations decide everything
+    RatingTruth ratings;  ///< assumptions about ratings; their variances decide the power
     ChoiceTruth choices;
     bool hasRatings = true;
     bool hasChoices = true;
@@ -24,22 +24,22 @@ struct PowerPoint {
     double effect = 0;
     Value power;  ///< by formula
     Rejections simulated;
-    Value participants;  ///< needed for a power of 80 %, by formula
+    Value participants;  ///< number needed for a power of 80 %, by formula
 };
 
 struct PlannedTest {
     std::string question;  ///< "ratings", "choices" or "signals"
     std::string test;
-    std::string effect;        ///< what the effect is, with its unit
-    Value smallestDetectable;  ///< with a power of 80 %, by formula, in the unit of `detectable`
-    std::string detectable;    ///< the effect, unless said otherwise
+    std::string effect;        ///< name of the effect, with its unit
+    Value smallestDetectable;  ///< smallest effect with a power of 80 %, by formula, in the unit of `detectable`
+    std::string detectable;    ///< usually the same as `effect`
     std::vector<PowerPoint> points;
 };
 
-/// A test that the design does not allow is absent.
+/// The tests that the design allows.
 std::vector<PlannedTest> plannedTests(const PowerOptions& options);
 
-/// Simulated studies in all, for progress.
+/// Number of simulated studies in all, for a progress display.
 std::size_t plannedStudies(const PowerOptions& options);
 
 }  // namespace stats

@@ -26,13 +26,13 @@ std::vector<double> normals(std::size_t n, double variance, Draws& draws)
     return result;
 }
 
-/// The nearest number that the scale has.
+/// The nearest rating on the scale.
 double onScale(double rating, const RatingTruth& truth)
 {
     const double steps = std::round((rating - truth.scaleMin) / truth.scaleStep);
     const double most = std::round((truth.scaleMax - truth.scaleMin) / truth.scaleStep);
     const double value = truth.scaleMin + std::clamp(steps, 0.0, most) * truth.scaleStep;
-    return std::round(value * 1e9) / 1e9;  // 0.1 x 3 is to be the 0.3 that a person would type
+    return std::round(value * 1e9) / 1e9;  // 0.1 x 3 becomes the double of the decimal 0.3
 }
 
 void inParallel(const SimulationOptions& options, const std::function<void(std::size_t)>& work)

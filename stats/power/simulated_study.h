@@ -1,4 +1,4 @@
-// Studies drawn from a stated model, so that an analysis can be tried on data whose truth is known.
+// Simulated studies, drawn from a stated model: an analysis can be tried on data whose truth is known.
 #pragma once
 
 #include <cstdint>
@@ -12,18 +12,18 @@
 
 namespace stats {
 
-/// Every participant meets every fabric under every condition once.
+/// A design in which every participant meets every fabric under every condition once.
 struct StudyDesign {
     std::size_t participants = 10;
     std::size_t fabrics = 7;
     std::size_t conditions = 9;
-    int alternatives = 3;  ///< of the forced choice
+    int alternatives = 3;  ///< alternatives of the forced choice
 
     std::size_t answers() const { return participants * fabrics * conditions; }
 };
 
-/// Rating = centre + mean of the condition + normal deviations of these variances, scale points squared,
-/// rounded to the step of the scale and kept on it.
+/// Rating = centre + mean of the condition + normal deviations with these variances (scale points squared), rounded to
+/// the step of the scale and limited to its ends.
 struct RatingTruth {
     double centre = 5.5;
     double participant = 0.5;
@@ -35,51 +35,51 @@ struct RatingTruth {
     double scaleMax = 10;
     double scaleStep = 0.1;
 
-    /// SD of the difference of a participant's means under two conditions, over these fabrics.
+    /// SD of the difference between two conditions of a participant's mean over these fabrics.
     double sdOfDifference(const StudyDesign& design) const;
-    /// Variance of a condition's mean about its expectation, participants and fabrics both drawn anew.
+    /// Variance of a condition's mean, where participants and fabrics are both samples.
     double varianceOfMean(const StudyDesign& design) const;
 };
 
-/// Log odds of a right choice = those of the condition + normal deviations of these SDs.
+/// Log odds of a right choice = log odds of the condition + normal deviations with these SDs.
 struct ChoiceTruth {
     double participantSd = 0.5;
     double fabricSd = 0.4;
 };
 
-/// Rows ordered by participant, fabric, condition; all values NaN.
+/// A study whose rows are ordered by participant, fabric and condition, and whose values are all NaN.
 CrossedStudy emptyStudy(const StudyDesign& design);
 
-/// `means`: one a condition, added to the centre.
+/// Draws ratings. `means`: one for each condition, added to the centre.
 void drawRatings(CrossedStudy& study, const RatingTruth& truth, std::span<const double> means, Draws& draws);
 
-/// `logOdds`: one a condition.
+/// Draws choices. `logOdds`: one for each condition.
 void drawChoices(CrossedStudy& study, const ChoiceTruth& truth, std::span<const double> logOdds, Draws& draws);
 
-/// Means over fabrics of a study without gaps [participants x conditions].
+/// Means over the fabrics of a complete study [participants x conditions].
 BlockTable participantMeans(const CrossedStudy& study);
-/// [participant x fabric blocks, conditions].
+/// Values of a complete study [participant x fabric blocks, conditions].
 BlockTable answersByBlock(const CrossedStudy& study);
 
 struct SimulationOptions {
     std::size_t studies = 10000;
     std::uint64_t seed = 1;
-    unsigned threads = 0;  ///< 0: as many as the machine has; changes no number
+    unsigned threads = 0;  ///< 0: one for each core; changes no number
     double alpha = 0.05;
     std::function<void(std::size_t studies)> done = {};  ///< gets how many more are done; on one thread at a time
 };
 
-/// Of one test over many simulated studies.
+/// Rejections by one test in many simulated studies.
 struct Rejections {
     std::size_t studies = 0;
     std::size_t rejected = 0;
-    std::size_t undefined = 0;  ///< the test did not exist; counted as not rejected
+    std::size_t undefined = 0;  ///< studies in which the test did not exist; counted as not rejected
 
     double rate() const;
-    Interval interval() const;  ///< of the rate, 95 %, Wilson
+    Interval interval() const;  ///< 95 % Wilson interval of the rate
 };
 
-/// Draws a study and puts the p values of some tests of it in their places.
+/// Draws a study and stores the p of each test.
 using StudyAnalysis = std::function<void(Draws& draws, std::span<Value> p)>;
 std::vector<Rejections> simulateTests(std::size_t tests, const StudyAnalysis& analysis, const SimulationOptions& options);
 

@@ -10,20 +10,20 @@
 namespace stats {
 namespace {
 
-// In u = log g the integrand is analytic in a strip of half-width pi/2 at least, and falls off at both
-// ends: the trapezoidal rule with this logGStep is exact to rounding.
+// As a function of u = log g the integrand is analytic in a strip of half-width pi/2 and vanishes at both ends.
+// The trapezoidal rule with this step is therefore exact up to rounding.
 constexpr double logGStep = 0.05;
-constexpr double firstLogG = -8;   ///< exp(-1/(2g)) is below 1e-600 before it
+constexpr double firstLogG = -8;   ///< below it, exp(-1/(2g)) is less than 1e-600
 constexpr double negligible = 45;  ///< below the peak, in natural logarithms
 
-/// log(1 + t^2/(v nu)) where t^2 may be beyond the range of double.
+/// log(1 + t^2/(v nu)), also where t^2 is beyond the range of double.
 double logOnePlusSquare(double t, double v, double nu)
 {
     const double scaled = std::fabs(t) / std::sqrt(v * nu);
     return scaled > 1e8 ? 2 * std::log(scaled) : std::log1p(scaled * scaled);
 }
 
-/// log of the integrand over u = log g of the marginal likelihood of t.
+/// Logarithm of the integrand, over u = log g, of the marginal likelihood of t.
 double logIntegrand(double u, double t, double n, double width)
 {
     const double g = std::exp(u);
@@ -37,7 +37,7 @@ double logMarginal(double t, double n, double width)
 {
     std::vector<double> values;
     double peak = -std::numeric_limits<double>::infinity();
-    // From here on the integrand can only fall.
+    // Beyond this the integrand decreases.
     const double last = std::log(10 * (1 + std::min(t * t, 1e200))) - std::log(std::min(1.0, n * width * width));
     for (int i = 0;; ++i) {
         const double u = firstLogG + i * logGStep;

@@ -10,13 +10,13 @@ namespace stats {
 
 struct JzsBayesFactor {
     std::string why;  ///< empty when it exists
-    Value bf10;       ///< how many times likelier the data are under an effect than under none
+    Value bf10;       ///< probability of the data under an effect / under no effect
     Value logBf10;    ///< natural logarithm
 };
 
 constexpr double mediumPriorWidth = std::numbers::sqrt2 / 2;
 
-/// From t of n >= 2 values or pairs; `priorWidth`: the Cauchy's scale, > 0.
+/// Bayes factor from t of n >= 2 values or pairs; `priorWidth`: scale of the Cauchy prior, > 0.
 JzsBayesFactor jzsBayesFactor(double t, long long n, double priorWidth = mediumPriorWidth);
 
 }  // namespace stats

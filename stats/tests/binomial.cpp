@@ -30,7 +30,7 @@ double logProbability(long long k, long long n, double chance)
            (nn - kk) * std::log1p(-chance);
 }
 
-/// log P(X >= k) from its largest term and the falling ratios after it; k above the mean.
+/// log P(X >= k) for k above the mean: the largest term, and the ratios of the terms after it.
 double logAtLeast(long long k, long long n, double chance)
 {
     const double odds = chance / (1 - chance);
@@ -43,7 +43,7 @@ double logAtLeast(long long k, long long n, double chance)
     return logProbability(k, n, chance) + std::log(series);
 }
 
-/// The first i of first ... last for which a condition holds that stays true once it is; last + 1 if none.
+/// Bisection: the first i of first ... last for which a monotone condition holds; last + 1 where none does.
 template <typename Condition>
 long long firstWhere(long long first, long long last, Condition holds)
 {
@@ -57,19 +57,19 @@ long long firstWhere(long long first, long long last, Condition holds)
     return first;
 }
 
-/// Both tails of the two-sided p.
+/// The two tails of the two-sided p.
 struct BothTails {
-    long long atMost = -1;  ///< counts up to this one, none below 0
-    long long atLeast = 0;
+    long long atMost = -1;  ///< the lower tail ends here; empty below 0
+    long long atLeast = 0;  ///< the upper tail begins here
 };
 
-/// Counts whose probability is within rounding of the observed one's count as equally likely.
+/// Counts as likely as the observed one up to rounding belong to the tails.
 BothTails bothTails(long long k, long long n, double chance)
 {
     const double mean = static_cast<double>(n) * chance;
     const double limit = logProbability(k, n, chance) + 1e-7;
     const auto asUnlikely = [&](long long i) { return logProbability(i, n, chance) <= limit; };
-    // Probabilities fall on both sides of the mean.
+    // Probabilities decrease on both sides of the mean.
     if (static_cast<double>(k) < mean) {
         const long long other = firstWhere(static_cast<long long>(std::ceil(mean)), n, asUnlikely);
         return {k, std::max(other, k + 1)};
@@ -79,7 +79,7 @@ BothTails bothTails(long long k, long long n, double chance)
     return {std::min(other, k - 1), k};
 }
 
-/// log P(X >= k), from the side that keeps its digits.
+/// log P(X >= k), from the tail that keeps its digits.
 double logGreater(long long k, long long n, double chance)
 {
     const double greater = atLeast(k, n, chance);

@@ -1,4 +1,4 @@
-// A count of successes against a chance level, exactly, and intervals for its proportion.
+// Exact test of a count of successes against a chance level, and intervals for the proportion.
 #pragma once
 
 #include "stats/kernels/value.h"
@@ -12,21 +12,21 @@ struct BinomialTest {
     Value logPGreater;
     Value pLess;  ///< P(X <= successes)
     Value logPTwoSided;
-    Value pTwoSided;  ///< sum over all counts at most as likely as the observed one
+    Value pTwoSided;  ///< probability of all counts at most as likely as the observed one
     Value logPMidGreater;
     Value pMidGreater;  ///< pGreater minus half the probability of the observed count
     Interval clopperPearson;
     Interval wilson;
 };
 
-/// Successes among trials, each with probability `chance` (0 < chance < 1) under the hypothesis.
+/// Tests successes among trials, each of probability `chance` (0 < chance < 1) under the null hypothesis.
 /// Refused with a reason: no trials, more successes than trials, negative counts.
 BinomialTest binomialTest(long long successes, long long trials, double chance, double confidence = 0.95);
 
-/// Score interval (Wilson 1927).
+/// Score interval of a proportion (Wilson 1927).
 Interval wilsonInterval(long long successes, long long trials, double confidence = 0.95);
 
-/// Exact interval (Clopper and Pearson 1934).
+/// Exact interval of a proportion (Clopper and Pearson 1934).
 Interval clopperPearsonInterval(long long successes, long long trials, double confidence = 0.95);
 
 }  // namespace stats

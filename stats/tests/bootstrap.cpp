@@ -17,16 +17,16 @@ namespace {
 constexpr std::size_t blockOfResamples = 64;
 constexpr std::size_t mostResamples = 100000000;
 
-/// The sample in a form whose sums are exact where it lies on a decimal grid, and small where not.
+/// The sample ready for sums: units of its decimal grid, whose sums are exact, or deviations from the mean.
 struct Terms {
     std::vector<double> values;
     double observed = 0;  ///< sum of the values
-    double noise = 0;     ///< sums this close to the observed one are ties
+    double noise = 0;     ///< a sum this close to the observed one is a tie
     double base = 0;      ///< mean = base + sum * factor
     double factor = 1;
 };
 
-/// In ascending order, so that the order of the sample changes no draw.
+/// The terms in ascending order, so that the order of the sample changes no draw.
 Terms termsOf(std::span<const double> x, std::span<const double> scaled, const Moments& moments)
 {
     Terms terms;
@@ -50,7 +50,7 @@ Terms termsOf(std::span<const double> x, std::span<const double> scaled, const M
     return terms;
 }
 
-/// Sum of as many values as there are, drawn with replacement; two draws from the halves of one number.
+/// Sum of n values drawn with replacement. Each half of a 64-bit number draws one value.
 double resampledSum(const std::vector<double>& values, Draws& draws)
 {
     const std::uint64_t n = values.size();
@@ -77,7 +77,7 @@ std::vector<double> resampledSums(const std::vector<double>& values, const Boots
     return sums;
 }
 
-/// Type-7 quantile without sorting everything.
+/// Type-7 quantile, by partial sorting.
 double quantileOf(std::vector<double>& x, double probability)
 {
     const double place = probability * static_cast<double>(x.size() - 1);
@@ -97,7 +97,7 @@ double accelerationOf(std::span<const double> scaled, const Moments& moments)
     return cubes / (6 * moments.squares * std::sqrt(moments.squares));
 }
 
-/// Share of the resamples below the observed sum.
+/// Share of the resamples below the observed sum; a tie counts half.
 double shareBelow(const std::vector<double>& sums, const Terms& terms)
 {
     double below = 0;
@@ -126,7 +126,7 @@ BcaBootstrap& refuse(BcaBootstrap& result, const std::string& why)
     return result;
 }
 
-/// The two quantiles of the resampled sums that Efron's shift of the percentiles asks for.
+/// The BCa interval: the percentiles of the resampled sums, shifted by bias and acceleration (Efron 1987).
 Interval intervalOf(const BcaBootstrap& result, std::vector<double>& sums, double confidence, const auto& meanOfSum)
 {
     const double bias = *result.bias;

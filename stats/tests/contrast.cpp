@@ -8,15 +8,15 @@ namespace {
 
 double largestMagnitude(const Moments& moments) { return std::max(std::fabs(moments.smallest), std::fabs(moments.largest)); }
 
-/// Differences of decimals differ by at most two units in the last place of the inputs when they are
-/// all the same difference.
+/// True where all differences are the same decimal: their doubles then differ by at most two units in the last
+/// place of the inputs.
 bool isConstantDifference(const Moments& differences, const Moments& x, const Moments& y)
 {
     const double noise = 2 * unitInLastPlace(std::max(largestMagnitude(x), largestMagnitude(y)));
     return isConstant(differences) || differences.largest - differences.smallest <= noise;
 }
 
-/// Of one sample, or of the differences of pairs.
+/// The contrast of one sample, or of the differences of pairs.
 Contrast ofOne(const Moments& moments)
 {
     Contrast contrast;
@@ -74,7 +74,7 @@ Contrast twoSamples(TKind kind, std::span<const double> x, std::span<const doubl
         const double v1 = contrast.first.variance() / n1;
         const double v2 = contrast.second.variance() / n2;
         contrast.se = std::sqrt(v1 + v2);
-        // Welch-Satterthwaite in shares of the variance, which cannot overflow.
+        // The Welch-Satterthwaite formula in shares of the variance, which cannot overflow.
         const double share1 = v1 / (v1 + v2);
         const double share2 = v2 / (v1 + v2);
         contrast.df = 1 / (share1 * share1 / (n1 - 1) + share2 * share2 / (n2 - 1));

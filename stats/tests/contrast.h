@@ -1,5 +1,5 @@
-// An estimated mean or difference of means with its standard error: what the t tests and the
-// equivalence tests share. Numbers are in the power-of-two scale of the samples.
+// An estimated mean or difference of means with its standard error, for the t tests and the equivalence tests.
+// Numbers are in the power-of-two scale of the samples.
 #pragma once
 
 #include <span>
@@ -12,11 +12,11 @@ namespace stats {
 
 struct Contrast {
     std::string why;  ///< empty when it can be tested
-    Moments first;    ///< of x, or of the differences (Paired)
-    Moments second;   ///< of y (Student, Welch)
-    double sdX = 0;   ///< of the two samples of a paired contrast
+    Moments first;    ///< moments of x, or of the differences (Paired)
+    Moments second;   ///< moments of y (Student, Welch)
+    double sdX = 0;   ///< SD of x in a paired contrast
     double sdY = 0;
-    double sd = 0;  ///< of the sample or the differences; pooled (Student)
+    double sd = 0;  ///< SD of the sample or of the differences; pooled (Student)
     double se = 0;
     double df = 0;
     bool hasEstimate = false;
@@ -27,10 +27,10 @@ struct Contrast {
     bool twoSamples = false;
 };
 
-/// `scaled` holds x, and y where the kind has one.
+/// The contrast of a kind; `scaled` holds x and, where the kind has a second sample, y.
 Contrast contrastOf(TKind kind, const ScaledSamples& scaled);
 
-/// Reasons that forbid any number: sizes, values that are not finite.
+/// The reason why no number can be computed: sample sizes, values that are not finite. Else empty.
 std::string inputFault(TKind kind, std::span<const double> x, std::span<const double> y);
 
 /// The second sample of the kind; empty for one sample.

@@ -1,6 +1,6 @@
-// Two one-sided tests (Schuirmann 1987): is the mean, or the difference of means, inside bounds that
-// were stated beforehand? A t test that finds no difference does not show that there is none; this
-// does. Beside it stands the ordinary two-sided t test against 0, and the verdict in four cells.
+// Two one-sided tests (TOST, Schuirmann 1987): is the mean, or the difference of means, inside bounds that were
+// stated beforehand? A t test that finds no difference does not show that there is none; this test can. The
+// two-sided t test against 0 stands beside it, and a verdict combines the two.
 #pragma once
 
 #include "stats/tests/t_tests.h"
@@ -28,7 +28,7 @@ struct EquivalenceTest {
     Value logPUpper;
     Value p;  ///< the larger of the two
     Value logP;
-    Interval ci;        ///< of level 1 - 2 alpha: inside the bounds exactly when p < alpha
+    Interval ci;        ///< level 1 - 2 alpha; lies inside the bounds exactly when p < alpha
     Value tDifference;  ///< the two-sided test against 0
     Value pDifference;
     Value logPDifference;
@@ -36,7 +36,7 @@ struct EquivalenceTest {
     bool equivalent = false;
     bool different = false;
 
-    /// "different / not shown equivalent" and its three siblings; "undefined: reason".
+    /// One of four, such as "different / not shown equivalent", or "undefined: reason".
     std::string verdict() const;
 };
 

@@ -12,8 +12,8 @@ double density(double x) { return std::exp(-x * x / 2) / std::sqrt(2 * std::numb
 
 double below(double x) { return std::erfc(-x / std::numbers::sqrt2) / 2; }
 
-// The integrands are analytic and fall as exp(-x^2/2): the trapezoidal rule is exact to rounding with
-// this impressionStep, from here to there in units of the shifted normal's SD.
+// The integrands are analytic and decrease as exp(-x^2/2). The trapezoidal rule with this step is therefore exact
+// up to rounding. The d' that is searched lies between 0 and the reach.
 constexpr double impressionStep = 0.125;
 constexpr double impressionReach = 40;
 
@@ -34,8 +34,8 @@ double slopeAt(double dPrime, int alternatives)
                               [&](double x) { return density(x - dPrime) * density(x) * std::pow(below(x), m - 2); });
 }
 
-/// The d' at which a wrong choice has this probability, 0 < wrong < 1 - 1/m. Bisection on the smaller of
-/// the two probabilities would lose nothing; the wrong one stays exact where the correct one rounds to 1.
+/// The d' at which a wrong choice has this probability, 0 < wrong < 1 - 1/m, by bisection. The probability of a
+/// wrong choice keeps its digits where that of a correct choice rounds to 1.
 double dPrimeOf(double wrong, int alternatives)
 {
     const auto wrongAt = [&](double dPrime) {
@@ -85,7 +85,7 @@ ChoiceSensitivity forcedChoice(long long correct, long long trials, int alternat
     const double right = static_cast<double>(correct) / n;
     const double wrong = static_cast<double>(trials - correct) / n;
     result.proportionCorrect = right;
-    // Whole numbers decide what is chance: 23 of 69 is 1/3.
+    // Chance is decided in whole numbers, because no double is 1/3: 23 of 69 are at chance.
     const long long excess = correct * alternatives - trials;
     result.discriminators = excess <= 0 ? 0.0 : static_cast<double>(excess) / (n * (m - 1));
     if (correct == trials) {

@@ -1,5 +1,5 @@
-// Sensitivity of an m-alternative forced choice: d' of the observer who picks the largest of m
-// independent normal impressions, one of which is shifted by d' (Green and Swets 1966).
+// Sensitivity d' of an m-alternative forced choice: the observer chooses the largest of m independent normal
+// variables, one of which is shifted by d' (Green and Swets 1966).
 #pragma once
 
 #include "stats/kernels/value.h"
@@ -9,13 +9,13 @@ namespace stats {
 struct ChoiceSensitivity {
     std::string why;  ///< empty when there is a proportion
     Value proportionCorrect;
-    Value discriminators;  ///< share of choices that were not guessed: (p - 1/m) / (1 - 1/m), 0 below chance
+    Value discriminators;  ///< share of choices that were not guessed, (p - 1/m) / (1 - 1/m); 0 below chance
     Value dPrime;          ///< 0 at or below chance; infinity when every choice was correct
     Value seDPrime;        ///< delta method; undefined below chance and when every choice was correct
 };
 
-/// `correct` of `trials` choices among `alternatives` >= 2. Refused with a reason: no trials, counts that
-/// are negative or exceed the trials.
+/// Sensitivity from `correct` of `trials` choices among `alternatives` >= 2. Refused with a reason: no trials,
+/// counts that are negative or exceed the trials.
 ChoiceSensitivity forcedChoice(long long correct, long long trials, int alternatives);
 
 /// Probability of a correct choice at d' (any real): integral of phi(x - d') Phi(x)^(m - 1).

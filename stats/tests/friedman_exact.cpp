@@ -17,8 +17,8 @@ namespace {
 constexpr std::size_t mostConditions = 7;
 constexpr double mostOrders = 3e7;
 
-/// Doubled rank sums of the conditions in ascending order: as every order of every block is as likely as
-/// any other, sums that differ in their order only have the same probability.
+/// Doubled rank sums of the conditions in ascending order. All orders of a block are equally likely, so that rank
+/// sums which differ only in their order have the same probability.
 struct RankSums {
     std::array<std::uint32_t, mostConditions> sum{};
     std::size_t conditions = 0;
@@ -30,11 +30,11 @@ struct RankSums {
     }
 };
 
-/// Probabilities by the sums, which are written one after another into a whole number.
-class Distribution {
+/// Probabilities of all rank sums; the key packs the sums into one whole number.
+class RankSumDistribution {
 public:
-    /// `largest`: no sum can exceed it.
-    Distribution(std::size_t conditions, std::size_t largest) : m_conditions(conditions)
+    /// `largest`: upper bound of a rank sum.
+    RankSumDistribution(std::size_t conditions, std::size_t largest) : m_conditions(conditions)
     {
         while ((std::size_t{1} << m_bits) <= largest) ++m_bits;
         m_probability[0] = 1;
@@ -43,7 +43,7 @@ public:
     bool fits() const { return m_bits * m_conditions <= 64; }
     std::size_t size() const { return m_probability.size(); }
 
-    /// One more block, whose ranks come in any of these orders.
+    /// Adds a block, whose ranks come in one of these orders.
     void add(const std::vector<RankSums>& orders)
     {
         std::unordered_map<std::uint64_t, double> after;
@@ -88,7 +88,7 @@ private:
     std::unordered_map<std::uint64_t, double> m_probability;
 };
 
-/// All different orders of one block's ascending ranks.
+/// All different orders of the ascending ranks of a block.
 std::vector<RankSums> ordersOf(RankSums ranks)
 {
     std::vector<RankSums> orders;
@@ -97,7 +97,7 @@ std::vector<RankSums> ordersOf(RankSums ranks)
     return orders;
 }
 
-/// Sum of squared distances from the expected sums; for given ties the statistic is a multiple of it.
+/// Sum of squared distances from the expected rank sums. For given ties Friedman's statistic is a multiple of it.
 long long spreadOf(const RankSums& sums, long long expected)
 {
     long long spread = 0;
@@ -129,9 +129,9 @@ ExactFriedman exactFriedman(const BlockTable& table)
 {
     if (table.blocks == 0 || table.conditions < 2) return undefinedExact("needs a block and at least 2 conditions");
     if (const std::string fault = nonFiniteFault(table.values, "the table"); !fault.empty()) return undefinedExact(fault);
-    if (table.conditions > mostConditions) return undefinedExact("more than 7 conditions: the approximations stand");
-    const std::string tooLarge = "too many blocks and conditions: the approximations stand";
-    Distribution distribution(table.conditions, 2 * table.blocks * table.conditions);
+    if (table.conditions > mostConditions) return undefinedExact("more than 7 conditions: read the approximate p");
+    const std::string tooLarge = "too many blocks and conditions: read the approximate p";
+    RankSumDistribution distribution(table.conditions, 2 * table.blocks * table.conditions);
     if (!distribution.fits()) return undefinedExact(tooLarge);
     RankSums observed{{}, table.conditions};
     auto blocks = ranksOf(table);
@@ -139,7 +139,7 @@ ExactFriedman exactFriedman(const BlockTable& table)
         for (std::size_t j = 0; j < table.conditions; ++j) observed.sum[j] += ranks.sum[j];
         ranks.sort();
     }
-    // The order of the participants shall change no bit.
+    // Sorted, so that the order of the participants changes no bit.
     std::sort(blocks.begin(), blocks.end(), [](const RankSums& a, const RankSums& b) { return a.sum < b.sum; });
     double steps = 0;
     for (const RankSums& ranks : blocks) {

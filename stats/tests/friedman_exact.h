@@ -1,5 +1,5 @@
-// The exact permutation p of Friedman's test for small designs, ties included: within each block all
-// orders of its own mid-ranks are equally likely.
+// Exact permutation p of Friedman's test for small designs, with ties: within each block all orders of its own
+// mid-ranks are equally likely.
 #pragma once
 
 #include "stats/kernels/block_table.h"
@@ -12,7 +12,7 @@ struct ExactFriedman {
     Value logP;
 };
 
-/// Up to 7 conditions, and as many blocks as about a second allows.
+/// Exact test of up to 7 conditions; the number of blocks is limited to about a second of work.
 ExactFriedman exactFriedman(const BlockTable& table);
 
 }  // namespace stats

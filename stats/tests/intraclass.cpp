@@ -25,7 +25,7 @@ IntraclassCorrelations undefinedIcc(const std::string& why)
 IntraclassCorrelations intraclassCorrelations(const MeanSquares& ms, double targets, double raters)
 {
     IntraclassCorrelations result;
-    // What varies within a target when raters are not told apart.
+    // Mean square within targets, all raters taken together.
     const double within = (ms.raters + (targets - 1) * ms.error) / targets;
     const double raterShare = (ms.raters - ms.error) / targets;
     result.icc1 = ratio(ms.targets - within, ms.targets + (raters - 1) * within);

@@ -1,6 +1,6 @@
-// Intraclass correlations (Shrout and Fleiss 1979): how far measurements of the same target agree, from
-// complete tables of targets by raters. The first number names the model (1: every target has its own
-// raters; 2: raters are a sample; 3: these raters), k the mean of all raters instead of one.
+// Intraclass correlations (Shrout and Fleiss 1979): agreement of the raters of the same targets, from complete
+// tables of targets by raters. The number names the model (1: every target has its own raters; 2: raters are a
+// sample; 3: these raters only); k means the mean of all raters instead of a single rater.
 #pragma once
 
 #include "stats/kernels/block_table.h"
@@ -18,7 +18,7 @@ struct IntraclassCorrelations {
     Value icc3k;  ///< equals Cronbach's alpha
 };
 
-/// Rows are targets, columns raters; at least 2 of each.
+/// Correlations of a table whose rows are targets and whose columns are raters, at least 2 of each.
 IntraclassCorrelations intraclassCorrelations(const BlockTable& targetsByRaters);
 
 struct MeanSquares {
@@ -27,7 +27,7 @@ struct MeanSquares {
     double error = 0;
 };
 
-/// From the mean squares of n targets by k raters.
+/// Correlations from the mean squares of an analysis of variance.
 IntraclassCorrelations intraclassCorrelations(const MeanSquares& ms, double targets, double raters);
 
 }  // namespace stats

@@ -13,8 +13,8 @@ double harmonic(std::size_t m)
     return sum;
 }
 
-/// What the p of this rank (0 = smallest of m) is multiplied with before it is made monotone. One factor,
-/// so that a denormal p is rounded once.
+/// Factor of the p of this rank (0 = smallest of m), before the values are made monotone. It is a single factor,
+/// so that a denormal p is rounded only once.
 double factorOf(std::size_t rank, std::size_t m, Adjustment method, double harmonicSum)
 {
     const auto members = static_cast<double>(m);

@@ -1,4 +1,4 @@
-// P values adjusted for how many tests a family holds.
+// P values adjusted for the number of tests in a family.
 #pragma once
 
 #include <span>
@@ -16,8 +16,8 @@ enum class Adjustment {
     BenjaminiYekutieli,
 };
 
-/// Adjusted values in the places of the raw ones. An undefined p stays undefined and is not counted as
-/// a member of the family. Never below the raw value; equal to it for a family of one.
+/// Adjusted values in the order of the raw ones. An undefined p stays undefined and does not count as a member
+/// of the family. No adjusted p is below its raw p; in a family of one they are equal.
 std::vector<Value> adjusted(std::span<const Value> p, Adjustment method);
 
 }  // namespace stats

@@ -30,7 +30,7 @@ std::string faultOf(const std::vector<std::vector<double>>& groups, std::size_t 
     return {};
 }
 
-/// Sum over the groups of n (mean - grand mean)^2, from differences of means and never from the means.
+/// Sum over the groups of n (mean - grand mean)^2, from differences of means, which keep their digits beside an offset.
 double between(const std::vector<Moments>& groups, std::size_t n)
 {
     double shift = groups.front().shift;

@@ -73,7 +73,7 @@ FriedmanTest friedmanTest(const BlockTable& table)
     }
     const auto k = static_cast<double>(table.conditions);
     const auto n = static_cast<double>(table.blocks);
-    // Whole numbers throughout: doubled ranks, and the tie groups' t^3 - t.
+    // All sums are whole numbers: doubled ranks, and t^3 - t of a group of t ties.
     std::vector<long long> sums(table.conditions, 0);
     double tied = 0;
     for (std::size_t block = 0; block < table.blocks; ++block) {

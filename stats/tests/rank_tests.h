@@ -1,5 +1,5 @@
-// Tests of more than two conditions on complete blocks without a normal distribution: Friedman's
-// on ranks, Cochran's Q on successes.
+// Tests of several conditions on complete blocks that assume no normal distribution: Friedman's test of ranks and
+// Cochran's Q of successes.
 #pragma once
 
 #include "stats/kernels/block_table.h"
@@ -32,7 +32,7 @@ struct CochranTest {
     Value logP;
 };
 
-/// Of a table of 0 and 1.
+/// Cochran's Q of a table of 0 and 1.
 CochranTest cochranTest(const BlockTable& table);
 
 }  // namespace stats

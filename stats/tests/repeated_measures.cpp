@@ -12,7 +12,7 @@
 namespace stats {
 namespace {
 
-/// tr(C)^2 / ((k-1) sum of C_ij^2), C being the double-centred covariance up to a factor.
+/// Greenhouse and Geisser's epsilon, tr(C)^2 / ((k-1) sum of C_ij^2); C is the double-centred covariance up to a factor.
 double greenhouseGeisser(const TwoWayEffects& effects)
 {
     const std::size_t k = effects.conditions;
@@ -37,7 +37,7 @@ Value huynhFeldt(double epsilonGg, double n, double k)
     return (n * (k - 1) * epsilonGg - 2) / denominator;
 }
 
-/// Conditions are the targets, blocks the raters.
+/// Intraclass correlations with the conditions as targets and the blocks as raters.
 void setIcc(RepeatedMeasuresAnova& anova, const MeanSquares& ms, double n, double k)
 {
     const IntraclassCorrelations icc = intraclassCorrelations(ms, k, n);
@@ -116,7 +116,7 @@ std::vector<Value> moreyHalfWidths(const BlockTable& table, double confidence)
     const double factor = studentQuantile((1 - confidence) / 2, n - 1) * std::sqrt(k / (k - 1) / n);
     std::vector<Value> result;
     for (std::size_t j = 0; j < table.conditions; ++j) {
-        // Normalised values differ from the residuals by a constant per condition.
+        // Within a condition, normalised values and residuals differ by a constant only.
         const double squares =
             orderFreeSum(table.blocks, [&](std::size_t i) { return effects.residualAt(i, j) * effects.residualAt(i, j); });
         result.push_back(scaled.unscaled(factor * std::sqrt(squares / (n - 1))));

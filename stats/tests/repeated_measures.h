@@ -1,5 +1,5 @@
-// One-way repeated-measures analysis of variance on complete blocks, with the Greenhouse-Geisser
-// correction always beside the uncorrected p, within-subject intervals and intraclass correlations.
+// One-way repeated-measures analysis of variance on complete blocks, with the Greenhouse-Geisser and Huynh-Feldt
+// corrections, Mauchly's test, within-subject intervals and intraclass correlations.
 #pragma once
 
 #include "stats/kernels/block_table.h"
@@ -22,12 +22,12 @@ struct RepeatedMeasuresAnova {
     Value pGg;
     Value logPGg;
     MauchlyTest mauchly;
-    Value epsilonHf;  ///< Huynh and Feldt 1976; may exceed 1, the test then uses 1
+    Value epsilonHf;  ///< Huynh and Feldt 1976; where it exceeds 1 the test uses 1
     Value pHf;
     Value logPHf;
     Value partialEtaSquared;
     Value generalizedEtaSquared;
-    std::vector<Value> moreyHalfWidths;  ///< by condition
+    std::vector<Value> moreyHalfWidths;  ///< one for each condition
     Value icc2;                          ///< ICC(2,1): conditions as targets, blocks as raters (Shrout and Fleiss 1979)
     Value icc2k;
     Value icc3;
@@ -36,8 +36,8 @@ struct RepeatedMeasuresAnova {
 
 RepeatedMeasuresAnova repeatedMeasuresAnova(const BlockTable& table);
 
-/// Half-widths of within-subject intervals (Morey 2008) for each condition, without the between-block
-/// differences: t quantile x SD of the normalised values / sqrt(n) x sqrt(k / (k - 1)).
+/// Half-widths of within-subject intervals (Morey 2008), one for each condition: t quantile x SD of the normalised
+/// values / sqrt(n) x sqrt(k / (k - 1)). Normalised values have the differences between blocks removed.
 std::vector<Value> moreyHalfWidths(const BlockTable& table, double confidence = 0.95);
 
 }  // namespace stats

@@ -35,7 +35,7 @@ bool isAtLeastAsFar(double sum, double observed, double noise, Tail tail)
     return false;
 }
 
-/// All signs one after another; sums within rounding of the observed one count as equal to it.
+/// p from all 2^n signs, one by one. A sum that equals the observed one up to rounding counts as equal.
 double enumerated(const std::vector<double>& differences, Tail tail)
 {
     double observed = 0;

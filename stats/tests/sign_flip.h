@@ -1,6 +1,6 @@
-// Permutation test of paired differences: were the two conditions exchangeable within each participant,
-// every sign of a difference would be a fair coin. Exact over all 2^n signs, on the decimal grid of the
-// data, where equal sums are equal.
+// Permutation test of paired differences. If the two conditions are exchangeable within each participant, both
+// signs of a difference are equally likely. Exact over all 2^n signs, on the decimal grid of the data, where
+// equal sums are exactly equal.
 #pragma once
 
 #include "stats/tests/t_tests.h"
@@ -16,9 +16,8 @@ struct SignFlipTest {
     Value logP;
 };
 
-/// Of the differences x - y; an empty y stands for zeros. Refused with a reason: no values, unequal
-/// numbers, values that are not finite, all differences zero, and data on no grid that is coarse enough
-/// (or, without a grid, more than 22 differences).
+/// Tests the differences x - y; an empty y stands for zeros. Refused with a reason: no values, unequal numbers,
+/// values that are not finite, all differences zero, too fine a grid, more than 22 differences without a grid.
 SignFlipTest signFlipTest(std::span<const double> x, std::span<const double> y, Tail tail = Tail::TwoSided);
 
 }  // namespace stats

@@ -18,14 +18,14 @@ long long commonDivisor(std::span<const long long> magnitudes)
     return std::max(divisor, 1LL);
 }
 
-/// next[s] = (now[s] + now[s - step])/2 for 0 <= s < end; now is 0 outside its numbers.
+/// next[s] = (now[s] + now[s - step])/2 for 0 <= s < end, where now[s - step] is 0 for s < step.
 STATS_VECTOR_CLONES void addTerm(const double* now, double* next, std::size_t step, std::size_t end)
 {
     for (std::size_t s = 0; s < std::min(step, end); ++s) next[s] = 0.5 * now[s];
     for (std::size_t s = step; s < end; ++s) next[s] = 0.5 * now[s] + 0.5 * now[s - step];
 }
 
-/// Probabilities of all sums 0 ... total.
+/// Probabilities of the sums 0 ... total.
 std::vector<double> distributionOf(std::span<const long long> terms)
 {
     const auto total = static_cast<std::size_t>(std::accumulate(terms.begin(), terms.end(), 0LL));
@@ -41,7 +41,7 @@ std::vector<double> distributionOf(std::span<const long long> terms)
     return now;
 }
 
-/// Sum over first <= s < end; 0 where that is empty.
+/// Probability of first <= s < end; 0 where that is empty.
 double sumBetween(const std::vector<double>& probability, long long first, long long end)
 {
     if (end <= first) return 0;
@@ -67,8 +67,8 @@ TailProbability signedSumProbability(std::span<const long long> magnitudes, long
     const std::vector<double> probability = distributionOf(terms);
     const long long total = static_cast<long long>(probability.size()) - 1;
     const long long end = total + 1;
-    // The sum is symmetric about total/2, so the upper tail of v is the lower tail of its mirror. The smaller
-    // side is summed: a p near 1 keeps the digits of its distance from 1.
+    // The distribution is symmetric about total/2, so that the lower tail of v is the upper tail of total - v. The
+    // smaller side is summed, so that 1 - p keeps its digits.
     const long long v = tail == Tail::Less ? total - positive / divisor : positive / divisor;
     if (tail != Tail::TwoSided) {
         const double p = sumBetween(probability, v, end);

@@ -1,5 +1,5 @@
-// The distribution of a sum whose terms each get a fair coin's sign: what Wilcoxon's signed-rank test and
-// the sign-flip permutation test share. Exact, by adding one term after another.
+// Exact distribution of a sum whose terms have random signs, for Wilcoxon's signed-rank test and the sign-flip
+// permutation test. It is computed by dynamic programming, one term after another.
 #pragma once
 
 #include <span>
@@ -9,14 +9,15 @@
 
 namespace stats {
 
-/// Beyond these the distribution would lose its tails to the smallest double, or take too long.
+/// Limits: beyond them the tails fall below the smallest double, or the computation takes too long.
 constexpr std::size_t mostSignedTerms = 1000;
-constexpr double mostSignedWork = 2e9;  ///< terms x their sum, after their common divisor was taken out
+constexpr double mostSignedWork = 2e9;  ///< number of terms x their sum, divided by their common divisor
 
+/// True where the terms are within both limits.
 bool signedSumIsFeasible(std::span<const long long> magnitudes);
 
-/// P of a sum of positive terms at least (Greater), at most (Less) or as far from its mean as (TwoSided)
-/// `positive`. `magnitudes` > 0; feasible.
+/// P that the sum of the positive terms is at least (Greater) or at most (Less) `positive`, or as far from its
+/// mean (TwoSided). `magnitudes` > 0, and feasible.
 TailProbability signedSumProbability(std::span<const long long> magnitudes, long long positive, Tail tail);
 
 }  // namespace stats

@@ -13,7 +13,7 @@ namespace {
 
 double plogp(double p, double q) { return p <= 0 ? 0 : p * std::log2(q); }
 
-/// The last time of each bin.
+/// The longest time of each bin.
 std::vector<double> binEnds(std::span<const double> seconds, std::size_t bins)
 {
     std::vector<double> ascending(seconds.begin(), seconds.end());

@@ -1,4 +1,4 @@
-// Speed and accuracy of choices taken together, without ever dividing by the number correct.
+// Speed and accuracy of choices combined. No measure divides by the number of correct choices.
 #pragma once
 
 #include <cstddef>
@@ -24,14 +24,14 @@ ResponseTimes responseTimes(std::span<const double> seconds);
 /// log2 m + p log2 p + (1 - p) log2((1 - p)/(m - 1)); 0 at or below chance.
 Value bitsPerChoice(double proportionCorrect, int alternatives);
 
-/// Bits per choice / mean seconds per choice.
+/// Information per second: bits per choice / mean seconds per choice.
 Value bitsPerSecond(double proportionCorrect, int alternatives, double meanSeconds);
 
 /// Balanced integration score (Liesefeld and Janczyk 2019): z(proportion correct) - z(time), both
-/// standardised over all cells with the SD of the population. One score a cell; higher is better.
+/// standardised over all cells with the SD of the population. One score for each cell; higher is better.
 std::vector<Value> balancedIntegrationScores(std::span<const double> proportionCorrect, std::span<const double> seconds);
 
-/// One bin of a conditional accuracy function: how often the choices of this speed were correct.
+/// One bin of a conditional accuracy function: the accuracy of the choices of this speed.
 struct AccuracyBin {
     std::size_t n = 0;
     Value meanSeconds;
@@ -44,8 +44,8 @@ struct ConditionalAccuracy {
     std::vector<AccuracyBin> bins;  ///< from fast to slow
 };
 
-/// Bins end at the type-7 quantiles of the times, so that equal times share a bin whatever their order; a
-/// bin may then be empty. Refused with a reason: no choices, numbers that differ, a time that is not finite.
+/// Conditional accuracy function. Bins end at the type-7 quantiles of the times: equal times share a bin, and a
+/// bin may be empty. Refused with a reason: no choices, sizes that differ, a time that is not finite.
 ConditionalAccuracy conditionalAccuracy(std::span<const double> seconds, const std::vector<bool>& correct, std::size_t bins = 5);
 
 }  // namespace stats

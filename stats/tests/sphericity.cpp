@@ -13,7 +13,7 @@ namespace {
 
 using Square = std::vector<std::vector<double>>;
 
-/// Every block's k - 1 orthonormal Helmert contrasts: condition j against the mean of those before it.
+/// The k - 1 orthonormal Helmert contrasts of every block: condition j against the mean of those before it.
 std::vector<std::vector<double>> contrastsOf(const TwoWayEffects& effects)
 {
     std::vector<std::vector<double>> contrasts(effects.conditions - 1, std::vector<double>(effects.blocks));
@@ -37,8 +37,8 @@ Square productsOf(const std::vector<std::vector<double>>& contrasts)
     return products;
 }
 
-/// Logarithm of the determinant by Cholesky's factors, of a matrix whose diagonal is 1 on average; none where
-/// it is singular to rounding.
+/// Logarithm of the determinant of a matrix whose diagonal is 1 on average, from the pivots of its Cholesky
+/// factor; empty where the matrix is singular up to rounding.
 std::optional<double> logDeterminant(Square matrix)
 {
     const std::size_t p = matrix.size();

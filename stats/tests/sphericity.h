@@ -1,5 +1,5 @@
-// Mauchly's test of sphericity (1940), only where it is defined: more blocks than conditions, and
-// differences between conditions that no other differences determine.
+// Mauchly's test of sphericity (1940), only where it is defined: at least as many blocks as conditions, and no
+// difference between conditions that is a linear combination of others.
 #pragma once
 
 #include "stats/kernels/two_way.h"
@@ -13,7 +13,7 @@ struct MauchlyTest {
     Value chiSquared;    ///< -(n - 1) rho log w
     Value df;            ///< k (k - 1)/2 - 1
     Value pChiSquared;   ///< first order
-    Value pSecondOrder;  ///< with the second term of Box's expansion (1949), which R reports with one term of k instead of k - 1
+    Value pSecondOrder;  ///< with the second term of Box's expansion (1949); R's mauchly.test has k for k - 1 in one place
 };
 
 MauchlyTest mauchlyTest(const TwoWayEffects& effects);

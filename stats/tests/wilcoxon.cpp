@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t mostWalsh = 5000;
 
-/// PairedDifferences in ascending comparable form, and the unit that turns them back into numbers.
+/// Differences in whole units of the decimal grid, or as doubles; units per one turn them back into numbers.
 struct PairedDifferences {
     std::vector<double> values;
     double unitsPerOne = 1;
@@ -38,7 +38,7 @@ PairedDifferences differencesOf(std::span<const double> x, std::span<const doubl
     return differences;
 }
 
-/// Doubled mid-ranks of the non-zero magnitudes, with the sign of their difference.
+/// Doubled mid-ranks of the non-zero differences, and the sum of the ranks of the positive ones.
 struct SignedRanks {
     std::vector<long long> doubled;
     long long positive = 0;
@@ -70,7 +70,7 @@ SignedRanks signedRanksOf(const std::vector<double>& differences, ZeroMethod zer
 void setExact(WilcoxonTest& test, const SignedRanks& ranks, Tail tail)
 {
     if (!signedSumIsFeasible(ranks.doubled)) {
-        test.pExact = test.logPExact = Value::undefined("more than 1000 differences: the normal approximation stands");
+        test.pExact = test.logPExact = Value::undefined("more than 1000 differences: read the p of the normal approximation");
         return;
     }
     const TailProbability exact = signedSumProbability(ranks.doubled, ranks.positive, tail);

@@ -368,9 +368,9 @@ private Q_SLOTS:
         QTest::addRow("one group") << "one group"
                                    << "belong to one p";
         QTest::addRow("a group each") << "group each"
-                                      << "cannot be told from the residual";
+                                      << "cannot be separated from the residual";
         QTest::addRow("same groups") << "same groups"
-                                     << "divide the values alike";
+                                     << "divide the values in the same way";
         QTest::addRow("determined") << "determined"
                                     << "determined by those before it";
         QTest::addRow("no residual") << "no residual"

@@ -5,7 +5,7 @@
 #include <QWidget>
 #include <memory>
 
-#include "study/app/pieces/looks.h"
+#include "study/app/pieces/appearance_keys.h"
 #include "study/app/state/app_options.h"
 #include "study/app/state/open_study.h"
 #include "study/app/state/session_controller.h"
@@ -37,15 +37,15 @@ public:
     QWidget* currentPage() const;
 
     StartPage& startPage() const { return *m_startPage; }
-    void setAppearance(const Appearance& appearance) { m_looks->set(appearance); }
+    void setAppearance(const Appearance& appearance) { m_appearanceKeys->set(appearance); }
 
 protected:
     void closeEvent(QCloseEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
-    void joinPages();
-    void joinSession();
+    void connectPages();
+    void connectSession();
     void showStart();
     void showStudy();
     void refreshSession();
@@ -55,10 +55,10 @@ private:
     void closeStudy();
 
     AppOptions m_options;
-    Looks* m_looks;
+    AppearanceKeys* m_appearanceKeys;
     std::unique_ptr<OpenStudy> m_study;
     std::unique_ptr<SessionController> m_session;
-    bool m_leavingToldOnce = false;
+    bool m_leavingWasRefused = false;
 
     QStackedWidget* m_pages;
     StartPage* m_startPage;

@@ -7,7 +7,7 @@
 #include <set>
 #include <string>
 
-#include "study/app/gui_hands.h"
+#include "study/app/gui_operator.h"
 #include "study/app/main_window.h"
 #include "tests/support/study_builder.h"
 
@@ -35,12 +35,12 @@ struct ShownWindow {
     }
 
     study::app::MainWindow window;
-    study::app::GuiHands hands;
+    study::app::GuiOperator gui;
 };
 
-/// What the display was told, shared with the test; it fails while `fault` is not empty.
+/// What the display was calls, shared with the test; it fails while `fault` is not empty.
 struct DisplayRecord {
-    std::vector<std::string> told;
+    std::vector<std::string> calls;
     std::string fault;
     bool reportsTouches = false;
     std::function<void()> touch;  ///< as if a finger came down; empty without a session
@@ -54,10 +54,10 @@ public:
     OpenWindow(const database::StudyFolder& study, const study::app::AppOptions& options, const DisplayRecord& display);
 
     study::app::MainWindow& window() { return *m_window; }
-    study::app::GuiHands& hands() { return m_hands; }
+    study::app::GuiOperator& gui() { return m_gui; }
     study::session::VirtualClock& clock() { return *m_clock; }
     DisplayRecord& display() { return *m_display; }
-    const study::session::View& view() { return m_hands.view(); }
+    const study::session::View& view() { return m_gui.view(); }
 
     /// Performs an event by keys; a refusal fails the test that calls it.
     void perform(const study::session::EventBody& event);
@@ -83,7 +83,7 @@ private:
     std::shared_ptr<DisplayRecord> m_display;
     std::shared_ptr<study::session::VirtualClock> m_clock;
     std::unique_ptr<study::app::MainWindow> m_window;
-    study::app::GuiHands m_hands;
+    study::app::GuiOperator m_gui;
 };
 
 /// Every text that a widget under `root` (or its title) can show or tell a screen reader.

@@ -13,15 +13,15 @@
 
 namespace tests::support {
 
-/// Remembers what it was told; fails where `fault` is set.
+/// Records every call; throws where `fault` is set.
 class FakeDisplay final : public rendering::HapticDisplay {
 public:
     void show(const cv::Mat& image) override;
     void clear() override;
     std::string name() const override { return "fake"; }
 
-    std::vector<std::string> told;  ///< "show 30" (the pixel value), "clear"
-    std::string fault;              ///< not empty: show throws workFailed with this text
+    std::vector<std::string> calls;  ///< "show 30" (the pixel value), "clear"
+    std::string fault;               ///< not empty: show throws workFailed with this text
     std::function<void()> onShow;
 };
 

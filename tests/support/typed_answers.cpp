@@ -36,7 +36,7 @@ Answers answersIn(const database::StudyFolder& folder)
 std::string nowAsked(OpenWindow& open)
 {
     const int index = std::get<Presenting>(open.view().state.stage).index;
-    const auto number = open.hands().plan().trials.at(static_cast<std::size_t>(index)).number;
+    const auto number = open.gui().plan().trials.at(static_cast<std::size_t>(index)).number;
     return open.view().participant + " " + std::to_string(number.value) + " " + open.view().question->id.value;
 }
 

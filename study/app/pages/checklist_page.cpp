@@ -18,7 +18,7 @@ ChecklistPage::ChecklistPage(QWidget* parent)
       m_action(mainButton("confirmButton", tr("All is ready (Enter)"), this))
 {
     auto* head = new PageHead(this);
-    head->tell(tr("Before the first presentation"), tr("Go through the list; Space ticks a line. The time is kept with it."));
+    head->setTexts(tr("Before the first presentation"), tr("Go through the list; Space ticks a line. The time is kept with it."));
     m_rows->setSpacing(4);
     auto* column = new QVBoxLayout(this);
     column->setSpacing(14);
@@ -33,12 +33,12 @@ ChecklistPage::ChecklistPage(QWidget* parent)
 
 void ChecklistPage::begin(const SessionFacts& facts)
 {
-    emptyOut(*m_rows);
+    clearLayout(*m_rows);
     m_boxes.clear();
     for (const QString& line : facts.checklist) m_rows->addWidget(rowFor(line));
     m_readings->setCaptions(facts.readings);
     m_readings->setVisible(!facts.readings.isEmpty());
-    letFollow(facts.readings.isEmpty() ? static_cast<QWidget&>(*this) : *m_readings, {m_action});
+    setTabOrderAfter(facts.readings.isEmpty() ? static_cast<QWidget&>(*this) : *m_readings, {m_action});
 }
 
 QWidget* ChecklistPage::rowFor(const QString& line)
@@ -76,7 +76,7 @@ void ChecklistPage::confirm()
     }
     session::ChecklistDone done{{}, m_readings->given()};
     for (const QCheckBox* box : m_boxes) done.ticked.push_back(box->accessibleName().toStdString());
-    Q_EMIT eventAsked(done);
+    Q_EMIT eventRequested(done);
 }
 
 bool ChecklistPage::eventFilter(QObject* watched, QEvent* event)

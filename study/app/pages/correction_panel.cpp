@@ -7,7 +7,7 @@
 namespace study::app {
 
 CorrectionPanel::CorrectionPanel(QWidget* parent)
-    : Panel(parent),
+    : FormPanel(parent),
       m_questionsRow(new FlowLayout(8, 8)),
       m_old(label("oldValue", Type::Lead, this)),
       m_entry(new AnswerEntry(this))
@@ -54,7 +54,7 @@ void CorrectionPanel::showAnswer(std::size_t place)
     for (std::size_t i = 0; i < m_questions.size(); ++i) m_questions[i]->setChecked(i == place);
     m_old->setText(m_correctables[place].current);
     m_entry->ask(m_correctables[place].form);
-    letReasonFollow(*m_entry);
+    setReasonAfter(*m_entry);
     firstFocus().setFocus();
 }
 
@@ -81,7 +81,7 @@ bool CorrectionPanel::pressKey(int key)
         focusReason();
         return true;
     }
-    return Panel::pressKey(key);
+    return FormPanel::pressKey(key);
 }
 
 QWidget& CorrectionPanel::firstFocus() { return m_entry->firstFocus(); }

@@ -2,7 +2,7 @@
 // stays in the record.
 #pragma once
 
-#include "study/app/pages/panel.h"
+#include "study/app/pages/form_panel.h"
 #include "study/app/state/session_controller.h"
 
 class QLabel;
@@ -13,7 +13,7 @@ namespace study::app {
 class AnswerEntry;
 class FlowLayout;
 
-class CorrectionPanel : public Panel {
+class CorrectionPanel : public FormPanel {
     Q_OBJECT
 public:
     explicit CorrectionPanel(QWidget* parent);

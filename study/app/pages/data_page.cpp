@@ -26,7 +26,7 @@ namespace study::app {
 
 namespace {
 
-enum Column { idColumn, nameColumn, photographsColumn, framesColumn, heightsColumn, strokesColumn, faultsColumn, columns };
+enum FabricColumn { idColumn, nameColumn, photographsColumn, framesColumn, heightsColumn, strokesColumn, faultsColumn, columns };
 
 /// What stops a check whose result nobody waits for any more.
 struct Stopped : std::runtime_error {
@@ -75,7 +75,7 @@ DataPage::DataPage(const LookAtData& look, QWidget* parent)
     build();
     connect(m_open, &QPushButton::clicked, this, [this] { open(m_folderField->text()); });
     connect(m_browse, &QPushButton::clicked, this, &DataPage::browse);
-    connect(m_back, &QPushButton::clicked, this, &DataPage::backAsked);
+    connect(m_back, &QPushButton::clicked, this, &DataPage::backRequested);
     connect(m_before, &QPushButton::clicked, this, [this] { stepSample(-1); });
     connect(m_after, &QPushButton::clicked, this, [this] { stepSample(+1); });
     connect(m_fabrics, &QTreeWidget::currentItemChanged, this, &DataPage::chooseFabric);
@@ -149,7 +149,7 @@ void DataPage::build()
     column->addWidget(m_keys);
     column->addWidget(m_sheet);
     column->addStretch(1);
-    column->addWidget(lookHint(page));
+    column->addWidget(appearanceHint(page));
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
     m_area = scrolling("dataArea", page, this);
@@ -179,14 +179,14 @@ void DataPage::open(const QString& asked)
     enable();
     if (folder.isEmpty()) {
         m_folderField->setFocus();
-        return m_message->tellHint(tr("Name the data set's folder, or browse to it."));
+        return m_message->showHint(tr("Name the data set's folder, or browse to it."));
     }
-    m_message->tellDone(tr("Reading…"));
+    m_message->showDone(tr("Reading…"));
     m_reading->run([this, folder](const std::atomic<bool>&) -> InBackground::Then {
         try {
             return [this, folder, overview = m_look.open(folder.toStdString())] { showOverview(folder, overview); };
         } catch (const std::exception& fault) {
-            return [this, why = QString::fromUtf8(fault.what())] { m_message->tellFault(why); };
+            return [this, why = QString::fromUtf8(fault.what())] { m_message->showFault(why); };
         }
     });
 }
@@ -315,7 +315,7 @@ void DataPage::showSheet(const DataSheet& sheet)
     if (sheet.faults.isEmpty())
         m_message->clearMessage();
     else
-        m_message->tellFault(sheet.faults.join('\n'));
+        m_message->showFault(sheet.faults.join('\n'));
 }
 
 void DataPage::arrange()
@@ -363,7 +363,7 @@ void DataPage::keyPressEvent(QKeyEvent* event)
 {
     auto* pressed = qobject_cast<QPushButton*>(focusWidget());
     if (event->key() == Qt::Key_Escape)
-        Q_EMIT backAsked();
+        Q_EMIT backRequested();
     else if (isEnter(event->key()) && focusWidget() == m_folderField)
         open(m_folderField->text());
     else if (isEnter(event->key()) && pressed)

@@ -35,7 +35,7 @@ public:
     bool isBusy() const;
 
 Q_SIGNALS:
-    void backAsked();
+    void backRequested();
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;

@@ -12,10 +12,10 @@ DebriefingPage::DebriefingPage(QWidget* parent)
     : StagePage(parent), m_notes(new WordsField("debriefingField", tr("What the participant says about the session"), this))
 {
     auto* head = new PageHead(this);
-    head->tell(tr("After the last presentation"), tr("The display is off; the participant may take off the mask."));
+    head->setTexts(tr("After the last presentation"), tr("The display is off; the participant may take off the mask."));
     auto* steps = new StepList(this);
-    steps->tell({tr("Ask: “What did you go by when you compared? Was anything unpleasant or odd?”"),
-                 tr("Ask: “What do you think this was about?” Then tell them what the study is for.")});
+    steps->setSteps({tr("Ask: “What did you go by when you compared? Was anything unpleasant or odd?”"),
+                     tr("Ask: “What do you think this was about?” Then tell them what the study is for.")});
     auto* rights = quietLabel("rightsText", this);
     rights->setText(
         tr("Nothing has to be written. It is kept apart from the answers and can be erased later. "
@@ -35,7 +35,7 @@ DebriefingPage::DebriefingPage(QWidget* parent)
 
 void DebriefingPage::begin(const SessionFacts&) { m_notes->clear(); }
 
-void DebriefingPage::confirm() { Q_EMIT eventAsked(session::Debriefed{m_notes->words().toStdString()}); }
+void DebriefingPage::confirm() { Q_EMIT eventRequested(session::Debriefed{m_notes->words().toStdString()}); }
 
 bool DebriefingPage::pressKey(int key)
 {

@@ -11,7 +11,7 @@ FactsPage::FactsPage(QWidget* parent)
     : StagePage(parent), m_form(new LineForm("fact", this)), m_action(mainButton("confirmButton", tr("Go on (Enter)"), this))
 {
     auto* head = new PageHead(this);
-    head->tell(tr("About the participant"), tr("Ask, and write what they tell. Every line may stay empty."));
+    head->setTexts(tr("About the participant"), tr("Ask, and write what they tell. Every line may stay empty."));
     auto* rights = quietLabel("rightsText", this);
     rights->setText(
         tr("Say: “You need not tell any of this. It is kept apart from your answers, and you can have it erased "
@@ -30,10 +30,10 @@ FactsPage::FactsPage(QWidget* parent)
 void FactsPage::begin(const SessionFacts& facts)
 {
     m_form->setCaptions(facts.facts);
-    letFollow(*m_form, {m_action});
+    setTabOrderAfter(*m_form, {m_action});
 }
 
-void FactsPage::confirm() { Q_EMIT eventAsked(session::FactsGiven{m_form->given()}); }
+void FactsPage::confirm() { Q_EMIT eventRequested(session::FactsGiven{m_form->given()}); }
 
 bool FactsPage::pressKey(int key)
 {

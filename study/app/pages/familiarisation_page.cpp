@@ -18,7 +18,7 @@ FamiliarisationPage::FamiliarisationPage(QWidget* parent)
       m_action(mainButton("confirmButton", tr("The participant is ready (Enter)"), this))
 {
     auto* head = new PageHead(this);
-    head->tell(tr("Getting to know the display"), tr("Nothing is scored here. Take the time that the participant needs."));
+    head->setTexts(tr("Getting to know the display"), tr("Nothing is scored here. Take the time that the participant needs."));
     m_fabricsRow->setLayout(new FlowLayout(10, 8));
     auto* column = new QVBoxLayout(this);
     column->setSpacing(14);
@@ -29,7 +29,7 @@ FamiliarisationPage::FamiliarisationPage(QWidget* parent)
     column->addSpacing(6);
     column->addWidget(m_action, 0, Qt::AlignLeft);
     column->addStretch(1);
-    connect(m_action, &QPushButton::clicked, this, [this] { Q_EMIT eventAsked(session::FamiliarisationDone{}); });
+    connect(m_action, &QPushButton::clicked, this, [this] { Q_EMIT eventRequested(session::FamiliarisationDone{}); });
 }
 
 void FamiliarisationPage::begin(const SessionFacts& facts)
@@ -51,7 +51,7 @@ void FamiliarisationPage::showSteps()
     steps << tr(
         "Say: “Soon you will compare what you feel on the glass with a piece of fabric on the tray. There is no right "
         "answer and no hurry.”");
-    m_steps->tell(steps);
+    m_steps->setSteps(steps);
 }
 
 void FamiliarisationPage::setFabrics(const std::vector<std::string>& fabrics)
@@ -64,7 +64,7 @@ void FamiliarisationPage::setFabrics(const std::vector<std::string>& fabrics)
                             QStringLiteral("%1    %2").arg(item + 1).arg(QString::fromStdString(fabrics[item])), m_fabricsRow);
         made->setCheckable(true);
         connect(made, &QPushButton::clicked, this,
-                [this, item] { Q_EMIT eventAsked(FamiliarisationShown{static_cast<int>(item)}); });
+                [this, item] { Q_EMIT eventRequested(FamiliarisationShown{static_cast<int>(item)}); });
         m_fabricsRow->layout()->addWidget(made);
         made->show();
         m_buttons.push_back(made);
@@ -91,9 +91,9 @@ bool FamiliarisationPage::pressKey(int key)
 {
     const int item = key - Qt::Key_1;
     if (isEnter(key))
-        Q_EMIT eventAsked(session::FamiliarisationDone{});
+        Q_EMIT eventRequested(session::FamiliarisationDone{});
     else if (item >= 0 && item < 9 && item < static_cast<int>(m_fabrics.size()))
-        Q_EMIT eventAsked(FamiliarisationShown{item});
+        Q_EMIT eventRequested(FamiliarisationShown{item});
     else
         return false;
     return true;

@@ -25,7 +25,7 @@ public:
     QWidget& firstFocus() override;
 
 Q_SIGNALS:
-    void leaveAsked();
+    void leaveRequested();
     /// The session shall go on without its refresher and checklist.
     void preparationDeclined();
 

@@ -25,7 +25,7 @@ QString sinceText(const std::optional<double>& minutes)
     return MonitorWindow::tr("%1 min ago").arg(static_cast<int>(*minutes));
 }
 
-QStringList cellsOf(const MonitorOverview::Row& row)
+QStringList cellsOf(const MonitorOverview::ParticipantRow& row)
 {
     if (row.state == database::SlotState::Free)
         return {QString::number(row.place), QStringLiteral("–"), MonitorWindow::tr("free")};
@@ -54,7 +54,7 @@ MonitorWindow::MonitorWindow(const std::filesystem::path& study, const AppOption
     : QWidget(parent),
       m_store(database::StudyFolder{study}, database::StudyStore::Access::Read),
       m_clock(options.clock ? options.clock : std::make_shared<session::SystemClock>()),
-      m_looks(new Looks(options.settings, *this)),
+      m_appearanceKeys(new AppearanceKeys(options.settings, *this)),
       m_flagReading(new FlagReading(options.readFlags, study, this)),
       m_title(label("monitorTitle", Type::Title, this, Weight::Bold)),
       m_summary(label("monitorSummary", Type::Lead, this)),
@@ -84,7 +84,7 @@ MonitorWindow::MonitorWindow(const std::filesystem::path& study, const AppOption
     for (QWidget* part : {static_cast<QWidget*>(m_title), static_cast<QWidget*>(m_summary), static_cast<QWidget*>(m_message)})
         column->addWidget(part);
     column->addWidget(m_rows, 1);
-    for (QWidget* part : {m_flagsCaption, m_flags, hint, lookHint(page)}) column->addWidget(part);
+    for (QWidget* part : {m_flagsCaption, m_flags, hint, appearanceHint(page)}) column->addWidget(part);
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
     outer->addWidget(scrolling("monitorArea", page, this));
@@ -103,14 +103,14 @@ MonitorWindow::~MonitorWindow() = default;
 void MonitorWindow::look()
 {
     try {
-        tell(monitorOverview(m_store, m_clock->wallTime()));
+        present(monitorOverview(m_store, m_clock->wallTime()));
         m_message->clearMessage();
     } catch (const std::exception& fault) {
-        m_message->tellFault(tr("%1. The next look tries again.").arg(QString::fromUtf8(fault.what())));
+        m_message->showFault(tr("%1. The next look tries again.").arg(QString::fromUtf8(fault.what())));
     }
 }
 
-void MonitorWindow::tell(const MonitorOverview& overview)
+void MonitorWindow::present(const MonitorOverview& overview)
 {
     if (overview.answers != m_answersAtFlags && !m_flagReading->isUnderWay()) {
         m_answersAtFlags = overview.answers;
@@ -126,7 +126,7 @@ void MonitorWindow::tell(const MonitorOverview& overview)
                            .arg(overview.isBlinded ? tr("blinded") : tr("unblinded")));
     const int chosen = m_rows->indexOfTopLevelItem(m_rows->currentItem());
     m_rows->clear();
-    for (const MonitorOverview::Row& row : overview.rows) new QTreeWidgetItem(m_rows, cellsOf(row));
+    for (const MonitorOverview::ParticipantRow& row : overview.rows) new QTreeWidgetItem(m_rows, cellsOf(row));
     m_rows->setCurrentItem(m_rows->topLevelItem(chosen));
     m_rows->setMinimumHeight(m_rows->fontMetrics().height() * 9);
 }

@@ -135,22 +135,22 @@ void NewStudyPage::browseFor(QLineEdit& target, Browse browse)
 
 std::optional<NewStudyRequest> NewStudyPage::request()
 {
-    const auto told = [this](QLineEdit* line, const QString& text) {
+    const auto refuse = [this](QLineEdit* line, const QString& text) {
         line->setFocus();
-        m_message->tellHint(text);
+        m_message->showHint(text);
         return std::nullopt;
     };
-    if (m_study->text().trimmed().isEmpty()) return told(m_study, tr("Name a folder for the study; it is made for you."));
+    if (m_study->text().trimmed().isEmpty()) return refuse(m_study, tr("Name a folder for the study; it is made for you."));
     if (m_dataset->text().trimmed().isEmpty())
-        return told(m_dataset, tr("Name the fabric data set that the stimuli are made from."));
+        return refuse(m_dataset, tr("Name the fabric data set that the stimuli are made from."));
     const auto seed = wholeNumberFrom<std::uint64_t>(m_seed->text());
-    if (!seed) return told(m_seed, tr("The seed is a whole number, 0 or larger."));
+    if (!seed) return refuse(m_seed, tr("The seed is a whole number, 0 or larger."));
     NewStudyRequest filled{pathOf(*m_study), pathOf(*m_dataset), std::nullopt, std::nullopt, *seed};
     if (!m_protocol->text().trimmed().isEmpty()) filled.protocol = pathOf(*m_protocol);
     if (!m_participants->text().trimmed().isEmpty()) {
         filled.participants = wholeNumberFrom<int>(m_participants->text());
         if (!filled.participants || *filled.participants < 1)
-            return told(m_participants, tr("The number of participants is a whole number from 1, or empty."));
+            return refuse(m_participants, tr("The number of participants is a whole number from 1, or empty."));
     }
     return filled;
 }
@@ -172,7 +172,7 @@ void NewStudyPage::make()
         m_making.get(), &StudyMaking::failed, this,
         [this](const QString& why) {
             end();
-            m_message->tellFault(why);
+            m_message->showFault(why);
         },
         Qt::QueuedConnection);
     connect(
@@ -209,7 +209,7 @@ void NewStudyPage::goBack()
 {
     if (!m_making) {
         m_message->clearMessage();
-        Q_EMIT backAsked();
+        Q_EMIT backRequested();
         return;
     }
     m_making->stop();

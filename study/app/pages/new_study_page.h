@@ -30,7 +30,7 @@ public:
 
 Q_SIGNALS:
     void made(const QString& folder);
-    void backAsked();
+    void backRequested();
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;

@@ -34,7 +34,7 @@ QuestionPage::QuestionPage(QWidget* parent)
     connect(m_store, &QPushButton::clicked, this, &QuestionPage::store);
     connect(m_touch, &TouchButton::touched, this, [this] {
         firstFocus().setFocus();
-        Q_EMIT eventAsked(session::Touched{});
+        Q_EMIT eventRequested(session::Touched{});
     });
 }
 
@@ -90,14 +90,14 @@ void QuestionPage::store()
 void QuestionPage::takeEntry(const Response& response)
 {
     if (!m_wantsSecondEntry) {
-        Q_EMIT eventAsked(session::Answered{response});
+        Q_EMIT eventRequested(session::Answered{response});
         return;
     }
     const QString differing = m_firstEntry ? disagreement(m_entry->form(), *m_firstEntry, response) : QString();
     if (m_firstEntry && differing.isEmpty()) {
         // Words may differ in spaces; the first entry is the one that was read back.
         const Response agreed = *m_firstEntry;
-        Q_EMIT eventAsked(session::Answered{agreed});
+        Q_EMIT eventRequested(session::Answered{agreed});
         return;
     }
     if (m_firstEntry)
@@ -120,7 +120,7 @@ bool QuestionPage::pressKey(int key)
     // Before T: a tray of twenty slots would have a letter of its own there.
     if (m_entry->pressKey(key)) return true;
     if (key != Qt::Key_T) return false;
-    Q_EMIT eventAsked(session::Touched{});
+    Q_EMIT eventRequested(session::Touched{});
     return true;
 }
 

@@ -1,14 +1,14 @@
 // One line to write: a note, a flag, the reason to void a presentation, the reason of a withdrawal.
 #pragma once
 
-#include "study/app/pages/panel.h"
+#include "study/app/pages/form_panel.h"
 
 namespace study::app {
 
-class ReasonPanel : public Panel {
+class ReasonPanel : public FormPanel {
     Q_OBJECT
 public:
-    explicit ReasonPanel(QWidget* parent) : Panel(parent) {}
+    explicit ReasonPanel(QWidget* parent) : FormPanel(parent) {}
 
     void askForNote();
     /// Marks a presentation to be looked at; words are welcome but not needed. `presentation` as below.

@@ -43,7 +43,7 @@ ScaleTrainingPage::ScaleTrainingPage(QWidget* parent)
     column->addLayout(actionsRow({m_action, m_done}));
     column->addStretch(1);
     connect(m_action, &QPushButton::clicked, this, &ScaleTrainingPage::confirm);
-    connect(m_done, &QPushButton::clicked, this, [this] { Q_EMIT eventAsked(session::ScaleTrainingDone{}); });
+    connect(m_done, &QPushButton::clicked, this, [this] { Q_EMIT eventRequested(session::ScaleTrainingDone{}); });
 }
 
 QLayout* ScaleTrainingPage::anchors()
@@ -74,28 +74,29 @@ void ScaleTrainingPage::begin(const SessionFacts& facts)
 {
     m_scale = facts.scale.value_or(protocols::Scale{});
     m_line->setScale(m_scale);
-    tellAnchors();
+    showAnchors();
     m_place.reset();
     m_asked.reset();
     m_lastNamed.reset();
     m_spoken->clear();
 }
 
-void ScaleTrainingPage::tellWhatToDo(bool isRefresher)
+void ScaleTrainingPage::showInstruction(bool isRefresher)
 {
     const QString low = textOf(m_scale.min), high = textOf(m_scale.max);
     m_anchors->setVisible(!isRefresher);
     if (isRefresher)
-        m_head->tell(tr("The scale, once more"),
-                     m_scale.labels.empty() ? tr("Show this line again: %1 is unrelated, %2 is totally the same.").arg(low, high)
-                                            : tr("Show this line again, from %1 to %2.").arg(low, high));
+        m_head->setTexts(tr("The scale, once more"),
+                         m_scale.labels.empty()
+                             ? tr("Show this line again: %1 is unrelated, %2 is totally the same.").arg(low, high)
+                             : tr("Show this line again, from %1 to %2.").arg(low, high));
     else
-        m_head->tell(tr("The scale, to be memorised"),
-                     m_scale.sections > 1 ? tr("Show this line. It has equal sections, and only its ends carry a number.")
-                                          : tr("Show this line. Only its ends carry a number."));
+        m_head->setTexts(tr("The scale, to be memorised"),
+                         m_scale.sections > 1 ? tr("Show this line. It has equal sections, and only its ends carry a number.")
+                                              : tr("Show this line. Only its ends carry a number."));
 }
 
-void ScaleTrainingPage::tellAnchors()
+void ScaleTrainingPage::showAnchors()
 {
     const QString low = wordedText(m_scale.min, m_scale), high = wordedText(m_scale.max, m_scale);
     if (!m_scale.labels.empty()) {  // a scale that says itself what its ends are
@@ -119,7 +120,7 @@ void ScaleTrainingPage::present(const session::View& view)
         m_lastNamed = std::exchange(m_asked, std::nullopt);
     }
     m_place = place;
-    tellWhatToDo(training.isRefresher);
+    showInstruction(training.isRefresher);
     m_line->setRating(m_place);
     m_placeRow->setVisible(m_place.has_value());
     m_whichPlace->setText(places == 1 ? tr("Which number has the mark?")
@@ -145,14 +146,14 @@ QString ScaleTrainingPage::deviation(const ScalePlaced& placed) const
 void ScaleTrainingPage::confirm()
 {
     if (!m_place) {
-        Q_EMIT eventAsked(session::ScaleTrainingDone{});
+        Q_EMIT eventRequested(session::ScaleTrainingDone{});
         return;
     }
     const auto typed = ratingFromText(m_spoken->text(), m_scale);
     if (const auto* spoken = std::get_if<Tenths>(&typed)) {
         m_asked = ScalePlaced{*m_place, *spoken};
         const ScalePlaced placed = *m_asked;
-        Q_EMIT eventAsked(placed);
+        Q_EMIT eventRequested(placed);
         return;
     }
     m_spoken->setFocus();
@@ -165,7 +166,7 @@ bool ScaleTrainingPage::pressKey(int key)
     if (isEnter(key))
         confirm();
     else if (key == Qt::Key_G)
-        Q_EMIT eventAsked(session::ScaleTrainingDone{});
+        Q_EMIT eventRequested(session::ScaleTrainingDone{});
     else
         return false;
     return true;

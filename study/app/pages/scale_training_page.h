@@ -28,8 +28,8 @@ public:
 private:
     QLayout* anchors();
     QLayout* placeRow();
-    void tellWhatToDo(bool isRefresher);
-    void tellAnchors();
+    void showInstruction(bool isRefresher);
+    void showAnchors();
     void confirm();
     /// How far the spoken number lay from the mark, kindly.
     QString deviation(const session::ScalePlaced& placed) const;

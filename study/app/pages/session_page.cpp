@@ -37,16 +37,16 @@ SessionPage::SessionPage(QWidget* parent)
     column->addWidget(m_stages, 1);
     column->addLayout(messageRow);
     column->addWidget(m_footer);
-    connect(m_stages, &StageStack::eventAsked, this, &SessionPage::eventAsked);
-    connect(m_stages, &StageStack::hinted, this, [this](const QString& text) { tell(text, Tone::Hint); });
-    connect(m_stages, &StageStack::panelCloseAsked, this, &SessionPage::closePanel);
-    connect(&m_stages->guide(), &GuidePage::leaveAsked, this, &SessionPage::leaveAsked);
+    connect(m_stages, &StageStack::eventRequested, this, &SessionPage::eventRequested);
+    connect(m_stages, &StageStack::hinted, this, [this](const QString& text) { showMessage(text, Tone::Hint); });
+    connect(m_stages, &StageStack::panelCloseRequested, this, &SessionPage::closePanel);
+    connect(&m_stages->guide(), &GuidePage::leaveRequested, this, &SessionPage::leaveRequested);
     connect(&m_stages->guide(), &GuidePage::preparationDeclined, this, &SessionPage::goOnUnprepared);
-    joinPanels();
+    connectPanels();
     bindKeysWhileWriting();
 }
 
-void SessionPage::joinPanels()
+void SessionPage::connectPanels()
 {
     ReasonPanel& reason = m_stages->reason();
     const auto onAsking = [this, &reason](auto asked, auto ask) {
@@ -55,13 +55,13 @@ void SessionPage::joinPanels()
             openPanel(reason);
         });
     };
-    onAsking(&SessionFooter::noteAsked, [&reason] { reason.askForNote(); });
-    onAsking(&SessionFooter::flagAsked, [this, &reason] { reason.askForFlag(codeMeant()); });
-    onAsking(&SessionFooter::voidAsked, [this, &reason] { reason.askWhyVoid(codeMeant()); });
-    onAsking(&SessionFooter::withdrawAsked, [&reason] { reason.askWhyWithdrawn(); });
-    connect(m_footer, &SessionFooter::correctionAsked, this, &SessionPage::correctionAsked);
-    connect(m_footer, &SessionFooter::pauseAsked, this, [this] { Q_EMIT eventAsked(Paused{}); });
-    connect(m_footer, &SessionFooter::leaveAsked, this, &SessionPage::leaveAsked);
+    onAsking(&SessionFooter::noteRequested, [&reason] { reason.askForNote(); });
+    onAsking(&SessionFooter::flagRequested, [this, &reason] { reason.askForFlag(codeMeant()); });
+    onAsking(&SessionFooter::voidRequested, [this, &reason] { reason.askWhyVoid(codeMeant()); });
+    onAsking(&SessionFooter::withdrawRequested, [&reason] { reason.askWhyWithdrawn(); });
+    connect(m_footer, &SessionFooter::correctionRequested, this, &SessionPage::correctionRequested);
+    connect(m_footer, &SessionFooter::pauseRequested, this, [this] { Q_EMIT eventRequested(Paused{}); });
+    connect(m_footer, &SessionFooter::leaveRequested, this, &SessionPage::leaveRequested);
 }
 
 void SessionPage::bindKeysWhileWriting()
@@ -121,7 +121,7 @@ void SessionPage::goOnUnprepared()
 {
     m_isPreparationDeclined = true;
     if (m_view.state.paused)
-        Q_EMIT eventAsked(Resumed{});
+        Q_EMIT eventRequested(Resumed{});
     else
         present(View(m_view), m_footer->canCorrect());
 }
@@ -163,25 +163,25 @@ void SessionPage::closePanel()
     bringForward(pageOf(m_view));
 }
 
-void SessionPage::settle()
+void SessionPage::closePanelAndMessage()
 {
     m_message->clearMessage();
     m_panel = nullptr;
     m_footer->setPanelOpen(false);
 }
 
-void SessionPage::tell(const QString& text, Tone tone)
+void SessionPage::showMessage(const QString& text, Tone tone)
 {
     switch (tone) {
         case Tone::Done:
-            m_message->tellDone(text);
+            m_message->showDone(text);
             break;
         case Tone::Hint:
         case Tone::Refusal:
-            m_message->tellHint(text);
+            m_message->showHint(text);
             break;
         case Tone::Fault:
-            m_message->tellFault(text);
+            m_message->showFault(text);
             break;
     }
 }

@@ -25,9 +25,9 @@ public:
     /// The panel to correct one of these, the last one first; at least one.
     void openCorrection(const std::vector<Correctable>& answers);
     /// An event was accepted: messages and panels go.
-    void settle();
-    void tell(const QString& text, Tone tone);
-    const session::View& shows() const { return m_view; }
+    void closePanelAndMessage();
+    void showMessage(const QString& text, Tone tone);
+    const session::View& shownView() const { return m_view; }
 
     /// A later sitting has begun, and its refresher and checklist are offered now.
     bool offersPreparation() const;
@@ -36,16 +36,16 @@ public:
     bool pressKey(int key);
 
 Q_SIGNALS:
-    void eventAsked(const study::session::EventBody& event);
-    void correctionAsked();
+    void eventRequested(const study::session::EventBody& event);
+    void correctionRequested();
     /// The session shall be left, after a pause where it still runs.
-    void leaveAsked();
+    void leaveRequested();
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
-    void joinPanels();
+    void connectPanels();
     void bindKeysWhileWriting();
     StagePage& pageOf(const session::View& view) const;
     StagePage& pageInFront() const;

@@ -25,7 +25,7 @@ public:
     virtual QWidget& firstFocus() = 0;
 
 Q_SIGNALS:
-    void eventAsked(const study::session::EventBody& event);
+    void eventRequested(const study::session::EventBody& event);
     /// Something to tell the operator without asking the engine; empty: what was told is settled.
     void hinted(const QString& text);
 };

@@ -33,9 +33,9 @@ public:
     bool scrollBy(int key);
 
 Q_SIGNALS:
-    void eventAsked(const study::session::EventBody& event);
+    void eventRequested(const study::session::EventBody& event);
     void hinted(const QString& text);
-    void panelCloseAsked();
+    void panelCloseRequested();
 
 private:
     struct PageOfStage;

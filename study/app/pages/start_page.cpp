@@ -61,7 +61,7 @@ StartPage::StartPage(QWidget* parent)
     column->addSpacing(6);
     column->addWidget(m_message);
     column->addStretch(2);
-    column->addWidget(lookHint(page));
+    column->addWidget(appearanceHint(page));
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
     outer->addWidget(scrolling("startArea", page, this));
@@ -72,8 +72,8 @@ StartPage::StartPage(QWidget* parent)
         if (!folder.isEmpty()) m_folder->setText(folder);
     });
     connect(m_browse, &QPushButton::clicked, this, &StartPage::browse);
-    connect(m_new, &QPushButton::clicked, this, &StartPage::newStudyAsked);
-    connect(m_data, &QPushButton::clicked, this, &StartPage::dataAsked);
+    connect(m_new, &QPushButton::clicked, this, &StartPage::newStudyRequested);
+    connect(m_data, &QPushButton::clicked, this, &StartPage::dataRequested);
 }
 
 void StartPage::present(const QStringList& recentFolders, bool canMakeStudies, bool canLookAtData)
@@ -88,7 +88,7 @@ void StartPage::present(const QStringList& recentFolders, bool canMakeStudies, b
     m_data->setVisible(canLookAtData);
 }
 
-void StartPage::tellFault(const QString& text) { m_message->tellFault(text); }
+void StartPage::showFault(const QString& text) { m_message->showFault(text); }
 
 void StartPage::focusFirst()
 {
@@ -103,10 +103,10 @@ void StartPage::open(const QString& folder)
     m_message->clearMessage();
     if (folder.trimmed().isEmpty()) {
         m_folder->setFocus();
-        m_message->tellHint(tr("Name the study's folder, or browse to it."));
+        m_message->showHint(tr("Name the study's folder, or browse to it."));
         return;
     }
-    Q_EMIT openAsked(folder.trimmed());
+    Q_EMIT openRequested(folder.trimmed());
 }
 
 void StartPage::browse()

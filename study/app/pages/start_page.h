@@ -21,13 +21,13 @@ public:
 
     /// Folders, the last used first.
     void present(const QStringList& recentFolders, bool canMakeStudies, bool canLookAtData);
-    void tellFault(const QString& text);
+    void showFault(const QString& text);
     void focusFirst();
 
 Q_SIGNALS:
-    void openAsked(const QString& folder);
-    void newStudyAsked();
-    void dataAsked();
+    void openRequested(const QString& folder);
+    void newStudyRequested();
+    void dataRequested();
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;

@@ -71,7 +71,7 @@ StudyPage::StudyPage(QWidget* parent)
     column->addWidget(m_message);
     auto* bottom = new QHBoxLayout;
     bottom->addWidget(m_close);
-    bottom->addWidget(lookHint(page), 1);
+    bottom->addWidget(appearanceHint(page), 1);
     column->addLayout(bottom);
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
@@ -85,7 +85,7 @@ StudyPage::StudyPage(QWidget* parent)
     connect(m_resume, &QPushButton::clicked, this, &StudyPage::resumeChosen);
     connect(m_places, &QTreeWidget::itemActivated, this, &StudyPage::resumeChosen);
     connect(m_places, &QTreeWidget::currentItemChanged, this, &StudyPage::showChosen);
-    connect(m_close, &QPushButton::clicked, this, &StudyPage::closeAsked);
+    connect(m_close, &QPushButton::clicked, this, &StudyPage::closeRequested);
 }
 
 QFrame* StudyPage::card(const char* objectName, const QString& caption, const QString& hint,
@@ -183,7 +183,7 @@ void StudyPage::showPlaces()
     arrange();
 }
 
-QString StudyPage::stateText(const StudyOverview::Place& place) const
+QString StudyPage::stateText(const StudyOverview::ParticipantPlace& place) const
 {
     QString text;
     switch (place.state) {
@@ -211,12 +211,12 @@ QString StudyPage::stateText(const StudyOverview::Place& place) const
     return text;
 }
 
-bool StudyPage::canResume(const StudyOverview::Place& place) const
+bool StudyPage::canResume(const StudyOverview::ParticipantPlace& place) const
 {
     return place.state == SlotState::Started && place.kind == m_kind;
 }
 
-const StudyOverview::Place* StudyPage::chosenPlace() const
+const StudyOverview::ParticipantPlace* StudyPage::chosenPlace() const
 {
     const int row = m_places->indexOfTopLevelItem(m_places->currentItem());
     return row < 0 ? nullptr : &m_overview.places.at(static_cast<std::size_t>(row));
@@ -234,9 +234,9 @@ void StudyPage::resumeChosen()
 {
     const auto* place = chosenPlace();
     if (place && canResume(*place))
-        Q_EMIT sessionAsked(place->participant);
+        Q_EMIT sessionRequested(place->participant);
     else
-        m_message->tellHint(tr("Choose a place that is under way; only those can be gone on with."));
+        m_message->showHint(tr("Choose a place that is under way; only those can be gone on with."));
 }
 
 void StudyPage::enrol()
@@ -246,15 +246,15 @@ void StudyPage::enrol()
                                      [&](const auto& place) { return place.participant == participant; });
     m_message->clearMessage();
     if (!isParticipantName(participant))
-        m_message->tellHint(tr("Write a short code of letters and digits, such as %1.").arg(m_overview.nextParticipant));
+        m_message->showHint(tr("Write a short code of letters and digits, such as %1.").arg(m_overview.nextParticipant));
     else if (isTaken)
-        m_message->tellHint(
+        m_message->showHint(
             tr("%1 has a place already. Choose it in the list to go on with it, or write another code.").arg(participant));
     else
-        Q_EMIT sessionAsked(participant);
+        Q_EMIT sessionRequested(participant);
 }
 
-void StudyPage::tellFault(const QString& text) { m_message->tellFault(text); }
+void StudyPage::showFault(const QString& text) { m_message->showFault(text); }
 
 void StudyPage::focusFirst()
 {
@@ -270,7 +270,7 @@ void StudyPage::keyPressEvent(QKeyEvent* event)
 {
     auto* pressed = qobject_cast<QPushButton*>(focusWidget());
     if (event->key() == Qt::Key_Escape)
-        Q_EMIT closeAsked();
+        Q_EMIT closeRequested();
     else if (isEnter(event->key()) && pressed)
         pressed->click();
     else if (isEnter(event->key()) && focusWidget() == m_participant)

@@ -24,13 +24,13 @@ public:
 
     /// `kind`: participants of other kinds cannot be gone on with here.
     void present(const StudyOverview& overview, database::ParticipantKind kind);
-    void tellFault(const QString& text);
+    void showFault(const QString& text);
     void focusFirst();
 
 Q_SIGNALS:
     /// Enrols, or resumes where the participant has started.
-    void sessionAsked(const QString& participant);
-    void closeAsked();
+    void sessionRequested(const QString& participant);
+    void closeRequested();
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;
@@ -46,9 +46,9 @@ private:
     void enrol();
     void resumeChosen();
     void showChosen();
-    const StudyOverview::Place* chosenPlace() const;
-    bool canResume(const StudyOverview::Place& place) const;
-    QString stateText(const StudyOverview::Place& place) const;
+    const StudyOverview::ParticipantPlace* chosenPlace() const;
+    bool canResume(const StudyOverview::ParticipantPlace& place) const;
+    QString stateText(const StudyOverview::ParticipantPlace& place) const;
 
     StudyOverview m_overview;
     database::ParticipantKind m_kind = database::ParticipantKind::Human;

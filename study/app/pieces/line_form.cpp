@@ -16,7 +16,7 @@ LineForm::LineForm(const char* objectName, QWidget* parent)
 
 void LineForm::setCaptions(const QStringList& captions)
 {
-    emptyOut(*m_grid);
+    clearLayout(*m_grid);
     m_lines.clear();
     m_captions = captions;
     for (const QString& caption : captions) {

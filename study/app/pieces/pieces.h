@@ -39,18 +39,18 @@ FlowLayout* actionsRow(std::initializer_list<QWidget*> actions);
 QLineEdit* field(const char* objectName, const QString& accessibleName, QWidget* parent);
 
 /// How text size and theme are changed, for the pages that are not in a hurry.
-QLabel* lookHint(QWidget* parent);
+QLabel* appearanceHint(QWidget* parent);
 
 /// The page inside an area that scrolls where the text is too large for the window; no wider than is
 /// pleasant to read.
 QScrollArea* scrolling(const char* objectName, QWidget* page, QWidget* parent);
 
 /// Deletes what lies in the layout.
-void emptyOut(QLayout& layout);
+void clearLayout(QLayout& layout);
 
 /// Tab leads from the last of the controls inside `controls` to these, one after another: for controls that were made
 /// after what stands below them.
-void letFollow(const QWidget& controls, std::initializer_list<QWidget*> following);
+void setTabOrderAfter(const QWidget& controls, std::initializer_list<QWidget*> following);
 
 /// Object name and accessible name in one go.
 void name(QWidget& widget, const char* objectName, const QString& accessibleName);
@@ -63,7 +63,7 @@ class PageHead : public QWidget {
     Q_OBJECT
 public:
     explicit PageHead(QWidget* parent);
-    void tell(const QString& title, const QString& lead);
+    void setTexts(const QString& title, const QString& lead);
 
 private:
     QLabel* m_title;
@@ -75,13 +75,13 @@ class MessageBar : public QLabel {
     Q_OBJECT
 public:
     explicit MessageBar(const char* objectName, QWidget* parent);
-    void tellDone(const QString& text) { tell("done", text); }
-    void tellHint(const QString& text) { tell("hint", text); }
-    void tellFault(const QString& text) { tell("fault", text); }
+    void showDone(const QString& text) { showAs("done", text); }
+    void showHint(const QString& text) { showAs("hint", text); }
+    void showFault(const QString& text) { showAs("fault", text); }
     void clearMessage();
 
 private:
-    void tell(const char* role, const QString& text);
+    void showAs(const char* role, const QString& text);
 };
 
 }  // namespace study::app

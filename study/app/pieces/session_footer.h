@@ -28,13 +28,13 @@ public:
     bool pressKey(int key);
 
 Q_SIGNALS:
-    void correctionAsked();
-    void noteAsked();
-    void flagAsked();
-    void voidAsked();
-    void pauseAsked();
-    void withdrawAsked();
-    void leaveAsked();
+    void correctionRequested();
+    void noteRequested();
+    void flagRequested();
+    void voidRequested();
+    void pauseRequested();
+    void withdrawRequested();
+    void leaveRequested();
 
 private:
     struct Key {

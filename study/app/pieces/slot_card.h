@@ -13,7 +13,7 @@ public:
     SlotCard(const QString& letter, QWidget* parent);
 
     /// `hasLetter`: not where the tray has one slot only.
-    void tell(const QString& piece, bool isNew, bool hasLetter);
+    void showPiece(const QString& piece, bool isNew, bool hasLetter);
 
 private:
     QLabel* m_letter;

@@ -14,7 +14,7 @@ class StepList : public QWidget {
 public:
     explicit StepList(QWidget* parent);
 
-    void tell(const QStringList& steps);
+    void setSteps(const QStringList& steps);
 
 private:
     std::vector<QLabel*> m_steps;  ///< those left over are hidden

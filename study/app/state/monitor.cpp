@@ -79,9 +79,9 @@ bool isErased(const database::StudyStore& store, const protocols::ParticipantId&
     });
 }
 
-MonitorOverview::Row rowOf(const database::StudyStore& store, const database::Enrolment& one, const std::string& now)
+MonitorOverview::ParticipantRow rowOf(const database::StudyStore& store, const database::Enrolment& one, const std::string& now)
 {
-    MonitorOverview::Row row;
+    MonitorOverview::ParticipantRow row;
     row.place = one.slot;
     row.state = one.state;
     row.kind = one.kind;
@@ -119,7 +119,7 @@ MonitorOverview monitorOverview(const database::StudyStore& store, const std::st
         if (slot.state == database::SlotState::Free) seen.rows.push_back({.place = slot.number});
         seen.answersInAll += protocol.answersPerParticipant();
     }
-    for (const MonitorOverview::Row& row : seen.rows)
+    for (const MonitorOverview::ParticipantRow& row : seen.rows)
         if (row.state != database::SlotState::Withdrawn) seen.answers += row.answers;
     return seen;
 }

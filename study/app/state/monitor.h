@@ -24,7 +24,7 @@ struct MonitorFlag {
 using ReadFlags = std::function<std::vector<MonitorFlag>(const database::StudyStore&)>;
 
 struct MonitorOverview {
-    struct Row {
+    struct ParticipantRow {
         int place = 0;
         database::SlotState state = database::SlotState::Free;
         database::ParticipantKind kind = database::ParticipantKind::Human;
@@ -35,13 +35,13 @@ struct MonitorOverview {
         int missing = 0;                    ///< cells passed without a valid answer: voided, and not yet presented again
         int voided = 0;                     ///< presentations
         std::optional<double> minutesSinceEvent = {};
-        bool operator==(const Row&) const = default;
+        bool operator==(const ParticipantRow&) const = default;
     };
     QString study;
     bool isBlinded = true;
-    std::vector<Row> rows;  ///< by place; one who withdrew before the one who took the place over
-    int answers = 0;        ///< valid, of those who did not withdraw
-    int answersInAll = 0;   ///< of the whole study
+    std::vector<ParticipantRow> rows;  ///< by place; one who withdrew before the one who took the place over
+    int answers = 0;                   ///< valid, of those who did not withdraw
+    int answersInAll = 0;              ///< of the whole study
     bool operator==(const MonitorOverview&) const = default;
 };
 

@@ -23,7 +23,8 @@ QString OpenStudy::name() const { return QString::fromStdString(m_facts.name); }
 
 int StudyOverview::placesIn(database::SlotState state) const
 {
-    return static_cast<int>(std::count_if(places.begin(), places.end(), [state](const Place& p) { return p.state == state; }));
+    return static_cast<int>(
+        std::count_if(places.begin(), places.end(), [state](const ParticipantPlace& p) { return p.state == state; }));
 }
 
 StudyOverview OpenStudy::overview() const

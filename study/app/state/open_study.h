@@ -15,17 +15,17 @@ namespace study::app {
 /// Who is where; carries no condition, no file code and no score.
 struct StudyOverview {
     /// A place; one whose participant withdrew stands for itself, and the place that it freed follows.
-    struct Place {
+    struct ParticipantPlace {
         int number = 0;
         database::SlotState state = database::SlotState::Free;
         QString participant;  ///< empty while free
         database::ParticipantKind kind = database::ParticipantKind::Human;
         int answers = 0;  ///< stored and not voided
-        bool operator==(const Place&) const = default;
+        bool operator==(const ParticipantPlace&) const = default;
     };
     QString name;
     QString folder;
-    std::vector<Place> places;
+    std::vector<ParticipantPlace> places;
     int answersInAll = 0;  ///< of one whole session
     QString nextParticipant;
     bool operator==(const StudyOverview&) const = default;

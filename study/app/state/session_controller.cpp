@@ -60,13 +60,13 @@ void SessionController::attendDisplay()
     } catch (const std::exception& fault) {
         // What was being felt is not to be trusted: the presentation begins again when the display is back.
         send(session::Paused{});
-        Q_EMIT told(withNextStep(QString::fromUtf8(fault.what()), m_view.state.paused), Tone::Fault);
+        Q_EMIT reported(withNextStep(QString::fromUtf8(fault.what()), m_view.state.paused), Tone::Fault);
     }
 }
 
 void SessionController::send(const session::EventBody& event)
 {
-    m_lastOutcome = Outcome{event, std::nullopt, nullptr};
+    m_lastOutcome = EventOutcome{event, std::nullopt, nullptr};
     ++m_eventsSent;
     QString trouble;
     try {
@@ -77,18 +77,18 @@ void SessionController::send(const session::EventBody& event)
     }
     m_view = m_driver.view();
     Q_EMIT viewChanged();
-    tellWhatCame(trouble);
+    reportOutcome(trouble);
 }
 
-void SessionController::tellWhatCame(const QString& trouble)
+void SessionController::reportOutcome(const QString& trouble)
 {
     const auto& event = m_lastOutcome->event;
     if (m_lastOutcome->refusal)
-        Q_EMIT told(QString::fromStdString(m_lastOutcome->refusal->reason), Tone::Refusal);
+        Q_EMIT reported(QString::fromStdString(m_lastOutcome->refusal->reason), Tone::Refusal);
     else if (m_lastOutcome->fault)
-        Q_EMIT told(withNextStep(trouble, m_view.state.paused), Tone::Fault);
+        Q_EMIT reported(withNextStep(trouble, m_view.state.paused), Tone::Fault);
     else if (const QString done = confirmationOf(event); !done.isEmpty())
-        Q_EMIT told(done, Tone::Done);
+        Q_EMIT reported(done, Tone::Done);
 }
 
 void SessionController::displayTouched(const rendering::Touch& touch)

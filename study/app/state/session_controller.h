@@ -25,7 +25,7 @@ struct Correctable {
 };
 
 /// What came of one event.
-struct Outcome {
+struct EventOutcome {
     session::EventBody event;
     std::optional<session::Refusal> refusal;
     std::exception_ptr fault;  ///< a protocols::Error thrown by disk or display
@@ -54,17 +54,17 @@ public:
     SessionFacts facts() const;
 
     /// Empty before the first event.
-    const std::optional<Outcome>& lastOutcome() const { return m_lastOutcome; }
+    const std::optional<EventOutcome>& lastOutcome() const { return m_lastOutcome; }
     int eventsSent() const { return m_eventsSent; }
 
 Q_SIGNALS:
     void viewChanged();
-    void told(const QString& text, study::app::Tone tone);
+    void reported(const QString& text, study::app::Tone tone);
 
 private:
     const protocols::Question& questionOf(const session::StoredAnswer& answer) const;
     Correctable correctableOf(const session::StoredAnswer& answer) const;
-    void tellWhatCame(const QString& trouble);
+    void reportOutcome(const QString& trouble);
     void watchDisplay();
     void attendDisplay();
 
@@ -73,7 +73,7 @@ private:
     std::shared_ptr<session::Clock> m_clock;
     session::Driver m_driver;
     session::View m_view;
-    std::optional<Outcome> m_lastOutcome;
+    std::optional<EventOutcome> m_lastOutcome;
     int m_eventsSent = 0;
 };
 

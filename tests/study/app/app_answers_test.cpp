@@ -156,7 +156,7 @@ void AppAnswersTest::flagNeedsNoWords()
 void AppAnswersTest::touchIsStampedByTheDisplay()
 {
     const auto folder = newStudy(wholeStudy());
-    OpenWindow open(folder, {}, {.told = {}, .fault = {}, .reportsTouches = true, .touch = {}});
+    OpenWindow open(folder, {}, {.calls = {}, .fault = {}, .reportsTouches = true, .touch = {}});
     open.enrolAndBegin();
     open.display().touch();  // at the tray a touch means nothing
     QCOMPARE(nameOf(open.view().state), std::string("PlacingTray"));
@@ -176,7 +176,7 @@ void AppAnswersTest::touchIsStampedByTheDisplay()
 void AppAnswersTest::keyStampsTheTouchThatTheDisplayMissed()
 {
     const auto folder = newStudy(wholeStudy());
-    OpenWindow open(folder, {}, {.told = {}, .fault = {}, .reportsTouches = true, .touch = {}});
+    OpenWindow open(folder, {}, {.calls = {}, .fault = {}, .reportsTouches = true, .touch = {}});
     open.enrolAndBegin();
     open.perform(TrayReady{});
     pressKey(open, Qt::Key_T);
@@ -188,7 +188,7 @@ void AppAnswersTest::keyStampsTheTouchThatTheDisplayMissed()
 
 void AppAnswersTest::touchDuringANoteKeepsTheNote()
 {
-    OpenWindow open(newStudy(wholeStudy()), {}, {.told = {}, .fault = {}, .reportsTouches = true, .touch = {}});
+    OpenWindow open(newStudy(wholeStudy()), {}, {.calls = {}, .fault = {}, .reportsTouches = true, .touch = {}});
     open.enrolAndBegin();
     open.perform(TrayReady{});
     pressKey(open, Qt::Key_N);

@@ -173,9 +173,9 @@ void AppBlindingTest::panelsAndPause(OpenWindow& open, Seen& seen)
 {
     for (const char* footerButton : {"voidButton", "noteButton", "flagButton", "correctButton", "withdrawButton"}) {
         if (!open.widget<QWidget>(footerButton).isEnabled()) continue;
-        open.hands().click(QString::fromLatin1(footerButton));
+        open.gui().click(QString::fromLatin1(footerButton));
         look(open, seen);
-        open.hands().pressKey(Qt::Key_Escape);
+        open.gui().pressKey(Qt::Key_Escape);
     }
     if (open.view().state.paused || std::holds_alternative<Finished>(open.view().state.stage)) return;
     open.perform(Paused{});
@@ -201,7 +201,7 @@ Seen AppBlindingTest::playAndLook(const StudyRecipe& recipe)
             open.perform(open.nextEvent());
         }
         look(open, seen);
-        open.hands().pressKey(Qt::Key_Return);
+        open.gui().pressKey(Qt::Key_Return);
         QApplication::processEvents();
         look(open, seen);
         open.window().startSession(ParticipantId("P02"));  // one that still runs while the files are written

@@ -120,7 +120,7 @@ void AppCoverTest::driverUnderTheCoverTellsItsTouchesToo()
 void AppCoverTest::screensThatAreNotThereAreRefused_data()
 {
     QTest::addColumn<QString>("specification");
-    QTest::addColumn<QString>("told");
+    QTest::addColumn<QString>("expectedText");
     QTest::newRow("beyond the last") << "cover:2"
                                      << "no screen 2";
     QTest::newRow("no number") << "cover:left"
@@ -136,9 +136,9 @@ void AppCoverTest::screensThatAreNotThereAreRefused_data()
 void AppCoverTest::screensThatAreNotThereAreRefused()
 {
     QFETCH(QString, specification);
-    QFETCH(QString, told);
+    QFETCH(QString, expectedText);
     const QString fault = faultOf(specification.toStdString());
-    QVERIFY2(fault.contains(told), qPrintable(fault));
+    QVERIFY2(fault.contains(expectedText), qPrintable(fault));
     QVERIFY(!cover());
 }
 
@@ -151,14 +151,14 @@ void AppCoverTest::touchOfTheCoverIsStampedInASession()
     ShownWindow shown(options);
     shown.window.openStudy(newStudy().folder);
     shown.window.startSession(protocols::ParticipantId("P01"));
-    while (!std::holds_alternative<Presenting>(shown.hands.view().state.stage))
-        QVERIFY(!shown.hands.perform(*tests::support::nextEvent(shown.hands.view(), shown.hands.plan())));
+    while (!std::holds_alternative<Presenting>(shown.gui.view().state.stage))
+        QVERIFY(!shown.gui.perform(*tests::support::nextEvent(shown.gui.view(), shown.gui.plan())));
     clock->advanceSeconds(2);
     QTest::mousePress(cover(), Qt::LeftButton);
-    const auto& presenting = std::get<Presenting>(shown.hands.view().state.stage);
+    const auto& presenting = std::get<Presenting>(shown.gui.view().state.stage);
     QCOMPARE(presenting.touchedAtNs.value_or(0), clock->monotonicNs());
     QVERIFY(presenting.touchedBy == TouchSource::Display);
-    shown.hands.pressKey(Qt::Key_Q);
+    shown.gui.pressKey(Qt::Key_Q);
     QTRY_VERIFY(!cover());  // the screen is free again
 }
 

@@ -49,8 +49,8 @@ class AppDataTest : public tests::support::WindowTest {
     }
     DataPage& openPage(ShownWindow& shown, const std::filesystem::path& folder)
     {
-        shown.hands.click("lookAtDataButton");
-        shown.hands.type(QString::fromStdString(folder.string()));
+        shown.gui.click("lookAtDataButton");
+        shown.gui.type(QString::fromStdString(folder.string()));
         press(shown, Qt::Key_Return);
         return *qobject_cast<DataPage*>(shown.window.currentPage());
     }

@@ -57,13 +57,13 @@ class AppDisplayTest : public tests::support::WindowTest {
     void step(ShownWindow& shown)
     {
         m_clock->advanceSeconds(1);
-        if (const auto refusal = shown.hands.perform(*tests::support::nextEvent(shown.hands.view(), shown.hands.plan())))
+        if (const auto refusal = shown.gui.perform(*tests::support::nextEvent(shown.gui.view(), shown.gui.plan())))
             QFAIL(refusal->reason.c_str());
     }
     template <class Stage>
     void stepTo(ShownWindow& shown)
     {
-        while (!std::holds_alternative<Stage>(shown.hands.view().state.stage)) step(shown);
+        while (!std::holds_alternative<Stage>(shown.gui.view().state.stage)) step(shown);
     }
     QString messageIn(ShownWindow& shown) { return shown.window.currentPage()->findChild<QLabel*>("sessionMessage")->text(); }
 
@@ -84,8 +84,8 @@ void AppDisplayTest::imageIsFeltOnlyWhilePresenting()
     ShownWindow shown(withReference());
     begin(shown, newStudy());
     int presented = 0;
-    while (!std::holds_alternative<Finished>(shown.hands.view().state.stage)) {
-        const auto* presenting = std::get_if<Presenting>(&shown.hands.view().state.stage);
+    while (!std::holds_alternative<Finished>(shown.gui.view().state.stage)) {
+        const auto* presenting = std::get_if<Presenting>(&shown.gui.view().state.stage);
         QCOMPARE(feltIn(felt()) > 0, presenting != nullptr);
         presented += presenting ? 1 : 0;
         step(shown);
@@ -99,10 +99,10 @@ void AppDisplayTest::touchToldByTheDriverIsStamped()
     ShownWindow shown(withReference("--touch-after 30"));
     begin(shown, newStudy());
     stepTo<Presenting>(shown);
-    const auto touched = [&] { return std::get<Presenting>(shown.hands.view().state.stage).touchedAtNs.has_value(); };
+    const auto touched = [&] { return std::get<Presenting>(shown.gui.view().state.stage).touchedAtNs.has_value(); };
     QVERIFY(!touched());
     QTRY_VERIFY(touched());
-    QVERIFY(std::get<Presenting>(shown.hands.view().state.stage).touchedBy == TouchSource::Display);
+    QVERIFY(std::get<Presenting>(shown.gui.view().state.stage).touchedBy == TouchSource::Display);
 }
 
 void AppDisplayTest::lateTouchIsSetBack()
@@ -111,16 +111,16 @@ void AppDisplayTest::lateTouchIsSetBack()
     ShownWindow shown(withReference("--touch-after 30"));
     begin(shown, newStudy());
     stepTo<Presenting>(shown);
-    const auto readyAt = std::get<Presenting>(shown.hands.view().state.stage).readyAtNs;
+    const auto readyAt = std::get<Presenting>(shown.gui.view().state.stage).readyAtNs;
     QTest::qSleep(300);
     m_clock->advanceSeconds(3);
     const auto now = m_clock->monotonicNs();
-    QTRY_VERIFY(std::get<Presenting>(shown.hands.view().state.stage).touchedAtNs);
-    const auto touchedAt = *std::get<Presenting>(shown.hands.view().state.stage).touchedAtNs;
+    QTRY_VERIFY(std::get<Presenting>(shown.gui.view().state.stage).touchedAtNs);
+    const auto touchedAt = *std::get<Presenting>(shown.gui.view().state.stage).touchedAtNs;
     QVERIFY(touchedAt < now - 100000000 && touchedAt > readyAt);
     // A log that is read again says the same.
-    const auto before = shown.hands.view().state;
-    const auto& plan = shown.hands.plan();
+    const auto before = shown.gui.view().state;
+    const auto& plan = shown.gui.plan();
     const Event event{Touched{TouchSource::Display, now - touchedAt}, now};
     const auto copied = eventFromRecord(kindOf(event.body), payloadJson(event.body));
     QCOMPARE(std::get<Touched>(copied).agoNs, now - touchedAt);
@@ -138,8 +138,8 @@ void AppDisplayTest::driverThatDiesInMidSessionPausesAndLosesNothing()
     stepTo<Presenting>(shown);
     step(shown);  // the first presentation is answered
     stepTo<Presenting>(shown);
-    const int answers = shown.hands.view().state.answersStored;
-    const auto trial = std::get<Presenting>(shown.hands.view().state.stage).index;
+    const int answers = shown.gui.view().state.answersStored;
+    const auto trial = std::get<Presenting>(shown.gui.view().state.stage).index;
     QVERIFY(answers > 0 && feltIn(felt()) > 0);
 
     // kill -9 of the driver, found as our own child by the folder that it shows in
@@ -150,15 +150,15 @@ void AppDisplayTest::driverThatDiesInMidSessionPausesAndLosesNothing()
         if (line.contains(felt()) && line.contains("vis2hap-reference-display"))
             ::kill(line.trimmed().section(' ', 0, 0).toInt(), SIGKILL);
 
-    QTRY_VERIFY(shown.hands.view().state.paused);
+    QTRY_VERIFY(shown.gui.view().state.paused);
     QVERIFY2(messageIn(shown).contains("while an image was felt") && messageIn(shown).contains("no answer is lost") &&
                  messageIn(shown).contains("press Enter"),
              qPrintable(messageIn(shown)));
     QCOMPARE(shown.window.study()->store().answers().size(), static_cast<std::size_t>(answers));
     QCOMPARE(feltIn(felt()), 0);  // begun again, and clear
-    shown.hands.pressKey(Qt::Key_Return);
+    shown.gui.pressKey(Qt::Key_Return);
     stepTo<Presenting>(shown);
-    QCOMPARE(std::get<Presenting>(shown.hands.view().state.stage).index, trial);
+    QCOMPARE(std::get<Presenting>(shown.gui.view().state.stage).index, trial);
     QVERIFY(feltIn(felt()) > 0);
     stepTo<Finished>(shown);
     QCOMPARE(static_cast<int>(shown.window.study()->store().answers().size()), 24);
@@ -176,7 +176,7 @@ void AppDisplayTest::driverThatStaysDeadSaysWhatToDo()
     ShownWindow shown(with("exec:" + command));
     begin(shown, newStudy());
     stepTo<PlacingTray>(shown);
-    const int before = shown.hands.view().state.answersStored;
+    const int before = shown.gui.view().state.answersStored;
     mark.remove();
     QProcess list;
     list.start("ps", {"-eo", "pid,args"});
@@ -184,18 +184,18 @@ void AppDisplayTest::driverThatStaysDeadSaysWhatToDo()
     for (const QString& line : QString::fromUtf8(list.readAllStandardOutput()).split('\n'))
         if (line.contains("vis2hap-reference-display " + felt())) ::kill(line.trimmed().section(' ', 0, 0).toInt(), SIGKILL);
     QTest::qWait(50);
-    QVERIFY(!shown.hands.view().state.paused);  // nothing was felt: nobody need know yet
+    QVERIFY(!shown.gui.view().state.paused);  // nothing was felt: nobody need know yet
     shown.window.session()->send(TrayReady{});
-    QVERIFY(shown.hands.view().state.paused);
-    const QString told = messageIn(shown);
-    QVERIFY2(
-        told.contains("exit code 4; it said: no amplifier") && told.contains("tried 3 times") && told.contains("press Enter"),
-        qPrintable(told));
-    QCOMPARE(shown.hands.view().state.answersStored, before);
+    QVERIFY(shown.gui.view().state.paused);
+    const QString message = messageIn(shown);
+    QVERIFY2(message.contains("exit code 4; it said: no amplifier") && message.contains("tried 3 times") &&
+                 message.contains("press Enter"),
+             qPrintable(message));
+    QCOMPARE(shown.gui.view().state.answersStored, before);
 
     QVERIFY(mark.open(QIODevice::WriteOnly));  // mended
-    shown.hands.pressKey(Qt::Key_Return);
-    QVERIFY(!shown.hands.view().state.paused);
+    shown.gui.pressKey(Qt::Key_Return);
+    QVERIFY(!shown.gui.view().state.paused);
     stepTo<Presenting>(shown);
     QVERIFY(feltIn(felt()) > 0);
 }
@@ -204,9 +204,9 @@ void AppDisplayTest::driverThatCannotBeginIsToldOnTheStudyPage()
 {
     ShownWindow shown(with("exec:/nowhere/driver"));
     shown.window.openStudy(newStudy().folder);
-    shown.hands.click("enrolButton");
-    const QString told = shown.window.currentPage()->findChild<QLabel*>("studyMessage")->text();
-    QVERIFY2(told.contains("exit code 127") && told.contains("not found"), qPrintable(told));
+    shown.gui.click("enrolButton");
+    const QString message = shown.window.currentPage()->findChild<QLabel*>("studyMessage")->text();
+    QVERIFY2(message.contains("exit code 127") && message.contains("not found"), qPrintable(message));
     QVERIFY(!shown.window.session());
 }
 

@@ -67,7 +67,7 @@ void AppFaultsTest::editedProtocolIsToldOnTheStudyPage()
     const auto message = [&] { return open.message("studyMessage"); };
     QVERIFY2(message().contains("protocol was changed") && message().contains("study amend"), qPrintable(message()));
     QVERIFY2(message().contains("Close the study here first"), qPrintable(message()));
-    open.hands().click("enrolButton");
+    open.gui().click("enrolButton");
     QVERIFY(!open.window().session());
     QCOMPARE(open.window().currentPage()->objectName(), QString("studyPage"));
     QVERIFY(message().contains("protocol was changed"));
@@ -80,7 +80,7 @@ void AppFaultsTest::protocolEditedWhileTheStudyIsOpenIsToldToo()
     OpenWindow open(folder);
     QVERIFY(open.message("studyMessage").isEmpty());
     QVERIFY(QFile::remove(QString::fromStdString(folder.protocol().string())));
-    open.hands().click("enrolButton");
+    open.gui().click("enrolButton");
     QVERIFY(!open.window().session());
     QVERIFY2(open.message("studyMessage").contains("protocol cannot be read"), qPrintable(open.message("studyMessage")));
 }
@@ -91,7 +91,7 @@ void AppFaultsTest::studyHeldByAnotherProcessNamesIt()
     const database::StudyStore other(folder, database::StudyStore::Access::Write);
     ShownWindow shown;
     shown.widget<QLineEdit>("studyFolderField").setText(QString::fromStdString(folder.folder.string()));
-    shown.hands.click("openButton");
+    shown.gui.click("openButton");
     const auto* message = &shown.widget<QLabel>("startMessage");
     QVERIFY(message->isVisible());
     QVERIFY2(message->text().contains(QString::number(::getpid())), qPrintable(message->text()));
@@ -158,7 +158,7 @@ void AppFaultsTest::displayThatCannotBeOpenedIsToldOnTheStudyPage()
     options.display = "cover:9";
     ShownWindow shown(options);
     shown.window.openStudy(folder.folder);
-    shown.hands.click("enrolButton");
+    shown.gui.click("enrolButton");
     QCOMPARE(shown.window.currentPage()->objectName(), QString("studyPage"));
     const auto* message = &shown.widget<QLabel>("studyMessage");
     QVERIFY(message->isVisible());

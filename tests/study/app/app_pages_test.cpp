@@ -102,10 +102,10 @@ void AppPagesTest::folderThatIsNoStudyIsToldOnTheStartPage()
 {
     ShownWindow shown;
     const auto message = [&] { return &shown.widget<QLabel>("startMessage"); };
-    shown.hands.click("openButton");
+    shown.gui.click("openButton");
     QVERIFY(message()->isVisible());
     shown.widget<QLineEdit>("studyFolderField").setText(filePath("not-there"));
-    shown.hands.click("openButton");
+    shown.gui.click("openButton");
     QCOMPARE(shown.window.currentPage()->objectName(), QString("startPage"));
     QVERIFY(message()->isVisible());
     QVERIFY2(message()->text().contains("not-there"), qPrintable(message()->text()));
@@ -143,12 +143,12 @@ void AppPagesTest::placeOfOneWhoWithdrewIsTakenByTheNext()
     open.enrolAndBegin();
     open.playTo("Presenting", "Q2");
     open.perform(WithdrawnEvent{"tired"});
-    open.hands().pressKey(Qt::Key_Return);
+    open.gui().pressKey(Qt::Key_Return);
     QTRY_COMPARE(open.window().currentPage()->objectName(), QString("studyPage"));
     QCOMPARE(placeAt(open, 0), QString("1|P01|withdrawn, place freed|6 of 24"));
     QCOMPARE(placeAt(open, 1), QString("1|–|free|"));
-    open.hands().click("enrolButton");
-    open.hands().pressKey(Qt::Key_Q);
+    open.gui().click("enrolButton");
+    open.gui().pressKey(Qt::Key_Q);
     QTRY_COMPARE(open.window().currentPage()->objectName(), QString("studyPage"));
     QCOMPARE(placeAt(open, 0), QString("1|P01|withdrawn, place freed|6 of 24"));
     QCOMPARE(placeAt(open, 1), QString("1|P02|under way|0 of 24"));
@@ -161,7 +161,7 @@ void AppPagesTest::studyPageShowsWhoIsWhere()
     open.playToEnd();
     open.window().startSession(protocols::ParticipantId("P02"));
     open.playTo("Presenting", "Q2");
-    open.hands().pressKey(Qt::Key_Q);
+    open.gui().pressKey(Qt::Key_Q);
     QTRY_COMPARE(open.window().currentPage()->objectName(), QString("studyPage"));
     QCOMPARE(placeAt(open, 0), QString("1|P01|finished|24 of 24"));
     QCOMPARE(placeAt(open, 1), QString("2|P02|under way|6 of 24"));
@@ -183,10 +183,10 @@ void AppPagesTest::takenOrStrangeParticipantsAreNotEnrolled()
     QFETCH(QString, participant);
     OpenWindow open(newStudy());
     open.enrolAndBegin();
-    open.hands().pressKey(Qt::Key_Q);
+    open.gui().pressKey(Qt::Key_Q);
     QTRY_COMPARE(open.window().currentPage()->objectName(), QString("studyPage"));
     open.widget<QLineEdit>("participantField").setText(participant);
-    open.hands().click("enrolButton");
+    open.gui().click("enrolButton");
     QVERIFY(!open.window().session());
     QVERIFY(!open.message("studyMessage").isEmpty());
 }
@@ -203,17 +203,17 @@ void AppPagesTest::newStudyIsMadeOffTheWindowsThread()
         progress(0.5, "drawing the running orders");
     };
     ShownWindow shown(options);
-    shown.hands.click("newStudyButton");
-    shown.hands.type(QString::fromStdString(made.folder.string()));
-    shown.hands.focusOn("datasetField");
-    shown.hands.type("/data/fabrics");
-    shown.hands.focusOn("seedField");
+    shown.gui.click("newStudyButton");
+    shown.gui.type(QString::fromStdString(made.folder.string()));
+    shown.gui.focusOn("datasetField");
+    shown.gui.type("/data/fabrics");
+    shown.gui.focusOn("seedField");
     shown.widget<QLineEdit>("seedField").clear();
-    shown.hands.type("42");
-    shown.hands.focusOn("participantsField");
-    shown.hands.type("4");
-    shown.hands.focusOn("protocolField");
-    shown.hands.pressKey(Qt::Key_Return);
+    shown.gui.type("42");
+    shown.gui.focusOn("participantsField");
+    shown.gui.type("4");
+    shown.gui.focusOn("protocolField");
+    shown.gui.pressKey(Qt::Key_Return);
     QTRY_COMPARE(shown.window.currentPage()->objectName(), QString("studyPage"));
     QCOMPARE(asked, (NewStudyRequest{made.folder, "/data/fabrics", std::nullopt, 4, 42}));
     QVERIFY(thread != QThread::currentThread());
@@ -226,11 +226,11 @@ void AppPagesTest::makingThatFailsIsToldOnThePage()
         throw protocols::badInput({.what = "no photographs", .where = request.dataset.string(), .expected = {}, .nextStep = {}});
     };
     ShownWindow shown(options);
-    shown.hands.click("newStudyButton");
-    shown.hands.type("/tmp/new-study");
-    shown.hands.focusOn("datasetField");
-    shown.hands.type("/data/poor");
-    shown.hands.click("makeButton");
+    shown.gui.click("newStudyButton");
+    shown.gui.type("/tmp/new-study");
+    shown.gui.focusOn("datasetField");
+    shown.gui.type("/data/poor");
+    shown.gui.click("makeButton");
     const auto* message = &shown.widget<QLabel>("newStudyMessage");
     QTRY_VERIFY(message->isVisible());
     QVERIFY(message->text().contains("no photographs"));
@@ -255,13 +255,13 @@ void AppPagesTest::makingCanBeStopped()
         }
     };
     ShownWindow shown(options);
-    shown.hands.click("newStudyButton");
-    shown.hands.type("/tmp/new-study");
-    shown.hands.focusOn("datasetField");
-    shown.hands.type("/data/fabrics");
-    shown.hands.pressKey(Qt::Key_Return);
+    shown.gui.click("newStudyButton");
+    shown.gui.type("/tmp/new-study");
+    shown.gui.focusOn("datasetField");
+    shown.gui.type("/data/fabrics");
+    shown.gui.pressKey(Qt::Key_Return);
     QTRY_COMPARE(shown.widget<QLabel>("makingText").text(), QString("working"));
-    shown.hands.pressKey(Qt::Key_Escape);
+    shown.gui.pressKey(Qt::Key_Escape);
     QTRY_VERIFY(isUnwound);
     QTRY_VERIFY(shown.widget<QLabel>("newStudyMessage").isVisible());
     QVERIFY(shown.widget<QLabel>("newStudyMessage").text().contains("stopped"));
@@ -273,21 +273,21 @@ void AppPagesTest::incompleteFormIsToldAndMakesNothing()
     bool isMade = false;
     options.makeStudy = [&](const NewStudyRequest&, const MakingProgress&) { isMade = true; };
     ShownWindow shown(options);
-    shown.hands.click("newStudyButton");
+    shown.gui.click("newStudyButton");
     const auto* message = &shown.widget<QLabel>("newStudyMessage");
-    const auto toldAfterEnter = [&] {
-        shown.hands.pressKey(Qt::Key_Return);
+    const auto messageAfterEnter = [&] {
+        shown.gui.pressKey(Qt::Key_Return);
         return message->isVisible() ? message->text() : QString();
     };
-    QVERIFY(toldAfterEnter().contains("folder for the study"));
-    shown.hands.type("/tmp/s");
-    QVERIFY(toldAfterEnter().contains("data set"));
-    shown.hands.type("/tmp/d");
+    QVERIFY(messageAfterEnter().contains("folder for the study"));
+    shown.gui.type("/tmp/s");
+    QVERIFY(messageAfterEnter().contains("data set"));
+    shown.gui.type("/tmp/d");
     shown.widget<QLineEdit>("seedField").setText("-3");
-    QVERIFY(toldAfterEnter().contains("seed"));
+    QVERIFY(messageAfterEnter().contains("seed"));
     shown.widget<QLineEdit>("seedField").setText("3");
     shown.widget<QLineEdit>("participantsField").setText("0");
-    QVERIFY(toldAfterEnter().contains("number of participants"));
+    QVERIFY(messageAfterEnter().contains("number of participants"));
     QTest::qWait(20);
     QVERIFY(!isMade);
 }
@@ -303,7 +303,7 @@ void AppPagesTest::checklistMustBeCompleteBeforeTheFirstPresentation()
     page.begin(facts);
     std::optional<ChecklistDone> done;
     QString hint;
-    connect(&page, &StagePage::eventAsked, this, [&](const EventBody& event) { done = std::get<ChecklistDone>(event); });
+    connect(&page, &StagePage::eventRequested, this, [&](const EventBody& event) { done = std::get<ChecklistDone>(event); });
     connect(&page, &StagePage::hinted, this, [&](const QString& text) { hint = text; });
     const auto boxes = page.findChildren<QCheckBox*>();
     QCOMPARE(boxes.size(), qsizetype(2));

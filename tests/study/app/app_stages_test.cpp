@@ -128,18 +128,18 @@ void AppStagesTest::fabricThatIsShownIsMarked()
     open.window().startSession(ParticipantId("P01"));
     open.playTo("Familiarising");
     open.perform(FamiliarisationShown{1});
-    QCOMPARE(open.display().told.back(), std::string("show"));
+    QCOMPARE(open.display().calls.back(), std::string("show"));
     QVERIFY(open.widget<QPushButton>("familiar2").isChecked());
     QVERIFY(!open.widget<QPushButton>("familiar1").isChecked());
     QVERIFY(open.widget<QLabel>("shownFabric").text().contains("known fabric 2"));
     open.perform(FamiliarisationDone{});
-    QCOMPARE(open.display().told.back(), std::string("clear"));
+    QCOMPARE(open.display().calls.back(), std::string("clear"));
 }
 
 void AppStagesTest::scaleTrainingReadsBackKindly_data()
 {
     QTest::addColumn<int>("tenthsOff");
-    QTest::addColumn<QString>("told");
+    QTest::addColumn<QString>("expectedText");
     QTest::newRow("hit") << 0 << "just where";
     QTest::newRow("by half a point") << 5 << "very close";
     QTest::newRow("by almost a point") << -9 << "close, 0.9 too low";
@@ -149,7 +149,7 @@ void AppStagesTest::scaleTrainingReadsBackKindly_data()
 void AppStagesTest::scaleTrainingReadsBackKindly()
 {
     QFETCH(int, tenthsOff);
-    QFETCH(QString, told);
+    QFETCH(QString, expectedText);
     OpenWindow open(newStudy(wholeStudy()));
     open.window().startSession(ParticipantId("P01"));
     open.playTo("ScaleTraining");
@@ -165,7 +165,7 @@ void AppStagesTest::scaleTrainingReadsBackKindly()
     const Tenths shown = places[at];
     open.perform(ScalePlaced{shown, {shown.value + tenthsOff}});
     const QString text = open.widget<QLabel>("deviation").text();
-    QVERIFY2(text.contains(told), qPrintable(text));
+    QVERIFY2(text.contains(expectedText), qPrintable(text));
     QVERIFY(text.contains(study::app::textOf(shown)) || tenthsOff == 0);
 }
 
@@ -188,7 +188,7 @@ void AppStagesTest::checklistIsStampedWithItsReadings()
     pressKey(open, Qt::Key_Return);
     QVERIFY2(open.message().contains("Not ticked yet"), qPrintable(open.message()));
     QCOMPARE(nameOf(open.view().state), std::string("CheckingList"));
-    open.perform(ChecklistDone{open.hands().plan().protocol.checklist, {{"temperature in °C", "22,5"}}});
+    open.perform(ChecklistDone{open.gui().plan().protocol.checklist, {{"temperature in °C", "22,5"}}});
     const auto last = open.window().study()->store().events(ParticipantId("P01")).back();
     QCOMPARE(last.kind, std::string("checklist_done"));
     QVERIFY(last.payloadJson.find("eye mask") != std::string::npos);
@@ -213,7 +213,7 @@ void AppStagesTest::eachBreakSaysWhyItIs()
     open.playTo("OnBreak");
     QVERIFY(std::get<OnBreak>(open.view().state.stage).reason == BreakReason::SittingOver);
     QVERIFY2(lead().contains("another day") && lead().contains("lasted"), qPrintable(lead()));
-    open.hands().click("secondButton");  // stop here for today
+    open.gui().click("secondButton");  // stop here for today
     QTRY_COMPARE(open.window().currentPage()->objectName(), QString("studyPage"));
 }
 

@@ -164,7 +164,7 @@ void AppTest::paperSizedSessionTakesSeconds()
 void AppTest::ratingThatIsNoneIsRefusedOnThePage_data()
 {
     QTest::addColumn<QString>("typed");
-    QTest::addColumn<QString>("told");
+    QTest::addColumn<QString>("expectedText");
     QTest::newRow("above the scale") << "11"
                                      << "outside the scale";
     QTest::newRow("just above") << "10.1"
@@ -184,7 +184,7 @@ void AppTest::ratingThatIsNoneIsRefusedOnThePage_data()
 void AppTest::ratingThatIsNoneIsRefusedOnThePage()
 {
     QFETCH(QString, typed);
-    QFETCH(QString, told);
+    QFETCH(QString, expectedText);
     const auto folder = newStudy();
     OpenWindow open(folder);
     open.enrolAndBegin();
@@ -192,7 +192,7 @@ void AppTest::ratingThatIsNoneIsRefusedOnThePage()
     const auto before = answersIn(folder);
     typeText(open, typed);
     pressKey(open, Qt::Key_Return);
-    QVERIFY2(open.message().contains(told), qPrintable(open.message()));
+    QVERIFY2(open.message().contains(expectedText), qPrintable(open.message()));
     QCOMPARE(answersIn(folder), before);
     QCOMPARE(open.view().question->id.value, std::string("Q2"));
 
@@ -227,7 +227,7 @@ void AppTest::closedWindowGoesOnAtTheSamePresentation()
         code = open.view().code.value;
         before = answersIn(folder);
         QVERIFY(open.window().close());
-        QCOMPARE(open.display().told.back(), std::string("clear"));
+        QCOMPARE(open.display().calls.back(), std::string("clear"));
     }
     OpenWindow open(folder);
     QVERIFY(open.widget<QPushButton>("resumeButton").text().contains("P01"));

@@ -10,11 +10,11 @@
 
 namespace study::app {
 
-class Looks : public QObject {
+class AppearanceKeys : public QObject {
     Q_OBJECT
 public:
     /// Takes what is remembered, and the keys of the window, which owns it. `settings` may be empty.
-    Looks(std::shared_ptr<QSettings> settings, QWidget& window);
+    AppearanceKeys(std::shared_ptr<QSettings> settings, QWidget& window);
 
     void set(const Appearance& appearance);
 

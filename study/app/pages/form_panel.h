@@ -13,7 +13,7 @@ namespace study::app {
 
 class PageHead;
 
-class Panel : public StagePage {
+class FormPanel : public StagePage {
     Q_OBJECT
 public:
     void present(const session::View&) override {}
@@ -21,7 +21,7 @@ public:
     QWidget& firstFocus() override;
 
 Q_SIGNALS:
-    void closeAsked();
+    void closeRequested();
 
 protected:
     /// What Enter does while nothing is written.
@@ -30,7 +30,7 @@ protected:
         QString title, explanation, caption, action, hintWhenEmpty;
         Empty empty = Empty::IsAskedAgain;
     };
-    explicit Panel(QWidget* parent);
+    explicit FormPanel(QWidget* parent);
 
     /// Opens with nothing written.
     void open(const Texts& texts);
@@ -39,7 +39,7 @@ protected:
     /// Lets the hand go on to the line to write.
     void focusReason();
     /// Tab leads there from the last of these controls.
-    void letReasonFollow(const QWidget& controls);
+    void setReasonAfter(const QWidget& controls);
 
     /// False, after a hint, where something other than the reason is missing.
     virtual bool isReady() { return true; }

@@ -12,10 +12,10 @@
 
 namespace study::app {
 
-class GuiHands {
+class GuiOperator {
 public:
     /// The window must outlive the hands, and a session must be running in it when they are used.
-    explicit GuiHands(MainWindow& window) : m_window(window) {}
+    explicit GuiOperator(MainWindow& window) : m_window(window) {}
 
     /// The engine's refusal where it refused. Throws workFailed where a widget is missing, hidden or off or
     /// where another event came out, and passes on faults of disk and display.

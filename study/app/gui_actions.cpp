@@ -53,7 +53,7 @@ struct EventActions {
         for (int entry = 0; entry < entries; ++entry) {
             give(event.response, formOf(gui.view()));
             enter();
-            if (isWithoutWords(event.response)) enter();  // the page asks once whether there are none
+            if (isWithoutWords(event.response)) enter();  // the page asks for a second Enter if nothing is written
         }
     }
     void operator()(const Corrected& event) const
@@ -143,7 +143,7 @@ private:
     {
         for (const AnswerForm::Option& option : form.options)
             if (option.response == response) return gui.pressKey(option.letter.front().unicode());
-        if (!form.options.empty()) throw cannotPerform(textOf(response) + " is not among the answers to choose from");
+        if (!form.options.empty()) throw cannotPerform(textOf(response) + " is not one of the answers on the page");
         const auto* rating = std::get_if<protocols::Tenths>(&response);
         gui.clear();
         gui.type(rating ? study::app::textOf(*rating) : QString::fromStdString(textOf(response)));
@@ -154,10 +154,10 @@ private:
 
 protocols::Error cannotPerform(const std::string& what)
 {
-    return protocols::workFailed({.what = "the window cannot be driven on: " + what,
+    return protocols::workFailed({.what = "the window cannot send the next event: " + what,
                                   .where = "replay --gui",
                                   .expected = "the page of the script's next event",
-                                  .nextStep = "replay the script without --gui, and report this"});
+                                  .nextStep = "replay the script without --gui and report this fault"});
 }
 
 void performInWindow(GuiOperator& gui, MainWindow& window, const EventBody& event)

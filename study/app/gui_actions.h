@@ -1,4 +1,4 @@
-// The movements of the hands that lead to each kind of event in the window.
+// The keys and clicks that make the window send each kind of event.
 #pragma once
 
 #include "protocols/files/errors.h"
@@ -6,10 +6,10 @@
 
 namespace study::app {
 
-/// A movement that the page in front does not allow.
+/// Error for an action that the current page does not allow.
 protocols::Error cannotPerform(const std::string& what);
 
-/// Throws cannotPerform(...) where there is no way from the page in front to the event.
+/// Performs the keys and clicks for `event`. Throws cannotPerform(...) if the current page cannot send it.
 void performInWindow(GuiOperator& gui, MainWindow& window, const session::EventBody& event);
 
 }  // namespace study::app

@@ -47,7 +47,7 @@ std::optional<Refusal> GuiOperator::perform(const EventBody& event)
     const auto& outcome = controller().lastOutcome();
     const bool isSent = controller().eventsSent() == sentBefore + 1 && kindOf(outcome->event) == kindOf(event) &&
                         payloadJson(outcome->event) == payloadJson(event);
-    if (!isSent) throw cannotPerform("\"" + kindOf(event) + "\" did not come out of the page for " + nameOf(view().state));
+    if (!isSent) throw cannotPerform("the page for " + nameOf(view().state) + " did not send \"" + kindOf(event) + "\"");
     if (outcome->fault) std::rethrow_exception(outcome->fault);
     return outcome->refusal;
 }
@@ -69,7 +69,7 @@ QWidget& GuiOperator::widget(const QString& objectName) const
     const auto found = m_window.currentPage()->findChildren<QWidget*>(objectName);
     for (QWidget* widget : found)
         if (widget->isVisible() && widget->isEnabled()) return *widget;
-    throw cannotPerform("\"" + objectName.toStdString() + "\" is not on the page, or is off");
+    throw cannotPerform("the page has no visible and enabled control \"" + objectName.toStdString() + "\"");
 }
 
 void GuiOperator::pressKey(int key)

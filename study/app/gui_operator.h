@@ -1,6 +1,5 @@
-// Does on the real widgets what an experimenter's hands would: given the next event of a script, types
-// the keys that lead to it and checks that the window sent just that event. For `replay --gui`
-// and for tests; needs no test library.
+// Operates the real widgets as an experimenter does. For the next event of a script it types the keys that lead to the
+// event, then checks that the window sent exactly this event. Used by `replay --gui` and by tests; needs no test library.
 #pragma once
 
 #include <QPoint>
@@ -14,29 +13,29 @@ namespace study::app {
 
 class GuiOperator {
 public:
-    /// The window must outlive the hands, and a session must be running in it when they are used.
+    /// The window must outlive this object. A session must be running in it during every call.
     explicit GuiOperator(MainWindow& window) : m_window(window) {}
 
-    /// The engine's refusal where it refused. Throws workFailed where a widget is missing, hidden or off or
-    /// where another event came out, and passes on faults of disk and display.
+    /// Performs the event and returns the engine's refusal, if any. Throws workFailed if a widget is missing, hidden or
+    /// disabled, or if the window sent another event. Faults of disk and display pass through.
     std::optional<session::Refusal> perform(const session::EventBody& event);
 
     const session::View& view() const;
     const session::Plan& plan() const;
 
-    // ---- the single movements, for tests that go their own way
+    // ---- single actions, for tests that need their own sequence
     void pressKey(int key);
-    /// Types into whatever has the focus.
+    /// Types into the widget that has the focus.
     void type(const QString& text);
     /// Empties the field that has the focus.
     void clear();
-    /// By object name, on the page that is now to be seen.
+    /// Clicks the widget with this object name on the current page.
     void click(const QString& objectName);
     void clickAt(QWidget& target, const QPoint& point);
     void focusOn(const QString& objectName);
-    /// Seen and on; throws workFailed where there is none.
+    /// The visible and enabled widget of this name; throws workFailed if there is none.
     QWidget& widget(const QString& objectName) const;
-    /// A later sitting's refresher and checklist are offered before it goes on.
+    /// True while the window offers the refresher and the checklist of a later sitting.
     bool isOfferedPreparation() const;
 
 private:

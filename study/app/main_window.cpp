@@ -19,7 +19,7 @@ namespace study::app {
 
 namespace {
 
-/// Does it, and tells what went wrong on the page where it was asked for.
+/// Runs `work` and shows its fault on `page`, where the operator asked for it.
 template <class Page, class Work>
 void showingFaults(Page& page, Work work)
 {
@@ -89,7 +89,7 @@ void MainWindow::connectPages()
     connect(m_sessionPage, &SessionPage::eventRequested, this, [this](const session::EventBody& event) {
         if (m_session) m_session->send(event);
     });
-    // Queued: the page that asks must not be rebuilt under its own feet.
+    // Queued, so that the page is not rebuilt while it still handles its own event.
     connect(m_sessionPage, &SessionPage::leaveRequested, this, &MainWindow::leaveSession, Qt::QueuedConnection);
 }
 
@@ -152,8 +152,8 @@ void MainWindow::connectSession()
 
 void MainWindow::refreshSession()
 {
-    // Where a display fails, what was asked for is stored all the same. A touch that the display reports comes in
-    // between, and closes nothing that the hand is at.
+    // When the display fails, the event is stored nevertheless. A touch that the display reports can come at any time, so
+    // it must not close a panel that the operator is using.
     const auto& outcome = m_session->lastOutcome();
     const auto* touched = std::get_if<session::Touched>(&outcome->event);
     const bool isByDisplay = touched && touched->by == session::TouchSource::Display;
@@ -192,7 +192,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
 
 void MainWindow::keyPressEvent(QKeyEvent* event)
 {
-    // Reached when no control of the page has the focus.
+    // Handles the keys of the session page when none of its controls has the focus.
     if (m_pages->currentWidget() == m_sessionPage && event->modifiers() == Qt::NoModifier && !event->isAutoRepeat() &&
         m_sessionPage->pressKey(event->key()))
         return;

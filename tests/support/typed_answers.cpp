@@ -47,7 +47,7 @@ void typeText(OpenWindow& open, const QString& text) { QTest::keyClicks(open.win
 void answerByKeys(OpenWindow& open, const Response& response, QChar point)
 {
     if (open.view().answerKind == protocols::PhaseAnswer::Words)
-        QTest::keyClick(open.window().focusWidget(), Qt::Key_T, Qt::AltModifier);  // letters are text there
+        QTest::keyClick(open.window().focusWidget(), Qt::Key_T, Qt::AltModifier);  // letters are text on this page
     else
         pressKey(open, Qt::Key_T);
     open.clock().advanceSeconds(2.0);
@@ -61,8 +61,8 @@ void enterByKeys(OpenWindow& open, const Response& response, QChar point)
         const auto& tray = open.view().trayIds;
         const auto place = std::find(tray.begin(), tray.end(), *fabric) - tray.begin();
         pressKey(open, static_cast<Qt::Key>(Qt::Key_A + place));
-    } else if (const auto* said = std::get_if<study::session::Sameness>(&response)) {
-        pressKey(open, said->same ? Qt::Key_S : Qt::Key_D);
+    } else if (const auto* sameness = std::get_if<study::session::Sameness>(&response)) {
+        pressKey(open, sameness->same ? Qt::Key_S : Qt::Key_D);
     } else if (std::holds_alternative<protocols::Tenths>(response)) {
         typeText(open, QString::fromStdString(answerText(response)).replace(QLatin1Char('.'), point));
     } else {

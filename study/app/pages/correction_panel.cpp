@@ -15,19 +15,20 @@ CorrectionPanel::CorrectionPanel(QWidget* parent)
     auto* questions = new QWidget(this);
     questions->setLayout(m_questionsRow);
     m_old->setContentsMargins(0, 4, 0, 0);
-    addRow(tr("Answer to"), questions);
-    addRow(tr("Stored is"), m_old);
-    addRow(tr("It shall be"), m_entry);
+    addRow(tr("Question"), questions);
+    addRow(tr("Stored answer"), m_old);
+    addRow(tr("New answer"), m_entry);
 }
 
 void CorrectionPanel::ask(const std::vector<Correctable>& answers)
 {
     m_correctables = answers;
     open({.title = tr("Correct an answer"),
-          .explanation = tr("The old answer stays in the record beside the new one."),
-          .caption = tr("Because"),
+          .explanation = tr("The study keeps the old answer beside the new one."),
+          .caption = tr("Reason"),
           .action = tr("Store the correction (Enter)"),
-          .hintWhenEmpty = tr("Say why, in a few words such as “misheard”. Enter once more stores it without a reason.")});
+          .hintWhenEmpty =
+              tr("Write a short reason, such as “misheard”. Press Enter again to store the correction without a reason.")});
     showQuestions();
     showAnswer(0);
 }

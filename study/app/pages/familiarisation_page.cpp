@@ -18,7 +18,7 @@ FamiliarisationPage::FamiliarisationPage(QWidget* parent)
       m_action(mainButton("confirmButton", tr("The participant is ready (Enter)"), this))
 {
     auto* head = new PageHead(this);
-    head->setTexts(tr("Getting to know the display"), tr("Nothing is scored here. Take the time that the participant needs."));
+    head->setTexts(tr("Getting to know the display"), tr("Nothing is scored here. Give the participant as much time as needed."));
     m_fabricsRow->setLayout(new FlowLayout(10, 8));
     auto* column = new QVBoxLayout(this);
     column->setSpacing(14);
@@ -40,17 +40,17 @@ void FamiliarisationPage::begin(const SessionFacts& facts)
 
 void FamiliarisationPage::showSteps()
 {
-    QStringList steps{tr("Seat the participant so that the display and the tray are within reach of one hand.")};
+    QStringList steps{tr("Seat the participant so that one hand can reach both the display and the tray.")};
     if (!m_strokeWords.isEmpty()) steps << tr("Say: “%1”").arg(m_strokeWords);
     if (m_fabrics.empty())
-        steps << tr("Let them stroke some fabrics on the table, and then the glass of the display.");
+        steps << tr("Let the participant stroke some fabrics on the table, then the glass of the display.");
     else
         steps << tr(
-            "Put one of these fabrics on the table and its image on the display, by its number. Let them stroke both; "
-            "then take the next.");
+            "Put one of these fabrics on the table. Press its number to show its image on the display. Let the participant "
+            "stroke both, then take the next fabric.");
     steps << tr(
-        "Say: “Soon you will compare what you feel on the glass with a piece of fabric on the tray. There is no right "
-        "answer and no hurry.”");
+        "Say: “Soon you will compare what you feel on the glass with a piece of fabric on the tray. There are no right or "
+        "wrong answers. Take your time.”");
     m_steps->setSteps(steps);
 }
 
@@ -82,9 +82,9 @@ void FamiliarisationPage::present(const session::View& view)
         showText(*m_shown, {});
     else if (shown)
         showText(*m_shown,
-                 tr("On the display now: %1.").arg(QString::fromStdString(m_fabrics.at(static_cast<std::size_t>(*shown)))));
+                 tr("The display now shows %1.").arg(QString::fromStdString(m_fabrics.at(static_cast<std::size_t>(*shown)))));
     else
-        showText(*m_shown, tr("The display is clear. Press the number of a fabric to show its image."));
+        showText(*m_shown, tr("The display shows nothing now. Press the number of a fabric to show its image."));
 }
 
 bool FamiliarisationPage::pressKey(int key)

@@ -10,14 +10,14 @@ namespace study::app {
 
 namespace {
 
-constexpr int rowOfReason = 100;  // below every row that a panel adds
+constexpr int rowOfReason = 100;  // below all rows that addRow() adds
 
 QLabel* captionFor(const QString& text, QWidget* parent)
 {
     QLabel* made = quietLabel("panelCaption", parent);
     made->setText(text);
     made->setWordWrap(false);
-    made->setContentsMargins(0, 7, 0, 0);  // level with the text in the fields
+    made->setContentsMargins(0, 7, 0, 0);  // aligns the caption with the text in the field
     return made;
 }
 
@@ -74,8 +74,9 @@ void FormPanel::confirm()
 {
     if (!isReady()) return;
     const bool isEmpty = m_reason->text().trimmed().isEmpty();
-    const bool mayGo = !isEmpty || m_texts.empty == Empty::IsFine || (m_texts.empty == Empty::IsAskedAgain && m_isAskedAgain);
-    if (mayGo) {
+    const bool isAccepted = !isEmpty || m_texts.withoutReason == WithoutReason::Accept ||
+                            (m_texts.withoutReason == WithoutReason::AskTwice && m_isAskedAgain);
+    if (isAccepted) {
         Q_EMIT eventRequested(eventFor(isEmpty ? std::string() : m_reason->text().toStdString()));
         return;
     }

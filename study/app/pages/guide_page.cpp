@@ -12,8 +12,8 @@ GuidePage::GuidePage(QWidget* parent)
     : StagePage(parent),
       m_head(new PageHead(this)),
       m_steps(new StepList(this)),
-      m_action(mainButton("confirmButton", tr("Go on (Enter)"), this)),
-      m_second(button("secondButton", tr("Go on without (G)"), this))
+      m_action(mainButton("confirmButton", tr("Continue (Enter)"), this)),
+      m_second(button("secondButton", tr("Skip the preparation (G)"), this))
 {
     auto* column = new QVBoxLayout(this);
     column->setSpacing(14);

@@ -14,14 +14,15 @@ namespace study::app {
 
 namespace {
 
-constexpr int msBetweenLooks = 2000;
+constexpr int msBetweenUpdates = 2000;
 
 QString sinceText(const std::optional<double>& minutes)
 {
     if (!minutes) return {};
     if (*minutes < 1) return MonitorWindow::tr("just now");
     const int minutesInADay = 24 * 60;
-    if (*minutes >= minutesInADay) return MonitorWindow::tr("%1 days ago").arg(std::lround(*minutes / minutesInADay));
+    const long days = std::lround(*minutes / minutesInADay);
+    if (*minutes >= minutesInADay) return days == 1 ? MonitorWindow::tr("1 day ago") : MonitorWindow::tr("%1 days ago").arg(days);
     return MonitorWindow::tr("%1 min ago").arg(static_cast<int>(*minutes));
 }
 
@@ -64,19 +65,19 @@ MonitorWindow::MonitorWindow(const std::filesystem::path& study, const AppOption
       m_message(new MessageBar("monitorMessage", this))
 {
     setObjectName("monitorWindow");
-    name(*m_rows, "monitorRows", tr("Who is where"));
+    name(*m_rows, "monitorRows", tr("Stage of every participant"));
     setType(*m_rows, Type::Plain);
     m_rows->setRootIsDecorated(false);
     m_rows->setAllColumnsShowFocus(true);
-    m_rows->setHeaderLabels(
-        {tr("Place"), tr("Participant"), tr("Where"), tr("At"), tr("Answers"), tr("Missing"), tr("Void"), tr("Last event")});
+    m_rows->setHeaderLabels({tr("Place"), tr("Participant"), tr("Stage"), tr("Presentation"), tr("Answers"), tr("Missing"),
+                             tr("Void"), tr("Last event")});
     m_rows->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_rows->header()->setFocusPolicy(Qt::NoFocus);
     m_flagsCaption->setText(tr("Flags"));
     auto* hint = quietLabel("monitorHint", this, Type::Small);
     hint->setText(
-        tr("Reads only; looks again every two seconds.   ·   At: the presentation.   ·   Missing: answers to "
-           "presentations that were voided and not given again yet.   ·   Close: Esc"));
+        tr("This window only reads the study. It updates every two seconds.   ·   Missing: answers to voided "
+           "presentations that have not been repeated yet.   ·   Close: Esc"));
 
     auto* page = new QWidget(this);
     auto* column = new QVBoxLayout(page);
@@ -92,21 +93,21 @@ MonitorWindow::MonitorWindow(const std::filesystem::path& study, const AppOption
     connect(m_flagReading, &FlagReading::done, this, &MonitorWindow::showFlags);
     connect(m_flagReading, &FlagReading::failed, m_flags, &QLabel::setText);
     auto* timer = new QTimer(this);
-    connect(timer, &QTimer::timeout, this, &MonitorWindow::look);
-    timer->start(msBetweenLooks);
-    look();
+    connect(timer, &QTimer::timeout, this, &MonitorWindow::refresh);
+    timer->start(msBetweenUpdates);
+    refresh();
     m_rows->setFocus();
 }
 
 MonitorWindow::~MonitorWindow() = default;
 
-void MonitorWindow::look()
+void MonitorWindow::refresh()
 {
     try {
         present(monitorOverview(m_store, m_clock->wallTime()));
         m_message->clearMessage();
     } catch (const std::exception& fault) {
-        m_message->showFault(tr("%1. The next look tries again.").arg(QString::fromUtf8(fault.what())));
+        m_message->showFault(tr("%1. The window tries again in two seconds.").arg(QString::fromUtf8(fault.what())));
     }
 }
 

@@ -66,7 +66,7 @@ void SessionPage::connectPanels()
 
 void SessionPage::bindKeysWhileWriting()
 {
-    // In a field of text the letters are text; with Alt they are the keys that they are elsewhere.
+    // In a text field letters are text. With Alt they work as the command keys of the other pages.
     for (const int key : {Qt::Key_T, Qt::Key_L, Qt::Key_N, Qt::Key_F, Qt::Key_V, Qt::Key_P, Qt::Key_W, Qt::Key_Q, Qt::Key_G}) {
         auto* shortcut = new QShortcut(QKeySequence(Qt::ALT | key), this);
         shortcut->setContext(Qt::WidgetWithChildrenShortcut);
@@ -194,7 +194,7 @@ bool SessionPage::pressKey(int key)
 
 bool SessionPage::pressFocusedButton() const
 {
-    // Enter is the page's main action, but on a button that was tabbed to it presses that one.
+    // Enter triggers the main action of the page, but it presses a side button that has the focus.
     auto* focused = qobject_cast<QPushButton*>(focusWidget());
     const bool isSideButton = focused && focused->isVisible() && focused->isEnabled() && !focused->isCheckable() &&
                               focused->property("role").toString() != QLatin1String("main");

@@ -39,7 +39,7 @@ struct StageStack::PageOfStage {
 
 namespace {
 
-/// Where one types must be in sight, whatever the size of the text.
+/// Keeps the text field that has the focus visible at every text size.
 void scrollToTextEntry(QScrollArea& area)
 {
     constexpr int marginPx = 28;

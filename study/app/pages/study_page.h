@@ -1,5 +1,5 @@
-// An open study: who is where, the next participant to enrol, and a session to go on with. Blinded: places,
-// names and counts, nothing of what was shown or answered.
+// Page of an open study: all participants, the next one to enrol, and sessions to continue. Blinded: it shows places, codes
+// and counts, but no stimulus, condition or answer.
 #pragma once
 
 #include <QWidget>
@@ -22,13 +22,13 @@ class StudyPage : public QWidget {
 public:
     explicit StudyPage(QWidget* parent);
 
-    /// `kind`: participants of other kinds cannot be gone on with here.
+    /// `kind`: sessions of participants of other kinds cannot be continued here.
     void present(const StudyOverview& overview, database::ParticipantKind kind);
     void showFault(const QString& text);
     void focusFirst();
 
 Q_SIGNALS:
-    /// Enrols, or resumes where the participant has started.
+    /// The operator enrols this participant, or continues the session if there is one.
     void sessionRequested(const QString& participant);
     void closeRequested();
 

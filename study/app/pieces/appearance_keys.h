@@ -1,5 +1,5 @@
-// How the program looks for this user: remembered between runs, and changed by keys in any of its windows (Ctrl +,
-// Ctrl −, Ctrl 0, and Ctrl D for a dark room).
+// Appearance of the program for this user. It is stored between runs and changed by keys in every window: Ctrl +, Ctrl −,
+// Ctrl 0, and Ctrl D for a dark room.
 #pragma once
 
 #include <QObject>
@@ -13,7 +13,7 @@ namespace study::app {
 class AppearanceKeys : public QObject {
     Q_OBJECT
 public:
-    /// Takes what is remembered, and the keys of the window, which owns it. `settings` may be empty.
+    /// Applies the stored appearance and handles the keys in `window`, which owns this object. `settings` may be null.
     AppearanceKeys(std::shared_ptr<QSettings> settings, QWidget& window);
 
     void set(const Appearance& appearance);

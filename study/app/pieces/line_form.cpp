@@ -48,7 +48,7 @@ QWidget* LineForm::firstOpen() const
     return m_lines.empty() ? nullptr : m_lines.back();
 }
 
-bool LineForm::goOn()
+bool LineForm::focusNext()
 {
     for (std::size_t i = 0; i + 1 < m_lines.size(); ++i)
         if (m_lines[i]->hasFocus()) {

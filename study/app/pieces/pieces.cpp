@@ -12,7 +12,7 @@ namespace study::app {
 
 namespace {
 
-/// The style sheet is asked again where the widget has been styled already.
+/// Sets the property and repeats the styling of a widget that is already styled.
 void setStyledProperty(QWidget& widget, const char* property, const char* value)
 {
     if (widget.property(property).toString() == QLatin1String(value)) return;
@@ -99,8 +99,8 @@ QLineEdit* field(const char* objectName, const QString& accessibleName, QWidget*
 QLabel* appearanceHint(QWidget* parent)
 {
     QLabel* made = quietLabel("appearanceHint", parent, Type::Small);
-    made->setText(QCoreApplication::translate("study::app::appearanceHint",
-                                              "Larger and smaller text: Ctrl + and Ctrl −   ·   dark room: Ctrl D"));
+    made->setText(
+        QCoreApplication::translate("study::app::appearanceHint", "Text size: Ctrl + and Ctrl −   ·   dark room: Ctrl D"));
     return made;
 }
 
@@ -124,7 +124,7 @@ QScrollArea* scrolling(const char* objectName, QWidget* page, QWidget* parent)
     area->setWidget(whole);
     area->viewport()->setAutoFillBackground(false);
     whole->setAutoFillBackground(false);
-    // A control that gets the focus below the edge comes into sight.
+    // Scroll to a control that gets the focus outside the visible part.
     QObject::connect(qApp, &QApplication::focusChanged, area, [area](QWidget*, QWidget* now) {
         if (now && area->isVisible() && area->isAncestorOf(now)) area->ensureWidgetVisible(now, 0, marginPx);
     });

@@ -9,7 +9,7 @@ namespace study::app {
 
 namespace {
 
-/// Answers in words may be long; here they only tell which answer it was.
+/// Shortens a long answer; the footer only identifies the last answer.
 QString inShort(const std::string& answer)
 {
     constexpr int longest = 24;

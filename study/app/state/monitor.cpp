@@ -42,7 +42,7 @@ QString stageText(const Plan& plan, const State& state)
     return state.paused ? tr("paused (%1)").arg(stage) : stage;
 }
 
-/// Where the log leads, as far as this version can follow it.
+/// State after all events of the log. Events that this version refuses are skipped.
 State stateAfter(const Plan& plan, const std::vector<database::EventRecord>& log)
 {
     State state;

@@ -1,5 +1,5 @@
-// The cover of a touch screen: black, out of the keyboard's way, and a teller of touches. On two screens of the
-// offscreen platform; where a second one is missing, a skip says so.
+// Cover of a touch screen: it is black, takes no keyboard focus and reports touches. The tests use two screens of the
+// offscreen platform. With one screen they are skipped with a message.
 #include <poll.h>
 
 #include <QApplication>
@@ -50,14 +50,14 @@ class AppCoverTest : public tests::support::WindowTest {
 private Q_SLOTS:
     void init()
     {
-        if (QGuiApplication::screens().size() < 2) QSKIP("the platform gives one screen only");
+        if (QGuiApplication::screens().size() < 2) QSKIP("the platform has only one screen");
     }
     void coversItsScreenWithBlack();
     void reportsFingersAndMouse();
-    void passesImagesOnToTheDisplayUnderIt();
-    void driverUnderTheCoverTellsItsTouchesToo();
-    void screensThatAreNotThereAreRefused_data();
-    void screensThatAreNotThereAreRefused();
+    void passesImagesToTheWrappedDisplay();
+    void touchesOfTheWrappedDriverAreReported();
+    void missingScreensAreRefused_data();
+    void missingScreensAreRefused();
     void touchOfTheCoverIsStampedInASession();
 };
 
@@ -91,7 +91,7 @@ void AppCoverTest::reportsFingersAndMouse()
     QCOMPARE(touches, 2);
 }
 
-void AppCoverTest::passesImagesOnToTheDisplayUnderIt()
+void AppCoverTest::passesImagesToTheWrappedDisplay()
 {
     const std::string folder = filePath("watched, by a device").toStdString();
     const auto display = openDisplay("folder:" + folder + ",cover:1");
@@ -102,7 +102,7 @@ void AppCoverTest::passesImagesOnToTheDisplayUnderIt()
     QVERIFY(image.readAll().contains(char(200)));
 }
 
-void AppCoverTest::driverUnderTheCoverTellsItsTouchesToo()
+void AppCoverTest::touchesOfTheWrappedDriverAreReported()
 {
     const auto display =
         openDisplay("exec:" VIS2HAP_REFERENCE_DISPLAY " '" + filePath("felt").toStdString() + "' --touch-after 10,cover:1");
@@ -117,7 +117,7 @@ void AppCoverTest::driverUnderTheCoverTellsItsTouchesToo()
     QCOMPARE(touches, 2);
 }
 
-void AppCoverTest::screensThatAreNotThereAreRefused_data()
+void AppCoverTest::missingScreensAreRefused_data()
 {
     QTest::addColumn<QString>("specification");
     QTest::addColumn<QString>("expectedText");
@@ -133,7 +133,7 @@ void AppCoverTest::screensThatAreNotThereAreRefused_data()
                                            << "unknown display";
 }
 
-void AppCoverTest::screensThatAreNotThereAreRefused()
+void AppCoverTest::missingScreensAreRefused()
 {
     QFETCH(QString, specification);
     QFETCH(QString, expectedText);

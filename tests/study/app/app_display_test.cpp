@@ -1,5 +1,5 @@
-// A session with a display behind a driver, in the real window: what can be felt at every stage, first touches, and a
-// driver that dies in the middle.
+// Session with a display driver in the real window: the displayed image at every stage, first touches, and a driver that
+// dies during the session.
 #include <signal.h>
 #include <unistd.h>
 
@@ -23,8 +23,8 @@ using tests::support::ShownWindow;
 
 namespace {
 
-/// The pixel value that can be felt; the stimuli of these studies are even.
-int feltIn(const QString& folder)
+/// Pixel value of the displayed image, which is uniform in these studies; -1 if it is not.
+int displayedIn(const QString& folder)
 {
     const cv::Mat image = rendering::readPgm((folder + "/current.pgm").toStdString());
     double low = 0, high = 0;
@@ -37,7 +37,7 @@ int feltIn(const QString& folder)
 class AppDisplayTest : public tests::support::WindowTest {
     Q_OBJECT
 
-    QString felt() { return filePath(QString::fromLatin1(QTest::currentTestFunction()) + "-felt"); }
+    QString displayFolder() { return filePath(QString::fromLatin1(QTest::currentTestFunction()) + "-displayed"); }
     AppOptions with(const QString& display)
     {
         AppOptions options;
@@ -47,7 +47,7 @@ class AppDisplayTest : public tests::support::WindowTest {
     }
     AppOptions withReference(const QString& more = {})
     {
-        return with(QStringLiteral("exec:" VIS2HAP_REFERENCE_DISPLAY " '%1' %2").arg(felt(), more));
+        return with(QStringLiteral("exec:" VIS2HAP_REFERENCE_DISPLAY " '%1' %2").arg(displayFolder(), more));
     }
     void begin(ShownWindow& shown, const database::StudyFolder& study, const std::string& participant = "P01")
     {
@@ -70,31 +70,31 @@ class AppDisplayTest : public tests::support::WindowTest {
     std::shared_ptr<VirtualClock> m_clock;
 
 private Q_SLOTS:
-    void imageIsFeltOnlyWhilePresenting();
-    void touchToldByTheDriverIsStamped();
-    void lateTouchIsSetBack();
-    void driverThatDiesInMidSessionPausesAndLosesNothing();
-    void driverThatStaysDeadSaysWhatToDo();
-    void driverThatCannotBeginIsToldOnTheStudyPage();
-    void killedProgramLeavesNothingToFeel();
+    void displayShowsImagesOnlyWhilePresenting();
+    void touchReportedByTheDriverIsStamped();
+    void delayedTouchReportIsDatedBack();
+    void deadDriverPausesTheSessionAndLosesNothing();
+    void messageForADeadDriverNamesTheNextStep();
+    void studyPageShowsWhyTheDriverCannotStart();
+    void driverClearsTheDisplayAfterTheProgramIsKilled();
 };
 
-void AppDisplayTest::imageIsFeltOnlyWhilePresenting()
+void AppDisplayTest::displayShowsImagesOnlyWhilePresenting()
 {
     ShownWindow shown(withReference());
     begin(shown, newStudy());
     int presented = 0;
     while (!std::holds_alternative<Finished>(shown.gui.view().state.stage)) {
         const auto* presenting = std::get_if<Presenting>(&shown.gui.view().state.stage);
-        QCOMPARE(feltIn(felt()) > 0, presenting != nullptr);
+        QCOMPARE(displayedIn(displayFolder()) > 0, presenting != nullptr);
         presented += presenting ? 1 : 0;
         step(shown);
     }
     QVERIFY(presented > 10);
-    QCOMPARE(feltIn(felt()), 0);
+    QCOMPARE(displayedIn(displayFolder()), 0);
 }
 
-void AppDisplayTest::touchToldByTheDriverIsStamped()
+void AppDisplayTest::touchReportedByTheDriverIsStamped()
 {
     ShownWindow shown(withReference("--touch-after 30"));
     begin(shown, newStudy());
@@ -105,9 +105,9 @@ void AppDisplayTest::touchToldByTheDriverIsStamped()
     QVERIFY(std::get<Presenting>(shown.gui.view().state.stage).touchedBy == TouchSource::Display);
 }
 
-void AppDisplayTest::lateTouchIsSetBack()
+void AppDisplayTest::delayedTouchReportIsDatedBack()
 {
-    // The touch comes while the window is busy; the clock of the session went on for 3 s meanwhile.
+    // The touch arrives while the window is busy. Meanwhile the clock of the session advances by 3 s.
     ShownWindow shown(withReference("--touch-after 30"));
     begin(shown, newStudy());
     stepTo<Presenting>(shown);
@@ -118,7 +118,7 @@ void AppDisplayTest::lateTouchIsSetBack()
     QTRY_VERIFY(std::get<Presenting>(shown.gui.view().state.stage).touchedAtNs);
     const auto touchedAt = *std::get<Presenting>(shown.gui.view().state.stage).touchedAtNs;
     QVERIFY(touchedAt < now - 100000000 && touchedAt > readyAt);
-    // A log that is read again says the same.
+    // Reading the log again gives the same time.
     const auto before = shown.gui.view().state;
     const auto& plan = shown.gui.plan();
     const Event event{Touched{TouchSource::Display, now - touchedAt}, now};
@@ -130,7 +130,7 @@ void AppDisplayTest::lateTouchIsSetBack()
     QCOMPARE(std::get<Presenting>(std::get<Step>(outcome).next.stage).touchedAtNs.value_or(0), touchedAt);
 }
 
-void AppDisplayTest::driverThatDiesInMidSessionPausesAndLosesNothing()
+void AppDisplayTest::deadDriverPausesTheSessionAndLosesNothing()
 {
     const auto study = newStudy();
     ShownWindow shown(withReference());
@@ -140,14 +140,14 @@ void AppDisplayTest::driverThatDiesInMidSessionPausesAndLosesNothing()
     stepTo<Presenting>(shown);
     const int answers = shown.gui.view().state.answersStored;
     const auto trial = std::get<Presenting>(shown.gui.view().state.stage).index;
-    QVERIFY(answers > 0 && feltIn(felt()) > 0);
+    QVERIFY(answers > 0 && displayedIn(displayFolder()) > 0);
 
-    // kill -9 of the driver, found as our own child by the folder that it shows in
+    // Kill the driver. Its process is the one that has the display folder in its arguments.
     QProcess list;
     list.start("ps", {"-eo", "pid,ppid,args"});
     QVERIFY(list.waitForFinished());
     for (const QString& line : QString::fromUtf8(list.readAllStandardOutput()).split('\n'))
-        if (line.contains(felt()) && line.contains("vis2hap-reference-display"))
+        if (line.contains(displayFolder()) && line.contains("vis2hap-reference-display"))
             ::kill(line.trimmed().section(' ', 0, 0).toInt(), SIGKILL);
 
     QTRY_VERIFY(shown.gui.view().state.paused);
@@ -155,24 +155,24 @@ void AppDisplayTest::driverThatDiesInMidSessionPausesAndLosesNothing()
                  messageIn(shown).contains("press Enter"),
              qPrintable(messageIn(shown)));
     QCOMPARE(shown.window.study()->store().answers().size(), static_cast<std::size_t>(answers));
-    QCOMPARE(feltIn(felt()), 0);  // begun again, and clear
+    QCOMPARE(displayedIn(displayFolder()), 0);  // the driver was restarted and shows nothing
     shown.gui.pressKey(Qt::Key_Return);
     stepTo<Presenting>(shown);
     QCOMPARE(std::get<Presenting>(shown.gui.view().state.stage).index, trial);
-    QVERIFY(feltIn(felt()) > 0);
+    QVERIFY(displayedIn(displayFolder()) > 0);
     stepTo<Finished>(shown);
     QCOMPARE(static_cast<int>(shown.window.study()->store().answers().size()), 24);
     QVERIFY(shown.window.study()->store().faults().empty());
 }
 
-void AppDisplayTest::driverThatStaysDeadSaysWhatToDo()
+void AppDisplayTest::messageForADeadDriverNamesTheNextStep()
 {
     const QString works = filePath("works");
     QFile mark(works);
     QVERIFY(mark.open(QIODevice::WriteOnly));
     const QString command =
         QStringLiteral("test -e '%1' && exec " VIS2HAP_REFERENCE_DISPLAY " '%2'; echo no amplifier >&2; exit 4")
-            .arg(works, felt());
+            .arg(works, displayFolder());
     ShownWindow shown(with("exec:" + command));
     begin(shown, newStudy());
     stepTo<PlacingTray>(shown);
@@ -182,9 +182,10 @@ void AppDisplayTest::driverThatStaysDeadSaysWhatToDo()
     list.start("ps", {"-eo", "pid,args"});
     QVERIFY(list.waitForFinished());
     for (const QString& line : QString::fromUtf8(list.readAllStandardOutput()).split('\n'))
-        if (line.contains("vis2hap-reference-display " + felt())) ::kill(line.trimmed().section(' ', 0, 0).toInt(), SIGKILL);
+        if (line.contains("vis2hap-reference-display " + displayFolder()))
+            ::kill(line.trimmed().section(' ', 0, 0).toInt(), SIGKILL);
     QTest::qWait(50);
-    QVERIFY(!shown.gui.view().state.paused);  // nothing was felt: nobody need know yet
+    QVERIFY(!shown.gui.view().state.paused);  // no image was displayed, so there is no fault to report yet
     shown.window.session()->send(TrayReady{});
     QVERIFY(shown.gui.view().state.paused);
     const QString message = messageIn(shown);
@@ -193,14 +194,14 @@ void AppDisplayTest::driverThatStaysDeadSaysWhatToDo()
              qPrintable(message));
     QCOMPARE(shown.gui.view().state.answersStored, before);
 
-    QVERIFY(mark.open(QIODevice::WriteOnly));  // mended
+    QVERIFY(mark.open(QIODevice::WriteOnly));  // the driver works again
     shown.gui.pressKey(Qt::Key_Return);
     QVERIFY(!shown.gui.view().state.paused);
     stepTo<Presenting>(shown);
-    QVERIFY(feltIn(felt()) > 0);
+    QVERIFY(displayedIn(displayFolder()) > 0);
 }
 
-void AppDisplayTest::driverThatCannotBeginIsToldOnTheStudyPage()
+void AppDisplayTest::studyPageShowsWhyTheDriverCannotStart()
 {
     ShownWindow shown(with("exec:/nowhere/driver"));
     shown.window.openStudy(newStudy().folder);
@@ -210,18 +211,18 @@ void AppDisplayTest::driverThatCannotBeginIsToldOnTheStudyPage()
     QVERIFY(!shown.window.session());
 }
 
-void AppDisplayTest::killedProgramLeavesNothingToFeel()
+void AppDisplayTest::driverClearsTheDisplayAfterTheProgramIsKilled()
 {
-    // A process of its own opens the display, shows an image and is killed: the driver sees its end of input.
+    // A child process opens the display, shows an image and is killed. The driver then sees the end of its input.
     QProcess child;
     child.start(QCoreApplication::applicationFilePath(),
-                {"--show-and-wait", "exec:" VIS2HAP_REFERENCE_DISPLAY " '" + felt() + "'"});
+                {"--show-and-wait", "exec:" VIS2HAP_REFERENCE_DISPLAY " '" + displayFolder() + "'"});
     QVERIFY(child.waitForReadyRead(10000));
     QCOMPARE(child.readLine(), QByteArray("shown\n"));
-    QVERIFY(feltIn(felt()) > 0);
+    QVERIFY(displayedIn(displayFolder()) > 0);
     child.kill();
     QVERIFY(child.waitForFinished());
-    QTRY_COMPARE(feltIn(felt()), 0);
+    QTRY_COMPARE(displayedIn(displayFolder()), 0);
 }
 
 int main(int argc, char** argv)

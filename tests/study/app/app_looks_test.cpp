@@ -1,5 +1,5 @@
-// How every page looks: names for screen readers, themes, text sizes. With VIS2HAP_SCREENSHOTS=FOLDER every page is
-// saved there as PNG: light, dark, and with text at 200 percent.
+// Appearance of every page: names for screen readers, themes, text sizes. With VIS2HAP_SCREENSHOTS=FOLDER the test saves
+// every page in this folder as PNG: light, dark, and with text at 200 %.
 #include <QAbstractButton>
 #include <QAbstractItemView>
 #include <QAbstractScrollArea>
@@ -42,13 +42,13 @@ QStringList namelessControlsIn(const QWidget& root)
     return nameless;
 }
 
-/// A data set with one faulty file; the sheet is an empty one.
+/// A data set with one faulty file and a blank sheet.
 LookAtData someData()
 {
     LookAtData look;
     look.open = [](const std::filesystem::path&) {
         return DataOverview{"Fifteen fabrics",
-                            "signals of different places; photographs 0.05 mm a pixel; CC0-1.0",
+                            "signals of different places; photographs 0.05 mm per pixel; CC0-1.0",
                             {{"F01", "Linen", "plain weave", 225, 225, 225, 225, 225}, {"F02", "Felt", "", 3, 0, 0, 2, 3}}};
     };
     look.draw = [](const DataSheetRequest& request) {
@@ -62,7 +62,7 @@ LookAtData someData()
     return look;
 }
 
-/// Buttons and labels that have less room than their text takes.
+/// Buttons and labels that are too small for their text.
 QStringList cutTextsIn(const QWidget& page)
 {
     QStringList cut;
@@ -85,7 +85,7 @@ QStringList cutTextsIn(const QWidget& page)
     return cut;
 }
 
-/// Areas whose content is wider than they are, so that one would have to scroll sideways to read.
+/// Areas with content that is wider than themselves and would need sideways scrolling.
 QStringList wideAreasIn(const QWidget& page)
 {
     QStringList wide;
@@ -101,9 +101,9 @@ class AppLooksTest : public tests::support::WindowTest {
     Q_OBJECT
 
 private:
-    /// Told each page's name.
+    /// Receives the window on each page, with the name of the page.
     using Look = std::function<void(QWidget& window, const char* page)>;
-    /// Goes through every page of the window.
+    /// Calls `look` on every page of the window.
     void visitPages(const Look& look);
     void visitPreparation(OpenWindow& open, const Look& look);
     void visitQuestions(OpenWindow& open, const Look& look);
@@ -119,7 +119,7 @@ private Q_SLOTS:
     void everyControlHasANameForScreenReaders();
     void noTextIsCut_data();
     void noTextIsCut();
-    void keysChangeTheLooks();
+    void keysChangeTheAppearance();
     void pagesAreSavedAsPictures();
 };
 
@@ -165,7 +165,7 @@ void AppLooksTest::visitPreparation(OpenWindow& open, const Look& look)
     open.playTo("CheckingList");
     open.gui().focusOn("check1");
     open.gui().pressKey(Qt::Key_Space);
-    open.gui().pressKey(Qt::Key_Space);  // the focus has gone on to the next
+    open.gui().pressKey(Qt::Key_Space);  // the focus has moved to the next box
     look(open.window(), "checklist");
     open.gui().pressKey(Qt::Key_Return);
     look(open.window(), "checklist-refused");
@@ -282,11 +282,11 @@ void AppLooksTest::visitMonitor(OpenWindow& open, const Look& look)
         return std::vector<MonitorFlag>{
             {"P01", "too_fast", "9 of 42 answers (21 %) came within 0.5 s of the touch"},
             {"P02", "straight_lining",
-             "Q2: 12 of 18 ratings are 5; somebody to whom all renderings feel alike answers so in earnest"}};
+             "Q2: 12 of 18 ratings are 5. A participant who feels no difference between the renderings also answers like this"}};
     };
     MonitorWindow monitor(open.window().study()->store().folder().folder, options);
     monitor.show();
-    QTRY_VERIFY(monitor.findChild<QLabel*>("flags")->text().contains("earnest"));
+    QTRY_VERIFY(monitor.findChild<QLabel*>("flags")->text().contains("like this"));
     look(monitor, "monitor");
 }
 
@@ -339,7 +339,7 @@ void AppLooksTest::noTextIsCut()
     });
 }
 
-void AppLooksTest::keysChangeTheLooks()
+void AppLooksTest::keysChangeTheAppearance()
 {
     AppOptions options;
     options.settings = std::make_shared<QSettings>(filePath("looks.ini"), QSettings::IniFormat);

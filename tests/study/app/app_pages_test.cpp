@@ -1,4 +1,4 @@
-// The pages around a session: opening and making studies, who is where, the checklist; and numbers as typed.
+// Pages around a session: opening and creating studies, the list of participants, the checklist. Also typed numbers.
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
@@ -23,24 +23,24 @@ class AppPagesTest : public tests::support::WindowTest {
     Q_OBJECT
 
 private:
-    /// A row of the study page's list.
+    /// Text of one row in the list of the study page.
     static QString placeAt(OpenWindow& open, int row);
 
 private Q_SLOTS:
     void typedNumbersBecomeRatings_data();
     void typedNumbersBecomeRatings();
-    void placesOnTheLineAreSteps();
+    void pointsOnTheLineBecomeSteps();
     void startPageOpensAStudy();
-    void folderThatIsNoStudyIsToldOnTheStartPage();
-    void studiesLastUsedAreRemembered();
-    void studyPageShowsWhoIsWhere();
-    void placeOfOneWhoWithdrewIsTakenByTheNext();
-    void takenOrStrangeParticipantsAreNotEnrolled_data();
-    void takenOrStrangeParticipantsAreNotEnrolled();
-    void newStudyIsMadeOffTheWindowsThread();
-    void makingThatFailsIsToldOnThePage();
+    void startPageShowsWhyAFolderCannotBeOpened();
+    void recentStudiesAreListed();
+    void studyPageShowsEveryParticipant();
+    void nextParticipantTakesThePlaceAfterAWithdrawal();
+    void takenOrInvalidCodesAreNotEnrolled_data();
+    void takenOrInvalidCodesAreNotEnrolled();
+    void newStudyIsMadeOnAWorkerThread();
+    void pageShowsWhyTheStudyCouldNotBeMade();
     void makingCanBeStopped();
-    void incompleteFormIsToldAndMakesNothing();
+    void incompleteFormShowsAHintAndMakesNothing();
     void checklistMustBeCompleteBeforeTheFirstPresentation();
 };
 
@@ -75,7 +75,7 @@ void AppPagesTest::typedNumbersBecomeRatings()
     if (!rating) QVERIFY(!std::get<NoRating>(read).why.isEmpty());
 }
 
-void AppPagesTest::placesOnTheLineAreSteps()
+void AppPagesTest::pointsOnTheLineBecomeSteps()
 {
     const protocols::Scale halves{Tenths{0}, Tenths{100}, Tenths{5}, 9, {}};
     QCOMPARE(ratingAt(0.0, halves).value, 0);
@@ -98,7 +98,7 @@ void AppPagesTest::startPageOpensAStudy()
     QVERIFY(shown.window.windowTitle().contains("Small study"));
 }
 
-void AppPagesTest::folderThatIsNoStudyIsToldOnTheStartPage()
+void AppPagesTest::startPageShowsWhyAFolderCannotBeOpened()
 {
     ShownWindow shown;
     const auto message = [&] { return &shown.widget<QLabel>("startMessage"); };
@@ -111,7 +111,7 @@ void AppPagesTest::folderThatIsNoStudyIsToldOnTheStartPage()
     QVERIFY2(message()->text().contains("not-there"), qPrintable(message()->text()));
 }
 
-void AppPagesTest::studiesLastUsedAreRemembered()
+void AppPagesTest::recentStudiesAreListed()
 {
     const auto first = newStudy(), second = newStudy();
     AppOptions options;
@@ -137,7 +137,7 @@ QString AppPagesTest::placeAt(OpenWindow& open, int row)
     return texts.join('|');
 }
 
-void AppPagesTest::placeOfOneWhoWithdrewIsTakenByTheNext()
+void AppPagesTest::nextParticipantTakesThePlaceAfterAWithdrawal()
 {
     OpenWindow open(newStudy({.participants = 1}));
     open.enrolAndBegin();
@@ -151,10 +151,10 @@ void AppPagesTest::placeOfOneWhoWithdrewIsTakenByTheNext()
     open.gui().pressKey(Qt::Key_Q);
     QTRY_COMPARE(open.window().currentPage()->objectName(), QString("studyPage"));
     QCOMPARE(placeAt(open, 0), QString("1|P01|withdrawn, place freed|6 of 24"));
-    QCOMPARE(placeAt(open, 1), QString("1|P02|under way|0 of 24"));
+    QCOMPARE(placeAt(open, 1), QString("1|P02|in progress|0 of 24"));
 }
 
-void AppPagesTest::studyPageShowsWhoIsWhere()
+void AppPagesTest::studyPageShowsEveryParticipant()
 {
     OpenWindow open(newStudy({.participants = 3}));
     open.enrolAndBegin();
@@ -164,12 +164,12 @@ void AppPagesTest::studyPageShowsWhoIsWhere()
     open.gui().pressKey(Qt::Key_Q);
     QTRY_COMPARE(open.window().currentPage()->objectName(), QString("studyPage"));
     QCOMPARE(placeAt(open, 0), QString("1|P01|finished|24 of 24"));
-    QCOMPARE(placeAt(open, 1), QString("2|P02|under way|6 of 24"));
+    QCOMPARE(placeAt(open, 1), QString("2|P02|in progress|6 of 24"));
     QCOMPARE(placeAt(open, 2), QString("3|–|free|"));
     QCOMPARE(open.widget<QLineEdit>("participantField").text(), QString("P03"));
 }
 
-void AppPagesTest::takenOrStrangeParticipantsAreNotEnrolled_data()
+void AppPagesTest::takenOrInvalidCodesAreNotEnrolled_data()
 {
     QTest::addColumn<QString>("participant");
     QTest::newRow("taken") << "P01";
@@ -178,7 +178,7 @@ void AppPagesTest::takenOrStrangeParticipantsAreNotEnrolled_data()
     QTest::newRow("a path") << "../P02";
 }
 
-void AppPagesTest::takenOrStrangeParticipantsAreNotEnrolled()
+void AppPagesTest::takenOrInvalidCodesAreNotEnrolled()
 {
     QFETCH(QString, participant);
     OpenWindow open(newStudy());
@@ -191,7 +191,7 @@ void AppPagesTest::takenOrStrangeParticipantsAreNotEnrolled()
     QVERIFY(!open.message("studyMessage").isEmpty());
 }
 
-void AppPagesTest::newStudyIsMadeOffTheWindowsThread()
+void AppPagesTest::newStudyIsMadeOnAWorkerThread()
 {
     const auto made = newStudy();
     AppOptions options;
@@ -219,7 +219,7 @@ void AppPagesTest::newStudyIsMadeOffTheWindowsThread()
     QVERIFY(thread != QThread::currentThread());
 }
 
-void AppPagesTest::makingThatFailsIsToldOnThePage()
+void AppPagesTest::pageShowsWhyTheStudyCouldNotBeMade()
 {
     AppOptions options;
     options.makeStudy = [](const NewStudyRequest& request, const MakingProgress&) {
@@ -267,7 +267,7 @@ void AppPagesTest::makingCanBeStopped()
     QVERIFY(shown.widget<QLabel>("newStudyMessage").text().contains("stopped"));
 }
 
-void AppPagesTest::incompleteFormIsToldAndMakesNothing()
+void AppPagesTest::incompleteFormShowsAHintAndMakesNothing()
 {
     AppOptions options;
     bool isMade = false;
@@ -279,7 +279,7 @@ void AppPagesTest::incompleteFormIsToldAndMakesNothing()
         shown.gui.pressKey(Qt::Key_Return);
         return message->isVisible() ? message->text() : QString();
     };
-    QVERIFY(messageAfterEnter().contains("folder for the study"));
+    QVERIFY(messageAfterEnter().contains("study folder"));
     shown.gui.type("/tmp/s");
     QVERIFY(messageAfterEnter().contains("data set"));
     shown.gui.type("/tmp/d");

@@ -1,4 +1,5 @@
-// Work on many items by several threads in a fixed partition: results do not depend on how many there are.
+// Runs work on many items in several threads. Each thread has a fixed share, so the results do not depend on the number of
+// threads.
 #pragma once
 
 #include <atomic>
@@ -11,10 +12,10 @@
 
 namespace study::evaluation {
 
-/// Long work tells how far it is; called by one thread at a time.
+/// Reports the progress of long work; called by one thread at a time.
 using Report = std::function<void(const std::string& stage, int done, int total)>;
 
-/// Calls work(i) for every i < count; thread k takes k, k + threads, ... The first exception comes back to the caller.
+/// Calls work(i) for every i < count; thread k takes the items k, k + threads, … Rethrows the first exception.
 template <class Work>
 void onThreads(std::size_t count, int threads, const Work& work, const std::function<void(int done)>& report = {})
 {

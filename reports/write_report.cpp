@@ -1,15 +1,16 @@
 // Puts a report on disk: everything is written into a neighbouring folder first and then swapped in,
 // so that a full disk or a crash leaves the earlier report or none.
+#include "reports/write_report.h"
+
 #include <unistd.h>
 
 #include <fstream>
 #include <system_error>
 
 #include "protocols/files/errors.h"
-#include "reports/figures.h"
-#include "reports/page.h"
-#include "reports/report.h"
-#include "reports/result_tables.h"
+#include "reports/figures/report_figures.h"
+#include "reports/page/page.h"
+#include "reports/tables/report_tables.h"
 
 namespace reports {
 namespace {

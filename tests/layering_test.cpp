@@ -51,7 +51,7 @@ const QList<Room>& rooms()
          "displays, their drivers, the stimulus bank, the simulated finger",
          {"rendering/composition/friction_image.h", "rendering/images/", "protocols/"}},
         {"database/", "`study.db`, the append-only log, the lock, keys and unblinding", {"protocols/"}, true},
-        {"reports/", "numbers to documents", {"stats/", "protocols/"}, true},
+        {"reports/", "numbers to documents", {"reports/", "stats/", "protocols/"}, true},
         {"study/session/",
          "the session as a pure state machine, and its driver",
          {"database/study_store.h", "rendering/display/display.h", "rendering/display/stimulus_bank.h", "protocols/"},

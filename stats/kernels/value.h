@@ -1,12 +1,19 @@
-// A number, or the sentence saying why there is none. Every quantity of this module that can be
-// undefined is returned as one of these, so that no NaN, p = 0 or p = 1 stands in for "undefined".
+// A number, or the sentence that says why there is none. Every quantity of this module that can be
+// undefined is returned as a Value, so that no NaN, p = 0 or p = 1 stands in for "undefined".
 #pragma once
 
-#include <cassert>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
 namespace stats {
+
+/// Thrown where the number of an undefined Value is read, which is a mistake of the program; what() holds
+/// the reason why there is no number.
+class UndefinedValueRead : public std::logic_error {
+public:
+    explicit UndefinedValueRead(const std::string& why);
+};
 
 class Value {
 public:
@@ -19,7 +26,7 @@ public:
         return value;
     }
 
-    /// A number beyond the range of double: undefined for arithmetic, but not without its digits.
+    /// A number beyond the range of double: undefined for arithmetic, but printed with its digits.
     static Value beyondDouble(std::string decimal)
     {
         Value value = undefined("beyond the largest number that can be written as a double");
@@ -30,10 +37,10 @@ public:
     bool exists() const { return m_exists; }
     explicit operator bool() const { return m_exists; }
 
-    /// Only where it exists.
+    /// The number. Throws UndefinedValueRead where there is none.
     double operator*() const
     {
-        assert(m_exists && "an undefined value has no number");
+        if (!m_exists) throwUndefined();
         return m_number;
     }
     double orElse(double other) const { return m_exists ? m_number : other; }
@@ -44,13 +51,15 @@ public:
     bool operator==(const Value&) const = default;
 
 private:
+    [[noreturn]] void throwUndefined() const;
+
     double m_number = 0;
     bool m_exists = false;
     std::string m_why = "not computed";
     std::string m_decimal;
 };
 
-/// Interval ends; -infinity or infinity marks the open end of a one-sided interval.
+/// The two ends of an interval; -infinity or infinity marks the open end of a one-sided interval.
 struct Interval {
     Value low;
     Value high;

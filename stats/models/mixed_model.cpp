@@ -1,7 +1,6 @@
 #include "stats/models/mixed_model.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <numbers>
 #include <optional>

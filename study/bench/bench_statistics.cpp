@@ -8,7 +8,7 @@
 #include <functional>
 #include <vector>
 
-#include "reports/report.h"
+#include "reports/write_report.h"
 #include "stats/metrics/image_metrics.h"
 #include "stats/tests/bootstrap.h"
 #include "stats/tests/sign_flip.h"

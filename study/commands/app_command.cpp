@@ -3,8 +3,8 @@
 #include <memory>
 
 #include "protocols/files/errors.h"
-#include "reports/cells.h"
-#include "reports/quality.h"
+#include "reports/analysis/answer_cells.h"
+#include "reports/analysis/quality_flags.h"
 #include "study/app/app.h"
 #include "study/commands/command_line.h"
 #include "study/commands/look_at_data.h"

@@ -9,7 +9,7 @@
 
 #include "database/keys.h"
 #include "database/study_store.h"
-#include "reports/study_data.h"
+#include "reports/data/study_data.h"
 
 namespace study::commands {
 

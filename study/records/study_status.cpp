@@ -6,7 +6,7 @@
 #include <set>
 
 #include "protocols/counterbalancing.h"
-#include "reports/report.h"
+#include "reports/write_report.h"
 #include "study/records/realised_balance.h"
 #include "study/records/stored_study.h"
 

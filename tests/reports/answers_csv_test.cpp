@@ -1,5 +1,5 @@
 // Answers collected elsewhere: what is read, and what each fault says.
-#include "reports/answers_csv.h"
+#include "reports/data/answers_csv.h"
 
 #include <QtTest>
 #include <fstream>

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <fstream>
 
-#include "reports/answers_csv.h"
-#include "reports/report.h"
+#include "reports/data/answers_csv.h"
+#include "reports/write_report.h"
 #include "tests/reports/study_builder.h"
 
 using Json = nlohmann::ordered_json;

@@ -6,7 +6,7 @@
 
 #include "protocols/files/errors.h"
 #include "reports/csv_table.h"
-#include "reports/report.h"
+#include "reports/write_report.h"
 #include "tests/reports/study_builder.h"
 
 using Json = nlohmann::ordered_json;

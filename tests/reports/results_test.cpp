@@ -4,7 +4,7 @@
 #include <set>
 
 #include "protocols/files/errors.h"
-#include "reports/report.h"
+#include "reports/write_report.h"
 #include "tests/reports/study_builder.h"
 
 using Json = nlohmann::ordered_json;

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "reports/study_data.h"
+#include "reports/data/study_data.h"
 
 namespace builders {
 

@@ -15,7 +15,7 @@ namespace {
 namespace fabrics = rendering::fabrics;
 namespace models = rendering::models;
 
-constexpr std::size_t photographsAtOnce = 6;
+constexpr std::size_t photographsPerCall = 6;
 
 void compareWaves(WeaveComparison& weave, const cv::Mat& photograph, const cv::Mat& heightMm)
 {
@@ -70,8 +70,8 @@ WeaveReport evaluateWeaves(const fabrics::Dataset& dataset, const EvaluationRequ
     if (weaves.photographs.empty())
         throw protocols::badInput({"the data set has no photographs to test with", dataset.folder.string(),
                                    "visual/*.png of at least one fabric", "import photographs with `vis2hap import photos`"});
-    for (std::size_t first = 0; first < weaves.photographs.size(); first += photographsAtOnce) {
-        const std::size_t end = std::min(weaves.photographs.size(), first + photographsAtOnce);
+    for (std::size_t first = 0; first < weaves.photographs.size(); first += photographsPerCall) {
+        const std::size_t end = std::min(weaves.photographs.size(), first + photographsPerCall);
         std::vector<models::PhotographToTouch> photographs;
         for (std::size_t i = first; i < end; ++i)
             photographs.push_back({fabrics::readPhotograph(dataset, weaves.photographs[i].fabric, weaves.photographs[i].index),

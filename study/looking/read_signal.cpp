@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double missingValue = std::numeric_limits<double>::quiet_NaN();
 constexpr double missingMarkerMm = -1e9;  // instruments write -1e10
 
 std::optional<double> pitchIn(const PlaceInDataset& place)
@@ -75,7 +75,7 @@ SeenMap mapOfNumbers(const cv::Mat& numbers, const std::string& unit)
     map.unit = unit;
     numbers.convertTo(map.values, CV_32F);
     for (float& value : cv::Mat_<float>(map.values))
-        if (!std::isfinite(value) || (unit == "mm" && value <= missingMarkerMm)) value = static_cast<float>(nothing);
+        if (!std::isfinite(value) || (unit == "mm" && value <= missingMarkerMm)) value = static_cast<float>(missingValue);
     return map;
 }
 
@@ -87,7 +87,7 @@ SeenSignal seenRow(const cv::Mat& row, const std::string& title, const std::stri
     for (int i = 0; i < values.cols; ++i) {
         const double value = values.at<double>(i);
         trace.places.push_back(i);
-        trace.values.push_back(std::isfinite(value) ? value : nothing);
+        trace.values.push_back(std::isfinite(value) ? value : missingValue);
     }
     trace.placeUnit = "samples";
     trace.quantity = unit.empty() ? "value" : unit;

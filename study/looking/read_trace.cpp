@@ -14,14 +14,14 @@ namespace {
 namespace fs = std::filesystem;
 using rendering::fabrics::CsvTable;
 
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double missingSample = std::numeric_limits<double>::quiet_NaN();
 constexpr double leastNormalN = 0.05;  // below this load the coefficient is only noise
 
 std::vector<double> columnOf(const CsvTable& table, std::size_t column)
 {
     std::vector<double> values;
     values.reserve(table.rows.size());
-    for (const auto& row : table.rows) values.push_back(rendering::fabrics::numberIn(row[column]).value_or(nothing));
+    for (const auto& row : table.rows) values.push_back(rendering::fabrics::numberIn(row[column]).value_or(missingSample));
     return values;
 }
 
@@ -49,7 +49,7 @@ void takeValues(SeenTrace& trace, const CsvTable& table, const std::string& quan
         trace.values = columnOf(table, *tangential);
         const auto load = columnOf(table, *normal);
         for (std::size_t i = 0; i < load.size(); ++i)
-            trace.values[i] = load[i] > leastNormalN ? trace.values[i] / load[i] : nothing;
+            trace.values[i] = load[i] > leastNormalN ? trace.values[i] / load[i] : missingSample;
         trace.quantity = "coefficient of friction";
         trace.whyMissing = "not in contact";
         return;

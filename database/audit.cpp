@@ -1,12 +1,11 @@
-// verify's part that lies in the database: whole file, whole references, unbroken log.
-#include <functional>
+#include "database/audit.h"
+
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 
 #include "database/event_chain.h"
-#include "database/store_connection.h"
-#include "database/study_store.h"
+#include "database/response_columns.h"
 #include "protocols/files/sha256.h"
 
 namespace database {
@@ -26,21 +25,9 @@ std::optional<std::string> textOrNone(const QVariant& value)
 
 void readResponses(const SqliteConnection& sqlite, Log& log)
 {
-    QSqlQuery row = sqlite.run(
-        QStringLiteral("SELECT event, participant, trial, attempt, question, file_code, alternatives, choice, rating_tenths, "
-                       "ready_at, touched_at, answered_at, stored_at, is_correction, touched_by FROM responses ORDER BY id"));
-    while (row.next()) {
-        ResponseRow response{fromQt(row.value(1)),       row.value(2).toInt(),
-                             row.value(3).toInt(),       fromQt(row.value(4)),
-                             fromQt(row.value(5)),       fromQt(row.value(6)),
-                             textOrNone(row.value(7)),   {},
-                             row.value(9).toLongLong(),  {},
-                             row.value(11).toLongLong(), row.value(12).toLongLong(),
-                             row.value(13).toInt() != 0, textOrNone(row.value(14))};
-        if (!row.value(8).isNull()) response.ratingTenths = row.value(8).toInt();
-        if (!row.value(10).isNull()) response.touchedAt = row.value(10).toLongLong();
-        log[row.value(0).toLongLong()].responses.push_back(std::move(response));
-    }
+    QSqlQuery query =
+        sqlite.run(QStringLiteral("SELECT event, %1 FROM responses ORDER BY id").arg(namesOf(ResponseColumns::OfTable)));
+    while (query.next()) log[query.value(0).toLongLong()].responses.push_back(rowFrom(query, ResponseColumns::OfTable, 1));
 }
 
 void readRest(const SqliteConnection& sqlite, Log& log)
@@ -207,26 +194,25 @@ void checkPlaces(const SqliteConnection& sqlite, const Log& log, std::vector<std
         if (!stored.contains(one)) faults.push_back("participant " + one + " was enrolled and is missing");
 }
 
-}  // namespace
-
-std::vector<std::string> faultsOfLog(const SqliteConnection& connection)
+std::vector<std::string> faultsOfLog(const SqliteConnection& sqlite)
 {
     Log log;
-    readResponses(connection, log);
-    readRest(connection, log);
-    const auto hashes = readEvents(connection, log);
+    readResponses(sqlite, log);
+    readRest(sqlite, log);
+    const auto hashes = readEvents(sqlite, log);
     std::vector<std::string> faults = faultsOfChain(log, hashes);
-    checkEnd(connection, log, faults);
-    checkFixedTables(connection, log, faults);
-    checkPlaces(connection, log, faults);
-    checkProtocols(connection, log, faults);
-    checkStates(connection, log, faults);
+    checkEnd(sqlite, log, faults);
+    checkFixedTables(sqlite, log, faults);
+    checkPlaces(sqlite, log, faults);
+    checkProtocols(sqlite, log, faults);
+    checkStates(sqlite, log, faults);
     return faults;
 }
 
-std::vector<std::string> StudyStore::faults() const
+}  // namespace
+
+std::vector<std::string> faultsOfDatabase(const SqliteConnection& sqlite)
 {
-    const SqliteConnection& sqlite = m_connection->sqlite;
     std::vector<std::string> faults;
     QSqlQuery row = sqlite.run(QStringLiteral("PRAGMA integrity_check"));
     while (row.next())

@@ -1,34 +1,13 @@
 #include "database/event_chain.h"
 
 #include <QSqlRecord>
+#include <nlohmann/json.hpp>
 
-#include "protocols/files/sha256.h"
+#include "database/canonical_bytes.h"
 
 namespace database {
 
 namespace {
-
-/// Fields in a form with one reading only: length, colon, bytes; "-" for an absent one.
-class Canonical {
-public:
-    Canonical& operator<<(const std::string& field)
-    {
-        m_bytes += std::to_string(field.size()) + ':' + field + ',';
-        return *this;
-    }
-    Canonical& operator<<(std::int64_t number) { return *this << std::to_string(number); }
-    template <class T>
-    Canonical& operator<<(const std::optional<T>& field)
-    {
-        if (field) return *this << *field;
-        m_bytes += "-,";
-        return *this;
-    }
-    std::string hash() const { return protocols::sha256(m_bytes); }
-
-private:
-    std::string m_bytes;
-};
 
 // Columns by name: a later schema may add some, and the hash of an older study must stay.
 constexpr const char* fixedRows[] = {
@@ -45,20 +24,7 @@ constexpr const char* laterFixedRows[] = {
     "SELECT position, name, file_code FROM familiarisation ORDER BY position",
 };
 
-std::optional<std::int64_t> wide(const std::optional<int>& number)
-{
-    return number ? std::optional<std::int64_t>(*number) : std::nullopt;
-}
-
-void add(Canonical& bytes, const ResponseRow& row)
-{
-    bytes << std::string("response") << row.participant << std::int64_t(row.trial) << std::int64_t(row.attempt) << row.question
-          << row.fileCode << row.alternatives << row.choice << wide(row.ratingTenths) << row.readyAt << row.touchedAt
-          << row.answeredAt << row.storedAt << std::int64_t(row.isCorrection);
-    if (row.touchedBy) bytes << std::string("touched by") << *row.touchedBy;
-}
-
-void addRows(Canonical& bytes, const SqliteConnection& connection, const char* rows)
+void addRows(CanonicalBytes& bytes, const SqliteConnection& connection, const char* rows)
 {
     bytes << std::string(rows);
     QSqlQuery query = connection.run(QString::fromLatin1(rows));
@@ -67,19 +33,11 @@ void addRows(Canonical& bytes, const SqliteConnection& connection, const char* r
         for (int column = 0; column < columns; ++column) bytes << fromQt(query.value(column));
 }
 
-QVariant orNull(const std::optional<std::string>& text) { return text ? QVariant(toQt(*text)) : QVariant(); }
-QVariant orNull(const std::optional<int>& number) { return number ? QVariant(*number) : QVariant(); }
-QVariant orNull(const std::optional<std::int64_t>& number) { return number ? QVariant(qlonglong(*number)) : QVariant(); }
-
 void insertResponse(const SqliteConnection& connection, std::int64_t event, const ResponseRow& row)
 {
     connection.run(
-        QStringLiteral("INSERT INTO responses(event, participant, trial, attempt, question, file_code, alternatives, choice, "
-                       "rating_tenths, ready_at, touched_at, answered_at, stored_at, is_correction, touched_by) "
-                       "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"),
-        {qlonglong(event), toQt(row.participant), row.trial, row.attempt, toQt(row.question), toQt(row.fileCode),
-         toQt(row.alternatives), orNull(row.choice), orNull(row.ratingTenths), qlonglong(row.readyAt), orNull(row.touchedAt),
-         qlonglong(row.answeredAt), qlonglong(row.storedAt), int(row.isCorrection), orNull(row.touchedBy)});
+        QStringLiteral("INSERT INTO responses(event, %1) VALUES (?, %2)").arg(namesOf(ResponseColumns::OfTable), placeholders()),
+        QVariantList{qlonglong(event)} + valuesOf(row));
 }
 
 void insertEvent(const SqliteConnection& connection, const EventRecord& event, const std::string& previous,
@@ -103,7 +61,8 @@ void insertRows(const SqliteConnection& connection, const LogEntry& entry)
         connection.run(
             QStringLiteral(
                 "INSERT INTO notes(event, participant, trial, attempt, question, text, is_flag) VALUES (?, ?, ?, ?, ?, ?, ?)"),
-            {event, toQt(row.participant), row.trial, row.attempt, orNull(row.question), toQt(row.text), int(row.isFlag)});
+            {event, toQt(row.participant), row.trial, row.attempt, row.question ? QVariant(toQt(*row.question)) : QVariant(),
+             toQt(row.text), int(row.isFlag)});
     if (entry.unblinding)
         connection.run(QStringLiteral("INSERT INTO unblindings(event, who, why, wall_time) VALUES (?, ?, ?, ?)"),
                        {event, toQt(entry.unblinding->who), toQt(entry.unblinding->why), toQt(entry.unblinding->wallTime)});
@@ -113,11 +72,11 @@ void insertRows(const SqliteConnection& connection, const LogEntry& entry)
 
 std::string chainHash(const std::string& previous, const LogEntry& entry)
 {
-    Canonical bytes;
+    CanonicalBytes bytes;
     const EventRecord& event = entry.event;
     bytes << previous << event.sequence << event.participant.value << std::int64_t(event.sitting) << event.kind
           << event.payloadJson << event.atNs << event.wallTime;
-    for (const ResponseRow& row : entry.responses) add(bytes, row);
+    for (const ResponseRow& row : entry.responses) addTo(bytes, row);
     for (const VoidRow& row : entry.voids)
         bytes << std::string("void") << row.participant << std::int64_t(row.trial) << std::int64_t(row.attempt);
     for (const NoteRow& row : entry.notes) {
@@ -156,7 +115,7 @@ std::int64_t store(const SqliteConnection& connection, LogEntry entry)
 
 std::string hashOfFixedTables(const SqliteConnection& connection, int version)
 {
-    Canonical bytes;
+    CanonicalBytes bytes;
     for (const char* rows : fixedRows) addRows(bytes, connection, rows);
     if (version >= 2)
         for (const char* rows : laterFixedRows) addRows(bytes, connection, rows);

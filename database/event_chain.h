@@ -2,29 +2,16 @@
 // stored with it. Changing, removing or inserting a row breaks the chain from there on.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "database/response_columns.h"
 #include "database/sqlite_connection.h"
 #include "database/study_store.h"
 
 namespace database {
-
-struct ResponseRow {
-    std::string participant;
-    int trial = 0;
-    int attempt = 1;
-    std::string question, fileCode, alternatives;
-    std::optional<std::string> choice;
-    std::optional<int> ratingTenths;
-    std::int64_t readyAt = 0;
-    std::optional<std::int64_t> touchedAt;
-    std::int64_t answeredAt = 0, storedAt = 0;
-    bool isCorrection = false;
-    std::optional<std::string> touchedBy;
-};
 
 struct VoidRow {
     std::string participant;
@@ -63,8 +50,5 @@ std::int64_t store(const SqliteConnection& connection, LogEntry entry);
 /// SHA-256 over the rows that are fixed when a study is made: facts, fabrics, stimuli, trials and, from
 /// version 2 of the schema, swatch codes and familiarisation. `version`: the schema's when it was made.
 std::string hashOfFixedTables(const SqliteConnection& connection, int version);
-
-/// A line for each place at which the log is not the one that was written.
-std::vector<std::string> faultsOfLog(const SqliteConnection& connection);
 
 }  // namespace database

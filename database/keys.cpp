@@ -1,68 +1,29 @@
 #include "database/keys.h"
 
-#include <fcntl.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
-#include <cerrno>
-#include <cstring>
-#include <fstream>
-#include <iterator>
+#include <optional>
 
 #include "protocols/files/errors.h"
 #include "protocols/files/sha256.h"
+#include "protocols/files/whole_file.h"
+#include "protocols/key_json.h"
 
 namespace database {
 
 namespace {
 
-constexpr mode_t ownerOnly = 0600;
-constexpr mode_t everyoneReads = 0644;
-
-protocols::Error cannotWrite(const std::filesystem::path& file)
-{
-    return protocols::environmentFault({std::string("the key cannot be written: ") + std::strerror(errno), file.string(),
-                                        "a new file", "check the folder and the disk"});
-}
-
-bool writeAll(int descriptor, const std::string& text)
-{
-    std::size_t done = 0;
-    while (done < text.size()) {
-        const ssize_t written = ::write(descriptor, text.data() + done, text.size() - done);
-        if (written < 0 && errno != EINTR) return false;
-        done += written > 0 ? static_cast<std::size_t>(written) : 0;
-    }
-    return ::fsync(descriptor) == 0;
-}
-
-/// The mode is given to open, so that no moment exists in which others could read the key.
-void writeKeyFile(const std::filesystem::path& file, const std::string& text, mode_t mode)
-{
-    const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
-    if (descriptor < 0) throw cannotWrite(file);
-    const bool written = ::fchmod(descriptor, mode) == 0 && writeAll(descriptor, text);
-    const int reason = errno;
-    ::close(descriptor);
-    if (written) return;
-    std::error_code ignored;
-    std::filesystem::remove(file, ignored);
-    errno = reason;
-    throw cannotWrite(file);
-}
-
 /// The bytes of a key file that is the committed one. Throws workFailed else.
 std::string committedText(const std::filesystem::path& file, const std::string& commitment)
 {
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream)
+    const std::optional<std::string> text = protocols::readIfPossible(file);
+    if (!text)
         throw protocols::workFailed(
             {"the key cannot be read", file.string(), "the file that was made with the study", "bring it back from a backup"});
-    std::string text{std::istreambuf_iterator<char>(stream), {}};
-    if (protocols::sha256(text) != commitment)
+    if (protocols::sha256(*text) != commitment)
         throw protocols::workFailed({"the key is not the one committed in the database", file.string(), "SHA-256 " + commitment,
                                      "bring it back from a backup"});
-    return text;
+    return *text;
 }
 
 protocols::AllocationKey readKey(const StudyStore& store)
@@ -104,10 +65,14 @@ protocols::AllocationKey readAllocationKeyForTestDriver(const StudyStore& store,
 
 KeyHashes writeKeys(const StudyFolder& folder, const protocols::AllocationKey& key)
 {
+    for (const std::filesystem::path& file : {folder.allocationKey(), folder.maskedKey()})
+        if (std::filesystem::exists(file))
+            throw protocols::environmentFault(
+                {"the key exists already", file.string(), "a new study folder", "choose another folder; no key was replaced"});
     const std::string full = protocols::toJson(key);
     const std::string half = protocols::toJson(protocols::masked(key));
-    writeKeyFile(folder.allocationKey(), full, ownerOnly);
-    writeKeyFile(folder.maskedKey(), half, everyoneReads);
+    protocols::writeWholeFile(folder.allocationKey(), full, protocols::Sync::Now, protocols::Readers::OwnerOnly);
+    protocols::writeWholeFile(folder.maskedKey(), half, protocols::Sync::Now, protocols::Readers::Everyone);
     return {protocols::sha256(full), protocols::sha256(half)};
 }
 

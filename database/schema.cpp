@@ -3,6 +3,7 @@
 #include <span>
 #include <string>
 
+#include "database/response_columns.h"
 #include "protocols/files/errors.h"
 
 namespace database {
@@ -39,13 +40,10 @@ constexpr const char* firstTables[] = {
         kind TEXT NOT NULL, payload TEXT NOT NULL, at_ns INTEGER NOT NULL, wall_time TEXT NOT NULL,
         previous_hash TEXT NOT NULL, hash TEXT NOT NULL UNIQUE) STRICT)",
     "CREATE INDEX events_of_participant ON events(participant, sequence)",
-    // Every answer ever given. attempt counts a trial's presentations from 1; a void starts the next.
+    // Every answer ever given. attempt counts a trial's presentations from 1; a void starts the next. The columns are listed in
+    // response_columns.cpp.
     R"(CREATE TABLE responses(
-        id INTEGER PRIMARY KEY, event INTEGER NOT NULL REFERENCES events(sequence),
-        participant TEXT NOT NULL REFERENCES participants(id), trial INTEGER NOT NULL, attempt INTEGER NOT NULL,
-        question TEXT NOT NULL, file_code TEXT NOT NULL REFERENCES stimuli(file_code), alternatives TEXT NOT NULL,
-        choice TEXT, rating_tenths INTEGER, ready_at INTEGER NOT NULL, touched_at INTEGER,
-        answered_at INTEGER NOT NULL, stored_at INTEGER NOT NULL, is_correction INTEGER NOT NULL,
+        id INTEGER PRIMARY KEY, event INTEGER NOT NULL REFERENCES events(sequence), %1,
         CHECK ((choice IS NULL) <> (rating_tenths IS NULL))) STRICT)",
     "CREATE INDEX responses_of_question ON responses(participant, trial, attempt, question, id)",
     // The promise that an answer is stored once: one first answer to a question of one attempt.
@@ -68,11 +66,7 @@ constexpr const char* views[] = {
     // The latest response to each question of each attempt; the stamps are those of the first, because
     // a correction changes what was answered, not when.
     R"(CREATE VIEW current_responses AS SELECT
-        p.slot AS slot, first.id AS first_id, first.event AS event, first.attempt AS attempt, first.participant AS participant,
-        first.trial AS trial, first.question AS question, first.file_code AS file_code,
-        first.alternatives AS alternatives, latest.choice AS choice, latest.rating_tenths AS rating_tenths,
-        first.ready_at AS ready_at, first.touched_at AS touched_at, first.answered_at AS answered_at,
-        latest.stored_at AS stored_at, first.touched_by AS touched_by,
+        p.slot AS slot, first.id AS first_id, first.event AS event, %1,
         (SELECT COUNT(*) FROM responses r WHERE r.participant = first.participant AND r.trial = first.trial
             AND r.attempt = first.attempt AND r.question = first.question) - 1 AS corrections,
         EXISTS (SELECT 1 FROM voids v WHERE v.participant = first.participant AND v.trial = first.trial
@@ -108,7 +102,7 @@ constexpr const char* secondTables[] = {
     "DROP TABLE participants",
     "ALTER TABLE participants_now RENAME TO participants",
     "CREATE UNIQUE INDEX one_in_a_slot ON participants(slot) WHERE state <> 'withdrawn'",
-    "ALTER TABLE responses ADD COLUMN touched_by TEXT",
+    "ALTER TABLE responses ADD COLUMN %1",
     "ALTER TABLE notes ADD COLUMN is_flag INTEGER NOT NULL DEFAULT 0",
     R"(CREATE TABLE participant_facts(
         participant TEXT NOT NULL REFERENCES participants(id), fact TEXT NOT NULL, value TEXT NOT NULL,
@@ -131,22 +125,23 @@ constexpr const char* appendOnlyTables[] = {"study",  "fabrics",   "stimuli", "s
                                             "events", "responses", "voids",   "notes", "unblindings"};
 constexpr const char* laterAppendOnlyTables[] = {"swatches", "familiarisation", "protocol_versions", "erasures"};
 
-void run(const SqliteConnection& connection, std::span<const char* const> statements)
+/// `columns` stands for %1 in the statements.
+void run(const SqliteConnection& connection, std::span<const char* const> statements, const QString& columns)
 {
-    for (const char* statement : statements) connection.run(QString::fromUtf8(statement));
+    for (const char* statement : statements) connection.run(QString::fromUtf8(statement).replace(QStringLiteral("%1"), columns));
 }
 
 void makeFirstVersion(const SqliteConnection& connection)
 {
-    run(connection, firstTables);
+    run(connection, firstTables, definitionsSince(1));
     for (const char* table : appendOnlyTables) guardAgainstChanges(connection, table);
     connection.run(QStringLiteral("PRAGMA application_id = %1").arg(applicationId));
 }
 
 void makeSecondVersion(const SqliteConnection& connection)
 {
-    run(connection, secondTables);
-    run(connection, views);
+    run(connection, secondTables, definitionsSince(2));
+    run(connection, views, currentAnswerColumns());
     for (const char* table : laterAppendOnlyTables) guardAgainstChanges(connection, table);
 }
 

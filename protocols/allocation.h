@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <map>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "protocols/counterbalancing.h"
@@ -70,11 +69,5 @@ Allocation allocate(const Protocol& protocol, const Design& design, const std::v
 PresentationCode codeOfAttempt(const std::vector<BlindedTrial>& list, std::size_t index, int attempt);
 
 MaskedKey masked(const AllocationKey& key);
-
-/// The texts of allocation-key.json and masked-key.json; both throw badInput on malformed text.
-std::string toJson(const AllocationKey& key);
-std::string toJson(const MaskedKey& key);
-AllocationKey allocationKeyFromJson(std::string_view json, const std::string& where);
-MaskedKey maskedKeyFromJson(std::string_view json, const std::string& where);
 
 }  // namespace protocols

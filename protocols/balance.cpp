@@ -1,9 +1,9 @@
-// The certificate is counted on the design as it stands and shares nothing with the searches that drew it.
+#include "protocols/balance.h"
+
 #include <algorithm>
 #include <map>
 #include <set>
 
-#include "protocols/counterbalancing.h"
 #include "protocols/foil_sets.h"
 
 namespace protocols {
@@ -188,8 +188,10 @@ BalanceCertificate balanceOf(const Design& design, const Protocol& protocol)
         ranges.push_back(
             rangeOf("a fabric per stretch of the order" + phase, perStretch(trials, fabrics, labels, &DesignTrial::fabric)));
         certificate.immediateRepeats += repeatsIn(trials);
-        if (!protocol.phases[i].isChoice()) continue;
-        addChoiceRanges(trials, protocol, *protocol.phases[i].alternatives, phase, ranges);
+        const TrayRule rule = trayRuleOf(protocol.phases[i].task);
+        const auto* foils = std::get_if<TrueAmongFoils>(&rule);
+        if (!foils) continue;
+        addChoiceRanges(trials, protocol, foils->pieces, phase, ranges);
         certificate.repeatedFoilPairs += repeatedFoilSets(trials);
     }
     return certificate;

@@ -19,25 +19,33 @@ void refuseWithoutCounts(const Protocol& protocol)
     };
     if (protocol.participants < 1 || protocol.fabricCount < 1 || protocol.conditions.empty() || protocol.phases.empty())
         refuse("there is nothing to counterbalance", "at least one participant, fabric, condition and phase");
-    for (const Phase& phase : protocol.phases)
-        if (phase.isChoice() && (*phase.alternatives < 2 || *phase.alternatives > protocol.fabricCount))
+    for (const Phase& phase : protocol.phases) {
+        const auto* choice = std::get_if<ForcedChoice>(&phase.task);
+        if (choice && (choice->alternatives < 2 || choice->alternatives > protocol.fabricCount))
             refuse(
-                std::to_string(*phase.alternatives) + " alternatives among " + std::to_string(protocol.fabricCount) + " fabrics",
+                std::to_string(choice->alternatives) + " alternatives among " + std::to_string(protocol.fabricCount) + " fabrics",
                 "at least two alternatives and no more than fabrics");
+    }
     if (protocol.fabricCount > 100) refuse(std::to_string(protocol.fabricCount) + " fabrics", "at most 100");
 }
 
-std::vector<std::vector<Tray>> traysFor(const Phase& phase, const std::vector<std::vector<Rendering>>& orders,
-                                        const StudySize& size, Random& random)
+std::vector<std::vector<Tray>> traysOfTrueFabrics(const std::vector<std::vector<Rendering>>& orders)
 {
-    if (phase.isChoice()) return drawTrays(orders, size, *phase.alternatives, random);
-    if (phase.sameDifferent) return drawSameDifferentTrays(orders, size, random);
     std::vector<std::vector<Tray>> trays;
     for (const auto& order : orders) {
         auto& list = trays.emplace_back();
         for (const Rendering& rendering : order) list.push_back({rendering.fabric});
     }
     return trays;
+}
+
+std::vector<std::vector<Tray>> traysFor(const Phase& phase, const std::vector<std::vector<Rendering>>& orders,
+                                        const StudySize& size, Random& random)
+{
+    return std::visit(Overloaded{[&](const TrueAmongFoils& rule) { return drawTrays(orders, size, rule.pieces, random); },
+                                 [&](const TrueAlone&) { return traysOfTrueFabrics(orders); },
+                                 [&](const TrueOrOther&) { return drawSameDifferentTrays(orders, size, random); }},
+                      trayRuleOf(phase.task));
 }
 
 }  // namespace

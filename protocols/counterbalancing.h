@@ -5,7 +5,6 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "protocols/protocol.h"
@@ -37,25 +36,5 @@ struct Design {
 /// slots balanced per participant x fabric and per label. Integer arithmetic only: the same seed
 /// gives the same design on every machine. Takes the counts from the protocol.
 Design drawDesign(const Protocol& protocol, std::uint64_t seed);
-
-/// What balance was reached, measured on the design itself (or on what was presented); catch trials are
-/// left out. The number of participants is the design's.
-struct BalanceCertificate {
-    struct Range {
-        std::string what;  ///< "ordered pairs of conditions, Q1"
-        int min = 0;
-        int max = 0;
-        bool operator==(const Range&) const = default;
-    };
-    std::vector<Range> ranges;
-    int immediateRepeats = 0;   ///< same label or same fabric twice in a row
-    int repeatedFoilPairs = 0;  ///< within participant x true fabric
-    bool operator==(const BalanceCertificate&) const = default;
-};
-
-BalanceCertificate balanceOf(const Design& design, const Protocol& protocol);
-
-/// Lines for people.
-std::string describe(const BalanceCertificate& certificate);
 
 }  // namespace protocols

@@ -43,7 +43,7 @@ Tray trayOf(const Phase& phase, int fabric, int fabrics, Random& random)
 {
     Tray tray = shuffledNumbers(fabrics, random);
     std::erase(tray, fabric);
-    tray.resize(static_cast<std::size_t>(phase.alternatives.value_or(1) - 1));
+    tray.resize(static_cast<std::size_t>(piecesOnTray(phase.task) - 1));
     tray.push_back(fabric);
     random.shuffle(tray);
     return tray;

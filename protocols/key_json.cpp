@@ -1,9 +1,10 @@
-// The texts of the two keys (allocation.h).
+#include "protocols/key_json.h"
+
 #include <map>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <utility>
 
-#include "protocols/allocation.h"
 #include "protocols/condition.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/strict_json.h"

@@ -56,48 +56,28 @@ void checkConditions(const Protocol& p, Faults& faults)
     }
 }
 
-void checkScale(const Scale& scale, const std::string& place, Faults& faults)
+/// A task with a right answer leaves room for one question; what is rated may be asked about several times.
+void checkTask(const Protocol& p, const Phase& phase, const std::string& place, Faults& faults)
 {
-    if (scale.max <= scale.min) faults.push_back(place + ": max is not above min, expected min < max");
-    if (scale.step.value < 1)
-        faults.push_back(place + ".step: is not positive, expected at least 0.1");
-    else if ((scale.max.value - scale.min.value) % scale.step.value != 0)
-        faults.push_back(place + ".step: does not lead from min to max, expected a whole number of steps");
-    if (scale.sections < 1) faults.push_back(place + ".sections: expected at least 1");
-    const int steps = scale.step.value < 1 ? 0 : (scale.max.value - scale.min.value) / scale.step.value;
-    if (!scale.labels.empty() && static_cast<int>(scale.labels.size()) != steps + 1)
-        faults.push_back(place + ".labels: " + std::to_string(scale.labels.size()) + " words, expected " +
-                         std::to_string(steps + 1) + ", one a step");
-}
-
-int countOfMainQuestions(const Phase& phase)
-{
-    return static_cast<int>(std::ranges::count_if(phase.questions, [](const Question& q) { return !q.inWords; }));
-}
-
-void checkAnswers(const Protocol& p, const Phase& phase, const std::string& place, Faults& faults)
-{
-    const int ways = int(phase.alternatives.has_value()) + int(phase.scale.has_value()) + int(phase.sameDifferent);
-    if (ways != 1)
-        faults.push_back(place + ": has " + (ways ? "more than one" : "none") +
-                         " of alternatives, scale and same_different, expected one of them");
-    if (phase.scale) checkScale(*phase.scale, place + ".scale", faults);
+    for (const std::string& fault : faultsOf(phase.task, p.fabricCount, place)) faults.push_back(fault);
     if (phase.catchTrials < 0 || phase.catchTrials > p.presentationsPerPhase())
         faults.push_back(place + ".catch_trials: " + std::to_string(phase.catchTrials) +
                          ", expected at most as many as there are presentations");
-    if (phase.sameDifferent && p.fabricCount < 2)
-        faults.push_back(place + ".same_different: one fabric, expected at least 2, so that some can differ");
-    if (!phase.scale && countOfMainQuestions(phase) != 1)
-        faults.push_back(place + ".questions: " + std::to_string(countOfMainQuestions(phase)) +
+    const auto scored = std::ranges::count_if(phase.questions, [](const Question& q) { return alternativesOf(q.kind) > 0; });
+    if (alternativesOf(phase.task) > 0 && scored != 1)
+        faults.push_back(place + ".questions: " + std::to_string(scored) +
                          " questions over one choice, expected one (and any number answered in words)");
-    if (!phase.alternatives) return;
-    if (*phase.alternatives < 2)
-        faults.push_back(place + ".alternatives: " + std::to_string(*phase.alternatives) + ", expected at least 2");
-    if (*phase.alternatives > 26)
-        faults.push_back(place + ".alternatives: " + std::to_string(*phase.alternatives) + ", expected at most 26 tray slots");
-    if (*phase.alternatives > p.fabricCount)
-        faults.push_back(place + ".alternatives: " + std::to_string(*phase.alternatives) + " of " +
-                         std::to_string(p.fabricCount) + " fabrics, expected no more alternatives than fabrics");
+}
+
+void checkQuestions(const Phase& phase, const std::string& place, std::set<QuestionId>& seen, Faults& faults)
+{
+    if (phase.questions.empty()) faults.push_back(place + ".questions: is empty, expected at least one question");
+    for (std::size_t i = 0; i < phase.questions.size(); ++i) {
+        const Question& question = phase.questions[i];
+        const std::string its = element(place + ".questions", i) + ": '" + question.id.value + "'";
+        if (!seen.insert(question.id).second) faults.push_back(its + " is asked twice, expected each question once");
+        if (question.text.empty()) faults.push_back(its + " has no words, expected them in question_texts");
+    }
 }
 
 void checkPhases(const Protocol& p, Faults& faults)
@@ -106,14 +86,8 @@ void checkPhases(const Protocol& p, Faults& faults)
     std::set<QuestionId> seen;
     for (std::size_t i = 0; i < p.phases.size(); ++i) {
         const std::string place = element("phases", i);
-        if (p.phases[i].questions.empty()) faults.push_back(place + ".questions: is empty, expected at least one question");
-        for (const Question& question : p.phases[i].questions) {
-            if (!seen.insert(question.id).second)
-                faults.push_back(place + ".questions: '" + question.id.value + "' is asked twice, expected each question once");
-            if (question.text.empty())
-                faults.push_back(place + ".questions: '" + question.id.value + "' has no words, expected them in question_texts");
-        }
-        checkAnswers(p, p.phases[i], place, faults);
+        checkQuestions(p.phases[i], place, seen, faults);
+        checkTask(p, p.phases[i], place, faults);
     }
 }
 
@@ -122,10 +96,14 @@ void checkPlanned(const Protocol& p, Faults& faults)
     std::set<std::pair<ConditionId, ConditionId>> seen;
     for (std::size_t i = 0; i < p.planned.size(); ++i) {
         const auto& [a, b] = p.planned[i];
-        for (const ConditionId& id : {a, b})
-            if (std::ranges::find(p.conditions, id) == p.conditions.end())
-                faults.push_back(element("planned", i) + ": '" + id.value +
+        for (const ConditionId* id : {&a, &b}) {
+            if (id->empty())
+                faults.push_back(element(element("planned", i), id == &a ? 0 : 1) + ": is empty, expected the id of a condition");
+            else if (std::ranges::find(p.conditions, *id) == p.conditions.end())
+                faults.push_back(element("planned", i) + ": '" + id->value +
                                  "' is not among the conditions, expected a pair of the protocol's conditions");
+        }
+        if (a.empty() || b.empty()) continue;
         if (a == b) faults.push_back(element("planned", i) + ": compares '" + a.value + "' with itself, expected two conditions");
         if (!seen.insert(std::minmax(a, b)).second)
             faults.push_back(element("planned", i) + ": repeats an earlier contrast, expected each pair once");
@@ -145,34 +123,16 @@ void checkNumbers(const Protocol& p, Faults& faults)
     if (p.familiarisationFabrics < 0) faults.push_back("familiarisation_fabrics: expected 0 or more");
 }
 
-/// What of the phases running orders and stored answers hang on.
-struct FixedPhase {
-    std::vector<std::pair<QuestionId, bool>> questions;
-    std::optional<int> alternatives;
-    std::optional<Scale> scale;
-    bool sameDifferent = false;
-    int catchTrials = 0;
-    bool operator==(const FixedPhase&) const = default;
-};
-
-std::vector<FixedPhase> fixedPhasesOf(const Protocol& p)
+/// The phases without the sentences of their questions: what running orders and stored answers depend on.
+std::vector<Phase> fixedPhasesOf(const Protocol& p)
 {
-    std::vector<FixedPhase> fixed;
-    for (const Phase& phase : p.phases) {
-        fixed.push_back({{}, phase.alternatives, phase.scale, phase.sameDifferent, phase.catchTrials});
-        for (const Question& question : phase.questions) fixed.back().questions.emplace_back(question.id, question.inWords);
-    }
+    std::vector<Phase> fixed = p.phases;
+    for (Phase& phase : fixed)
+        for (Question& question : phase.questions) question.text.clear();
     return fixed;
 }
 
 }  // namespace
-
-PhaseAnswer answerKindOf(const Phase& phase, const Question& question)
-{
-    if (question.inWords) return PhaseAnswer::Words;
-    if (phase.isChoice()) return PhaseAnswer::Choice;
-    return phase.sameDifferent ? PhaseAnswer::SameDifferent : PhaseAnswer::Rating;
-}
 
 int Protocol::presentations() const
 {
@@ -192,6 +152,21 @@ int Protocol::answersPerParticipant() const
 int Protocol::sittingsPerParticipant() const
 {
     return std::max(1, static_cast<int>(std::ceil(minutesPerParticipant() / sittingMinutes)));
+}
+
+const Question* questionWith(const Protocol& protocol, const QuestionId& id)
+{
+    for (const Phase& phase : protocol.phases)
+        for (const Question& question : phase.questions)
+            if (question.id == id) return &question;
+    return nullptr;
+}
+
+const RatingScale* memorisedScaleOf(const Protocol& protocol)
+{
+    for (const Phase& phase : protocol.phases)
+        if (const auto* rating = std::get_if<Rating>(&phase.task)) return &rating->scale;
+    return nullptr;
 }
 
 std::vector<std::string> fixedPartsChanged(const Protocol& kept, const Protocol& changed)

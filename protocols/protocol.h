@@ -13,35 +13,22 @@
 
 namespace protocols {
 
-/// Until every caller has the new name.
-using Scale = RatingScale;
-
-/// One question with the words said to the participant.
+/// One question with the sentence that is said to the participant.
 struct Question {
     QuestionId id;
     std::string text;
-    bool inWords = false;  ///< answered freely in words, whatever the phase's other questions ask for
+    AnswerKind kind;
     bool operator==(const Question&) const = default;
 };
 
-enum class PhaseAnswer { Choice, Rating, SameDifferent, Words };
-
-/// A run of presentations, each condition x fabric once: a choice among `alternatives` fabrics (Q1),
-/// ratings on `scale` of one fabric (Q2-Q4, asked one after another), or whether the one fabric on the
-/// tray is the same as the rendering. `catchTrials` more presentations leave the glass blank.
+/// A run of presentations, each condition x fabric once. Its questions are asked one after another in every presentation.
+/// `catchTrials` more presentations leave the glass blank.
 struct Phase {
     std::vector<Question> questions;
-    std::optional<int> alternatives;
-    std::optional<Scale> scale;
-    bool sameDifferent = false;
+    AnswerKind task;  ///< what a question asks for unless it is answered in free text; decides what lies on the tray
     int catchTrials = 0;
-
-    bool isChoice() const { return alternatives.has_value(); }
     bool operator==(const Phase&) const = default;
 };
-
-/// What an answer to a question of this phase is.
-PhaseAnswer answerKindOf(const Phase& phase, const Question& question);
 
 struct PlannedContrast {
     ConditionId a;
@@ -88,6 +75,12 @@ struct Protocol {
     int sittingsPerParticipant() const;
     bool operator==(const Protocol&) const = default;
 };
+
+/// The question with this id; null where the protocol asks no such question.
+const Question* questionWith(const Protocol& protocol, const QuestionId& id);
+
+/// The scale that the participants memorise: that of the first phase with ratings; null where nothing is rated.
+const RatingScale* memorisedScaleOf(const Protocol& protocol);
 
 /// What `changed` may not change once participants have trials by `kept`: "phases", "conditions" ...;
 /// empty where only words, times, bounds, contrasts, checklist and facts differ.

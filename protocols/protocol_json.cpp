@@ -1,14 +1,17 @@
 #include "protocols/protocol_json.h"
 
 #include <algorithm>
-#include <cmath>
-#include <map>
+#include <nlohmann/json.hpp>
 
 #include "protocols/condition.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/strict_json.h"
+#include "protocols/files/whole_file.h"
+#include "protocols/protocol_part.h"
 #include "protocols/protocol_schema.h"
+#include "protocols/question_ids.h"
 #include "protocols/shipped_texts.h"
+#include "protocols/usual_texts.h"
 
 namespace protocols {
 
@@ -17,25 +20,7 @@ namespace {
 using nlohmann::json;
 using Faults = std::vector<std::string>;
 
-/// Words for the questions of the paper where the file gives none; free of the number of fabrics shown.
-const std::map<std::string, std::string>& wordsOfThePaper()
-{
-    static const std::map<std::string, std::string> words{
-        {"Q1", "Which of the showed fabric pieces does the haptic rendering match with?"},
-        {"Q2", "Does the haptic rendering have the same slipperiness as the physical fabric?"},
-        {"Q3", "Does the haptic rendering have the same texture as the physical fabric?"},
-        {"Q4", "How much realism of haptic rendering do you feel compared with physical fabric?"},
-    };
-    return words;
-}
-
-constexpr const char* wordsOfConsent =
-    "The participant has read the information sheet, was told that they may stop at any time without giving a reason, "
-    "and has agreed to take part";
-
-constexpr const char* wordsOfStroke =
-    "Stroke from left to right with one finger, lightly, at about the width of the hand in two seconds; lift the finger on the "
-    "way back. Stroke the glass and the cloth the same way, as often as you like.";
+constexpr int mostFabrics = 100;  // as the schema has it
 
 [[noreturn]] void refuse(const Faults& faults, const std::string& where)
 {
@@ -48,116 +33,147 @@ constexpr const char* wordsOfStroke =
                     .nextStep = "see protocols/protocol.schema.json and protocols/vis2hap.json"});
 }
 
-Tenths tenthsFrom(const json& number, const std::string& place, Faults& faults)
-{
-    const double tenths = number.get<double>() * 10;
-    // 0.1 * 10 need not be 1 in binary; anything further off is not a tenth.
-    if (std::abs(tenths - std::round(tenths)) > 1e-6)
-        faults.push_back(place + ": " + number.dump() + ", expected a whole number of tenths");
-    return Tenths{static_cast<int>(std::lround(tenths))};
-}
-
-Scale scaleFrom(const json& object, const std::string& place, Faults& faults)
-{
-    Scale scale;
-    scale.min = tenthsFrom(object.at("min"), place + ".min", faults);
-    scale.max = tenthsFrom(object.at("max"), place + ".max", faults);
-    if (object.contains("step")) scale.step = tenthsFrom(object.at("step"), place + ".step", faults);
-    scale.sections = object.value("sections", scale.sections);
-    scale.labels = object.value("labels", scale.labels);
-    return scale;
-}
-
 /// The known id for either spelling; an unknown one stays as it is for faultsOf to name.
-ConditionId conditionFrom(const json& text)
+ConditionId conditionFrom(const std::string& text)
 {
-    ConditionId id(text.get<std::string>());
+    ConditionId id(text);
     std::ranges::replace(id.value, '+', '&');
     const bool known = std::ranges::any_of(allConditions(), [&](const Condition& c) { return c.id == id.value; });
-    return known ? id : ConditionId(text.get<std::string>());
+    return known ? id : ConditionId(text);
 }
 
-Phase phaseFrom(const json& object, const json& texts, const std::string& place, Faults& faults)
+AnswerKind taskOf(const ProtocolPart& phase, const std::string& place)
+{
+    const std::vector<AnswerKind> declared = kindsDeclaredIn(phase);
+    if (declared.size() != 1)
+        phase.faults().add(place + ": has " + (declared.empty() ? "none" : "more than one") + " of " + keysOfKinds() +
+                           ", expected one of them");
+    return declared.empty() ? AnswerKind() : declared.front();
+}
+
+Phase phaseFrom(const ProtocolPart& part, const ProtocolPart& texts, const std::string& place)
 {
     Phase phase;
-    for (const json& entry : object.at("questions")) {
-        const std::string id = entry.get<std::string>();
-        const auto known = wordsOfThePaper().find(id);
-        const std::string usual = known == wordsOfThePaper().end() ? "" : known->second;
-        phase.questions.push_back({QuestionId(id), texts.value(id, usual)});
+    phase.task = taskOf(part, place);
+    phase.catchTrials = part.whole("catch_trials", phase.catchTrials);
+    for (const std::string& id : part.texts("questions")) {
+        const std::string text = texts.text(id, usualTextOf(QuestionId(id), phase.task));
+        // A text that the schema refuses is no missing text.
+        phase.questions.push_back({QuestionId(id), text.empty() && texts.has(id) ? "?" : text, phase.task});
     }
-    for (const json& id : object.value("free_text", json::array())) {
-        const auto asked = std::ranges::find(phase.questions, QuestionId(id.get<std::string>()), &Question::id);
-        if (asked == phase.questions.end())
-            faults.push_back(place + ".free_text: '" + id.get<std::string>() + "' is not among the phase's questions");
+    for (const std::string& id : part.texts("free_text")) {
+        const auto asked = std::ranges::find(phase.questions, QuestionId(id), &Question::id);
+        if (asked != phase.questions.end())
+            asked->kind = FreeText{};
         else
-            asked->inWords = true;
+            part.faults().add(place + ".free_text: '" + id + "' is not among the phase's questions");
     }
-    phase.sameDifferent = object.value("same_different", false);
-    phase.catchTrials = object.value("catch_trials", 0);
-    if (object.contains("alternatives")) phase.alternatives = object.at("alternatives").get<int>();
-    if (object.contains("scale")) phase.scale = scaleFrom(object.at("scale"), place + ".scale", faults);
     return phase;
 }
 
-void readPhases(const json& document, Protocol& protocol, Faults& faults)
+/// Which texts belong to no question can be said only where all questions can be read.
+void checkTexts(const Protocol& protocol, const json& texts, ProtocolFaults& faults)
 {
-    const json texts = document.value("question_texts", json::object());
-    std::vector<std::string> asked;
-    for (std::size_t i = 0; i < document.at("phases").size(); ++i) {
-        const std::string place = "phases[" + std::to_string(i) + "]";
-        protocol.phases.push_back(phaseFrom(document.at("phases")[i], texts, place, faults));
-        for (const Question& question : protocol.phases.back().questions) asked.push_back(question.id.value);
-    }
+    const auto isUnreadable = [](const Phase& phase) {
+        return phase.questions.empty() || std::ranges::any_of(phase.questions, [](const Question& q) { return q.id.empty(); });
+    };
+    if (!texts.is_object() || protocol.phases.empty() || std::ranges::any_of(protocol.phases, isUnreadable)) return;
     for (const auto& [id, text] : texts.items())
-        if (std::ranges::find(asked, id) == asked.end())
-            faults.push_back("question_texts: '" + id + "' is asked in no phase, expected ids of the phases' questions");
+        if (!questionWith(protocol, QuestionId(id)))
+            faults.add("question_texts: '" + id + "' is asked in no phase, expected ids of the phases' questions");
 }
 
-Protocol protocolFrom(const json& document, Faults& faults)
+void readPhases(const ProtocolPart& document, Protocol& protocol)
+{
+    const ProtocolPart texts = document.part("question_texts");
+    for (const ProtocolPart& phase : document.parts("phases"))
+        protocol.phases.push_back(phaseFrom(phase, texts, "phases[" + std::to_string(protocol.phases.size()) + "]"));
+    checkTexts(protocol, document.raw("question_texts"), document.faults());
+}
+
+void readFabrics(const ProtocolPart& document, Protocol& protocol)
+{
+    for (const std::string& id : document.texts("fabrics")) protocol.fabrics.emplace_back(id);
+    // An unreadable number of fabrics must not make other numbers wrong.
+    protocol.fabricCount =
+        protocol.fabrics.empty() ? document.whole("fabrics", mostFabrics) : static_cast<int>(protocol.fabrics.size());
+}
+
+void readConditions(const ProtocolPart& document, Protocol& protocol)
+{
+    for (const std::string& id : document.texts("conditions")) protocol.conditions.push_back(conditionFrom(id));
+    if (document.raw("conditions").is_array()) return;
+    // An unreadable list must not make the planned contrasts wrong; the schema has named it.
+    for (const Condition& condition : allConditions()) protocol.conditions.push_back(condition.conditionId());
+}
+
+void readAnalysis(const ProtocolPart& document, Protocol& protocol)
+{
+    const json& bounds = document.raw("equivalence_bounds");
+    if (bounds.is_array() && !document.faults().isRefusedWithin("equivalence_bounds"))
+        protocol.equivalenceBounds = bounds.get<std::pair<double, double>>();
+    const json& planned = document.raw("planned");
+    if (!planned.is_array()) return;
+    for (const json& pair : planned) {
+        const auto side = [&](std::size_t i) {
+            const bool isText = pair.is_array() && i < pair.size() && pair[i].is_string();
+            return conditionFrom(isText ? pair[i].get<std::string>() : "");
+        };
+        protocol.planned.push_back({side(0), side(1)});
+    }
+}
+
+void readCourse(const ProtocolPart& document, Protocol& protocol)
+{
+    protocol.secondsPerPresentation = document.number("seconds_per_presentation", protocol.secondsPerPresentation);
+    protocol.breakAfterPresentations = document.whole("break_after", protocol.breakAfterPresentations);
+    protocol.sittingMinutes = document.whole("sitting_minutes", protocol.sittingMinutes);
+    if (document.has("break_after_minutes")) protocol.breakAfterMinutes = document.whole("break_after_minutes", 1);
+    protocol.consent = document.text("consent", usualConsent());
+    protocol.strokeWords = document.text("stroke_words", usualStrokeWords());
+    protocol.swatchCodes = document.text("swatches", "once") == "fresh" ? SwatchCodes::PerParticipant : SwatchCodes::Once;
+    protocol.familiarisationFabrics = document.whole("familiarisation_fabrics", protocol.familiarisationFabrics);
+    protocol.secondEntry = document.yesOrNo("second_entry", protocol.secondEntry);
+    protocol.checklist = document.texts("checklist");
+    protocol.readings = document.texts("readings");
+    protocol.facts = document.texts("facts");
+}
+
+Protocol protocolFrom(const ProtocolPart& document)
 {
     Protocol protocol;
-    protocol.name = document.at("name").get<std::string>();
-    protocol.participants = document.at("participants").get<int>();
-    const json& fabrics = document.at("fabrics");
-    protocol.fabricCount = fabrics.is_array() ? static_cast<int>(fabrics.size()) : fabrics.get<int>();
-    if (fabrics.is_array())
-        for (const json& id : fabrics) protocol.fabrics.emplace_back(id.get<std::string>());
-    for (const json& id : document.at("conditions")) protocol.conditions.push_back(conditionFrom(id));
-    readPhases(document, protocol, faults);
-    if (document.contains("equivalence_bounds"))
-        protocol.equivalenceBounds = document.at("equivalence_bounds").get<std::pair<double, double>>();
-    for (const json& pair : document.value("planned", json::array()))
-        protocol.planned.push_back({conditionFrom(pair[0]), conditionFrom(pair[1])});
-    protocol.secondsPerPresentation = document.value("seconds_per_presentation", protocol.secondsPerPresentation);
-    protocol.breakAfterPresentations = document.value("break_after", protocol.breakAfterPresentations);
-    protocol.sittingMinutes = document.value("sitting_minutes", protocol.sittingMinutes);
-    if (document.contains("break_after_minutes")) protocol.breakAfterMinutes = document.at("break_after_minutes").get<int>();
-    protocol.consent = document.value("consent", wordsOfConsent);
-    protocol.strokeWords = document.value("stroke_words", wordsOfStroke);
-    protocol.swatchCodes = document.value("swatches", "once") == "fresh" ? SwatchCodes::PerParticipant : SwatchCodes::Once;
-    protocol.familiarisationFabrics = document.value("familiarisation_fabrics", protocol.familiarisationFabrics);
-    protocol.secondEntry = document.value("second_entry", protocol.secondEntry);
-    protocol.checklist = document.value("checklist", protocol.checklist);
-    protocol.readings = document.value("readings", protocol.readings);
-    protocol.facts = document.value("facts", protocol.facts);
+    protocol.name = document.text("name", "");
+    protocol.participants = document.whole("participants", protocol.participants);
+    readFabrics(document, protocol);
+    readConditions(document, protocol);
+    readPhases(document, protocol);
+    readAnalysis(document, protocol);
+    readCourse(document, protocol);
+    return protocol;
+}
+
+/// Reads by the rules of today or, where a study keeps the text already, by those that hold for every program version.
+Protocol readBy(RuleOfIds rule, std::string_view text, const std::string& where)
+{
+    const json document = parseStrictJson(text, where);
+    ProtocolFaults faults(schemaFaultsOf(document, rule));
+    // Without an object there is nothing to read on.
+    if (!document.is_object()) refuse(faults.all(), where);
+    const Protocol protocol = protocolFrom(ProtocolPart(document, "", faults));
+    for (const std::string& fault : faultsOf(protocol)) faults.add(fault);
+    if (rule == RuleOfIds::Checked)
+        for (const std::string& fault : faultsOfQuestionIds(protocol)) faults.add(fault);
+    if (const Faults all = faults.all(); !all.empty()) refuse(all, where);
     return protocol;
 }
 
 }  // namespace
 
-Protocol protocolFromJson(std::string_view text, const std::string& where)
-{
-    const json document = parseStrictJson(text, where);
-    Faults faults = schemaFaultsOf(document);
-    if (!faults.empty()) refuse(faults, where);
-    const Protocol protocol = protocolFrom(document, faults);
-    for (const std::string& fault : faultsOf(protocol)) faults.push_back(fault);
-    if (!faults.empty()) refuse(faults, where);
-    return protocol;
-}
+Protocol protocolFromJson(std::string_view text, const std::string& where) { return readBy(RuleOfIds::Checked, text, where); }
 
-Protocol readProtocol(const std::filesystem::path& file) { return protocolFromJson(readTextFile(file), file.string()); }
+Protocol keptProtocolFromJson(std::string_view text, const std::string& where) { return readBy(RuleOfIds::AsKept, text, where); }
+
+Protocol readProtocol(const std::filesystem::path& file) { return protocolFromJson(readWholeFile(file), file.string()); }
 
 std::string_view paperProtocolJson() { return shipped::paperProtocol(); }
 

@@ -1,6 +1,7 @@
 #include "protocols/protocol_schema.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <valijson/adapters/nlohmann_json_adapter.hpp>
 #include <valijson/schema.hpp>
 #include <valijson/schema_parser.hpp>
@@ -15,7 +16,7 @@ namespace {
 
 using nlohmann::json;
 
-/// valijson's steps are "<root>", "[phases]", "[0]"; without their brackets, root left out.
+/// The steps to the fault: valijson's "<root>", "[phases]", "[0]" without brackets and root.
 std::vector<std::string> stepsOf(const valijson::ValidationResults::Error& error)
 {
     std::vector<std::string> steps;
@@ -29,7 +30,7 @@ bool isIndex(const std::string& step)
     return !step.empty() && std::ranges::all_of(step, [](char c) { return c >= '0' && c <= '9'; });
 }
 
-/// "phases[0].alternatives"
+/// "phases[0].alternatives"; empty for the whole document.
 std::string pathOf(const std::vector<std::string>& steps)
 {
     std::string path;
@@ -39,10 +40,10 @@ std::string pathOf(const std::vector<std::string>& steps)
         else
             path += (path.empty() ? "" : ".") + step;
     }
-    return path.empty() ? "the protocol" : path;
+    return path;
 }
 
-/// What the schema says in words about the value at `steps`; empty where it says nothing.
+/// The schema's description of the value at `steps`; empty where it has none.
 std::string expectationAt(const json& schema, const std::vector<std::string>& steps)
 {
     const json* node = &schema;
@@ -79,43 +80,56 @@ std::string inBrief(const json& value)
     return value.is_object() ? "an object" : value.dump();
 }
 
-/// A missing or surplus key, named between the last quotes of valijson's sentence.
-std::string quotedName(const std::string& sentence)
+/// The key between the last quotes of valijson's sentence.
+std::string quotedKey(const std::string& sentence)
 {
     const std::size_t end = sentence.rfind('\'');
     const std::size_t begin = end == std::string::npos || end == 0 ? end : sentence.rfind('\'', end - 1);
-    return begin == std::string::npos ? "" : sentence.substr(begin, end - begin + 1);
+    return begin == std::string::npos ? "" : sentence.substr(begin + 1, end - begin - 1);
 }
 
-std::string inOurWords(const valijson::ValidationResults::Error& error, const json& schema, const json& document)
+SchemaFault inOurWords(const valijson::ValidationResults::Error& error, const json& schema, const json& document)
 {
-    const std::vector<std::string> steps = stepsOf(error);
-    const std::string place = pathOf(steps) + ": ";
-    if (error.description.starts_with("Missing required property")) return place + quotedName(error.description) + " is missing";
-    if (error.description.starts_with("Object contains a property"))
-        return place + "unknown key " + quotedName(error.description);
+    std::vector<std::string> steps = stepsOf(error);
+    const std::string path = pathOf(steps);
+    const std::string whole = path.empty() ? "the protocol: " : path + ": ";
+    const bool isMissing = error.description.starts_with("Missing required property");
+    if (isMissing || error.description.starts_with("Object contains a property")) {
+        const std::string key = quotedKey(error.description);
+        steps.push_back(key);
+        return {pathOf(steps), whole + (isMissing ? "'" + key + "' is missing" : "unknown key '" + key + "'")};
+    }
     const json* value = valueAt(document, steps);
     const std::string expectation = expectationAt(schema, steps);
-    if (value == nullptr || expectation.empty()) return place + error.description;
-    return place + inBrief(*value) + ", expected " + expectation;
+    if (value == nullptr || expectation.empty()) return {path, whole + error.description};
+    return {path, whole + inBrief(*value) + ", expected " + expectation};
+}
+
+/// Takes the limits of question ids out of the schema.
+void liftRuleOfIds(json& schema)
+{
+    json& phase = schema["properties"]["phases"]["items"]["properties"];
+    for (const char* list : {"questions", "free_text"})
+        for (const char* limit : {"pattern", "maxLength"}) phase[list]["items"].erase(limit);
 }
 
 }  // namespace
 
-std::vector<std::string> schemaFaultsOf(const json& document)
+std::vector<SchemaFault> schemaFaultsOf(const json& document, RuleOfIds rule)
 {
-    const json schemaJson = json::parse(shipped::protocolSchema());
+    json schemaJson = json::parse(shipped::protocolSchema());
+    if (rule == RuleOfIds::AsKept) liftRuleOfIds(schemaJson);
     valijson::Schema schema;
     valijson::SchemaParser().populateSchema(valijson::adapters::NlohmannJsonAdapter(schemaJson), schema);
     valijson::ValidationResults results;
     valijson::Validator(valijson::Validator::kStrongTypes)
         .validate(schema, valijson::adapters::NlohmannJsonAdapter(document), &results);
-    std::vector<std::string> faults;
+    std::vector<SchemaFault> faults;
     for (const valijson::ValidationResults::Error& error : results) {
-        // Every container of a fault is reported as failed too; only the fault itself helps anybody.
+        // valijson reports every container of a fault as failed too; only the fault itself helps the reader.
         if (error.description.starts_with("Failed to validate")) continue;
-        const std::string fault = inOurWords(error, schemaJson, document);
-        if (std::ranges::find(faults, fault) == faults.end()) faults.push_back(fault);
+        const SchemaFault fault = inOurWords(error, schemaJson, document);
+        if (std::ranges::find(faults, fault.text, &SchemaFault::text) == faults.end()) faults.push_back(fault);
     }
     return faults;
 }

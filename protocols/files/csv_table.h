@@ -1,5 +1,5 @@
-// Comma-separated tables by RFC 4180 (quotes, doubled quotes, line breaks within quotes, LF or CRLF),
-// with the file and row in every fault. Numbers never depend on the locale.
+// Comma-separated tables by RFC 4180: quotes, doubled quotes, separators and line breaks inside quotes, LF or CRLF.
+// Every fault names file and row. Numbers do not depend on the locale.
 #pragma once
 
 #include <filesystem>
@@ -8,68 +8,78 @@
 #include <string_view>
 #include <vector>
 
-namespace rendering::fabrics {
+namespace protocols {
 
-struct CsvTable {
-    std::string where;                           ///< the file, for faults
-    std::vector<std::string> columns;            ///< blanks around the names are cut off
-    std::vector<std::vector<std::string>> rows;  ///< each as long as `columns`
-
-    std::optional<std::size_t> column(std::string_view name) const;
-};
-
-/// The same rows one after another, for records too long to be kept as text: 10^7 rows of three numbers take
-/// 1.5 GB as cells.
+/// Rows one after another, for records too long to be kept as text: 10^7 rows of three numbers take 1.5 GB as cells.
 class CsvReader {
 public:
-    /// Reads the header; `text` must outlive the reader. Throws badInput as readCsvTable().
+    /// Reads the header row. `text` must outlive the reader; `where` names it in errors; `separator` is a comma, a
+    /// semicolon or a tab. Throws badInput where the text is empty or a column name occurs twice.
     CsvReader(std::string_view text, std::string where, char separator = ',');
 
+    /// Without the blanks around each name.
     const std::vector<std::string>& columns() const { return m_columns; }
     std::optional<std::size_t> column(std::string_view name) const;
 
-    /// False at the end. Throws badInput for a row of another length or an open quote.
+    /// Reads the next row that is not empty; false at the end. Throws badInput for another number of cells than the header
+    /// has, for a quote that is never closed and for one inside a cell without quotes.
     bool next();
     const std::vector<std::string>& cells() const { return m_cells; }
-    std::size_t rows() const { return m_rows; }  ///< read so far; the first after the header is 1
+    std::size_t rows() const { return m_rows; }  ///< number of rows read so far, without the header
+    std::size_t line() const { return m_line; }  ///< line of the text at which the row begins, from 1
 
-    /// The number in a cell of the row that next() read; throws badInput naming row and column.
+    /// The number in a cell of the row that next() read. Throws badInput naming row and column.
     double number(std::size_t column) const;
 
     const std::string& where() const { return m_where; }
+    std::string rowName() const;  ///< "FILE, row 2 (line 3)"
 
 private:
     void readRecord();
     void readCell(std::string& cell);
     void readQuotedCell(std::string& cell);
     bool isEmptyLine() const;
-    bool atEnd() const { return m_at >= m_text.size(); }
+    bool isAtEnd() const { return m_at >= m_text.size(); }
+    bool isAtCellEnd() const;
+    std::string lineName() const;
 
     std::string_view m_text;
     std::string m_where;
     char m_separator;
-    std::size_t m_at = 0, m_rows = 0;
+    std::size_t m_at = 0, m_rows = 0, m_line = 0, m_nextLine = 1;
     std::vector<std::string> m_columns, m_cells;
 };
 
-/// Throws badInput: no header row, a row with another number of cells, an open quote, a name that occurs twice.
-/// Empty lines are passed over. `separator` is a comma, semicolon or tab.
+/// A whole table as text.
+struct CsvTable {
+    std::string where;  ///< the file, for faults
+    std::vector<std::string> columns;
+    std::vector<std::vector<std::string>> rows;  ///< each as long as `columns`
+    std::vector<std::size_t> lines;              ///< of the text, one a row, from 1
+
+    std::optional<std::size_t> column(std::string_view name) const;
+};
+
+/// Throws badInput as CsvReader does, and where the file cannot be read.
 CsvTable readCsvTable(const std::filesystem::path& file, char separator = ',');
 CsvTable csvTableFrom(std::string_view text, const std::string& where, char separator = ',');
 
-/// A finite number, all of the text but blanks around it.
-std::optional<double> numberIn(std::string_view text);
-
-/// The number in a cell; throws badInput naming row (the first after the header is 1) and column.
-double numberAt(const CsvTable& table, std::size_t row, std::size_t column);
-
-/// "FILE, row 3": rows count from 1 after the header.
+/// "FILE, row 2 (line 3)": rows count from 1 after the header, lines from 1 with it.
 std::string rowName(const CsvTable& table, std::size_t row);
 
-/// A cell, quoted where RFC 4180 asks for it.
-std::string csvCell(const std::string& text);
+/// The number in a cell. Throws badInput naming row and column.
+double numberAt(const CsvTable& table, std::size_t row, std::size_t column);
 
-/// The shortest text that reads back exactly.
-std::string shortest(double value);
+/// Empty, "NA" and "NaN" cells are missing values.
+bool isMissing(std::string_view cell);
 
-}  // namespace rendering::fabrics
+/// The number in a cell, or nothing where the value is missing. Throws badInput naming row and column.
+std::optional<double> numberOrMissing(const CsvTable& table, std::size_t row, std::size_t column);
+
+/// One cell, quoted where RFC 4180 asks for it.
+std::string csvCell(std::string_view text, char separator = ',');
+
+/// One row of cells with its line break (LF).
+std::string csvRow(const std::vector<std::string>& cells, char separator = ',');
+
+}  // namespace protocols

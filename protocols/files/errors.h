@@ -1,7 +1,6 @@
-// The one kind of exception that this program throws on purpose: a fault that ends the work at hand.
-// It is told to the user in one line (what, where, what was expected, what to do next) and carries
-// the exit code of the command. Expected outcomes (a refused event, an undefined statistic) are
-// returned as values, not thrown.
+// The one kind of exception that this program throws on purpose: a fault that ends the work at hand. The user sees it as
+// one line (what, where, what was expected, what to do next), and scripts see its exit code. Expected outcomes, such as
+// a refused event or an undefined statistic, are returned as values.
 #pragma once
 
 #include <stdexcept>
@@ -9,7 +8,7 @@
 
 namespace protocols {
 
-/// Exit codes promised to scripts.
+/// Exit codes that scripts rely on.
 enum class ExitCode : int {
     Done = 0,
     WorkFailed = 1,   ///< the work failed, or a fault was found in stored data
@@ -17,7 +16,7 @@ enum class ExitCode : int {
     Environment = 3,  ///< disk full, read-only, lock held, no screen
 };
 
-/// The four parts of an error message; an empty part is left out of the line.
+/// The four parts of an error message. An empty part is left out of the line.
 struct Fault {
     std::string what;
     std::string where;  ///< file, and the place in it
@@ -34,7 +33,7 @@ private:
     ExitCode m_code;
 };
 
-/// The makers; every message of the program is worded at one of their calls.
+/// Make an error with the exit code of their name.
 Error workFailed(const Fault& fault);
 Error badInput(const Fault& fault);
 Error environmentFault(const Fault& fault);

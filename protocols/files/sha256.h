@@ -1,4 +1,4 @@
-// SHA-256 (FIPS 180-4), by libmd, which every Debian system has. Lower-case hexadecimal.
+// SHA-256 (FIPS 180-4) in lower-case hexadecimal, computed by libmd, which every Debian system has.
 #pragma once
 
 #include <filesystem>
@@ -9,7 +9,7 @@ namespace protocols {
 
 std::string sha256(std::string_view bytes);
 
-/// Throws badInput where the file cannot be read.
+/// Reads the file in blocks, so that it may be larger than the memory. Throws badInput where it cannot be read.
 std::string sha256OfFile(const std::filesystem::path& file);
 
 }  // namespace protocols

@@ -1,29 +1,15 @@
 #include "protocols/files/strict_json.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
-#include <iterator>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
-#include <system_error>
+#include <utility>
 #include <vector>
-
-#include "protocols/files/errors.h"
 
 namespace protocols {
 
 namespace {
-
-std::string placeOf(std::string_view text, std::size_t offset)
-{
-    const std::string_view before = text.substr(0, std::min(offset, text.size()));
-    const auto line = 1 + std::count(before.begin(), before.end(), '\n');
-    const std::size_t lastBreak = before.rfind('\n');
-    const std::size_t column = lastBreak == std::string_view::npos ? before.size() + 1 : before.size() - lastBreak;
-    return "line " + std::to_string(line) + ", column " + std::to_string(column);
-}
 
 /// Length of the well-formed UTF-8 sequence at the front of `text` (RFC 3629), or 0.
 std::size_t sequenceLength(std::string_view text)
@@ -56,42 +42,199 @@ std::optional<std::size_t> firstByteThatIsNotUtf8(std::string_view text)
     return std::nullopt;
 }
 
-/// "[json.exception.parse_error.101] parse error at line 2, column 1: syntax error ..." without its label.
-std::string withoutLabel(std::string message)
+/// "line 3, column 5" of a byte.
+std::string placeOfByte(std::string_view text, std::size_t offset)
 {
-    const std::size_t end = message.find("] ");
-    return message.starts_with('[') && end != std::string::npos ? message.substr(end + 2) : message;
+    const std::string_view before = text.substr(0, std::min(offset, text.size()));
+    const auto lines = std::count(before.begin(), before.end(), '\n');
+    const std::string_view inLine = before.substr(before.rfind('\n') + 1);  // npos + 1 is 0: the first line
+    const auto characters = std::count_if(inLine.begin(), inLine.end(), [](char c) { return (c & 0xC0) != 0x80; });
+    return "line " + std::to_string(lines + 1) + ", column " + std::to_string(characters + 1);
 }
 
-}  // namespace
-
-nlohmann::json parseStrictJson(std::string_view text, const std::string& where)
+/// The reason in "[json.exception.parse_error.101] parse error at line 2, column 1: syntax error ...".
+std::string reasonIn(std::string message)
 {
+    if (const std::size_t label = message.find("] "); message.starts_with('[') && label != std::string::npos)
+        message.erase(0, label + 2);
+    if (const std::size_t place = message.find(": "); message.starts_with("parse error") && place != std::string::npos)
+        message.erase(0, place + 2);
+    return message;
+}
+
+/// Steps through a well-formed text. Nothing here is recursive, because a text may nest to any depth.
+class Cursor {
+public:
+    explicit Cursor(std::string_view text) : m_text(text) { skipBlanks(); }
+
+    std::size_t at() const { return m_at; }
+    bool isAtEnd() const { return m_at >= m_text.size(); }
+    char letter() const { return m_at < m_text.size() ? m_text[m_at] : '\0'; }
+
+    void skipLetter() { ++m_at; }
+
+    void skipBlanks()
+    {
+        while (isBlank(letter())) ++m_at;
+    }
+
+    /// Returns the text in the quotes, decoded.
+    std::string readString()
+    {
+        const std::size_t from = m_at;
+        skipString();
+        return nlohmann::json::parse(m_text.substr(from, m_at - from)).get<std::string>();
+    }
+
+    void skipString()
+    {
+        for (++m_at; letter() != '"'; ++m_at)
+            if (letter() == '\\') ++m_at;
+        ++m_at;
+    }
+
+    void skipValue()
+    {
+        std::size_t depth = 0;
+        do {
+            if (letter() == '"') {
+                skipString();
+                continue;
+            }
+            if (letter() == '{' || letter() == '[') ++depth;
+            if (letter() == '}' || letter() == ']') --depth;
+            ++m_at;
+        } while (!isAtEnd() && (depth > 0 || !endsValue(letter())));
+    }
+
+private:
+    static bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
+    static bool endsValue(char c) { return isBlank(c) || c == ',' || c == '}' || c == ']'; }
+
+    std::string_view m_text;
+    std::size_t m_at = 0;
+};
+
+void skipValueAndComma(Cursor& cursor)
+{
+    cursor.skipValue();
+    cursor.skipBlanks();
+    if (cursor.letter() == ',') cursor.skipLetter();
+    cursor.skipBlanks();
+}
+
+/// Moves from the brace of an object to the value of a key. False where there is none.
+bool enterMember(Cursor& cursor, const std::string& key)
+{
+    cursor.skipLetter();
+    cursor.skipBlanks();
+    while (cursor.letter() == '"') {
+        const std::string name = cursor.readString();
+        cursor.skipBlanks();
+        cursor.skipLetter();  // the colon
+        cursor.skipBlanks();
+        if (name == key) return true;
+        skipValueAndComma(cursor);
+    }
+    return false;
+}
+
+bool enterElement(Cursor& cursor, const std::string& index)
+{
+    cursor.skipLetter();
+    cursor.skipBlanks();
+    for (std::size_t i = 0; !cursor.isAtEnd() && cursor.letter() != ']'; ++i) {
+        if (std::to_string(i) == index) return true;
+        skipValueAndComma(cursor);
+    }
+    return false;
+}
+
+/// Where the value begins that the steps lead to, or the innermost one on the way to it.
+std::size_t beginOf(std::string_view text, const std::vector<std::string>& steps)
+{
+    Cursor cursor(text);
+    std::size_t begin = cursor.at();
+    for (const std::string& step : steps) {
+        const char kind = cursor.letter();
+        if (!(kind == '{' ? enterMember(cursor, step) : kind == '[' && enterElement(cursor, step))) break;
+        begin = cursor.at();
+    }
+    return begin;
+}
+
+/// The keys that occur twice in their object, each with the place of its second occurrence.
+std::vector<std::string> doubledKeys(std::string_view text)
+{
+    std::vector<std::string> doubled;
+    std::vector<std::set<std::string>> keysOfOpenOnes;
+    for (Cursor cursor(text); !cursor.isAtEnd();) {
+        const char kind = cursor.letter();
+        if (kind == '"') {
+            const std::size_t from = cursor.at();
+            Cursor ahead = cursor;
+            cursor.skipString();
+            cursor.skipBlanks();
+            if (cursor.letter() != ':') continue;
+            const std::string key = ahead.readString();
+            if (!keysOfOpenOnes.back().insert(key).second) doubled.push_back("'" + key + "' (" + placeOfByte(text, from) + ")");
+            continue;
+        }
+        if (kind == '{' || kind == '[') keysOfOpenOnes.emplace_back();
+        if (kind == '}' || kind == ']') keysOfOpenOnes.pop_back();
+        cursor.skipLetter();
+    }
+    return doubled;
+}
+
+std::string_view withoutByteOrderMark(std::string_view text)
+{
+    constexpr std::string_view mark = "\xEF\xBB\xBF";
+    return text.starts_with(mark) ? text.substr(mark.size()) : text;
+}
+
+/// "/phases/0" is "phases" and "0".
+std::vector<std::string> stepsOf(std::string_view pointer)
+{
+    std::vector<std::string> steps;
+    while (pointer.starts_with('/')) {
+        pointer.remove_prefix(1);
+        const std::size_t end = std::min(pointer.find('/'), pointer.size());
+        std::string step(pointer.substr(0, end));
+        // In this order: "~01" means "~1".
+        for (const auto& [code, letter] : {std::pair("~1", "/"), std::pair("~0", "~")})
+            for (std::size_t at = step.find(code); at != std::string::npos; at = step.find(code, at + 1)) step.replace(at, 2, letter);
+        steps.push_back(std::move(step));
+        pointer.remove_prefix(end);
+    }
+    return steps;
+}
+
+template <class Json>
+Json parsed(std::string_view text, const std::string& where)
+{
+    text = withoutByteOrderMark(text);
     if (const auto offset = firstByteThatIsNotUtf8(text))
-        throw badInput({.what = "the text is not UTF-8 at " + placeOf(text, *offset),
-                        .where = where,
+        throw badInput({.what = "the text is not UTF-8",
+                        .where = where + ", " + placeOfByte(text, *offset),
                         .expected = "JSON in UTF-8",
                         .nextStep = "save the file in UTF-8"});
-    std::vector<std::set<std::string>> keysOfOpenObjects;
-    std::vector<std::string> doubled;
-    const nlohmann::json::parser_callback_t noteKeys = [&](int, nlohmann::json::parse_event_t event, nlohmann::json& value) {
-        using Event = nlohmann::json::parse_event_t;
-        if (event == Event::object_start) keysOfOpenObjects.emplace_back();
-        if (event == Event::object_end) keysOfOpenObjects.pop_back();
-        if (event == Event::key && !keysOfOpenObjects.back().insert(value.get<std::string>()).second)
-            doubled.push_back("'" + value.get<std::string>() + "'");
-        return true;
-    };
-    nlohmann::json parsed;
+    Json root;
     try {
-        parsed = nlohmann::json::parse(text.begin(), text.end(), noteKeys);
-    } catch (const nlohmann::json::exception& fault) {
-        throw badInput({.what = withoutLabel(fault.what()),
-                        .where = where,
+        root = Json::parse(text.begin(), text.end());
+    } catch (const typename Json::parse_error& fault) {
+        throw badInput({.what = "malformed JSON (" + reasonIn(fault.what()) + ")",
+                        .where = where + ", " + placeOfByte(text, fault.byte == 0 ? 0 : fault.byte - 1),
                         .expected = "well-formed JSON",
                         .nextStep = "correct the text at that place"});
+    } catch (const typename Json::exception& fault) {
+        throw badInput({.what = "malformed JSON (" + reasonIn(fault.what()) + ")",
+                        .where = where,
+                        .expected = "numbers within the range of 64-bit floating point",
+                        .nextStep = "correct the number"});
     }
-    if (doubled.empty()) return parsed;
+    const std::vector<std::string> doubled = doubledKeys(text);
+    if (doubled.empty()) return root;
     std::string names;
     for (const std::string& key : doubled) names += (names.empty() ? "" : ", ") + key;
     throw badInput({.what = "doubled key " + names,
@@ -100,16 +243,44 @@ nlohmann::json parseStrictJson(std::string_view text, const std::string& where)
                     .nextStep = "remove one of the two"});
 }
 
-std::string readTextFile(const std::filesystem::path& file)
+}  // namespace
+
+nlohmann::json parseStrictJson(std::string_view text, const std::string& where) { return parsed<nlohmann::json>(text, where); }
+
+nlohmann::ordered_json parseStrictOrderedJson(std::string_view text, const std::string& where)
 {
-    std::error_code ignored;
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream || std::filesystem::is_directory(file, ignored))
-        throw badInput({.what = std::string("cannot be read (") + std::strerror(stream ? EISDIR : errno) + ")",
-                        .where = file.string(),
-                        .expected = "a readable file",
-                        .nextStep = "check the path and its permissions"});
-    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+    return parsed<nlohmann::ordered_json>(text, where);
+}
+
+JsonDocument::JsonDocument(std::string text, std::string where)
+    : m_text(withoutByteOrderMark(text)),
+      m_where(std::move(where)),
+      m_root(std::make_shared<const nlohmann::json>(parseStrictJson(m_text, m_where)))
+{
+}
+
+std::string JsonDocument::placeOf(std::string_view pointer) const
+{
+    return placeOfByte(m_text, beginOf(m_text, stepsOf(pointer)));
+}
+
+Error JsonDocument::faultAt(std::string_view pointer, const std::string& what, const std::string& expected,
+                            const std::string& nextStep) const
+{
+    return badInput({what, m_where + ", " + placeOf(pointer), expected, nextStep});
+}
+
+std::string pointerStep(std::string_view key)
+{
+    std::string step;
+    for (const char c : key)
+        if (c == '~')
+            step += "~0";
+        else if (c == '/')
+            step += "~1";
+        else
+            step += c;
+    return step;
 }
 
 }  // namespace protocols

@@ -1,18 +1,46 @@
-// JSON read strictly: malformed text, bytes that are not UTF-8 and keys that occur twice in an object
-// are refused with their place, where the parser alone would be vague or keep only the last value.
+// JSON read strictly: malformed text, bytes that are not UTF-8 and keys that occur twice in an object are refused with
+// line and column. A document knows the place of each of its values, so that later faults can name it, too.
 #pragma once
 
-#include <filesystem>
-#include <nlohmann/json.hpp>
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
+
+#include "protocols/files/errors.h"
 
 namespace protocols {
 
 /// `where` names the source in errors. Throws badInput.
 nlohmann::json parseStrictJson(std::string_view text, const std::string& where);
 
-/// The whole file as bytes. Throws badInput where it cannot be read.
-std::string readTextFile(const std::filesystem::path& file);
+/// The same with the keys of objects in the order of the text.
+nlohmann::ordered_json parseStrictOrderedJson(std::string_view text, const std::string& where);
+
+/// A parsed text together with the places of its values.
+class JsonDocument {
+public:
+    /// `where` names the source in errors. Throws badInput as parseStrictJson() does.
+    JsonDocument(std::string text, std::string where);
+
+    const nlohmann::json& root() const { return *m_root; }
+    const std::string& where() const { return m_where; }
+
+    /// "line 3, column 5" of the first character of a value; columns count characters, not bytes. `pointer` is a JSON
+    /// pointer (RFC 6901): "" is the root, "/phases/0/scale" a member. A value that is missing has the place of the
+    /// innermost object or array that should hold it.
+    std::string placeOf(std::string_view pointer) const;
+
+    /// The fault of a value, ready to throw: badInput at "FILE, line 3, column 5".
+    Error faultAt(std::string_view pointer, const std::string& what, const std::string& expected,
+                  const std::string& nextStep = "") const;
+
+private:
+    std::string m_text, m_where;
+    std::shared_ptr<const nlohmann::json> m_root;
+};
+
+/// A key as one step of a JSON pointer: "a/b" is "a~1b".
+std::string pointerStep(std::string_view key);
 
 }  // namespace protocols

@@ -1,65 +1,160 @@
 #include "protocols/files/whole_file.h"
 
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
-#include <memory>
+#include <utility>
+#include <vector>
 
+#include "protocols/files/disk_sync.h"
 #include "protocols/files/errors.h"
+#include "protocols/files/unfinished.h"
 
-namespace rendering {
+namespace protocols {
 
 namespace {
 
-struct CloseFile {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-};
-using OpenFile = std::unique_ptr<std::FILE, CloseFile>;
+namespace fs = std::filesystem;
 
-protocols::Error cannotRead(const std::filesystem::path& file, const std::string& why)
+Error cannotRead(const fs::path& file, int reason)
 {
-    return protocols::badInput({"cannot be read (" + why + ")", file.string(), "a readable file", "check the path"});
+    return badInput({std::string("cannot be read (") + std::strerror(reason) + ")", file.string(), "a readable file",
+                     "check the path and its permissions"});
 }
 
-protocols::Error cannotWrite(const std::filesystem::path& file, int error)
+Error cannotWrite(const fs::path& file, int reason)
 {
-    return protocols::environmentFault({std::string("cannot be written (") + std::strerror(error) + ")", file.string(),
-                                        "a writable folder with free space", "free space or choose another folder"});
+    return environmentFault({std::string("cannot be written (") + std::strerror(reason) + ")", file.string(),
+                             "a writable folder with free space", "free space or choose another folder"});
+}
+
+/// An open file, closed with this value.
+class Descriptor {
+public:
+    Descriptor(const fs::path& file, int flags, mode_t mode = 0) : m_number(::open(file.c_str(), flags | O_CLOEXEC, mode)) {}
+    ~Descriptor() { close(); }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+
+    bool isOpen() const { return m_number >= 0; }
+    int number() const { return m_number; }
+    /// False where the file system reports a failed write only now.
+    bool close() { return m_number < 0 || ::close(std::exchange(m_number, -1)) == 0; }
+
+private:
+    int m_number;
+};
+
+/// Gives every block to `take`. Returns 0 or the reason of the failure.
+int eachBlock(const fs::path& file, const std::function<void(std::string_view)>& take)
+{
+    const Descriptor open(file, O_RDONLY);
+    if (!open.isOpen()) return errno;
+    std::vector<char> block(std::size_t{1} << 16);
+    while (true) {
+        const ssize_t count = ::read(open.number(), block.data(), block.size());
+        if (count == 0) return 0;
+        if (count > 0)
+            take({block.data(), static_cast<std::size_t>(count)});
+        else if (errno != EINTR)
+            return errno;
+    }
+}
+
+/// Returns 0 or the reason of the failure.
+int readInto(const fs::path& file, std::string& bytes)
+{
+    std::error_code unknown;
+    if (const auto size = fs::file_size(file, unknown); !unknown) bytes.reserve(size);
+    return eachBlock(file, [&](std::string_view block) { bytes += block; });
+}
+
+bool writeAll(int descriptor, std::string_view bytes)
+{
+    while (!bytes.empty()) {
+        const ssize_t count = ::write(descriptor, bytes.data(), bytes.size());
+        if (count < 0 && errno != EINTR) return false;
+        if (count > 0) bytes.remove_prefix(static_cast<std::size_t>(count));
+    }
+    return true;
+}
+
+bool isDeviceOrPipe(const fs::path& file)
+{
+    struct stat status {};
+    return ::stat(file.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
+}
+
+/// A rename would put a file in the place of the device.
+void writeThrough(const fs::path& file, std::string_view bytes)
+{
+    Descriptor open(file, O_WRONLY);
+    if (!open.isOpen() || !writeAll(open.number(), bytes) || !open.close()) throw cannotWrite(file, errno);
+}
+
+/// Returns 0 or the reason of the failure.
+int writeTemporary(const fs::path& temporary, std::string_view bytes, Sync sync, Readers readers)
+{
+    ::unlink(temporary.c_str());  // left by an earlier process of this number
+    Descriptor open(temporary, O_WRONLY | O_CREAT | O_EXCL, readers == Readers::OwnerOnly ? 0600 : 0666);
+    if (!open.isOpen()) return errno;
+    if (readers == Readers::Everyone && ::fchmod(open.number(), 0644) != 0) return errno;
+    if (!writeAll(open.number(), bytes)) return errno;
+    if (sync == Sync::Now && ::fsync(open.number()) != 0) return errno;
+    return open.close() ? 0 : errno;
 }
 
 }  // namespace
 
-std::string readWholeFile(const std::filesystem::path& file)
+std::string readWholeFile(const fs::path& file)
 {
-    std::error_code problem;
-    if (std::filesystem::is_directory(file, problem)) throw cannotRead(file, "it is a folder");
-    const OpenFile open(std::fopen(file.c_str(), "rb"));
-    if (!open) throw cannotRead(file, std::strerror(errno));
     std::string bytes;
-    const auto size = std::filesystem::file_size(file, problem);
-    if (!problem) bytes.reserve(size);
-    char block[65536];
-    while (const std::size_t count = std::fread(block, 1, sizeof block, open.get())) bytes.append(block, count);
-    if (std::ferror(open.get())) throw cannotRead(file, std::strerror(errno));
+    if (const int reason = readInto(file, bytes); reason != 0) throw cannotRead(file, reason);
     return bytes;
 }
 
-void writeWholeFile(const std::filesystem::path& file, std::string_view bytes)
+std::optional<std::string> readIfPossible(const fs::path& file)
 {
-    std::filesystem::path temporary = file;
-    temporary.replace_filename("." + file.filename().string() + ".part");
-    OpenFile open(std::fopen(temporary.c_str(), "wb"));
-    if (!open) throw cannotWrite(file, errno);
-    bool good = std::fwrite(bytes.data(), 1, bytes.size(), open.get()) == bytes.size();
-    int error = errno;
-    if (std::fclose(open.release()) != 0) {
-        good = false;
-        error = errno;
-    }
-    if (good && std::rename(temporary.c_str(), file.c_str()) == 0) return;
-    if (good) error = errno;
-    std::remove(temporary.c_str());
-    throw cannotWrite(file, error);
+    std::string bytes;
+    return readInto(file, bytes) == 0 ? std::optional(std::move(bytes)) : std::nullopt;
 }
 
-}  // namespace rendering
+void readInBlocks(const fs::path& file, const std::function<void(std::string_view)>& take)
+{
+    if (const int reason = eachBlock(file, take); reason != 0) throw cannotRead(file, reason);
+}
+
+void writeWholeFile(const fs::path& file, std::string_view bytes, Sync sync, Readers readers)
+{
+    if (isDeviceOrPipe(file)) return writeThrough(file, bytes);
+    if (sync == Sync::Now) removeAbandoned(file);
+    const fs::path temporary = unfinishedName(file);
+    int reason = writeTemporary(temporary, bytes, sync, readers);
+    if (reason == 0 && ::rename(temporary.c_str(), file.c_str()) != 0) reason = errno;
+    if (reason != 0) {
+        ::unlink(temporary.c_str());
+        throw cannotWrite(file, reason);
+    }
+    if (sync == Sync::Now) syncFolder(file.parent_path());
+}
+
+void putFileInPlace(const fs::path& finished, const fs::path& file)
+{
+    syncFile(finished);
+    if (::rename(finished.c_str(), file.c_str()) != 0) throw cannotWrite(file, errno);
+    syncFolder(file.parent_path());
+}
+
+void requireWritable(const fs::path& file)
+{
+    if (fs::is_directory(file)) throw badInput({"is a folder", file.string(), "the name of a file to write", ""});
+    const fs::path temporary = unfinishedName(file);
+    const int reason = writeTemporary(temporary, "", Sync::Later, Readers::AsUsual);
+    ::unlink(temporary.c_str());
+    if (reason != 0) throw cannotWrite(file, reason);
+}
+
+}  // namespace protocols

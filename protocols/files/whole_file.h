@@ -1,17 +1,47 @@
-// Files read and written in one piece: a reader gets all bytes or a named fault; a writer leaves
-// either the whole new file or what was there before.
+// Files read and written in one piece. A reader gets all bytes or a named fault. A writer leaves the
+// whole new file or what stood there before, also when the process is killed or the power fails.
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 
-namespace rendering {
+namespace protocols {
 
-/// All bytes. Throws badInput where the file is missing, a folder, or cannot be read.
+/// All bytes. Throws badInput where the file is missing, is a folder or cannot be read.
 std::string readWholeFile(const std::filesystem::path& file);
 
-/// Writes beside the file under a temporary name, then renames. Throws environmentFault; the temporary is gone then.
-void writeWholeFile(const std::filesystem::path& file, std::string_view bytes);
+/// All bytes, or nothing where they cannot be read: for callers with a message of their own.
+std::optional<std::string> readIfPossible(const std::filesystem::path& file);
 
-}  // namespace rendering
+/// All bytes, one block after the other, for files that may be larger than the memory. Throws as readWholeFile() does.
+void readInBlocks(const std::filesystem::path& file, const std::function<void(std::string_view)>& take);
+
+/// When the bytes of a new file must have reached the disk.
+enum class Sync {
+    Now,    ///< before the call returns
+    Later,  ///< with the folder that is written as a whole (FolderDraft), or never, where the file is for this run only
+};
+
+/// Who may read a new file.
+enum class Readers {
+    AsUsual,    ///< as the user's umask says
+    Everyone,   ///< mode 0644
+    OwnerOnly,  ///< mode 0600 from the first byte on
+};
+
+/// Writes a hidden temporary file beside `file`, syncs it, renames it and syncs the folder. Devices and pipes are written
+/// directly. Throws environmentFault and leaves nothing behind.
+void writeWholeFile(const std::filesystem::path& file, std::string_view bytes, Sync sync = Sync::Now,
+                    Readers readers = Readers::AsUsual);
+
+/// Gives a finished file, written under another name in the same file system, its final name: syncs, renames, syncs the
+/// folder. Throws environmentFault.
+void putFileInPlace(const std::filesystem::path& finished, const std::filesystem::path& file);
+
+/// Proves before long work that `file` can be written afterwards. Throws environmentFault, or badInput where a folder stands.
+void requireWritable(const std::filesystem::path& file);
+
+}  // namespace protocols

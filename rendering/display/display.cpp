@@ -1,9 +1,9 @@
 #include "rendering/display/display.h"
 
-#include <system_error>
 #include <utility>
 
 #include "protocols/files/errors.h"
+#include "protocols/files/folder_draft.h"
 #include "rendering/composition/friction_image.h"
 #include "rendering/display/external_display.h"
 #include "rendering/images/image_io.h"
@@ -25,10 +25,9 @@ public:
 
     void show(const cv::Mat& frictionImage) override
     {
-        const auto current = m_folder / "current.pgm", next = m_folder / "next.pgm.part";
+        const auto current = m_folder / "current.pgm";
         try {
-            writePgm(next, frictionImage);
-            std::filesystem::rename(next, current);
+            writePgm(current, frictionImage, protocols::Sync::Later);  // nobody needs it after the session
         } catch (const std::exception& fault) {
             throw protocols::workFailed({.what = std::string("the display's folder takes no image (") + fault.what() + ")",
                                          .where = current.string(),
@@ -46,13 +45,7 @@ private:
 
 std::unique_ptr<HapticDisplay> openFolder(const std::filesystem::path& folder)
 {
-    std::error_code failed;
-    std::filesystem::create_directories(folder, failed);
-    if (failed)
-        throw protocols::environmentFault({.what = "the display's folder cannot be made (" + failed.message() + ")",
-                                           .where = folder.string(),
-                                           .expected = "a place that can be written to",
-                                           .nextStep = "choose another folder"});
+    protocols::makeFolders(folder);
     auto display = std::make_unique<FolderDisplay>(folder);
     display->clear();  // what an earlier session left there must not be felt
     return display;

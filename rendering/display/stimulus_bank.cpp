@@ -49,7 +49,7 @@ protocols::Error unusable(const std::string& what, const std::filesystem::path& 
 std::string writeStimulus(const std::filesystem::path& stimuli, const protocols::FileCode& code, const cv::Mat& image)
 {
     const auto file = pathOf(stimuli, code);
-    writePgm(file, image);
+    writePgm(file, image, protocols::Sync::Later);
     // When a stimulus was made and by whom it may be read would tell one from another.
     const timespec times[2] = {{stimulusTime, 0}, {stimulusTime, 0}};
     if (chmod(file.c_str(), 0644) != 0 || utimensat(AT_FDCWD, file.c_str(), times, 0) != 0)

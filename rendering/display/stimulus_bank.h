@@ -12,7 +12,8 @@
 
 namespace rendering {
 
-/// Writes stimuli/<code>.pgm with the fixed time stamp; returns its SHA-256.
+/// Writes stimuli/<code>.pgm with the fixed time stamp and returns its SHA-256. The bytes reach the disk with the study
+/// folder, which is synced as a whole.
 std::string writeStimulus(const std::filesystem::path& stimuli, const protocols::FileCode& code, const cv::Mat& image);
 
 class StimulusBank {

@@ -1,4 +1,5 @@
 #include "rendering/display/stroke.h"
+#include "protocols/files/number_text.h"
 
 #include <algorithm>
 #include <cassert>
@@ -52,18 +53,18 @@ public:
 
     double to(double driven)
     {
-        if (m_driven && m_hasDelay)
-            m_force = m_keep * (m_force - *m_driven) + driven - (driven - *m_driven) * m_lag;
+        if (m_isDriven && m_hasDelay)
+            m_force = m_keep * (m_force - m_driven) + driven - (driven - m_driven) * m_lag;
         else
             m_force = driven;
         m_driven = driven;
+        m_isDriven = true;
         return m_force;
     }
 
 private:
-    bool m_hasDelay;
-    double m_keep = 0, m_lag = 0, m_force = 0;
-    std::optional<double> m_driven;
+    bool m_hasDelay, m_isDriven = false;
+    double m_keep = 0, m_lag = 0, m_force = 0, m_driven = 0;
 };
 
 void requireUsable(const StrokeOptions& options)
@@ -82,8 +83,8 @@ void requireUsable(const StrokeOptions& options)
                             {"sample rate (Hz)", options.sampleRateHz, 1e-3, 1e6}};
     for (const Bound& bound : bounds)
         if (!(bound.value >= bound.least && bound.value <= bound.most))
-            throw protocols::badInput({std::string("the ") + bound.name + " of a stroke is " + fabrics::shortest(bound.value), "",
-                                       fabrics::shortest(bound.least) + " to " + fabrics::shortest(bound.most), ""});
+            throw protocols::badInput({std::string("the ") + bound.name + " of a stroke is " + protocols::shortest(bound.value), "",
+                                       protocols::shortest(bound.least) + " to " + protocols::shortest(bound.most), ""});
 }
 
 std::size_t samplesFor(double lastPixel, double pixelsPerSample, const StrokeOptions& options)
@@ -93,7 +94,7 @@ std::size_t samplesFor(double lastPixel, double pixelsPerSample, const StrokeOpt
     if (count <= mostSamples) return static_cast<std::size_t>(count);
     const double slowest = std::ceil(lastPixel * options.mmPerPixel * options.sampleRateHz / (mostSamples - 1) * 1e6) / 1e6;
     throw protocols::badInput({"the stroke would take more than 10000000 samples", "",
-                               "a speed from " + fabrics::shortest(slowest) + " mm/s at this sample rate", ""});
+                               "a speed from " + protocols::shortest(slowest) + " mm/s at this sample rate", ""});
 }
 
 }  // namespace
@@ -125,10 +126,9 @@ std::vector<StrokeSample> strokeImage(const cv::Mat& image, int line, bool verti
 std::string strokeCsv(const std::vector<StrokeSample>& samples)
 {
     std::string text = "t_s,position_mm,normal_n,tangential_n\n";
-    for (const StrokeSample& sample : samples) {
-        for (const double value : {sample.timeS, sample.positionMm, sample.normalN}) text += fabrics::shortest(value) + ",";
-        text += fabrics::shortest(sample.tangentialN) + "\n";
-    }
+    for (const StrokeSample& sample : samples)
+        text += protocols::csvRow({protocols::shortest(sample.timeS), protocols::shortest(sample.positionMm),
+                                   protocols::shortest(sample.normalN), protocols::shortest(sample.tangentialN)});
     return text;
 }
 

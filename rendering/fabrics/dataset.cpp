@@ -83,12 +83,15 @@ Dataset readDataset(const fs::path& folder)
     if (!fs::is_regular_file(file, problem))
         throw protocols::badInput({"is no data set (there is no dataset.json)", folder.string(), "a data set folder",
                                    "make one with `vis2hap fabrics make` or `vis2hap import`"});
-    Dataset dataset = datasetFromJson(readWholeFile(file), file.string());
+    Dataset dataset = datasetFromJson(protocols::readWholeFile(file), file.string());
     dataset.folder = folder;
     return dataset;
 }
 
-void writeDatasetJson(const Dataset& dataset) { writeWholeFile(dataset.folder / "dataset.json", toJson(dataset)); }
+void writeDatasetJson(const Dataset& dataset)
+{
+    protocols::writeWholeFile(dataset.folder / "dataset.json", toJson(dataset), protocols::Sync::Later);
+}
 
 std::string hashOf(const Dataset& dataset)
 {

@@ -31,7 +31,7 @@ public:
     std::vector<std::string> run()
     {
         try {
-            m_dataset = datasetFromJson(readWholeFile(m_folder / "dataset.json"), (m_folder / "dataset.json").string());
+            m_dataset = datasetFromJson(protocols::readWholeFile(m_folder / "dataset.json"), (m_folder / "dataset.json").string());
         } catch (const protocols::Error& error) {
             return {error.what()};  // without it nothing says what else should be here
         }
@@ -199,7 +199,7 @@ private:
         if (!calibrated || m_dataset.tactileCalibration == "known") return;
         const fs::path file = m_folder / m_dataset.tactileCalibration;
         readable([&] {
-            const nlohmann::json calibration = protocols::parseStrictJson(readWholeFile(file), file.string());
+            const nlohmann::json calibration = protocols::parseStrictJson(protocols::readWholeFile(file), file.string());
             if (!calibration.is_object() || calibration.value("schema", nlohmann::json()) != "vis2hap.calibration/1")
                 fault(m_dataset.tactileCalibration, "is no calibration (schema vis2hap.calibration/1)");
         });

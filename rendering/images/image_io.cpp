@@ -149,7 +149,7 @@ int pgmNumber(std::string_view bytes, std::size_t& at, const std::filesystem::pa
 
 cv::Mat readNpy(const std::filesystem::path& file)
 {
-    const std::string bytes = readWholeFile(file);
+    const std::string bytes = protocols::readWholeFile(file);
     const NpyHeader header = npyHeader(bytes, file);
     const NpyType* type = typeOf(header);
     if (!type)
@@ -173,7 +173,7 @@ cv::Mat readNpy(const std::filesystem::path& file)
     return array;
 }
 
-void writeNpy(const std::filesystem::path& file, const cv::Mat& array)
+void writeNpy(const std::filesystem::path& file, const cv::Mat& array, protocols::Sync sync)
 {
     CV_Assert(!array.empty() && (array.channels() == 1 || array.channels() == 3));
     const auto stored = std::find_if(std::begin(npyTypes), std::end(npyTypes),
@@ -192,12 +192,12 @@ void writeNpy(const std::filesystem::path& file, const cv::Mat& array)
     bytes += header;
     for (int row = 0; row < array.rows; ++row)
         bytes.append(reinterpret_cast<const char*>(array.ptr(row)), std::size_t(array.cols) * array.elemSize());
-    writeWholeFile(file, bytes);
+    protocols::writeWholeFile(file, bytes, sync);
 }
 
 cv::Mat readPgm(const std::filesystem::path& file)
 {
-    const std::string bytes = readWholeFile(file);
+    const std::string bytes = protocols::readWholeFile(file);
     if (!bytes.starts_with("P5")) throw notReadable(file, "PGM", "no P5 signature");
     std::size_t at = 2;
     const int width = pgmNumber(bytes, at, file);
@@ -212,13 +212,13 @@ cv::Mat readPgm(const std::filesystem::path& file)
     return image;
 }
 
-void writePgm(const std::filesystem::path& file, const cv::Mat& image)
+void writePgm(const std::filesystem::path& file, const cv::Mat& image, protocols::Sync sync)
 {
     CV_Assert(!image.empty() && image.type() == CV_8UC1);
     std::string bytes = "P5\n" + std::to_string(image.cols) + " " + std::to_string(image.rows) + "\n255\n";
     for (int row = 0; row < image.rows; ++row)
         bytes.append(reinterpret_cast<const char*>(image.ptr(row)), std::size_t(image.cols));
-    writeWholeFile(file, bytes);
+    protocols::writeWholeFile(file, bytes, sync);
 }
 
 cv::Mat readImage(const std::filesystem::path& file)

@@ -147,7 +147,7 @@ struct WriteHandle {
 
 cv::Mat readPng(const std::filesystem::path& file)
 {
-    const std::string bytes = readWholeFile(file);
+    const std::string bytes = protocols::readWholeFile(file);
     if (bytes.size() < 8 || png_sig_cmp(reinterpret_cast<png_const_bytep>(bytes.data()), 0, 8) != 0)
         throw notReadable(file, "no PNG signature");
     ReadHandle handle;
@@ -170,7 +170,7 @@ cv::Mat readPng(const std::filesystem::path& file)
     return image;
 }
 
-void writePng(const std::filesystem::path& file, const cv::Mat& image)
+void writePng(const std::filesystem::path& file, const cv::Mat& image, protocols::Sync sync)
 {
     CV_Assert(!image.empty() && (image.channels() == 1 || image.channels() == 3) &&
               (image.depth() == CV_8U || image.depth() == CV_16U));
@@ -179,7 +179,7 @@ void writePng(const std::filesystem::path& file, const cv::Mat& image)
     WriteHandle handle(encoding);
     if (!handle.info || !encodeRows(handle.png, handle.info, image, encoding))
         throw protocols::environmentFault({std::string("cannot be encoded (") + encoding.message + ")", file.string(), "", ""});
-    writeWholeFile(file, bytes);
+    protocols::writeWholeFile(file, bytes, sync);
 }
 
 }  // namespace rendering

@@ -106,7 +106,7 @@ int typeOf(TIFF* tiff, const std::filesystem::path& file)
 
 cv::Mat readTiff(const std::filesystem::path& file)
 {
-    Memory memory{readWholeFile(file), 0, {}};
+    Memory memory{protocols::readWholeFile(file), 0, {}};
     const OpenTiff tiff = open(memory, file, "rm");
     if (!tiff) throw notReadable(file, memory.message.empty() ? "no TIFF header" : memory.message);
     std::uint32_t width = 0, height = 0;
@@ -128,7 +128,7 @@ cv::Mat readTiff(const std::filesystem::path& file)
     return image;
 }
 
-void writeTiff(const std::filesystem::path& file, const cv::Mat& image)
+void writeTiff(const std::filesystem::path& file, const cv::Mat& image, protocols::Sync sync)
 {
     CV_Assert(!image.empty() && image.type() == CV_32FC1);
     Memory memory;
@@ -158,7 +158,7 @@ void writeTiff(const std::filesystem::path& file, const cv::Mat& image)
         good = good && TIFFFlush(tiff.get()) != 0;
     }
     if (!good) throw protocols::environmentFault({"cannot be encoded (" + memory.message + ")", file.string(), "", ""});
-    writeWholeFile(file, memory.bytes);
+    protocols::writeWholeFile(file, memory.bytes, sync);
 }
 
 }  // namespace rendering

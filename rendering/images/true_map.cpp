@@ -72,6 +72,6 @@ TrueMap trueMapFrom(std::string_view bytes, const std::string& where)
     return map;
 }
 
-TrueMap readTrueMap(const std::filesystem::path& file) { return trueMapFrom(readWholeFile(file), file.string()); }
+TrueMap readTrueMap(const std::filesystem::path& file) { return trueMapFrom(protocols::readWholeFile(file), file.string()); }
 
 }  // namespace rendering

@@ -8,9 +8,10 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
-#include <fstream>
+#include <sstream>
 
 #include "protocols/files/errors.h"
+#include "protocols/files/whole_file.h"
 
 extern char** environ;  // NOLINT: the C library's own
 
@@ -25,7 +26,7 @@ constexpr const char* install = "install libtorch-dev and libopenblas0-pthread, 
 /// The last line that says anything; the child's own name in front of it is taken off.
 std::string lastLine(const fs::path& messages)
 {
-    std::ifstream stream(messages);
+    std::istringstream stream(protocols::readIfPossible(messages).value_or(""));
     std::string line, last;
     while (std::getline(stream, line))
         if (!line.empty()) last = line;

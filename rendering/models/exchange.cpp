@@ -22,7 +22,7 @@ constexpr std::pair<Quality, const char*> qualities[] = {
 Json written(const fs::path& folder, const std::string& name, const cv::Mat& array)
 {
     if (array.empty()) return nullptr;
-    writeNpy(folder / name, array);
+    writeNpy(folder / name, array, protocols::Sync::Later);
     return name;
 }
 
@@ -56,7 +56,7 @@ void RequestWriter::add(const PhotographToTouch& photograph)
 {
     const std::string name = "photo" + std::to_string(m_photographs.size()) + ".npy";
     const cv::Mat whole = photograph.photograph.isContinuous() ? photograph.photograph : photograph.photograph.clone();
-    writeNpy(m_folder / name, whole.reshape(1));
+    writeNpy(m_folder / name, whole.reshape(1), protocols::Sync::Later);
     m_photographs.push_back(
         {{"file", name}, {"mm_per_pixel", photograph.mmPerPixel ? Json(*photograph.mmPerPixel) : Json(nullptr)}});
 }
@@ -65,13 +65,13 @@ void RequestWriter::finish() const
 {
     const Json json{{"schema", requestSchema},    {"model", m_options.model.string()}, {"quality", nameOf(m_options.quality)},
                     {"height", m_options.height}, {"friction", m_options.friction},    {"photographs", m_photographs}};
-    writeWholeFile(m_folder / "request.json", json.dump() + "\n");
+    protocols::writeWholeFile(m_folder / "request.json", json.dump() + "\n", protocols::Sync::Later);
 }
 
 Request readRequest(const fs::path& folder)
 {
     const fs::path file = folder / "request.json";
-    const std::string text = readWholeFile(file);
+    const std::string text = protocols::readWholeFile(file);
     Request request;
     try {
         const Json json = Json::parse(text);
@@ -125,7 +125,8 @@ void AnswerWriter::add(const GeneratedSignals& answer)
 
 void AnswerWriter::finish() const
 {
-    writeWholeFile(m_folder / "answer.json", Json{{"schema", answerSchema}, {"signals", m_signals}}.dump() + "\n");
+    protocols::writeWholeFile(m_folder / "answer.json", Json{{"schema", answerSchema}, {"signals", m_signals}}.dump() + "\n",
+                              protocols::Sync::Later);
 }
 
 std::vector<GeneratedSignals> readAnswers(const fs::path& folder)
@@ -133,7 +134,7 @@ std::vector<GeneratedSignals> readAnswers(const fs::path& folder)
     const fs::path file = folder / "answer.json";
     std::vector<GeneratedSignals> answers;
     try {
-        const Json json = Json::parse(readWholeFile(file));
+        const Json json = Json::parse(protocols::readWholeFile(file));
         for (const Json& item : json.at("signals")) {
             GeneratedSignals answer;
             answer.heightMm = readBack(folder, item.at("height"));

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "protocols/files/errors.h"
 #include "rendering/models/photograph_features.h"

@@ -3,7 +3,7 @@
 // what is remembered of the fabrics that it is like. Kept in the model card; needs no libtorch.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <vector>
 

@@ -4,7 +4,7 @@
 // a photograph is unfamiliar (familiarity.h). No torch here.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <opencv2/core/mat.hpp>
 #include <span>
 #include <vector>

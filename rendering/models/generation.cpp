@@ -7,7 +7,7 @@
 #include "rendering/models/exchange.h"
 #include "rendering/models/model_card.h"
 #include "rendering/models/photograph_at_pitch.h"
-#include "rendering/models/temporary_folder.h"
+#include "protocols/files/temporary_folder.h"
 
 namespace rendering::models {
 
@@ -49,7 +49,7 @@ std::vector<GeneratedSignals> generate(std::span<const PhotographToTouch> photog
     wish.model = std::filesystem::absolute(wish.model);
     const ModelCardFields card = readModelCardFields(wish.model);
     checkWeightsFile(wish.model, card);
-    const TemporaryFolder folder;
+    const protocols::TemporaryFolder folder;
     RequestWriter request(folder.path(), wish);
     std::vector<Shown> shown;
     for (const PhotographToTouch& photograph : photographs) {

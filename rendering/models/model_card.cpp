@@ -1,15 +1,10 @@
 #include "rendering/models/model_card.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
-#include <cerrno>
-#include <cstring>
-#include <fstream>
-#include <sstream>
+#include <nlohmann/json.hpp>
 
 #include "protocols/files/errors.h"
 #include "protocols/files/sha256.h"
+#include "protocols/files/whole_file.h"
 
 namespace rendering::models {
 
@@ -88,19 +83,6 @@ auto blockOf(const Json& json, const std::filesystem::path& card, Read read)
     }
 }
 
-std::filesystem::path beside(const std::filesystem::path& file)
-{
-    std::filesystem::path temporary = file;
-    temporary += ".part";
-    return temporary;
-}
-
-[[noreturn]] void cannotWrite(const std::filesystem::path& file)
-{
-    const std::string reason = std::strerror(errno);
-    throw protocols::environmentFault({"cannot be written: " + reason, file.string(), "a writable folder with free space", ""});
-}
-
 }  // namespace
 
 std::filesystem::path cardOf(const std::filesystem::path& model)
@@ -127,7 +109,7 @@ std::string cardText(const ModelCardFields& card)
               {"training_minutes", card.trainingMinutes},
               {"held_out", card.heldOut},
               {"architecture", architectureJson(card.architecture)},
-              {"validation", card.validation}};
+              {"validation", Json::parse(card.validationJson)}};
     if (card.photographs) json["photographs"] = familiarityJson(*card.photographs);
     if (card.frictionByTexture) json["friction_by_texture"] = frictionPriorJson(*card.frictionByTexture);
     json["training_sample_hashes"] = card.told.trainingSampleHashes;
@@ -137,13 +119,13 @@ std::string cardText(const ModelCardFields& card)
 ModelCardFields readModelCardFields(const std::filesystem::path& model)
 {
     const std::filesystem::path file = cardOf(model);
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream)
+    const std::optional<std::string> text = protocols::readIfPossible(file);
+    if (!text)
         throw protocols::badInput({"the model card is missing", file.string(),
                                    "the .json that `vis2hap train` writes beside the weights", "copy it beside the weights"});
     ModelCardFields card;
     try {
-        const Json json = Json::parse(stream);
+        const Json json = Json::parse(*text);
         if (json.at("schema").get<std::string>() != schema)
             throw unreadable(file, "its schema is " + json.at("schema").get<std::string>());
         card.told.name = json.at("name").get<std::string>();
@@ -164,7 +146,7 @@ ModelCardFields readModelCardFields(const std::filesystem::path& model)
         if (json.at("architecture").at("kind").get<std::string>() != architectureKind)
             throw unreadable(file, "its networks are of another kind than this program's");
         card.architecture = architectureFrom(json.at("architecture"));
-        card.validation = json.at("validation");
+        card.validationJson = json.at("validation").dump();
         if (json.contains("photographs")) card.photographs = blockOf(json.at("photographs"), file, familiarityFrom);
         if (json.contains("friction_by_texture"))
             card.frictionByTexture = blockOf(json.at("friction_by_texture"), file, frictionPriorFrom);
@@ -195,43 +177,6 @@ std::filesystem::path shippedModel()
         if (std::filesystem::exists(beside, none)) return beside;
     }
     return std::filesystem::path(VIS2HAP_SOURCE_DIR) / "rendering" / "models" / "weights" / "vis2hap.pt";
-}
-
-void requireWritable(const std::filesystem::path& file)
-{
-    if (std::filesystem::is_directory(file))
-        throw protocols::badInput({"a folder stands where the weights would go", file.string(), "a file name", ""});
-    const std::filesystem::path temporary = beside(file);
-    const int handle = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0644);
-    if (handle < 0) cannotWrite(file);
-    ::close(handle);
-    ::unlink(temporary.c_str());
-}
-
-void writeSynced(const std::filesystem::path& file, const std::string& bytes)
-{
-    const std::filesystem::path temporary = beside(file);
-    const int handle = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
-    if (handle < 0) cannotWrite(file);
-    std::size_t written = 0;
-    bool sound = true;
-    while (sound && written < bytes.size()) {
-        const ssize_t count = ::write(handle, bytes.data() + written, bytes.size() - written);
-        if (count > 0)
-            written += static_cast<std::size_t>(count);
-        else if (errno != EINTR)
-            sound = false;
-    }
-    sound = sound && ::fsync(handle) == 0;
-    const int fault = errno;
-    ::close(handle);
-    if (!sound || ::rename(temporary.c_str(), file.c_str()) != 0) {
-        errno = sound ? errno : fault;
-        const int reason = errno;
-        ::unlink(temporary.c_str());
-        errno = reason;
-        cannotWrite(file);
-    }
 }
 
 }  // namespace rendering::models

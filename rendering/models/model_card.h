@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,7 +26,7 @@ struct ModelCardFields {
     std::string split = "location";     ///< training_data.h
     std::vector<std::string> heldOut;
     std::string datasetName, datasetHash;
-    nlohmann::ordered_json validation;               ///< figures before and after training
+    std::string validationJson = "null";             ///< a JSON object: figures before and after training
     std::optional<Familiarity> photographs;          ///< of training; absent: not told
     std::optional<FrictionPrior> frictionByTexture;  ///< absent: the networks alone speak of unfamiliar photographs, too
 };
@@ -40,11 +39,5 @@ ModelCardFields readModelCardFields(const std::filesystem::path& model);
 
 /// Throws badInput where the weights are missing or not the ones that the card was written for.
 void checkWeightsFile(const std::filesystem::path& model, const ModelCardFields& card);
-
-/// Writes beside, syncs and renames. Throws environmentFault.
-void writeSynced(const std::filesystem::path& file, const std::string& bytes);
-
-/// Long work asks before it begins. Throws badInput for a folder, environmentFault where nothing can be written.
-void requireWritable(const std::filesystem::path& file);
 
 }  // namespace rendering::models

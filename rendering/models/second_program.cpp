@@ -13,7 +13,7 @@
 
 extern char** environ;
 
-namespace study::commands {
+namespace rendering::models {
 
 std::string secondProgram()
 {
@@ -89,4 +89,4 @@ std::string outputOfSecondProgram(const std::vector<std::string>& arguments)
     return text;
 }
 
-}  // namespace study::commands
+}  // namespace rendering::models

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace study::commands {
+namespace rendering::models {
 
 /// Its path: beside this program, or what VIS2HAP_NN names.
 std::string secondProgram();
@@ -16,4 +16,4 @@ int runSecondProgram(const std::vector<std::string>& arguments);
 /// Its standard output. Throws environmentFault as above, workFailed where it fails.
 std::string outputOfSecondProgram(const std::vector<std::string>& arguments);
 
-}  // namespace study::commands
+}  // namespace rendering::models

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <optional>
 
+#include "protocols/files/markup_text.h"
 #include "rendering/models/training_table.h"
 
 namespace rendering::models {
@@ -109,17 +110,10 @@ std::string line(double x1, double y1, double x2, double y2)
     return "<path class=\"grid\" d=\"M" + at(x1) + " " + at(y1) + "L" + at(x2) + " " + at(y2) + "\"/>\n";
 }
 
-std::string escaped(const std::string& words)
-{
-    std::string safe;
-    for (const char letter : words) safe += letter == '<' ? "&lt;" : letter == '&' ? "&amp;" : std::string(1, letter);
-    return safe;
-}
-
 std::string panel(const std::string& title, const std::vector<Point>& points, double lastStep, int number)
 {
     const double x0 = (number % 2) * panelWidth, y0 = (number / 2) * panelHeight;
-    std::string svg = text(x0 + left, y0 + 18, escaped(title), "start", "title");
+    std::string svg = text(x0 + left, y0 + 18, protocols::escapedMarkup(title), "start", "title");
     if (points.empty()) return svg + text(x0 + left, y0 + 50, "no finite values", "start", "tick");
     const Scale scale = scaleFor(points);
     const auto x = [&](double step) { return x0 + left + step / std::max(1.0, lastStep) * (panelWidth - left - right); };

@@ -4,7 +4,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "protocols/files/errors.h"
+#include "protocols/files/folder_draft.h"
 #include "protocols/files/whole_file.h"
 #include "rendering/images/image_io.h"
 
@@ -44,11 +44,7 @@ void removePicturesAfter(const fs::path& folder, int step)
 
 TrainingLog::TrainingLog(fs::path folder, std::optional<int> resumeAtStep) : m_folder(std::move(folder))
 {
-    std::error_code failure;
-    fs::create_directories(m_folder, failure);
-    if (failure)
-        throw protocols::environmentFault(
-            {"cannot make the folder (" + failure.message() + ")", m_folder.string(), "a writable place", ""});
+    protocols::makeFolders(m_folder);
     removePicturesAfter(m_folder, resumeAtStep.value_or(-1));
     if (!resumeAtStep) {
         for (const char* name : {"losses.csv", "validation.csv", "curves.svg"}) fs::remove(m_folder / name);
@@ -63,15 +59,15 @@ TrainingLog::TrainingLog(fs::path folder, std::optional<int> resumeAtStep) : m_f
 
 void TrainingLog::writeTables() const
 {
-    writeWholeFile(m_folder / "losses.csv", csvText(m_losses));
-    writeWholeFile(m_folder / "validation.csv", csvText(m_validation));
-    writeWholeFile(m_folder / "curves.svg", curvesSvg(m_losses, m_validation));
+    protocols::writeWholeFile(m_folder / "losses.csv", csvText(m_losses));
+    protocols::writeWholeFile(m_folder / "validation.csv", csvText(m_validation));
+    protocols::writeWholeFile(m_folder / "curves.svg", curvesSvg(m_losses, m_validation));
 }
 
 void TrainingLog::losses(int step, std::span<const NamedValue> values)
 {
     m_losses.put(step, values);
-    writeWholeFile(m_folder / "losses.csv", csvText(m_losses));
+    protocols::writeWholeFile(m_folder / "losses.csv", csvText(m_losses));
 }
 
 void TrainingLog::validation(int step, std::span<const NamedValue> values)

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <limits>
 
+#include "protocols/files/csv_table.h"
 #include "protocols/files/errors.h"
+#include "protocols/files/number_text.h"
 #include "protocols/files/whole_file.h"
 
 namespace rendering::models {
@@ -14,23 +16,7 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-std::string textOf(double value)
-{
-    if (std::isnan(value)) return "";
-    char text[32];
-    return {text, std::to_chars(text, text + sizeof text, value).ptr};
-}
-
-std::vector<std::string> cellsOf(const std::string& line)
-{
-    std::vector<std::string> cells(1);
-    for (const char letter : line)
-        if (letter == ',')
-            cells.emplace_back();
-        else
-            cells.back() += letter;
-    return cells;
-}
+std::string textOf(double value) { return std::isnan(value) ? "" : protocols::shortest(value); }
 
 template <class Number>
 bool numberFrom(const std::string& cell, Number& value)
@@ -39,20 +25,19 @@ bool numberFrom(const std::string& cell, Number& value)
     return read.ec == std::errc() && read.ptr == cell.data() + cell.size();
 }
 
-protocols::Error unreadable(const std::filesystem::path& file, std::size_t line)
+protocols::Error unreadable(const std::string& place)
 {
-    return protocols::badInput({"no row of a training log", file.string() + ", line " + std::to_string(line),
-                                "a step and its numbers", "move the folder away: the run goes on without its past"});
+    return protocols::badInput({"no row of a training log", place, "a step and its numbers",
+                                "move the folder away: the run continues without its past"});
 }
 
-void readRow(TrainingTable& table, const std::string& line, const protocols::Error& fault)
+void readRow(TrainingTable& table, const std::vector<std::string>& cells, const std::string& place)
 {
-    const std::vector<std::string> cells = cellsOf(line);
     int step = 0;
-    if (cells.size() != table.names.size() + 1 || !numberFrom(cells.front(), step)) throw fault;
+    if (!numberFrom(cells.front(), step)) throw unreadable(place);
     std::vector<double> values(table.names.size(), none);
     for (std::size_t i = 0; i < values.size(); ++i)
-        if (!cells[i + 1].empty() && !numberFrom(cells[i + 1], values[i])) throw fault;
+        if (!cells[i + 1].empty() && !numberFrom(cells[i + 1], values[i])) throw unreadable(place);
     table.rows[step] = values;
 }
 
@@ -84,13 +69,13 @@ std::vector<double> TrainingTable::column(const std::string& name) const
 
 std::string csvText(const TrainingTable& table)
 {
-    std::string text = "step";
-    for (const std::string& name : table.names) text += "," + name;
-    text += "\n";
+    std::vector<std::string> cells{"step"};
+    cells.insert(cells.end(), table.names.begin(), table.names.end());
+    std::string text = protocols::csvRow(cells);
     for (const auto& [step, row] : table.rows) {
-        text += std::to_string(step);
-        for (const double value : row) text += "," + textOf(value);
-        text += "\n";
+        cells.assign(1, std::to_string(step));
+        for (const double value : row) cells.push_back(textOf(value));
+        text += protocols::csvRow(cells);
     }
     return text;
 }
@@ -99,20 +84,12 @@ TrainingTable readTrainingTable(const std::filesystem::path& file)
 {
     TrainingTable table;
     if (!std::filesystem::exists(file)) return table;
-    const std::string text = readWholeFile(file);
-    std::size_t line = 0;
-    for (std::size_t from = 0; from < text.size();) {
-        const std::size_t end = std::min(text.find('\n', from), text.size());
-        const std::string row = text.substr(from, end - from);
-        from = end + 1;
-        if (++line > 1) {
-            readRow(table, row, unreadable(file, line));
-            continue;
-        }
-        table.names = cellsOf(row);
-        if (table.names.front() != "step") throw unreadable(file, line);
-        table.names.erase(table.names.begin());
-    }
+    const std::string text = protocols::readWholeFile(file);
+    protocols::CsvReader reader(text, file.string());
+    table.names = reader.columns();
+    if (table.names.front() != "step") throw unreadable(file.string() + ", line 1");
+    table.names.erase(table.names.begin());
+    while (reader.next()) readRow(table, reader.cells(), reader.rowName());
     return table;
 }
 

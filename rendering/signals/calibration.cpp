@@ -1,11 +1,11 @@
 #include "rendering/signals/calibration.h"
 
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "protocols/files/errors.h"
+#include "protocols/files/strict_json.h"
+#include "protocols/files/whole_file.h"
 
 namespace rendering::signals {
 
@@ -175,7 +175,7 @@ struct MapWriter {
 
 Calibration calibrationFromJson(std::string_view text, const std::string& where)
 {
-    const auto object = json::parse(text, nullptr, false);
+    const auto object = protocols::parseStrictJson(text, where);
     if (!object.is_object()) throw malformed(where, "this is no calibration", "a JSON object");
     const Reading reading(object, where);
     if (reading.member("schema") != "vis2hap.calibration/1") throw reading.fault("schema", "\"vis2hap.calibration/1\"");
@@ -193,12 +193,7 @@ Calibration calibrationFromJson(std::string_view text, const std::string& where)
 
 Calibration readCalibration(const std::filesystem::path& file)
 {
-    std::ifstream stream(file, std::ios::binary);
-    std::error_code ignored;
-    if (!stream || std::filesystem::is_directory(file, ignored))
-        throw malformed(file.string(), "the calibration cannot be read", "a file made by vis2hap calibrate");
-    const std::string text{std::istreambuf_iterator<char>(stream), {}};
-    return calibrationFromJson(text, file.string());
+    return calibrationFromJson(protocols::readWholeFile(file), file.string());
 }
 
 std::string toJson(const Calibration& calibration)

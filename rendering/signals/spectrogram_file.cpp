@@ -5,6 +5,7 @@
 #include <opencv2/core.hpp>
 
 #include "protocols/files/errors.h"
+#include "protocols/files/strict_json.h"
 #include "protocols/files/whole_file.h"
 #include "rendering/images/image_io.h"
 
@@ -43,7 +44,7 @@ void write(const fs::path& file, const AnySpectrogram& spectrogram, const char* 
                     {"trace_length", spectrogram.traceLength},
                     {"mean", spectrogram.mean}};
     writeNpy(valuesBeside(file), values);
-    writeWholeFile(file, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+    protocols::writeWholeFile(file, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 protocols::Error malformed(const fs::path& file, const std::string& what, const std::string& expected)
@@ -61,7 +62,7 @@ struct Described {
 Described described(const fs::path& file)
 {
     try {
-        const Json json = Json::parse(readWholeFile(file));
+        const nlohmann::json json = protocols::parseStrictJson(protocols::readWholeFile(file), file.string());
         if (json.at("schema") != schema)
             throw malformed(file, "is no spectrogram", std::string("\"schema\": \"") + schema + "\"");
         const auto whole = [&](const char* name) {

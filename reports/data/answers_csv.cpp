@@ -5,8 +5,8 @@
 #include <set>
 
 #include "protocols/condition.h"
+#include "protocols/files/csv_table.h"
 #include "protocols/files/errors.h"
-#include "reports/csv_table.h"
 
 namespace reports {
 namespace {
@@ -34,7 +34,7 @@ std::optional<std::string> stem(const std::string& name, const std::string& suff
 class Builder {
 public:
     Builder(const std::filesystem::path& file, const AnswersCsvOptions& options)
-        : m_where(file.string()), m_options(options), m_table(readCsv(file))
+        : m_where(file.string()), m_options(options), m_table(protocols::readCsvTable(file))
     {
         m_data.name = file.stem().string();
         m_data.blinded = false;
@@ -46,8 +46,8 @@ public:
     {
         readProtocol();
         readHeader();
-        for (const CsvRow& row : m_table.rows) readRow(row);
-        if (m_data.responses.empty()) fail("there are no answers", "", "at least one row with an answer");
+        for (std::size_t row = 0; row < m_table.rows.size(); ++row) readRow(row);
+        if (m_data.responses.empty()) fail("there are no answers", m_where, "at least one row with an answer");
         finish();
         return std::move(m_data);
     }
@@ -55,8 +55,12 @@ public:
 private:
     [[noreturn]] void fail(const std::string& what, const std::string& place, const std::string& expected) const
     {
-        throw protocols::badInput({what, place.empty() ? m_where : m_where + ", " + place, expected, ""});
+        throw protocols::badInput({what, place, expected, ""});
     }
+
+    std::string headerRow() const { return m_where + ", header row"; }
+    std::string nameOf(std::size_t row) const { return protocols::rowName(m_table, row); }
+    const std::string& cell(std::size_t row, std::size_t column) const { return m_table.rows[row][column]; }
 
     void readProtocol()
     {
@@ -65,10 +69,11 @@ private:
         m_data.name = protocol.name;
         m_data.equivalenceBounds = protocol.equivalenceBounds;
         for (const protocols::Phase& phase : protocol.phases) {
-            if (phase.alternatives) m_data.alternatives = *phase.alternatives;
-            if (phase.scale) {
-                m_data.scaleMin = phase.scale->min.inScaleUnits();
-                m_data.scaleMax = phase.scale->max.inScaleUnits();
+            if (const auto* choice = std::get_if<protocols::ForcedChoice>(&phase.task))
+                m_data.alternatives = choice->alternatives;
+            if (const auto* rating = std::get_if<protocols::Rating>(&phase.task)) {
+                m_data.scaleMin = rating->scale.min.inScaleUnits();
+                m_data.scaleMax = rating->scale.max.inScaleUnits();
             }
         }
     }
@@ -96,14 +101,14 @@ private:
     {
         for (const char* needed : {"participant", "fabric", "condition"})
             if (!m_table.column(needed))
-                fail("the column \"" + std::string(needed) + "\" is missing", "row 1",
+                fail("the column \"" + std::string(needed) + "\" is missing", headerRow(),
                      "participant,fabric,condition and the questions, such as Q1_correct,Q2,Q3,Q4");
-        for (std::size_t i = 0; i < m_table.header.size(); ++i) readColumn(m_table.header[i], i);
+        for (std::size_t i = 0; i < m_table.columns.size(); ++i) readColumn(m_table.columns[i], i);
         for (const QuestionColumns& known : m_questions)
             if (!known.value)
-                fail("the question " + known.info.id + " has no answers", "row 1",
+                fail("the question " + known.info.id + " has no answers", headerRow(),
                      "a column " + known.info.id + "_correct or " + known.info.id);
-        if (m_questions.empty()) fail("there is no question", "row 1", "columns such as Q1_correct,Q2,Q3,Q4");
+        if (m_questions.empty()) fail("there is no question", headerRow(), "columns such as Q1_correct,Q2,Q3,Q4");
         std::stable_sort(m_questions.begin(), m_questions.end(), [](const auto& a, const auto& b) { return a.value < b.value; });
         for (const QuestionColumns& known : m_questions) m_data.questions.push_back(known.info);
     }
@@ -120,10 +125,10 @@ private:
             question(*answered).answer = index;
         } else if (isKnownQuestion(name)) {
             if (question(name).value)
-                fail("the question " + name + " has two columns", "row 1", "either " + name + " or " + name + "_correct");
+                fail("the question " + name + " has two columns", headerRow(), "either " + name + " or " + name + "_correct");
             question(name).value = index;
         } else {
-            fail("the column \"" + name + "\" is unknown", "row 1",
+            fail("the column \"" + name + "\" is unknown", headerRow(),
                  "participant, fabric, condition, Qn, Qn_correct, Qn_seconds or Qn_answer");
         }
     }
@@ -133,10 +138,10 @@ private:
         if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
     }
 
-    std::string named(const CsvRow& row, const char* column) const
+    std::string named(std::size_t row, const char* column) const
     {
-        const std::string& name = row.cells[*m_table.column(column)];
-        if (isMissing(name)) fail("the " + std::string(column) + " is empty", "row " + std::to_string(row.line), "a name");
+        const std::string& name = cell(row, *m_table.column(column));
+        if (protocols::isMissing(name)) fail("the " + std::string(column) + " is empty", nameOf(row), "a name");
         return name;
     }
 
@@ -149,14 +154,14 @@ private:
         return known ? spelled : name;
     }
 
-    void readRow(const CsvRow& row)
+    void readRow(std::size_t row)
     {
         const std::string participant = named(row, "participant");
         const std::string fabric = named(row, "fabric");
         const std::string condition = conditionOf(named(row, "condition"));
         if (!m_seen.insert({participant, fabric, condition}).second)
             fail("the answers of " + participant + " to " + fabric + " under " + condition + " occur twice",
-                 "row " + std::to_string(row.line), "one row a participant, fabric and condition");
+                 nameOf(row), "one row a participant, fabric and condition");
         remember(m_data.participants, participant);
         remember(m_data.fabrics, fabric);
         remember(m_data.conditions, condition);
@@ -166,25 +171,25 @@ private:
         }
     }
 
-    bool readAnswer(const CsvRow& row, const QuestionColumns& columns, Response& response)
+    bool readAnswer(std::size_t row, const QuestionColumns& columns, Response& response)
     {
-        const auto number = numberOf(m_table, row, *columns.value, m_where);
+        const auto number = protocols::numberOrMissing(m_table, row, *columns.value);
         if (!number) return false;
-        const std::string place = "row " + std::to_string(row.line) + ", column " + m_table.header[*columns.value];
+        const std::string place = nameOf(row) + ", column " + m_table.columns[*columns.value];
         if (columns.info.isChoice) {
             if (*number != 0 && *number != 1)
-                fail("\"" + row.cells[*columns.value] + "\" is neither right nor wrong", place, "0 or 1");
+                fail("\"" + cell(row, *columns.value) + "\" is neither right nor wrong", place, "0 or 1");
             response.correct = *number == 1;
         } else {
             if (m_options.protocol && (*number < m_data.scaleMin || *number > m_data.scaleMax))
-                fail("the rating " + row.cells[*columns.value] + " is outside the scale", place,
+                fail("the rating " + cell(row, *columns.value) + " is outside the scale", place,
                      "a number of the protocol's scale");
             m_smallest = std::min(m_smallest, *number);
             m_largest = std::max(m_largest, *number);
             response.rating = *number;
         }
-        if (columns.seconds) response.seconds = numberOf(m_table, row, *columns.seconds, m_where);
-        if (columns.answer && !isMissing(row.cells[*columns.answer])) response.answer = row.cells[*columns.answer];
+        if (columns.seconds) response.seconds = protocols::numberOrMissing(m_table, row, *columns.seconds);
+        if (columns.answer && !protocols::isMissing(cell(row, *columns.answer))) response.answer = cell(row, *columns.answer);
         return true;
     }
 
@@ -203,7 +208,7 @@ private:
 
     std::string m_where;
     const AnswersCsvOptions& m_options;
-    CsvTable m_table;
+    protocols::CsvTable m_table;
     StudyData m_data;
     std::vector<QuestionColumns> m_questions;
     std::set<std::tuple<std::string, std::string, std::string>> m_seen;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "reports/csv_table.h"
+#include "protocols/files/csv_table.h"
 #include "reports/text/condition_label.h"
 #include "reports/text/number_text.h"
 
@@ -34,13 +34,13 @@ bool isNumeric(const Table& table, std::size_t column)
 
 }  // namespace
 
-TableCell textCell(const std::string& text) { return {text, csvField(text), escapedHtml(text), escapedTex(text), "", false}; }
+TableCell textCell(const std::string& text) { return {text, protocols::csvCell(text), escapedHtml(text), escapedTex(text), "", false}; }
 
 TableCell blankCell() { return {"", "", "", "", "", true}; }
 
 TableCell conditionCell(const std::string& condition)
 {
-    return {condition, csvField(condition), htmlLabel(condition), texLabel(condition), "", false};
+    return {condition, protocols::csvCell(condition), htmlLabel(condition), texLabel(condition), "", false};
 }
 
 TableCell numberCell(const stats::Value& value, int decimals)
@@ -70,7 +70,7 @@ TableCell intervalCell(const stats::Interval& interval, int decimals)
     const std::string low = fixed(*interval.low, decimals);
     const std::string high = fixed(*interval.high, decimals);
     return {"[" + low + ", " + high + "]",
-            csvField("[" + shortest(*interval.low) + ", " + shortest(*interval.high) + "]"),
+            protocols::csvCell("[" + shortest(*interval.low) + ", " + shortest(*interval.high) + "]"),
             "[" + typeset(low) + ", " + typeset(high) + "]",
             "$[" + low + ", " + high + "]$",
             "",
@@ -102,7 +102,7 @@ std::string toCsv(const Table& table)
         }
         return result + "\r\n";
     };
-    std::string csv = line([&](std::size_t i) { return csvField(table.columns[i].name); });
+    std::string csv = line([&](std::size_t i) { return protocols::csvCell(table.columns[i].name); });
     for (const auto& row : table.rows) csv += line([&](std::size_t i) { return row[i].csv; });
     return csv;
 }

@@ -10,7 +10,7 @@ namespace stats {
 namespace {
 
 constexpr std::size_t lanes = 4;
-constexpr std::size_t step = 2 * lanes;
+constexpr std::size_t stride = 2 * lanes;
 using Four = double __attribute__((vector_size(lanes * sizeof(double))));
 
 // By reference: a vector register as an argument would depend on the instruction set.
@@ -24,14 +24,14 @@ using Four = double __attribute__((vector_size(lanes * sizeof(double))));
 
 [[gnu::always_inline]] inline double sumAndExtremes(const double* x, std::size_t n, BlockSums& sums)
 {
-    const std::size_t whole = n - n % step;
+    const std::size_t whole = n - n % stride;
     Four a;
     Four b;
     Four sumA{};
     Four sumB{};
     Four low = Four{} + x[0];
     Four high = low;
-    for (std::size_t i = 0; i < whole; i += step) {
+    for (std::size_t i = 0; i < whole; i += stride) {
         load(x + i, a);
         load(x + i + lanes, b);
         sumA += a;
@@ -55,14 +55,14 @@ using Four = double __attribute__((vector_size(lanes * sizeof(double))));
 
 [[gnu::always_inline]] inline void sumsAbout(double mean, const double* x, std::size_t n, BlockSums& sums)
 {
-    const std::size_t whole = n - n % step;
+    const std::size_t whole = n - n % stride;
     Four a;
     Four b;
     Four residualA{};
     Four residualB{};
     Four squaresA{};
     Four squaresB{};
-    for (std::size_t i = 0; i < whole; i += step) {
+    for (std::size_t i = 0; i < whole; i += stride) {
         load(x + i, a);
         load(x + i + lanes, b);
         a -= mean;
@@ -98,10 +98,10 @@ STATS_VECTOR_CLONES void subtract(const double* x, const double* y, double* diff
 
 STATS_VECTOR_CLONES double sumOfMagnitudes(const double* x, std::size_t n)
 {
-    double sums[step] = {};
-    const std::size_t whole = n - n % step;
-    for (std::size_t i = 0; i < whole; i += step)
-        for (std::size_t lane = 0; lane < step; ++lane) sums[lane] += std::fabs(x[i + lane]);
+    double sums[stride] = {};
+    const std::size_t whole = n - n % stride;
+    for (std::size_t i = 0; i < whole; i += stride)
+        for (std::size_t lane = 0; lane < stride; ++lane) sums[lane] += std::fabs(x[i + lane]);
     double sum = 0;
     for (const double one : sums) sum += one;
     for (std::size_t i = whole; i < n; ++i) sum += std::fabs(x[i]);

@@ -1,5 +1,5 @@
-// Random numbers of simulated studies: each study has a stream of its own, so that neither the number of
-// threads nor another study changes a draw.
+// Random numbers of simulated studies and of resampling: each study, and each block of resamples, has a stream
+// of its own, so that neither the number of threads nor another study changes a draw.
 #pragma once
 
 #include <cmath>
@@ -12,8 +12,11 @@ class Draws {
 public:
     Draws(std::uint64_t seed, std::uint64_t stream) : m_state(mixed(mixed(seed) + stream)) {}
 
+    /// The next 64 bits.
+    std::uint64_t bits() { return mixed(m_state += 0x9E3779B97F4A7C15U); }
+
     /// Between 0 and 1, neither of them.
-    double uniform() { return (static_cast<double>(next() >> 12U) + 0.5) * 0x1p-52; }
+    double uniform() { return (static_cast<double>(bits() >> 12U) + 0.5) * 0x1p-52; }
 
     bool happens(double probability) { return uniform() < probability; }
 
@@ -36,7 +39,6 @@ private:
         z = (z ^ (z >> 27U)) * 0x94D049BB133111EBU;
         return z ^ (z >> 31U);
     }
-    std::uint64_t next() { return mixed(m_state += 0x9E3779B97F4A7C15U); }
 
     std::uint64_t m_state;
 };

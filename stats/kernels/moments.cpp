@@ -20,7 +20,7 @@ constexpr int largestSafeExponent = 200;
 // values changes no bit. Longer ones go in blocks whose plain sums about their own mean lose next to nothing
 // and run at the speed of the memory; there the order may change the last bit.
 constexpr std::size_t longestShort = 4096;
-constexpr std::size_t block = 1024;
+constexpr std::size_t blockLength = 1024;
 
 double largestMagnitude(std::span<const double> x)
 {
@@ -67,7 +67,7 @@ Moments momentsOfShort(std::span<const double> values)
 /// Blocks brought together about one common shift.
 class BlockMoments {
 public:
-    explicit BlockMoments(std::size_t n) : m_n(n) { m_blocks.reserve(n / block + 1); }
+    explicit BlockMoments(std::size_t n) : m_n(n) { m_blocks.reserve(n / blockLength + 1); }
 
     void add(const double* x, std::size_t n) { blockSums(x, n, m_blocks.emplace_back()); }
 
@@ -99,7 +99,7 @@ public:
     }
 
 private:
-    double sizeOf(std::size_t i) const { return static_cast<double>(std::min(block, m_n - i * block)); }
+    double sizeOf(std::size_t i) const { return static_cast<double>(std::min(blockLength, m_n - i * blockLength)); }
 
     std::size_t m_n;
     std::vector<BlockSums> m_blocks;
@@ -143,7 +143,7 @@ Moments momentsOf(std::span<const double> x)
 {
     if (x.size() <= longestShort) return momentsOfShort(x);
     BlockMoments blocks(x.size());
-    for (std::size_t i = 0; i < x.size(); i += block) blocks.add(x.data() + i, std::min(block, x.size() - i));
+    for (std::size_t i = 0; i < x.size(); i += blockLength) blocks.add(x.data() + i, std::min(blockLength, x.size() - i));
     return blocks.moments();
 }
 
@@ -157,9 +157,9 @@ PairedMoments pairedMomentsOf(std::span<const double> x, std::span<const double>
     BlockMoments ofX(x.size());
     BlockMoments ofY(x.size());
     BlockMoments ofDifferences(x.size());
-    std::array<double, block> differences;
-    for (std::size_t i = 0; i < x.size(); i += block) {
-        const std::size_t n = std::min(block, x.size() - i);
+    std::array<double, blockLength> differences;
+    for (std::size_t i = 0; i < x.size(); i += blockLength) {
+        const std::size_t n = std::min(blockLength, x.size() - i);
         subtract(x.data() + i, y.data() + i, differences.data(), n);
         ofX.add(x.data() + i, n);
         ofY.add(y.data() + i, n);

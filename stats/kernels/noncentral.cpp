@@ -18,8 +18,8 @@ using Quiet = bm::policies::policy<bm::policies::overflow_error<bm::policies::ig
 
 // Below this the central distribution is meant: the series need a noncentrality above 0. Above the others
 // the series have too many terms, and the limits below are good to all digits that matter.
-constexpr double none = 1e-12;
-constexpr double large = 1e4;
+constexpr double negligibleNoncentrality = 1e-12;
+constexpr double largeNoncentrality = 1e4;
 constexpr double largeT = 3e3;
 
 double probability(double p) { return std::clamp(p, 0.0, 1.0); }
@@ -55,15 +55,16 @@ double noncentralStudentUpper(double t, double df, double noncentrality)
 
 double noncentralFisherUpper(double f, double df1, double df2, double noncentrality)
 {
-    if (noncentrality < none) return fisherUpperTail(f, df1, df2);
-    if (noncentrality > large) return fisherUpperTail(f * df1 / (df1 + noncentrality), patnaikDegrees(df1, noncentrality), df2);
+    if (noncentrality < negligibleNoncentrality) return fisherUpperTail(f, df1, df2);
+    if (noncentrality > largeNoncentrality)
+        return fisherUpperTail(f * df1 / (df1 + noncentrality), patnaikDegrees(df1, noncentrality), df2);
     return probability(bm::cdf(bm::complement(bm::non_central_f_distribution<double, Quiet>(df1, df2, noncentrality), f)));
 }
 
 double noncentralChiSquaredUpper(double x, double df, double noncentrality)
 {
-    if (noncentrality < none) return chiSquaredUpperTail(x, df);
-    if (noncentrality > large)
+    if (noncentrality < negligibleNoncentrality) return chiSquaredUpperTail(x, df);
+    if (noncentrality > largeNoncentrality)
         return chiSquaredUpperTail(x * (df + noncentrality) / (df + 2 * noncentrality), patnaikDegrees(df, noncentrality));
     return probability(bm::cdf(bm::complement(bm::non_central_chi_squared_distribution<double, Quiet>(df, noncentrality), x)));
 }

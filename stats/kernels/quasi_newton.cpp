@@ -7,10 +7,10 @@
 namespace stats {
 namespace {
 
-constexpr int mostSteps = 300;
-constexpr double closeEnough = 1e-9;  // expected further decrease
-constexpr double longestStep = 1;     // of a parameter: a poor guess of the curvature must not leave the valley
-constexpr double difference = 1e-4;   // of a parameter, for the Hessian
+constexpr int mostSearchSteps = 300;
+constexpr double smallestDecrease = 1e-9;  // expected further decrease
+constexpr double longestStep = 1;          // of a parameter: a poor guess of the curvature must not leave the valley
+constexpr double hessianStep = 1e-4;       // of a parameter, for the Hessian
 
 /// Adds what one step taught about the curvature.
 void update(Matrix& inverse, std::span<const double> step, std::span<const double> change)
@@ -50,12 +50,12 @@ public:
     Minimum run()
     {
         Minimum minimum;
-        minimum.why = "the fit did not converge in " + std::to_string(mostSteps) + " steps";
-        for (int steps = 0; m_at.exists && steps < mostSteps && !minimum.why.empty(); ++steps) {
+        minimum.why = "the fit did not converge in " + std::to_string(mostSearchSteps) + " steps";
+        for (int steps = 0; m_at.exists && steps < mostSearchSteps && !minimum.why.empty(); ++steps) {
             const auto step = downhill(m_inverse, m_at.gradient);
             const double decrease = -dot(step, m_at.gradient) / 2;
             // Where no step goes down any more, rounding is all that is left.
-            if (decrease < closeEnough || !take(step, decrease)) minimum.why.clear();
+            if (decrease < smallestDecrease || !take(step, decrease)) minimum.why.clear();
         }
         minimum.place = m_place;
         minimum.at = m_at;
@@ -103,12 +103,12 @@ Matrix hessianOf(const SmoothFunction& function, std::span<const double> place)
     Matrix hessian(n, n);
     for (std::size_t i = 0; i < n; ++i) {
         std::vector<double> shift(n);
-        shift[i] = difference;
+        shift[i] = hessianStep;
         const auto above = function(moved(place, shift, 1));
         const auto below = function(moved(place, shift, -1));
         if (!above.exists || !below.exists) return {};
         for (std::size_t j = 0; j < n; ++j) {
-            const double second = (above.gradient[j] - below.gradient[j]) / (2 * difference);
+            const double second = (above.gradient[j] - below.gradient[j]) / (2 * hessianStep);
             hessian(i, j) += second / 2;
             hessian(j, i) += second / 2;
         }

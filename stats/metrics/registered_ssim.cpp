@@ -77,25 +77,25 @@ std::vector<double> cut(const ImageView& image, std::size_t left, std::size_t to
     return pixels;
 }
 
-struct Found {
+struct FoundShift {
     Shift shift;
     double correlation = 0;
 };
 
 /// The shift of the largest correlation; of equal ones the shortest. None where no overlap varies.
-std::optional<Found> bestShift(const ImageView& a, const ImageView& b, int most)
+std::optional<FoundShift> bestShift(const ImageView& a, const ImageView& b, int most)
 {
     const ScaledSamples scaled({a.values, b.values});
     const auto centredA = aboutMean(scaled.sample(0));
     const auto centredB = aboutMean(scaled.sample(1));
-    std::optional<Found> best;
+    std::optional<FoundShift> best;
     for (int down = -most; down <= most; ++down)
         for (int right = -most; right <= most; ++right) {
             const Shift shift{right, down};
             const auto found = correlationOf(centredA, centredB, a.width, overlapOf(a.width, a.height, shift));
             const bool isBetter = found && (!best || *found > best->correlation ||
                                             (*found == best->correlation && shift.length() < best->shift.length()));
-            if (isBetter) best = Found{shift, *found};
+            if (isBetter) best = FoundShift{shift, *found};
         }
     return best;
 }

@@ -7,16 +7,14 @@
 namespace stats {
 namespace {
 
-constexpr std::size_t width = ssimTileWidth;
-
-// The half width is known when this is compiled and its taps are written out, so that a column's sum stays
+// The half ssimTileWidth is known when this is compiled and its taps are written out, so that a column's sum stays
 // in a register.
 template <typename Number, std::size_t... tap>
 [[gnu::always_inline]] inline void alongOne(const Number* __restrict in, const Number* __restrict weight, Number* __restrict out,
                                             std::index_sequence<tap...>)
 {
     constexpr std::size_t half = sizeof...(tap);
-    for (std::size_t x = 0; x < width; ++x)
+    for (std::size_t x = 0; x < ssimTileWidth; ++x)
         out[x] = ((weight[half] * in[x + half]) + ... + (weight[tap] * (in[x + tap] + in[x + 2 * half - tap])));
 }
 
@@ -24,7 +22,7 @@ template <std::size_t half, typename Number>
 [[gnu::always_inline]] inline void along(const Number* a, const Number* b, const SsimWeights<Number>& weights,
                                          SsimRow<Number>& out)
 {
-    constexpr std::size_t count = width + 2 * half;
+    constexpr std::size_t count = ssimTileWidth + 2 * half;
     constexpr std::make_index_sequence<half> taps;
     Number products[3][count];
     for (std::size_t x = 0; x < count; ++x) {
@@ -45,7 +43,7 @@ template <typename Number, std::size_t... tap>
     const Number* const above[] = {rows[tap]->quantity[q]...};
     const Number* const below[] = {rows[2 * half - tap]->quantity[q]...};
     const Number* const centre = rows[half]->quantity[q];
-    for (std::size_t x = 0; x < width; ++x)
+    for (std::size_t x = 0; x < ssimTileWidth; ++x)
         out[x] = ((weight[half] * centre[x]) + ... + (weight[tap] * (above[tap][x] + below[tap][x])));
 }
 
@@ -73,7 +71,7 @@ template <typename Number>
 [[gnu::always_inline]] inline void similarities(const SsimRow<Number>& sums, const SsimTerms<Number>& terms, Number* values)
 {
     const auto& [a, b, aa, bb, ab] = sums.quantity;
-    for (std::size_t x = 0; x < width; ++x) {
+    for (std::size_t x = 0; x < ssimTileWidth; ++x) {
         const Number varianceA = terms.momentFactor * notBelow(aa[x] - a[x] * a[x], Number(0));
         const Number varianceB = terms.momentFactor * notBelow(bb[x] - b[x] * b[x], Number(0));
         const Number most = (varianceA + varianceB) / 2;
@@ -91,9 +89,9 @@ template <typename Number>
 template <typename Number>
 [[gnu::always_inline]] inline void add(const Number* values, SsimColumns<Number>& columns)
 {
-    for (std::size_t x = 0; x < width; ++x) columns.sum[x] += values[x];
-    for (std::size_t x = 0; x < width; ++x) columns.smallest[x] = notAbove(values[x], columns.smallest[x]);
-    for (std::size_t x = 0; x < width; ++x) columns.largest[x] = notBelow(values[x], columns.largest[x]);
+    for (std::size_t x = 0; x < ssimTileWidth; ++x) columns.sum[x] += values[x];
+    for (std::size_t x = 0; x < ssimTileWidth; ++x) columns.smallest[x] = notAbove(values[x], columns.smallest[x]);
+    for (std::size_t x = 0; x < ssimTileWidth; ++x) columns.largest[x] = notBelow(values[x], columns.largest[x]);
 }
 
 template <typename Number>
@@ -133,14 +131,14 @@ STATS_VECTOR_CLONES void filterDown(const SsimRow<float>* const* rows, const Ssi
 STATS_VECTOR_CLONES void addSimilarities(const SsimRow<double>& sums, const SsimTerms<double>& terms,
                                          SsimColumns<double>& columns)
 {
-    double values[width];
+    double values[ssimTileWidth];
     similarities(sums, terms, values);
     add(values, columns);
 }
 
 STATS_VECTOR_CLONES void addSimilarities(const SsimRow<float>& sums, const SsimTerms<float>& terms, SsimColumns<float>& columns)
 {
-    float values[width];
+    float values[ssimTileWidth];
     similarities(sums, terms, values);
     add(values, columns);
 }

@@ -121,7 +121,7 @@ bool LaplaceCriterion::findMode(std::span<const double> parameters, double& pena
 /// By the chain rule: parameters move the log odds of a row directly and through the mode, and these move
 /// the weights in the determinant.
 std::vector<double> LaplaceCriterion::gradient(std::span<const double> parameters, std::span<const double> u,
-                                               const Matrix& inverse, const Step& step) const
+                                               const Matrix& inverse, const NewtonStep& step) const
 {
     const std::size_t q = m_termOf.size();
     std::vector<double> direct(m_rows);  // change of log |M| with the log odds: leverage x change of the weight
@@ -157,7 +157,7 @@ std::vector<double> LaplaceCriterion::gradient(std::span<const double> parameter
 
 /// Adds the determinant of the last pass; without a step the mode is the true one.
 LaplaceCriterion::At LaplaceCriterion::finished(std::span<const double> parameters, std::span<const double> u, double penalised,
-                                                const Step* step) const
+                                                const NewtonStep* step) const
 {
     At result;
     const std::size_t q = m_termOf.size();
@@ -166,7 +166,7 @@ LaplaceCriterion::At LaplaceCriterion::finished(std::span<const double> paramete
     result.value = penalised;
     for (std::size_t j = 0; j < q; ++j) result.value += 2 * std::log(upper(j, j));
     const Matrix inverse = inverseFrom(inverseOfTransposed(upper, q), q);
-    result.gradient = gradient(parameters, u, inverse, step != nullptr ? *step : Step{inverse, m_rowWeights, m_residual});
+    result.gradient = gradient(parameters, u, inverse, step != nullptr ? *step : NewtonStep{inverse, m_rowWeights, m_residual});
     result.exists = std::isfinite(result.value);
     return result;
 }
@@ -204,7 +204,7 @@ LaplaceCriterion::At LaplaceCriterion::atOneStep(std::span<const double> paramet
     m_weights = m_heldWeights;
     Matrix upper = information(parameters);
     if (factorise(upper) < q) return {};
-    Step step{inverseFrom(inverseOfTransposed(upper, q), q), m_heldRowWeights, std::vector<double>(q)};
+    NewtonStep step{inverseFrom(inverseOfTransposed(upper, q), q), m_heldRowWeights, std::vector<double>(q)};
     // Residuals of the linearised model, first without random effects, then at the u that they give.
     const auto residual = [&](std::span<const double> u) {
         const auto eta = logOdds(parameters, u);

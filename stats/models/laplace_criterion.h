@@ -43,7 +43,7 @@ public:
 
 private:
     /// The Newton step that led to a mode: how the mode answers to the parameters.
-    struct Step {
+    struct NewtonStep {
         Matrix inverse;                ///< of Lambda'Z'WZ Lambda + I
         std::vector<double> weights;   ///< by row
         std::vector<double> residual;  ///< Z'(y - p), linearised at the mode
@@ -51,9 +51,9 @@ private:
     double pass(std::span<const double> parameters, std::span<const double> u);
     bool findMode(std::span<const double> parameters, double& penalised);
     Matrix information(std::span<const double> parameters) const;
-    At finished(std::span<const double> parameters, std::span<const double> u, double penalised, const Step* step) const;
+    At finished(std::span<const double> parameters, std::span<const double> u, double penalised, const NewtonStep* step) const;
     std::vector<double> gradient(std::span<const double> parameters, std::span<const double> u, const Matrix& inverse,
-                                 const Step& step) const;
+                                 const NewtonStep& step) const;
     std::vector<double> logOdds(std::span<const double> parameters, std::span<const double> u) const;
     double sdOf(std::span<const double> parameters, std::size_t column) const { return parameters[m_termOf[column]]; }
 

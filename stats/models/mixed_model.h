@@ -13,6 +13,7 @@
 #include "stats/kernels/value.h"
 #include "stats/models/factor.h"
 #include "stats/models/mixed_model_equations.h"
+#include "stats/models/satterthwaite.h"
 
 namespace stats {
 
@@ -26,17 +27,6 @@ struct MixedModelData {
 struct MixedModelOptions {
     bool reml = true;  ///< false: maximum likelihood
     double confidence = 0.95;
-};
-
-/// A weighted sum of the fixed effects against 0.
-struct ContrastTest {
-    Value estimate;
-    Value se;
-    Value df;  ///< Satterthwaite
-    Value t;
-    Value p;  ///< two-sided
-    Value logP;
-    Interval ci;
 };
 
 struct FixedEffect {
@@ -81,27 +71,5 @@ struct MixedModel {
 /// Refused with a reason: too few values, values that are not finite, all equal, fixed effects that
 /// determine each other, groups of one level or with a level for every row, nothing left for the residual.
 MixedModel fitMixedModel(const MixedModelData& data, const MixedModelOptions& options = {});
-
-/// Weights: one a fixed effect, in their order.
-ContrastTest contrastTest(const MixedModel& model, std::span<const double> weights, double confidence = 0.95);
-
-/// Difference of two levels of a treatment-coded factor that is the only fixed effect: level a - level b,
-/// level 0 being the reference.
-ContrastTest levelDifference(const MixedModel& model, std::size_t a, std::size_t b, double confidence = 0.95);
-
-struct FTest {
-    std::string why;  ///< empty when the test exists
-    Value f;
-    Value df1;
-    Value df2;
-    Value p;
-    Value logP;
-};
-
-/// All the fixed effects but the first (the intercept) against 0 together: the F test of condition. F
-/// itself does not depend on how the hypothesis is written as contrasts; its denominator degrees of
-/// freedom (from the eigenvectors of their covariance, Fai and Cornelius 1996) do where cells are missing.
-/// As in lmerTest they are the sequential contrasts.
-FTest effectTest(const MixedModel& model);
 
 }  // namespace stats

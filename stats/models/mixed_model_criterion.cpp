@@ -7,7 +7,7 @@ namespace stats {
 namespace {
 
 /// V_k joins components a and b of every level of a term.
-struct Direction {
+struct VarianceDirection {
     const TermPlace* term;
     std::size_t a, b;
 
@@ -17,9 +17,9 @@ struct Direction {
     }
 };
 
-std::vector<Direction> directionsOf(const MixedModelEquations& equations)
+std::vector<VarianceDirection> directionsOf(const MixedModelEquations& equations)
 {
-    std::vector<Direction> directions;
+    std::vector<VarianceDirection> directions;
     for (const TermPlace& term : equations.terms())
         for (std::size_t a = 0; a < term.components; ++a)
             for (std::size_t b = a; b < term.components; ++b) directions.push_back({&term, a, b});
@@ -28,13 +28,13 @@ std::vector<Direction> directionsOf(const MixedModelEquations& equations)
 
 /// Calls with (a, b), and with (b, a) where they differ: V_k is symmetric.
 template <typename Visit>
-void bothOrders(const Direction& direction, Visit visit)
+void bothOrders(const VarianceDirection& direction, Visit visit)
 {
     visit(direction.a, direction.b);
     if (direction.a != direction.b) visit(direction.b, direction.a);
 }
 
-double traceOf(const Matrix& w, const Direction& k)
+double traceOf(const Matrix& w, const VarianceDirection& k)
 {
     double sum = 0;
     bothOrders(k, [&](std::size_t a, std::size_t b) {
@@ -43,7 +43,7 @@ double traceOf(const Matrix& w, const Direction& k)
     return sum;
 }
 
-double formOf(std::span<const double> score, const Direction& k)
+double formOf(std::span<const double> score, const VarianceDirection& k)
 {
     double sum = 0;
     bothOrders(k, [&](std::size_t a, std::size_t b) {
@@ -54,7 +54,7 @@ double formOf(std::span<const double> score, const Direction& k)
 
 /// Sum over all pairs of levels of term(k's x and y column, l's z and w column).
 template <typename Term>
-double sumOverPairs(const Direction& k, const Direction& l, Term term)
+double sumOverPairs(const VarianceDirection& k, const VarianceDirection& l, Term term)
 {
     double sum = 0;
     bothOrders(k, [&](std::size_t x, std::size_t y) {
@@ -68,7 +68,7 @@ double sumOverPairs(const Direction& k, const Direction& l, Term term)
 }
 
 /// F V_k F' of F = C X'V^-1 Z.
-Matrix covarianceDerivative(const Matrix& f, const Direction& k)
+Matrix covarianceDerivative(const Matrix& f, const VarianceDirection& k)
 {
     const std::size_t p = f.rows();
     Matrix result(p, p);
@@ -104,12 +104,12 @@ VarianceDerivatives varianceDerivatives(const MixedModelEquations& equations, co
     VarianceDerivatives result;
     result.traceProducts = result.formProducts = Matrix(directions.size(), directions.size());
     for (std::size_t k = 0; k < directions.size(); ++k) {
-        const Direction& one = directions[k];
+        const VarianceDirection& one = directions[k];
         result.traces.push_back(traceOf(w, one));
         result.forms.push_back(formOf(q, one));
         result.fixedCovariance.push_back(covarianceDerivative(solved.fixedOnRandom, one));
         for (std::size_t l = 0; l <= k; ++l) {
-            const Direction& other = directions[l];
+            const VarianceDirection& other = directions[l];
             result.traceProducts(k, l) = result.traceProducts(l, k) =
                 sumOverPairs(one, other, [&](auto x, auto y, auto z, auto v) { return w(y, z) * w(x, v); });
             result.formProducts(k, l) = result.formProducts(l, k) =

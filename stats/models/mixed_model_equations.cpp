@@ -6,14 +6,15 @@
 namespace stats {
 namespace {
 
-constexpr std::size_t none = static_cast<std::size_t>(-1);
+constexpr std::size_t noTerm = static_cast<std::size_t>(-1);
 
 /// The intercept term with most levels, which saves most when eliminated.
 std::size_t termToEliminate(std::span<const RandomTerm> terms)
 {
-    std::size_t best = none;
+    std::size_t best = noTerm;
     for (std::size_t t = 0; t < terms.size(); ++t)
-        if (terms[t].slope.empty() && (best == none || terms[t].group.levels.size() > terms[best].group.levels.size())) best = t;
+        if (terms[t].slope.empty() && (best == noTerm || terms[t].group.levels.size() > terms[best].group.levels.size()))
+            best = t;
     return best;
 }
 
@@ -64,7 +65,7 @@ std::size_t MixedModelEquations::thetaCount() const
 void MixedModelEquations::place(std::span<const RandomTerm> terms)
 {
     const std::size_t first = termToEliminate(terms);
-    m_eliminated = first == none ? 0 : terms[first].group.levels.size();
+    m_eliminated = first == noTerm ? 0 : terms[first].group.levels.size();
     std::size_t column = m_eliminated;
     std::size_t theta = 0;
     for (std::size_t t = 0; t < terms.size(); ++t) {
@@ -76,11 +77,11 @@ void MixedModelEquations::place(std::span<const RandomTerm> terms)
     m_rest = column - m_eliminated;
 }
 
-/// What one row has besides its eliminated column, whose level is returned (none: nothing is eliminated).
+/// What one row has besides its eliminated column, whose level is returned (noTerm: nothing is eliminated).
 std::size_t MixedModelEquations::nonzerosOf(std::size_t i, const Columns& data, std::vector<Nonzero>& row) const
 {
     row.clear();
-    std::size_t level = none;
+    std::size_t level = noTerm;
     for (std::size_t t = 0; t < data.terms.size(); ++t) {
         const RandomTerm& term = data.terms[t];
         const std::size_t column = m_terms[t].firstColumn + m_terms[t].components * term.group.of[i];
@@ -110,7 +111,7 @@ void MixedModelEquations::sumProducts(const Columns& data)
         for (const Nonzero& a : row)
             for (const Nonzero& b : row)
                 if (a.column <= b.column) m_products(a.column, b.column) += a.value * b.value;
-        if (level == none) continue;
+        if (level == noTerm) continue;
         m_counts[level] += 1;
         for (const Nonzero& a : row) {
             borders(level, a.column) += a.value;

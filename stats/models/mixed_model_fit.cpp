@@ -6,11 +6,11 @@
 namespace stats {
 namespace {
 
-constexpr int mostSteps = 200;
-constexpr double largestTheta = 1e5;      // beyond: nothing is left for the residual
-constexpr double closeEnough = 1e-9;      // expected further decrease; the step taken then squares the error
-constexpr double smallestFraction = 0.1;  // of a standard deviation that one step may leave,
-constexpr double small = 0.02;            // unless it was small already: then it may go to the floor
+constexpr int mostFitSteps = 200;
+constexpr double largestTheta = 1e5;         // beyond: nothing is left for the residual
+constexpr double negligibleDecrease = 1e-9;  // expected further decrease; the step taken then squares the error
+constexpr double smallestFraction = 0.1;     // of a standard deviation that one step may leave,
+constexpr double small = 0.02;               // unless it was small already: then it may go to the floor
 
 std::vector<bool> diagonalOf(const MixedModelEquations& equations)
 {
@@ -88,7 +88,7 @@ public:
         ThetaFit fit;
         if (!m_at.exists) return refused("the random effects reproduce every value: no residual variation is left");
         startFromMoments();
-        for (; fit.steps < mostSteps; ++fit.steps) {
+        for (; fit.steps < mostFitSteps; ++fit.steps) {
             fit.solved = m_equations.solved(m_at, !m_reml);
             fit.derivatives = varianceDerivatives(m_equations, fit.solved, m_reml);
             const auto here = profiledDerivatives(m_equations, m_at, fit.derivatives, m_reml);
@@ -99,11 +99,11 @@ public:
                 fit.factorised = m_at;
                 return fit;
             }
-            m_close = decrease < closeEnough;
+            m_close = decrease < negligibleDecrease;
             if (*std::max_element(m_at.theta.begin(), m_at.theta.end()) > largestTheta)
                 return refused("the random effects reproduce every value: no residual variation is left");
         }
-        return refused("the fit did not converge in " + std::to_string(mostSteps) + " steps");
+        return refused("the fit did not converge in " + std::to_string(mostFitSteps) + " steps");
     }
 
 private:

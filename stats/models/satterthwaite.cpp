@@ -1,4 +1,5 @@
-// Tests of the fixed effects of a fitted linear mixed model.
+#include "stats/models/satterthwaite.h"
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>

@@ -8,13 +8,11 @@
 namespace stats {
 namespace {
 
-constexpr double alpha = 0.05;
-
 void run(std::vector<CalibrationRow>& rows, CalibrationFamily family, const CalibrationOptions& options)
 {
     SimulationOptions simulation = options.simulation;
     simulation.studies = family.studies;
-    simulation.alpha = alpha;
+    simulation.alpha = nominalAlpha;
     const auto results = simulateTests(family.tests.size(), family.analysis, simulation);
     for (std::size_t t = 0; t < results.size(); ++t) {
         family.tests[t].truth = family.truth;
@@ -26,7 +24,8 @@ void run(std::vector<CalibrationRow>& rows, CalibrationFamily family, const Cali
 /// How far from 5 % a rate may lie: 0.9 points, more where fewer studies than 10,000 make it uncertain.
 double tolerance(std::size_t studies)
 {
-    return std::max(0.009, 4.2 * std::sqrt(alpha * (1 - alpha) / static_cast<double>(std::max<std::size_t>(studies, 1))));
+    return std::max(0.009,
+                    4.2 * std::sqrt(nominalAlpha * (1 - nominalAlpha) / static_cast<double>(std::max<std::size_t>(studies, 1))));
 }
 
 }  // namespace
@@ -34,8 +33,8 @@ double tolerance(std::size_t studies)
 bool CalibrationRow::kept() const
 {
     const double reach = tolerance(result.studies);
-    if (promise == Promise::Exact) return std::fabs(result.rate() - alpha) <= reach;
-    return promise != Promise::AtMost || result.rate() <= alpha + reach;
+    if (promise == Promise::Exact) return std::fabs(result.rate() - nominalAlpha) <= reach;
+    return promise != Promise::AtMost || result.rate() <= nominalAlpha + reach;
 }
 
 std::string CalibrationRow::verdict() const

@@ -9,7 +9,10 @@
 
 namespace stats {
 
-/// What is asked of a rate at alpha = 0.05.
+/// The level at which every test is tried.
+inline constexpr double nominalAlpha = 0.05;
+
+/// What is asked of a rate at nominalAlpha.
 enum class Promise {
     Exact,    ///< 4.1 to 5.9 %: within four standard errors of 5 % in 10,000 studies
     AtMost,   ///< at most 5.9 %: exact and family-wise tests, whose size is attained below 5 %

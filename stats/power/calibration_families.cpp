@@ -17,7 +17,6 @@
 namespace stats {
 namespace {
 
-constexpr double alpha = 0.05;
 constexpr double lowBound = -0.5;
 constexpr double highBound = 0.5;
 constexpr double narrowSd = 0.3;  // of differences, for which the two bounds lie far apart
@@ -58,7 +57,7 @@ std::vector<double> shifted(std::vector<double> x, double by)
     return x;
 }
 
-/// Largest p at most alpha that differences without ties can have: what an exact test attains.
+/// Largest p at most nominalAlpha that differences without ties can have: what an exact test attains.
 template <typename PValue>
 Value attainableSize(std::size_t n, PValue pValue)
 {
@@ -72,7 +71,7 @@ Value attainableSize(std::size_t n, PValue pValue)
             x[i] = -x[i];
             if (j < i) x[j] = -x[j];
             const Value p = pValue(x);
-            if (p.exists() && *p <= alpha) best = std::max(best, *p);
+            if (p.exists() && *p <= nominalAlpha) best = std::max(best, *p);
         }
     return best > 0 ? Value(best) : Value::undefined("no result reaches alpha");
 }
@@ -91,7 +90,7 @@ CalibrationFamily equalRatings(const CalibrationOptions& options)
     const double grain = std::ldexp(2.0, -static_cast<int>(n));
     family.tests = {row("paired t of participants' means", Promise::Exact),
                     row("Wilcoxon signed rank, exact", Promise::AtMost, wilcoxonSize(n)),
-                    row("sign flips, exact", Promise::AtMost, grain * std::floor(alpha / grain)),
+                    row("sign flips, exact", Promise::AtMost, grain * std::floor(nominalAlpha / grain)),
                     row("repeated-measures ANOVA, Greenhouse-Geisser", Promise::Printed),
                     row("the same, spread of the conditions 1 : 2", Promise::Printed),
                     row("Friedman, chi-squared", Promise::Printed),
@@ -117,7 +116,7 @@ CalibrationFamily equalRatings(const CalibrationOptions& options)
         p[5] = friedman.p;
         p[6] = friedman.fP;
         p[7] = leastOfAllPairs(table);
-        p[8] = equivalenceTest(TKind::Paired, shifted(x, highBound), y, {lowBound, highBound, alpha}).p;
+        p[8] = equivalenceTest(TKind::Paired, shifted(x, highBound), y, {lowBound, highBound, nominalAlpha}).p;
     };
     return family;
 }
@@ -132,7 +131,7 @@ CalibrationFamily narrowDifferences(const CalibrationOptions& options)
         std::vector<double> x(n);
         const std::vector<double> y(n);
         for (double& value : x) value = highBound + draws.normal(narrowSd);
-        p[0] = equivalenceTest(TKind::Paired, x, y, {lowBound, highBound, alpha}).p;
+        p[0] = equivalenceTest(TKind::Paired, x, y, {lowBound, highBound, nominalAlpha}).p;
     };
     return family;
 }
@@ -174,7 +173,7 @@ CalibrationFamily guesses(const CalibrationOptions& options)
     family.truth = "choices by guessing";
     const auto trials = static_cast<long long>(options.design.participants * options.design.fabrics);
     family.tests = {
-        row("exact binomial against chance, one condition", Promise::AtMost, BinomialPlan{trials, chance, alpha}.size()),
+        row("exact binomial against chance, one condition", Promise::AtMost, BinomialPlan{trials, chance, nominalAlpha}.size()),
         row("any condition, exact binomial after Holm", Promise::AtMost),
         row("t of participants' shares against chance, one condition", Promise::Printed),
         row("t of participants' shares against chance, all conditions", Promise::Printed)};

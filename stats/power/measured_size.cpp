@@ -9,10 +9,10 @@ constexpr std::string_view alike = "ratings, all conditions alike for every fabr
 constexpr std::string_view narrow = "normal differences of SD 0.3 at a bound of +-0.5";
 constexpr std::string_view guessing = "choices by guessing";
 constexpr std::string_view sampled = "ratings, conditions alike over all fabrics, each fabric having its own differences";
-constexpr std::string_view equalChoices = "choices, all conditions alike, above chance, participants and fabrics differing";
+constexpr std::string_view alikeChoices = "choices, all conditions alike, above chance, participants and fabrics differing";
 
 // vis2hap power --calibrate 10000 --json
-constexpr std::array table{
+constexpr std::array measuredTable{
     MeasuredSize{"paired t of participants' means", alike, Promise::Exact, 532, 0},
     MeasuredSize{"Wilcoxon signed rank, exact", alike, Promise::AtMost, 486, 0.048828125},
     MeasuredSize{"sign flips, exact", alike, Promise::AtMost, 506, 0.048828125},
@@ -31,14 +31,14 @@ constexpr std::array table{
     MeasuredSize{"mixed model, t of one difference", sampled, Promise::Printed, 520, 0},
     MeasuredSize{"paired t of participants' means", sampled, Promise::Shown, 778, 0},
     MeasuredSize{"repeated-measures ANOVA, Greenhouse-Geisser", sampled, Promise::Shown, 566, 0},
-    MeasuredSize{"logistic mixed model, likelihood ratio", equalChoices, Promise::Printed, 481, 0},
-    MeasuredSize{"Cochran's Q", equalChoices, Promise::Printed, 457, 0},
-    MeasuredSize{"McNemar, exact", equalChoices, Promise::AtMost, 327, 0},
-    MeasuredSize{"paired t of participants' shares", equalChoices, Promise::Printed, 473, 0},
+    MeasuredSize{"logistic mixed model, likelihood ratio", alikeChoices, Promise::Printed, 481, 0},
+    MeasuredSize{"Cochran's Q", alikeChoices, Promise::Printed, 457, 0},
+    MeasuredSize{"McNemar, exact", alikeChoices, Promise::AtMost, 327, 0},
+    MeasuredSize{"paired t of participants' shares", alikeChoices, Promise::Printed, 473, 0},
 };
 
 }  // namespace
 
-std::span<const MeasuredSize> measuredSizes() { return table; }
+std::span<const MeasuredSize> measuredSizes() { return measuredTable; }
 
 }  // namespace stats

@@ -14,7 +14,7 @@
 namespace stats {
 namespace {
 
-constexpr double alpha = 0.05;
+constexpr double reportAlpha = 0.05;
 constexpr double largestLogOddsRange = 10;  // from 0.7 % to 99.3 % right
 constexpr double largestStandardised = 10;
 
@@ -81,9 +81,9 @@ PowerGroup oneDifference(const PowerOptions& options)
         return tTestPower(static_cast<double>(design.participants), effect / truth.sdOfDifference(design), level);
     };
     PowerGroup group{"ratings", "difference of two conditions, scale points", sharesOfScale(options), {}, {}};
-    group.tests = {{"paired t of participants' means", [=](const auto& d, double e) { return power(d, e, alpha); }, scale},
+    group.tests = {{"paired t of participants' means", [=](const auto& d, double e) { return power(d, e, reportAlpha); }, scale},
                    {"the same after Holm over all pairs, no other differing",
-                    [=](const auto& d, double e) { return power(d, e, alpha / pairsOf(d)); }, scale}};
+                    [=](const auto& d, double e) { return power(d, e, reportAlpha / pairsOf(d)); }, scale}};
     group.analysis = crossed(options.design, ratings(truth, firstPairApart), [](const CrossedStudy& study, std::span<Value> p) {
         const BlockTable table = participantMeans(study);
         p[0] = pairedTTest(table.column(0), table.column(1)).p;
@@ -103,11 +103,11 @@ PowerGroup equivalence(const PowerOptions& options)
     group.effects = {middle, middle + reach / 4, middle + reach / 2};
     group.tests = {
         {"equivalence (TOST) of participants' means", [=](const StudyDesign& d, double e) {
-             return equivalencePower({static_cast<double>(d.participants), truth.sdOfDifference(d), low, high, alpha}, e);
+             return equivalencePower({static_cast<double>(d.participants), truth.sdOfDifference(d), low, high, reportAlpha}, e);
          }}};
     group.analysis = crossed(options.design, ratings(truth, firstPairApart), [=](const CrossedStudy& study, std::span<Value> p) {
         const BlockTable table = participantMeans(study);
-        p[0] = equivalenceTest(TKind::Paired, table.column(0), table.column(1), {low, high, alpha}).p;
+        p[0] = equivalenceTest(TKind::Paired, table.column(0), table.column(1), {low, high, reportAlpha}).p;
     });
     return group;
 }
@@ -176,9 +176,9 @@ std::vector<GroupedTest> chanceTests(double chance)
         return tTestPower(static_cast<double>(d.participants), excess / std::sqrt(p * (1 - p) / static_cast<double>(d.fabrics)));
     };
     const double most = 1 - chance;
-    return {{"exact binomial against chance", [=](const auto& d, double e) { return power(d, e, alpha); }, most},
+    return {{"exact binomial against chance", [=](const auto& d, double e) { return power(d, e, reportAlpha); }, most},
             {"the same after Holm over the conditions, the others at chance",
-             [=](const auto& d, double e) { return power(d, e, alpha / static_cast<double>(d.conditions)); }, most},
+             [=](const auto& d, double e) { return power(d, e, reportAlpha / static_cast<double>(d.conditions)); }, most},
             {"t of participants' shares against chance", powerOfShares, most}};
 }
 

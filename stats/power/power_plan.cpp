@@ -6,7 +6,7 @@
 namespace stats {
 namespace {
 
-constexpr double wanted = 0.8;
+constexpr double wantedPower = 0.8;
 
 Value participantsFor(const GroupedTest& test, StudyDesign design, double effect, const std::string& question)
 {
@@ -17,7 +17,7 @@ Value participantsFor(const GroupedTest& test, StudyDesign design, double effect
             design.participants = static_cast<std::size_t>(n);
             return *test.formula(design, effect);
         },
-        1000, wanted);
+        1000, wantedPower);
 }
 
 /// The narrowest bounds about 0 within which no difference at all would be shown equivalent.
@@ -26,13 +26,13 @@ Value narrowestBounds(const PowerOptions& options)
     const auto n = static_cast<double>(options.design.participants);
     const double sd = ofTheseFabrics(options.ratings).sdOfDifference(options.design);
     const auto power = [&](double bound) { return bound > 0 ? equivalencePower({n, sd, -bound, bound, 0.05}, 0) : 0.0; };
-    return smallestDetectable(power, options.ratings.scaleMax - options.ratings.scaleMin, wanted);
+    return smallestDetectable(power, options.ratings.scaleMax - options.ratings.scaleMin, wantedPower);
 }
 
 Value detectableBy(const GroupedTest& test, const StudyDesign& design)
 {
     if (const Value here = test.formula(design, test.most); !here.exists()) return here;
-    return smallestDetectable([&](double effect) { return *test.formula(design, effect); }, test.most, wanted);
+    return smallestDetectable([&](double effect) { return *test.formula(design, effect); }, test.most, wantedPower);
 }
 
 PlannedTest plannedTest(const PowerGroup& group, const GroupedTest& test, const PowerOptions& options)

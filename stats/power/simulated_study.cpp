@@ -1,13 +1,12 @@
 #include "stats/power/simulated_study.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <limits>
 #include <string>
-#include <thread>
 
 #include "stats/kernels/decimal_grid.h"
+#include "stats/kernels/threads.h"
 #include "stats/tests/binomial.h"
 
 namespace stats {
@@ -36,28 +35,10 @@ double onScale(double rating, const RatingTruth& truth)
     return std::round(value * 1e9) / 1e9;  // 0.1 x 3 is to be the 0.3 that a person would type
 }
 
-/// Runs work(i) for i < studies on several threads.
 void inParallel(const SimulationOptions& options, const std::function<void(std::size_t)>& work)
 {
-    std::atomic<std::size_t> next{0};
-    std::atomic<std::size_t> finished{0};
-    const auto loop = [&](bool calling) {
-        std::size_t told = 0;
-        for (std::size_t i = next++; i < options.studies; i = next++) {
-            work(i);
-            const std::size_t all = ++finished;
-            if (!calling || !options.done) continue;
-            options.done(all - told);
-            told = all;
-        }
-        return told;
-    };
-    const unsigned wanted = options.threads == 0 ? std::max(1U, std::thread::hardware_concurrency()) : options.threads;
-    std::vector<std::thread> others;
-    for (unsigned i = 1; i < wanted; ++i) others.emplace_back(loop, false);
-    const std::size_t told = loop(true);
-    for (std::thread& other : others) other.join();
-    if (options.done) options.done(options.studies - told);
+    const auto finishedOne = [&](std::size_t) { options.done(1); };
+    onThreads(options.studies, options.threads, work, options.done ? finishedOne : std::function<void(std::size_t)>());
 }
 
 }  // namespace
@@ -148,7 +129,7 @@ Interval Rejections::interval() const
 
 std::vector<Rejections> simulateTests(std::size_t tests, const StudyAnalysis& analysis, const SimulationOptions& options)
 {
-    enum Outcome : char { Kept, Rejected, Undefined };
+    enum TestOutcome : char { Kept, Rejected, Undefined };
     std::vector<char> outcomes(tests * options.studies);
     inParallel(options, [&](std::size_t study) {
         Draws draws(options.seed, study);

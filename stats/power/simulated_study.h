@@ -66,7 +66,7 @@ struct SimulationOptions {
     std::uint64_t seed = 1;
     unsigned threads = 0;  ///< 0: as many as the machine has; changes no number
     double alpha = 0.05;
-    std::function<void(std::size_t studies)> done = {};  ///< told, in the calling thread, how many more are done
+    std::function<void(std::size_t studies)> done = {};  ///< gets how many more are done; on one thread at a time
 };
 
 /// Of one test over many simulated studies.

@@ -11,8 +11,8 @@ namespace stats {
 namespace {
 
 // In u = log g the integrand is analytic in a strip of half-width pi/2 at least, and falls off at both
-// ends: the trapezoidal rule with this step is exact to rounding.
-constexpr double step = 0.05;
+// ends: the trapezoidal rule with this logGStep is exact to rounding.
+constexpr double logGStep = 0.05;
 constexpr double firstLogG = -8;   ///< exp(-1/(2g)) is below 1e-600 before it
 constexpr double negligible = 45;  ///< below the peak, in natural logarithms
 
@@ -40,12 +40,12 @@ double logMarginal(double t, double n, double width)
     // From here on the integrand can only fall.
     const double last = std::log(10 * (1 + std::min(t * t, 1e200))) - std::log(std::min(1.0, n * width * width));
     for (int i = 0;; ++i) {
-        const double u = firstLogG + i * step;
+        const double u = firstLogG + i * logGStep;
         values.push_back(logIntegrand(u, t, n, width));
         peak = std::max(peak, values.back());
         if (u > last && values.back() < peak - negligible) break;
     }
-    return peak + std::log(step * exactSum(values.size(), [&](std::size_t i) { return std::exp(values[i] - peak); }));
+    return peak + std::log(logGStep * exactSum(values.size(), [&](std::size_t i) { return std::exp(values[i] - peak); }));
 }
 
 std::string faultOf(double t, long long n, double width)

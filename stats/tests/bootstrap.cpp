@@ -1,38 +1,21 @@
 #include "stats/tests/bootstrap.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <thread>
 #include <vector>
 
 #include "stats/kernels/decimal_grid.h"
 #include "stats/kernels/distributions.h"
+#include "stats/kernels/draws.h"
 #include "stats/kernels/exact_sum.h"
 #include "stats/kernels/moments.h"
+#include "stats/kernels/threads.h"
 
 namespace stats {
 namespace {
 
 constexpr std::size_t blockOfResamples = 64;
 constexpr std::size_t mostResamples = 100000000;
-
-std::uint64_t mixed(std::uint64_t z)
-{
-    z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9U;
-    z = (z ^ (z >> 27U)) * 0x94D049BB133111EBU;
-    return z ^ (z >> 31U);
-}
-
-/// SplitMix64 (Steele, Lea and Flood 2014).
-class Stream {
-public:
-    Stream(std::uint64_t seed, std::uint64_t block) : m_state(mixed(mixed(seed) + block)) {}
-    std::uint64_t next() { return mixed(m_state += 0x9E3779B97F4A7C15U); }
-
-private:
-    std::uint64_t m_state;
-};
 
 /// The sample in a form whose sums are exact where it lies on a decimal grid, and small where not.
 struct Terms {
@@ -68,17 +51,17 @@ Terms termsOf(std::span<const double> x, std::span<const double> scaled, const M
 }
 
 /// Sum of as many values as there are, drawn with replacement; two draws from the halves of one number.
-double resampledSum(const std::vector<double>& values, Stream& stream)
+double resampledSum(const std::vector<double>& values, Draws& draws)
 {
     const std::uint64_t n = values.size();
     double first = 0;
     double second = 0;
     for (std::size_t i = 0; i + 1 < values.size(); i += 2) {
-        const std::uint64_t bits = stream.next();
+        const std::uint64_t bits = draws.bits();
         first += values[((bits & 0xFFFFFFFFU) * n) >> 32U];
         second += values[((bits >> 32U) * n) >> 32U];
     }
-    if (n % 2 == 1) first += values[((stream.next() >> 32U) * n) >> 32U];
+    if (n % 2 == 1) first += values[((draws.bits() >> 32U) * n) >> 32U];
     return first + second;
 }
 
@@ -86,19 +69,11 @@ std::vector<double> resampledSums(const std::vector<double>& values, const Boots
 {
     std::vector<double> sums(options.resamples);
     const std::size_t blocks = (sums.size() + blockOfResamples - 1) / blockOfResamples;
-    std::atomic<std::size_t> nextBlock{0};
-    const auto work = [&] {
-        for (std::size_t block = nextBlock++; block < blocks; block = nextBlock++) {
-            Stream stream(options.seed, block);
-            const std::size_t end = std::min(sums.size(), (block + 1) * blockOfResamples);
-            for (std::size_t i = block * blockOfResamples; i < end; ++i) sums[i] = resampledSum(values, stream);
-        }
-    };
-    const unsigned wanted = options.threads == 0 ? std::max(1U, std::thread::hardware_concurrency()) : options.threads;
-    std::vector<std::thread> others;
-    for (std::size_t i = 1; i < std::min<std::size_t>(wanted, blocks); ++i) others.emplace_back(work);
-    work();
-    for (std::thread& other : others) other.join();
+    onThreads(blocks, options.threads, [&](std::size_t block) {
+        Draws draws(options.seed, block);
+        const std::size_t end = std::min(sums.size(), (block + 1) * blockOfResamples);
+        for (std::size_t i = block * blockOfResamples; i < end; ++i) sums[i] = resampledSum(values, draws);
+    });
     return sums;
 }
 

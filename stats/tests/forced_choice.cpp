@@ -13,17 +13,17 @@ double density(double x) { return std::exp(-x * x / 2) / std::sqrt(2 * std::numb
 double below(double x) { return std::erfc(-x / std::numbers::sqrt2) / 2; }
 
 // The integrands are analytic and fall as exp(-x^2/2): the trapezoidal rule is exact to rounding with
-// this step, from here to there in units of the shifted normal's SD.
-constexpr double step = 0.125;
-constexpr double reach = 40;
+// this impressionStep, from here to there in units of the shifted normal's SD.
+constexpr double impressionStep = 0.125;
+constexpr double impressionReach = 40;
 
 template <typename Integrand>
 double integral(double from, double to, Integrand integrand)
 {
     double sum = 0;
-    const auto points = static_cast<int>((to - from) / step);
-    for (int i = 0; i <= points; ++i) sum += integrand(from + i * step);
-    return sum * step;
+    const auto points = static_cast<int>((to - from) / impressionStep);
+    for (int i = 0; i <= points; ++i) sum += integrand(from + i * impressionStep);
+    return sum * impressionStep;
 }
 
 /// d/dd' of the probability: (m - 1) times the integral of phi(x - d') phi(x) Phi(x)^(m - 2).
@@ -39,11 +39,11 @@ double slopeAt(double dPrime, int alternatives)
 double dPrimeOf(double wrong, int alternatives)
 {
     const auto wrongAt = [&](double dPrime) {
-        return integral(dPrime - reach / 4, dPrime + reach / 4,
+        return integral(dPrime - impressionReach / 4, dPrime + impressionReach / 4,
                         [&](double x) { return density(x - dPrime) * -std::expm1((alternatives - 1) * std::log1p(-below(-x))); });
     };
     double low = 0;
-    double high = reach;
+    double high = impressionReach;
     for (int i = 0; i < 100 && high - low > 1e-15 * high; ++i) {
         const double middle = (low + high) / 2;
         (wrongAt(middle) > wrong ? low : high) = middle;
@@ -51,9 +51,9 @@ double dPrimeOf(double wrong, int alternatives)
     return (low + high) / 2;
 }
 
-ForcedChoice refused(const std::string& why)
+ChoiceSensitivity undefinedSensitivity(const std::string& why)
 {
-    ForcedChoice result;
+    ChoiceSensitivity result;
     result.why = why;
     result.proportionCorrect = result.discriminators = result.dPrime = result.seDPrime = Value::undefined(why);
     return result;
@@ -72,14 +72,14 @@ std::string faultOf(long long correct, long long trials, int alternatives)
 
 double proportionCorrectAt(double dPrime, int alternatives)
 {
-    return integral(dPrime - reach / 4, dPrime + reach / 4,
+    return integral(dPrime - impressionReach / 4, dPrime + impressionReach / 4,
                     [&](double x) { return density(x - dPrime) * std::pow(below(x), alternatives - 1); });
 }
 
-ForcedChoice forcedChoice(long long correct, long long trials, int alternatives)
+ChoiceSensitivity forcedChoice(long long correct, long long trials, int alternatives)
 {
-    if (const std::string fault = faultOf(correct, trials, alternatives); !fault.empty()) return refused(fault);
-    ForcedChoice result;
+    if (const std::string fault = faultOf(correct, trials, alternatives); !fault.empty()) return undefinedSensitivity(fault);
+    ChoiceSensitivity result;
     const double m = alternatives;
     const auto n = static_cast<double>(trials);
     const double right = static_cast<double>(correct) / n;

@@ -6,7 +6,7 @@
 
 namespace stats {
 
-struct ForcedChoice {
+struct ChoiceSensitivity {
     std::string why;  ///< empty when there is a proportion
     Value proportionCorrect;
     Value discriminators;  ///< share of choices that were not guessed: (p - 1/m) / (1 - 1/m), 0 below chance
@@ -16,7 +16,7 @@ struct ForcedChoice {
 
 /// `correct` of `trials` choices among `alternatives` >= 2. Refused with a reason: no trials, counts that
 /// are negative or exceed the trials.
-ForcedChoice forcedChoice(long long correct, long long trials, int alternatives);
+ChoiceSensitivity forcedChoice(long long correct, long long trials, int alternatives);
 
 /// Probability of a correct choice at d' (any real): integral of phi(x - d') Phi(x)^(m - 1).
 double proportionCorrectAt(double dPrime, int alternatives);

@@ -15,7 +15,7 @@ namespace stats {
 namespace {
 
 constexpr std::size_t mostConditions = 7;
-constexpr double mostSteps = 3e7;
+constexpr double mostOrders = 3e7;
 
 /// Doubled rank sums of the conditions in ascending order: as every order of every block is as likely as
 /// any other, sums that differ in their order only have the same probability.
@@ -121,18 +121,18 @@ std::vector<RankSums> ranksOf(const BlockTable& table)
     return all;
 }
 
-ExactFriedman undefined(const std::string& why) { return {Value::undefined(why), Value::undefined(why)}; }
+ExactFriedman undefinedExact(const std::string& why) { return {Value::undefined(why), Value::undefined(why)}; }
 
 }  // namespace
 
 ExactFriedman exactFriedman(const BlockTable& table)
 {
-    if (table.blocks == 0 || table.conditions < 2) return undefined("needs a block and at least 2 conditions");
-    if (const std::string fault = nonFiniteFault(table.values, "the table"); !fault.empty()) return undefined(fault);
-    if (table.conditions > mostConditions) return undefined("more than 7 conditions: the approximations stand");
+    if (table.blocks == 0 || table.conditions < 2) return undefinedExact("needs a block and at least 2 conditions");
+    if (const std::string fault = nonFiniteFault(table.values, "the table"); !fault.empty()) return undefinedExact(fault);
+    if (table.conditions > mostConditions) return undefinedExact("more than 7 conditions: the approximations stand");
     const std::string tooLarge = "too many blocks and conditions: the approximations stand";
     Distribution distribution(table.conditions, 2 * table.blocks * table.conditions);
-    if (!distribution.fits()) return undefined(tooLarge);
+    if (!distribution.fits()) return undefinedExact(tooLarge);
     RankSums observed{{}, table.conditions};
     auto blocks = ranksOf(table);
     for (RankSums& ranks : blocks) {
@@ -145,7 +145,7 @@ ExactFriedman exactFriedman(const BlockTable& table)
     for (const RankSums& ranks : blocks) {
         const auto orders = ordersOf(ranks);
         steps += static_cast<double>(orders.size()) * static_cast<double>(distribution.size());
-        if (steps > mostSteps) return undefined(tooLarge);
+        if (steps > mostOrders) return undefinedExact(tooLarge);
         distribution.add(orders);
     }
     const auto expected = static_cast<long long>(table.blocks * (table.conditions + 1));

@@ -11,7 +11,7 @@ Value ratio(double above, double below)
     return below == 0 ? Value::undefined("the targets do not differ") : Value(above / below);
 }
 
-IntraclassCorrelations refused(const std::string& why)
+IntraclassCorrelations undefinedIcc(const std::string& why)
 {
     IntraclassCorrelations result;
     result.why = why;
@@ -40,10 +40,12 @@ IntraclassCorrelations intraclassCorrelations(const MeanSquares& ms, double targ
 IntraclassCorrelations intraclassCorrelations(const BlockTable& table)
 {
     if (const std::string fault = twoWayFault(table); !fault.empty())
-        return refused(table.conditions < 2 ? "needs at least 2 raters" : table.blocks < 2 ? "needs at least 2 targets" : fault);
+        return undefinedIcc(table.conditions < 2 ? "needs at least 2 raters"
+                            : table.blocks < 2   ? "needs at least 2 targets"
+                                                 : fault);
     const ScaledSamples scaled({table.values});
     const TwoWayEffects effects = twoWayEffects(scaled.sample(0), table);
-    if (effects.isConstant()) return refused("no variation: all values are equal");
+    if (effects.isConstant()) return undefinedIcc("no variation: all values are equal");
     const auto n = static_cast<double>(table.blocks);
     const auto k = static_cast<double>(table.conditions);
     return intraclassCorrelations(

@@ -54,7 +54,7 @@ std::optional<double> logDeterminant(Square matrix)
     return logarithm;
 }
 
-MauchlyTest undefined(const std::string& why)
+MauchlyTest undefinedSphericity(const std::string& why)
 {
     MauchlyTest test;
     test.why = why;
@@ -64,7 +64,7 @@ MauchlyTest undefined(const std::string& why)
 
 MauchlyTest ofTwoConditions()
 {
-    MauchlyTest test = undefined("two conditions are always spherical");
+    MauchlyTest test = undefinedSphericity("two conditions are always spherical");
     test.w = 1.0;
     test.chiSquared = 0.0;
     test.df = 0.0;
@@ -78,14 +78,14 @@ MauchlyTest mauchlyTest(const TwoWayEffects& effects)
     if (effects.conditions == 2) return ofTwoConditions();
     const auto p = static_cast<double>(effects.conditions - 1);
     const auto n = static_cast<double>(effects.blocks - 1);
-    if (n < p) return undefined("sphericity cannot be tested with fewer blocks than conditions");
+    if (n < p) return undefinedSphericity("sphericity cannot be tested with fewer blocks than conditions");
     Square products = productsOf(contrastsOf(effects));
     double trace = 0;
     for (std::size_t j = 0; j < products.size(); ++j) trace += products[j][j];
     for (auto& row : products)
         for (double& product : row) product /= trace / p;
     const auto logDet = logDeterminant(products);
-    if (!logDet) return undefined("some differences between conditions determine others: no sphericity to test");
+    if (!logDet) return undefinedSphericity("some differences between conditions determine others: no sphericity to test");
     MauchlyTest test;
     const double logW = std::min(0.0, *logDet);
     const double rho = 1 - (2 * p * p + p + 2) / (6 * p * n);
@@ -102,10 +102,11 @@ MauchlyTest mauchlyTest(const TwoWayEffects& effects)
 
 MauchlyTest mauchlyTest(const BlockTable& table)
 {
-    if (const std::string fault = twoWayFault(table); !fault.empty()) return undefined(fault);
+    if (const std::string fault = twoWayFault(table); !fault.empty()) return undefinedSphericity(fault);
     const ScaledSamples scaled({table.values});
     const TwoWayEffects effects = twoWayEffects(scaled.sample(0), table);
-    if (effects.hasNoResiduals()) return undefined("no error variance: the conditions differ by the same amounts in every block");
+    if (effects.hasNoResiduals())
+        return undefinedSphericity("no error variance: the conditions differ by the same amounts in every block");
     return mauchlyTest(effects);
 }
 

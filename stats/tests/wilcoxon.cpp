@@ -15,15 +15,15 @@ namespace {
 
 constexpr std::size_t mostWalsh = 5000;
 
-/// Differences in ascending comparable form, and the unit that turns them back into numbers.
-struct Differences {
+/// PairedDifferences in ascending comparable form, and the unit that turns them back into numbers.
+struct PairedDifferences {
     std::vector<double> values;
     double unitsPerOne = 1;
 };
 
-Differences differencesOf(std::span<const double> x, std::span<const double> y, Arithmetic arithmetic)
+PairedDifferences differencesOf(std::span<const double> x, std::span<const double> y, Arithmetic arithmetic)
 {
-    Differences differences;
+    PairedDifferences differences;
     differences.values.resize(x.size());
     std::vector<double> both(x.begin(), x.end());
     both.insert(both.end(), y.begin(), y.end());
@@ -115,7 +115,7 @@ void setNormal(WilcoxonTest& test, const SignedRanks& ranks, Tail tail)
     test.pNormalCorrected = normalP(*test.zCorrected, tail);
 }
 
-Value hodgesLehmannOf(const Differences& differences)
+Value hodgesLehmannOf(const PairedDifferences& differences)
 {
     const std::vector<double>& d = differences.values;
     if (d.size() > mostWalsh) return Value::undefined("more than 5000 differences");
@@ -148,7 +148,7 @@ WilcoxonTest wilcoxonSignedRank(std::span<const double> x, std::span<const doubl
         refuse(test, fault);
         return test;
     }
-    const Differences differences = differencesOf(x, y, options.arithmetic);
+    const PairedDifferences differences = differencesOf(x, y, options.arithmetic);
     if (const std::string fault = nonFiniteFault(differences.values, "the differences"); !fault.empty()) {
         refuse(test, fault);
         return test;

@@ -2,10 +2,14 @@
 
 #include <algorithm>
 
-#include "study/analyse/analyse_answer.h"
+#include "study/analyse/analyse_counts.h"
 #include "study/analyse/analyse_inputs.h"
+#include "study/analyse/analyse_means.h"
+#include "study/analyse/analyse_samples.h"
+#include "study/analyse/analyse_signals.h"
+#include "study/analyse/analyse_tables.h"
 
-namespace study::commands {
+namespace study::analyse {
 
 namespace {
 
@@ -20,24 +24,24 @@ const json& objectOrEmpty(const json& request, const std::string& field)
     return request.at(field);
 }
 
-const Analysis& analysisOf(const json& request)
+const NamedAnalysis& analysisOf(const json& request)
 {
     const std::string name = textOr(request, "analysis", "");
     const auto& all = analyses();
-    const auto found = std::find_if(all.begin(), all.end(), [&](const Analysis& one) { return one.name == name; });
+    const auto found = std::find_if(all.begin(), all.end(), [&](const NamedAnalysis& one) { return one.name == name; });
     if (found != all.end()) return *found;
     std::string known;
-    for (const Analysis& one : all) known += (known.empty() ? "" : ", ") + std::string(one.name);
-    throw RequestFault(name.empty() ? "no analysis is named; there are: " + known
-                                    : "unknown analysis \"" + name + "\"; there are: " + known);
+    for (const NamedAnalysis& one : all) known += (known.empty() ? "" : ", ") + std::string(one.name);
+    throw RequestFault(name.empty() ? "no analysis is named; expected one of: " + known
+                                    : "unknown analysis \"" + name + "\"; expected one of: " + known);
 }
 
 }  // namespace
 
-const std::vector<Analysis>& analyses()
+const std::vector<NamedAnalysis>& analyses()
 {
-    static const std::vector<Analysis> all = [] {
-        std::vector<Analysis> together;
+    static const std::vector<NamedAnalysis> all = [] {
+        std::vector<NamedAnalysis> together;
         for (const auto& group :
              {analysesOfMeans(), analysesOfCounts(), analysesOfTables(), analysesOfSignals(), analysesOfSamples()})
             together.insert(together.end(), group.begin(), group.end());
@@ -50,11 +54,11 @@ ordered_json answerOf(const json& request, const std::filesystem::path& folder)
 {
     try {
         if (!request.is_object()) throw RequestFault("the request is not an object");
-        const Analysis& analysis = analysisOf(request);
+        const NamedAnalysis& analysis = analysisOf(request);
         return analysis.answer({objectOrEmpty(request, "inputs"), objectOrEmpty(request, "options"), folder});
     } catch (const RequestFault& fault) {
         return {{"error", fault.what()}};
     }
 }
 
-}  // namespace study::commands
+}  // namespace study::analyse

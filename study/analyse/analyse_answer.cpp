@@ -5,7 +5,7 @@
 
 #include "stats/kernels/distributions.h"
 
-namespace study::commands {
+namespace study::analyse {
 
 using nlohmann::ordered_json;
 
@@ -13,7 +13,7 @@ ordered_json numberJson(double number)
 {
     if (std::isnan(number)) return "nan";
     if (std::isinf(number)) return number > 0 ? "inf" : "-inf";
-    return number == 0 ? 0.0 : number;  // -0 is only how 0 was come by
+    return number == 0 ? 0.0 : number;  // the sign of a zero carries no information here
 }
 
 namespace {
@@ -26,13 +26,13 @@ ordered_json valueJson(const stats::Value& value)
 
 }  // namespace
 
-Answer& Answer::put(const std::string& field, const stats::Value& value)
+AnswerFields& AnswerFields::put(const std::string& field, const stats::Value& value)
 {
     m_fields[field] = valueJson(value);
     return value.exists() ? *this : explain(field, value.why());
 }
 
-Answer& Answer::put(const std::string& field, const std::vector<stats::Value>& values)
+AnswerFields& AnswerFields::put(const std::string& field, const std::vector<stats::Value>& values)
 {
     m_fields[field] = ordered_json::array();
     for (const stats::Value& value : values) {
@@ -42,7 +42,7 @@ Answer& Answer::put(const std::string& field, const std::vector<stats::Value>& v
     return *this;
 }
 
-Answer& Answer::putProbability(const std::string& field, const stats::Value& p, const stats::Value& logP)
+AnswerFields& AnswerFields::putProbability(const std::string& field, const stats::Value& p, const stats::Value& logP)
 {
     put(field, p);
     if (p.exists() && *p < std::numeric_limits<double>::min() && logP.exists() && std::isfinite(*logP))
@@ -50,30 +50,30 @@ Answer& Answer::putProbability(const std::string& field, const stats::Value& p, 
     return *this;
 }
 
-Answer& Answer::put(const std::string& field, const stats::Interval& interval)
+AnswerFields& AnswerFields::put(const std::string& field, const stats::Interval& interval)
 {
     return put(field + "_low", interval.low).put(field + "_high", interval.high);
 }
 
-Answer& Answer::putCount(const std::string& field, std::size_t count)
+AnswerFields& AnswerFields::putCount(const std::string& field, std::size_t count)
 {
     m_fields[field] = count;
     return *this;
 }
 
-Answer& Answer::putText(const std::string& field, const ordered_json& text)
+AnswerFields& AnswerFields::putText(const std::string& field, const ordered_json& text)
 {
     m_fields[field] = text;
     return *this;
 }
 
-Answer& Answer::explain(const std::string& field, const std::string& why)
+AnswerFields& AnswerFields::explain(const std::string& field, const std::string& why)
 {
     m_why[field] = why;
     return *this;
 }
 
-ordered_json Answer::json() const
+ordered_json AnswerFields::json() const
 {
     ordered_json whole = m_fields;
     if (!m_why.empty()) whole["why"] = m_why;
@@ -82,4 +82,4 @@ ordered_json Answer::json() const
 
 ordered_json degenerate(const std::string& reason) { return {{"status", "degenerate"}, {"reason", reason}}; }
 
-}  // namespace study::commands
+}  // namespace study::analyse

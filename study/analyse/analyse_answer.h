@@ -1,4 +1,4 @@
-// Building the answer to a request, quantity by quantity.
+// The answer to a request, built quantity by quantity.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -7,21 +7,21 @@
 
 #include "stats/kernels/value.h"
 
-namespace study::commands {
+namespace study::analyse {
 
-class Answer {
+class AnswerFields {
 public:
-    /// Null, and its reason in "why", where there is no number; a decimal where no double holds it.
-    Answer& put(const std::string& field, const stats::Value& value);
-    Answer& put(const std::string& field, const std::vector<stats::Value>& values);
-    /// A probability; a decimal from its logarithm where it is below the smallest normal double.
-    Answer& putProbability(const std::string& field, const stats::Value& p, const stats::Value& logP);
-    /// `low` and `high` after the field: ci_low, ci_high.
-    Answer& put(const std::string& field, const stats::Interval& interval);
-    Answer& putCount(const std::string& field, std::size_t count);
-    Answer& putText(const std::string& field, const nlohmann::ordered_json& text);
-    /// Why a quantity that is given is not an ordinary number.
-    Answer& explain(const std::string& field, const std::string& why);
+    /// Puts null with its reason in "why" for an undefined number, and a decimal for a number beyond the range of double.
+    AnswerFields& put(const std::string& field, const stats::Value& value);
+    AnswerFields& put(const std::string& field, const std::vector<stats::Value>& values);
+    /// Puts a probability. Below the smallest normal double it is a decimal, computed from its logarithm.
+    AnswerFields& putProbability(const std::string& field, const stats::Value& p, const stats::Value& logP);
+    /// Puts two fields, with _low and _high behind the name: ci_low, ci_high.
+    AnswerFields& put(const std::string& field, const stats::Interval& interval);
+    AnswerFields& putCount(const std::string& field, std::size_t count);
+    AnswerFields& putText(const std::string& field, const nlohmann::ordered_json& text);
+    /// Adds the reason why a quantity is not an ordinary number.
+    AnswerFields& explain(const std::string& field, const std::string& why);
 
     nlohmann::ordered_json json() const;
 
@@ -33,7 +33,7 @@ private:
 /// A number as JSON; "nan", "inf" and "-inf" in quotes.
 nlohmann::ordered_json numberJson(double number);
 
-/// The analysis is not defined for these data.
+/// The answer where the analysis is not defined for these data.
 nlohmann::ordered_json degenerate(const std::string& reason);
 
-}  // namespace study::commands
+}  // namespace study::analyse

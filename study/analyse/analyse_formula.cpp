@@ -7,7 +7,7 @@
 
 #include "study/analyse/analyse_inputs.h"
 
-namespace study::commands {
+namespace study::analyse {
 
 /// A number, a name, or an operation on one or two nodes.
 struct Formula::Node {
@@ -27,7 +27,7 @@ constexpr WideInteger largestWhole = WideInteger(1) << 120;
 
 bool fits(WideInteger x) { return x < largestWhole && x > -largestWhole; }
 
-/// The remainder that lies between 0 and the modulus.
+/// The remainder between 0 and the modulus, also for a negative x.
 WideInteger remainder(WideInteger x, WideInteger modulus)
 {
     if (modulus > 0 && (modulus & (modulus - 1)) == 0) return x & (modulus - 1);
@@ -101,7 +101,7 @@ FormulaNumber valueOf(const Node& node, const std::vector<FormulaNumber>& values
     return ofReals(node.operation, left.real, right.real);
 }
 
-/// A node whose parts are numbers becomes a number.
+/// Replaces an operation on constants by its value.
 NodePointer folded(NodePointer node)
 {
     const bool isConstant = node->left && node->left->operation == 'n' && (!node->right || node->right->operation == 'n');
@@ -120,13 +120,13 @@ NodePointer operation(char sign, NodePointer left, NodePointer right)
     return folded(std::move(node));
 }
 
-class Reader {
+class FormulaReader {
 public:
-    Reader(std::string_view text, const std::vector<std::string>& names) : m_text(text), m_names(names) {}
+    FormulaReader(std::string_view text, const std::vector<std::string>& names) : m_text(text), m_names(names) {}
 
     NodePointer sum()
     {
-        if (++m_depth > 100) throw fault("fewer parentheses in each other");
+        if (++m_depth > 100) throw fault("at most 100 nested parentheses");
         NodePointer left = product();
         for (;;) {
             if (take("+"))
@@ -199,7 +199,7 @@ private:
             node->number = FormulaNumber::ofReal(real);
             m_at += static_cast<std::size_t>(asReal.ptr - begin);
         }
-        // .8a is .8*a
+        // ".8a" stands for ".8*a".
         const bool isFactor = m_at < m_text.size() && std::isalpha(byte()) != 0 && !m_text.substr(m_at).starts_with("mod");
         return isFactor ? operation('*', std::move(node), named()) : std::move(node);
     }
@@ -224,7 +224,7 @@ private:
         return name == "sqrt" ? 's' : name == "floor" ? 'f' : name == "abs" ? 'a' : name == "fl" ? 'l' : '\0';
     }
 
-    /// A name without its index: x_i is x.
+    /// A name without its index: "x" for "x_i".
     std::string word()
     {
         skipSpace();
@@ -255,8 +255,8 @@ private:
 
     RequestFault fault(const std::string& expected) const
     {
-        return RequestFault("the formula \"" + std::string(m_text) + "\" cannot be read at character " +
-                            std::to_string(m_at + 1) + ": expected " + expected);
+        return RequestFault("the formula \"" + std::string(m_text) + "\" has a fault at character " + std::to_string(m_at + 1) +
+                            ": expected " + expected);
     }
 
     std::string_view m_text;
@@ -269,7 +269,7 @@ private:
 
 Formula::Formula(std::string_view text, const std::vector<std::string>& names, std::string* rest)
 {
-    Reader reader(text, names);
+    FormulaReader reader(text, names);
     m_root = reader.sum();
     const std::string remainder = reader.rest();
     if (rest != nullptr)
@@ -283,4 +283,4 @@ Formula::Formula(Formula&&) noexcept = default;
 
 FormulaNumber Formula::evaluate(const std::vector<FormulaNumber>& values) const { return valueOf(*m_root, values); }
 
-}  // namespace study::commands
+}  // namespace study::analyse

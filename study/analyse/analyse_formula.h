@@ -1,5 +1,5 @@
-// Arithmetic formulas over named numbers: + - * / mod ^, parentheses, sqrt, floor, abs, and fl (which only
-// says that double arithmetic rounds).
+// Arithmetic formulas over named numbers: + - * / mod ^, parentheses, sqrt, floor, abs, and fl, which rounds to double and
+// so changes nothing here.
 #pragma once
 
 #include <map>
@@ -8,11 +8,12 @@
 #include <string_view>
 #include <vector>
 
-namespace study::commands {
+namespace study::analyse {
 
 __extension__ typedef __int128 WideInteger;
 
-/// Whole where only whole numbers were added, multiplied, reduced or raised to whole powers.
+/// A number of a formula. It is whole as long as whole numbers are only added, subtracted, multiplied, reduced by a modulus
+/// or raised to whole powers.
 struct FormulaNumber {
     bool isWhole = false;
     WideInteger whole = 0;
@@ -24,8 +25,8 @@ struct FormulaNumber {
 
 class Formula {
 public:
-    /// Reads as much of `text` as is a formula; `rest` is what follows it (a remark, or nothing).
-    /// `names`: the numbers it may use, in the order in which evaluate() gets them. Throws RequestFault.
+    /// Reads the formula at the start of `text`; `rest` gets the text behind it, for instance a remark. `names` are the
+    /// numbers that it may use, in the order in which evaluate() gets them. Throws RequestFault.
     Formula(std::string_view text, const std::vector<std::string>& names, std::string* rest = nullptr);
     ~Formula();
     Formula(Formula&&) noexcept;
@@ -38,4 +39,4 @@ private:
     std::unique_ptr<Node> m_root;
 };
 
-}  // namespace study::commands
+}  // namespace study::analyse

@@ -8,7 +8,7 @@
 
 #include "study/analyse/analyse_recipe.h"
 
-namespace study::commands {
+namespace study::analyse {
 
 namespace {
 
@@ -16,7 +16,7 @@ using nlohmann::json;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// "nan", "-inf" and their spellings.
+/// "nan", "-inf" and their other spellings.
 std::optional<double> specialNumber(std::string text)
 {
     std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
@@ -26,7 +26,7 @@ std::optional<double> specialNumber(std::string text)
     return std::nullopt;
 }
 
-/// A decimal, also beyond the doubles: then infinity, or 0 where its exponent is negative.
+/// A decimal. Beyond the range of double it is infinity, or 0 where its exponent is negative.
 std::optional<double> decimal(const std::string& text)
 {
     double number = 0;
@@ -53,7 +53,7 @@ double numberOfText(const std::string& text, const std::string& where)
 
 const json& fieldOf(const json& object, const std::string& field)
 {
-    if (!object.is_object() || !object.contains(field)) throw RequestFault("no " + field + " among the inputs");
+    if (!object.is_object() || !object.contains(field)) throw RequestFault("the inputs have no " + field);
     return object.at(field);
 }
 
@@ -62,16 +62,16 @@ bool has(const json& object, const std::string& field)
     return object.is_object() && object.contains(field) && !object.at(field).is_null();
 }
 
-/// The array of a recipe that bears the field's name, else its last.
+/// The array of the recipe with the name of the field, else its last array.
 std::vector<double> madeByRecipe(const json& object, const std::string& field, bool onlyByName)
 {
-    if (!object.at("recipe").is_string()) throw RequestFault("the recipe of " + field + " is not a text");
+    if (!object.at("recipe").is_string()) throw RequestFault("the recipe of " + field + " is not a string");
     std::map<std::string, double> constants;
     for (const auto& [name, value] : object.items())
         if (value.is_number()) constants[name] = value.get<double>();
     RecipeArrays made = arraysOfRecipe(object.at("recipe").get<std::string>(), constants);
     if (const auto found = made.arrays.find(field); found != made.arrays.end()) return std::move(found->second);
-    if (onlyByName) throw RequestFault("the recipe makes no " + field);
+    if (onlyByName) throw RequestFault("the recipe does not define " + field);
     return std::move(made.arrays.at(made.last));
 }
 
@@ -122,7 +122,7 @@ long long wholeOr(const json& object, const std::string& field, long long otherw
 std::string textOr(const json& object, const std::string& field, const std::string& otherwise)
 {
     if (!has(object, field)) return otherwise;
-    if (!object.at(field).is_string()) throw RequestFault(field + " is not a text");
+    if (!object.at(field).is_string()) throw RequestFault(field + " is not a string");
     return object.at(field).get<std::string>();
 }
 
@@ -146,4 +146,4 @@ std::vector<std::vector<double>> rowsAt(const json& inputs, const std::string& f
     return rows;
 }
 
-}  // namespace study::commands
+}  // namespace study::analyse

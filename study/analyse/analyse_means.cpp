@@ -1,31 +1,32 @@
-// Tests of means and of paired differences.
+#include "study/analyse/analyse_means.h"
+
 #include "stats/tests/bayes_factor.h"
 #include "stats/tests/bootstrap.h"
 #include "stats/tests/equivalence.h"
 #include "stats/tests/sign_flip.h"
 #include "stats/tests/t_tests.h"
 #include "stats/tests/wilcoxon.h"
-#include "study/analyse/analyse.h"
 #include "study/analyse/analyse_answer.h"
 #include "study/analyse/analyse_inputs.h"
 
-namespace study::commands {
+namespace study::analyse {
 
 namespace {
 
 using nlohmann::ordered_json;
 
-constexpr Named<stats::Tail> tails[] = {{"two-sided", stats::Tail::TwoSided},
-                                        {"two_sided", stats::Tail::TwoSided},
-                                        {"less", stats::Tail::Less},
-                                        {"greater", stats::Tail::Greater}};
-constexpr Named<stats::TKind> kinds[] = {{"one_sample", stats::TKind::OneSample},
-                                         {"paired", stats::TKind::Paired},
-                                         {"student", stats::TKind::Student},
-                                         {"welch", stats::TKind::Welch}};
-constexpr Named<stats::ZeroMethod> zeroMethods[] = {{"wilcox", stats::ZeroMethod::Wilcox}, {"pratt", stats::ZeroMethod::Pratt}};
-constexpr Named<stats::Arithmetic> arithmetics[] = {{"double", stats::Arithmetic::Double},
-                                                    {"decimal", stats::Arithmetic::Decimal}};
+constexpr NamedChoice<stats::Tail> tails[] = {{"two-sided", stats::Tail::TwoSided},
+                                              {"two_sided", stats::Tail::TwoSided},
+                                              {"less", stats::Tail::Less},
+                                              {"greater", stats::Tail::Greater}};
+constexpr NamedChoice<stats::TKind> kinds[] = {{"one_sample", stats::TKind::OneSample},
+                                               {"paired", stats::TKind::Paired},
+                                               {"student", stats::TKind::Student},
+                                               {"welch", stats::TKind::Welch}};
+constexpr NamedChoice<stats::ZeroMethod> zeroMethods[] = {{"wilcox", stats::ZeroMethod::Wilcox},
+                                                          {"pratt", stats::ZeroMethod::Pratt}};
+constexpr NamedChoice<stats::Arithmetic> arithmetics[] = {{"double", stats::Arithmetic::Double},
+                                                          {"decimal", stats::Arithmetic::Decimal}};
 
 stats::Tail tailOf(const AnalysisRequest& request) { return choiceOr(request.options, "alternative", tails, "two-sided"); }
 
@@ -36,14 +37,14 @@ double confidenceOf(const AnalysisRequest& request)
     return confidence;
 }
 
-/// x, and y where the kind of test has one.
-struct Samples {
+/// The data of a t test; y is empty for a test of one sample.
+struct TestSamples {
     stats::TKind kind;
     std::vector<double> x;
     std::vector<double> y;
 };
 
-Samples samplesOf(const AnalysisRequest& request)
+TestSamples samplesOf(const AnalysisRequest& request)
 {
     const auto kind = choiceOr(request.inputs, "kind", kinds, "");
     if (kind == stats::TKind::OneSample) return {kind, numbersAt(request.inputs, "x"), {}};
@@ -52,11 +53,11 @@ Samples samplesOf(const AnalysisRequest& request)
 
 ordered_json tTest(const AnalysisRequest& request)
 {
-    const Samples samples = samplesOf(request);
+    const TestSamples samples = samplesOf(request);
     const stats::TOptions options{numberOr(request.options, "mu", 0), tailOf(request), confidenceOf(request)};
     const auto t = stats::tTest(samples.kind, samples.x, samples.y, options);
     if (!t.why.empty()) return degenerate(t.why);
-    Answer answer;
+    AnswerFields answer;
     answer.put("estimate", t.estimate).put("se", t.se).put("t", t.t).put("df", t.df).putProbability("p", t.p, t.logP);
     answer.put("log_p", t.logP).put("ci", t.ci);
     if (samples.kind != stats::TKind::Welch) answer.put("sd", t.sd);
@@ -70,12 +71,12 @@ ordered_json tTest(const AnalysisRequest& request)
 
 ordered_json tost(const AnalysisRequest& request)
 {
-    const Samples samples = samplesOf(request);
+    const TestSamples samples = samplesOf(request);
     const stats::EquivalenceOptions options{numberAt(request.options, "low"), numberAt(request.options, "high"),
                                             numberOr(request.options, "alpha", 0.05)};
     const auto t = stats::equivalenceTest(samples.kind, samples.x, samples.y, options);
     if (!t.why.empty()) return degenerate(t.why);
-    Answer answer;
+    AnswerFields answer;
     answer.put("estimate", t.estimate).put("se", t.se).put("df", t.df);
     answer.put("t_lower", t.tLower).putProbability("p_lower", t.pLower, t.logPLower);
     answer.put("t_upper", t.tUpper).putProbability("p_upper", t.pUpper, t.logPUpper);
@@ -95,7 +96,7 @@ ordered_json wilcoxon(const AnalysisRequest& request)
     const auto y = numbersOrNone(request.inputs, "y");
     const auto w = stats::wilcoxonSignedRank(x, y, options);
     if (!w.why.empty()) return degenerate(w.why);
-    Answer answer;
+    AnswerFields answer;
     answer.putCount("n_used", w.nUsed).putCount("n_zero", w.nZero).put("V", w.v);
     answer.putProbability("p_exact", w.pExact, w.logPExact).put("log_p_exact", w.logPExact);
     answer.put("z", w.z).put("p_normal", w.pNormal).put("z_cc", w.zCorrected).put("p_normal_cc", w.pNormalCorrected);
@@ -109,7 +110,7 @@ ordered_json signFlip(const AnalysisRequest& request)
     const auto y = numbersOrNone(request.inputs, "y");
     const auto test = stats::signFlipTest(x, y, tailOf(request));
     if (!test.why.empty()) return degenerate(test.why);
-    Answer answer;
+    AnswerFields answer;
     answer.putCount("n", test.n).putCount("n_zero", test.nZero).put("estimate", test.meanDifference);
     return answer.putProbability("p", test.p, test.logP).put("log_p", test.logP).json();
 }
@@ -127,7 +128,7 @@ ordered_json bca(const AnalysisRequest& request)
     options.threads = static_cast<unsigned>(std::max(0LL, wholeOr(request.options, "threads", 0)));
     const auto b = stats::bcaBootstrapOfMean(numbersAt(request.inputs, "x"), options);
     if (!b.why.empty()) return degenerate(b.why);
-    Answer answer;
+    AnswerFields answer;
     answer.putCount("n", b.n).put("estimate", b.estimate).put("se", b.standardError).put("z0", b.bias);
     return answer.put("acceleration", b.acceleration).put("ci", b.ci).json();
 }
@@ -137,17 +138,17 @@ ordered_json jzs(const AnalysisRequest& request)
     const auto bf = stats::jzsBayesFactor(numberAt(request.inputs, "t"), wholeAt(request.inputs, "n"),
                                           numberOr(request.options, "r", stats::mediumPriorWidth));
     if (!bf.why.empty()) return degenerate(bf.why);
-    Answer answer;
+    AnswerFields answer;
     return answer.put("bf10", bf.bf10).put("log_bf10", bf.logBf10).json();
 }
 
 }  // namespace
 
-std::vector<Analysis> analysesOfMeans()
+std::vector<NamedAnalysis> analysesOfMeans()
 {
     return {{"t_test", tTest},           {"tost", tost},
             {"sign_flip", signFlip},     {"wilcoxon_signed_rank", wilcoxon},
             {"bca_bootstrap_mean", bca}, {"jzs_bf10_one_sample", jzs}};
 }
 
-}  // namespace study::commands
+}  // namespace study::analyse

@@ -8,18 +8,18 @@
 #include "study/analyse/analyse_formula.h"
 #include "study/analyse/analyse_inputs.h"
 
-namespace study::commands {
+namespace study::analyse {
 
 namespace {
 
 constexpr double mostEntries = 2e8;
 
-struct Definition {
+struct ArrayDefinition {
     std::string name;
     std::string formula;
 };
 
-/// Parts between commas and semicolons that no parenthesis holds.
+/// Parts between commas and semicolons outside parentheses.
 std::vector<std::string> partsOf(const std::string& recipe)
 {
     std::vector<std::string> parts(1);
@@ -34,12 +34,12 @@ std::vector<std::string> partsOf(const std::string& recipe)
     return parts;
 }
 
-/// What the parts of a recipe say.
+/// The contents of a recipe.
 struct Recipe {
-    std::vector<Definition> definitions;
+    std::vector<ArrayDefinition> definitions;
     std::string index;
     std::string first = "0";
-    std::string last;  ///< empty where no range is told
+    std::string last;  ///< empty where the recipe states no range
     std::size_t rows = 0;
     std::size_t columns = 0;
     bool isFloat = false;
@@ -76,8 +76,8 @@ Recipe readRecipe(const std::string& text)
     return recipe;
 }
 
-/// Names and values that the formulas see: the constants, the index, and the arrays before.
-struct Scope {
+/// Names and values that a formula may use: the constants, the index, and the arrays defined before it.
+struct FormulaScope {
     std::vector<std::string> names;
     std::vector<FormulaNumber> values;
 
@@ -89,14 +89,14 @@ struct Scope {
     }
 };
 
-/// Constants that are whole take part in whole arithmetic.
+/// A whole constant takes part in exact arithmetic.
 FormulaNumber constant(double x)
 {
     return std::floor(x) == x && std::fabs(x) < 9e15 ? FormulaNumber::ofWhole(static_cast<WideInteger>(x))
                                                      : FormulaNumber::ofReal(x);
 }
 
-long long wholeOf(const std::string& formula, const Scope& scope)
+long long wholeOf(const std::string& formula, const FormulaScope& scope)
 {
     std::string remark;
     const FormulaNumber number = Formula(formula, scope.names, &remark).evaluate(scope.values);
@@ -104,14 +104,14 @@ long long wholeOf(const std::string& formula, const Scope& scope)
     return static_cast<long long>(number.whole);
 }
 
-struct Range {
+struct IndexRange {
     long long first = 0;
     long long count = 0;
 };
 
-Range rangeOf(const Recipe& recipe, const Scope& scope, const std::map<std::string, double>& constants)
+IndexRange rangeOf(const Recipe& recipe, const FormulaScope& scope, const std::map<std::string, double>& constants)
 {
-    Range range{wholeOf(recipe.first, scope), 0};
+    IndexRange range{wholeOf(recipe.first, scope), 0};
     if (!recipe.last.empty())
         range.count = wholeOf(recipe.last, scope) - range.first + 1;
     else if (recipe.rows > 0)
@@ -119,7 +119,7 @@ Range rangeOf(const Recipe& recipe, const Scope& scope, const std::map<std::stri
     else if (constants.count("n") != 0)
         range.count = static_cast<long long>(constants.at("n"));
     else
-        throw RequestFault("the recipe does not tell how many entries there are");
+        throw RequestFault("the recipe does not state how many entries there are");
     if (range.count < 0 || static_cast<double>(range.count) > mostEntries)
         throw RequestFault("the recipe asks for " + std::to_string(range.count) + " entries; expected 0 to 200000000");
     return range;
@@ -130,15 +130,15 @@ Range rangeOf(const Recipe& recipe, const Scope& scope, const std::map<std::stri
 RecipeArrays arraysOfRecipe(const std::string& text, const std::map<std::string, double>& constants)
 {
     const Recipe recipe = readRecipe(text);
-    Scope scope;
+    FormulaScope scope;
     for (const auto& [name, value] : constants) scope.add(name, constant(value));
-    const Range range = rangeOf(recipe, scope, constants);
+    const IndexRange range = rangeOf(recipe, scope, constants);
     const std::size_t index = scope.add(recipe.index.empty() ? "i" : recipe.index, FormulaNumber::ofWhole(0));
     std::vector<Formula> formulas;
     std::vector<std::size_t> places;
     RecipeArrays result{{}, recipe.definitions.back().name, recipe.rows, recipe.columns};
     std::vector<std::vector<double>*> arrays;
-    for (const Definition& definition : recipe.definitions) {
+    for (const ArrayDefinition& definition : recipe.definitions) {
         std::string remark;
         formulas.emplace_back(definition.formula, scope.names, &remark);
         places.push_back(scope.add(definition.name, FormulaNumber::ofReal(0)));
@@ -159,4 +159,4 @@ RecipeArrays arraysOfRecipe(const std::string& text, const std::map<std::string,
 
 double valueOfFormula(const std::string& formula) { return Formula(formula, {}).evaluate({}).real; }
 
-}  // namespace study::commands
+}  // namespace study::analyse

@@ -1,7 +1,7 @@
-// Recipes: a long array told by the formula of its entries, so that a request needs not hold it, as in
+// Recipes: formulas for the entries of long arrays, so that a request need not list them. Two examples:
 //   x_i = ((i*2654435761) mod 2^32)/2^32 + offset, i=0..n-1, all in IEEE double
 //   a_k=((k*M+A) mod 2^32)/2^32, b=0.8*a+0.2*c (a remark), k row-major, 800 rows x 1280 cols, float64
-// Whole numbers are added, multiplied and reduced exactly; every other operation is rounded once to double.
+// Whole numbers are added, multiplied and reduced exactly. Every other operation is rounded once to double.
 #pragma once
 
 #include <cstddef>
@@ -9,19 +9,19 @@
 #include <string>
 #include <vector>
 
-namespace study::commands {
+namespace study::analyse {
 
 struct RecipeArrays {
-    std::map<std::string, std::vector<double>> arrays;  ///< by name, without its index
-    std::string last;                                   ///< the array that was defined last
-    std::size_t rows = 0;                               ///< 0 where the recipe tells no shape
+    std::map<std::string, std::vector<double>> arrays;  ///< by name, without the index
+    std::string last;                                   ///< name of the array that is defined last
+    std::size_t rows = 0;                               ///< 0 where the recipe states no shape
     std::size_t columns = 0;
 };
 
-/// `constants`: the numbers that the formulas may name (n, offset). Throws RequestFault.
+/// `constants` are the numbers that the formulas may name, for instance n and offset. Throws RequestFault.
 RecipeArrays arraysOfRecipe(const std::string& recipe, const std::map<std::string, double>& constants);
 
-/// A formula of numbers alone: "1/3", "sqrt(2)/2", "1e-3". Throws RequestFault.
+/// The value of a formula without names: "1/3", "sqrt(2)/2", "1e-3". Throws RequestFault.
 double valueOfFormula(const std::string& formula);
 
-}  // namespace study::commands
+}  // namespace study::analyse

@@ -1,13 +1,13 @@
-// One sample described, and speed taken together with accuracy.
+#include "study/analyse/analyse_samples.h"
+
 #include <algorithm>
 
 #include "stats/kernels/descriptive.h"
 #include "stats/tests/speed_accuracy.h"
-#include "study/analyse/analyse.h"
 #include "study/analyse/analyse_answer.h"
 #include "study/analyse/analyse_inputs.h"
 
-namespace study::commands {
+namespace study::analyse {
 
 namespace {
 
@@ -18,7 +18,7 @@ ordered_json describe(const AnalysisRequest& request)
     const auto x = numbersAt(request.inputs, "x");
     const auto d = stats::describe(x);
     if (!d.mean.exists() && d.mean.decimal().empty()) return degenerate(d.mean.why());
-    Answer answer;
+    AnswerFields answer;
     answer.putCount("n", d.n).putCount("n_dropped", d.missing).put("mean", d.mean).put("sd", d.sd).put("variance", d.variance);
     answer.put("autocorr1", d.autocorrelationLag1).put("median", d.median).put("q1", d.q1).put("q3", d.q3);
     return answer.put("min", d.min).put("max", d.max).put("ci", d.ci95).json();
@@ -43,7 +43,7 @@ ordered_json conditionalAccuracy(const AnalysisRequest& request)
     if (!accuracy.why.empty()) return degenerate(accuracy.why);
     ordered_json rows = ordered_json::array();
     for (const auto& bin : accuracy.bins) {
-        Answer row;
+        AnswerFields row;
         row.putCount("n", bin.n).put("seconds", bin.meanSeconds).put("proportion", bin.proportionCorrect).put("ci", bin.ci95);
         rows.push_back(row.json());
     }
@@ -62,7 +62,7 @@ ordered_json speedAccuracy(const AnalysisRequest& request)
     const auto right = std::count(correct.begin(), correct.end(), true);
     const double share = static_cast<double>(right) / static_cast<double>(correct.size());
     const int m = static_cast<int>(alternatives);
-    Answer answer;
+    AnswerFields answer;
     answer.putCount("n", times.n).put("median_seconds", times.median).put("log_mean_seconds", times.logMean);
     answer.put("geometric_mean_seconds", times.geometricMean).put("mean_seconds", times.mean).put("proportion", share);
     return answer.put("bits", stats::bitsPerChoice(share, m))
@@ -75,12 +75,12 @@ ordered_json balancedIntegration(const AnalysisRequest& request)
     const auto scores = stats::balancedIntegrationScores(numbersAt(request.inputs, "pc"), numbersAt(request.inputs, "rt"));
     if (scores.empty()) return degenerate("there are no cells");
     if (!scores.front().exists()) return degenerate(scores.front().why());
-    return Answer().put("bis", scores).json();
+    return AnswerFields().put("bis", scores).json();
 }
 
 }  // namespace
 
-std::vector<Analysis> analysesOfSamples()
+std::vector<NamedAnalysis> analysesOfSamples()
 {
     return {{"describe", describe},
             {"descriptive", describe},
@@ -89,4 +89,4 @@ std::vector<Analysis> analysesOfSamples()
             {"bis", balancedIntegration}};
 }
 
-}  // namespace study::commands
+}  // namespace study::analyse

@@ -1,4 +1,5 @@
-// Comparisons of traces and of images.
+#include "study/analyse/analyse_signals.h"
+
 #include <opencv2/core/mat.hpp>
 
 #include "protocols/files/errors.h"
@@ -7,12 +8,11 @@
 #include "stats/metrics/registered_ssim.h"
 #include "stats/metrics/spectrum_distance.h"
 #include "stats/metrics/trace_error.h"
-#include "study/analyse/analyse.h"
 #include "study/analyse/analyse_answer.h"
 #include "study/analyse/analyse_inputs.h"
 #include "study/analyse/analyse_recipe.h"
 
-namespace study::commands {
+namespace study::analyse {
 
 namespace {
 
@@ -23,7 +23,7 @@ ordered_json traceError(const AnalysisRequest& request)
 {
     const auto e = stats::traceError(numbersAt(request.inputs, "generated"), numbersAt(request.inputs, "truth"));
     if (!e.why.empty()) return degenerate(e.why);
-    Answer answer;
+    AnswerFields answer;
     answer.put("mae", e.mae).put("mean_truth", e.meanTruth).put("mae_over_mean", e.maeOverMean);
     return answer.put("rmse", e.rmse).put("bias", e.bias).put("max_abs", e.maxAbs).json();
 }
@@ -35,10 +35,10 @@ ordered_json spectrumDistance(const AnalysisRequest& request)
     const auto d = stats::spectrumDistance(numbersAt(request.inputs, "generated"), numbersAt(request.inputs, "truth"),
                                            static_cast<std::size_t>(segment));
     if (!d.why.empty()) return degenerate(d.why);
-    return Answer().put("decibels", d.decibels).put("bias_decibels", d.bias).putCount("frequencies", d.frequencies).json();
+    return AnswerFields().put("decibels", d.decibels).put("bias_decibels", d.bias).putCount("frequencies", d.frequencies).json();
 }
 
-struct Image {
+struct NumberImage {
     std::vector<double> pixels;
     std::size_t width = 0;
     std::size_t height = 0;
@@ -46,7 +46,7 @@ struct Image {
     stats::ImageView view() const { return {pixels, width, height}; }
 };
 
-Image imageOfArray(const std::filesystem::path& file)
+NumberImage imageOfArray(const std::filesystem::path& file)
 {
     cv::Mat stored;
     try {
@@ -58,15 +58,15 @@ Image imageOfArray(const std::filesystem::path& file)
         throw RequestFault(file.string() + " has " + std::to_string(stored.channels()) + " channels; expected 1");
     cv::Mat numbers;
     stored.convertTo(numbers, CV_64F);
-    Image image{{}, static_cast<std::size_t>(numbers.cols), static_cast<std::size_t>(numbers.rows)};
+    NumberImage image{{}, static_cast<std::size_t>(numbers.cols), static_cast<std::size_t>(numbers.rows)};
     for (int row = 0; row < numbers.rows; ++row)
         image.pixels.insert(image.pixels.end(), numbers.ptr<double>(row), numbers.ptr<double>(row) + numbers.cols);
     return image;
 }
 
-Image imageOfRows(const json& inputs, const std::string& field)
+NumberImage imageOfRows(const json& inputs, const std::string& field)
 {
-    Image image;
+    NumberImage image;
     for (const auto& row : rowsAt(inputs, field)) {
         if (image.height > 0 && row.size() != image.width) throw RequestFault("the rows of " + field + " differ in length");
         image.width = row.size();
@@ -76,28 +76,29 @@ Image imageOfRows(const json& inputs, const std::string& field)
     return image;
 }
 
-/// Both images by one recipe, whose shape it tells.
-std::pair<Image, Image> imagesOfRecipe(const json& inputs)
+/// Both images from one recipe, which states their shape.
+std::pair<NumberImage, NumberImage> imagesOfRecipe(const json& inputs)
 {
-    if (!inputs.at("recipe").is_string()) throw RequestFault("the recipe is not a text");
+    if (!inputs.at("recipe").is_string()) throw RequestFault("the recipe is not a string");
     std::map<std::string, double> constants;
     for (const auto& [name, value] : inputs.items())
         if (value.is_number()) constants[name] = value.get<double>();
     RecipeArrays made = arraysOfRecipe(inputs.at("recipe").get<std::string>(), constants);
-    if (made.arrays.count("a") == 0 || made.arrays.count("b") == 0) throw RequestFault("the recipe makes no images a and b");
-    if (made.rows == 0) throw RequestFault("the recipe tells no shape (800 rows x 1280 cols)");
-    return {Image{std::move(made.arrays["a"]), made.columns, made.rows},
-            Image{std::move(made.arrays["b"]), made.columns, made.rows}};
+    if (made.arrays.count("a") == 0 || made.arrays.count("b") == 0)
+        throw RequestFault("the recipe does not define the images a and b");
+    if (made.rows == 0) throw RequestFault("the recipe states no shape; expected for instance \"800 rows x 1280 cols\"");
+    return {NumberImage{std::move(made.arrays["a"]), made.columns, made.rows},
+            NumberImage{std::move(made.arrays["b"]), made.columns, made.rows}};
 }
 
-Image imageOf(const AnalysisRequest& request, const std::string& field)
+NumberImage imageOf(const AnalysisRequest& request, const std::string& field)
 {
-    if (!request.inputs.contains(field)) throw RequestFault("no " + field + " among the inputs");
+    if (!request.inputs.contains(field)) throw RequestFault("the inputs have no " + field);
     if (request.inputs[field].is_string()) return imageOfArray(request.folder / request.inputs[field].get<std::string>());
     return imageOfRows(request.inputs, field);
 }
 
-std::pair<Image, Image> imagesOf(const AnalysisRequest& request)
+std::pair<NumberImage, NumberImage> imagesOf(const AnalysisRequest& request)
 {
     if (request.inputs.contains("recipe")) return imagesOfRecipe(request.inputs);
     return {imageOf(request, "a"), imageOf(request, "b")};
@@ -105,9 +106,9 @@ std::pair<Image, Image> imagesOf(const AnalysisRequest& request)
 
 stats::SsimOptions ssimOptionsOf(const AnalysisRequest& request)
 {
-    constexpr Named<stats::SsimWindow> windows[] = {{"gaussian 11x11 sigma 1.5", stats::SsimWindow::Gaussian11},
-                                                    {"uniform 7x7", stats::SsimWindow::Uniform7}};
-    constexpr Named<bool> moments[] = {{"population", false}, {"sample", true}};
+    constexpr NamedChoice<stats::SsimWindow> windows[] = {{"gaussian 11x11 sigma 1.5", stats::SsimWindow::Gaussian11},
+                                                          {"uniform 7x7", stats::SsimWindow::Uniform7}};
+    constexpr NamedChoice<bool> moments[] = {{"population", false}, {"sample", true}};
     if (const std::string region = textOr(request.options, "region", "valid"); region != "valid")
         throw RequestFault("unknown region \"" + region + "\"; expected: valid");
     return {choiceOr(request.options, "window", windows, "gaussian 11x11 sigma 1.5"),
@@ -124,7 +125,7 @@ ordered_json ssim(const AnalysisRequest& request)
     if (!similarity.why.empty()) return degenerate(similarity.why);
     const auto box = stats::ssim(a.view(), b.view(), range, {stats::SsimWindow::Uniform7, true, options.k1, options.k2});
     const auto error = stats::traceError(a.pixels, b.pixels);
-    Answer answer;
+    AnswerFields answer;
     answer.put("ssim", similarity.mean).put("map_min", similarity.smallest).put("map_max", similarity.largest);
     answer.putText("map_shape", {similarity.windowsDown, similarity.windowsAcross}).put("ssim_uniform7_sample_cov", box.mean);
     return answer.put("mae", error.mae).put("rmse", error.rmse).json();
@@ -138,14 +139,14 @@ ordered_json registeredSsim(const AnalysisRequest& request)
     const auto r = stats::registeredSsim(a.view(), b.view(), numberAt(request.options, "data_range"), static_cast<int>(most),
                                          ssimOptionsOf(request));
     if (!r.why.empty()) return degenerate(r.why);
-    Answer answer;
+    AnswerFields answer;
     answer.put("ssim", r.ssim).putText("right", r.right).putText("down", r.down);
     return answer.put("correlation", r.correlation).put("ssim_unregistered", r.ssimUnregistered).json();
 }
 
 }  // namespace
 
-std::vector<Analysis> analysesOfSignals()
+std::vector<NamedAnalysis> analysesOfSignals()
 {
     return {{"trace_error", traceError},
             {"spectrum_distance", spectrumDistance},
@@ -153,4 +154,4 @@ std::vector<Analysis> analysesOfSignals()
             {"registered_ssim", registeredSsim}};
 }
 
-}  // namespace study::commands
+}  // namespace study::analyse

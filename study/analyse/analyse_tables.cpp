@@ -1,4 +1,5 @@
-// Tests of more than two conditions or groups, and agreement.
+#include "study/analyse/analyse_tables.h"
+
 #include <algorithm>
 
 #include "stats/tests/friedman_exact.h"
@@ -6,11 +7,10 @@
 #include "stats/tests/one_way_anova.h"
 #include "stats/tests/rank_tests.h"
 #include "stats/tests/repeated_measures.h"
-#include "study/analyse/analyse.h"
 #include "study/analyse/analyse_answer.h"
 #include "study/analyse/analyse_inputs.h"
 
-namespace study::commands {
+namespace study::analyse {
 
 namespace {
 
@@ -29,7 +29,7 @@ ordered_json friedman(const AnalysisRequest& request)
     const auto f = stats::friedmanTest(table);
     if (!f.why.empty()) return degenerate(f.why);
     const auto exact = stats::exactFriedman(table);
-    Answer answer;
+    AnswerFields answer;
     answer.put("Q", f.q).put("df", f.df).putProbability("p", f.p, f.logP).put("log_p", f.logP).put("kendall_w", f.kendallW);
     answer.put("iman_davenport_F", f.imanDavenportF).put("F_df1", f.fDf1).put("F_df2", f.fDf2);
     answer.putProbability("F_p", f.fP, f.fLogP);
@@ -40,7 +40,7 @@ ordered_json cochran(const AnalysisRequest& request)
 {
     const auto c = stats::cochranTest(tableOf(request));
     if (!c.why.empty()) return degenerate(c.why);
-    Answer answer;
+    AnswerFields answer;
     return answer.put("Q", c.q).put("df", c.df).putProbability("p", c.p, c.logP).put("log_p", c.logP).json();
 }
 
@@ -48,7 +48,7 @@ ordered_json repeatedMeasures(const AnalysisRequest& request)
 {
     const auto a = stats::repeatedMeasuresAnova(tableOf(request));
     if (!a.why.empty()) return degenerate(a.why);
-    Answer answer;
+    AnswerFields answer;
     answer.put("ss_condition", a.ssCondition).put("ss_subject", a.ssSubject).put("ss_error", a.ssError);
     answer.put("F", a.f).put("df1", a.df1).put("df2", a.df2).putProbability("p", a.p, a.logP).put("log_p", a.logP);
     answer.put("eps_gg", a.epsilonGg).putProbability("p_gg", a.pGg, a.logPGg).put("log_p_gg", a.logPGg);
@@ -67,13 +67,13 @@ ordered_json intraclass(const AnalysisRequest& request)
 {
     const auto icc = stats::intraclassCorrelations(tableOf(request));
     if (!icc.why.empty()) return degenerate(icc.why);
-    Answer answer;
+    AnswerFields answer;
     answer.put("icc1_1", icc.icc1).put("icc2_1", icc.icc2).put("icc3_1", icc.icc3);
     answer.put("icc1_k", icc.icc1k).put("icc2_k", icc.icc2k).put("icc3_k", icc.icc3k).put("cronbach_alpha", icc.icc3k);
     return answer.json();
 }
 
-/// "groups": arrays of their own, or "y" with the "group" of each value, in the order of first appearance.
+/// The arrays of "groups"; or the values "y" divided by their "group", in the order of first appearance.
 std::vector<std::vector<double>> groupsOf(const AnalysisRequest& request)
 {
     if (!request.inputs.contains("y")) return rowsAt(request.inputs, "groups");
@@ -96,7 +96,7 @@ ordered_json oneWay(const AnalysisRequest& request)
 {
     const auto a = stats::oneWayAnova(groupsOf(request));
     if (!a.why.empty()) return degenerate(a.why);
-    Answer answer;
+    AnswerFields answer;
     answer.putCount("n", a.n).putCount("k", a.groups).put("ss_between", a.ssBetween).put("ss_within", a.ssWithin);
     answer.put("ms_between", a.msBetween).put("ms_within", a.msWithin).put("df1", a.df1).put("df2", a.df2).put("F", a.f);
     answer.putProbability("p", a.p, a.logP).put("log_p", a.logP).put("r_squared", a.rSquared);
@@ -105,11 +105,11 @@ ordered_json oneWay(const AnalysisRequest& request)
 
 }  // namespace
 
-std::vector<Analysis> analysesOfTables()
+std::vector<NamedAnalysis> analysesOfTables()
 {
     return {{"friedman", friedman},  {"cochran_q", cochran},   {"rm_anova_oneway", repeatedMeasures},
             {"icc", intraclass},     {"anova_oneway", oneWay}, {"one_way_anova", oneWay},
             {"oneway_anova", oneWay}};
 }
 
-}  // namespace study::commands
+}  // namespace study::analyse

@@ -1,4 +1,4 @@
-// Undefined numbers in JSON: null, with the reason in the object's "why".
+// Statistics in JSON. An undefined number is null, with its reason in the object's "why".
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -6,7 +6,7 @@
 
 #include "stats/kernels/value.h"
 
-namespace study::commands {
+namespace study::analyse {
 
 inline void put(nlohmann::ordered_json& object, const std::string& field, const stats::Value& value)
 {
@@ -28,4 +28,4 @@ inline void put(nlohmann::ordered_json& object, const std::string& field, const 
     object["why"][field] = interval.low.exists() ? interval.high.why() : interval.low.why();
 }
 
-}  // namespace study::commands
+}  // namespace study::analyse

@@ -128,7 +128,7 @@ private:
         if (text.empty() && isAskedTwice) enter();
     }
 
-    static bool isWithoutWords(const Response& response)
+    static bool isWithoutWords(const GivenAnswer& response)
     {
         const auto* words = std::get_if<Words>(&response);
         return words && words->text.empty();
@@ -139,11 +139,13 @@ private:
             if (one.question == question) return one.form;
         throw cannotPerform("there is no answer to " + question.value);
     }
-    void give(const Response& response, const AnswerForm& form) const
+    void give(const GivenAnswer& response, const AnswerForm& form) const
     {
-        for (const AnswerForm::Option& option : form.options)
-            if (option.response == response) return gui.pressKey(option.letter.front().unicode());
-        if (!form.options.empty()) throw cannotPerform(textOf(response) + " is not one of the answers on the page");
+        if (const auto* choice = std::get_if<OptionsForm>(&form)) {
+            for (const AnswerOption& option : choice->options)
+                if (option.response == response) return gui.pressKey(option.letter.front().unicode());
+            throw cannotPerform(textOf(response) + " is not one of the answers on the page");
+        }
         const auto* rating = std::get_if<protocols::Tenths>(&response);
         gui.clear();
         gui.type(rating ? study::app::textOf(*rating) : QString::fromStdString(textOf(response)));

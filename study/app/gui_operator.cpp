@@ -6,6 +6,7 @@
 
 #include "study/app/gui_actions.h"
 #include "study/app/pages/session_page.h"
+#include "study/session/session_record.h"
 
 namespace study::app {
 

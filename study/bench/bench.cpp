@@ -16,9 +16,11 @@
 #include "study/bench/bench_composition.h"
 #include "study/bench/median_time.h"
 
-namespace rendering {
+namespace study::bench {
 
 namespace {
+
+namespace signals = rendering::signals;
 
 constexpr double pitchMm = 0.05;
 constexpr int repeats = 21;
@@ -26,7 +28,7 @@ constexpr int repeats = 21;
 /// Of several runs after one that fills the caches; long work is not done so often.
 double medianMilliseconds(const std::function<void()>& work)
 {
-    return rendering::medianMilliseconds(millisecondsOf(work) > 50 ? 3 : repeats, work);
+    return bench::medianMilliseconds(millisecondsOf(work) > 50 ? 3 : repeats, work);
 }
 
 struct KnownSurface {
@@ -266,4 +268,4 @@ std::vector<BenchRow> benchSignals()
     return rows;
 }
 
-}  // namespace rendering
+}  // namespace study::bench

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace rendering {
+namespace study::bench {
 
 struct BenchRow {
     std::string stage;        ///< "integration 480x640"
@@ -19,4 +19,4 @@ struct BenchRow {
 /// A few seconds of work, one thread of ours.
 std::vector<BenchRow> benchSignals();
 
-}  // namespace rendering
+}  // namespace study::bench

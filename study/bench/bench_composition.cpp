@@ -15,9 +15,14 @@
 #include "rendering/signals/spectrogram.h"
 #include "study/bench/median_time.h"
 
-namespace rendering {
+namespace study::bench {
 
 namespace {
+
+namespace signals = rendering::signals;
+using rendering::Extension;
+using rendering::Scale;
+using rendering::Sources;
 
 /// A twill of 0.9 mm with a little of its own at every place; its period divides no patch.
 cv::Mat twill(int rows, int columns, double mmPerPixel)
@@ -93,7 +98,7 @@ void benchNineConditions(std::vector<BenchRow>& rows, Scale scale, Extension ext
     const double time = medianMilliseconds(7, [&] {
         for (const auto& [id, one] : sources) {
             const auto map = compose(protocols::conditionNamed(id), one, scale, extension);
-            MapRange range;
+            rendering::MapRange range;
             range.include(map);
             mapToDisplay(map, range);
             if (id == "h") relief = map.values;
@@ -118,8 +123,8 @@ void benchResampling(std::vector<BenchRow>& rows)
     std::vector<double> even;
     double step = 0;
     const double time = medianMilliseconds(7, [&] {
-        step = fabrics::timeBaseOf(times, "bench").stepS;
-        even = fabrics::atEvenSteps(times, values, step);
+        step = rendering::fabrics::timeBaseOf(times, "bench").stepS;
+        even = rendering::fabrics::atEvenSteps(times, values, step);
     });
     double sum = 0;
     for (std::size_t i = 0; i < even.size(); ++i) sum += std::pow(even[i] - truth(static_cast<double>(i) * step), 2);
@@ -174,4 +179,4 @@ std::vector<BenchRow> benchComposition()
     return rows;
 }
 
-}  // namespace rendering
+}  // namespace study::bench

@@ -6,10 +6,10 @@
 
 #include "study/bench/bench.h"
 
-namespace rendering {
+namespace study::bench {
 
 /// One row each: nine conditions at both scales and with either extension, resampling at import, complex
 /// spectrogram and back, the mean through a magnitude alone. One thread; a second or two.
 std::vector<BenchRow> benchComposition();
 
-}  // namespace rendering
+}  // namespace study::bench

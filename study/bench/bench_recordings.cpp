@@ -16,13 +16,18 @@
 #include "rendering/signals/shape_from_shading.h"
 #include "rendering/signals/surface_calibration.h"
 #include "study/bench/median_time.h"
-#include "study/looking/calibration_report.h"
+#include "study/measuring/calibration_report.h"
 
-namespace rendering {
+namespace study::bench {
 
 namespace {
 
 namespace fs = std::filesystem;
+namespace signals = rendering::signals;
+using rendering::Decode;
+using rendering::readPicture;
+using rendering::readTrueMap;
+using rendering::TrueMap;
 
 constexpr double ballRadiusMm = 2.0, ballMmPerPixel = 0.1245;  ///< of the presses in taxim_gelsight
 constexpr double grainCutoffPx = 400;                          ///< longer waves of a normal map are its form, not its grain
@@ -215,7 +220,7 @@ void addGroove(RecordingsBench& bench, const fs::path& folder, const Decode& dec
         const double time = millisecondsOf([&] {
             score = signals::scoreOf(signals::calibrationFrom(surface, 0, half, quality), surface, half, map.heightMm.rows);
         });
-        bench.rows.push_back({"groove from photographs", nameOf(quality), time, 1000 * score.heightErrorMm, "um RMSE",
+        bench.rows.push_back({"groove from photographs", measuring::nameOf(quality), time, 1000 * score.heightErrorMm, "um RMSE",
                               text("learned on the top half, read on the bottom half, less a quadratic; slopes %.4f off; at "
                                    "least 12.5, aim 8 (balanced)",
                                    score.slopeError)});
@@ -230,18 +235,19 @@ void addPresses(RecordingsBench& bench, const fs::path& folder, const Decode& de
         bench.skipped.push_back(place.string() + ": no background");
         return;
     }
-    const auto presses = readBallPresses(place, ballRadiusMm, ballMmPerPixel, decodeOther);
+    const auto presses = rendering::readBallPresses(place, ballRadiusMm, ballMmPerPixel, decodeOther);
     const auto located = signals::locate(presses);
     for (const auto quality : {signals::MapQuality::Fast, signals::MapQuality::Balanced, signals::MapQuality::Accurate}) {
-        const auto trade = tradeOf(presses, located, quality);
+        const auto trade = measuring::tradeOf(presses, located, quality);
         const auto& score = trade.score;
         const std::string note = text("%zu presses, cross-validated; contact found at %.1f px; fitted in %.2f s",
                                       presses.presses.size(), located.contactPx, trade.fitSeconds);
-        bench.rows.push_back({"ball presses, normals", nameOf(quality), trade.millisecondsAFrame, score.normalErrorDeg,
+        bench.rows.push_back({"ball presses, normals", measuring::nameOf(quality), trade.millisecondsAFrame, score.normalErrorDeg,
                               "deg, median", note + "; at least 7, aim 6 (balanced)"});
-        bench.rows.push_back({"ball presses, depth", nameOf(quality), trade.millisecondsAFrame, score.depthErrorMm,
+        bench.rows.push_back({"ball presses, depth", measuring::nameOf(quality), trade.millisecondsAFrame, score.depthErrorMm,
                               "mm in contact", "at least 0.095, aim 0.07 (balanced)"});
-        bench.rows.push_back({"ball presses, peak", nameOf(quality), trade.millisecondsAFrame, score.peakMm, "mm (1.0 pressed)",
+        bench.rows.push_back({"ball presses, peak", measuring::nameOf(quality), trade.millisecondsAFrame, score.peakMm,
+                              "mm (1.0 pressed)",
                               text("%.2f to %.2f; with the gel's bridge around contact %.2f; 1.0 +- 0.2, aim 0.15",
                                    score.lowestPeakMm, score.highestPeakMm, score.peakOverGelMm)});
     }
@@ -289,4 +295,4 @@ RecordingsBench benchRecordings(const fs::path& folder, const Decode& decodeOthe
     return bench;
 }
 
-}  // namespace rendering
+}  // namespace study::bench

@@ -10,7 +10,7 @@
 #include "rendering/signals/press_folder.h"
 #include "study/bench/bench.h"
 
-namespace rendering {
+namespace study::bench {
 
 struct RecordingsBench {
     std::vector<BenchRow> rows;
@@ -23,6 +23,6 @@ struct RecordingsBench {
 ///                                the bottom half; shape from shading of each photograph, its light not told
 /// taxim_gelsight/                background.png and press_NN.png: ball of 2.0 mm, 0.1245 mm per pixel; cross-validated
 /// gelsight_wear_surfaces/*S<grit>*normalmap.*   grain order: the coarser paper (lower grit) has the longer autocorrelation
-RecordingsBench benchRecordings(const std::filesystem::path& folder, const Decode& decodeOther);
+RecordingsBench benchRecordings(const std::filesystem::path& folder, const rendering::Decode& decodeOther);
 
-}  // namespace rendering
+}  // namespace study::bench

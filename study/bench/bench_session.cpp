@@ -11,16 +11,16 @@
 #include "database/keys.h"
 #include "protocols/counterbalancing.h"
 #include "protocols/files/sha256.h"
+#include "protocols/files/whole_file.h"
 #include "protocols/protocol_json.h"
 #include "rendering/composition/friction_image.h"
 #include "rendering/display/stimulus_bank.h"
 #include "study/app/gui_operator.h"
 #include "study/app/main_window.h"
-#include "study/commands/json_output.h"
 #include "study/session/driver.h"
 #include "study/session/preparation.h"
 
-namespace study::commands {
+namespace study::bench {
 
 namespace {
 
@@ -33,7 +33,7 @@ database::StudyFolder makeStudy(const std::filesystem::path& path, const std::st
 {
     const database::StudyFolder folder{path};
     std::filesystem::create_directories(folder.stimuli());
-    writeFile(folder.protocol(), protocolJson);
+    protocols::writeWholeFile(folder.protocol(), protocolJson);
     const auto protocol = protocols::protocolFromJson(protocolJson, "bench");
     database::StudyFacts facts;
     for (int fabric = 1; fabric <= protocol.fabricCount; ++fabric) facts.fabrics.emplace_back("F" + std::to_string(100 + fabric));
@@ -83,9 +83,9 @@ std::string longProtocol(int phases)
     return json.dump(2) + "\n";
 }
 
-Response someResponse(const View& view)
+GivenAnswer someResponse(const View& view)
 {
-    if (view.scale) return protocols::Tenths{(view.presentation * 7) % 101};
+    if (std::holds_alternative<protocols::Rating>(view.question->kind)) return protocols::Tenths{(view.presentation * 7) % 101};
     return view.trayIds[static_cast<std::size_t>(view.presentation) % view.trayIds.size()];
 }
 
@@ -217,4 +217,4 @@ ordered_json sessionRows()
     return rows;
 }
 
-}  // namespace study::commands
+}  // namespace study::bench

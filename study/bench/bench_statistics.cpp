@@ -16,12 +16,11 @@
 #include "study/bench/median_time.h"
 #include "study/bench/peer_programs.h"
 
-namespace study::commands {
+namespace study::bench {
 
 namespace {
 
 using nlohmann::ordered_json;
-using rendering::medianMilliseconds;
 
 /// ((i * multiplier + increment) mod 2^32) / 2^32.
 std::vector<double> sequence(std::size_t n, std::uint64_t multiplier, std::uint64_t increment)
@@ -200,4 +199,4 @@ ordered_json statisticsRows(bool peers)
     return rows;
 }
 
-}  // namespace study::commands
+}  // namespace study::bench

@@ -4,10 +4,10 @@
 
 #include <nlohmann/json.hpp>
 
-namespace study::commands {
+namespace study::bench {
 
 /// One row a stage: {"stage", "quality", "ms", "error", "error_is", "note"}, and with `peers`
 /// {"peers": {"scipy": ms | null, ...}}, null where a peer is not installed.
 nlohmann::ordered_json statisticsRows(bool peers);
 
-}  // namespace study::commands
+}  // namespace study::bench

@@ -14,13 +14,14 @@
 #include <sstream>
 
 #include "protocols/files/errors.h"
+#include "protocols/files/temporary_folder.h"
 #include "rendering/models/child_process.h"
 #include "rendering/models/second_program.h"
-#include "rendering/models/temporary_folder.h"
+#include "study/bench/peer_programs.h"
 
 extern char** environ;
 
-namespace study::commands {
+namespace study::bench {
 
 namespace {
 
@@ -145,7 +146,7 @@ std::vector<std::string> wordsOf(const std::string& line)
 
 PeerComparison withPython(Partner& ours, const std::vector<std::string>& sizes, const std::filesystem::path& folder, int pairs)
 {
-    std::vector<std::string> command{"/usr/bin/python3", "-c", generatorPeerScript, folder.string()};
+    std::vector<std::string> command{"/usr/bin/python3", "-B", peerScript("generators_peer.py"), folder.string()};
     command.insert(command.end(), sizes.begin(), sizes.end());
     Partner python(command, "");
     const std::vector<std::string> ready = wordsOf(python.line());
@@ -169,12 +170,12 @@ PeerComparison withReferenceBlas(Partner& ours, int pairs)
 {
     PeerComparison comparison;
     comparison.peer = "ours on the reference BLAS";
-    const rendering::models::TemporaryFolder folder;
+    const protocols::TemporaryFolder folder;
     if (!std::filesystem::exists("/usr/lib/x86_64-linux-gnu/blas/libblas.so.3")) {
         comparison.whyNot = "libblas3 is not installed";
         return comparison;
     }
-    Partner slow({secondProgram(), "peer-steps", folder.path().string()}, referenceBlas);
+    Partner slow({rendering::models::secondProgram(), "peer-steps", folder.path().string()}, referenceBlas);
     if (!slow.line().starts_with("ready"))
         comparison.whyNot = "vis2hap-nn does not start on it";
     else
@@ -187,15 +188,15 @@ PeerComparison withReferenceBlas(Partner& ours, int pairs)
 std::vector<PeerComparison> compareGeneratorPeers(int pairs)
 {
     ::signal(SIGPIPE, SIG_IGN);  // NOLINT: a peer that ends early is told by name
-    const rendering::models::TemporaryFolder folder;
-    Partner ours({secondProgram(), "peer-steps", folder.path().string()}, "");
+    const protocols::TemporaryFolder folder;
+    Partner ours({rendering::models::secondProgram(), "peer-steps", folder.path().string()}, "");
     std::vector<std::string> ready = wordsOf(ours.line());
     if (ready.size() != 6 || ready[0] != "ready")
-        throw protocols::environmentFault({"the neural-network part cannot be started", secondProgram(),
+        throw protocols::environmentFault({"the neural-network part cannot be started", rendering::models::secondProgram(),
                                            "vis2hap-nn and libtorch",
                                            "install libtorch (apt-get install libtorch-dev) or run ./run again"});
     ready.erase(ready.begin());
     return {withPython(ours, ready, folder.path(), pairs), withReferenceBlas(ours, pairs)};
 }
 
-}  // namespace study::commands
+}  // namespace study::bench

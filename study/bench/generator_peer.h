@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace study::commands {
+namespace study::bench {
 
 struct PeerComparison {
     std::string peer;                                              ///< "python torch 1.13.0", "ours on the reference BLAS"
@@ -19,7 +19,4 @@ struct PeerComparison {
 /// `pairs` of a training step and of inference each, in turns. Throws environmentFault where vis2hap-nn cannot be started.
 std::vector<PeerComparison> compareGeneratorPeers(int pairs = 10);
 
-/// For /usr/bin/python3: arguments FOLDER BASE-CHANNELS ROWS FRAMES RINGS MEAN-SCALE.
-extern const char* const generatorPeerScript;
-
-}  // namespace study::commands
+}  // namespace study::bench

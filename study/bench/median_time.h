@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace rendering {
+namespace study::bench {
 
 template <class Work>
 double millisecondsOf(const Work& work)
@@ -26,4 +26,4 @@ double medianMilliseconds(int repeats, const Work& work)
     return times[static_cast<std::size_t>(repeats / 2)];
 }
 
-}  // namespace rendering
+}  // namespace study::bench

@@ -2,11 +2,16 @@
 // One thread each.
 #pragma once
 
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
 
-namespace study::commands {
+namespace study::bench {
+
+/// Path of a script of tests/study/bench/peers: in the folder `peers` beside the running program, else in the source tree.
+/// Throws environmentFault where it is in neither.
+std::filesystem::path peerScript(const std::string& name);
 
 /// Milliseconds by stage and peer; no number where the peer or its package is not installed.
 using PeerTimes = std::map<std::string, std::map<std::string, std::optional<double>>>;
@@ -18,4 +23,4 @@ PeerTimes peerTimes();
 /// differences, in single precision). A few seconds.
 PeerTimes signalPeerTimes();
 
-}  // namespace study::commands
+}  // namespace study::bench

@@ -56,7 +56,7 @@ int analyse(const std::string& requests, const std::string& answers)
     const auto ids = idsOf(cases, requests);
     const auto folder = std::filesystem::absolute(requests).parent_path();
     ordered_json all = ordered_json::object();
-    for (std::size_t i = 0; i < ids.size(); ++i) all[ids[i]] = answerOf(cases[i], folder);
+    for (std::size_t i = 0; i < ids.size(); ++i) all[ids[i]] = analyse::answerOf(cases[i], folder);
     writeFile(answers, all.dump(1, ' ', false, json::error_handler_t::replace) + "\n");
     return 0;
 }

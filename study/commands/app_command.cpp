@@ -7,7 +7,7 @@
 #include "reports/analysis/quality_flags.h"
 #include "study/app/app.h"
 #include "study/commands/command_line.h"
-#include "study/commands/look_at_data.h"
+#include "study/looking/look_at_data.h"
 #include "study/making/new_study.h"
 #include "study/records/stored_study.h"
 
@@ -23,14 +23,15 @@ struct Call {
 
 void makeForApp(const app::NewStudyRequest& form, const app::MakingProgress& progress)
 {
-    NewStudy request;
+    making::NewStudy request;
     request.study = form.study;
     request.dataset = form.dataset;
     request.protocol = form.protocol.value_or(std::filesystem::path());
     request.participants = form.participants;
     request.seed = form.seed;
-    makeStudy(request,
-              [&](int done, int total, const std::string& what) { progress(total > 0 ? 1.0 * done / total : 0.0, what); });
+    request.programVersion = versionText();
+    making::makeStudy(
+        request, [&](int done, int total, const std::string& what) { progress(total > 0 ? 1.0 * done / total : 0.0, what); });
 }
 
 /// What a reader of the flag must know before believing it.
@@ -45,7 +46,7 @@ const char* weaknessOf(const std::string& flag)
 std::vector<app::MonitorFlag> flagsOf(const database::StudyStore& store)
 {
     std::vector<app::MonitorFlag> flags;
-    const auto data = studyData(store);
+    const auto data = records::studyData(store);
     for (const auto& entry : reports::qualityFlags(data, reports::Cells(data))) {
         const auto flag = entry["flag"].get<std::string>();
         if (flag != "missing_answers" && flag != "voided_presentations")
@@ -62,7 +63,7 @@ app::AppOptions optionsOf(const Call& call)
     options.display = call.display;
     options.makeStudy = makeForApp;
     options.settings = app::userSettings();
-    options.lookAtData = lookAtData();
+    options.lookAtData = looking::lookAtData();
     options.readFlags = flagsOf;
     return options;
 }

@@ -31,7 +31,7 @@ struct BenchCall {
     JsonTarget target;
 };
 
-ordered_json jsonOf(const rendering::BenchRow& row)
+ordered_json jsonOf(const bench::BenchRow& row)
 {
     return {{"stage", row.stage}, {"quality", row.quality},    {"ms", row.milliseconds},
             {"error", row.error}, {"error_is", row.errorUnit}, {"note", row.note}};
@@ -43,17 +43,17 @@ void addRecordings(ordered_json& rows, const std::string& folder)
     if (!std::filesystem::is_directory(folder))
         throw protocols::badInput(
             {"the folder of recordings is not there", folder, "a folder laid out as README, \"Bench on recordings\", says", ""});
-    const auto bench = rendering::benchRecordings(folder, decodeByQt);
-    for (const auto& line : bench.skipped) std::fprintf(stderr, "skipped: %s\n", line.c_str());
-    for (const auto& row : bench.rows) rows.push_back(jsonOf(row));
+    const auto recordings = bench::benchRecordings(folder, looking::decodeByQt);
+    for (const auto& line : recordings.skipped) std::fprintf(stderr, "skipped: %s\n", line.c_str());
+    for (const auto& row : recordings.rows) rows.push_back(jsonOf(row));
 }
 
 ordered_json signalRows(const BenchCall& call)
 {
     ordered_json rows = ordered_json::array();
-    for (const auto& row : rendering::benchSignals()) rows.push_back(jsonOf(row));
+    for (const auto& row : bench::benchSignals()) rows.push_back(jsonOf(row));
     if (call.peers)
-        for (const auto& [stage, times] : signalPeerTimes())
+        for (const auto& [stage, times] : bench::signalPeerTimes())
             for (const auto& [peer, milliseconds] : times)
                 rows.push_back({{"stage", stage},
                                 {"quality", peer},
@@ -68,7 +68,7 @@ ordered_json signalRows(const BenchCall& call)
 /// Two rows a peer, and ours as it ran in the same turns.
 void addGeneratorPeers(ordered_json& rows)
 {
-    const auto add = [&](const char* stage, const PeerComparison& peer, const std::optional<double>& ours,
+    const auto add = [&](const char* stage, const bench::PeerComparison& peer, const std::optional<double>& ours,
                          const std::optional<double>& theirs, const std::optional<double>& ratio) {
         const auto number = [](const std::optional<double>& value) { return value ? ordered_json(*value) : ordered_json(); };
         char note[160];
@@ -80,7 +80,7 @@ void addGeneratorPeers(ordered_json& rows)
                         {"error_is", ratio ? "ours over theirs" : ""},
                         {"note", ratio ? std::string(note) : peer.whyNot}});
     };
-    for (const PeerComparison& peer : compareGeneratorPeers()) {
+    for (const bench::PeerComparison& peer : bench::compareGeneratorPeers()) {
         add("training step, 8 of 128x128", peer, peer.oursTrainMs, peer.theirsTrainMs, peer.trainRatio);
         add("networks alone, 1 of 128x128", peer, peer.oursInferMs, peer.theirsInferMs, peer.inferRatio);
         if (peer.answersApart)
@@ -91,7 +91,7 @@ void addGeneratorPeers(ordered_json& rows)
 
 ordered_json generatorRows(bool peers)
 {
-    const auto bench = ordered_json::parse(outputOfSecondProgram({"bench", "--json"}));
+    const auto bench = ordered_json::parse(rendering::models::outputOfSecondProgram({"bench", "--json"}));
     ordered_json rows = ordered_json::array();
     for (const auto& quality : bench["qualities"]) {
         char note[160];
@@ -138,8 +138,8 @@ void print(const ordered_json& rows)
 ordered_json rowsOf(const std::string& stage, const BenchCall& call)
 {
     if (stage == "signals") return signalRows(call);
-    if (stage == "session") return sessionRows();
-    return stage == "statistics" ? statisticsRows(call.peers) : generatorRows(call.peers);
+    if (stage == "session") return bench::sessionRows();
+    return stage == "statistics" ? bench::statisticsRows(call.peers) : generatorRows(call.peers);
 }
 
 int bench(const BenchCall& call)

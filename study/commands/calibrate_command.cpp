@@ -13,8 +13,8 @@
 #include "study/commands/command_line.h"
 #include "study/commands/json_output.h"
 #include "study/commands/number_checks.h"
-#include "study/looking/calibration_report.h"
 #include "study/looking/picture_decoder.h"
+#include "study/measuring/calibration_report.h"
 
 namespace study::commands {
 
@@ -56,20 +56,20 @@ void printScore(const char* of, const rendering::signals::CalibrationScore& scor
         of, score.normalErrorDeg, score.depthErrorMm, score.peakMm, score.lowestPeakMm, score.highestPeakMm, score.ballPeakMm);
 }
 
-void printTrade(const std::vector<rendering::QualityTrade>& trades, MapQuality chosen)
+void printTrade(const std::vector<measuring::QualityTrade>& trades, MapQuality chosen)
 {
     std::printf("\n%-10s %12s %14s %10s %14s %8s\n", "quality", "normals deg", "depth off mm", "peak mm", "ms a frame", "fit s");
     for (const auto& trade : trades)
-        std::printf("%-10s %12.2f %14.4f %10.3f %14.2f %8.2f%s\n", rendering::nameOf(trade.quality).c_str(),
+        std::printf("%-10s %12.2f %14.4f %10.3f %14.2f %8.2f%s\n", measuring::nameOf(trade.quality).c_str(),
                     trade.score.normalErrorDeg, trade.score.depthErrorMm, trade.score.peakMm, trade.millisecondsAFrame,
                     trade.fitSeconds, trade.quality == chosen ? "  <- saved" : "");
 }
 
-ordered_json tradeJson(const std::vector<rendering::QualityTrade>& trades)
+ordered_json tradeJson(const std::vector<measuring::QualityTrade>& trades)
 {
     ordered_json rows = ordered_json::array();
     for (const auto& trade : trades)
-        rows.push_back({{"quality", rendering::nameOf(trade.quality)},
+        rows.push_back({{"quality", measuring::nameOf(trade.quality)},
                         {"normal_error_deg", trade.score.normalErrorDeg},
                         {"depth_error_mm", trade.score.depthErrorMm},
                         {"peak_mm", trade.score.peakMm},
@@ -89,13 +89,13 @@ int calibrateOnBalls(const CalibrateCall& call)
 {
     namespace signals = rendering::signals;
     const MapQuality quality = qualities.at(call.quality);
-    const auto presses = rendering::readBallPresses(call.from.front(), call.ballRadiusMm, call.mmPerPixel, decodeByQt);
+    const auto presses = rendering::readBallPresses(call.from.front(), call.ballRadiusMm, call.mmPerPixel, looking::decodeByQt);
     const auto located = signals::locate(presses);
     auto calibration = signals::calibrationFrom(presses, located.circles, allOf(presses), quality);
     if (call.cutoffMm > 0) calibration.highPassCutoffMm = call.cutoffMm;
 
-    std::vector<rendering::QualityTrade> trades;
-    for (const auto& [name, each] : qualities) trades.push_back(rendering::tradeOf(presses, located, each));
+    std::vector<measuring::QualityTrade> trades;
+    for (const auto& [name, each] : qualities) trades.push_back(measuring::tradeOf(presses, located, each));
     std::sort(trades.begin(), trades.end(), [](const auto& a, const auto& b) { return a.quality < b.quality; });
     const auto& validated = trades[static_cast<std::size_t>(quality)].score;
     ordered_json report{{"schema", "vis2hap.calibration-report/1"},
@@ -104,16 +104,16 @@ int calibrateOnBalls(const CalibrateCall& call)
                         {"ball_radius_mm", call.ballRadiusMm},
                         {"mm_per_pixel", call.mmPerPixel},
                         {"contact_radius_px", located.contactPx},
-                        {"cross_validated", rendering::jsonOf(validated)},
+                        {"cross_validated", measuring::jsonOf(validated)},
                         {"trade", tradeJson(trades)}};
     std::optional<signals::CalibrationScore> tested;
     if (!call.test.empty()) {
-        const auto others = rendering::readBallPresses(call.test, call.ballRadiusMm, call.mmPerPixel, decodeByQt);
+        const auto others = rendering::readBallPresses(call.test, call.ballRadiusMm, call.mmPerPixel, looking::decodeByQt);
         tested = signals::scoreOf(calibration, others, signals::locate(others, located), allOf(others));
-        report["test"] = rendering::jsonOf(*tested);
+        report["test"] = measuring::jsonOf(*tested);
     }
     writeFile(call.out, signals::toJson(calibration));
-    writePictures(call, presses.background, rendering::pressSheet(presses, calibration, validated));
+    writePictures(call, presses.background, measuring::pressSheet(presses, calibration, validated));
     writeFile(besideOut(call, "-quality.json"), report.dump(2) + "\n");
     if (call.json) {
         writeJson(call.json, report);
@@ -148,10 +148,10 @@ int calibrateOnSurface(const CalibrateCall& call)
 {
     namespace signals = rendering::signals;
     std::vector<cv::Mat> frames;
-    for (const auto& file : call.from) frames.push_back(rendering::readPicture(file, decodeByQt));
+    for (const auto& file : call.from) frames.push_back(rendering::readPicture(file, looking::decodeByQt));
     signals::KnownSurfaceFrame surface;
     surface.frame = frames.size() == 1 ? frames.front() : signals::oneFrame(frames);
-    if (!call.background.empty()) surface.reference = rendering::readPicture(call.background, decodeByQt);
+    if (!call.background.empty()) surface.reference = rendering::readPicture(call.background, looking::decodeByQt);
     const auto map = knownSurface(call);
     surface.heightMm = map.heightMm;
     surface.pitch = {map.xPitchMm, map.yPitchMm};

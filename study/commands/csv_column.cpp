@@ -22,7 +22,7 @@ bool isMissing(const std::string& cell)
 
 std::vector<double> readColumn(const std::filesystem::path& file, const std::string& column)
 {
-    const auto table = rendering::fabrics::readCsvTable(file);
+    const auto table = protocols::readCsvTable(file);
     const auto index = table.column(column);
     if (!index) {
         std::string names;
@@ -33,7 +33,7 @@ std::vector<double> readColumn(const std::filesystem::path& file, const std::str
     values.reserve(table.rows.size());
     for (std::size_t row = 0; row < table.rows.size(); ++row)
         values.push_back(isMissing(table.rows[row][*index]) ? std::numeric_limits<double>::quiet_NaN()
-                                                            : rendering::fabrics::numberAt(table, row, *index));
+                                                            : protocols::numberAt(table, row, *index));
     return values;
 }
 

@@ -4,9 +4,9 @@
 #include <cstdio>
 #include <map>
 #include <memory>
-#include <thread>
 
 #include "rendering/models/exchange.h"
+#include "stats/kernels/threads.h"
 #include "study/commands/command_line.h"
 #include "study/commands/json_output.h"
 #include "study/commands/number_checks.h"
@@ -20,6 +20,8 @@ namespace study::commands {
 namespace {
 
 namespace evaluation = study::evaluation;
+
+constexpr unsigned mostThreads = 16;  ///< each holds maps and spectra of its own
 
 struct EvaluateCall {
     std::string dataset, model, split = "sample", quality = "balanced";
@@ -69,7 +71,7 @@ int evaluate(const EvaluateCall& call)
     request.quality = rendering::models::qualityNamed(call.quality);
     request.samplesPerFabric = call.samples;
     request.boundsFraction = call.bounds;
-    request.threads = static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1U, 16U));
+    request.threads = std::min(stats::threadCount(0), mostThreads);
     if (!hasMeasurements(dataset)) {
         StagesShown stages;
         const auto weaves = evaluation::evaluateWeaves(

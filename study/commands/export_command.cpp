@@ -3,9 +3,9 @@
 #include <cstdio>
 #include <functional>
 #include <memory>
-#include <set>
 
 #include "protocols/files/errors.h"
+#include "protocols/question_ids.h"
 #include "study/commands/command_line.h"
 #include "study/commands/json_output.h"
 #include "study/players/session_script.h"
@@ -23,9 +23,8 @@ struct Export {
     const database::StudyStore& store;
     database::StudyFacts facts;
     protocols::Protocol protocol;
-    Naming naming;
+    records::Naming naming;
     fs::path out;
-    std::set<std::string> wordQuestions;
 };
 
 /// One answer with everything that may be told of it; absent values are null.
@@ -42,8 +41,10 @@ ordered_json rowOf(const Export& job, const CurrentAnswer& answer)
                      {"condition", entry.condition},
                      {"alternatives", alternatives}};
     row["answer"] = record.answer ? ordered_json(*record.answer) : ordered_json();
-    const bool inWords = !record.rating && job.wordQuestions.contains(record.question.value);
-    row["correct"] = record.answer && !inWords ? ordered_json(isCorrect(record, entry.fabric) ? 1 : 0) : ordered_json();
+    const auto* question = questionWith(job.protocol, record.question);
+    const auto right =
+        record.answer && question ? isRight(question->kind, record.alternatives, entry.fabric, *record.answer) : std::nullopt;
+    row["correct"] = right ? ordered_json(*right ? 1 : 0) : ordered_json();
     row["rating"] = record.rating ? ordered_json(record.rating->inScaleUnits()) : ordered_json();
     row["seconds"] = answer.seconds;
     row["ready_at"] = record.readyAtNs;
@@ -94,10 +95,7 @@ void writeCsv(const Export& job)
 {
     ordered_json rows = ordered_json::array();
     for (const auto& answer : job.store.answers()) rows.push_back(rowOf(job, answer));
-    writeFile(job.out / "answers.csv",
-              csvOf(rows, {"participant", "trial", "question", "fabric", "condition", "alternatives", "answer", "correct",
-                           "rating", "seconds", "ready_at", "touched_at", "touched_by", "answered_at", "stored_at", "corrections",
-                           "voided", "wall_time", "note"}));
+    writeFile(job.out / "answers.csv", csvOf(rows, {protocols::answerColumns().begin(), protocols::answerColumns().end()}));
     writeFile(job.out / "participants.csv",
               csvOf(participantRows(job), {"slot", "participant", "kind", "state", "protocol_version"}));
 }
@@ -112,22 +110,12 @@ void writeJsonExport(const Export& job)
     writeFile(job.out / "export.json", json.dump(1) + "\n");
 }
 
-std::set<std::string> questionsInWords(const protocols::Protocol& protocol)
-{
-    std::set<std::string> ids;
-    for (const auto& phase : protocol.phases)
-        for (const auto& question : phase.questions)
-            if (question.inWords) ids.insert(question.id.value);
-    return ids;
-}
-
 int exportStudy(const std::string& study, const std::string& out, const std::string& format)
 {
-    const auto store = openStudy(study);
+    const auto store = records::openStudy(study);
     auto facts = store.facts();
-    const auto protocol = protocolOf(facts);
-    const Export job{
-        store, facts, protocol, namingOf(store, protocol, recordedUnblinding(store)), out, questionsInWords(protocol)};
+    const auto protocol = records::protocolOf(facts);
+    const Export job{store, facts, protocol, records::namingOf(store, protocol, recordedUnblinding(store)), out};
     std::error_code failure;
     fs::create_directories(job.out, failure);
     if (failure)
@@ -138,7 +126,7 @@ int exportStudy(const std::string& study, const std::string& out, const std::str
     else if (format == "json")
         writeJsonExport(job);
     else
-        writeScripts(job.store, job.naming, job.out);
+        players::writeScripts(job.store, job.naming, job.out);
     std::printf("%s: %zu answers as %s%s\n", out.c_str(), store.answers().size(), format.c_str(),
                 job.naming.blinded ? ", blinded (conditions as K-labels)" : "");
     return 0;

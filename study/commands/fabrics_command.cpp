@@ -2,7 +2,6 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
-#include <thread>
 
 #include "protocols/files/errors.h"
 #include "rendering/fabrics/dataset_check.h"
@@ -24,7 +23,6 @@ int make(const MakeCall& call)
 {
     auto options = call.options;
     options.pairing = call.pairing == "aligned" ? rendering::fabrics::Pairing::Aligned : rendering::fabrics::Pairing::Weak;
-    options.threads = std::max(1u, std::thread::hardware_concurrency());
     Progress progress("fabrics");
     const auto dataset = makeProceduralFabrics(call.folder, options, [&](int done, int total) { progress.show(done, total); });
     std::printf("%s: %zu procedural fabrics, %d photographs, presses and strokes each\n", call.folder.c_str(),

@@ -92,7 +92,7 @@ int import(const ImportCall& call)
     request.from.assign(call.from.begin(), call.from.end());
     request.out = call.out;
     if (!call.fabric.empty()) request.fabric = protocols::FabricId(call.fabric);
-    request.decodeOther = decodeByQt;
+    request.decodeOther = looking::decodeByQt;
     request.friction = frictionOptions(call);
     if (!call.calibration.empty()) {
         if (request.kind != rendering::fabrics::ImportKind::Gelsight)

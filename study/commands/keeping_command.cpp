@@ -90,7 +90,7 @@ int backup(const std::string& study, const std::string& out)
 {
     if (fs::exists(out))
         throw protocols::badInput({"the file exists", out, "a new file", "choose another name; nothing was written"});
-    const auto store = openStudy(study);
+    const auto store = records::openStudy(study);
     const std::string name = nameOfFolder(study);
     const Staging staging(out);
     try {

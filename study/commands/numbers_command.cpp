@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "protocols/files/csv_table.h"
+#include "protocols/files/number_text.h"
 #include "protocols/files/errors.h"
 #include "rendering/images/image_io.h"
 #include "rendering/signals/grey.h"
@@ -24,6 +25,8 @@
 namespace study::commands {
 
 namespace {
+
+using analyse::put;
 
 using nlohmann::ordered_json;
 
@@ -74,8 +77,8 @@ const std::map<std::string, stats::Tail> tails{
 std::pair<double, double> boundsFrom(const std::string& text)
 {
     const auto comma = text.find(',');
-    const auto low = comma == std::string::npos ? std::nullopt : rendering::fabrics::numberIn(text.substr(0, comma));
-    const auto high = comma == std::string::npos ? std::nullopt : rendering::fabrics::numberIn(text.substr(comma + 1));
+    const auto low = comma == std::string::npos ? std::nullopt : protocols::numberIn(text.substr(0, comma));
+    const auto high = comma == std::string::npos ? std::nullopt : protocols::numberIn(text.substr(comma + 1));
     if (!low || !high || !(*low < *high))
         throw protocols::badInput(
             {"bounds \"" + text + "\"", "--bounds", "LOW,HIGH with LOW below HIGH, e.g. --bounds=-0.5,0.5", ""});
@@ -182,7 +185,7 @@ bool isTrace(const std::string& file) { return file.size() > 4 && file.substr(fi
 
 std::vector<double> readTrace(const std::string& file)
 {
-    const auto table = rendering::fabrics::readCsvTable(file);
+    const auto table = protocols::readCsvTable(file);
     if (table.columns.size() != 1)
         throw protocols::badInput(
             {"has " + std::to_string(table.columns.size()) + " columns", file, "a trace of one column", ""});

@@ -29,7 +29,7 @@ struct PowerCall {
 // What the default truth is written for; other scales are taken as this one stretched.
 constexpr double hapticScale = 10;
 
-void putScale(stats::RatingTruth& truth, const protocols::Scale& scale)
+void putScale(stats::RatingTruth& truth, const protocols::RatingScale& scale)
 {
     truth.scaleMin = scale.min.inScaleUnits();
     truth.scaleMax = scale.max.inScaleUnits();
@@ -52,13 +52,13 @@ stats::PowerOptions optionsFor(const protocols::Protocol& protocol, const PowerC
     options.simulation.seed = call.seed;
     options.hasChoices = options.hasRatings = false;
     for (const auto& phase : protocol.phases) {
-        if (phase.alternatives && !options.hasChoices) {
+        if (const auto* choice = std::get_if<protocols::ForcedChoice>(&phase.task); choice && !options.hasChoices) {
             options.hasChoices = true;
-            options.design.alternatives = *phase.alternatives;
+            options.design.alternatives = choice->alternatives;
         }
-        if (phase.scale && !options.hasRatings) {
+        if (const auto* rating = std::get_if<protocols::Rating>(&phase.task); rating && !options.hasRatings) {
             options.hasRatings = true;
-            putScale(options.ratings, *phase.scale);
+            putScale(options.ratings, rating->scale);
         }
     }
     return options;

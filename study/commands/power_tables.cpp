@@ -10,6 +10,8 @@ namespace study::commands {
 
 namespace {
 
+using analyse::put;
+
 using nlohmann::ordered_json;
 
 ordered_json testJson(const stats::PlannedTest& test)

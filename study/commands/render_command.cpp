@@ -4,7 +4,7 @@
 #include <memory>
 #include <sstream>
 
-#include "protocols/files/csv_table.h"
+#include "protocols/files/number_text.h"
 #include "protocols/files/errors.h"
 #include "rendering/composition/earlier_render.h"
 #include "rendering/composition/render_fabrics.h"
@@ -60,8 +60,8 @@ rendering::Percentiles percentilesFrom(const std::string& text)
 {
     if (text.empty()) return {};
     const auto comma = text.find(',');
-    const auto low = rendering::fabrics::numberIn(text.substr(0, comma));
-    const auto high = comma == std::string::npos ? std::nullopt : rendering::fabrics::numberIn(text.substr(comma + 1));
+    const auto low = protocols::numberIn(text.substr(0, comma));
+    const auto high = comma == std::string::npos ? std::nullopt : protocols::numberIn(text.substr(comma + 1));
     if (!low || !high)
         throw protocols::badInput({"\"" + text + "\" are no two percentiles", "--range-percentiles", "LO,HI, e.g. 0.1,99.9", ""});
     return {*low, *high};
@@ -109,15 +109,15 @@ int render(const RenderCall& call)
     std::optional<looking::ContactSheet> sheet;
     if (!call.sheet.empty()) {
         Progress progress("contact sheet");
-        sheet = contactSheetOf(dataset, request,
-                               [&](int done, int total, const std::string& what) { progress.show(done, total, what); });
+        sheet = looking::contactSheetOf(dataset, request,
+                                        [&](int done, int total, const std::string& what) { progress.show(done, total, what); });
     }
     Progress progress("friction images");
     const auto rendering =
         renderFabrics(dataset, request, [&](int done, int total, const std::string& what) { progress.show(done, total, what); });
     const auto saved = savedJson(call.out, renderJson(dataset, request, rendering));
     writeRendering(call.out, rendering, saved.json);
-    if (sheet) writeContactSheet(call.sheet, *sheet);
+    if (sheet) looking::writeContactSheet(call.sheet, *sheet);
     for (const auto& warning : saved.warnings) std::fprintf(stderr, "warning: %s\n", warning.c_str());
     for (const auto& warning : rendering::shadingWarnings(rendering)) std::fprintf(stderr, "warning: %s\n", warning.c_str());
     for (const auto& warnings : {rendering::unfamiliarPhotographs(rendering), rendering::cutPhotographs(rendering)})

@@ -26,7 +26,7 @@ using database::ParticipantKind;
 using database::SlotState;
 using database::StudyStore;
 
-class WindowHands final : public Hands {
+class WindowHands final : public players::Hands {
 public:
     explicit WindowHands(app::MainWindow& window) : m_hands(window) {}
     std::optional<session::Refusal> perform(const session::EventBody& event) override { return m_hands.perform(event); }
@@ -36,12 +36,12 @@ private:
     app::GuiOperator m_hands;
 };
 
-std::vector<Script> readScripts(const std::vector<std::string>& files, const protocols::Protocol& protocol)
+std::vector<players::Script> readScripts(const std::vector<std::string>& files, const protocols::Protocol& protocol)
 {
-    std::vector<Script> scripts;
+    std::vector<players::Script> scripts;
     std::set<protocols::ParticipantId> seen;
     for (const auto& file : files) {
-        scripts.push_back(scriptFromJson(readFile(file), file, protocol));
+        scripts.push_back(players::scriptFromJson(readFile(file), file, protocol));
         if (!seen.insert(scripts.back().participant).second)
             throw protocols::badInput({"participant " + scripts.back().participant.value + " comes twice", file,
                                        "one script for each participant", "leave one out"});
@@ -57,21 +57,21 @@ database::Slot slotOf(const StudyStore& store, const protocols::ParticipantId& p
 }
 
 /// A script drives its own sessions alone, never on in the session of a person.
-void requireScripted(const database::Slot& slot, const Script& script)
+void requireScripted(const database::Slot& slot, const players::Script& script)
 {
     if (slot.state != SlotState::Free && slot.kind != ParticipantKind::Scripted)
         throw protocols::badInput({"participant " + script.participant.value + " is " + nameOf(slot.kind) + ", not scripted",
                                    script.where, "a participant id of its own", "change \"participant\" in the script"});
 }
 
-bool finishedAlready(const database::Slot& slot, const Script& script)
+bool finishedAlready(const database::Slot& slot, const players::Script& script)
 {
     if (slot.state != SlotState::Finished && slot.state != SlotState::Withdrawn) return false;
     std::printf("%s: %s already, nothing to do\n", script.participant.value.c_str(), nameOf(slot.state).c_str());
     return true;
 }
 
-ScriptedTrials trialsFor(const StudyStore& store, int slot, const protocols::Protocol& protocol)
+players::ScriptedTrials trialsFor(const StudyStore& store, int slot, const protocols::Protocol& protocol)
 {
     return {store.trials(slot), readAllocationKeyForTestDriver(store, ParticipantKind::Scripted), protocol};
 }
@@ -81,17 +81,17 @@ struct Playing {
     int answersInAll;
 };
 
-void play(const Script& script, StudyStore& store, Hands& hands, session::VirtualClock& clock,
+void play(const players::Script& script, StudyStore& store, players::Hands& hands, session::VirtualClock& clock,
           const std::vector<database::EventRecord>& logged, const Playing& playing)
 {
     const auto trials = trialsFor(store, slotOf(store, script.participant).number, playing.protocol);
     Progress progress(script.participant.value);
-    playScript(script, trials, logged, hands, clock, [&](int stored) { progress.show(stored, playing.answersInAll); });
+    players::playScript(script, trials, logged, hands, clock, [&](int stored) { progress.show(stored, playing.answersInAll); });
     std::printf("%s: %d answers stored, %s\n", script.participant.value.c_str(), hands.state().answersStored,
                 std::holds_alternative<session::Finished>(hands.state().stage) ? "finished" : "withdrawn");
 }
 
-void playDirectly(const std::vector<Script>& scripts, StudyStore& store, const Playing& playing)
+void playDirectly(const std::vector<players::Script>& scripts, StudyStore& store, const Playing& playing)
 {
     rendering::StimulusBank bank(store.folder().stimuli(), store.stimulusHashes());
     const auto display = rendering::openDisplay("none");
@@ -102,12 +102,12 @@ void playDirectly(const std::vector<Script>& scripts, StudyStore& store, const P
         const auto logged = store.events(script.participant);
         session::VirtualClock clock;
         session::Driver driver(store, script.participant, ParticipantKind::Scripted, bank, *display, clock);
-        DriverHands hands(driver);
+        players::DriverHands hands(driver);
         play(script, store, hands, clock, logged, playing);
     }
 }
 
-void playThroughWindow(const std::vector<Script>& scripts, const std::filesystem::path& study, const Playing& playing)
+void playThroughWindow(const std::vector<players::Script>& scripts, const std::filesystem::path& study, const Playing& playing)
 {
     for (const auto& script : scripts) {
         const auto clock = std::make_shared<session::VirtualClock>();
@@ -130,7 +130,7 @@ void playThroughWindow(const std::vector<Script>& scripts, const std::filesystem
 
 int replay(const std::string& study, const std::vector<std::string>& files, bool gui)
 {
-    const auto protocol = protocolOf(openStudy(study).facts());
+    const auto protocol = records::protocolOf(records::openStudy(study).facts());
     const auto scripts = readScripts(files, protocol);
     const Playing playing{protocol, protocol.answersPerParticipant()};
     if (gui) {

@@ -23,7 +23,7 @@ struct ReportCall {
 
 reports::StudyData dataFor(const ReportCall& call)
 {
-    if (call.from.empty()) return studyData(openStudy(call.study));
+    if (call.from.empty()) return records::studyData(records::openStudy(call.study));
     reports::AnswersCsvOptions options;
     options.alternatives = call.alternatives;
     if (!call.protocol.empty()) {

@@ -55,14 +55,14 @@ int simulate(const SimulateCall& call)
 {
     StudyStore store({call.study}, StudyStore::Access::Write);
     const auto facts = store.facts();
-    const auto protocol = protocolOf(facts);
+    const auto protocol = records::protocolOf(facts);
     const auto participants = participantsToPlay(store, call.participants);
     const auto key = readAllocationKeyForTestDriver(store, ParticipantKind::Simulated);
     rendering::StimulusBank bank(store.folder().stimuli(), store.stimulusHashes());
 
-    Percepts percepts;
-    percepts.fabrics = expectedTouch(facts, call.dataset.empty() ? facts.datasetPath : call.dataset);
-    for (const auto& [code, entry] : key.entries) percepts.stimuli[code] = feel(bank.image(code));
+    players::Percepts percepts;
+    percepts.fabrics = players::expectedTouch(facts, call.dataset.empty() ? facts.datasetPath : call.dataset);
+    for (const auto& [code, entry] : key.entries) percepts.stimuli[code] = players::feel(bank.image(code));
 
     const auto display = rendering::openDisplay("none");
     Progress progress("simulated participants");
@@ -70,9 +70,9 @@ int simulate(const SimulateCall& call)
     for (const auto& id : participants) {
         session::VirtualClock clock;
         session::Driver driver(store, id, ParticipantKind::Simulated, bank, *display, clock);
-        DriverHands hands(driver);
-        SimulatedParticipant participant(percepts, call.seed, id.value);
-        playSimulated(participant, driver.plan(), hands, clock);
+        players::DriverHands hands(driver);
+        players::SimulatedParticipant participant(percepts, call.seed, id.value);
+        players::playSimulated(participant, driver.plan(), hands, clock);
         progress.show(++played, static_cast<int>(participants.size()), id.value);
     }
     std::printf("%s: %d simulated participants answered\n", call.study.c_str(), played);

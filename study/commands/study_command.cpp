@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "database/study_store.h"
-#include "protocols/counterbalancing.h"
+#include "protocols/balance.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/sha256.h"
 #include "protocols/protocol_json.h"
@@ -29,11 +29,12 @@ std::string listOf(const std::vector<database::FamiliarisationItem>& items)
     return text;
 }
 
-int makeNew(const NewStudy& request)
+int makeNew(const making::NewStudy& request)
 {
     Progress progress("friction images");
-    const auto made = makeStudy(request, [&](int done, int total, const std::string& what) { progress.show(done, total, what); });
-    const auto protocol = protocolOf(made.facts);
+    const auto made =
+        making::makeStudy(request, [&](int done, int total, const std::string& what) { progress.show(done, total, what); });
+    const auto protocol = records::protocolOf(made.facts);
     for (const auto& warning : made.warnings) std::fprintf(stderr, "warning: %s\n", warning.c_str());
     std::printf("%s: %s\n", request.study.c_str(), made.facts.name.c_str());
     std::printf("  %d participants, fabrics", protocol.participants);
@@ -52,11 +53,11 @@ int makeNew(const NewStudy& request)
 
 int status(const std::string& study, const JsonTarget& target)
 {
-    const auto json = statusOf(openStudy(study));
+    const auto json = records::statusOf(records::openStudy(study));
     if (target)
         writeJson(target, json);
     else
-        std::fputs(textOf(json).c_str(), stdout);
+        std::fputs(records::textOf(json).c_str(), stdout);
     return 0;
 }
 
@@ -69,9 +70,9 @@ std::string pieceName(const database::StudyFacts& facts, int slot, const protoco
 
 int plan(const std::string& study, const std::string& csv)
 {
-    const auto store = openStudy(study);
+    const auto store = records::openStudy(study);
     const auto facts = store.facts();
-    const auto protocol = protocolOf(facts);
+    const auto protocol = records::protocolOf(facts);
     std::string text = "slot,trial,questions,presentation_code,tray,minutes,sitting\n";
     for (const auto& slot : store.slots())
         for (const auto& trial : store.trials(slot.number)) {
@@ -119,8 +120,8 @@ int amend(const Amendment& call)
         std::printf("%s: unchanged (version %d), nothing to take over\n", file.c_str(), kept.version);
         return 0;
     }
-    const auto changed = fixedPartsChanged(protocols::protocolFromJson(kept.json, "the kept protocol"),
-                                           protocols::protocolFromJson(text, file.string()));
+    const auto changed = fixedPartsChanged(protocols::keptProtocolFromJson(kept.json, "the kept protocol"),
+                                           protocols::keptProtocolFromJson(text, file.string()));
     if (!changed.empty())
         throw protocols::badInput(
             {"it changes " + listed(changed) + ", on which running orders and stimuli hang", file.string(),
@@ -134,7 +135,8 @@ int amend(const Amendment& call)
 void addNew(CLI::App& study, Action& action)
 {
     auto* command = study.add_subcommand("new", "make a study from a data set and a protocol");
-    auto call = std::make_shared<NewStudy>();
+    auto call = std::make_shared<making::NewStudy>();
+    call->programVersion = versionText();
     command->add_option("STUDY", call->study, "folder to make")->required();
     command->add_option("--dataset", call->dataset, "the data set")->required();
     command->add_option("--protocol", call->protocol, "protocol JSON (default: the paper's study)");
@@ -189,7 +191,7 @@ void addStudy(CLI::App& app, Action& action)
     sheetsCommand->add_option("--out", *out, "folder to write")->required();
     sheetsCommand->callback([folder, out, &action] {
         action.surroundings = Surroundings::Core;
-        action.work = [folder, out] { return writeSheets(openStudy(*folder), *out); };
+        action.work = [folder, out] { return making::writeSheets(records::openStudy(*folder), *out); };
     });
 
     auto* planCommand = study->add_subcommand("plan", "the blinded running order, one row a trial");

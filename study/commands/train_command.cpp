@@ -68,7 +68,7 @@ void addTrain(CLI::App& app, Action& action)
         for (const auto& [wanted, name] :
              {std::pair{call->reference, "--reference"}, {call->l1Only, "--l1-only"}, {call->resume, "--resume"}})
             if (wanted) arguments.emplace_back(name);
-        action.work = [arguments] { return runSecondProgram(arguments); };
+        action.work = [arguments] { return rendering::models::runSecondProgram(arguments); };
     });
 }
 

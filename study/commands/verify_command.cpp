@@ -32,7 +32,7 @@ std::vector<std::string> faultsOf(const database::StudyStore& store)
 
 int verify(const std::string& study, const JsonTarget& target)
 {
-    const auto store = openStudy(study);
+    const auto store = records::openStudy(study);
     const auto faults = faultsOf(store);
     if (target)
         writeJson(target, {{"schema", "vis2hap.verify/1"},

@@ -28,7 +28,7 @@ struct ViewCall {
 int view(const ViewCall& call)
 {
     looking::ReadingOptions reading = call.reading;
-    reading.decode = decodeByQt;
+    reading.decode = looking::decodeByQt;
     std::vector<looking::SeenSignal> signals;
     for (const std::string& file : call.files) signals.push_back(looking::readSignal(file, reading));
     looking::SheetStyle style = call.isDark ? looking::darkSheet() : looking::lightSheet();

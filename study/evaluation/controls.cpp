@@ -7,6 +7,7 @@
 
 #include "protocols/random.h"
 #include "rendering/models/photograph_features.h"
+#include "stats/kernels/threads.h"
 
 namespace study::evaluation {
 
@@ -44,19 +45,19 @@ std::vector<std::pair<std::size_t, PlannedSample>> drawnPresses(const TestPlan& 
 }
 
 template <class FeaturesOfSample>
-std::vector<SampleFeatures> computeFeatures(const std::vector<std::pair<std::size_t, PlannedSample>>& samples, int threads,
+std::vector<SampleFeatures> computeFeatures(const std::vector<std::pair<std::size_t, PlannedSample>>& samples, unsigned threads,
                                             const std::string& stage, const Report& report,
                                             const FeaturesOfSample& featuresOfSample)
 {
     std::vector<SampleFeatures> computed(samples.size());
-    onThreads(
+    stats::onThreads(
         samples.size(), threads,
         [&](std::size_t i) {
             computed[i] = featuresOfSample(samples[i].second);
             computed[i].fabric = samples[i].first;
         },
-        [&](int done) {
-            if (report) report(stage, done, static_cast<int>(samples.size()));
+        [&](std::size_t done) {
+            if (report) report(stage, static_cast<int>(done), static_cast<int>(samples.size()));
         });
     return computed;
 }
@@ -134,18 +135,18 @@ double squaredDistance(const std::vector<float>& a, const std::vector<float>& b)
 }
 
 std::vector<std::vector<float>> photographFeaturesOf(const fabrics::Dataset& dataset,
-                                                     const std::vector<PlannedSample>& photographs, int threads,
+                                                     const std::vector<PlannedSample>& photographs, unsigned threads,
                                                      const Report& report)
 {
     std::vector<std::vector<float>> features(photographs.size());
-    onThreads(
+    stats::onThreads(
         photographs.size(), threads,
         [&](std::size_t i) {
             features[i] = rendering::models::photographFeatures(
                 fabrics::readPhotograph(dataset, photographs[i].fabric, photographs[i].index));
         },
-        [&](int done) {
-            if (report) report("training photographs for retrieval", done, static_cast<int>(photographs.size()));
+        [&](std::size_t done) {
+            if (report) report("training photographs for retrieval", static_cast<int>(done), static_cast<int>(photographs.size()));
         });
     return features;
 }

@@ -4,6 +4,7 @@
 
 #include "protocols/files/errors.h"
 #include "rendering/models/model_card.h"
+#include "stats/kernels/threads.h"
 #include "study/evaluation/predictions.h"
 #include "study/evaluation/summary.h"
 
@@ -157,7 +158,7 @@ std::vector<std::vector<Values>> evaluatePairs(const EvaluationContext& context,
     for (std::size_t first = 0; first < total; first += photographsAtOnce) {
         const std::size_t count = std::min(photographsAtOnce, total - first);
         const auto answers = generatedFor(context, request, opened, first, count, generate);
-        onThreads(
+        stats::onThreads(
             count, request.threads,
             [&](std::size_t k) {
                 const std::size_t i = first + k;
@@ -173,8 +174,8 @@ std::vector<std::vector<Values>> evaluatePairs(const EvaluationContext& context,
                                        ? valuesOfMeasured(context, pair, measured[i])
                                        : compare(context, pair, measured[i], partner, prediction(s), rangeMm);
             },
-            [&](int done) {
-                if (report) report("generated against measured", static_cast<int>(first) + done, static_cast<int>(total));
+            [&](std::size_t done) {
+                if (report) report("generated against measured", static_cast<int>(first + done), static_cast<int>(total));
             });
     }
     return values;
@@ -223,7 +224,7 @@ Evaluation evaluate(const fabrics::Dataset& dataset, const EvaluationRequest& re
     const Controls controls = fitControls(dataset, measured, plan, planned, report);
     const EvaluationContext context{dataset, measured, plan, controls};
     std::vector<MeasuredPair> pairs(plan.pairs.size());
-    onThreads(plan.pairs.size(), request.threads, [&](std::size_t i) { pairs[i] = measurePair(context, plan.pairs[i]); });
+    stats::onThreads(plan.pairs.size(), request.threads, [&](std::size_t i) { pairs[i] = measurePair(context, plan.pairs[i]); });
 
     Evaluation evaluation;
     addFacts(dataset, opened, context, evaluation);

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "protocols/files/sha256.h"
+#include "stats/kernels/threads.h"
 
 namespace study::evaluation {
 
@@ -29,10 +30,10 @@ std::vector<PlacedSample> placedSamples(const fabrics::Dataset& dataset, const P
     const auto split = request.split == SplitKind::Location ? fabrics::splitByLocation(dataset, request.seed)
                                                             : fabrics::splitBySample(dataset, request.seed);
     std::vector<PlacedSample> samples(split.size());
-    const auto progress = [&](int done) {
-        if (report) report("hashes of the samples", done, static_cast<int>(split.size()));
+    const auto progress = [&](std::size_t done) {
+        if (report) report("hashes of the samples", static_cast<int>(done), static_cast<int>(split.size()));
     };
-    onThreads(
+    stats::onThreads(
         split.size(), request.threads,
         [&](std::size_t i) {
             const auto& place = split[i].first;

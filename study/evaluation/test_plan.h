@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -10,11 +11,13 @@
 #include <vector>
 
 #include "rendering/fabrics/dataset.h"
-#include "study/evaluation/both_cores.h"
 
 namespace study::evaluation {
 
 using rendering::fabrics::Modality;
+
+/// Reports the progress of long work; called by one thread at a time.
+using Report = std::function<void(const std::string& stage, int done, int total)>;
 
 /// How test samples are chosen. Augmented is the paper's split after augmentation, in which every part has copies of every
 /// original. It leaves no sample out of the test and counts those a model was trained on, so its figures also measure memory.
@@ -69,7 +72,7 @@ struct PlanRequest {
     std::set<std::string> trainedOn;           ///< SHA-256 of every file that a model was trained on
     std::vector<protocols::FabricId> heldOut;  ///< test fabrics of the split by fabric
     std::optional<int> samplesPerFabric;       ///< number of test photographs; none: all
-    int threads = 2;
+    unsigned threads = 0;                      ///< 0: as many as the machine has; the results do not depend on it
 };
 
 /// Plans the evaluation. Throws badInput if the data set has no photographs or if no test photograph is left.

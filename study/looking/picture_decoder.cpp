@@ -4,7 +4,7 @@
 
 #include "protocols/files/errors.h"
 
-namespace study::commands {
+namespace study::looking {
 
 cv::Mat decodeByQt(const std::filesystem::path& file)
 {
@@ -20,4 +20,4 @@ cv::Mat decodeByQt(const std::filesystem::path& file)
     return view.clone();
 }
 
-}  // namespace study::commands
+}  // namespace study::looking

@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <opencv2/core/mat.hpp>
 
-namespace study::commands {
+namespace study::looking {
 
 /// CV_8UC3, R, G, B; upright by the camera's orientation mark. Throws badInput.
 cv::Mat decodeByQt(const std::filesystem::path& file);
 
-}  // namespace study::commands
+}  // namespace study::looking

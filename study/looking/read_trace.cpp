@@ -1,4 +1,5 @@
 #include "study/looking/read_trace.h"
+#include "protocols/files/number_text.h"
 
 #include <cmath>
 #include <limits>
@@ -12,16 +13,16 @@ namespace study::looking {
 namespace {
 
 namespace fs = std::filesystem;
-using rendering::fabrics::CsvTable;
+using protocols::CsvTable;
 
 constexpr double missingSample = std::numeric_limits<double>::quiet_NaN();
 constexpr double leastNormalN = 0.05;  // below this load the coefficient is only noise
 
-std::vector<double> columnOf(const CsvTable& table, std::size_t column)
+std::vector<double> columnOf(const protocols::CsvTable& table, std::size_t column)
 {
     std::vector<double> values;
     values.reserve(table.rows.size());
-    for (const auto& row : table.rows) values.push_back(rendering::fabrics::numberIn(row[column]).value_or(missingSample));
+    for (const auto& row : table.rows) values.push_back(protocols::numberIn(row[column]).value_or(missingSample));
     return values;
 }
 
@@ -33,7 +34,7 @@ std::string joined(const std::vector<std::string>& names)
 }
 
 /// Takes the friction from the table: tangential over normal force, "mu", or the first column that is neither time nor place.
-void takeValues(SeenTrace& trace, const CsvTable& table, const std::string& quantity)
+void takeValues(SeenTrace& trace, const protocols::CsvTable& table, const std::string& quantity)
 {
     if (!quantity.empty()) {
         const auto column = table.column(quantity);
@@ -79,7 +80,7 @@ void keepRising(SeenTrace& trace)
     trace.values.resize(kept);
 }
 
-void takePlaces(SeenTrace& trace, const CsvTable& table, std::optional<double> speedMmPerS)
+void takePlaces(SeenTrace& trace, const protocols::CsvTable& table, std::optional<double> speedMmPerS)
 {
     const auto time = table.column("t_s"), position = table.column("position_mm");
     trace.placeUnit = position || (time && speedMmPerS) ? "mm" : time ? "s" : "samples";
@@ -95,7 +96,7 @@ void takePlaces(SeenTrace& trace, const CsvTable& table, std::optional<double> s
 
 SeenSignal readTrace(const fs::path& file, const ReadingOptions& options)
 {
-    const CsvTable table = rendering::fabrics::readCsvTable(file);
+    const protocols::CsvTable table = protocols::readCsvTable(file);
     const auto place = placeInDataset(file);
     std::optional<double> speed = options.speedMmPerS;
     if (!speed && place) speed = place->dataset.friction.speedMmPerS;

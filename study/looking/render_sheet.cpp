@@ -4,10 +4,10 @@
 #include <algorithm>
 
 #include "protocols/files/errors.h"
+#include "protocols/files/whole_file.h"
 #include "rendering/composition/fabric_signals.h"
-#include "study/commands/json_output.h"
 
-namespace study::commands {
+namespace study::looking {
 
 namespace {
 
@@ -34,27 +34,26 @@ std::set<Signal> measuredOnes(const rendering::fabrics::Dataset& dataset, const 
     return needed;
 }
 
-looking::ContactMap mapOf(const rendering::FabricSignals& signals, Signal signal, std::optional<double> mmPerPixel)
+ContactMap mapOf(const rendering::FabricSignals& signals, Signal signal, std::optional<double> mmPerPixel)
 {
     const auto found = signals.images.find(signal);
-    return found == signals.images.end() ? looking::ContactMap{} : looking::ContactMap{found->second, mmPerPixel};
+    return found == signals.images.end() ? ContactMap{} : ContactMap{found->second, mmPerPixel};
 }
 
-looking::ContactTrace traceOf(const rendering::FabricSignals& signals, Signal signal, std::optional<double> mmPerSample)
+ContactTrace traceOf(const rendering::FabricSignals& signals, Signal signal, std::optional<double> mmPerSample)
 {
     const auto found = signals.traces.find(signal);
-    return found == signals.traces.end() ? looking::ContactTrace{}
-                                         : looking::ContactTrace{found->second, mmPerSample.value_or(0)};
+    return found == signals.traces.end() ? ContactTrace{} : ContactTrace{found->second, mmPerSample.value_or(0)};
 }
 
-void addMeasured(looking::ContactRow& row, const rendering::FabricSignals& signals)
+void addMeasured(ContactRow& row, const rendering::FabricSignals& signals)
 {
     row.measuredHeight = mapOf(signals, Signal::PhotometricHeight, signals.tactileMmPerPixel);
     row.measuredFriction = traceOf(signals, Signal::MeasuredTrace, signals.traceMmPerSample);
     row.measuredQuantity = signals.measuredQuantity;
 }
 
-void addGenerated(looking::ContactRow& row, const rendering::FabricSignals& signals)
+void addGenerated(ContactRow& row, const rendering::FabricSignals& signals)
 {
     row.photograph = mapOf(signals, Signal::Photograph, signals.photographMmPerPixel);
     // Where the photograph's scale is unknown, so is that of what was made from it.
@@ -71,17 +70,17 @@ rendering::SampleChoice samplesOf(const rendering::fabrics::Dataset& dataset, co
     return chosen != request.samples.end() ? chosen->second : rendering::firstSamples(dataset, fabric);
 }
 
-bool isEmpty(const looking::ContactRow& row)
+bool isEmpty(const ContactRow& row)
 {
     return row.photograph.values.empty() && row.measuredHeight.values.empty() && row.measuredFriction.values.empty();
 }
 
 }  // namespace
 
-looking::ContactSheet contactSheetOf(const rendering::fabrics::Dataset& dataset, const rendering::RenderRequest& request,
-                                     const std::function<void(int, int, const std::string&)>& progress)
+ContactSheet contactSheetOf(const rendering::fabrics::Dataset& dataset, const rendering::RenderRequest& request,
+                            const std::function<void(int, int, const std::string&)>& progress)
 {
-    looking::ContactSheet sheet;
+    ContactSheet sheet;
     sheet.title = dataset.name + ": photographs, and what is measured and generated of each fabric";
     if (dataset.pairing == rendering::fabrics::Pairing::Weak) sheet.title += "; measured at other places than photographed";
     rendering::RenderRequest render = request;
@@ -98,7 +97,7 @@ looking::ContactSheet contactSheetOf(const rendering::fabrics::Dataset& dataset,
     if (!render.fabrics.empty()) made = renderFabrics(dataset, render, progress);
     rendering::SignalWorkshop workshop(dataset, request.generation.quality);
     for (const FabricId& fabric : request.fabrics) {
-        looking::ContactRow row;
+        ContactRow row;
         row.id = fabric.value;
         row.name = dataset.fabric(fabric).name;
         const auto samples = samplesOf(dataset, request, fabric);
@@ -117,12 +116,12 @@ looking::ContactSheet contactSheetOf(const rendering::fabrics::Dataset& dataset,
     return sheet;
 }
 
-void writeContactSheet(const std::filesystem::path& png, const looking::ContactSheet& sheet)
+void writeContactSheet(const std::filesystem::path& png, const ContactSheet& sheet)
 {
     QByteArray bytes;
     QBuffer buffer(&bytes);
     looking::drawContactSheet(sheet, looking::lightSheet()).save(&buffer, "PNG");
-    writeFile(png, std::string_view(bytes.constData(), static_cast<std::size_t>(bytes.size())));
+    protocols::writeWholeFile(png, std::string_view(bytes.constData(), static_cast<std::size_t>(bytes.size())));
 }
 
-}  // namespace study::commands
+}  // namespace study::looking

@@ -5,10 +5,10 @@
 #include "protocols/condition.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/sha256.h"
+#include "protocols/files/whole_file.h"
 #include "rendering/images/image_io.h"
-#include "study/commands/json_output.h"
 
-namespace study::commands {
+namespace study::making {
 
 namespace {
 
@@ -38,7 +38,7 @@ std::string imageFolderKey(const database::StudyFacts& facts, const rendering::R
 std::optional<KeptImages> readImageFolder(const fs::path& folder, const std::string& key, const rendering::RenderRequest& request)
 {
     if (!fs::exists(folder / manifestName)) return std::nullopt;
-    const auto manifest = ordered_json::parse(readFile(folder / manifestName), nullptr, false);
+    const auto manifest = ordered_json::parse(protocols::readWholeFile(folder / manifestName), nullptr, false);
     if (manifest.is_discarded() || manifest.value("key", "") != key || !manifest.contains("stamps")) return std::nullopt;
     KeptImages kept;
     kept.signalsJson = manifest["signals"].dump();
@@ -70,8 +70,8 @@ void writeImageFolder(const fs::path& folder, const std::string& key, const std:
             rendering::writePng(file, image);
             manifest["sha256"][fs::relative(file, folder).string()] = protocols::sha256OfFile(file);
         }
-    writeFile(folder / "render.json", renderJson);
-    writeFile(folder / manifestName, manifest.dump(1) + "\n");
+    protocols::writeWholeFile(folder / "render.json", renderJson);
+    protocols::writeWholeFile(folder / manifestName, manifest.dump(1) + "\n");
 }
 
-}  // namespace study::commands
+}  // namespace study::making

@@ -12,7 +12,7 @@
 #include "database/study_store.h"
 #include "rendering/composition/render_fabrics.h"
 
-namespace study::commands {
+namespace study::making {
 
 struct KeptImages {
     std::map<protocols::ConditionId, std::map<protocols::FabricId, cv::Mat>> images;
@@ -31,4 +31,4 @@ void writeImageFolder(const std::filesystem::path& folder, const std::string& ke
                       const rendering::Rendering& rendering, const std::string& signalsJson,
                       const std::vector<std::string>& stamps);
 
-}  // namespace study::commands
+}  // namespace study::making

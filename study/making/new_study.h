@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "database/study_store.h"
-#include "protocols/counterbalancing.h"
+#include "protocols/balance.h"
 
-namespace study::commands {
+namespace study::making {
 
 struct NewStudy {
     std::filesystem::path study;
@@ -23,6 +23,7 @@ struct NewStudy {
     std::uint64_t seed = 1;                ///< fabrics, samples, running orders
     std::optional<std::uint64_t> keySeed;  ///< tests only; else a secret of the system
     bool allowTrainingSamples = false;
+    std::string programVersion;     ///< kept with the study, e.g. "vis2hap 0.5.0"
     std::filesystem::path images;   ///< keep the friction images here by name, and reuse them if they fit
     bool replaceSimulated = false;  ///< remake a study in which no human took part
 };
@@ -40,4 +41,4 @@ using StepProgress = std::function<void(int done, int total, const std::string& 
 /// missing, only samples that the model was trained on), environmentFault (disk).
 MadeStudy makeStudy(const NewStudy& request, const StepProgress& progress = {});
 
-}  // namespace study::commands
+}  // namespace study::making

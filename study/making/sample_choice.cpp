@@ -6,7 +6,7 @@
 #include "protocols/files/sha256.h"
 #include "protocols/random.h"
 
-namespace study::commands {
+namespace study::making {
 
 namespace {
 
@@ -72,4 +72,4 @@ ChosenSamples chooseSamples(const rendering::fabrics::Dataset& dataset, const st
     return chosen;
 }
 
-}  // namespace study::commands
+}  // namespace study::making

@@ -9,7 +9,7 @@
 #include "rendering/composition/render_fabrics.h"
 #include "rendering/models/generation.h"
 
-namespace study::commands {
+namespace study::making {
 
 struct ChosenSamples {
     std::map<protocols::FabricId, rendering::SampleChoice> samples;
@@ -22,4 +22,4 @@ ChosenSamples chooseSamples(const rendering::fabrics::Dataset& dataset, const st
                             const std::vector<rendering::Signal>& signals, const rendering::models::ModelCard* card,
                             std::uint64_t seed, bool allowTrained);
 
-}  // namespace study::commands
+}  // namespace study::making

@@ -11,10 +11,11 @@
 #include "stats/tests/t_tests.h"
 #include "study/analyse/statistic_json.h"
 
-namespace study::commands {
+namespace study::making {
 
 namespace {
 
+using analyse::put;
 using nlohmann::ordered_json;
 using rendering::FabricSignals;
 using rendering::Signal;
@@ -160,4 +161,4 @@ ordered_json signalQuality(const std::map<protocols::FabricId, FabricSignals>& s
     return json;
 }
 
-}  // namespace study::commands
+}  // namespace study::making

@@ -7,7 +7,7 @@
 #include "protocols/ids.h"
 #include "rendering/composition/render_fabrics.h"
 
-namespace study::commands {
+namespace study::making {
 
 /// friction_mae and friction_mae_over_mean over the common length of the traces; height_ssim over
 /// central crops of equal pitch, both maps in mm, with the range of the measured maps as L; the
@@ -15,4 +15,4 @@ namespace study::commands {
 /// (bounds: a tenth of the measured mean, our choice). What cannot be had is null with its reason.
 nlohmann::ordered_json signalQuality(const std::map<protocols::FabricId, rendering::FabricSignals>& signals);
 
-}  // namespace study::commands
+}  // namespace study::making

@@ -2,13 +2,17 @@
 
 #include <cstdio>
 
+#include "protocols/files/csv_table.h"
 #include "protocols/files/errors.h"
-#include "study/commands/json_output.h"
+#include "protocols/files/number_text.h"
+#include "protocols/files/whole_file.h"
 #include "study/records/stored_study.h"
 
-namespace study::commands {
+namespace study::making {
 
 namespace {
+
+using protocols::shortest;
 
 std::string escaped(const std::string& text)
 {
@@ -79,21 +83,21 @@ std::string preparationPage(const database::StudyFacts& facts, const std::vector
 }
 
 /// The line with its equal sections; only the ends carry a number, for the participant memorises the rest.
-std::string scaleDrawing(const protocols::Scale& scale)
+std::string scaleDrawing(const protocols::RatingScale& scale)
 {
     const double width = 900, left = 60;
     std::string svg =
         "<svg viewBox=\"0 0 1020 190\" width=\"100%\" role=\"img\" aria-label=\"the scale\">"
         "<line x1=\"60\" y1=\"80\" x2=\"960\" y2=\"80\" stroke=\"#000\" stroke-width=\"5\"/>";
     for (int mark = 0; mark <= scale.sections; ++mark) {
-        const std::string x = numberText(left + width * mark / scale.sections);
+        const std::string x = shortest(left + width * mark / scale.sections);
         const bool isEnd = mark == 0 || mark == scale.sections;
         svg += "<line x1=\"" + x + "\" x2=\"" + x + "\" y1=\"" + (isEnd ? "45" : "62") + "\" y2=\"" + (isEnd ? "115" : "98") +
                "\" stroke=\"#000\" stroke-width=\"4\"/>";
     }
     const auto end = [&](double x, protocols::Tenths value, const char* anchor, const char* words) {
-        return "<text x=\"" + numberText(x) + "\" y=\"30\" font-size=\"32\" font-weight=\"bold\" text-anchor=\"middle\">" +
-               numberText(value.inScaleUnits()) + "</text><text x=\"" + numberText(x) +
+        return "<text x=\"" + shortest(x) + "\" y=\"30\" font-size=\"32\" font-weight=\"bold\" text-anchor=\"middle\">" +
+               shortest(value.inScaleUnits()) + "</text><text x=\"" + shortest(x) +
                "\" y=\"160\" font-size=\"24\" text-anchor=\"" + anchor + "\">" + words + "</text>";
     };
     return svg + end(left, scale.min, "start", scale.labels.empty() ? "unrelated" : escaped(scale.labels.front()).c_str()) +
@@ -101,16 +105,16 @@ std::string scaleDrawing(const protocols::Scale& scale)
            "</svg>\n";
 }
 
-std::string scaleCard(const database::StudyFacts& facts, const protocols::Scale& scale)
+std::string scaleCard(const database::StudyFacts& facts, const protocols::RatingScale& scale)
 {
     std::string body = "<p>Please learn this line by heart: you will not see it later.</p>\n" + scaleDrawing(scale);
     if (scale.labels.empty())
-        body += "<p><b>" + numberText(scale.min.inScaleUnits()) + "</b> is like sandpaper beside silk. <b>" +
-                numberText(scale.max.inScaleUnits()) +
+        body += "<p><b>" + shortest(scale.min.inScaleUnits()) + "</b> is like sandpaper beside silk. <b>" +
+                shortest(scale.max.inScaleUnits()) +
                 "</b> is like two pieces of the same fabric. You may say any number between, in steps of " +
-                numberText(scale.step.inScaleUnits()) + ".</p>\n";
+                shortest(scale.step.inScaleUnits()) + ".</p>\n";
     else {
-        body += "<ol start=\"" + numberText(scale.min.inScaleUnits()) + "\">";
+        body += "<ol start=\"" + shortest(scale.min.inScaleUnits()) + "\">";
         for (const auto& label : scale.labels) body += "<li>" + escaped(label) + "</li>";
         body += "</ol>\n";
     }
@@ -122,22 +126,19 @@ std::string scaleCard(const database::StudyFacts& facts, const protocols::Scale&
 int writeSheets(const database::StudyStore& store, const std::filesystem::path& out)
 {
     const auto facts = store.facts();
-    const auto protocol = protocolOf(facts);
+    const auto protocol = records::protocolOf(facts);
     const auto sets = labelSetsOf(facts, protocol);
     std::error_code failure;
     std::filesystem::create_directories(out, failure);
     if (failure)
         throw protocols::environmentFault(
             {"cannot make the folder (" + failure.message() + ")", out.string(), "a writable place", "choose another one"});
-    writeFile(out / "labels.html", labelsPage(facts, sets));
-    writeFile(out / "preparation.html", preparationPage(facts, sets));
-    for (const auto& phase : protocol.phases)
-        if (phase.scale) {
-            writeFile(out / "scale-card.html", scaleCard(facts, *phase.scale));
-            break;
-        }
+    protocols::writeWholeFile(out / "labels.html", labelsPage(facts, sets));
+    protocols::writeWholeFile(out / "preparation.html", preparationPage(facts, sets));
+    if (const auto* scale = memorisedScaleOf(protocol))
+        protocols::writeWholeFile(out / "scale-card.html", scaleCard(facts, *scale));
     std::printf("%s: pages to print\n", out.c_str());
     return 0;
 }
 
-}  // namespace study::commands
+}  // namespace study::making

@@ -6,7 +6,7 @@
 #include "protocols/files/errors.h"
 #include "rendering/composition/render_fabrics.h"
 
-namespace study::commands {
+namespace study::players {
 
 namespace {
 
@@ -61,4 +61,4 @@ std::map<protocols::FabricId, Percept> expectedTouch(const database::StudyFacts&
     return expected;
 }
 
-}  // namespace study::commands
+}  // namespace study::players

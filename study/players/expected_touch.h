@@ -8,11 +8,11 @@
 #include "database/study_store.h"
 #include "study/players/percept.h"
 
-namespace study::commands {
+namespace study::players {
 
 /// Friction x relief of each of the study's fabrics from its own presses and strokes, felt at up to
 /// four places spread over the data set's samples and averaged. Warns on standard error where the data
 /// set is not the one of the study. Throws badInput where it has no tactile or friction signal.
 std::map<protocols::FabricId, Percept> expectedTouch(const database::StudyFacts& facts, const std::filesystem::path& dataset);
 
-}  // namespace study::commands
+}  // namespace study::players

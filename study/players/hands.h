@@ -6,7 +6,7 @@
 
 #include "study/session/driver.h"
 
-namespace study::commands {
+namespace study::players {
 
 class Hands {
 public:
@@ -25,4 +25,4 @@ private:
     session::Driver& m_driver;
 };
 
-}  // namespace study::commands
+}  // namespace study::players

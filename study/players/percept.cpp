@@ -6,7 +6,7 @@
 
 #include "rendering/display/stroke.h"
 
-namespace study::commands {
+namespace study::players {
 
 namespace {
 
@@ -78,4 +78,4 @@ double textureDistance(const Percept& a, const Percept& b)
     return std::sqrt(squares / static_cast<double>(a.texture.size())) / textureJnd;
 }
 
-}  // namespace study::commands
+}  // namespace study::players

@@ -6,7 +6,7 @@
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
-namespace study::commands {
+namespace study::players {
 
 struct Percept {
     static constexpr int bands = 6;  ///< octaves of temporal frequency, from 8 Hz
@@ -24,4 +24,4 @@ double slipperinessDistance(const Percept& a, const Percept& b);
 /// Root mean square over the bands, in just-noticeable differences (one is 0.15 in log10).
 double textureDistance(const Percept& a, const Percept& b);
 
-}  // namespace study::commands
+}  // namespace study::players

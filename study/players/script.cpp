@@ -10,7 +10,7 @@
 #include "protocols/condition.h"
 #include "protocols/files/errors.h"
 
-namespace study::commands {
+namespace study::players {
 
 namespace {
 
@@ -200,4 +200,4 @@ Script scriptFromJson(std::string_view text, const std::string& where, const pro
     return script;
 }
 
-}  // namespace study::commands
+}  // namespace study::players

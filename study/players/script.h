@@ -12,7 +12,7 @@
 #include "protocols/ids.h"
 #include "protocols/protocol.h"
 
-namespace study::commands {
+namespace study::players {
 
 /// "correct", "foil:1", a fabric id, "same", "different", or words, as the question asks; or a rating.
 using ScriptedResponse = std::variant<std::string, protocols::Tenths>;
@@ -69,4 +69,4 @@ struct Script {
 /// Throws badInput naming file and entry.
 Script scriptFromJson(std::string_view json, const std::string& where, const protocols::Protocol& protocol);
 
-}  // namespace study::commands
+}  // namespace study::players

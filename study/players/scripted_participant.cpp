@@ -5,10 +5,12 @@
 #include <map>
 
 #include "protocols/files/errors.h"
+#include "study/players/player_answers.h"
 #include "study/session/preparation.h"
 #include "study/session/session_moves.h"
+#include "study/session/session_record.h"
 
-namespace study::commands {
+namespace study::players {
 
 namespace {
 
@@ -64,7 +66,7 @@ private:
     std::string placeOfEvent() const;
     void moveOn();
     void answer(const Presenting& presenting);
-    Response responseFor(const ScriptedResponse& scripted, int index, const protocols::QuestionId& question) const;
+    GivenAnswer answerFor(const ScriptedResponse& scripted, int index, const protocols::Question& question) const;
     std::string placeName(int index, const protocols::QuestionId& question) const;
 
     const Script& m_script;
@@ -145,33 +147,12 @@ void Player::act(const EventBody& event)
                                    "mend the script; what was answered before is stored"});
 }
 
-Response Player::responseFor(const ScriptedResponse& scripted, int index, const protocols::QuestionId& question) const
+GivenAnswer Player::answerFor(const ScriptedResponse& scripted, int index, const protocols::Question& question) const
 {
-    if (const auto* rating = std::get_if<protocols::Tenths>(&scripted)) return *rating;
-    const auto& text = std::get<std::string>(scripted);
     const auto& trial = m_trials.trials[index];
-    const auto& truth = m_trials.key.entries.at(trial.fileCode).fabric;
-    const auto& phase = m_trials.protocol.phases[trial.phase];
-    const auto asked =
-        std::find_if(phase.questions.begin(), phase.questions.end(), [&](const auto& q) { return q.id == question; });
-    const auto kind = asked == phase.questions.end() ? protocols::PhaseAnswer::Choice : answerKindOf(phase, *asked);
-    if (kind == protocols::PhaseAnswer::Words) return Words{text};
-    if (kind == protocols::PhaseAnswer::SameDifferent && (text == "same" || text == "different")) return Sameness{text == "same"};
-    if (kind == protocols::PhaseAnswer::SameDifferent && (text == "correct" || text == "wrong"))
-        return Sameness{(trial.alternatives.front() == truth) == (text == "correct")};
-    if (text == "correct") return truth;
-    std::vector<protocols::FabricId> foils;
-    std::copy_if(trial.alternatives.begin(), trial.alternatives.end(), std::back_inserter(foils),
-                 [&](const auto& fabric) { return fabric != truth; });
-    for (std::size_t k = 0; k < foils.size(); ++k)
-        if (text == "foil:" + std::to_string(k + 1)) return foils[k];
-    const protocols::FabricId fabric(text);
-    if (std::find(trial.alternatives.begin(), trial.alternatives.end(), fabric) == trial.alternatives.end())
-        throw protocols::badInput({"answer \"" + text + "\" is not on the tray",
-                                   m_script.where + ": " + placeName(index, question),
-                                   "correct, foil:1 .. foil:" + std::to_string(foils.size()) + " or a fabric of the tray",
-                                   "mend the script and run the same command again; what was answered before is stored"});
-    return fabric;
+    return scriptedAnswer(scripted, question.kind,
+                          {trial.alternatives, m_trials.key.entries.at(trial.fileCode).fabric,
+                           m_script.where + ": " + placeName(index, question.id)});
 }
 
 Corrected Player::correctionOf(const ScriptedEvent& event) const
@@ -179,8 +160,9 @@ Corrected Player::correctionOf(const ScriptedEvent& event) const
     const auto& answers = m_hands.state().answers;
     for (auto latest = answers.rbegin(); latest != answers.rend(); ++latest) {
         const auto& phase = m_trials.protocol.phases[m_trials.trials[latest->index].phase];
-        if (phase.questions[latest->question].id == event.question)
-            return {event.question, responseFor(*event.response, latest->index, event.question), event.text};
+        const auto& question = phase.questions[latest->question];
+        if (question.id == event.question)
+            return {event.question, answerFor(*event.response, latest->index, question), event.text};
     }
     throw protocols::badInput({"a correction of " + event.question.value + " before it was answered", m_script.where,
                                "an answer to correct", "mend the script"});
@@ -243,17 +225,17 @@ bool Player::performDueEvent()
 void Player::answer(const Presenting& presenting)
 {
     const auto& trial = m_trials.trials[presenting.index];
-    const auto& question = m_trials.protocol.phases[trial.phase].questions[presenting.question].id;
+    const auto& question = m_trials.protocol.phases[trial.phase].questions[presenting.question];
     const auto& entry = m_trials.key.entries.at(trial.fileCode);
     const State& state = m_hands.state();
     const int attempt = attemptAt(state, state.position);
-    const auto* scripted = m_script.answerTo(question, {trial.number, {}, {}, attempt});
-    if (!scripted) scripted = m_script.answerTo(question, {std::nullopt, entry.condition, entry.fabric, attempt});
+    const auto* scripted = m_script.answerTo(question.id, {trial.number, {}, {}, attempt});
+    if (!scripted) scripted = m_script.answerTo(question.id, {std::nullopt, entry.condition, entry.fabric, attempt});
     if (!scripted)
-        throw protocols::badInput({"no answer", m_script.where + ": " + placeName(presenting.index, question),
+        throw protocols::badInput({"no answer", m_script.where + ": " + placeName(presenting.index, question.id),
                                    "an answer to every question and rendering of the protocol",
                                    "add it and run the same command again; what was answered before is stored"});
-    const Response response = responseFor(scripted->response, presenting.index, question);
+    const GivenAnswer response = answerFor(scripted->response, presenting.index, question);
     if (scripted->touchSeconds && !presenting.touchedAtNs) {
         m_clock.advanceSeconds(*scripted->touchSeconds);
         act(Touched{scripted->touchedByDisplay ? TouchSource::Display : TouchSource::Operator});
@@ -295,4 +277,4 @@ void playScript(const Script& script, const ScriptedTrials& trials, const std::v
     player.play(progress);
 }
 
-}  // namespace study::commands
+}  // namespace study::players

@@ -9,7 +9,7 @@
 #include "study/players/script.h"
 #include "study/session/clock.h"
 
-namespace study::commands {
+namespace study::players {
 
 /// The trials of the participant's slot and what their file codes are.
 struct ScriptedTrials {
@@ -24,4 +24,4 @@ struct ScriptedTrials {
 void playScript(const Script& script, const ScriptedTrials& trials, const std::vector<database::EventRecord>& logged,
                 Hands& hands, session::VirtualClock& clock, const std::function<void(int)>& progress = {});
 
-}  // namespace study::commands
+}  // namespace study::players

@@ -1,29 +1,33 @@
 #include "study/players/session_script.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <set>
 
-#include "study/commands/json_output.h"
+#include "protocols/files/whole_file.h"
+#include "study/players/player_answers.h"
 #include "study/session/driver.h"
 #include "study/session/session_moves.h"
+#include "study/session/session_record.h"
 
-namespace study::commands {
+namespace study::players {
 
 namespace {
 
 using namespace session;
 using nlohmann::ordered_json;
 
-ordered_json jsonOf(const Response& response)
+ordered_json jsonOf(const GivenAnswer& answer)
 {
-    if (const auto* rating = std::get_if<protocols::Tenths>(&response)) return rating->inScaleUnits();
-    return textOf(response);
+    return std::visit(protocols::Overloaded{[](const std::string& text) { return ordered_json(text); },
+                                            [](const protocols::Tenths& rating) { return ordered_json(rating.inScaleUnits()); }},
+                      scriptedFormOf(answer));
 }
 
 /// Follows one log through the engine and writes down what a script needs to do the same again.
 class Recorder {
 public:
-    Recorder(const Plan& plan, const Naming& naming, ordered_json& script, bool hasVoids)
+    Recorder(const Plan& plan, const records::Naming& naming, ordered_json& script, bool hasVoids)
         : m_plan(plan), m_naming(naming), m_script(script), m_hasVoids(hasVoids)
     {
     }
@@ -33,7 +37,7 @@ public:
         const EventBody body = eventFromRecord(record.kind, record.payloadJson);
         write(body, record.atNs);
         auto outcome = apply(m_plan, m_state, {body, record.atNs});
-        if (auto* step = std::get_if<Step>(&outcome)) m_state = std::move(step->next);
+        if (auto* step = std::get_if<SessionStep>(&outcome)) m_state = std::move(step->next);
     }
 
 private:
@@ -92,7 +96,7 @@ private:
     }
 
     const Plan& m_plan;
-    const Naming& m_naming;
+    const records::Naming& m_naming;
     ordered_json& m_script;
     bool m_hasVoids;
     State m_state;
@@ -100,7 +104,7 @@ private:
 
 }  // namespace
 
-void writeScripts(const database::StudyStore& store, const Naming& naming, const std::filesystem::path& out)
+void writeScripts(const database::StudyStore& store, const records::Naming& naming, const std::filesystem::path& out)
 {
     std::set<protocols::ParticipantId> erased;
     for (const auto& erasure : store.erasures())
@@ -117,8 +121,8 @@ void writeScripts(const database::StudyStore& store, const Naming& naming, const
         const Plan plan = readPlan(store, enrolment.participant);
         Recorder recorder(plan, naming, script, hasVoids);
         for (const auto& record : log) recorder.follow(record);
-        writeFile(out / (enrolment.participant.value + ".json"), script.dump(1) + "\n");
+        protocols::writeWholeFile(out / (enrolment.participant.value + ".json"), script.dump(1) + "\n");
     }
 }
 
-}  // namespace study::commands
+}  // namespace study::players

@@ -5,10 +5,10 @@
 
 #include "study/records/stored_study.h"
 
-namespace study::commands {
+namespace study::players {
 
 /// A file a participant. Answers stand by rendering once the study is unblinded, else by trial; facts,
 /// debriefing and the pace of preparation are left out. Erased participants have no script.
-void writeScripts(const database::StudyStore& store, const Naming& naming, const std::filesystem::path& out);
+void writeScripts(const database::StudyStore& store, const records::Naming& naming, const std::filesystem::path& out);
 
-}  // namespace study::commands
+}  // namespace study::players

@@ -5,9 +5,11 @@
 #include <limits>
 
 #include "protocols/files/errors.h"
+#include "study/players/player_answers.h"
 #include "study/session/preparation.h"
+#include "study/session/session_record.h"
 
-namespace study::commands {
+namespace study::players {
 
 using namespace session;
 
@@ -57,7 +59,8 @@ SimulatedParticipant::Judgement SimulatedParticipant::match(const protocols::Bli
 }
 
 SimulatedParticipant::Judgement SimulatedParticipant::rate(const protocols::BlindedTrial& trial,
-                                                           const protocols::QuestionId& question, const protocols::Scale& scale)
+                                                           const protocols::QuestionId& question,
+                                                           const protocols::RatingScale& scale)
 {
     const double noisy = distance(trial.fileCode, trial.alternatives.front(), slipperinessWeightOf(question, m_model)) +
                          m_model.sensoryNoise * m_random.normal();
@@ -80,22 +83,6 @@ SimulatedParticipant::Judgement SimulatedParticipant::compare(const protocols::B
     return {Sameness{lapses ? m_random.below(2) == 1 : same}, 4.0 * std::exp(0.3 * m_random.normal())};
 }
 
-SimulatedParticipant::Judgement SimulatedParticipant::answer(const protocols::BlindedTrial& trial, const protocols::Phase& phase,
-                                                             const protocols::Question& question)
-{
-    switch (answerKindOf(phase, question)) {
-        case protocols::PhaseAnswer::Choice:
-            return match(trial);
-        case protocols::PhaseAnswer::Rating:
-            return rate(trial, question.id, *phase.scale);
-        case protocols::PhaseAnswer::SameDifferent:
-            return compare(trial);
-        case protocols::PhaseAnswer::Words:
-            return {Words{}, 1.0};  // says nothing
-    }
-    return {};
-}
-
 void playSimulated(SimulatedParticipant& participant, const Plan& plan, Hands& hands, VirtualClock& clock,
                    const std::function<void(int)>& progress)
 {
@@ -106,12 +93,12 @@ void playSimulated(SimulatedParticipant& participant, const Plan& plan, Hands& h
     };
     const auto answer = [&](const Presenting& presenting) {
         const auto& trial = plan.trials[presenting.index];
-        const auto& phase = plan.protocol.phases[trial.phase];
+        const auto& question = plan.protocol.phases[trial.phase].questions[presenting.question];
         if (presenting.question == 0 && !presenting.touchedAtNs) {
             clock.advanceSeconds(0.8);
             act(Touched{});
         }
-        const auto judgement = participant.answer(trial, phase, phase.questions[presenting.question]);
+        const auto judgement = simulatedAnswer(participant, trial, question);
         clock.advanceSeconds(judgement.seconds);
         act(Answered{judgement.response});
     };
@@ -131,4 +118,4 @@ void playSimulated(SimulatedParticipant& participant, const Plan& plan, Hands& h
     }
 }
 
-}  // namespace study::commands
+}  // namespace study::players

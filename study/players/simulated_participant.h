@@ -6,8 +6,8 @@
 // coefficient, brought to the display by the range law over the study's fabrics. That is the touch that a participant
 // familiarised with the display learns to expect; it presupposes the paper's account, so simulated results are no evidence for
 // it. Judgement: distances in just-noticeable differences plus noise of the senses; Q1 takes the nearest fabric on the tray, with
-// lapses that guess; ratings fall with the distance, shifted and spread by the person's own use of the scale. Response time grows
-// where the alternatives lie close together.
+// lapses that guess; ratings fall with the distance, shifted and spread by the person's own use of the scale. GivenAnswer time
+// grows where the alternatives lie close together.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,7 @@
 #include "study/players/percept.h"
 #include "study/session/clock.h"
 
-namespace study::commands {
+namespace study::players {
 
 struct PerceptualModel {
     double sensoryNoise = 1.0;        ///< SD of the noise on each distance, just-noticeable differences
@@ -45,18 +45,16 @@ public:
                          PerceptualModel model = {});
 
     struct Judgement {
-        session::Response response;
+        session::GivenAnswer response;
         double seconds = 0;
     };
     /// Which fabric on the tray the stimulus is most like.
     Judgement match(const protocols::BlindedTrial& trial);
     /// How like the fabric the stimulus is, on the protocol's scale.
-    Judgement rate(const protocols::BlindedTrial& trial, const protocols::QuestionId& question, const protocols::Scale& scale);
-
+    Judgement rate(const protocols::BlindedTrial& trial, const protocols::QuestionId& question,
+                   const protocols::RatingScale& scale);
     /// Whether the fabric on the tray is the one that is felt.
     Judgement compare(const protocols::BlindedTrial& trial);
-    /// What the question asks for; nothing where it asks for words.
-    Judgement answer(const protocols::BlindedTrial& trial, const protocols::Phase& phase, const protocols::Question& question);
 
 private:
     double distance(const protocols::FileCode& code, const protocols::FabricId& fabric, double slipperinessWeight) const;
@@ -71,4 +69,4 @@ private:
 void playSimulated(SimulatedParticipant& participant, const session::Plan& plan, Hands& hands, session::VirtualClock& clock,
                    const std::function<void(int)>& progress = {});
 
-}  // namespace study::commands
+}  // namespace study::players

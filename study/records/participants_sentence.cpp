@@ -12,7 +12,7 @@
 #include "stats/kernels/descriptive.h"
 #include "study/session/driver.h"
 
-namespace study::commands {
+namespace study::records {
 
 namespace {
 
@@ -105,4 +105,4 @@ std::string participantsSentence(const database::StudyStore& store)
     return std::to_string(people) + (people == 1 ? " participant (" : " participants (") + clauses + ").";
 }
 
-}  // namespace study::commands
+}  // namespace study::records

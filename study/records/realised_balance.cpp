@@ -7,7 +7,7 @@
 #include "database/keys.h"
 #include "protocols/condition.h"
 
-namespace study::commands {
+namespace study::records {
 
 namespace {
 
@@ -88,4 +88,4 @@ protocols::BalanceCertificate realisedBalance(const database::StudyStore& store,
     return design.participants.empty() ? protocols::BalanceCertificate{} : balanceOf(design, protocol);
 }
 
-}  // namespace study::commands
+}  // namespace study::records

@@ -9,7 +9,7 @@
 #include "protocols/protocol_json.h"
 #include "study/records/participants_sentence.h"
 
-namespace study::commands {
+namespace study::records {
 
 namespace {
 
@@ -17,17 +17,16 @@ void describeProtocol(const protocols::Protocol& protocol, reports::StudyData& d
 {
     data.equivalenceBounds = protocol.equivalenceBounds;
     for (const auto& contrast : protocol.planned) data.planned.emplace_back(contrast.a.value, contrast.b.value);
-    const int sameOrDifferent = 2;
     bool isFirstChoice = true;
     for (const auto& phase : protocol.phases) {
         for (const auto& question : phase.questions)
-            if (!question.inWords)
-                data.questions.push_back({question.id.value, question.text, !phase.scale,
-                                          phase.scale ? 0 : phase.alternatives.value_or(sameOrDifferent)});
-        if (!phase.scale && std::exchange(isFirstChoice, false)) data.alternatives = phase.alternatives.value_or(sameOrDifferent);
-        if (phase.scale) {
-            data.scaleMin = phase.scale->min.inScaleUnits();
-            data.scaleMax = phase.scale->max.inScaleUnits();
+            if (!std::holds_alternative<protocols::FreeText>(question.kind))
+                data.questions.push_back(
+                    {question.id.value, question.text, alternativesOf(question.kind) > 0, alternativesOf(question.kind)});
+        if (alternativesOf(phase.task) > 0 && std::exchange(isFirstChoice, false)) data.alternatives = alternativesOf(phase.task);
+        if (const auto* rating = std::get_if<protocols::Rating>(&phase.task)) {
+            data.scaleMin = rating->scale.min.inScaleUnits();
+            data.scaleMax = rating->scale.max.inScaleUnits();
         }
     }
 }
@@ -43,7 +42,7 @@ void describeParticipants(const database::StudyStore& store, reports::StudyData&
     data.participantsSentence = participantsSentence(store);
 }
 
-reports::Response responseOf(const database::CurrentAnswer& answer, const Naming::Entry& entry)
+reports::Response responseOf(const database::CurrentAnswer& answer, const Naming::Entry& entry, const protocols::AnswerKind& kind)
 {
     const auto& record = answer.record;
     reports::Response response;
@@ -53,24 +52,15 @@ reports::Response responseOf(const database::CurrentAnswer& answer, const Naming
     response.question = record.question.value;
     response.seconds = answer.seconds;
     if (record.answer) {
-        response.answer = *record.answer;
-        response.correct = isCorrect(record, entry.fabric);
-        const auto slot = std::find(record.alternatives.begin(), record.alternatives.end(), protocols::FabricId(*record.answer));
-        response.answerSlot = slot != record.alternatives.end() ? static_cast<int>(slot - record.alternatives.begin())
-                                                                : int(*record.answer == "different");
+        response.answer = record.answer;
+        response.correct = isRight(kind, record.alternatives, entry.fabric, *record.answer);
+        response.answerSlot = placeAmongAlternatives(kind, record.alternatives, *record.answer);
     }
     if (record.rating) response.rating = record.rating->inScaleUnits();
     return response;
 }
 
 }  // namespace
-
-bool isCorrect(const database::AnswerRecord& record, const protocols::FabricId& truth)
-{
-    const bool same = record.alternatives.front() == truth;
-    if (*record.answer == "same" || *record.answer == "different") return same == (*record.answer == "same");
-    return *record.answer == truth.value;
-}
 
 database::StudyStore openStudy(const std::filesystem::path& study)
 {
@@ -79,7 +69,7 @@ database::StudyStore openStudy(const std::filesystem::path& study)
 
 protocols::Protocol protocolOf(const database::StudyFacts& facts)
 {
-    return protocols::protocolFromJson(facts.protocolJson, "the study's protocol");
+    return protocols::keptProtocolFromJson(facts.protocolJson, "the study's protocol");
 }
 
 Naming namingOf(const database::StudyStore& store, const protocols::Protocol& protocol,
@@ -129,10 +119,10 @@ reports::StudyData studyData(const database::StudyStore& store)
             voided.emplace(answer.participant, answer.record.trial, answer.attempt);
         else if (asked.contains(answer.record.question.value))
             (entry.condition == protocols::catchTrialId().value ? data.catchResponses : data.responses)
-                .push_back(responseOf(answer, entry));
+                .push_back(responseOf(answer, entry, questionWith(protocol, answer.record.question)->kind));
     }
     data.voided = voided.size();
     return data;
 }
 
-}  // namespace study::commands
+}  // namespace study::records

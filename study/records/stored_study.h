@@ -11,7 +11,7 @@
 #include "database/study_store.h"
 #include "reports/data/study_data.h"
 
-namespace study::commands {
+namespace study::records {
 
 /// Opens for reading. Throws badInput where it is no study.
 database::StudyStore openStudy(const std::filesystem::path& study);
@@ -29,11 +29,8 @@ struct Naming {
 Naming namingOf(const database::StudyStore& store, const protocols::Protocol& protocol,
                 const std::optional<database::Unblinded>& permission);
 
-/// Of a choice, or of same/different; the record must hold an answer.
-bool isCorrect(const database::AnswerRecord& record, const protocols::FabricId& truth);
-
 protocols::Protocol protocolOf(const database::StudyFacts& facts);
 
 reports::StudyData studyData(const database::StudyStore& store);
 
-}  // namespace study::commands
+}  // namespace study::records

@@ -5,12 +5,12 @@
 #include <map>
 #include <set>
 
-#include "protocols/counterbalancing.h"
+#include "protocols/balance.h"
 #include "reports/write_report.h"
 #include "study/records/realised_balance.h"
 #include "study/records/stored_study.h"
 
-namespace study::commands {
+namespace study::records {
 
 namespace {
 
@@ -152,4 +152,4 @@ std::string textOf(const ordered_json& status)
     return text;
 }
 
-}  // namespace study::commands
+}  // namespace study::records

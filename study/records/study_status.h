@@ -6,7 +6,7 @@
 
 #include "database/study_store.h"
 
-namespace study::commands {
+namespace study::records {
 
 /// The object of `study status --json`, schema vis2hap.status/1.
 nlohmann::ordered_json statusOf(const database::StudyStore& store);
@@ -14,4 +14,4 @@ nlohmann::ordered_json statusOf(const database::StudyStore& store);
 /// The same in lines for people.
 std::string textOf(const nlohmann::ordered_json& status);
 
-}  // namespace study::commands
+}  // namespace study::records

@@ -7,6 +7,7 @@
 #include "protocols/files/sha256.h"
 #include "protocols/protocol_json.h"
 #include "study/session/session_moves.h"
+#include "study/session/session_record.h"
 
 namespace study::session {
 
@@ -28,7 +29,7 @@ std::string protocolTextFor(const StudyStore& store, const database::Enrolment& 
 Plan planOf(const StudyStore& store, const database::Enrolment& enrolment)
 {
     const database::StudyFacts facts = store.facts();
-    Plan plan{protocols::protocolFromJson(protocolTextFor(store, enrolment), store.folder().protocol().string()),
+    Plan plan{protocols::keptProtocolFromJson(protocolTextFor(store, enrolment), store.folder().protocol().string()),
               store.trials(enrolment.slot),
               facts.fabricNames,
               {}};
@@ -47,14 +48,11 @@ AnswerRecord recordOf(const Plan& plan, const StoredAnswer& answer)
     record.question = questionOf(plan, answer.index, answer.question).id;
     record.fileCode = trial.fileCode;
     record.alternatives = trial.alternatives;
-    if (const auto* rating = std::get_if<protocols::Tenths>(&answer.response))
-        record.rating = *rating;
-    else
-        record.answer = textOf(answer.response);
+    putInto(record, answer.response);
     return record;
 }
 
-AnswerRecord givenAnswer(const Plan& plan, const Presenting& asked, const StoredAnswer& answer, std::int64_t atNs)
+AnswerRecord firstAnswer(const Plan& plan, const Presenting& asked, const StoredAnswer& answer, std::int64_t atNs)
 {
     AnswerRecord record = recordOf(plan, answer);
     record.readyAtNs = asked.readyAtNs;
@@ -91,7 +89,7 @@ std::optional<int> trialNotedOn(const State& state)
 void addWhatItStores(StudyStore::Append& entry, const Plan& plan, const State& before, const State& next, const EventBody& body)
 {
     if (std::holds_alternative<Answered>(body))
-        entry.answers.push_back(givenAnswer(plan, std::get<Presenting>(before.stage), next.answers.back(), entry.event.atNs));
+        entry.answers.push_back(firstAnswer(plan, std::get<Presenting>(before.stage), next.answers.back(), entry.event.atNs));
     if (const auto* corrected = std::get_if<Corrected>(&body)) entry.answers.push_back(correction(plan, next, *corrected));
     if (const auto* voided = std::get_if<Voided>(&body)) {
         entry.voids = trialOf(plan, voidedTrial(before, next)).number;
@@ -144,6 +142,8 @@ void requireKeptProtocol(const StudyStore& store)
                                    " --undo`"});
 }
 
+View Driver::view() const { return viewOf(m_plan, m_state, m_participant, m_clock.monotonicNs()); }
+
 void Driver::replayLog()
 {
     for (const database::EventRecord& record : m_store.events(m_participant)) {
@@ -153,7 +153,7 @@ void Driver::replayLog()
                 {"the stored log does not hold together: " + refusal->reason,
                  m_store.folder().database().string() + ", event " + std::to_string(record.sequence) + " (" + record.kind + ")",
                  "", "run vis2hap verify on the study"});
-        m_state = std::move(std::get<Step>(outcome).next);
+        m_state = std::move(std::get<SessionStep>(outcome).next);
     }
 }
 
@@ -162,13 +162,13 @@ std::optional<Refusal> Driver::send(const EventBody& body)
     const std::int64_t atNs = m_clock.monotonicNs();
     auto outcome = apply(m_plan, m_state, {body, atNs});
     if (auto* refusal = std::get_if<Refusal>(&outcome)) return std::move(*refusal);
-    const std::vector<Effect> effects = std::get<Step>(outcome).effects;
-    commit(body, atNs, std::move(std::get<Step>(outcome)));
+    const std::vector<Effect> effects = std::get<SessionStep>(outcome).effects;
+    commit(body, atNs, std::move(std::get<SessionStep>(outcome)));
     letOut(effects);
     return std::nullopt;
 }
 
-void Driver::commit(const EventBody& body, std::int64_t atNs, Step step)
+void Driver::commit(const EventBody& body, std::int64_t atNs, SessionStep step)
 {
     StudyStore::Append entry;
     entry.event = {0, m_participant, step.next.sitting, kindOf(body), payloadJson(body), atNs, m_clock.wallTime()};
@@ -214,7 +214,7 @@ void Driver::pauseAfterFault()
     if (m_state.paused) return;
     const std::int64_t atNs = m_clock.monotonicNs();
     auto outcome = apply(m_plan, m_state, {Paused{}, atNs});
-    auto* step = std::get_if<Step>(&outcome);
+    auto* step = std::get_if<SessionStep>(&outcome);
     if (!step) return;  // the session was over
     commit(Paused{}, atNs, std::move(*step));
     try {

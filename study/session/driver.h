@@ -12,6 +12,7 @@
 #include "rendering/display/stimulus_bank.h"
 #include "study/session/clock.h"
 #include "study/session/session.h"
+#include "study/session/view.h"
 
 namespace study::session {
 
@@ -23,29 +24,6 @@ Plan readPlan(const database::StudyStore& store, const protocols::ParticipantId&
 
 /// Throws badInput where protocol.json is not the latest text that the study keeps.
 void requireKeptProtocol(const database::StudyStore& store);
-
-/// What a front end may show: a value, without any key.
-struct View {
-    State state;
-    std::string participant;
-    std::string phaseName;             ///< "Q1", "Q2-Q4"
-    protocols::PresentationCode code;  ///< while a trial is on; else empty
-    std::vector<std::string> tray;     ///< the codes on the fabric pieces in slots A, B, C
-    std::vector<protocols::FabricId> trayIds;
-    std::optional<protocols::Question> question;  ///< the one now asked, or asked next in PlacingTray
-    std::optional<protocols::Scale> scale;        ///< of that question
-    int presentation = 0, presentations = 0;      ///< progress, from 1; voided ones add to the total
-    int answersStored = 0, answersInAll = 0;
-    std::optional<protocols::PhaseAnswer> answerKind;  ///< of that question
-    double minutesLeft = 0;     ///< by the protocol's seconds, from five presentations on by this participant's own
-    double sittingMinutes = 0;  ///< since this sitting began, at the last event
-    int presentationsToBreak = 0;
-    bool sittingIsPrepared = true;                ///< else its refresher and checklist are due
-    std::vector<std::string> familiarisation;     ///< names of the fabrics for getting to know the display
-    std::vector<protocols::Tenths> placesToName;  ///< in scale training
-    std::optional<std::string> lastAnswer;        ///< read-back: "Q3: 5.5"
-    std::optional<protocols::QuestionId> lastQuestion;
-};
 
 class Driver {
 public:
@@ -63,7 +41,7 @@ public:
 
 private:
     void replayLog();
-    void commit(const EventBody& body, std::int64_t atNs, Step step);
+    void commit(const EventBody& body, std::int64_t atNs, SessionStep step);
     void letOut(const std::vector<Effect>& effects);
     void perform(const Effect& effect);
     void prefetchIfPossible(const protocols::FileCode& code);

@@ -44,7 +44,7 @@ namespace study::session {
 
 namespace {
 
-using Outcome = std::variant<Step, Refusal>;
+using Outcome = std::variant<SessionStep, Refusal>;
 
 /// What one event does in one stage; the general template is the empty cell of the table.
 struct Transition {
@@ -65,13 +65,13 @@ struct Transition {
     {
         if (shown.item < 0 || shown.item >= static_cast<int>(plan.familiarisation.size()))
             return Refusal{"There is no such fabric to get to know."};
-        Step step = moved(Familiarising{shown.item});
+        SessionStep step = moved(Familiarising{shown.item});
         step.effects.emplace_back(ShowStimulus{plan.familiarisation[static_cast<std::size_t>(shown.item)].fileCode});
         return step;
     }
     Outcome operator()(const Familiarising&, const FamiliarisationDone&) const
     {
-        Step step{state, {ClearDisplay{}}};
+        SessionStep step{state, {ClearDisplay{}}};
         prepareOn(plan, step, atNs);
         return step;
     }
@@ -90,7 +90,7 @@ struct Transition {
 
     Outcome operator()(const OnBreak&, const BreakEnded&) const
     {
-        Step step{state, {}};
+        SessionStep step{state, {}};
         step.next.restedAtNs = atNs;
         placeTray(plan, step, atNs);
         return step;
@@ -98,7 +98,7 @@ struct Transition {
 
     Outcome operator()(const PlacingTray& tray, const TrayReady&) const
     {
-        Step step = moved(Presenting{tray.index, answersTo(state, tray.index), atNs, std::nullopt, TouchSource::Operator});
+        SessionStep step = moved(Presenting{tray.index, answersTo(state, tray.index), atNs, std::nullopt, TouchSource::Operator});
         step.effects.emplace_back(ShowStimulus{plan.trials[static_cast<std::size_t>(tray.index)].fileCode});
         if (const auto next = fileCodeAt(plan, state, state.position + 1)) step.effects.emplace_back(Prefetch{*next});
         return step;
@@ -116,8 +116,9 @@ struct Transition {
 
     Outcome operator()(const Presenting& presenting, const Answered& answered) const
     {
-        if (const auto fault = faultOf(plan, presenting.index, presenting.question, answered.response)) return Refusal{*fault};
-        Step step{state, {}};
+        if (const auto fault = faultOfAnswer(plan, presenting.index, presenting.question, answered.response))
+            return Refusal{*fault};
+        SessionStep step{state, {}};
         step.next.answers.push_back({presenting.index, presenting.question, answered.response});
         ++step.next.answersStored;
         if (presenting.question + 1 < questionsOf(plan, presenting.index))
@@ -129,7 +130,7 @@ struct Transition {
 
     Outcome operator()(const Presenting& presenting, const Voided&) const
     {
-        Step step{state, {}};
+        SessionStep step{state, {}};
         presentAgain(plan, step.next, presenting.index, state.position);
         endPresentation(plan, step, atNs);
         return step;
@@ -137,7 +138,7 @@ struct Transition {
     Outcome operator()(const PlacingTray& tray, const Voided&) const
     {
         if (answersTo(state, tray.index) == 0) return voidedBefore();
-        Step step{state, {}};
+        SessionStep step{state, {}};
         presentAgain(plan, step.next, tray.index, state.position);
         endPresentation(plan, step, atNs);
         return step;
@@ -147,16 +148,16 @@ struct Transition {
     Outcome operator()(const Debriefing&, const Debriefed&) const { return moved(Finished{}); }
 
 private:
-    Step moved(const Stage& stage) const
+    SessionStep moved(const Stage& stage) const
     {
-        Step step{state, {}};
+        SessionStep step{state, {}};
         step.next.stage = stage;
         return step;
     }
 
-    Step preparedOn() const
+    SessionStep preparedOn() const
     {
-        Step step{state, {}};
+        SessionStep step{state, {}};
         prepareOn(plan, step, atNs);
         return step;
     }
@@ -164,7 +165,7 @@ private:
     Outcome refreshed() const
     {
         if (state.preparedSitting == state.sitting) return Refusal{"This sitting is prepared already."};
-        Step step{state, {}};
+        SessionStep step{state, {}};
         step.next.paused = false;
         step.next.restedAtNs = atNs;
         // Where nothing is rated there is no scale to refresh.
@@ -180,7 +181,7 @@ private:
         if (state.position == 0) return Refusal{"No presentation has been given yet."};
         const int before = state.order[static_cast<std::size_t>(state.position - 1)].index;
         if (answersTo(state, before) == 0) return Refusal{"The presentation before this one is void already."};
-        Step step{state, {}};
+        SessionStep step{state, {}};
         presentAgain(plan, step.next, before, state.position - 1);
         const int next = step.next.order[static_cast<std::size_t>(step.next.position)].index;
         if (const auto* onBreak = std::get_if<OnBreak>(&state.stage))
@@ -195,7 +196,7 @@ Outcome pause(const State& state)
 {
     if (std::holds_alternative<Finished>(state.stage) || std::holds_alternative<Withdrawn>(state.stage))
         return Refusal{"The session is over; there is nothing to pause."};
-    Step step{state, {ClearDisplay{}}};
+    SessionStep step{state, {ClearDisplay{}}};
     interrupt(step.next);
     step.next.paused = true;
     return step;
@@ -204,7 +205,7 @@ Outcome pause(const State& state)
 Outcome resume(const Plan& plan, const State& state, std::int64_t atNs)
 {
     if (!state.paused) return Refusal{"The session is not paused."};
-    Step step{state, {}};
+    SessionStep step{state, {}};
     step.next.paused = false;
     step.next.restedAtNs = atNs;
     if (std::holds_alternative<PlacingTray>(state.stage)) placeTray(plan, step, atNs);
@@ -214,7 +215,7 @@ Outcome resume(const Plan& plan, const State& state, std::int64_t atNs)
 /// Its clock need not go on from the one before: what is measured from stamps begins anew.
 Outcome startSitting(const State& state, std::int64_t atNs)
 {
-    Step step{state, {ClearDisplay{}}};
+    SessionStep step{state, {ClearDisplay{}}};
     interrupt(step.next);
     ++step.next.sitting;
     step.next.sittingBeganAtNs = step.next.restedAtNs = step.next.trayAskedAtNs = atNs;
@@ -225,7 +226,7 @@ Outcome startSitting(const State& state, std::int64_t atNs)
 Outcome withdraw(const State& state, const WithdrawnEvent& event)
 {
     if (std::holds_alternative<Withdrawn>(state.stage)) return Refusal{"The participant has withdrawn already."};
-    Step step{state, {ClearDisplay{}}};
+    SessionStep step{state, {ClearDisplay{}}};
     step.next.stage = Withdrawn{event.why};
     step.next.paused = false;
     return step;
@@ -237,9 +238,9 @@ Outcome correct(const Plan& plan, const State& state, const Corrected& event)
         return Refusal{"The participant has withdrawn; answers stay as they are."};
     const auto place = latestAnswerTo(plan, state, event.question);
     if (!place) return Refusal{"There is no answer to " + event.question.value + " yet."};
-    Step step{state, {}};
+    SessionStep step{state, {}};
     StoredAnswer& answer = step.next.answers[*place];
-    if (const auto fault = faultOf(plan, answer.index, answer.question, event.response)) return Refusal{*fault};
+    if (const auto fault = faultOfAnswer(plan, answer.index, answer.question, event.response)) return Refusal{*fault};
     answer.response = event.response;
     return step;
 }
@@ -249,7 +250,7 @@ Outcome note(const State& state, const Noted& event)
     if (event.text.empty() && !event.isFlag) return Refusal{"The note is empty."};
     if (event.isFlag && state.answers.empty() && !std::holds_alternative<Presenting>(state.stage))
         return Refusal{"There is no presentation to flag yet."};
-    return Step{state, {}};
+    return SessionStep{state, {}};
 }
 
 /// The list's own order, until voids lengthen it.
@@ -275,10 +276,24 @@ Outcome applyTo(const Plan& plan, const State& state, const Event& event)
 
 }  // namespace
 
-std::variant<Step, Refusal> apply(const Plan& plan, const State& state, const Event& event)
+std::variant<SessionStep, Refusal> apply(const Plan& plan, const State& state, const Event& event)
 {
     if (plan.trials.empty()) return Refusal{"The participant's list is empty."};
     return applyTo(plan, withOrder(plan, state), event);
+}
+
+std::string nameOf(const State& state)
+{
+    const std::string stage =
+        std::visit(protocols::Overloaded{
+                       [](const Enrolled&) { return "Enrolled"; }, [](const Consenting&) { return "Consenting"; },
+                       [](const AskingFacts&) { return "AskingFacts"; }, [](const Familiarising&) { return "Familiarising"; },
+                       [](const ScaleTraining&) { return "ScaleTraining"; }, [](const CheckingList&) { return "CheckingList"; },
+                       [](const PlacingTray&) { return "PlacingTray"; }, [](const Presenting&) { return "Presenting"; },
+                       [](const OnBreak&) { return "OnBreak"; }, [](const Debriefing&) { return "Debriefing"; },
+                       [](const Finished&) { return "Finished"; }, [](const Withdrawn&) { return "Withdrawn"; }},
+                   state.stage);
+    return state.paused ? stage + " (paused)" : stage;
 }
 
 }  // namespace study::session

@@ -25,11 +25,12 @@
 #include "protocols/allocation.h"
 #include "protocols/ids.h"
 #include "protocols/protocol.h"
+#include "study/session/given_answer.h"
 
 namespace study::session {
 
 /// A fabric outside the study's with its friction image, for getting to know the display.
-struct FamiliarisationItem {
+struct FamiliarisationImage {
     std::string name;
     protocols::FileCode fileCode;
 };
@@ -38,20 +39,9 @@ struct FamiliarisationItem {
 struct Plan {
     protocols::Protocol protocol;
     std::vector<protocols::BlindedTrial> trials;
-    std::map<protocols::FabricId, std::string> fabricNames;  ///< what the console calls them: swatch codes
-    std::vector<FamiliarisationItem> familiarisation;
+    PieceNames fabricNames;
+    std::vector<FamiliarisationImage> familiarisation;
 };
-
-/// Whether the fabric on the tray is the one that the rendering renders.
-struct Sameness {
-    bool same = false;
-    bool operator==(const Sameness&) const = default;
-};
-struct Words {
-    std::string text;
-    bool operator==(const Words&) const = default;
-};
-using Response = std::variant<protocols::FabricId, protocols::Tenths, Sameness, Words>;
 
 // ---- states; each holds only what is true in it. `index` counts trials from 0.
 struct Enrolled {
@@ -115,16 +105,16 @@ using Stage = std::variant<Enrolled, Consenting, AskingFacts, Familiarising, Sca
 struct StoredAnswer {
     int index = 0;
     int question = 0;
-    Response response;
+    GivenAnswer response;
     bool operator==(const StoredAnswer&) const = default;
 };
 
 /// A presentation in the order that is followed. Blocks are the stretches between breaks, counted from 0
 /// over all phases; a voided trial comes again at the end of a block.
-struct Place {
+struct PlaceInOrder {
     int index = 0;
     int block = 0;
-    bool operator==(const Place&) const = default;
+    bool operator==(const PlaceInOrder&) const = default;
 };
 
 struct State {
@@ -132,7 +122,7 @@ struct State {
     bool paused = false;
     std::vector<StoredAnswer> answers;  ///< current ones, in order of storing; voided presentations' removed
     int answersStored = 0;              ///< ever, corrections not counted
-    std::vector<Place> order;           ///< in the order of presentation; grows by voids
+    std::vector<PlaceInOrder> order;    ///< in the order of presentation; grows by voids
     int position = 0;                   ///< into order
     int sitting = 0;
     int preparedSitting = 0;  ///< the one whose checklist was gone through last
@@ -173,11 +163,11 @@ struct Touched {
     std::int64_t agoNs = 0;
 };
 struct Answered {
-    Response response;
+    GivenAnswer response;
 };
 struct Corrected {  ///< changes the latest answer to `question`
     protocols::QuestionId question;
-    Response response;
+    GivenAnswer response;
     std::string why;
 };
 struct Voided {
@@ -218,7 +208,7 @@ struct Prefetch {
 };
 using Effect = std::variant<ShowStimulus, ClearDisplay, Prefetch>;
 
-struct Step {
+struct SessionStep {
     State next;
     std::vector<Effect> effects;
 };
@@ -226,16 +216,7 @@ struct Refusal {
     std::string reason;  ///< a sentence for the operator
 };
 
-std::variant<Step, Refusal> apply(const Plan& plan, const State& state, const Event& event);
-
-/// Text and back, for the log. What is personal (facts, debriefing) is left out of the text. Throws
-/// workFailed on a record this version cannot read.
-std::string kindOf(const EventBody& body);
-std::string payloadJson(const EventBody& body);
-EventBody eventFromRecord(const std::string& kind, const std::string& payloadJson);
-
-/// What the view `answers` and exports show for it: a fabric id, "same", "different", words; a rating "5.5".
-std::string textOf(const Response& response);
+std::variant<SessionStep, Refusal> apply(const Plan& plan, const State& state, const Event& event);
 
 /// The names for tests' printed grid: "PlacingTray", "PlacingTray (paused)".
 std::string nameOf(const State& state);

@@ -1,70 +1,19 @@
 #include "study/session/session_moves.h"
 
 #include <algorithm>
-#include <cstdlib>
 
 #include "protocols/random.h"
+#include "study/session/session_record.h"
 
 namespace study::session {
 
 namespace {
 
-const Place& placeAt(const State& state, int position) { return state.order[static_cast<std::size_t>(position)]; }
+const PlaceInOrder& placeAt(const State& state, int position) { return state.order[static_cast<std::size_t>(position)]; }
 
 int phaseIndexAt(const Plan& plan, const State& state, int position)
 {
     return plan.trials[static_cast<std::size_t>(placeAt(state, position).index)].phase;
-}
-
-std::string inTenths(int tenths)
-{
-    const std::string sign = tenths < 0 ? "-" : "";
-    const int size = std::abs(tenths);
-    return sign + std::to_string(size / 10) + (size % 10 == 0 ? std::string() : "." + std::to_string(size % 10));
-}
-
-std::string nameOfFabric(const Plan& plan, const protocols::FabricId& fabric)
-{
-    const auto name = plan.fabricNames.find(fabric);
-    return name == plan.fabricNames.end() ? fabric.value : name->second;
-}
-
-std::optional<std::string> faultOfChoice(const Plan& plan, int index, const protocols::FabricId& fabric)
-{
-    const auto& tray = plan.trials[static_cast<std::size_t>(index)].alternatives;
-    if (std::find(tray.begin(), tray.end(), fabric) != tray.end()) return std::nullopt;
-    std::string names;
-    for (const protocols::FabricId& one : tray) names += (names.empty() ? "" : ", ") + nameOfFabric(plan, one);
-    return nameOfFabric(plan, fabric) + " is not on the tray (" + names + ").";
-}
-
-std::optional<std::string> faultOfRating(const protocols::Scale& scale, protocols::Tenths rating)
-{
-    if (scale.holds(rating)) return std::nullopt;
-    return inTenths(rating.value) + " is not on the scale: from " + inTenths(scale.min.value) + " to " +
-           inTenths(scale.max.value) + " in steps of " + inTenths(scale.step.value) + ".";
-}
-
-const char* whatIsAskedFor(protocols::PhaseAnswer kind)
-{
-    switch (kind) {
-        case protocols::PhaseAnswer::Choice:
-            return "one of the fabrics on the tray";
-        case protocols::PhaseAnswer::Rating:
-            return "a number on the scale";
-        case protocols::PhaseAnswer::SameDifferent:
-            return "same or different";
-        case protocols::PhaseAnswer::Words:
-            return "words";
-    }
-    return "";
-}
-
-const protocols::Scale* scaleOf(const Plan& plan)
-{
-    for (const protocols::Phase& phase : plan.protocol.phases)
-        if (phase.scale) return &*phase.scale;
-    return nullptr;
 }
 
 constexpr std::int64_t minuteNs = 60LL * 1000 * 1000 * 1000;
@@ -94,9 +43,9 @@ const protocols::Question& questionOf(const Plan& plan, int index, int question)
     return phaseOf(plan, index).questions.at(static_cast<std::size_t>(question));
 }
 
-std::vector<Place> orderOf(const Plan& plan)
+std::vector<PlaceInOrder> orderOf(const Plan& plan)
 {
-    std::vector<Place> order;
+    std::vector<PlaceInOrder> order;
     int block = 0, inBlock = 0;
     for (std::size_t i = 0; i < plan.trials.size(); ++i) {
         const bool isNewPhase = i > 0 && plan.trials[i].phase != plan.trials[i - 1].phase;
@@ -135,7 +84,7 @@ int attemptAt(const State& state, int position)
 {
     const int index = placeAt(state, position).index;
     return static_cast<int>(std::count_if(state.order.begin(), state.order.begin() + position + 1,
-                                          [&](const Place& place) { return place.index == index; }));
+                                          [&](const PlaceInOrder& place) { return place.index == index; }));
 }
 
 bool blockEndsBefore(const State& state, int position)
@@ -147,7 +96,7 @@ bool blockEndsBefore(const State& state, int position)
 std::vector<protocols::Tenths> placesToName(const Plan& plan, const State& state)
 {
     const auto* training = std::get_if<ScaleTraining>(&state.stage);
-    const protocols::Scale* scale = scaleOf(plan);
+    const protocols::RatingScale* scale = memorisedScaleOf(plan.protocol);
     if (!training || !scale || plan.trials.empty()) return {};
     protocols::Random random = protocols::Random::stream(static_cast<std::uint64_t>(state.sitting),
                                                          "places on the scale/" + plan.trials.front().presentationCode.value);
@@ -163,19 +112,10 @@ std::vector<protocols::Tenths> placesToName(const Plan& plan, const State& state
     return places;
 }
 
-std::optional<std::string> faultOf(const Plan& plan, int index, int question, const Response& response)
+std::optional<std::string> faultOfAnswer(const Plan& plan, int index, int question, const GivenAnswer& answer)
 {
-    const protocols::Phase& phase = phaseOf(plan, index);
-    const protocols::Question& asked = questionOf(plan, index, question);
-    const protocols::PhaseAnswer kind = answerKindOf(phase, asked);
-    // Response's alternatives stand in the order of PhaseAnswer's values.
-    if (response.index() != static_cast<std::size_t>(kind))
-        return asked.id.value + " asks for " + whatIsAskedFor(kind) + ", not for " +
-               whatIsAskedFor(static_cast<protocols::PhaseAnswer>(response.index())) + ".";
-    if (const auto* fabric = std::get_if<protocols::FabricId>(&response)) return faultOfChoice(plan, index, *fabric);
-    if (const auto* rating = std::get_if<protocols::Tenths>(&response))
-        return faultOfRating(phase.scale.value_or(protocols::Scale{}), *rating);
-    return std::nullopt;
+    const auto& tray = plan.trials.at(static_cast<std::size_t>(index)).alternatives;
+    return faultOf(answer, questionOf(plan, index, question), tray, plan.fabricNames);
 }
 
 std::string refusalOf(const State& state, const EventBody& body)
@@ -193,7 +133,7 @@ void interrupt(State& state)
     if (auto* familiarising = std::get_if<Familiarising>(&state.stage)) familiarising->shown.reset();
 }
 
-void prepareOn(const Plan& plan, Step& step, std::int64_t atNs)
+void prepareOn(const Plan& plan, SessionStep& step, std::int64_t atNs)
 {
     const std::size_t stage = step.next.stage.index();
     const auto comesAfter = [&](const Stage& later) { return later.index() > stage; };
@@ -203,7 +143,7 @@ void prepareOn(const Plan& plan, Step& step, std::int64_t atNs)
         step.next.stage = AskingFacts{};
     else if (comesAfter(Familiarising{}))
         step.next.stage = Familiarising{};
-    else if (comesAfter(ScaleTraining{}) && scaleOf(plan))
+    else if (comesAfter(ScaleTraining{}) && memorisedScaleOf(plan.protocol))
         step.next.stage = ScaleTraining{};
     else if (comesAfter(CheckingList{}) && !(plan.protocol.checklist.empty() && plan.protocol.readings.empty()))
         step.next.stage = CheckingList{};
@@ -213,7 +153,7 @@ void prepareOn(const Plan& plan, Step& step, std::int64_t atNs)
     }
 }
 
-void placeTray(const Plan& plan, Step& step, std::int64_t atNs)
+void placeTray(const Plan& plan, SessionStep& step, std::int64_t atNs)
 {
     step.next.stage = PlacingTray{placeAt(step.next, step.next.position).index};
     step.next.trayAskedAtNs = atNs;
@@ -221,7 +161,7 @@ void placeTray(const Plan& plan, Step& step, std::int64_t atNs)
     step.effects.emplace_back(Prefetch{*fileCodeAt(plan, step.next, step.next.position)});
 }
 
-void endPresentation(const Plan& plan, Step& step, std::int64_t atNs)
+void endPresentation(const Plan& plan, SessionStep& step, std::int64_t atNs)
 {
     State& next = step.next;
     step.effects.emplace_back(ClearDisplay{});

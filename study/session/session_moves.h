@@ -15,7 +15,7 @@ int questionsOf(const Plan& plan, int index);
 const protocols::Question& questionOf(const Plan& plan, int index, int question);
 
 /// The list's own order with its blocks, before any void.
-std::vector<Place> orderOf(const Plan& plan);
+std::vector<PlaceInOrder> orderOf(const Plan& plan);
 
 /// Current answers to the questions of a trial; also the number of its next unanswered question.
 int answersTo(const State& state, int index);
@@ -36,8 +36,8 @@ bool blockEndsBefore(const State& state, int position);
 /// They differ between participants and sittings and are the same whenever they are asked for.
 std::vector<protocols::Tenths> placesToName(const Plan& plan, const State& state);
 
-/// Why this response cannot be stored as the answer to that question; a sentence for the operator.
-std::optional<std::string> faultOf(const Plan& plan, int index, int question, const Response& response);
+/// Why this answer cannot be stored as the answer to that question; a sentence for the operator.
+std::optional<std::string> faultOfAnswer(const Plan& plan, int index, int question, const GivenAnswer& answer);
 
 /// Why an event is refused in a stage that has no place for it.
 std::string refusalOf(const State& state, const EventBody& body);
@@ -46,13 +46,13 @@ std::string refusalOf(const State& state, const EventBody& body);
 void interrupt(State& state);
 
 /// The next stage of the preparation after `state.stage`, of those for which the protocol has something.
-void prepareOn(const Plan& plan, Step& step, std::int64_t atNs);
+void prepareOn(const Plan& plan, SessionStep& step, std::int64_t atNs);
 
 /// Enters PlacingTray of order[position].
-void placeTray(const Plan& plan, Step& step, std::int64_t atNs);
+void placeTray(const Plan& plan, SessionStep& step, std::int64_t atNs);
 
 /// Clears the display and goes to the next presentation, a break, or the debriefing.
-void endPresentation(const Plan& plan, Step& step, std::int64_t atNs);
+void endPresentation(const Plan& plan, SessionStep& step, std::int64_t atNs);
 
 /// Forgets the answers to a trial and presents it again: at the end of its block or, where that is over,
 /// of the block that follows in the same phase, or else at once.

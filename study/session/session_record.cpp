@@ -1,50 +1,19 @@
-// Events as text for the log, and back.
+#include "study/session/session_record.h"
+
 #include <nlohmann/json.hpp>
 
 #include "protocols/files/errors.h"
-#include "study/session/session.h"
 
 namespace study::session {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-template <class... Cases>
-struct Overloaded : Cases... {
-    using Cases::operator()...;
-};
-template <class... Cases>
-Overloaded(Cases...) -> Overloaded<Cases...>;
-
-Json jsonOf(const Response& response)
-{
-    return std::visit(Overloaded{[](const protocols::FabricId& fabric) {
-                                     return Json{{"fabric", fabric.value}};
-                                 },
-                                 [](const protocols::Tenths& rating) {
-                                     return Json{{"tenths", rating.value}};
-                                 },
-                                 [](const Sameness& said) {
-                                     return Json{{"same", said.same}};
-                                 },
-                                 [](const Words& said) {
-                                     return Json{{"words", said.text}};
-                                 }},
-                      response);
-}
-
-Response responseOf(const Json& payload)
-{
-    if (payload.contains("fabric")) return protocols::FabricId(payload.at("fabric").get<std::string>());
-    if (payload.contains("same")) return Sameness{payload.at("same").get<bool>()};
-    if (payload.contains("words")) return Words{payload.at("words").get<std::string>()};
-    return protocols::Tenths{payload.at("tenths").get<int>()};
-}
+using protocols::Overloaded;
 
 Corrected correctedOf(const Json& payload)
 {
-    return {protocols::QuestionId(payload.at("question").get<std::string>()), responseOf(payload),
+    return {protocols::QuestionId(payload.at("question").get<std::string>()), givenAnswerIn(payload),
             payload.at("why").get<std::string>()};
 }
 
@@ -91,7 +60,7 @@ constexpr Kind kinds[] = {
     {"sitting_prepared", [](const Json&) -> EventBody { return SittingPrepared{}; }},
     {"tray_ready", [](const Json&) -> EventBody { return TrayReady{}; }},
     {"touched", [](const Json& payload) -> EventBody { return touchOf(payload); }},
-    {"answered", [](const Json& payload) -> EventBody { return Answered{responseOf(payload)}; }},
+    {"answered", [](const Json& payload) -> EventBody { return Answered{givenAnswerIn(payload)}; }},
     {"corrected", [](const Json& payload) -> EventBody { return correctedOf(payload); }},
     {"voided", [](const Json& payload) -> EventBody { return Voided{payload.at("why").get<std::string>()}; }},
     {"break_ended", [](const Json&) -> EventBody { return BreakEnded{}; }},
@@ -106,13 +75,13 @@ constexpr Kind kinds[] = {
 };
 static_assert(std::size(kinds) == std::variant_size_v<EventBody>);
 
-Json payloadOf(const EventBody& body)
+Json payloadOfEvent(const EventBody& body)
 {
     return std::visit(
-        Overloaded{[](const Answered& event) { return jsonOf(event.response); },
+        Overloaded{[](const Answered& event) { return payloadOf(event.response); },
                    [](const Corrected& event) {
                        Json payload{{"question", event.question.value}};
-                       payload.update(jsonOf(event.response));
+                       payload.update(payloadOf(event.response));
                        payload["why"] = event.why;
                        return payload;
                    },
@@ -152,7 +121,10 @@ Json payloadOf(const EventBody& body)
 
 std::string kindOf(const EventBody& body) { return kinds[body.index()].name; }
 
-std::string payloadJson(const EventBody& body) { return payloadOf(body).dump(-1, ' ', false, Json::error_handler_t::replace); }
+std::string payloadJson(const EventBody& body)
+{
+    return payloadOfEvent(body).dump(-1, ' ', false, Json::error_handler_t::replace);
+}
 
 EventBody eventFromRecord(const std::string& kind, const std::string& payloadJson)
 {
@@ -165,32 +137,6 @@ EventBody eventFromRecord(const std::string& kind, const std::string& payloadJso
     }
     throw protocols::workFailed(
         {"a stored event is of a kind unknown to this version", "event \"" + kind + "\"", "", "update this program"});
-}
-
-std::string textOf(const Response& response)
-{
-    return std::visit(Overloaded{[](const protocols::FabricId& fabric) { return fabric.value; },
-                                 [](const protocols::Tenths& rating) {
-                                     const int size = std::abs(rating.value);
-                                     return (rating.value < 0 ? "-" : "") + std::to_string(size / 10) + "." +
-                                            std::to_string(size % 10);
-                                 },
-                                 [](const Sameness& said) { return std::string(said.same ? "same" : "different"); },
-                                 [](const Words& said) { return said.text; }},
-                      response);
-}
-
-std::string nameOf(const State& state)
-{
-    const std::string stage = std::visit(
-        Overloaded{[](const Enrolled&) { return "Enrolled"; }, [](const Consenting&) { return "Consenting"; },
-                   [](const AskingFacts&) { return "AskingFacts"; }, [](const Familiarising&) { return "Familiarising"; },
-                   [](const ScaleTraining&) { return "ScaleTraining"; }, [](const CheckingList&) { return "CheckingList"; },
-                   [](const PlacingTray&) { return "PlacingTray"; }, [](const Presenting&) { return "Presenting"; },
-                   [](const OnBreak&) { return "OnBreak"; }, [](const Debriefing&) { return "Debriefing"; },
-                   [](const Finished&) { return "Finished"; }, [](const Withdrawn&) { return "Withdrawn"; }},
-        state.stage);
-    return state.paused ? stage + " (paused)" : stage;
 }
 
 }  // namespace study::session

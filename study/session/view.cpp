@@ -1,7 +1,7 @@
-#include <algorithm>
-#include <cstdlib>
+#include "study/session/view.h"
 
-#include "study/session/driver.h"
+#include <algorithm>
+
 #include "study/session/session_moves.h"
 
 namespace study::session {
@@ -16,12 +16,10 @@ std::string nameOfPhase(const protocols::Phase& phase)
     return phase.questions.size() == 1 ? first : first + "-" + phase.questions.back().id.value;
 }
 
-std::string spoken(const Plan& plan, const Response& response)
+std::string spoken(const Plan& plan, const GivenAnswer& answer)
 {
-    const auto* fabric = std::get_if<protocols::FabricId>(&response);
-    if (!fabric) return textOf(response);
-    const auto name = plan.fabricNames.find(*fabric);
-    return name == plan.fabricNames.end() ? fabric->value : name->second;
+    const auto* fabric = std::get_if<protocols::FabricId>(&answer);
+    return fabric ? nameIn(plan.fabricNames, *fabric) : textOf(answer);
 }
 
 void addTrial(View& view, const Plan& plan, const State& state, int index, int question)
@@ -29,10 +27,8 @@ void addTrial(View& view, const Plan& plan, const State& state, int index, int q
     const protocols::BlindedTrial& trial = plan.trials[static_cast<std::size_t>(index)];
     view.code = codeOfAttempt(plan.trials, static_cast<std::size_t>(index), attemptAt(state, state.position));
     view.trayIds = trial.alternatives;
-    for (const protocols::FabricId& fabric : trial.alternatives) view.tray.push_back(spoken(plan, fabric));
+    for (const protocols::FabricId& fabric : trial.alternatives) view.tray.push_back(nameIn(plan.fabricNames, fabric));
     view.question = questionOf(plan, index, question);
-    view.answerKind = answerKindOf(phaseOf(plan, index), *view.question);
-    view.scale = phaseOf(plan, index).scale;
 }
 
 void addLastAnswer(View& view, const Plan& plan, const State& state)
@@ -46,7 +42,7 @@ void addLastAnswer(View& view, const Plan& plan, const State& state)
 int answersInAll(const Plan& plan, const State& state)
 {
     int answers = 0;
-    for (const Place& place : state.order) answers += questionsOf(plan, place.index);
+    for (const PlaceInOrder& place : state.order) answers += questionsOf(plan, place.index);
     return answers;
 }
 
@@ -88,30 +84,30 @@ double minutesLeft(const Plan& plan, const State& state)
 
 }  // namespace
 
-View Driver::view() const
+View viewOf(const Plan& plan, const State& state, const protocols::ParticipantId& participant, std::int64_t nowNs)
 {
     View view;
-    view.state = m_state;
-    view.participant = m_participant.value;
-    const int count = static_cast<int>(m_state.order.size());
-    const int remaining = std::holds_alternative<Withdrawn>(m_state.stage) ? 0 : count - m_state.position;
-    if (m_state.position < count)
-        view.phaseName = nameOfPhase(phaseOf(m_plan, m_state.order[static_cast<std::size_t>(m_state.position)].index));
-    if (const auto* tray = std::get_if<PlacingTray>(&m_state.stage))
-        addTrial(view, m_plan, m_state, tray->index, answersTo(m_state, tray->index));
-    if (const auto* presenting = std::get_if<Presenting>(&m_state.stage))
-        addTrial(view, m_plan, m_state, presenting->index, presenting->question);
-    view.presentation = std::min(m_state.position + 1, count);
+    view.state = state;
+    view.participant = participant.value;
+    const int count = static_cast<int>(state.order.size());
+    const int remaining = std::holds_alternative<Withdrawn>(state.stage) ? 0 : count - state.position;
+    if (state.position < count)
+        view.phaseName = nameOfPhase(phaseOf(plan, state.order[static_cast<std::size_t>(state.position)].index));
+    if (const auto* tray = std::get_if<PlacingTray>(&state.stage))
+        addTrial(view, plan, state, tray->index, answersTo(state, tray->index));
+    if (const auto* presenting = std::get_if<Presenting>(&state.stage))
+        addTrial(view, plan, state, presenting->index, presenting->question);
+    view.presentation = std::min(state.position + 1, count);
     view.presentations = count;
-    view.answersStored = m_state.answersStored;
-    view.answersInAll = answersInAll(m_plan, m_state);
-    view.minutesLeft = remaining == 0 ? 0 : minutesLeft(m_plan, m_state);
-    view.sittingMinutes = static_cast<double>(m_clock.monotonicNs() - m_state.sittingBeganAtNs) / 6e10;
-    view.presentationsToBreak = remaining == 0 ? 0 : presentationsToBreak(m_state);
-    view.sittingIsPrepared = m_state.preparedSitting == 0 || m_state.preparedSitting == m_state.sitting;
-    for (const FamiliarisationItem& item : m_plan.familiarisation) view.familiarisation.push_back(item.name);
-    view.placesToName = placesToName(m_plan, m_state);
-    addLastAnswer(view, m_plan, m_state);
+    view.answersStored = state.answersStored;
+    view.answersInAll = answersInAll(plan, state);
+    view.minutesLeft = remaining == 0 ? 0 : minutesLeft(plan, state);
+    view.sittingMinutes = static_cast<double>(nowNs - state.sittingBeganAtNs) / 6e10;
+    view.presentationsToBreak = remaining == 0 ? 0 : presentationsToBreak(state);
+    view.sittingIsPrepared = state.preparedSitting == 0 || state.preparedSitting == state.sitting;
+    for (const FamiliarisationImage& item : plan.familiarisation) view.familiarisation.push_back(item.name);
+    view.placesToName = placesToName(plan, state);
+    addLastAnswer(view, plan, state);
     return view;
 }
 

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "protocols/files/errors.h"
+#include "protocols/key_json.h"
 #include "protocols/protocol_json.h"
 
 using namespace protocols;

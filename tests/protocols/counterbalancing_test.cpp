@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "protocols/balance.h"
 #include "protocols/protocol_json.h"
 
 using namespace protocols;
@@ -19,7 +20,7 @@ Protocol studyOf(int participants, int conditions, int fabrics, int alternatives
     protocol.participants = participants;
     protocol.conditions.resize(static_cast<std::size_t>(conditions));
     protocol.fabricCount = fabrics;
-    protocol.phases[0].alternatives = alternatives;
+    protocol.phases[0].task = protocol.phases[0].questions[0].kind = ForcedChoice{alternatives};
     return protocol;
 }
 

@@ -6,7 +6,9 @@
 #include <set>
 
 #include "protocols/allocation.h"
+#include "protocols/balance.h"
 #include "protocols/condition.h"
+#include "protocols/key_json.h"
 #include "protocols/protocol_json.h"
 
 using namespace protocols;
@@ -19,8 +21,8 @@ Protocol sameDifferentProtocol(int participants, int fabrics)
     protocol.participants = participants;
     protocol.fabricCount = fabrics;
     Phase phase;
-    phase.questions = {{QuestionId("S1"), "Is it the same fabric?"}};
-    phase.sameDifferent = true;
+    phase.task = SameDifferent{};
+    phase.questions = {{QuestionId("S1"), "Is it the same fabric?", phase.task}};
     protocol.phases = {phase};
     return protocol;
 }

@@ -62,11 +62,11 @@ private Q_SLOTS:
                 .toStdString(),
             "study.json");
         const Phase& first = protocol.phases[0];
-        QVERIFY(first.sameDifferent);
+        QVERIFY(first.task == AnswerKind(SameDifferent{}));
         QCOMPARE(first.catchTrials, 2);
-        QCOMPARE(answerKindOf(first, first.questions[0]), PhaseAnswer::SameDifferent);
-        QCOMPARE(answerKindOf(first, first.questions[1]), PhaseAnswer::Words);
-        QCOMPARE(protocol.phases[1].scale->labels.size(), 3u);
+        QVERIFY(first.questions[0].kind == AnswerKind(SameDifferent{}));
+        QVERIFY(first.questions[1].kind == AnswerKind(FreeText{}));
+        QCOMPARE(std::get<Rating>(protocol.phases[1].questions[0].kind).scale.labels.size(), 3u);
         QCOMPARE(protocol.presentations(), 6 + 2 + 6);
         QCOMPARE(protocol.answersPerParticipant(), 2 * 8 + 6);
         QCOMPARE(protocol.swatchCodes, SwatchCodes::PerParticipant);
@@ -83,7 +83,7 @@ private Q_SLOTS:
         changed.equivalenceBounds = {-1, 1};
         changed.checklist.clear();
         QVERIFY(fixedPartsChanged(kept, changed).empty());
-        changed.phases[1].scale->max = Tenths{70};
+        std::get<Rating>(changed.phases[1].task).scale.max = Tenths{70};
         changed.conditions.pop_back();
         QCOMPARE(fixedPartsChanged(kept, changed), (std::vector<std::string>{"conditions", "phases"}));
     }
@@ -92,12 +92,12 @@ private Q_SLOTS:
     {
         const Protocol protocol = paper();
         QCOMPARE(protocol.phases.size(), std::size_t{2});
-        QCOMPARE(protocol.phases[0].alternatives, std::optional<int>(3));
+        QVERIFY(protocol.phases[0].questions[0].kind == AnswerKind(ForcedChoice{3}));
         QCOMPARE(protocol.phases[1].questions.size(), std::size_t{3});
         QVERIFY(protocol.phases[1].questions[0].text.find("slipperiness") != std::string::npos);
-        QCOMPARE(protocol.phases[1].scale, std::optional<Scale>(Scale{}));
-        QVERIFY(protocol.phases[1].scale->holds(Tenths{54}));
-        QVERIFY(!protocol.phases[1].scale->holds(Tenths{101}));
+        for (const Question& question : protocol.phases[1].questions) QVERIFY(question.kind == AnswerKind(Rating{}));
+        QVERIFY(RatingScale{}.holds(Tenths{54}));
+        QVERIFY(!RatingScale{}.holds(Tenths{101}));
         QCOMPARE(protocol.equivalenceBounds, (std::pair<double, double>{-0.5, 0.5}));
         QCOMPARE(protocol.planned.front(), (PlannedContrast{ConditionId("h_g&f_g"), ConditionId("h&f")}));
     }
@@ -116,7 +116,7 @@ private Q_SLOTS:
     {
         const Protocol protocol = protocolFromJson(smallProtocol().toStdString(), "small.json");
         QCOMPARE(protocol.conditions[1], ConditionId("h_g&f_g"));
-        QCOMPARE(protocol.phases[1].scale->step, Tenths{1});
+        QCOMPARE(std::get<Rating>(protocol.phases[1].task).scale.step, Tenths{1});
         QCOMPARE(protocol.equivalenceBounds, (std::pair<double, double>{-0.5, 0.5}));
         QVERIFY(!protocol.phases[0].questions[0].text.empty());
         QVERIFY(protocol.planned.empty());
@@ -152,7 +152,7 @@ private Q_SLOTS:
         row("no answers", ", \"alternatives\": 3", "", "phases[0]: has none of alternatives, scale and same_different");
         row("two kinds of answers", "\"alternatives\": 3", "\"alternatives\": 3, \"scale\": {\"min\": 0, \"max\": 1}",
             "phases[0]: has more than one of");
-        row("question asked twice", "\"Q2\"", "\"Q1\"", "phases[1].questions: 'Q1' is asked twice");
+        row("question asked twice", "\"Q2\"", "\"Q1\"", "phases[1].questions[0]: 'Q1' is asked twice");
         row("question without words", "\"Q2\"", "\"Q9\"", "'Q9' has no words");
         row("words without question", "\"name\"", "\"question_texts\": {\"Q7\": \"Is it warm?\"}, \"name\"",
             "'Q7' is asked in no phase");
@@ -177,7 +177,7 @@ private Q_SLOTS:
         QFETCH(const QString, by);
         QFETCH(const QString, named);
         const QString refusal = refusalOf(smallProtocol(part, by));
-        QVERIFY2(refusal.startsWith("study.json: "), qPrintable(refusal));
+        QVERIFY2(refusal.startsWith("study.json"), qPrintable(refusal));
         QVERIFY2(refusal.contains(named), qPrintable(refusal));
         QVERIFY2(!refusal.contains('\n') && !refusal.contains("Failed to"), qPrintable(refusal));
     }
@@ -209,7 +209,7 @@ private Q_SLOTS:
             protocolFromJson(json, "study.json");
             QFAIL("a name that is not UTF-8 was taken");
         } catch (const Error& error) {
-            QVERIFY2(QString(error.what()).contains("not UTF-8 at line 1, column 4"), error.what());
+            QVERIFY2(QString(error.what()).contains("study.json, line 1, column 43: the text is not UTF-8"), error.what());
         }
         QVERIFY(refusalOf(smallProtocol("small", "Prüfung 織物")).isEmpty());
     }

@@ -4,8 +4,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "protocols/files/csv_table.h"
 #include "protocols/files/errors.h"
-#include "reports/csv_table.h"
 #include "reports/write_report.h"
 #include "tests/reports/study_builder.h"
 
@@ -121,16 +121,14 @@ private Q_SLOTS:
     void tablesReadBackAsTheNumbersOfTheResults()
     {
         reports::writeReport(richStudy(), path("report"));
-        const auto table = reports::readCsv(path("report") / "tables" / "comparisons_q2.csv");
+        const auto table = protocols::readCsvTable(path("report") / "tables" / "comparisons_q2.csv");
         const Json results = reports::results(richStudy());
         std::size_t row = 0;
         for (const Json& expected : results["comparisons"]) {
             if (expected["question"] != "Q2") continue;
-            QCOMPARE(table.rows[row].cells[*table.column("b")], expected["b"].get<std::string>());
-            QCOMPARE(*reports::numberOf(table, table.rows[row], *table.column("p (Holm)"), "table"),
-                     expected["p_holm"].get<double>());
-            QCOMPARE(*reports::numberOf(table, table.rows[row], *table.column("95 % CI low"), "table"),
-                     expected["ci95"][0].get<double>());
+            QCOMPARE(table.rows[row][*table.column("b")], expected["b"].get<std::string>());
+            QCOMPARE(protocols::numberAt(table, row, *table.column("p (Holm)")), expected["p_holm"].get<double>());
+            QCOMPARE(protocols::numberAt(table, row, *table.column("95 % CI low")), expected["ci95"][0].get<double>());
             ++row;
         }
         QCOMPARE(row, table.rows.size());

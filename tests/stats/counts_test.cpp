@@ -6,6 +6,7 @@
 #include "stats/tests/binomial.h"
 #include "stats/tests/forced_choice.h"
 #include "stats/tests/mcnemar.h"
+#include "tests/stats/exact_numbers.h"
 #include "tests/stats/stream.h"
 
 class CountsTest : public QObject {
@@ -37,31 +38,6 @@ private Q_SLOTS:
     {
         const auto test = stats::binomialTest(1000000000, 3000000000, 1.0 / 3);
         QVERIFY(*test.pTwoSided > 0.99 && *test.clopperPearson.low < 1.0 / 3 && *test.clopperPearson.high > 1.0 / 3);
-    }
-
-    // python3 (mpmath 1.2.1): d at which quad(lambda x: npdf(x-d)*ncdf(x)**(m-1), [d-9,d,d+9]) is k/n,
-    // and sqrt(p*(1-p)/n)/diff(...) there
-    void sensitivityAgreesWithItsIntegral_data()
-    {
-        QTest::addColumn<int>("correct");
-        QTest::addColumn<int>("alternatives");
-        QTest::addColumn<double>("dPrime");
-        QTest::addColumn<double>("se");
-        QTest::newRow("27 of 70 among 3") << 27 << 3 << 0.180873436796818 << 0.196374950324;
-        QTest::newRow("50 of 70 among 4") << 50 << 4 << 1.54550945856751 << 0.199857412764;
-        QTest::newRow("69 of 70 among 2") << 69 << 2 << 3.09620811703755 << 0.552362187392;
-    }
-
-    void sensitivityAgreesWithItsIntegral()
-    {
-        QFETCH(int, correct);
-        QFETCH(int, alternatives);
-        QFETCH(double, dPrime);
-        QFETCH(double, se);
-        const auto found = stats::forcedChoice(correct, 70, alternatives);
-        QVERIFY(near(*found.dPrime, dPrime, 1e-12));
-        QVERIFY(near(*found.seDPrime, se, 1e-9));
-        QVERIFY(near(stats::proportionCorrectAt(*found.dPrime, alternatives), correct / 70.0, 1e-14));
     }
 
     void sensitivityAtItsEnds()
@@ -100,6 +76,86 @@ private Q_SLOTS:
         QCOMPARE(*test.pExact, 1.0);
         QCOMPARE(test.chiSquared.why(), std::string("no pair changed"));
         QVERIFY(!stats::mcnemarTest(-1, 2).why.empty());
+    }
+
+    // Rscript tests/stats/reference/counts.R
+    void binomialTestsAsInR_data()
+    {
+        QTest::addColumn<stats::BinomialTest>("test");
+        QTest::addColumn<std::vector<double>>("expected");
+        QTest::newRow("27 of 70") << stats::binomialTest(27, 70, 1.0 / 3)
+                                  << std::vector<double>{0.209625558305277, 0.854359350755117, 0.375333948414112,
+                                                         0.17763310377508,  0.271720045069842, 0.509700574295499,
+                                                         0.280476913015389, 0.502842644106958};
+        QTest::newRow("15 of 70, 99 %") << stats::binomialTest(15, 70, 1.0 / 3, 0.99)
+                                        << std::vector<double>{0.989715128760754, 0.020669396439507, 0.0416046094100225,
+                                                               0.984522866160623, 0.103976840012189, 0.364866536258033,
+                                                               0.115779408052599, 0.362265167276456};
+        QTest::newRow("3 of 7, 90 %")
+            << stats::binomialTest(3, 7, 0.5, 0.9)
+            << std::vector<double>{
+                   0.7734375, 0.5, 1.0, 0.63671875, 0.128756392804243, 0.774678415967552, 0.186443190363956, 0.710522908986407};
+    }
+
+    void binomialTestsAsInR()
+    {
+        QFETCH(stats::BinomialTest, test);
+        QFETCH(std::vector<double>, expected);
+        compareNumbers({{"p greater", test.pGreater, expected[0]},
+                        {"log p greater", test.logPGreater, std::log(expected[0])},
+                        {"p less", test.pLess, expected[1]},
+                        {"p two-sided", test.pTwoSided, expected[2]},
+                        {"log p two-sided", test.logPTwoSided, std::log(expected[2])},
+                        {"mid p", test.pMidGreater, expected[3]},
+                        {"log mid p", test.logPMidGreater, std::log(expected[3])},
+                        {"Clopper-Pearson low", test.clopperPearson.low, expected[4]},
+                        {"Clopper-Pearson high", test.clopperPearson.high, expected[5]},
+                        {"Wilson low", test.wilson.low, expected[6]},
+                        {"Wilson high", test.wilson.high, expected[7]}});
+    }
+
+    // All or none: the ends at 0 and 1 are exact, the others (outside)^(1/n) and z^2/(n + z^2).
+    void intervalsAtTheirEnds()
+    {
+        const auto none = stats::binomialTest(0, 12, 0.25);
+        const auto all = stats::binomialTest(12, 12, 0.25);
+        const double z2 = 3.8414588206941285;  // R: qchisq(.95, 1)
+        compareNumbers({{"none, greater", none.pGreater, 1},
+                        {"none, less", none.pLess, std::pow(0.75, 12)},
+                        {"none, estimate", none.estimate, 0},
+                        {"none, exact high", none.clopperPearson.high, 1 - std::pow(0.025, 1.0 / 12)},
+                        {"none, Wilson high", none.wilson.high, z2 / (12 + z2)},
+                        {"all, greater", all.pGreater, std::pow(0.25, 12)},
+                        {"all, less", all.pLess, 1},
+                        {"all, estimate", all.estimate, 1},
+                        {"all, mid", all.pMidGreater, std::pow(0.25, 12) / 2},
+                        {"all, exact low", all.clopperPearson.low, std::pow(0.025, 1.0 / 12)},
+                        {"all, Wilson low", all.wilson.low, 12 / (12 + z2)}});
+        QVERIFY(*none.wilson.low == 0 && *none.clopperPearson.low == 0 && *all.wilson.high == 1 && *all.clopperPearson.high == 1);
+        compareReasons({{"chance 1", stats::binomialTest(1, 2, 1).pGreater, "between 0 and 1"},
+                        {"chance 0", stats::binomialTest(1, 2, 0).wilson.low, "between 0 and 1"},
+                        {"trials", stats::wilsonInterval(1, 0).low, "no trials"},
+                        {"successes", stats::clopperPearsonInterval(3, 2).high, "more successes"},
+                        {"negative", stats::clopperPearsonInterval(-3, 2).high, "negative"}});
+    }
+
+    // Rscript tests/stats/reference/counts.R
+    void mcNemarAsInR()
+    {
+        for (const auto& test : {stats::mcnemarTest(12, 5), stats::mcnemarTest(5, 12)})
+            compareNumbers({{"chi-squared", test.chiSquared, 2.88235294117647},
+                            {"its p", test.pChiSquared, 0.0895550744136431},
+                            {"corrected chi-squared", test.chiSquaredCorrected, 2.11764705882353},
+                            {"its p", test.pChiSquaredCorrected, 0.145610095396868},
+                            {"exact p", test.pExact, 0.143463134765625},
+                            {"its logarithm", test.logPExact, std::log(0.143463134765625)},
+                            {"mid p", test.pMid, 0.0962524414062501},
+                            {"its logarithm", test.logPMid, std::log(0.0962524414062501)}});
+        QCOMPARE(stats::mcnemarTest(12, 5).b, 12LL);
+        QCOMPARE(stats::mcnemarTest(12, 5).c, 5LL);
+        // Equally many: |b - c| - 1 would be negative.
+        compareNumbers({{"corrected chi-squared of equals", stats::mcnemarTest(4, 4).chiSquaredCorrected, 0},
+                        {"mid p of equals", stats::mcnemarTest(4, 4).pMid, 1}});
     }
 };
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "stats/metrics/registered_ssim.h"
+#include "tests/stats/exact_numbers.h"
 #include "tests/stats/stream.h"
 
 namespace {
@@ -269,6 +270,88 @@ private Q_SLOTS:
         const auto result = stats::ssim(a.view(), b.view(), range);
         QVERIFY(!result.mean.exists());
         QVERIFY2(QString::fromStdString(result.why).contains(why), result.why.c_str());
+    }
+
+    // /usr/bin/python3 tests/stats/reference/image_metrics.py
+    void everyVariantAsWindowByWindow_data()
+    {
+        QTest::addColumn<double>("range");
+        QTest::addColumn<stats::SsimOptions>("options");
+        QTest::addColumn<std::vector<double>>("expected");  // mean, smallest, largest
+        using enum stats::SsimWindow;
+        QTest::newRow("Gaussian") << 1.0 << stats::SsimOptions{}
+                                  << std::vector<double>{0.77757164539625, 0.490462131180758, 0.978195066743845};
+        QTest::newRow("sample moments") << 1.0 << stats::SsimOptions{.sampleMoments = true}
+                                        << std::vector<double>{0.777562375838945, 0.490439219286847, 0.978194330173986};
+        QTest::newRow("box") << 1.0 << stats::SsimOptions{.window = Uniform7}
+                             << std::vector<double>{0.777382979304599, 0.568803252495609, 0.985585091256878};
+        QTest::newRow("box, sample moments") << 1.0 << stats::SsimOptions{.window = Uniform7, .sampleMoments = true}
+                                             << std::vector<double>{0.777360109583347, 0.568759111700787, 0.985583751408232};
+        QTest::newRow("range 2.5") << 2.5 << stats::SsimOptions{}
+                                   << std::vector<double>{0.783309155154383, 0.504608752854629, 0.978655621734232};
+        QTest::newRow("K1 and K2") << 1.0 << stats::SsimOptions{.k1 = 0.02, .k2 = 0.05}
+                                   << std::vector<double>{0.779553479914847, 0.495345248200142, 0.978355153465375};
+    }
+
+    void everyVariantAsWindowByWindow()
+    {
+        QFETCH(double, range);
+        QFETCH(stats::SsimOptions, options);
+        QFETCH(std::vector<double>, expected);
+        Image a{{}, 90, 81}, b{{}, 90, 81};
+        for (std::size_t i = 0; i < 81; ++i)
+            for (std::size_t j = 0; j < 90; ++j) {
+                a.values.push_back(static_cast<double>((7 * i + 13 * j) % 17) / 17);
+                b.values.push_back(static_cast<double>((7 * i + 13 * j + i * j % 3) % 17) / 17 + 0.002 * static_cast<double>(i));
+            }
+        const auto found = stats::ssim(a.view(), b.view(), range, options);
+        const std::size_t window = options.window == stats::SsimWindow::Uniform7 ? 7 : 11;
+        QCOMPARE(found.windowsAcross, 91 - window);
+        QCOMPARE(found.windowsDown, 82 - window);
+        compareNumbers({{"mean", found.mean, expected[0]},
+                        {"smallest", found.smallest, expected[1]},
+                        {"largest", found.largest, expected[2]}});
+        const auto floatA = a.floats(), floatB = b.floats();
+        const auto quick = stats::ssim(stats::FloatImageView{floatA, 90, 81}, {floatB, 90, 81}, range, options);
+        compareNumbers({{"mean of floats", quick.mean, expected[0], 1e-5},
+                        {"smallest of floats", quick.smallest, expected[1], 1e-4},
+                        {"largest of floats", quick.largest, expected[2], 1e-5}});
+    }
+
+    // /usr/bin/python3 tests/stats/reference/image_metrics.py
+    void registrationAsByTryingAllShifts()
+    {
+        const auto texture = [](double i, double j) {
+            return std::sin(0.7 * i + 0.3 * j) + std::cos(0.2 * i * i / 10 + 0.9 * j);
+        };
+        Image a{{}, 34, 30}, b{{}, 34, 30};
+        for (int i = 0; i < 30; ++i)
+            for (int j = 0; j < 34; ++j) {
+                a.values.push_back(texture(i, j));
+                b.values.push_back(texture(i + 2, j - 3) + 0.1 * ((5 * i + 3 * j) % 7));
+            }
+        const auto found = stats::registeredSsim(a.view(), b.view(), 2, 5);
+        QCOMPARE(found.right, 3);
+        QCOMPARE(found.down, -2);
+        compareNumbers({{"correlation", found.correlation, 0.980631681783292},
+                        {"registered", found.ssim, 0.398998940614083},
+                        {"as they are", found.ssimUnregistered, 0.182380335435049}});
+        compareReasons({{"shift below 0", stats::registeredSsim(a.view(), b.view(), 2, -1).ssim, "negative"},
+                        {"shift of 20", stats::registeredSsim(a.view(), b.view(), 2, 20).correlation, "less than a window"}});
+        QVERIFY(stats::registeredSsim(a.view(), b.view(), 2, 19).ssim.exists());
+        // No shift allowed: the correlation of the images as they are.
+        QVERIFY(*stats::registeredSsim(a.view(), b.view(), 2, 0).ssim == *found.ssimUnregistered);
+    }
+
+    // Vertical stripes of a period of 4: shifts by -4, 0 and 4 are equally good, and the shortest is taken.
+    void ofEquallyGoodShiftsTheShortestIsTaken()
+    {
+        Image stripes{{}, 30, 20};
+        for (std::size_t k = 0; k < 600; ++k) stripes.values.push_back(static_cast<double>(k % 30 % 4));
+        const auto found = stats::registeredSsim(stripes.view(), stripes.view(), 3, 5);
+        QCOMPARE(found.right, 0);
+        QCOMPARE(found.down, 0);
+        compareNumbers({{"correlation", found.correlation, 1}, {"registered", found.ssim, 1}});
     }
 };
 

@@ -9,6 +9,7 @@
 
 #include "stats/models/crossed_study.h"
 #include "stats/power/simulated_study.h"
+#include "tests/stats/exact_numbers.h"
 #include "tests/stats/shared_study.h"
 
 namespace {
@@ -51,28 +52,6 @@ class LogisticMixedModelTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void smallStudyAsBruteForceHasIt()
-    {
-        // R 4.2.2, dense matrices, the mode by Newton to 1e-14, optim(method = "BFGS", reltol = 1e-16) over
-        // both standard deviations and the three effects of
-        //   -2*sum(dbinom(y,1,pr,log=TRUE)) + sum(u^2) + determinant(diag(q) + t(ZL)%*%(ZL*(pr*(1-pr))))$modulus
-        const auto model = stats::fitLogisticMixedModel(smallStudy());
-        compare(model.random[0].sd, 0.8868409311, 1e-5, "people");
-        compare(model.random[1].sd, 0.6246168293, 1e-5, "fabrics");
-        const double estimates[] = {0.4978643545, -0.5037289205, 0.2634273745};
-        // optimHess of the same with the mode one Newton step from that of the fit (see the header)
-        const double errors[] = {0.71592829, 0.70949980, 0.72101902};
-        for (std::size_t i = 0; i < 3; ++i) {
-            compare(model.fixed[i].estimate, estimates[i], 2e-5, model.fixed[i].name);
-            compare(model.fixed[i].se, errors[i], 1e-4, "se of " + model.fixed[i].name);
-        }
-        compare(model.logLikelihood, -38.2438576288, 1e-9, "log likelihood");
-        compare(model.logLikelihoodNull, -38.8351382193, 1e-9, "of the model without condition");
-        compare(model.chiSquared, 2 * (38.8351382193 - 38.2438576288), 1e-6, "chi-squared");
-        QCOMPARE(*model.df, 2.0);
-        QVERIFY(!model.singular && model.separation == stats::Separation::None);
-    }
-
     void peopleAlikeLeaveAPlainTable()
     {
         // Everyone answers alike, so nothing is left for the groups: log odds of 12/20, 8/20 and 15/20, and
@@ -251,6 +230,59 @@ private Q_SLOTS:
         compare(model.df, expected["lrt_df"], 0, "df");
         compare(model.p, expected["lrt_p"], 1e-3, "p");
         QVERIFY(model.separation == stats::Separation::None);
+    }
+
+    // /usr/bin/python3 tests/stats/reference/logistic_mixed_model.py
+    void everyNumberOfTheSmallStudy_data()
+    {
+        QTest::addColumn<int>("groups");
+        QTest::addColumn<std::vector<double>>("sds");
+        QTest::addColumn<std::vector<double>>("effects");  // estimate, standard error and p of each
+        QTest::addColumn<std::vector<double>>("test");     // log likelihoods, chi-squared, p
+        QTest::newRow("people and fabrics") << 2 << std::vector<double>{0.88684046333786, 0.624616373985511}
+                                            << std::vector<double>{0.497864315258087,  0.715928045708035, 0.486797701468924,
+                                                                   -0.503728856378753, 0.70949974447351,  0.477718087652264,
+                                                                   0.263427297449061,  0.72101896712788,  0.714847035565107}
+                                            << std::vector<double>{-38.2438576287715, -38.8351382193338, 1.18256118112449,
+                                                                   0.553617872775359};
+        QTest::newRow("people") << 1 << std::vector<double>{0.770559066268709}
+                                << std::vector<double>{0.457727941549059,  0.596960241496725, 0.443221526362908,
+                                                       -0.462590393545744, 0.681855165248155, 0.497499656613169,
+                                                       0.242578872488903,  0.695106175761425, 0.727103547631937}
+                                << std::vector<double>{-38.8720004326782, -39.4167771863155, 1.08955350727452, 0.579971245359368};
+    }
+
+    void everyNumberOfTheSmallStudy()
+    {
+        QFETCH(int, groups);
+        QFETCH(std::vector<double>, sds);
+        QFETCH(std::vector<double>, effects);
+        QFETCH(std::vector<double>, test);
+        auto data = smallStudy();
+        data.groups.resize(static_cast<std::size_t>(groups));
+        const auto model = stats::fitLogisticMixedModel(data, 0.9);
+        QCOMPARE(model.rows, std::size_t{60});
+        // The covariance is that of the last step but one, 1e-5 away.
+        for (std::size_t g = 0; g < sds.size(); ++g) compareNumbers({{"sd", model.random[g].sd, sds[g], 1e-6}});
+        const double z = 1.64485362695147;  // R: qnorm(.95)
+        for (std::size_t i = 0; i < 3; ++i) {
+            const auto& one = model.fixed[i];
+            const double estimate = effects[3 * i], se = effects[3 * i + 1], p = effects[3 * i + 2];
+            compareNumbers({{"estimate", one.estimate, estimate, 1e-6},
+                            {"se", one.se, se, 2e-5},
+                            {"z", one.z, estimate / se, 2e-5},
+                            {"p", one.p, p, 2e-5},
+                            {"log p", one.logP, std::log(p), 1e-4},
+                            {"low", one.ci.low, estimate - z * se, 3e-5},
+                            {"high", one.ci.high, estimate + z * se, 3e-5},
+                            {"variance", model.covariance(i, i), se * se, 5e-5}});
+        }
+        compareNumbers({{"log likelihood", model.logLikelihood, test[0]},
+                        {"without condition", model.logLikelihoodNull, test[1]},
+                        {"chi-squared", model.chiSquared, test[2], 1e-10},
+                        {"df", model.df, 2},
+                        {"p", model.p, test[3], 1e-10},
+                        {"log p", model.logP, std::log(test[3]), 1e-10}});
     }
 };
 

@@ -10,6 +10,7 @@
 #include "stats/kernels/distributions.h"
 #include "stats/models/crossed_study.h"
 #include "stats/power/simulated_study.h"
+#include "tests/stats/exact_numbers.h"
 #include "tests/stats/shared_study.h"
 
 namespace {
@@ -39,6 +40,64 @@ stats::MixedModelData smallStudy()
     data.random = {{factor("p", {1, 1, 1, 2, 2, 2, 3, 3, 3, 4, 4, 4, 5, 5, 6, 6, 6, 2}), {}, ""},
                    {factor("f", {1, 2, 1, 2, 1, 2, 1, 2, 1, 2, 1, 2, 1, 1, 2, 1, 2, 1}), {}, ""}};
     return data;
+}
+
+/// Reaction times of six people on five days, two missing, in three batches.
+stats::MixedModelData reactionStudy()
+{
+    const std::vector<double> times{251, 258, 256, 279, 281, 222, 232, 227, 245, 262, 203, 210, 219, 216, 232,
+                                    321, 300, 308, 315, 330, 287, 285, 311, 320, 345, 215, 235, 241, 243, 260};
+    stats::MixedModelData data;
+    std::vector<int> person, batch;
+    std::vector<double> day;
+    for (int i = 0; i < 30; ++i) {
+        if (i == 7 || i == 23) continue;
+        data.y.push_back(times[static_cast<std::size_t>(i)]);
+        person.push_back(i / 5);
+        batch.push_back((2 * i + i / 5) % 3);
+        day.push_back(i % 5);
+    }
+    data.fixed = stats::interceptOnly(data.y.size());
+    data.fixed.names.push_back("day");
+    data.fixed.columns.push_back(day);
+    data.random = {{factor("person", person), day, "day"}, {factor("batch", batch), {}, ""}};
+    return data;
+}
+
+/// Ratings by formula of 6 participants, 4 fabrics and 3 conditions; two are missing.
+stats::CrossedStudy crossedStudy()
+{
+    std::vector<std::string> person, fabric, condition;
+    std::vector<double> ratings;
+    for (int p = 0; p < 6; ++p)
+        for (int f = 0; f < 4; ++f)
+            for (int c = 0; c < 3; ++c) {
+                person.push_back("p" + std::to_string(p));
+                fabric.push_back("f" + std::to_string(f));
+                condition.push_back("c" + std::to_string(c));
+                const double rating = 5 + 0.9 * std::sin(3 * p + 1) + 0.8 * std::cos(5 * f) + 0.6 * c +
+                                      0.8 * std::sin(7 * p + 11 * c) + 0.7 * std::sin(13 * f + 5 * c + 2) +
+                                      0.8 * std::sin(17 * p + 23 * f + 31 * c);
+                ratings.push_back(std::round(10 * rating) / 10);
+            }
+    ratings[10] = ratings[41] = std::nan("");
+    return {stats::factorOf("who", person), stats::factorOf("what", fabric), stats::factorOf("how", condition), ratings};
+}
+
+struct ContrastNumbers {
+    double estimate, se, df, t, p, low, high;
+};
+
+void compareContrast(const stats::ContrastTest& test, const ContrastNumbers& expected)
+{
+    compareNumbers({{"estimate", test.estimate, expected.estimate, 1e-9},
+                    {"se", test.se, expected.se, 1e-9},
+                    {"df", test.df, expected.df, 1e-7},
+                    {"t", test.t, expected.t, 1e-9},
+                    {"p", test.p, expected.p, 1e-7},
+                    {"log p", test.logP, std::log(expected.p), 1e-7},
+                    {"low", test.ci.low, expected.low, 1e-8},
+                    {"high", test.ci.high, expected.high, 1e-8}});
 }
 
 stats::CrossedStudy drawnStudy(const stats::StudyDesign& design, std::uint64_t seed)
@@ -174,56 +233,20 @@ private Q_SLOTS:
         compare(difference.df, df, 1e-6, "its df");
     }
 
-    void unbalancedDataAsBruteForceHasThem()
-    {
-        // R 4.2.2, dense matrices and optim(method = "BFGS", reltol = 1e-15) over log variances:
-        //   crit <- function(v) { V <- v[1]*tcrossprod(Zp) + v[2]*tcrossprod(Zf) + v[3]*diag(n); W <- solve(V)
-        //     C <- t(X)%*%W%*%X; r <- y - X%*%solve(C, t(X)%*%W%*%y)
-        //     determinant(V)$modulus + determinant(C)$modulus + t(r)%*%W%*%r + (n-p)*log(2*pi) }
-        // and Satterthwaite's df from central differences of crit and of solve(C).
-        const auto model = stats::fitMixedModel(smallStudy());
-        compare(model.criterion, 39.836918762497, 1e-11, "REML criterion");
-        compare(model.random[0].variance, 0.175446519589, 1e-5, "people");
-        compare(model.random[1].variance, 0.024546778123, 1e-4, "fabrics");
-        compare(model.residualVariance, 0.439785508571, 1e-5, "residual");
-        const double estimates[] = {4.431383619, 1.639074622, 2.218616381};
-        const double errors[] = {0.3459690052, 0.3898761053, 0.3892013125};
-        const double degrees[] = {6.771016972, 10.773378851, 10.725796944};
-        for (std::size_t i = 0; i < 3; ++i) {
-            compare(model.fixed[i].test.estimate, estimates[i], 1e-6, "estimate");
-            compare(model.fixed[i].test.se, errors[i], 1e-6, "se");
-            compare(model.fixed[i].test.df, degrees[i], 1e-4, "df");
-        }
-        const auto f = stats::effectTest(model);
-        compare(f.f, 17.3518447164, 1e-6, "F");
-        compare(f.df2, 10.60276157, 1e-4, "df2, of the sequential contrasts");
-    }
-
-    void maximumLikelihoodAsBruteForceHasIt()
-    {
-        // As above without determinant(C), n in place of n - p.
-        const auto model = stats::fitMixedModel(smallStudy(), {.reml = false});
-        compare(model.criterion, 38.219946862559, 1e-11, "-2 log likelihood");
-        compare(model.random[0].variance, 0.15179281958753, 1e-5, "people");
-        compare(model.random[1].variance, 0.00408021552597, 2e-4, "fabrics");
-        compare(model.residualVariance, 0.37319008341682, 1e-5, "residual");
-        compare(model.fixed[1].test.se, 0.3587007343, 1e-6, "se");
-        compare(model.fixed[1].test.df, 12.40833289, 1e-4, "df");
-        compare(stats::effectTest(model).f, 20.4238470282, 1e-5, "F");
-    }
-
     void aVarianceOfZeroIsSaidAndTheModelIsTheOneWithoutIt()
     {
-        // The same brute force on these ratings drives the fabrics' variance to 1e-6: REML 20.873958251435,
-        // people 0.249451, residual 0.0748709, F 84.9721.
+        // /usr/bin/python3 tests/stats/reference/mixed_models.py, without the fabrics
         auto data = smallStudy();
         data.y = {4.1, 5.2, 6.0, 3.9, 5.5, 6.3, 5.0, 5.9, 7.1, 4.4, 4.9, 6.8, 5.6, 6.1, 5.3, 6.6, 7.4, 4.2};
         const auto model = stats::fitMixedModel(data);
         QVERIFY(model.singular && model.random[1].zero && !model.random[0].zero);
         QCOMPARE(*model.random[1].variance, 0.0);
-        compare(model.criterion, 20.873958251435, 1e-5, "REML criterion");
-        compare(model.random[0].variance, 0.249451, 1e-4, "people");
-        compare(stats::effectTest(model).f, 84.9721, 1e-4, "F");
+        compare(model.criterion, 20.8738572851158, 1e-13, "REML criterion");
+        compare(model.random[0].variance, 0.249441079636302, 1e-9, "people");
+        compare(model.residualVariance, 0.0748718715404557, 1e-9, "residual");
+        compare(stats::effectTest(model).f, 84.9711112739534, 1e-9, "F");
+        compare(stats::effectTest(model).df2, 10.143773943106, 1e-7, "df2");
+        compare(stats::effectTest(model).p, 4.61095741672414e-07, 1e-7, "p");
         data.random.pop_back();
         const auto without = stats::fitMixedModel(data);
         QVERIFY(!without.singular);
@@ -462,6 +485,148 @@ private Q_SLOTS:
         compare(model.residualVariance, 152.084258998, 1e-6, "residual");
         const double estimates[] = {31.0555555556, 18.9444444444, 9.5, 7.77777777778};
         for (std::size_t i = 0; i < 4; ++i) compare(model.fixed[i].test.estimate, estimates[i], 1e-10, model.fixed[i].name);
+    }
+
+    // /usr/bin/python3 tests/stats/reference/mixed_models.py
+    void everyNumberOfTheSmallStudy_data()
+    {
+        QTest::addColumn<bool>("reml");
+        QTest::addColumn<double>("confidence");
+        QTest::addColumn<std::vector<double>>("model");             // criterion, variances of people, fabrics, residual
+        QTest::addColumn<std::vector<ContrastNumbers>>("effects");  // the fixed effects, then level 3 - level 2
+        QTest::addColumn<std::vector<double>>("f");
+        QTest::newRow("REML")
+            << true << 0.95 << std::vector<double>{39.8369187624965, 0.17544653824535, 0.0245467835532415, 0.439785461673984}
+            << std::vector<ContrastNumbers>{{4.4313836228799, 0.345969002350326, 6.77101315463441, 12.8086146237827,
+                                             5.38518640129832e-06, 3.60765485152809, 5.25511239423172},
+                                            {1.63907462207255, 0.389876085257137, 10.7733668135544, 4.20409120757309,
+                                             0.00154368440664797, 0.778755588805561, 2.49939365533953},
+                                            {2.2186163771201, 0.389201292455157, 10.7257850091651, 5.70043424862398,
+                                             0.000152016305561757, 1.35931052149175, 3.07792223274844},
+                                            {0.57954175504755, 0.384109781575783, 10.3363764322428, 1.50879197262309,
+                                             0.161295395512706, -0.114350421819546, 1.27343393191465}}
+            << std::vector<double>{17.3518464429229, 10.6027498078295, 0.000453109431842401};
+        QTest::newRow("maximum likelihood")
+            << false << 0.9 << std::vector<double>{38.219946862559, 0.151792862770678, 0.00408022680930246, 0.37319005130218}
+            << std::vector<ContrastNumbers>{{4.42827135692502, 0.306091099389052, 11.2183602212053, 14.4671679959454,
+                                             1.32236806844669e-08, 3.8795444840435, 4.97699822980654},
+                                            {1.62703319771865, 0.358700720353727, 12.4083205709434, 4.53590724912449,
+                                             0.000627955846854595, 0.989473694258964, 2.26459270117833},
+                                            {2.22172864307498, 0.358540345208826, 12.2404151728423, 6.19659313871906,
+                                             4.22428189502997e-05, 1.58375078939181, 2.85970649675814},
+                                            {0.594695445356326, 0.352994737980324, 11.9124631516647, 1.6847147602225,
+                                             0.118038964894068, -0.0348281056831373, 1.22421899639579}}
+            << std::vector<double>{20.4238485504828, 12.1784909493753, 0.000128706286659609};
+    }
+
+    void everyNumberOfTheSmallStudy()
+    {
+        QFETCH(bool, reml);
+        QFETCH(double, confidence);
+        QFETCH(std::vector<double>, model);
+        QFETCH(std::vector<ContrastNumbers>, effects);
+        QFETCH(std::vector<double>, f);
+        const auto fitted = stats::fitMixedModel(smallStudy(), {.reml = reml, .confidence = confidence});
+        QCOMPARE(fitted.rows, std::size_t{18});
+        compareNumbers({{"criterion", fitted.criterion, model[0], 1e-13},
+                        {"people", fitted.random[0].variance, model[1], 1e-9},
+                        {"sd of people", fitted.random[0].sd, std::sqrt(model[1]), 1e-9},
+                        {"fabrics", fitted.random[1].variance, model[2], 1e-8},
+                        {"residual", fitted.residualVariance, model[3], 1e-9},
+                        {"sd of the residual", fitted.residualSd, std::sqrt(model[3]), 1e-9}});
+        for (std::size_t i = 0; i < 3; ++i) compareContrast(fitted.fixed[i].test, effects[i]);
+        compareContrast(stats::levelDifference(fitted, 2, 1, 0.9), effects[3]);
+        const auto test = stats::effectTest(fitted);
+        compareNumbers({{"F", test.f, f[0], 1e-9},
+                        {"df1", test.df1, 2},
+                        {"df2", test.df2, f[1], 1e-7},
+                        {"p", test.p, f[2], 1e-7},
+                        {"log p", test.logP, std::log(f[2]), 1e-7}});
+        compareReasons({{"slope", fitted.random[0].slopeSd, "intercepts only"},
+                        {"correlation", fitted.random[0].correlation, "intercepts only"}});
+    }
+
+    // /usr/bin/python3 tests/stats/reference/mixed_models.py
+    void slopesThatGoWithTheirIntercepts_data()
+    {
+        QTest::addColumn<bool>("reml");
+        QTest::addColumn<std::vector<double>>("model");
+        QTest::addColumn<std::vector<ContrastNumbers>>("effects");
+        QTest::newRow("REML") << true << std::vector<double>{214.702473708161,   1538.10775720972, 13.0689076615923,
+                                                             0.0707775624292679, 10.0625635020139, 45.9398101752449}
+                              << std::vector<ContrastNumbers>{
+                                     {246.873394418426, 16.2594376756086, 5.12504714368101, 15.1833906770817,
+                                      1.85797324444427e-05, 205.382055752424, 288.364733084429},
+                                     {8.75362264135099, 1.72130536225536, 4.66462229841389, 5.08545597620252, 0.00463846383302784,
+                                      4.23144562526108, 13.2757996574409}};
+        QTest::newRow("maximum likelihood") << false
+                                            << std::vector<double>{224.849461082226,   1281.07226358695, 9.86959947478964,
+                                                                   0.0853794304246144, 9.73317531996416, 46.2326096144734}
+                                            << std::vector<ContrastNumbers>{
+                                                   {246.874758107904, 14.8811916041075, 6.17314108043544, 16.5897170519437,
+                                                    2.3593102791032e-06, 210.707930935131, 283.041585280676},
+                                                   {8.74158008929278, 1.5602835668173, 5.51453113274521, 5.60255858306837,
+                                                    0.00182277258671025, 4.84073175048721, 12.6424284280984}};
+    }
+
+    void slopesThatGoWithTheirIntercepts()
+    {
+        QFETCH(bool, reml);
+        QFETCH(std::vector<double>, model);
+        QFETCH(std::vector<ContrastNumbers>, effects);
+        const auto data = reactionStudy();
+        const auto fitted = stats::fitMixedModel(data, {.reml = reml});
+        compareNumbers({{"criterion", fitted.criterion, model[0], 1e-12},
+                        {"intercepts", fitted.random[0].variance, model[1], 1e-8},
+                        {"slopes", fitted.random[0].slopeVariance, model[2], 1e-8},
+                        {"sd of the slopes", fitted.random[0].slopeSd, std::sqrt(model[2]), 1e-8},
+                        {"correlation", fitted.random[0].correlation, model[3], 1e-7},
+                        {"batches", fitted.random[1].variance, model[4], 1e-7},
+                        {"residual", fitted.residualVariance, model[5], 1e-8}});
+        compareContrast(fitted.fixed[0].test, effects[0]);
+        compareContrast(fitted.fixed[1].test, effects[1]);
+        QCOMPARE(fitted.random[0].slopeName, std::string("day"));
+        QVERIFY(!fitted.singular && !fitted.random[0].zero);
+        // A covariate of another unit changes the unit of its variance only.
+        auto hours = data;
+        for (double& day : hours.random[0].slope) day *= 24;
+        const auto inHours = stats::fitMixedModel(hours, {.reml = reml});
+        compareNumbers({{"slopes in hours", inHours.random[0].slopeVariance, model[2] / 576, 1e-7},
+                        {"correlation", inHours.random[0].correlation, model[3], 1e-6},
+                        {"p of the slope", inHours.fixed[1].test.p, *fitted.fixed[1].test.p, 1e-6}});
+    }
+
+    // /usr/bin/python3 tests/stats/reference/mixed_models.py
+    void everyNumberOfACrossedStudy()
+    {
+        const auto rating = stats::fitRatings(crossedStudy());
+        QCOMPARE(rating.formula,
+                 std::string("y~condition+(1|participant)+(1|fabric)+(1|participant:condition)+(1|fabric:condition)"));
+        QCOMPARE(rating.model.missing, std::size_t{2});
+        QVERIFY(rating.leftOut.empty());
+        compareNumbers(
+            {{"criterion", rating.model.criterion, 179.520543852869},
+             {"participants", effectNamed(rating.model, "participant").variance, 0.288842866047612, 1e-8},
+             {"fabrics", effectNamed(rating.model, "fabric").variance, 0.406397248192026, 1e-8},
+             {"participants by condition", effectNamed(rating.model, "participant:condition").variance, 0.197634983118413, 1e-8},
+             {"fabrics by condition", effectNamed(rating.model, "fabric:condition").variance, 0.0419688964214894, 1e-8},
+             {"residual", rating.model.residualVariance, 0.456824624550332, 1e-8},
+             {"F", rating.condition.f, 2.01911964459256, 1e-9},
+             {"df2", rating.condition.df2, 9.23937070189565, 1e-7},
+             {"p", rating.condition.p, 0.187285186690752, 1e-8}});
+        compareContrast(rating.model.fixed[0].test,
+                        ContrastNumbers{5.55833333333333, 0.460657722216086, 8.6598631903146, 12.0660808779974,
+                                        1.03589516075287e-06, 4.50998045225886, 6.60668621440781});
+        compareContrast(rating.model.fixed[1].test,
+                        ContrastNumbers{0.711193789285692, 0.354972435210423, 9.18768262535211, 2.00351835450013,
+                                        0.0754735563874235, -0.0893161195049257, 1.51170369807631});
+        compareContrast(rating.model.fixed[2].test,
+                        ContrastNumbers{0.400384380077643, 0.354972435210423, 9.18768262535211, 1.12793090494562,
+                                        0.287941567969437, -0.400125528712975, 1.20089428886826});
+        compareContrast(stats::levelDifference(rating.model, 2, 1),
+                        ContrastNumbers{-0.310809409208049, 0.356530469356655, 9.34551578412714, -0.87176114223531,
+                                        0.405177595000774, -1.11281478576196, 0.491195967345863});
+        QCOMPARE(rating.model.fixed[2].name, std::string("conditionc2"));
     }
 };
 

@@ -9,8 +9,27 @@
 #include "stats/kernels/noncentral.h"
 #include "stats/power/power_plan.h"
 #include "stats/tests/t_tests.h"
+#include "tests/stats/exact_numbers.h"
 
 namespace {
+
+using Numbers = std::vector<double>;
+
+/// Six participants, five fabrics, four conditions, three alternatives; few studies are drawn.
+stats::PowerOptions smallOptions()
+{
+    stats::PowerOptions options;
+    options.design = {6, 5, 4, 3};
+    options.equivalenceBounds = {-0.4, 0.8};
+    options.simulation.studies = 3;
+    return options;
+}
+
+const std::vector<stats::PlannedTest>& smallPlan()
+{
+    static const auto planned = stats::plannedTests(smallOptions());
+    return planned;
+}
 
 void compare(double value, double expected, double relative)
 {
@@ -208,6 +227,181 @@ private Q_SLOTS:
         }
         options.design = {1, 1, 1, 2};
         QVERIFY(stats::plannedTests(options).empty());
+    }
+
+    // /usr/bin/python3 tests/stats/reference/power.py
+    void everyPlannedTestAsByIntegration_data()
+    {
+        QTest::addColumn<int>("place");
+        QTest::addColumn<QString>("question");
+        QTest::addColumn<QString>("effect");
+        QTest::addColumn<QString>("detectable");
+        QTest::addColumn<Numbers>("effects");
+        QTest::addColumn<Numbers>("power");
+        QTest::addColumn<double>("smallest");
+        QTest::addColumn<double>("participants");  // for the largest of the effects
+        QTest::newRow("paired t of participants' means")
+            << 0 << "ratings"
+            << "difference of two conditions, scale points"
+            << "difference of two conditions, scale points" << Numbers{0.5, 1, 1.5}
+            << Numbers{0.239207214292705, 0.689273116366234, 0.951459885487156} << 1.14763582563232 << 5.0;
+        QTest::newRow("the same after Holm over all pairs, no other differing")
+            << 1 << "ratings"
+            << "difference of two conditions, scale points"
+            << "difference of two conditions, scale points" << Numbers{0.5, 1, 1.5}
+            << Numbers{0.0594015051487332, 0.287801935600405, 0.647140602609554} << 1.75784298432452 << 7.0;
+        QTest::newRow("equivalence (TOST) of participants' means")
+            << 2 << "ratings"
+            << "true difference of two conditions, scale points"
+            << "bounds about no difference, scale points" << Numbers{0.2, 0.35, 0.5}
+            << Numbers{0.153226748207916, 0.140067577860271, 0.10699935484099} << 1.11787785605364 << 46.0;
+        QTest::newRow("mixed model, t of a difference")
+            << 3 << "ratings"
+            << "difference of two conditions over all fabrics, scale points"
+            << "difference of two conditions over all fabrics, scale points" << Numbers{0.5, 1, 1.5}
+            << Numbers{0.254506375616063, 0.735160365965541, 0.972056555934974} << 1.08284169391605 << 4.0;
+        QTest::newRow("repeated-measures ANOVA, Greenhouse-Geisser")
+            << 4 << "ratings"
+            << "range of evenly spaced condition means, scale points"
+            << "range of evenly spaced condition means, scale points" << Numbers{0.5, 1, 1.5}
+            << Numbers{0.19455174211289, 0.656092134630675, 0.957936136922264} << 1.16705345965649 << 5.0;
+        QTest::newRow("Friedman") << 5 << "ratings"
+                                  << "range of evenly spaced condition means, scale points"
+                                  << "range of evenly spaced condition means, scale points" << Numbers{0.5, 1, 1.5}
+                                  << Numbers{0.191390210567681, 0.651533243887078, 0.958116721466553} << 1.17049413048644 << 4.0;
+        QTest::newRow("mixed model, F of condition")
+            << 6 << "ratings"
+            << "range of evenly spaced condition means over all fabrics, scale points"
+            << "range of evenly spaced condition means over all fabrics, scale points" << Numbers{0.5, 1, 1.5}
+            << Numbers{0.162935185980067, 0.549968635852306, 0.902559763986529} << 1.30699028718795 << 5.0;
+        QTest::newRow("exact binomial against chance")
+            << 7 << "choices"
+            << "share right above chance, one condition"
+            << "share right above chance, one condition" << Numbers{0.1, 1.0 / 6, 0.8 / 3}
+            << Numbers{0.288653002436064, 0.572232224047184, 0.902943156179251} << 0.226149878062035 << 5.0;
+        QTest::newRow("the same after Holm over the conditions, the others at chance")
+            << 8 << "choices"
+            << "share right above chance, one condition"
+            << "share right above chance, one condition" << Numbers{0.1, 1.0 / 6, 0.8 / 3}
+            << Numbers{0.0991328954416616, 0.292332355864346, 0.714504401622121} << 0.290722527719013 << 7.0;
+        QTest::newRow("t of participants' shares against chance")
+            << 9 << "choices"
+            << "share right above chance, one condition"
+            << "share right above chance, one condition" << Numbers{0.1, 1.0 / 6, 0.8 / 3}
+            << Numbers{0.148012031121209, 0.317482853329473, 0.666963922454973} << 0.307741119120013 << 8.0;
+        QTest::newRow("logistic mixed model, likelihood ratio")
+            << 10 << "choices"
+            << "range of evenly spaced log odds of a right choice, about even odds"
+            << "range of evenly spaced log odds of a right choice, about even odds" << Numbers{0.5, 1, 1.5}
+            << Numbers{0.118668982892341, 0.372407659682757, 0.730778582079656} << 1.61759549629442 << 7.0;
+    }
+
+    void everyPlannedTestAsByIntegration()
+    {
+        QFETCH(int, place);
+        QFETCH(QString, question);
+        QFETCH(QString, effect);
+        QFETCH(QString, detectable);
+        QFETCH(Numbers, effects);
+        QFETCH(Numbers, power);
+        QFETCH(double, smallest);
+        QFETCH(double, participants);
+        const auto planned = smallPlan();
+        QCOMPARE(planned.size(), std::size_t{13});
+        const auto& test = planned[static_cast<std::size_t>(place)];
+        QCOMPARE(test.test, std::string(QTest::currentDataTag()));
+        QCOMPARE(QString::fromStdString(test.question), question);
+        QCOMPARE(QString::fromStdString(test.effect), effect);
+        QCOMPARE(QString::fromStdString(test.detectable), detectable);
+        QCOMPARE(test.points.size(), std::size_t{3});
+        for (std::size_t i = 0; i < 3; ++i)
+            compareNumbers({{"effect", test.points[i].effect, effects[i]}, {"power", test.points[i].power, power[i], 1e-9}});
+        compareNumbers({{"smallest effect", test.smallestDetectable, smallest, 2e-8},
+                        {"participants", test.points[2].participants, participants}});
+    }
+
+    void testsWithoutAFormulaAndTestsOfFabrics()
+    {
+        const auto planned = smallPlan();
+        const auto& cochran = planned[11];
+        QCOMPARE(cochran.test, std::string("Cochran's Q"));
+        compareReasons({{"power", cochran.points[0].power, "no formula"},
+                        {"participants", cochran.points[2].participants, "no formula"},
+                        {"smallest", cochran.smallestDetectable, "no formula"}});
+        const auto& fabrics = planned[12];
+        QCOMPARE(fabrics.test, std::string("paired t over fabrics"));
+        QCOMPARE(fabrics.question, std::string("signals"));
+        QCOMPARE(fabrics.effect, std::string("mean difference of generated and measured, SDs of the differences"));
+        compareNumbers({{"0.5", fabrics.points[0].power, 0.140516689990298, 1e-9},
+                        {"1", fabrics.points[1].power, 0.401389917371795, 1e-9},
+                        {"1.5", fabrics.points[2].power, 0.710702673925675, 1e-9},
+                        {"smallest", fabrics.smallestDetectable, 1.68199696595555, 2e-8}});
+        compareReasons({{"participants", fabrics.points[0].participants, "the fabrics are the unit"}});
+        stats::PowerOptions options = smallOptions();
+        QCOMPARE(stats::plannedStudies(options), std::size_t{8 * 3 * 3});
+        options.hasChoices = false;
+        QCOMPARE(stats::plannedTests(options).size(), std::size_t{8});
+        options.hasChoices = true;
+        options.hasRatings = false;
+        QCOMPARE(stats::plannedTests(options).size(), std::size_t{6});
+    }
+
+    void formulasAtOtherLevelsAsByIntegration()
+    {
+        const stats::StudyDesign design{6, 5, 4, 3};
+        compareNumbers(
+            {{"TOST with skew bounds", stats::equivalencePower({9, 0.6, -0.5, 0.9, 0.025}, 0.1), 0.687750612549115, 1e-9},
+             {"t at 1 %", stats::tTestPower(7, 0.8, 0.01), 0.159986732623294, 1e-9},
+             {"binomial at 1 %", stats::binomialPower({17, 0.25, 0.01}, 0.6), 0.640507657066906},
+             {"SD of a difference", stats::RatingTruth().sdOfDifference(design), 0.8},
+             {"variance of a mean", stats::RatingTruth().varianceOfMean(design), 0.0633333333333333}});
+        QCOMPARE((stats::BinomialPlan{30, 1.0 / 3, 0.05}.critical()), 15LL);
+        QCOMPARE((stats::BinomialPlan{30, 1.0 / 3, 0.0125}.critical()), 17LL);
+        compareNumbers({{"no success", stats::binomialPower({30, 1.0 / 3, 0.05}, 0), 0},
+                        {"all successes", stats::binomialPower({30, 1.0 / 3, 0.05}, 1), 1}});
+        const auto means = stats::evenlySpaced(4, 3);
+        compareNumbers(
+            {{"first", means[0], -1.5}, {"second", means[1], -0.5}, {"third", means[2], 0.5}, {"last", means[3], 1.5}});
+        QCOMPARE(stats::evenlySpaced(1, 3), Numbers{0});
+        QCOMPARE(stats::sumOfSquares(Numbers{-1.5, -0.5, 0.5, 1.5}), 5.0);
+        compareNumbers({{"quadratic", stats::smallestDetectable([](double x) { return x * x; }, 2), std::sqrt(0.8), 1e-8},
+                        {"wanted 0.5", stats::smallestDetectable([](double x) { return x * x; }, 2, 0.5), std::sqrt(0.5), 1e-8},
+                        {"participants", stats::participantsNeeded([](double n) { return n / 10; }, 1000), 8},
+                        {"2 suffice", stats::participantsNeeded([](double) { return 1.0; }), 2},
+                        {"as many as allowed", stats::participantsNeeded([](double n) { return n / 10; }, 8), 8}});
+        compareReasons({{"one fewer", stats::participantsNeeded([](double n) { return n / 10; }, 7), "more than 7"}});
+    }
+
+    // /usr/bin/python3 tests/stats/reference/power.py
+    void drawnStudiesAsWrittenASecondTime()
+    {
+        const stats::StudyDesign design{2, 2, 3, 3};
+        QCOMPARE(design.answers(), std::size_t{12});
+        auto study = stats::emptyStudy(design);
+        QCOMPARE(study.participant.levels, (std::vector<std::string>{"P1", "P2"}));
+        QCOMPARE(study.condition.of, (std::vector<std::size_t>{0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2}));
+        QCOMPARE(study.fabric.of, (std::vector<std::size_t>{0, 0, 0, 1, 1, 1, 0, 0, 0, 1, 1, 1}));
+        QCOMPARE(study.participant.of, (std::vector<std::size_t>{0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1}));
+        QVERIFY(std::isnan(study.values[11]));
+        stats::Draws ratings(11, 5);
+        stats::drawRatings(study, {}, Numbers{0, 0.5, 4.5}, ratings);
+        QCOMPARE(study.values, (Numbers{5.3, 7.3, 10.0, 6.4, 7.6, 9.9, 5.9, 6.2, 10.0, 3.9, 7.0, 10.0}));
+        const auto means = stats::participantMeans(study);
+        QCOMPARE(means.values, (Numbers{5.85, 7.45, 9.95, 4.9, 6.6, 10}));
+        stats::Draws choices(11, 6);
+        stats::drawChoices(study, {}, Numbers{-1, 0, 1}, choices);
+        QCOMPARE(study.values, (Numbers{0, 1, 0, 1, 0, 0, 1, 0, 1, 0, 1, 0}));
+        const auto blocks = stats::answersByBlock(study);
+        QCOMPARE(blocks.blocks, std::size_t{4});
+        QCOMPARE(blocks.values, study.values);
+        // Half steps of a scale from 1 to 7.
+        stats::RatingTruth truth;
+        truth.scaleMin = 1;
+        truth.scaleMax = 7;
+        truth.scaleStep = 0.5;
+        stats::Draws again(11, 5);
+        stats::drawRatings(study, truth, Numbers{-6, 0.5, 0}, again);
+        QCOMPARE(study.values, (Numbers{1, 7, 6.5, 1, 7, 5.5, 1, 6, 6.5, 1, 7, 5.5}));
     }
 };
 

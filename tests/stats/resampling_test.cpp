@@ -3,9 +3,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "stats/kernels/draws.h"
 #include "stats/tests/bayes_factor.h"
 #include "stats/tests/bootstrap.h"
 #include "stats/tests/sign_flip.h"
+#include "tests/stats/exact_numbers.h"
 #include "tests/stats/stream.h"
 
 namespace {
@@ -87,23 +89,73 @@ private Q_SLOTS:
         QVERIFY(!stats::bcaBootstrapOfMean(std::vector<double>{1, 2}, {.confidence = 1}).why.empty());
     }
 
-    // python3 (mpmath 1.2.1): the integral of Rouder et al. (2009) over g
-    //   t 2.03, n 80, r sqrt(2)/2   0.861185125273801
-    //   t -1.5, n 24, r 1           0.44401656850563
-    //   t 8, n 30, r sqrt(2)        1960777.54564426
-    void bayesFactorsAgreeWithTheirIntegral()
-    {
-        QVERIFY(near(*stats::jzsBayesFactor(2.03, 80).bf10, 0.861185125273801, 1e-12));
-        QVERIFY(near(*stats::jzsBayesFactor(-1.5, 24, 1).bf10, 0.44401656850563, 1e-12));
-        QVERIFY(near(*stats::jzsBayesFactor(8, 30, std::numbers::sqrt2).bf10, 1960777.54564426, 1e-12));
-    }
-
     void bayesFactorsBeyondTheDoubles()
     {
         const auto huge = stats::jzsBayesFactor(1000, 10000);
         QVERIFY(!huge.bf10.exists() && !huge.bf10.decimal().empty() && *huge.logBf10 > 20000);
         QVERIFY(std::isfinite(*stats::jzsBayesFactor(1e200, 3).logBf10));
         QVERIFY(!stats::jzsBayesFactor(2, 1).why.empty() && !stats::jzsBayesFactor(2, 10, 0).why.empty());
+    }
+
+    // /usr/bin/python3 tests/stats/reference/resampling.py
+    void bootstrapAsWrittenASecondTime_data()
+    {
+        QTest::addColumn<stats::BcaBootstrap>("result");
+        QTest::addColumn<std::vector<double>>("expected");
+        QTest::newRow("even, on a grid") << stats::bcaBootstrapOfMean(
+                                                std::vector<double>{2.1, 3.4, 1.9, 5.6, 4.4, 2.2, 7.9, 3.1, 2.8, 4.0},
+                                                {.resamples = 1000})
+                                         << std::vector<double>{0.568847628016501, 0.043880072299401, 0.0607650424977344, 2.88,
+                                                                5.26909559394349};
+        QTest::newRow("odd, on a grid") << stats::bcaBootstrapOfMean(std::vector<double>{0.3, -0.1, 0.5, 0.5, 0.2, -0.4, 0.6},
+                                                                     {.resamples = 777, .confidence = 0.9, .seed = 9})
+                                        << std::vector<double>{0.127004539836405, -0.118023666163601, -0.0452624903287265,
+                                                               -0.0428571428571429, 0.4};
+        QTest::newRow("roots, off the grid")
+            << stats::bcaBootstrapOfMean(
+                   std::vector<double>{std::sqrt(2.0), std::sqrt(3.0), std::sqrt(5.0), std::sqrt(7.0), std::sqrt(11.0)},
+                   {.resamples = 500, .seed = 3})
+            << std::vector<double>{0.304581988068742, -0.040116810184968, 0.0208186044451336, 1.72408856115055, 2.86553529793993};
+    }
+
+    void bootstrapAsWrittenASecondTime()
+    {
+        QFETCH(stats::BcaBootstrap, result);
+        QFETCH(std::vector<double>, expected);
+        QCOMPARE(result.why, std::string());
+        compareNumbers({{"standard error", result.standardError, expected[0]},
+                        {"bias", result.bias, expected[1]},
+                        {"acceleration", result.acceleration, expected[2]},
+                        {"low", result.ci.low, expected[3]},
+                        {"high", result.ci.high, expected[4]}});
+    }
+
+    void drawsAreThoseOfSplitMix64()
+    {
+        stats::Draws bits(7, 3);
+        QCOMPARE(bits.bits(), std::uint64_t{5123015643707495125U});
+        QCOMPARE(bits.bits(), std::uint64_t{18109886276499397889U});
+        stats::Draws draws(7, 3);
+        compareNumbers({{"uniform", draws.uniform(), 0.277719234529245},
+                        {"normal", draws.normal(), 0.149049989391599},
+                        {"second normal", draws.normal(), -1.30324310121071},
+                        {"third normal, SD 2", draws.normal(2), 2 * 0.333899974642037}});
+        // The first uniform number of this stream is 0.277719234529245.
+        QVERIFY(stats::Draws(7, 3).happens(0.278) && !stats::Draws(7, 3).happens(0.277));
+    }
+
+    void bootstrapSaysWhyItHasNoInterval()
+    {
+        const std::vector<double> two{1, 2};
+        compareReasons(
+            {{"resamples", stats::bcaBootstrapOfMean(two, {.resamples = 0}).ci.low, "1 to 100000000 resamples"},
+             {"resamples", stats::bcaBootstrapOfMean(two, {.resamples = 100000001}).ci.low, "1 to 100000000 resamples"},
+             {"confidence", stats::bcaBootstrapOfMean(two, {.confidence = 1}).ci.low, "between 0 and 1"},
+             {"no confidence", stats::bcaBootstrapOfMean(two, {.confidence = 0}).ci.low, "between 0 and 1"},
+             {"one value", stats::bcaBootstrapOfMean(std::vector<double>{1}).ci.high, "at least 2 values"},
+             {"no value", stats::bcaBootstrapOfMean(std::vector<double>{}).ci.high, "no values"},
+             {"one resample", stats::bcaBootstrapOfMean(std::vector<double>{1, 7, 9}, {.resamples = 1}).ci.low, "one side"}});
+        compareNumbers({{"mean of a constant", stats::bcaBootstrapOfMean(std::vector<double>{0.25, 0.25}).estimate, 0.25}});
     }
 };
 

@@ -17,6 +17,7 @@
 #include "stats/tests/speed_accuracy.h"
 #include "stats/tests/t_tests.h"
 #include "stats/tests/wilcoxon.h"
+#include "tests/stats/exact_numbers.h"
 #include "tests/stats/stream.h"
 
 class StatisticsTest : public QObject {
@@ -231,18 +232,9 @@ private Q_SLOTS:
         QCOMPARE(*binary.pExact, 1.0);
     }
 
-    // Liesefeld and Janczyk 2019; reference numbers: z-scores with the population SD, by
-    // /usr/bin/python3 -c "import numpy as np; rt=np.array([356.8,325.1,370.6,362.8,348.5,640.3,634.2,650.7,584.5,610.0]);
-    //   pc=np.array([.71,.73,.67,.73,.72,.97,.99,.99,.97,.97]); z=lambda x:(x-x.mean())/x.std(); print(z(pc)-z(rt))"
-    //   [-0.04697794  0.33341051 -0.44591721  0.05838473  0.08813818 -0.17640905 0.01722449 -0.10314488 0.23065828 0.04463289]
-    void balancedIntegrationScores()
+    void equalProportionsHaveNoBalancedScore()
     {
         const std::vector<double> rt{356.8, 325.1, 370.6, 362.8, 348.5, 640.3, 634.2, 650.7, 584.5, 610.0};
-        const std::vector<double> pc{.71, .73, .67, .73, .72, .97, .99, .99, .97, .97};
-        const std::vector<double> expected{-0.04697794, 0.33341051, -0.44591721, 0.05838473, 0.08813818,
-                                           -0.17640905, 0.01722449, -0.10314488, 0.23065828, 0.04463289};
-        const auto scores = stats::balancedIntegrationScores(pc, rt);
-        for (std::size_t i = 0; i < expected.size(); ++i) QVERIFY(std::fabs(*scores[i] - expected[i]) < 1e-8);
         QVERIFY(!stats::balancedIntegrationScores(std::vector<double>(10, 0.7), rt)[0].exists());
     }
 
@@ -268,6 +260,75 @@ private Q_SLOTS:
         QVERIFY(!stats::wilsonInterval(-1, 3).low.exists());
         QCOMPARE(*stats::wilsonInterval(0, 7).low, 0.0);
         QCOMPARE(*stats::clopperPearsonInterval(7, 7).high, 1.0);
+    }
+
+    // /usr/bin/python3 tests/stats/reference/signals.py
+    void speedAndAccuracyAsInScipy()
+    {
+        const std::vector<double> rt{356.8, 325.1, 370.6, 362.8, 348.5, 640.3, 634.2, 650.7, 584.5, 610.0};
+        const std::vector<double> pc{.71, .73, .67, .73, .72, .97, .99, .99, .97, .97};
+        const auto scores = stats::balancedIntegrationScores(pc, rt);
+        compareNumbers({{"score 0", scores[0], -0.0469779388804572, 1e-11},
+                        {"score 1", scores[1], 0.333410508220449, 1e-11},
+                        {"score 2", scores[2], -0.445917205353704, 1e-11},
+                        {"score 3", scores[3], 0.0583847306928901, 1e-11},
+                        {"score 4", scores[4], 0.0881381780298618, 1e-11},
+                        {"score 5", scores[5], -0.176409050923322, 1e-11},
+                        {"score 6", scores[6], 0.0172244915434858, 1e-11},
+                        {"score 7", scores[7], -0.103144880583961, 1e-11},
+                        {"score 8", scores[8], 0.230658280271315, 1e-11},
+                        {"score 9", scores[9], 0.0446328869834431, 1e-11}});
+        compareReasons(
+            {{"equal times", stats::balancedIntegrationScores(pc, std::vector<double>(10, 1.0))[3], "all times are equal"},
+             {"one cell", stats::balancedIntegrationScores(std::vector<double>{0.5}, std::vector<double>{1})[0], "2 cells"},
+             {"sizes", stats::balancedIntegrationScores(pc, std::vector<double>{1})[0], "differ in number"}});
+        const auto times = stats::responseTimes(std::vector<double>{1.2, 0.8, 3.1, 2.4, 0.9, 1.7});
+        QCOMPARE(times.n, std::size_t{6});
+        compareNumbers({{"median", times.median, 1.45},
+                        {"mean", times.mean, 1.68333333333333},
+                        {"mean logarithm", times.logMean, 0.398552764954848},
+                        {"geometric mean", times.geometricMean, 1.48966723820963}});
+        compareNumbers({{"bits of 3", stats::bitsPerChoice(0.7, 3), 0.403671601490463},
+                        {"bits of 2", stats::bitsPerChoice(0.9, 2), 0.531004406410719},
+                        {"bits just above chance", stats::bitsPerChoice(0.26, 4), 0.000381376973726422, 1e-9},
+                        {"bits below chance", stats::bitsPerChoice(0.24, 4), 0},
+                        {"bits a second", stats::bitsPerSecond(0.7, 3, 1.6), 0.403671601490463 / 1.6}});
+        compareReasons({{"one alternative", stats::bitsPerChoice(0.5, 1), "at least 2 alternatives"},
+                        {"proportion", stats::bitsPerChoice(1.1, 3), "between 0 and 1"},
+                        {"seconds", stats::bitsPerSecond(0.7, 3, -1), "not positive"}});
+    }
+
+    // R: x <- c(3.2, NA, 1.5, 4.4, 2.1, 3.9, 0.7, 2.8); y <- x[!is.na(x)]; t.test(y)$conf.int; sd(y); var(y);
+    //   quantile(y, c(.25, .5, .75)); d <- y - mean(y); sum(d[-7] * d[-1])/sum(d^2)
+    void descriptionsAsInR()
+    {
+        const std::vector<double> x{3.2, std::nan(""), 1.5, 4.4, 2.1, 3.9, 0.7, 2.8};
+        const auto all = stats::describe(x);
+        QCOMPARE(all.n, std::size_t{7});
+        QCOMPARE(all.missing, std::size_t{1});
+        compareNumbers({{"mean", all.mean, 2.65714285714286},
+                        {"sd", all.sd, 1.31511361088075},
+                        {"variance", all.variance, 1.72952380952381},
+                        {"lag 1", all.autocorrelationLag1, -0.676526117054751},
+                        {"q1", all.q1, 1.8},
+                        {"median", all.median, 2.8},
+                        {"q3", all.q3, 3.55},
+                        {"min", all.min, 0.7},
+                        {"max", all.max, 4.4},
+                        {"low", all.ci95.low, 1.44086562556461},
+                        {"high", all.ci95.high, 3.87342008872111}});
+        const std::vector<double> four{1, 2, 4, 8};
+        compareNumbers({{"10 %", stats::quantile(four, 0.1), 1.3},
+                        {"90 %", stats::quantile(four, 0.9), 6.8},
+                        {"0 %", stats::quantile(four, 0), 1},
+                        {"100 %", stats::quantile(four, 1), 8},
+                        {"median", stats::median(std::vector<double>{8, 1, 4, 2}), 3}});
+        compareReasons({{"median of nothing", stats::median({}), "no values"},
+                        {"sd of one", stats::describe(std::vector<double>{2}).sd, "at least 2 values"},
+                        {"mean of nothing", stats::describe({}).mean, "no values"},
+                        {"lag of a constant", stats::describe(std::vector<double>{2, 2}).autocorrelationLag1, "equal"}});
+        compareNumbers({{"mean of one", stats::describe(std::vector<double>{2}).mean, 2},
+                        {"sd of a constant", stats::describe(std::vector<double>{2, 2}).sd, 0}});
     }
 };
 

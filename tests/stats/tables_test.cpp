@@ -6,11 +6,16 @@
 #include "stats/tests/one_way_anova.h"
 #include "stats/tests/rank_tests.h"
 #include "stats/tests/repeated_measures.h"
+#include "tests/stats/exact_numbers.h"
 #include "tests/stats/stream.h"
 
 namespace {
 
 using Rows = std::vector<std::vector<double>>;
+
+/// Seven participants, four conditions.
+const Rows sevenByFour{{5.1, 6.2, 4.0, 5.6}, {4.4, 4.9, 3.9, 6.0}, {6.6, 7.0, 5.2, 6.9}, {3.1, 5.5, 4.7, 4.8},
+                       {5.0, 5.9, 5.0, 6.1}, {4.2, 6.3, 4.5, 4.1}, {5.7, 5.8, 3.3, 6.6}};
 
 stats::BlockTable tableOf(const Rows& rows) { return stats::blockTableOf(rows).table; }
 
@@ -124,6 +129,98 @@ private Q_SLOTS:
         for (int i = 0; i < 70; ++i) rows.push_back(stream.ratings(9, 5));
         QVERIFY(!stats::exactFriedman(tableOf(rows)).p.exists());
         QVERIFY(stats::friedmanTest(tableOf(rows)).p.exists());
+    }
+
+    // Rscript tests/stats/reference/tables.R
+    void repeatedMeasuresAsInR()
+    {
+        const auto anova = stats::repeatedMeasuresAnova(tableOf(sevenByFour));
+        QCOMPARE(anova.why, std::string());
+        QCOMPARE(anova.blocks, std::size_t{7});
+        compareNumbers({{"SS condition", anova.ssCondition, 11.3571428571429},
+                        {"SS subject", anova.ssSubject, 9.61714285714286},
+                        {"SS error", anova.ssError, 9.14285714285714},
+                        {"F", anova.f, 7.453125},
+                        {"df1", anova.df1, 3},
+                        {"df2", anova.df2, 18},
+                        {"p", anova.p, 0.00190246143416872},
+                        {"log p", anova.logP, std::log(0.00190246143416872)},
+                        {"epsilon GG", anova.epsilonGg, 0.553214120012456},
+                        {"p GG", anova.pGg, 0.0128859334769916},
+                        {"log p GG", anova.logPGg, std::log(0.0128859334769916)},
+                        {"epsilon HF", anova.epsilonHf, 0.738610142146748},
+                        {"p HF", anova.pHf, 0.00577362368535085},
+                        {"log p HF", anova.logPHf, std::log(0.00577362368535085)},
+                        {"partial eta squared", anova.partialEtaSquared, 0.554006968641115},
+                        {"generalised eta squared", anova.generalizedEtaSquared, 0.377098946968978},
+                        {"ICC(2,1)", anova.icc2, 0.374626960441933},
+                        {"ICC(2,k)", anova.icc2k, 0.807444915834132},
+                        {"ICC(3,1)", anova.icc3, 0.479674796747968},
+                        {"ICC(3,k)", anova.icc3k, 0.865828092243187}});
+        compareNumbers({{"W", anova.mauchly.w, 0.123590963287353},
+                        {"chi-squared", anova.mauchly.chiSquared, 9.87311762119042},
+                        {"df", anova.mauchly.df, 5},
+                        {"p, first order", anova.mauchly.pChiSquared, 0.0789112746413326},
+                        {"p, second order", anova.mauchly.pSecondOrder, 0.0847159875562773}});
+        const auto wide = stats::moreyHalfWidths(tableOf(sevenByFour), 0.99);
+        compareNumbers({{"half-width 1", anova.moreyHalfWidths[0], 0.623788153440681},
+                        {"half-width 2", anova.moreyHalfWidths[1], 0.508164457485098},
+                        {"half-width 3", anova.moreyHalfWidths[2], 0.783199033641004},
+                        {"half-width 4", anova.moreyHalfWidths[3], 0.69071662336007},
+                        {"half-width 1, 99 %", wide[0], 0.945129951597675},
+                        {"half-width 4, 99 %", wide[3], 1.04653633642001}});
+        QVERIFY(*stats::mauchlyTest(tableOf(sevenByFour)).w == *anova.mauchly.w);
+    }
+
+    void intraclassCorrelationsAsInR()
+    {
+        const auto icc = stats::intraclassCorrelations(tableOf(sevenByFour));
+        compareNumbers({{"ICC(1,1)", icc.icc1, 0.138293400588483},
+                        {"ICC(2,1)", icc.icc2, 0.218998031621055},
+                        {"ICC(3,1)", icc.icc3, 0.350187836328561},
+                        {"ICC(1,k)", icc.icc1k, 0.390968508615567},
+                        {"ICC(2,k)", icc.icc2k, 0.528663396689148},
+                        {"ICC(3,k)", icc.icc3k, 0.683105565458507}});
+    }
+
+    void oneWayNumbersAsInR()
+    {
+        const auto anova = stats::oneWayAnova({{5.1, 4.9, 6.2, 5.8, 5.5}, {6.1, 6.4, 5.9, 7.0}, {4.1, 4.4, 5.2}});
+        QCOMPARE(anova.n, std::size_t{12});
+        QCOMPARE(anova.groups, std::size_t{3});
+        compareNumbers({{"SS between", anova.ssBetween, 5.47333333333333},
+                        {"SS within", anova.ssWithin, 2.43666666666666},
+                        {"MS between", anova.msBetween, 2.73666666666667},
+                        {"MS within", anova.msWithin, 0.27074074074074},
+                        {"df1", anova.df1, 2},
+                        {"F", anova.f, 10.1080711354309},
+                        {"p", anova.p, 0.00499790934451141},
+                        {"log p", anova.logP, std::log(0.00499790934451141)},
+                        {"R squared", anova.rSquared, 0.691951116729878},
+                        {"omega squared", anova.omegaSquared, 0.602861282144151},
+                        {"residual SD", anova.residualSd, 0.520327532176359}});
+    }
+
+    // Two conditions are spherical: epsilon 1 whatever the data. Few blocks: Huynh and Feldt's has no value.
+    void epsilonAtItsEnds()
+    {
+        const auto two = stats::repeatedMeasuresAnova(tableOf({{1, 2}, {2, 5}, {3, 4}}));
+        compareNumbers({{"epsilon GG", two.epsilonGg, 1},
+                        {"epsilon HF", two.epsilonHf, 1},
+                        {"p HF", two.pHf, *two.p},
+                        {"W", two.mauchly.w, 1},
+                        {"chi-squared", two.mauchly.chiSquared, 0},
+                        {"df", two.mauchly.df, 0}});
+        compareReasons({{"p of sphericity", two.mauchly.pSecondOrder, "two conditions"}});
+        // Two blocks: one difference, so that epsilon is 1/(k - 1), and n - 1 - (k - 1) epsilon is 0.
+        const auto few = stats::repeatedMeasuresAnova(tableOf({{1, 2, 4}, {2, 5, 3}}));
+        compareNumbers({{"least epsilon", few.epsilonGg, 0.5}});
+        compareReasons({{"epsilon HF", few.epsilonHf, "too few blocks"}, {"p HF", few.pHf, "too few blocks"}});
+        const auto none = stats::repeatedMeasuresAnova(tableOf({{1, 2, 4}, {2, 3, 5}, {0, 1, 3}}));
+        compareNumbers({{"SS condition", none.ssCondition, 14}, {"SS subject", none.ssSubject, 6}});
+        compareReasons({{"F", none.f, "no error variance"}, {"ICC", none.icc2, "no error variance"}});
+        compareReasons({{"one condition", stats::repeatedMeasuresAnova(tableOf({{1}, {2}})).f, "at least 2 conditions"},
+                        {"one block", stats::moreyHalfWidths(tableOf({{1, 2}}))[1], "at least 2 complete blocks"}});
     }
 };
 

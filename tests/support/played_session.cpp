@@ -5,6 +5,7 @@
 
 #include "protocols/files/errors.h"
 #include "study/session/preparation.h"
+#include "study/session/session_record.h"
 
 namespace tests::support {
 
@@ -19,7 +20,7 @@ unsigned fingerprint(const std::string& text)
     return sum;
 }
 
-protocols::Tenths ratingFrom(unsigned draw, const protocols::Scale& scale)
+protocols::Tenths ratingFrom(unsigned draw, const protocols::RatingScale& scale)
 {
     const int steps = (scale.max.value - scale.min.value) / scale.step.value;
     return {scale.min.value + scale.step.value * static_cast<int>(draw % static_cast<unsigned>(steps + 1))};
@@ -113,20 +114,16 @@ std::optional<EventBody> nextEvent(const View& view, const Plan& plan)
     return std::visit(NextEventOfView{view, plan}, view.state.stage);
 }
 
-Response responseTo(const View& view)
+GivenAnswer responseTo(const View& view)
 {
     const unsigned draw = fingerprint(view.code.value + view.question->id.value);
-    switch (*view.answerKind) {
-        case protocols::PhaseAnswer::Choice:
-            return view.trayIds[draw % view.trayIds.size()];
-        case protocols::PhaseAnswer::Rating:
-            return ratingFrom(draw, view.scale.value());
-        case protocols::PhaseAnswer::SameDifferent:
-            return Sameness{draw % 2 == 0};
-        case protocols::PhaseAnswer::Words:
-            return Words{"as number " + std::to_string(draw % 9)};
-    }
-    return Words{};
+    return std::visit(
+        protocols::Overloaded{
+            [&](const protocols::ForcedChoice&) -> GivenAnswer { return view.trayIds[draw % view.trayIds.size()]; },
+            [&](const protocols::Rating& rating) -> GivenAnswer { return ratingFrom(draw, rating.scale); },
+            [&](const protocols::SameDifferent&) -> GivenAnswer { return Sameness{draw % 2 == 0}; },
+            [&](const protocols::FreeText&) -> GivenAnswer { return Words{"as number " + std::to_string(draw % 9)}; }},
+        view.question->kind);
 }
 
 }  // namespace tests::support

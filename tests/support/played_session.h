@@ -51,7 +51,7 @@ struct OpenSession {
 /// of the checklist and fills in every fact and reading. Empty at the end of the session.
 std::optional<study::session::EventBody> nextEvent(const study::session::View& view, const study::session::Plan& plan);
 
-/// Response that depends only on the code of the presentation and the question.
-study::session::Response responseTo(const study::session::View& view);
+/// GivenAnswer that depends only on the code of the presentation and the question.
+study::session::GivenAnswer responseTo(const study::session::View& view);
 
 }  // namespace tests::support

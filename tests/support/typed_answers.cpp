@@ -8,10 +8,10 @@
 namespace tests::support {
 
 using protocols::FabricId;
+using study::session::GivenAnswer;
 using study::session::Presenting;
-using study::session::Response;
 
-std::string answerText(const Response& response)
+std::string answerText(const GivenAnswer& response)
 {
     const auto* rating = std::get_if<protocols::Tenths>(&response);
     return rating ? study::app::textOf(*rating).toStdString() : study::session::textOf(response);
@@ -28,7 +28,7 @@ Answers answersIn(const database::StudyFolder& folder)
     for (const auto& stored : storedIn(folder)) {
         const auto& record = stored.record;
         answers[stored.participant.value + " " + std::to_string(record.trial.value) + " " + record.question.value] =
-            record.answer ? *record.answer : answerText(Response(*record.rating));
+            record.answer ? *record.answer : answerText(GivenAnswer(*record.rating));
     }
     return answers;
 }
@@ -44,9 +44,9 @@ void pressKey(OpenWindow& open, Qt::Key key) { QTest::keyClick(open.window().foc
 
 void typeText(OpenWindow& open, const QString& text) { QTest::keyClicks(open.window().focusWidget(), text); }
 
-void answerByKeys(OpenWindow& open, const Response& response, QChar point)
+void answerByKeys(OpenWindow& open, const GivenAnswer& response, QChar point)
 {
-    if (open.view().answerKind == protocols::PhaseAnswer::Words)
+    if (std::holds_alternative<protocols::FreeText>(open.view().question->kind))
         QTest::keyClick(open.window().focusWidget(), Qt::Key_T, Qt::AltModifier);  // letters are text on this page
     else
         pressKey(open, Qt::Key_T);
@@ -55,7 +55,7 @@ void answerByKeys(OpenWindow& open, const Response& response, QChar point)
     pressKey(open, Qt::Key_Return);
 }
 
-void enterByKeys(OpenWindow& open, const Response& response, QChar point)
+void enterByKeys(OpenWindow& open, const GivenAnswer& response, QChar point)
 {
     if (const auto* fabric = std::get_if<FabricId>(&response)) {
         const auto& tray = open.view().trayIds;

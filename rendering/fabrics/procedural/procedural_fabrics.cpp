@@ -1,13 +1,9 @@
 #include "rendering/fabrics/procedural/procedural_fabrics.h"
 
-#include <atomic>
 #include <cmath>
-#include <exception>
-#include <mutex>
-#include <thread>
 
 #include "protocols/files/errors.h"
-#include "protocols/files/whole_file.h"
+#include "protocols/files/folder_draft.h"
 #include "protocols/random.h"
 #include "rendering/fabrics/procedural/photograph.h"
 #include "rendering/fabrics/procedural/stroke_rig.h"
@@ -15,6 +11,7 @@
 #include "rendering/fabrics/procedural/surface.h"
 #include "rendering/fabrics/procedural/tactile_press.h"
 #include "rendering/images/image_io.h"
+#include "stats/kernels/threads.h"
 
 namespace rendering::fabrics {
 
@@ -22,6 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using protocols::Random;
+using protocols::Sync;
 
 constexpr double fieldMm = 1000;  // places are drawn from a square of this side
 /// The five in-plane rotations in which a piece of fabric is photographed.
@@ -87,53 +85,39 @@ void makeSample(const Dataset& dataset, const Cloth& cloth, Modality modality, i
     const fs::path file = samplePath(dataset, cloth.info.id, modality, index);
     switch (modality) {
         case Modality::Visual:
-            writePng(file, photograph(cloth.surface, place, random));
+            writePng(file, photograph(cloth.surface, place, random), Sync::Later);
             return;
         case Modality::Tactile: {
             const Press press = pressSensor(cloth.surface, place, random);
-            writePng(file, press.frame);
-            writeTiff(knownHeightPath(dataset, cloth.info.id, index), press.heightMm);
+            writePng(file, press.frame, Sync::Later);
+            writeTiff(knownHeightPath(dataset, cloth.info.id, index), press.heightMm, Sync::Later);
             return;
         }
         case Modality::Friction:
-            writeWholeFile(file, toCsv(strokeFabric(cloth.surface, cloth.friction, place, dataset.friction, random)));
+            protocols::writeWholeFile(file, toCsv(strokeFabric(cloth.surface, cloth.friction, place, dataset.friction, random)),
+                                      Sync::Later);
             return;
     }
 }
 
 constexpr Modality modalities[] = {Modality::Visual, Modality::Tactile, Modality::Friction};
 
-/// Every sample of every fabric, shared out to threads by an atomic counter; each has its own stream
-/// of random numbers, so that the order in which they are made changes nothing.
+/// Makes every sample of every fabric. Each sample has its own stream of random numbers, so the order of the work changes
+/// nothing.
 void makeAllSamples(const Dataset& dataset, const std::vector<Cloth>& cloths, const ProceduralOptions& options,
                     const std::function<void(int, int)>& progress)
 {
     const int perFabric = options.samples * 3;
     const int total = perFabric * int(cloths.size());
-    std::atomic<int> next{0};
-    std::mutex reporting;
-    int done = 0;
-    std::exception_ptr failure;
-    const auto work = [&] {
-        for (int job = next++; job < total; job = next++) {
-            try {
-                makeSample(dataset, cloths[std::size_t(job / perFabric)], modalities[job % 3], job % perFabric / 3, options);
-            } catch (...) {
-                const std::lock_guard lock(reporting);
-                failure = std::current_exception();
-                next = total;
-                return;
-            }
-            const std::lock_guard lock(reporting);
-            ++done;
-            if (progress) progress(done, total);
-        }
-    };
-    std::vector<std::thread> threads;
-    for (int i = 1; i < options.threads; ++i) threads.emplace_back(work);
-    work();
-    for (std::thread& thread : threads) thread.join();
-    if (failure) std::rethrow_exception(failure);
+    stats::onThreads(
+        static_cast<std::size_t>(total), options.threads,
+        [&](std::size_t number) {
+            const int job = static_cast<int>(number);
+            makeSample(dataset, cloths[std::size_t(job / perFabric)], modalities[job % 3], job % perFabric / 3, options);
+        },
+        [&](std::size_t done) {
+            if (progress) progress(static_cast<int>(done), total);
+        });
 }
 
 std::vector<SamplePlace> placesOf(const std::vector<Cloth>& cloths, const ProceduralOptions& options)
@@ -165,51 +149,24 @@ void refuseImpossible(const fs::path& folder, const ProceduralOptions& options)
         throw protocols::badInput({"exists and is not empty", folder.string(), "a new or empty folder", "choose another folder"});
 }
 
-/// Runs `step` and turns what the file system refuses into the program's own fault.
-template <class Step>
-void onDisk(const fs::path& folder, Step step)
-{
-    try {
-        step();
-    } catch (const fs::filesystem_error& error) {
-        throw protocols::environmentFault({"cannot be written (" + error.code().message() + ")", folder.string(),
-                                           "a writable folder with free space", "free space or choose another folder"});
-    }
-}
-
 }  // namespace
 
 Dataset makeProceduralFabrics(const fs::path& folder, const ProceduralOptions& options,
                               const std::function<void(int, int)>& progress)
 {
     refuseImpossible(folder, options);
-    fs::path target = fs::absolute(folder).lexically_normal();
-    if (!target.has_filename()) target = target.parent_path();
-    fs::path unfinished = target;
-    unfinished.replace_filename("." + target.filename().string() + ".unfinished");
-    Dataset dataset = describe(unfinished, options);
-    try {
-        onDisk(folder, [&] {
-            fs::remove_all(unfinished);
-            for (const FabricInfo& fabric : dataset.fabrics)
-                for (const char* signal : {"visual", "tactile", "friction", "height"})
-                    fs::create_directories(unfinished / fabric.id.value / signal);
-        });
-        const std::vector<Cloth> cloths = layOut(dataset, options.seed);
-        makeAllSamples(dataset, cloths, options, progress);
-        writePng(unfinished / "tactile-reference.png", tactileReference());
-        writeWholeFile(unfinished / "tactile-calibration.json", tactileCalibrationJson());
-        writeSamplePlaces(dataset, placesOf(cloths, options));
-        writeDatasetJson(dataset);
-        onDisk(folder, [&] {
-            fs::remove(target);  // an empty folder of that name
-            fs::rename(unfinished, target);
-        });
-    } catch (...) {
-        std::error_code ignored;
-        fs::remove_all(unfinished, ignored);
-        throw;
-    }
+    protocols::FolderDraft draft(folder, protocols::Earlier::Refused);
+    Dataset dataset = describe(draft.path(), options);
+    for (const FabricInfo& fabric : dataset.fabrics)
+        for (const char* signal : {"visual", "tactile", "friction", "height"})
+            protocols::makeFolders(draft.path() / fabric.id.value / signal, Sync::Later);
+    const std::vector<Cloth> cloths = layOut(dataset, options.seed);
+    makeAllSamples(dataset, cloths, options, progress);
+    writePng(draft.file("tactile-reference.png"), tactileReference(), Sync::Later);
+    protocols::writeWholeFile(draft.file("tactile-calibration.json"), tactileCalibrationJson(), Sync::Later);
+    writeSamplePlaces(dataset, placesOf(cloths, options));
+    writeDatasetJson(dataset);
+    draft.putInPlace();
     dataset.folder = folder;
     return dataset;
 }

@@ -16,7 +16,7 @@ struct ProceduralOptions {
     int samples = 225;  ///< of each signal and fabric
     std::uint64_t seed = 1;
     Pairing pairing = Pairing::Weak;  ///< weak: photo, press and stroke at different places
-    int threads = 2;                  ///< changes no bit of the result
+    unsigned threads = 0;             ///< 0: as many as the machine has; changes no bit of the result
 };
 
 /// Writes the data set into a temporary folder beside `folder`, then renames it. Throws badInput where

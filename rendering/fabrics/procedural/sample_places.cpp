@@ -1,5 +1,6 @@
 // samples.csv and the split over its groups.
 #include "rendering/fabrics/procedural/sample_places.h"
+#include "protocols/files/number_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,22 +23,22 @@ namespace {
 constexpr Modality modalities[] = {Modality::Visual, Modality::Tactile, Modality::Friction};
 constexpr const char* header = "fabric,signal,index,x_mm,y_mm,rotation_deg,group";
 
-std::string cellOf(const std::optional<double>& value) { return value ? shortest(*value) : std::string(); }
+std::string cellOf(const std::optional<double>& value) { return value ? protocols::shortest(*value) : ""; }
 
-Modality modalityAt(const CsvTable& table, std::size_t row, std::size_t column)
+Modality modalityAt(const protocols::CsvTable& table, std::size_t row, std::size_t column)
 {
     for (const Modality modality : modalities)
         if (table.rows[row][column] == nameOf(modality)) return modality;
-    throw protocols::badInput({"\"" + table.rows[row][column] + "\" is no signal", rowName(table, row) + ", column signal",
+    throw protocols::badInput({"\"" + table.rows[row][column] + "\" is no signal", protocols::rowName(table, row) + ", column signal",
                                "visual, tactile or friction", ""});
 }
 
-int indexAt(const CsvTable& table, std::size_t row, std::size_t column)
+int indexAt(const protocols::CsvTable& table, std::size_t row, std::size_t column)
 {
-    const double value = numberAt(table, row, column);
+    const double value = protocols::numberAt(table, row, column);
     if (value < 0 || value > 1e6 || value != std::floor(value))
         throw protocols::badInput({"\"" + table.rows[row][column] + "\" is no sample number",
-                                   rowName(table, row) + ", column index", "a whole number from 0", ""});
+                                   protocols::rowName(table, row) + ", column index", "a whole number from 0", ""});
     return int(value);
 }
 
@@ -80,7 +81,7 @@ std::vector<SamplePlace> readSamplePlaces(const Dataset& dataset)
 {
     const fs::path file = dataset.folder / "samples.csv";
     if (!fs::exists(file)) return {};
-    const CsvTable table = readCsvTable(file);
+    const protocols::CsvTable table = protocols::readCsvTable(file);
     const auto column = [&](const char* name) {
         if (const auto found = table.column(name)) return *found;
         throw protocols::badInput({std::string("has no column ") + name, table.where, header, ""});
@@ -90,7 +91,7 @@ std::vector<SamplePlace> readSamplePlaces(const Dataset& dataset)
     std::vector<SamplePlace> places;
     for (std::size_t row = 0; row < table.rows.size(); ++row) {
         const auto optional = [&](std::size_t at) {
-            return table.rows[row][at].empty() ? std::nullopt : std::optional(numberAt(table, row, at));
+            return table.rows[row][at].empty() ? std::nullopt : std::optional(protocols::numberAt(table, row, at));
         };
         SamplePlace place{protocols::FabricId(table.rows[row][fabric]),
                           modalityAt(table, row, signal),
@@ -109,9 +110,9 @@ void writeSamplePlaces(const Dataset& dataset, const std::vector<SamplePlace>& p
 {
     std::string text = std::string(header) + "\n";
     for (const SamplePlace& place : places)
-        text += csvCell(place.fabric.value) + "," + nameOf(place.modality) + "," + std::to_string(place.index) + "," +
-                cellOf(place.xMm) + "," + cellOf(place.yMm) + "," + cellOf(place.rotationDeg) + "," + csvCell(place.group) + "\n";
-    writeWholeFile(dataset.folder / "samples.csv", text);
+        text += protocols::csvRow({place.fabric.value, nameOf(place.modality), std::to_string(place.index), cellOf(place.xMm),
+                                   cellOf(place.yMm), cellOf(place.rotationDeg), place.group});
+    protocols::writeWholeFile(dataset.folder / "samples.csv", text, protocols::Sync::Later);
 }
 
 std::vector<std::pair<SamplePlace, Part>> splitBySample(const Dataset& dataset, std::uint64_t seed)

@@ -1,9 +1,9 @@
 #include "rendering/fabrics/recordings/even_steps.h"
+#include "protocols/files/number_text.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "protocols/files/csv_table.h"
 #include "protocols/files/errors.h"
 
 namespace rendering::fabrics {
@@ -15,7 +15,7 @@ TimeBase timeBaseOf(const std::vector<double>& timeS, const std::string& where)
     for (std::size_t i = 1; i < timeS.size(); ++i) {
         steps.push_back(timeS[i] - timeS[i - 1]);
         if (!(steps.back() > 0))
-            throw protocols::badInput({"time goes from " + shortest(timeS[i - 1]) + " s to " + shortest(timeS[i]) + " s",
+            throw protocols::badInput({"time goes from " + protocols::shortest(timeS[i - 1]) + " s to " + protocols::shortest(timeS[i]) + " s",
                                        where + ", row " + std::to_string(i + 1), "rows in order of time",
                                        "cut or sort the record"});
     }

@@ -1,9 +1,9 @@
 #include "rendering/fabrics/recordings/friction_options.h"
+#include "protocols/files/number_text.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "protocols/files/csv_table.h"
 #include "protocols/files/errors.h"
 #include "rendering/fabrics/recordings/import_sources.h"
 
@@ -14,8 +14,8 @@ Found foundFrom(std::string_view text, std::string_view option, Interval& interv
     if (text.empty() || text == "auto") return Found::Automatically;
     if (text == "none") return Found::Not;
     const auto comma = text.find(',');
-    const auto from = numberIn(text.substr(0, comma));
-    const auto to = comma == std::string_view::npos ? std::nullopt : numberIn(text.substr(comma + 1));
+    const auto from = protocols::numberIn(text.substr(0, comma));
+    const auto to = comma == std::string_view::npos ? std::nullopt : protocols::numberIn(text.substr(comma + 1));
     if (!from || !to || !(*from >= 0 && *from < *to))
         throw protocols::badInput({"\"" + std::string(text) + "\" is no interval", std::string(option),
                                    "auto, none, or FROM,TO in seconds after the record's start", ""});

@@ -4,24 +4,13 @@
 #include <cmath>
 #include <cstdio>
 
+#include "protocols/files/markup_text.h"
+
 namespace rendering::fabrics {
 
 namespace {
 
 constexpr double left = 70, width = 800, right = left + width;
-
-std::string escaped(const std::string& text)
-{
-    std::string result;
-    for (const char c : readable(text)) {
-        const char* word = c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '&' ? "&amp;" : c == '"' ? "&quot;" : nullptr;
-        if (word != nullptr)
-            result += word;
-        else if (static_cast<unsigned char>(c) >= 0x20)
-            result += c;
-    }
-    return result;
-}
 
 /// Tenths of a pixel.
 std::string px(double value)
@@ -33,7 +22,7 @@ std::string px(double value)
 std::string textAt(double x, double y, const std::string& words, const char* anchor = "start", const char* colour = "#333")
 {
     return "<text x=\"" + px(x) + "\" y=\"" + px(y) + "\" text-anchor=\"" + anchor + "\" fill=\"" + colour + "\">" +
-           escaped(words) + "</text>\n";
+           protocols::escapedMarkup(readable(words)) + "</text>\n";
 }
 
 /// Time along x and values along y within a frame.

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "protocols/files/csv_table.h"
 #include "protocols/files/errors.h"
 
 namespace rendering::fabrics {

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "protocols/files/csv_table.h"
+#include "protocols/files/number_text.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/whole_file.h"
 #include "rendering/fabrics/dataset.h"
@@ -19,31 +20,29 @@ std::string joined(const std::vector<std::string>& names)
     return line;
 }
 
-protocols::Error unknownColumns(const CsvReader& reader)
+protocols::Error unknownColumns(const protocols::CsvReader& reader)
 {
     return protocols::badInput({"has the columns " + joined(reader.columns()), reader.where(),
                                 "t_s,normal_n,tangential_n or t_s,mu or t_s and one named quantity", ""});
 }
 
-std::string rowOf(const CsvReader& reader) { return reader.where() + ", row " + std::to_string(reader.rows()); }
-
-void addTime(FrictionRecord& record, const CsvReader& reader, std::size_t column)
+void addTime(FrictionRecord& record, const protocols::CsvReader& reader, std::size_t column)
 {
     const double time = reader.number(column);
     if (!record.timeS.empty() && !(time > record.timeS.back()))
-        throw protocols::badInput({"time does not increase", rowOf(reader) + ", column t_s", "rows in order of time", ""});
+        throw protocols::badInput({"time does not increase", reader.rowName() + ", column t_s", "rows in order of time", ""});
     record.timeS.push_back(time);
 }
 
-double coefficientIn(const CsvReader& reader, std::size_t normal, std::size_t tangential)
+double coefficientIn(const protocols::CsvReader& reader, std::size_t normal, std::size_t tangential)
 {
     const double force = reader.number(normal);
     if (force <= leastNormalN)
-        throw protocols::badInput({"the normal force is " + shortest(force) + " N", rowOf(reader) + ", column normal_n",
+        throw protocols::badInput({"the normal force is " + protocols::shortest(force) + " N", reader.rowName() + ", column normal_n",
                                    "more than 0.05 N: the probe must be in contact", "cut the record to the stroke"});
     const double coefficient = reader.number(tangential) / force;
     if (!std::isfinite(coefficient))
-        throw protocols::badInput({"the forces have no finite ratio", rowOf(reader), "forces in N", ""});
+        throw protocols::badInput({"the forces have no finite ratio", reader.rowName(), "forces in N", ""});
     return coefficient;
 }
 
@@ -57,8 +56,8 @@ FrictionRecord readFriction(const Dataset& dataset, const protocols::FabricId& f
         throw protocols::badInput(
             {"fabric " + fabric.value + " (" + info.name + ") has no friction sample " + std::to_string(index),
              dataset.folder.string(), "", "import friction records, or choose a condition that does not need them"});
-    const std::string bytes = readWholeFile(file);
-    CsvReader reader(bytes, file.string());
+    const std::string bytes = protocols::readWholeFile(file);
+    protocols::CsvReader reader(bytes, file.string());
     const auto time = reader.column("t_s"), normal = reader.column("normal_n"), tangential = reader.column("tangential_n");
     const bool forces = normal && tangential;
     if (!time || (!forces && (reader.columns().size() != 2 || normal || tangential))) throw unknownColumns(reader);

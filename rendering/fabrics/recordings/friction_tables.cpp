@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "protocols/files/csv_table.h"
+#include "protocols/files/number_text.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/whole_file.h"
 #include "rendering/fabrics/recordings/import_kinds.h"
@@ -37,7 +38,7 @@ struct Column {
 };
 
 /// The column that plays a role; throws badInput where two could.
-std::optional<std::size_t> placeFor(const CsvReader& reader, const Role& role)
+std::optional<std::size_t> placeFor(const protocols::CsvReader& reader, const Role& role)
 {
     std::optional<std::size_t> found;
     for (std::size_t i = 0; i < reader.columns().size(); ++i) {
@@ -53,7 +54,7 @@ std::optional<std::size_t> placeFor(const CsvReader& reader, const Role& role)
     return found;
 }
 
-std::optional<Column> forceFor(const CsvReader& reader, const Role& role, const FrictionOptions& options)
+std::optional<Column> forceFor(const protocols::CsvReader& reader, const Role& role, const FrictionOptions& options)
 {
     const auto place = placeFor(reader, role);
     if (!place) return std::nullopt;
@@ -62,7 +63,7 @@ std::optional<Column> forceFor(const CsvReader& reader, const Role& role, const 
 }
 
 /// The column of an axis that the user named, as it stands in the header or without its unit.
-Column columnOf(const CsvReader& reader, const Axis& axis, const FrictionOptions& options)
+Column columnOf(const protocols::CsvReader& reader, const Axis& axis, const FrictionOptions& options)
 {
     const std::string wanted = lowerCase(axis.column);
     for (std::size_t i = 0; i < reader.columns().size(); ++i) {
@@ -78,7 +79,7 @@ struct ForceColumns {
     std::vector<Column> tangential;
 };
 
-ForceColumns forceColumns(const CsvReader& reader, const FrictionOptions& options)
+ForceColumns forceColumns(const protocols::CsvReader& reader, const FrictionOptions& options)
 {
     ForceColumns found;
     found.normal = options.normal ? columnOf(reader, *options.normal, options) : forceFor(reader, normalRole, options);
@@ -121,7 +122,7 @@ std::optional<double> speedInName(const std::string& stem)
     const auto end = stem.find("mmps");
     const auto start = end == std::string::npos ? end : stem.rfind("_V", end);
     if (start == std::string::npos) return std::nullopt;
-    const auto speed = numberIn(stem.substr(start + 2, end - start - 2));
+    const auto speed = protocols::numberIn(stem.substr(start + 2, end - start - 2));
     return speed && *speed != 0 ? std::optional(std::abs(*speed)) : std::nullopt;
 }
 
@@ -170,8 +171,8 @@ std::string meaningOf(const std::vector<std::string>& tangential, const std::str
 
 std::vector<RawRecord> readFrictionCsv(const std::filesystem::path& file, const FrictionOptions& options)
 {
-    const std::string bytes = readWholeFile(file);
-    CsvReader reader(bytes, file.string(), separatorIn(bytes));
+    const std::string bytes = protocols::readWholeFile(file);
+    protocols::CsvReader reader(bytes, file.string(), separatorIn(bytes));
     const auto time = placeFor(reader, timeRole), coefficient = placeFor(reader, coefficientRole);
     const ForceColumns forces = forceColumns(reader, options);
     const bool both = forces.normal && !forces.tangential.empty();
@@ -200,8 +201,8 @@ std::vector<RawRecord> readFrictionCsv(const std::filesystem::path& file, const 
 
 std::vector<RawRecord> readSlide(const std::filesystem::path& file, const FrictionOptions&)
 {
-    const std::string bytes = readWholeFile(file);
-    CsvReader reader(bytes, file.string());
+    const std::string bytes = protocols::readWholeFile(file);
+    protocols::CsvReader reader(bytes, file.string());
     const auto stamp = reader.column("timestamp");
     std::vector<std::size_t> taxels;
     for (std::size_t i = 0; i < reader.columns().size(); ++i)

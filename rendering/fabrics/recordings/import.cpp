@@ -1,7 +1,7 @@
 #include "rendering/fabrics/recordings/import.h"
 
 #include "protocols/files/errors.h"
-#include "protocols/files/whole_file.h"
+#include "protocols/files/folder_draft.h"
 #include "rendering/fabrics/recordings/import_kinds.h"
 #include "rendering/fabrics/recordings/import_stage.h"
 
@@ -27,12 +27,9 @@ constexpr Kind kinds[] = {
 void writePlots(const std::filesystem::path& folder, const std::vector<ImportStage::Plot>& plots)
 {
     if (folder.empty() || plots.empty()) return;
-    std::error_code failure;
-    std::filesystem::create_directories(folder, failure);
-    if (failure)
-        throw protocols::environmentFault({"cannot make the folder (" + failure.message() + ")", folder.string(),
-                                           "a writable place", "choose another --plots"});
-    for (const auto& [name, svg] : plots) writeWholeFile(folder / name, svg);
+    protocols::FolderDraft draft(folder, protocols::Earlier::FilesJoined);
+    for (const auto& [name, svg] : plots) protocols::writeWholeFile(draft.file(name), svg, protocols::Sync::Later);
+    draft.putInPlace();
 }
 
 }  // namespace

@@ -2,8 +2,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include "protocols/files/csv_table.h"
+#include "protocols/files/number_text.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/whole_file.h"
 #include "rendering/fabrics/recordings/friction_plot.h"
@@ -12,6 +15,8 @@
 #include "rendering/fabrics/recordings/import_sources.h"
 
 namespace rendering::fabrics {
+
+using protocols::Sync;
 
 namespace {
 
@@ -37,11 +42,12 @@ const Instrument& instrumentOf(ImportKind kind)
 std::string toCsv(const PreparedRecord& prepared, const std::string& quantity)
 {
     const bool forces = !prepared.evenNormalN.empty();
-    std::string text = forces ? "t_s,normal_n,tangential_n\n" : "t_s," + csvCell(quantity) + "\n";
+    std::string text = forces ? "t_s,normal_n,tangential_n\n" : protocols::csvRow({"t_s", quantity});
     for (std::size_t i = 0; i < prepared.values.size(); ++i) {
-        text += shortest(std::round(double(i) * prepared.stepS * 1e9) / 1e9) + ",";
-        if (forces) text += shortest(prepared.evenNormalN[i]) + ",";
-        text += shortest(prepared.values[i]) + "\n";
+        std::vector<std::string> cells{protocols::shortest(std::round(double(i) * prepared.stepS * 1e9) / 1e9)};
+        if (forces) cells.push_back(protocols::shortest(prepared.evenNormalN[i]));
+        cells.push_back(protocols::shortest(prepared.values[i]));
+        text += protocols::csvRow(cells);
     }
     return text;
 }
@@ -103,8 +109,8 @@ Lines importFrictionFiles(const ImportRequest& request, ImportStage& stage)
             first = false;
             const auto fabric = stage.fabricFor(source.fabricName, request.fabric);
             const auto slot = stage.addSample(fabric, Modality::Friction);
-            writeWholeFile(slot.file, toCsv(done, record.quantity));
-            writeWholeFile(stage.beside(slot, ".json"), preparationJson(record, request.friction, done));
+            protocols::writeWholeFile(slot.file, toCsv(done, record.quantity), Sync::Later);
+            protocols::writeWholeFile(stage.beside(slot, ".json"), preparationJson(record, request.friction, done), Sync::Later);
             const std::string title = titleOf(dataset.fabric(fabric), slot.index);
             if (!request.plots.empty())
                 stage.keepPlot({fabric.value + "-" + slot.file.stem().string() + ".svg", frictionPlot(title, record, done)});

@@ -3,7 +3,7 @@
 #include <map>
 #include <opencv2/imgproc.hpp>
 
-#include "protocols/files/csv_table.h"
+#include "protocols/files/number_text.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/whole_file.h"
 #include "rendering/fabrics/recordings/import_kinds.h"
@@ -13,6 +13,7 @@
 namespace rendering::fabrics {
 
 namespace fs = std::filesystem;
+using protocols::Sync;
 
 namespace {
 
@@ -129,7 +130,7 @@ void takeSensor(const ImportedSensor& sensor, const Dataset& dataset, cv::Mat& r
 {
     const fs::path known = dataset.folder / dataset.tactileCalibration;
     if (!dataset.tactileCalibration.empty() &&
-        (dataset.tactileCalibration == "known" || readWholeFile(known) != sensor.calibration))
+        (dataset.tactileCalibration == "known" || protocols::readWholeFile(known) != sensor.calibration))
         throw protocols::badInput({"its tactile frames are read by another calibration", known.string(), "one sensor a data set",
                                    "import the frames of another sensor into another data set"});
     if (reference.empty())
@@ -149,12 +150,12 @@ Lines importPhotos(const ImportRequest& request, ImportStage& stage)
         const cv::Mat picture = readPicture(source.file, request);
         const auto fabric = stage.fabricFor(source.fabricName, request.fabric);
         const auto slot = stage.addSample(fabric, Modality::Visual);
-        writePng(slot.file, picture);
+        writePng(slot.file, picture, Sync::Later);
         countSample(counts, fabric, slot.index, picture);
     }
     Lines lines = linesFor(counts, dataset, "photograph", "scale unknown");
     if (dataset.cameraMmPerPixel) {
-        lines.push_back("the camera's scale was " + shortest(*dataset.cameraMmPerPixel) +
+        lines.push_back("the camera's scale was " + protocols::shortest(*dataset.cameraMmPerPixel) +
                         " mm per pixel; with photographs of unknown scale it is no longer stated");
         dataset.cameraMmPerPixel.reset();
     }
@@ -184,16 +185,16 @@ Lines importGelsight(const ImportRequest& request, ImportStage& stage)
                  std::to_string(size.width) + " x " + std::to_string(size.height) + " px, as the sensor's other frames", ""});
         const auto fabric = stage.fabricFor(source.fabricName, request.fabric);
         const auto slot = stage.addSample(fabric, Modality::Tactile);
-        writePng(slot.file, frame);
+        writePng(slot.file, frame, Sync::Later);
         countSample(counts, fabric, slot.index, frame);
     }
     if (counts.empty())
         throw protocols::badInput(
             {"only reference frames were given", request.from.front().string(), "at least one frame of a press", ""});
     if (!reference.empty() && (stage.isNew() || !fs::exists(dataset.folder / "tactile-reference.png")))
-        writePng(stage.addFile("tactile-reference.png"), reference);
+        writePng(stage.addFile("tactile-reference.png"), reference, Sync::Later);
     if (request.sensor && dataset.tactileCalibration.empty()) {
-        writeWholeFile(stage.addFile(calibrationName), request.sensor->calibration);
+        protocols::writeWholeFile(stage.addFile(calibrationName), request.sensor->calibration, Sync::Later);
         dataset.tactileCalibration = calibrationName;
         dataset.tactileMmPerPixel = request.sensor->mmPerPixel;
     }

@@ -13,43 +13,35 @@ using protocols::FabricId;
 
 namespace {
 
-protocols::Error cannotWrite(const fs::path& out, const fs::filesystem_error& error)
+bool isNewOrEmpty(const fs::path& folder)
 {
-    return protocols::environmentFault({"cannot be written (" + error.code().message() + ")", out.string(),
-                                        "a writable folder with free space", "free space or choose another folder"});
+    std::error_code problem;
+    return !fs::exists(folder, problem) || (fs::is_directory(folder, problem) && fs::is_empty(folder, problem));
 }
 
-void makeFolder(const fs::path& folder, const fs::path& out)
+/// "fabrics/" and "fabrics" name the same folder.
+fs::path withoutTrailingSlash(const fs::path& folder)
 {
-    try {
-        fs::create_directories(folder);
-    } catch (const fs::filesystem_error& error) {
-        throw cannotWrite(out, error);
-    }
+    const fs::path whole = fs::absolute(folder).lexically_normal();
+    return whole.has_filename() ? whole : whole.parent_path();
+}
+
+Dataset begunAt(const fs::path& folder)
+{
+    Dataset dataset;
+    dataset.name = folder.filename().string();
+    dataset.folder = folder;
+    return dataset;
 }
 
 }  // namespace
 
-ImportStage::ImportStage(const fs::path& out) : m_out(fs::absolute(out).lexically_normal())
+ImportStage::ImportStage(const fs::path& out)
+    : m_out(withoutTrailingSlash(out)),
+      m_isNew(isNewOrEmpty(m_out)),
+      m_dataset(m_isNew ? begunAt(m_out) : readDataset(m_out)),
+      m_draft(m_out, protocols::Earlier::FilesJoined)
 {
-    if (!m_out.has_filename()) m_out = m_out.parent_path();
-    std::error_code problem;
-    const bool there = fs::exists(m_out, problem);
-    m_isNew = !there || (fs::is_directory(m_out, problem) && fs::is_empty(m_out, problem));
-    if (m_isNew) {
-        m_dataset.name = m_out.filename().string();
-        m_dataset.folder = m_out;
-    } else {
-        m_dataset = readDataset(m_out);
-    }
-    m_staging = there ? m_out / ".import.unfinished" : m_out.parent_path() / ("." + m_out.filename().string() + ".unfinished");
-    fs::remove_all(m_staging, problem);
-}
-
-ImportStage::~ImportStage()
-{
-    std::error_code ignored;
-    fs::remove_all(m_staging, ignored);
 }
 
 FabricId ImportStage::fabricFor(const std::string& name, const std::optional<FabricId>& wanted)
@@ -79,55 +71,26 @@ ImportStage::Slot ImportStage::addSample(const FabricId& fabric, Modality modali
     for (const SamplePlace& place : m_added)
         if (place.fabric == fabric && place.modality == modality) index = std::max(index, place.index + 1);
     m_added.push_back({fabric, modality, index, {}, {}, {}, ownGroup(fabric, modality, index)});
-    const fs::path relative = fs::relative(samplePath(m_dataset, fabric, modality, index), m_dataset.folder);
-    m_files.push_back(relative);
-    makeFolder((m_staging / relative).parent_path(), m_out);
-    return {index, m_staging / relative};
+    return {index, m_draft.file(samplePath(m_dataset, fabric, modality, index).lexically_relative(m_dataset.folder))};
 }
 
 fs::path ImportStage::beside(const Slot& slot, const std::string& ending)
 {
     fs::path file = slot.file;
-    file.replace_extension(ending);
-    m_files.push_back(file.lexically_relative(m_staging));
-    return file;
+    return file.replace_extension(ending);
 }
 
-fs::path ImportStage::addFile(const std::string& name)
-{
-    makeFolder(m_staging, m_out);
-    m_files.emplace_back(name);
-    return m_staging / name;
-}
+fs::path ImportStage::addFile(const std::string& name) { return m_draft.file(name); }
 
 void ImportStage::commit()
 {
     std::vector<SamplePlace> places = m_isNew ? std::vector<SamplePlace>{} : readSamplePlaces(m_dataset);
     places.insert(places.end(), m_added.begin(), m_added.end());
-    makeFolder(m_staging, m_out);
-    // All that needs space is written before anything moves; renaming needs none.
-    m_dataset.folder = m_staging;
+    m_dataset.folder = m_draft.path();
     writeSamplePlaces(m_dataset, places);
     writeDatasetJson(m_dataset);
     m_dataset.folder = m_out;
-    std::vector<fs::path> moved;
-    try {
-        if (!fs::exists(m_out)) {
-            fs::rename(m_staging, m_out);
-            return;
-        }
-        for (const fs::path& file : m_files) {
-            fs::create_directories((m_out / file).parent_path());
-            fs::rename(m_staging / file, m_out / file);
-            moved.push_back(file);
-        }
-        fs::rename(m_staging / "samples.csv", m_out / "samples.csv");
-        fs::rename(m_staging / "dataset.json", m_out / "dataset.json");
-    } catch (const fs::filesystem_error& error) {
-        std::error_code ignored;
-        for (const fs::path& file : moved) fs::remove(m_out / file, ignored);
-        throw cannotWrite(m_out, error);
-    }
+    m_draft.putInPlace({"samples.csv", "dataset.json"});
 }
 
 }  // namespace rendering::fabrics

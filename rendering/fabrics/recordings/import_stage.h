@@ -1,5 +1,5 @@
-// An import that becomes visible only as a whole: files are made in a hidden folder beside (or in)
-// the data set and moved into place by commit(); without it they vanish.
+// An import that becomes visible only as a whole: its files are written into a draft and moved into the data set by
+// commit(). Without it they vanish. All files are written with Sync::Later.
 #pragma once
 
 #include <filesystem>
@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "protocols/files/folder_draft.h"
 #include "rendering/fabrics/dataset.h"
 
 namespace rendering::fabrics {
@@ -16,9 +17,6 @@ class ImportStage {
 public:
     /// Opens the data set at `out` or begins a new one. Throws badInput where `out` is something else.
     explicit ImportStage(const std::filesystem::path& out);
-    ~ImportStage();
-    ImportStage(const ImportStage&) = delete;
-    ImportStage& operator=(const ImportStage&) = delete;
 
     Dataset& dataset() { return m_dataset; }
     bool isNew() const { return m_isNew; }
@@ -33,7 +31,7 @@ public:
     /// The next sample of a fabric and signal; its place stays unknown and it is a group of its own.
     Slot addSample(const protocols::FabricId& fabric, Modality modality);
 
-    /// Where to write what is to be known of a sample, beside it and under its name: "000.json".
+    /// Where to write a file about a sample, beside it and under its name: "000.json".
     std::filesystem::path beside(const Slot& slot, const std::string& ending);
 
     /// A picture for the user, not of the data set: written by the caller once all is in place.
@@ -50,10 +48,10 @@ public:
     void commit();
 
 private:
-    std::filesystem::path m_out, m_staging;
+    std::filesystem::path m_out;
+    bool m_isNew;
     Dataset m_dataset;
-    bool m_isNew = false;
-    std::vector<std::filesystem::path> m_files;  ///< relative to both folders
+    protocols::FolderDraft m_draft;
     std::vector<SamplePlace> m_added;
     std::vector<Plot> m_plots;
 };

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
-#include "protocols/files/csv_table.h"
+#include "protocols/files/number_text.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/whole_file.h"
 #include "rendering/fabrics/recordings/import_kinds.h"
@@ -49,7 +49,7 @@ public:
             const Cells cells = splitAt(m_lines[row], '\t');
             const std::string_view cell = *at < cells.size() ? cells[*at] : std::string_view();
             if (cell.empty() && values.size() == 0) continue;
-            const auto value = numberIn(cell);
+            const auto value = protocols::numberIn(cell);
             if (!value || values.size() != row)
                 throw protocols::badInput({"\"" + std::string(cell) + "\" is no number",
                                            lineName(m_where, m_numbers[row]) + ", column " + std::string(name),
@@ -164,10 +164,10 @@ Segment segmentFrom(const Segment& pending, const Cells& cells, const FrictionOp
 
 std::optional<double> labviewNumber(std::string_view cell, bool decimalComma)
 {
-    if (!decimalComma) return numberIn(cell);
+    if (!decimalComma) return protocols::numberIn(cell);
     std::string text(cell);
     std::replace(text.begin(), text.end(), ',', '.');
-    return numberIn(text);
+    return protocols::numberIn(text);
 }
 
 void addRow(Segment& segment, const Cells& cells, const std::string& where, std::size_t line)
@@ -248,7 +248,7 @@ std::vector<std::string_view> splitAt(std::string_view line, char separator)
 
 std::vector<RawRecord> readTribometer(const std::filesystem::path& file, const FrictionOptions& options)
 {
-    const std::string text = asUtf8(readWholeFile(file));
+    const std::string text = asUtf8(protocols::readWholeFile(file));
     const std::vector<std::string_view> lines = linesOf(text);
     std::vector<StepTable> steps;
     bool inTable = false;
@@ -257,7 +257,7 @@ std::vector<RawRecord> readTribometer(const std::filesystem::path& file, const F
         if (first == "Step Time (s)") {
             steps.emplace_back(file.string(), line);
             inTable = true;
-        } else if (inTable && numberIn(first)) {
+        } else if (inTable && protocols::numberIn(first)) {
             steps.back().addLine(line, i);
         } else if (inTable && line.find('\t') != std::string_view::npos && !first.starts_with("Step")) {
             throw protocols::badInput(
@@ -278,7 +278,7 @@ std::vector<RawRecord> readTribometer(const std::filesystem::path& file, const F
 
 std::vector<RawRecord> readLabview(const std::filesystem::path& file, const FrictionOptions& options)
 {
-    const std::string text = asUtf8(readWholeFile(file));
+    const std::string text = asUtf8(protocols::readWholeFile(file));
     const std::vector<std::string_view> lines = linesOf(text);
     if (lines.empty() || !lines.front().starts_with("LabVIEW Measurement"))
         throw protocols::badInput(

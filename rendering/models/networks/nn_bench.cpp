@@ -17,7 +17,7 @@
 #include "rendering/models/exchange.h"
 #include "rendering/models/networks/inference.h"
 #include "rendering/models/photograph_at_pitch.h"
-#include "rendering/models/temporary_folder.h"
+#include "protocols/files/temporary_folder.h"
 #include "rendering/signals/friction_trace.h"
 #include "rendering/signals/photometric_stereo.h"
 
@@ -155,7 +155,7 @@ BenchTable benchGenerators(const std::filesystem::path& model, const std::filesy
     table.model = weights.filename().string();
     const LoadedModel loaded(weights);
     measureMemory(loaded, table);
-    std::optional<TemporaryFolder> made;
+    std::optional<protocols::TemporaryFolder> made;
     std::filesystem::path folder = dataset;
     if (folder.empty()) {
         made.emplace();
@@ -210,6 +210,6 @@ std::string asJson(const BenchTable& table)
     return json.dump(1) + "\n";
 }
 
-void writeBench(const std::filesystem::path& file, const BenchTable& table) { writeWholeFile(file, asJson(table)); }
+void writeBench(const std::filesystem::path& file, const BenchTable& table) { protocols::writeWholeFile(file, asJson(table)); }
 
 }  // namespace rendering::models

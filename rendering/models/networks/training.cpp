@@ -4,9 +4,11 @@
 
 #include <chrono>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "protocols/files/errors.h"
+#include "protocols/files/whole_file.h"
 #include "rendering/models/networks/checkpoint.h"
 #include "rendering/models/networks/contest.h"
 #include "rendering/models/networks/progress_lines.h"
@@ -249,7 +251,9 @@ private:
         for (const protocols::FabricId& id : m_options.heldOut) card.heldOut.push_back(id.value);
         card.datasetName = m_dataset.name;
         card.datasetHash = m_datasetHash;
-        card.validation = {{"before", nlohmann::ordered_json::parse(state.validationBefore)}, {"after", figures(best)}};
+        const nlohmann::ordered_json validation{{"before", nlohmann::ordered_json::parse(state.validationBefore)},
+                                                {"after", figures(best)}};
+        card.validationJson = validation.dump();
         writeModel(m_options.out, best, card);
         m_lines.finished(card);
     }
@@ -286,7 +290,7 @@ std::filesystem::path logOf(const std::filesystem::path& model)
 void train(const fabrics::Dataset& dataset, const TrainingOptions& options, std::ostream& log, bool terminal)
 {
     checkOptions(options);
-    requireWritable(options.out);
+    protocols::requireWritable(options.out);
     keepFreedMemory();
     torch::set_num_threads(options.threads > 0 ? options.threads
                                                : static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));

@@ -1,10 +1,11 @@
 #include "rendering/models/networks/weights.h"
 
-#include <fstream>
+#include <optional>
 #include <sstream>
 
 #include "protocols/files/errors.h"
 #include "protocols/files/sha256.h"
+#include "protocols/files/whole_file.h"
 
 namespace rendering::models {
 
@@ -52,16 +53,16 @@ void writeArchive(const std::filesystem::path& file, torch::serialize::OutputArc
 {
     std::ostringstream stream;
     archive.save_to(stream);
-    writeSynced(file, stream.str());
+    protocols::writeWholeFile(file, stream.str());
 }
 
 torch::serialize::InputArchive readArchive(const std::filesystem::path& file)
 {
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream) throw notAModel(file, "it cannot be read");
+    const std::optional<std::string> bytes = protocols::readIfPossible(file);
+    if (!bytes) throw notAModel(file, "it cannot be read");
     torch::serialize::InputArchive archive;
     try {
-        archive.load_from(stream);
+        archive.load_from(bytes->data(), bytes->size());
     } catch (const std::exception& fault) {
         throw notAModel(file, firstLine(fault.what()));
     }
@@ -76,7 +77,7 @@ void writeModel(const std::filesystem::path& model, Generators& generators, Mode
     });
     writeArchive(model, archive);
     card.told.sha256 = protocols::sha256OfFile(model);
-    writeSynced(cardOf(model), cardText(card));
+    protocols::writeWholeFile(cardOf(model), cardText(card));
 }
 
 Generators readModel(const std::filesystem::path& model, const ModelCardFields& card)

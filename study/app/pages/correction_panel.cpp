@@ -67,7 +67,7 @@ bool CorrectionPanel::isReady()
         Q_EMIT hinted(missing->why);
         return false;
     }
-    m_response = std::get<session::Response>(given);
+    m_response = std::get<session::GivenAnswer>(given);
     return true;
 }
 

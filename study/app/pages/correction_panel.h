@@ -34,7 +34,7 @@ private:
 
     std::vector<Correctable> m_correctables;
     std::size_t m_which = 0;  ///< index in m_correctables
-    std::optional<session::Response> m_response;
+    std::optional<session::GivenAnswer> m_response;
     FlowLayout* m_questionsRow;
     std::vector<QPushButton*> m_questions;
     QLabel* m_old;

@@ -9,8 +9,8 @@
 
 namespace study::app {
 
+using session::GivenAnswer;
 using session::Presenting;
-using session::Response;
 
 QuestionPage::QuestionPage(QWidget* parent)
     : StagePage(parent),
@@ -79,7 +79,7 @@ void QuestionPage::showReadBack()
 void QuestionPage::store()
 {
     const auto given = m_entry->give();
-    if (const auto* response = std::get_if<Response>(&given)) {
+    if (const auto* response = std::get_if<GivenAnswer>(&given)) {
         takeEntry(*response);
         return;
     }
@@ -87,7 +87,7 @@ void QuestionPage::store()
     Q_EMIT hinted(std::get<NoAnswer>(given).why);
 }
 
-void QuestionPage::takeEntry(const Response& response)
+void QuestionPage::takeEntry(const GivenAnswer& response)
 {
     if (!m_wantsSecondEntry) {
         Q_EMIT eventRequested(session::Answered{response});
@@ -96,7 +96,7 @@ void QuestionPage::takeEntry(const Response& response)
     const QString differing = m_firstEntry ? disagreement(m_entry->form(), *m_firstEntry, response) : QString();
     if (m_firstEntry && differing.isEmpty()) {
         // Texts that differ in spaces agree; the first entry is the one that was read back.
-        const Response agreed = *m_firstEntry;
+        const GivenAnswer agreed = *m_firstEntry;
         Q_EMIT eventRequested(session::Answered{agreed});
         return;
     }
@@ -109,7 +109,7 @@ void QuestionPage::takeEntry(const Response& response)
     Q_EMIT hinted(differing);
 }
 
-bool QuestionPage::isForWriting() const { return m_entry->form().kind == protocols::PhaseAnswer::Words; }
+bool QuestionPage::isForWriting() const { return std::holds_alternative<WordsForm>(m_entry->form()); }
 
 bool QuestionPage::pressKey(int key)
 {

@@ -31,7 +31,7 @@ private:
     bool isSameQuestion(const session::View& view) const;
     void showReadBack();
     void store();
-    void takeEntry(const session::Response& response);
+    void takeEntry(const session::GivenAnswer& response);
 
     QuestionHead* m_head;
     AnswerEntry* m_entry;
@@ -41,7 +41,7 @@ private:
     QLabel* m_stroke;
 
     bool m_wantsSecondEntry = false;
-    std::optional<session::Response> m_firstEntry;
+    std::optional<session::GivenAnswer> m_firstEntry;
     std::optional<session::Presenting> m_shown;
     protocols::PresentationCode m_shownCode;
 };

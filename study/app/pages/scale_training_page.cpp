@@ -72,7 +72,7 @@ QLayout* ScaleTrainingPage::placeRow()
 
 void ScaleTrainingPage::begin(const SessionFacts& facts)
 {
-    m_scale = facts.scale.value_or(protocols::Scale{});
+    m_scale = facts.scale.value_or(protocols::RatingScale{});
     m_line->setScale(m_scale);
     showAnchors();
     m_place.reset();

@@ -35,7 +35,7 @@ private:
     /// Sentence on the distance between the spoken number and the mark, in friendly words.
     QString deviation(const session::ScalePlaced& placed) const;
 
-    protocols::Scale m_scale;
+    protocols::RatingScale m_scale;
     std::optional<protocols::Tenths> m_place;     ///< the mark shown now
     std::optional<session::ScalePlaced> m_asked;  ///< sent, not yet confirmed as stored
     std::optional<session::ScalePlaced> m_lastNamed;

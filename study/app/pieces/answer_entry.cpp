@@ -24,24 +24,19 @@ AnswerEntry::AnswerEntry(QWidget* parent)
     }
 }
 
-EntryControls& AnswerEntry::controlsFor(protocols::PhaseAnswer kind) const
+EntryControls& AnswerEntry::controlsFor(const AnswerForm& form) const
 {
-    switch (kind) {
-        case protocols::PhaseAnswer::Choice:
-        case protocols::PhaseAnswer::SameDifferent:
-            return *m_choice;
-        case protocols::PhaseAnswer::Rating:
-            return *m_rating;
-        case protocols::PhaseAnswer::Words:
-            return *m_words;
-    }
-    return *m_choice;
+    EntryControls* controls = std::visit(
+        protocols::Overloaded{[this](const OptionsForm&) { return m_choice; }, [this](const ScaleForm&) { return m_rating; },
+                              [this](const WordsForm&) { return m_words; }},
+        form);
+    return *controls;
 }
 
 void AnswerEntry::ask(const AnswerForm& form)
 {
     m_form = form;
-    EntryControls& needed = controlsFor(form.kind);
+    EntryControls& needed = controlsFor(form);
     if (m_shown != &needed) m_shown->hide();
     m_shown = &needed;
     m_shown->show();

@@ -1,4 +1,4 @@
-// The controls for an answer of any kind: shows those that the question needs.
+// The controls to enter an answer of any kind: shows those that the question needs.
 #pragma once
 
 #include "study/app/pieces/entry_controls.h"
@@ -14,7 +14,7 @@ public:
     void ask(const AnswerForm& form);
     const AnswerForm& form() const { return m_form; }
 
-    std::variant<session::Response, NoAnswer> give() { return m_shown->give(); }
+    std::variant<session::GivenAnswer, NoAnswer> give() { return m_shown->give(); }
     ReadBack readBack() const { return m_shown->readBack(); }
     bool pressKey(int key) { return m_shown->pressKey(key); }
     QWidget& firstFocus() { return m_shown->firstFocus(); }
@@ -23,7 +23,7 @@ Q_SIGNALS:
     void changed();
 
 private:
-    EntryControls& controlsFor(protocols::PhaseAnswer kind) const;
+    EntryControls& controlsFor(const AnswerForm& form) const;
 
     AnswerForm m_form;
     EntryControls* m_choice;

@@ -7,8 +7,6 @@
 
 namespace study::app {
 
-using protocols::PhaseAnswer;
-
 ChoiceControls::ChoiceControls(QWidget* parent) : EntryControls(parent), m_column(new QVBoxLayout(this))
 {
     setObjectName("choiceControls");
@@ -20,10 +18,10 @@ ChoiceControls::ChoiceControls(QWidget* parent) : EntryControls(parent), m_colum
 
 void ChoiceControls::ask(const AnswerForm& form)
 {
-    m_form = form;
+    m_options = std::get<OptionsForm>(form).options;
     m_chosen.reset();
-    for (std::size_t place = 0; place < m_form.options.size(); ++place) {
-        const AnswerForm::Option& option = m_form.options[place];
+    for (std::size_t place = 0; place < m_options.size(); ++place) {
+        const AnswerOption& option = m_options[place];
         QPushButton* made = buttonAt(place);
         made->setObjectName(QStringLiteral("answer") + option.letter);
         setButtonText(*made, QStringLiteral("%1    %2").arg(option.letter, option.name));
@@ -31,7 +29,7 @@ void ChoiceControls::ask(const AnswerForm& form)
         made->show();
     }
     // Kept for the next tray: making a button takes longer than showing one.
-    for (std::size_t place = m_form.options.size(); place < m_buttons.size(); ++place) {
+    for (std::size_t place = m_options.size(); place < m_buttons.size(); ++place) {
         m_buttons[place]->setObjectName("answerLeftOver");
         m_buttons[place]->hide();
     }
@@ -59,25 +57,23 @@ void ChoiceControls::choose(std::size_t place)
     Q_EMIT changed();
 }
 
-std::variant<session::Response, NoAnswer> ChoiceControls::give()
+std::variant<session::GivenAnswer, NoAnswer> ChoiceControls::give()
 {
-    if (m_chosen) return m_form.options[*m_chosen].response;
+    if (m_chosen) return m_options[*m_chosen].response;
     return NoAnswer{tr("Choose first: press the letter of the answer that the participant gives.")};
 }
 
 ReadBack ChoiceControls::readBack() const
 {
     if (!m_chosen) return {tr("Press the letter that the participant says.")};
-    const AnswerForm::Option& option = m_form.options[*m_chosen];
-    if (m_form.kind == PhaseAnswer::SameDifferent) return {tr("Read back: “%1.”").arg(option.spoken), true};
-    return {tr("Read back: “%1.” (%2)").arg(option.spoken, option.name), true};
+    return {tr("Read back: %1").arg(m_options[*m_chosen].readBack), true};
 }
 
 bool ChoiceControls::pressKey(int key)
 {
-    for (std::size_t place = 0; place < m_form.options.size(); ++place) {
+    for (std::size_t place = 0; place < m_options.size(); ++place) {
         const bool isDigit = key == Qt::Key_1 + static_cast<int>(place) && place < 9;
-        if (!isDigit && key != m_form.options[place].letter.front().unicode()) continue;
+        if (!isDigit && key != m_options[place].letter.front().unicode()) continue;
         choose(place);
         return true;
     }

@@ -14,7 +14,7 @@ public:
     explicit ChoiceControls(QWidget* parent);
 
     void ask(const AnswerForm& form) override;
-    std::variant<session::Response, NoAnswer> give() override;
+    std::variant<session::GivenAnswer, NoAnswer> give() override;
     ReadBack readBack() const override;
     bool pressKey(int key) override;
     QWidget& firstFocus() override { return *this; }
@@ -23,7 +23,7 @@ private:
     QPushButton* buttonAt(std::size_t place);
     void choose(std::size_t place);
 
-    AnswerForm m_form;
+    std::vector<AnswerOption> m_options;
     QVBoxLayout* m_column;
     std::vector<QPushButton*> m_buttons;  ///< at least one an option; those left over are hidden
     std::optional<std::size_t> m_chosen;

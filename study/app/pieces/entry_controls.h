@@ -25,10 +25,10 @@ class EntryControls : public QWidget {
 public:
     using QWidget::QWidget;
 
-    /// Blank, for an answer of this form.
+    /// Blank, for an answer of this form, which must be the one that these controls are for.
     virtual void ask(const AnswerForm& form) = 0;
     /// What Enter gives: the answer, or what is still missing.
-    virtual std::variant<session::Response, NoAnswer> give() = 0;
+    virtual std::variant<session::GivenAnswer, NoAnswer> give() = 0;
     virtual ReadBack readBack() const = 0;
     /// A key that no control took; true where it chose something.
     virtual bool pressKey(int key) = 0;

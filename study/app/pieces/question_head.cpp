@@ -4,6 +4,7 @@
 #include <QVBoxLayout>
 
 #include "study/app/pieces/pieces.h"
+#include "study/app/state/answer_form.h"
 
 namespace study::app {
 
@@ -40,7 +41,7 @@ TouchButton::TouchButton(QWidget* parent)
 QString TouchButton::textFor(const session::View& view) const
 {
     const auto& presenting = std::get<session::Presenting>(view.state.stage);
-    const QString key = view.answerKind == protocols::PhaseAnswer::Words ? tr("Alt T") : tr("T");
+    const QString key = std::holds_alternative<WordsForm>(formOf(view)) ? tr("Alt T") : tr("T");
     if (!presenting.touchedAtNs)
         return m_displayReports ? tr("The display reports the first touch (or press %1)").arg(key)
                                 : tr("Stamp the first touch (%1)").arg(key);

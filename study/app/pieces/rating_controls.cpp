@@ -11,7 +11,7 @@
 
 namespace study::app {
 
-using protocols::Scale;
+using protocols::RatingScale;
 using protocols::Tenths;
 
 RatingControls::RatingControls(QWidget* parent)
@@ -41,13 +41,13 @@ RatingControls::RatingControls(QWidget* parent)
 
 void RatingControls::ask(const AnswerForm& form)
 {
-    const Scale scale = form.scale.value_or(Scale{});
+    const RatingScale& scale = std::get<ScaleForm>(form).scale;
     if (scale != m_scale) setScale(scale);
     m_rating->clear();
     showTyped();
 }
 
-void RatingControls::setScale(const Scale& scale)
+void RatingControls::setScale(const RatingScale& scale)
 {
     m_scale = scale;
     m_line->setScale(scale);
@@ -76,7 +76,7 @@ void RatingControls::showTyped()
     Q_EMIT changed();
 }
 
-std::variant<session::Response, NoAnswer> RatingControls::give()
+std::variant<session::GivenAnswer, NoAnswer> RatingControls::give()
 {
     const auto typed = ratingFromText(m_rating->text(), *m_scale);
     if (const auto* rating = std::get_if<Tenths>(&typed)) return *rating;

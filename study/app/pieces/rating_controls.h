@@ -17,17 +17,17 @@ public:
     explicit RatingControls(QWidget* parent);
 
     void ask(const AnswerForm& form) override;
-    std::variant<session::Response, NoAnswer> give() override;
+    std::variant<session::GivenAnswer, NoAnswer> give() override;
     ReadBack readBack() const override;
     bool pressKey(int) override { return false; }
     QWidget& firstFocus() override;
 
 private:
-    void setScale(const protocols::Scale& scale);
+    void setScale(const protocols::RatingScale& scale);
     void showLabels();
     void showTyped();
 
-    std::optional<protocols::Scale> m_scale;
+    std::optional<protocols::RatingScale> m_scale;
     RatingField* m_rating;
     QLabel* m_range;
     ScaleLine* m_line;

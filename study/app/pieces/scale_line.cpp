@@ -15,7 +15,7 @@ using protocols::Tenths;
 namespace {
 
 /// Number of sections. A scale with words has one section between two neighbouring words.
-int sectionsOf(const protocols::Scale& scale)
+int sectionsOf(const protocols::RatingScale& scale)
 {
     return scale.labels.size() > 1 ? static_cast<int>(scale.labels.size()) - 1 : scale.sections;
 }
@@ -31,7 +31,7 @@ ScaleLine::ScaleLine(Use use, QWidget* parent) : QWidget(parent), m_use(use)
     describe();
 }
 
-void ScaleLine::setScale(const protocols::Scale& scale)
+void ScaleLine::setScale(const protocols::RatingScale& scale)
 {
     m_scale = scale;
     describe();

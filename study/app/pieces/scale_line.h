@@ -15,7 +15,7 @@ public:
     enum class Use { Show, Pick };
     ScaleLine(Use use, QWidget* parent);
 
-    void setScale(const protocols::Scale& scale);
+    void setScale(const protocols::RatingScale& scale);
     /// Marks the rating on the line, without its number.
     void setRating(std::optional<protocols::Tenths> rating);
     std::optional<protocols::Tenths> rating() const { return m_rating; }
@@ -41,7 +41,7 @@ private:
     void describe();
 
     Use m_use;
-    protocols::Scale m_scale;
+    protocols::RatingScale m_scale;
     std::optional<protocols::Tenths> m_rating;
 };
 

@@ -25,7 +25,7 @@ void WordsControls::ask(const AnswerForm&)
     Q_EMIT changed();
 }
 
-std::variant<session::Response, NoAnswer> WordsControls::give()
+std::variant<session::GivenAnswer, NoAnswer> WordsControls::give()
 {
     if (!m_words->words().isEmpty() || m_isAskedAgain) return session::Words{m_words->words().toStdString()};
     m_isAskedAgain = true;

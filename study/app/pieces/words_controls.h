@@ -13,7 +13,7 @@ public:
     explicit WordsControls(QWidget* parent);
 
     void ask(const AnswerForm& form) override;
-    std::variant<session::Response, NoAnswer> give() override;
+    std::variant<session::GivenAnswer, NoAnswer> give() override;
     ReadBack readBack() const override;
     bool pressKey(int) override { return false; }
     QWidget& firstFocus() override;

@@ -1,38 +1,39 @@
 #include "study/app/state/answer_form.h"
 
 #include <QCoreApplication>
-#include <algorithm>
 
 #include "study/app/state/rating_text.h"
 
 namespace study::app {
 
-using protocols::PhaseAnswer;
-using session::Response;
+using session::GivenAnswer;
 
 namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("study::app::AnswerForm", text); }
 
-std::vector<AnswerForm::Option> optionsOfTray(const std::vector<protocols::FabricId>& tray,
-                                              const std::vector<std::string>& pieces)
+OptionsForm optionsOfTray(const std::vector<protocols::FabricId>& tray, const std::vector<std::string>& pieces)
 {
-    std::vector<AnswerForm::Option> options;
-    for (std::size_t place = 0; place < tray.size(); ++place)
-        options.push_back({tray[place], slotLetter(place), nameOfPiece(pieces.at(place)), slotLetter(place)});
-    return options;
+    OptionsForm form;
+    for (std::size_t place = 0; place < tray.size(); ++place) {
+        const QString letter = slotLetter(place), name = nameOfPiece(pieces.at(place));
+        form.options.push_back(
+            {tray[place], letter, name, QStringLiteral("%1    %2").arg(letter, name), tr("“%1.” (%2)").arg(letter, name)});
+    }
+    return form;
 }
 
-std::vector<AnswerForm::Option> sameOrDifferent()
+OptionsForm sameOrDifferent()
 {
+    const QString same = tr("Same"), different = tr("Different");
     // The keys stay S and D in every language, as the other keys of the program do.
-    return {{session::Sameness{true}, QStringLiteral("S"), tr("Same"), tr("same")},
-            {session::Sameness{false}, QStringLiteral("D"), tr("Different"), tr("different")}};
+    return {{{session::Sameness{true}, QStringLiteral("S"), same, same, tr("“same.”")},
+             {session::Sameness{false}, QStringLiteral("D"), different, different, tr("“different.”")}}};
 }
 
-QString wordsOf(const Response& response) { return QString::fromStdString(std::get<session::Words>(response).text); }
+QString wordsOf(const GivenAnswer& response) { return QString::fromStdString(std::get<session::Words>(response).text); }
 
-bool agree(const Response& first, const Response& second)
+bool agree(const GivenAnswer& first, const GivenAnswer& second)
 {
     const bool areWords = std::holds_alternative<session::Words>(first) && std::holds_alternative<session::Words>(second);
     return areWords ? wordsOf(first).simplified() == wordsOf(second).simplified() : first == second;
@@ -42,37 +43,32 @@ bool agree(const Response& first, const Response& second)
 
 AnswerForm formOf(const session::View& view)
 {
-    return formOf(view.answerKind.value_or(PhaseAnswer::Choice), view.trayIds, view.tray, view.scale);
+    return view.question ? formOf(view.question->kind, view.trayIds, view.tray) : AnswerForm();
 }
 
-AnswerForm formOf(PhaseAnswer kind, const std::vector<protocols::FabricId>& tray, const std::vector<std::string>& pieces,
-                  const std::optional<protocols::Scale>& scale)
+AnswerForm formOf(const protocols::AnswerKind& kind, const std::vector<protocols::FabricId>& tray,
+                  const std::vector<std::string>& pieces)
 {
-    switch (kind) {
-        case PhaseAnswer::Choice:
-            return {kind, optionsOfTray(tray, pieces), std::nullopt};
-        case PhaseAnswer::Rating:
-            return {kind, {}, scale};
-        case PhaseAnswer::SameDifferent:
-            return {kind, sameOrDifferent(), std::nullopt};
-        case PhaseAnswer::Words:
-            return {kind, {}, std::nullopt};
-    }
-    return {};
+    return std::visit(
+        protocols::Overloaded{[&](const protocols::ForcedChoice&) -> AnswerForm { return optionsOfTray(tray, pieces); },
+                              [](const protocols::Rating& rating) -> AnswerForm { return ScaleForm{rating.scale}; },
+                              [](const protocols::SameDifferent&) -> AnswerForm { return sameOrDifferent(); },
+                              [](const protocols::FreeText&) -> AnswerForm { return WordsForm{}; }},
+        kind);
 }
 
-QString textOf(const AnswerForm& form, const Response& response)
+QString textOf(const AnswerForm& form, const GivenAnswer& response)
 {
     if (const auto* rating = std::get_if<protocols::Tenths>(&response)) return textOf(*rating);
-    const auto option = std::find_if(form.options.begin(), form.options.end(),
-                                     [&](const AnswerForm::Option& one) { return one.response == response; });
-    if (option == form.options.end()) return QString::fromStdString(session::textOf(response));
-    return form.kind == PhaseAnswer::Choice ? QStringLiteral("%1    %2").arg(option->letter, option->name) : option->name;
+    if (const auto* choice = std::get_if<OptionsForm>(&form))
+        for (const AnswerOption& option : choice->options)
+            if (option.response == response) return option.shown;
+    return QString::fromStdString(session::textOf(response));
 }
 
 QString nameOfPiece(const std::string& code) { return tr("Piece %1").arg(QString::fromStdString(code)); }
 
-QString disagreement(const AnswerForm& form, const Response& first, const Response& second)
+QString disagreement(const AnswerForm& form, const GivenAnswer& first, const GivenAnswer& second)
 {
     if (agree(first, second)) return {};
     return tr("The two entries differ: “%1” and “%2”. Ask the participant again; both entries start over.")

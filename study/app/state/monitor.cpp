@@ -8,6 +8,7 @@
 #include "protocols/protocol_json.h"
 #include "study/session/driver.h"
 #include "study/session/session_moves.h"
+#include "study/session/session_record.h"
 
 namespace study::app {
 
@@ -48,7 +49,7 @@ State stateAfter(const Plan& plan, const std::vector<database::EventRecord>& log
     State state;
     for (const database::EventRecord& record : log) {
         auto outcome = apply(plan, state, {eventFromRecord(record.kind, record.payloadJson), record.atNs});
-        if (auto* step = std::get_if<Step>(&outcome)) state = std::move(step->next);
+        if (auto* step = std::get_if<SessionStep>(&outcome)) state = std::move(step->next);
     }
     return state;
 }
@@ -111,7 +112,8 @@ MonitorOverview monitorOverview(const database::StudyStore& store, const std::st
     MonitorOverview seen;
     seen.study = QString::fromStdString(store.facts().name);
     seen.isBlinded = !store.unblinding();
-    const auto protocol = protocols::protocolFromJson(store.protocolVersions().back().json, store.folder().protocol().string());
+    const auto protocol =
+        protocols::keptProtocolFromJson(store.protocolVersions().back().json, store.folder().protocol().string());
     const auto enrolments = store.enrolments();
     for (const database::Slot& slot : store.slots()) {
         for (const database::Enrolment& one : enrolments)

@@ -13,8 +13,8 @@ namespace study::app {
 OpenStudy::OpenStudy(const std::filesystem::path& folder)
     : m_store(database::StudyFolder{folder}, database::StudyStore::Access::Write),
       m_facts(m_store.facts()),
-      m_protocol(
-          protocols::protocolFromJson(m_store.protocolVersions().back().json, database::StudyFolder{folder}.protocol().string())),
+      m_protocol(protocols::keptProtocolFromJson(m_store.protocolVersions().back().json,
+                                                 database::StudyFolder{folder}.protocol().string())),
       m_bank(database::StudyFolder{folder}.stimuli(), m_store.stimulusHashes())
 {
 }

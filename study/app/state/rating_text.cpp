@@ -10,7 +10,7 @@
 
 namespace study::app {
 
-using protocols::Scale;
+using protocols::RatingScale;
 using protocols::Tenths;
 
 namespace {
@@ -41,7 +41,7 @@ std::optional<int> tenths(std::string text)
 
 }  // namespace
 
-std::variant<Tenths, NoRating> ratingFromText(const QString& typed, const Scale& scale)
+std::variant<Tenths, NoRating> ratingFromText(const QString& typed, const RatingScale& scale)
 {
     const QString plain = typed.trimmed().replace(QLatin1Char(','), QLatin1Char('.'));
     if (plain.isEmpty()) return NoRating{ratingTr("Type the number that the participant says.")};
@@ -67,7 +67,7 @@ QString textOf(Tenths rating)
     return rating.value < 0 ? QLatin1Char('-') + text : text;
 }
 
-QString wordedText(Tenths rating, const Scale& scale)
+QString wordedText(Tenths rating, const RatingScale& scale)
 {
     const int step = (rating.value - scale.min.value) / scale.step.value;
     const bool hasWords = scale.holds(rating) && step < static_cast<int>(scale.labels.size());
@@ -75,7 +75,7 @@ QString wordedText(Tenths rating, const Scale& scale)
     return QStringLiteral("%1, %2").arg(textOf(rating), QString::fromStdString(scale.labels[static_cast<std::size_t>(step)]));
 }
 
-QString rangeText(const Scale& scale)
+QString rangeText(const RatingScale& scale)
 {
     const QString from = textOf(scale.min), to = textOf(scale.max);
     const int wholePoint = 10;
@@ -84,7 +84,7 @@ QString rangeText(const Scale& scale)
     return ratingTr("from %1 to %2 in steps of %3").arg(from, to, textOf(scale.step));
 }
 
-Tenths ratingAt(double fraction, const Scale& scale)
+Tenths ratingAt(double fraction, const RatingScale& scale)
 {
     const double span = scale.max.value - scale.min.value;
     const double steps = std::round(std::clamp(fraction, 0.0, 1.0) * span / scale.step.value);

@@ -111,14 +111,10 @@ const protocols::Question& SessionController::questionOf(const StoredAnswer& ans
 Correctable SessionController::correctableOf(const StoredAnswer& answer) const
 {
     const auto& trial = plan().trials.at(static_cast<std::size_t>(answer.index));
-    const auto& phase = plan().protocol.phases.at(static_cast<std::size_t>(trial.phase));
     std::vector<std::string> pieces;
-    for (const protocols::FabricId& fabric : trial.alternatives) {
-        const auto named = plan().fabricNames.find(fabric);
-        pieces.push_back(named == plan().fabricNames.end() ? fabric.value : named->second);
-    }
+    for (const protocols::FabricId& fabric : trial.alternatives) pieces.push_back(session::nameIn(plan().fabricNames, fabric));
     const auto& question = questionOf(answer);
-    Correctable found{question.id, {}, formOf(answerKindOf(phase, question), trial.alternatives, pieces, phase.scale)};
+    Correctable found{question.id, {}, formOf(question.kind, trial.alternatives, pieces)};
     found.current = textOf(found.form, answer.response);
     return found;
 }
@@ -155,15 +151,14 @@ SessionFacts SessionController::facts() const
         return list;
     };
     const protocols::Protocol& protocol = plan().protocol;
-    const auto rated = std::find_if(protocol.phases.begin(), protocol.phases.end(),
-                                    [](const protocols::Phase& phase) { return phase.scale.has_value(); });
+    const protocols::RatingScale* scale = memorisedScaleOf(protocol);
     return {.participant = QString::fromStdString(m_view.participant),
             .consent = QString::fromStdString(protocol.consent),
             .facts = listOf(protocol.facts),
             .checklist = listOf(protocol.checklist),
             .readings = listOf(protocol.readings),
             .strokeWords = QString::fromStdString(protocol.strokeWords),
-            .scale = rated == protocol.phases.end() ? std::nullopt : rated->scale,
+            .scale = scale ? std::optional(*scale) : std::nullopt,
             .sittingMinutes = protocol.sittingMinutes,
             .secondEntry = protocol.secondEntry,
             .displayReportsTouches = m_display->reportsTouches()};

@@ -161,12 +161,12 @@ private Q_SLOTS:
     void tableReadsBackExactly()
     {
         const auto samples = strokeImage(grating(30), 5, false);
-        const auto table = fabrics::csvTableFrom(strokeCsv(samples), "stroke");
+        const auto table = protocols::csvTableFrom(strokeCsv(samples), "stroke");
         QCOMPARE(table.columns, (std::vector<std::string>{"t_s", "position_mm", "normal_n", "tangential_n"}));
         QCOMPARE(table.rows.size(), samples.size());
         for (std::size_t row = 0; row < samples.size(); ++row)
-            QCOMPARE((StrokeSample{fabrics::numberAt(table, row, 0), fabrics::numberAt(table, row, 1),
-                                   fabrics::numberAt(table, row, 2), fabrics::numberAt(table, row, 3)}),
+            QCOMPARE((StrokeSample{protocols::numberAt(table, row, 0), protocols::numberAt(table, row, 1),
+                                   protocols::numberAt(table, row, 2), protocols::numberAt(table, row, 3)}),
                      samples[row]);
     }
 

@@ -1,5 +1,6 @@
 // The data set reader, its refusals, the split over groups, and the checker on planted faults.
 #include "rendering/fabrics/dataset.h"
+#include "protocols/files/number_text.h"
 
 #include <clocale>
 #include <functional>
@@ -7,7 +8,6 @@
 #include <memory>
 #include <set>
 
-#include "protocols/files/csv_table.h"
 #include "rendering/fabrics/dataset_check.h"
 #include "tests/rendering/fabric_files.h"
 
@@ -207,7 +207,7 @@ private Q_SLOTS:
         const std::string kept = before ? before : "C";
         if (!std::setlocale(LC_ALL, "de_DE.UTF-8")) QSKIP("the locale de_DE.UTF-8 is not installed on this machine");
         const double value = readFriction(m_dataset, FabricId("F01"), 1).values[0];
-        const std::string written = shortest(5.4);
+        const std::string written = protocols::shortest(5.4);
         std::setlocale(LC_ALL, kept.c_str());
         QCOMPARE(value, 0.25);
         QCOMPARE(written, std::string("5.4"));

@@ -184,7 +184,7 @@ private Q_SLOTS:
         const fs::path file = pathOf(m_folder) / "no such folder" / "picture.png";
         const auto refusal = refusalOf([&] { writePng(file, speckled(4, 4, CV_8UC1)); }, protocols::ExitCode::Environment);
         QVERIFY2(contains(refusal, "picture.png") && !contains(refusal, "wrong exit code"), refusal.c_str());
-        const auto full = refusalOf([] { writeWholeFile("/dev/full/picture", "x"); }, protocols::ExitCode::Environment);
+        const auto full = refusalOf([] { protocols::writeWholeFile("/dev/full/picture", "x"); }, protocols::ExitCode::Environment);
         QVERIFY(!contains(full, "wrong exit code") && !full.empty());
     }
 

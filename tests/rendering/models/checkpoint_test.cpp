@@ -45,16 +45,18 @@ private:
                 "1"};
     }
 
+    /// Names of checkpoints that are being written, or were when the run was killed.
+    QStringList unfinished() const { return QDir(m_folder.path()).entryList({".model.pt.checkpoint.unfinished-*"}, QDir::Files | QDir::Hidden); }
+
     /// Kills the run so many microseconds after its first checkpoint has begun to be written; what it had said.
     QString killedWhileWriting(bool resume, int delayUs) const
     {
         QProcess run;
         run.start(QString::fromStdString(models::generatorProgram().string()),
                   resume ? endlessRun() << "--resume" : endlessRun());
-        const std::filesystem::path unfinished = (text("model.pt") + ".checkpoint.part").toStdString();
         QElapsedTimer waited;
         waited.start();
-        while (!std::filesystem::exists(unfinished) && waited.elapsed() < 60000 && run.state() != QProcess::NotRunning)
+        while (unfinished().isEmpty() && waited.elapsed() < 60000 && run.state() != QProcess::NotRunning)
             run.waitForReadyRead(0);
         QThread::usleep(static_cast<unsigned long>(delayUs));
         run.kill();
@@ -85,8 +87,10 @@ private Q_SLOTS:
             QVERIFY2(match.hasMatch(), qPrintable(QString("kill %1: %2").arg(i).arg(output)));
             QVERIFY(match.captured(1).toInt() >= last);
             last = match.captured(1).toInt();
-            interrupted += QFile::exists(text("model.pt") + ".checkpoint.part") ? 1 : 0;
-            QFile::remove(text("model.pt") + ".checkpoint.part");
+            for (const QString& file : unfinished()) {
+                ++interrupted;
+                QFile::remove(m_folder.filePath(file));
+            }
         }
         QVERIFY2(last > 10, qPrintable(QString::number(last)));
         QVERIFY2(interrupted > 30, qPrintable(QString("%1 of 100 kills fell into the writing").arg(interrupted)));

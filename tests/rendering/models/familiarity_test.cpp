@@ -5,6 +5,7 @@
 #include <QTest>
 #include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <opencv2/core.hpp>
 
 #include "protocols/files/errors.h"

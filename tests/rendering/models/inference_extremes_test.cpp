@@ -91,7 +91,7 @@ private:
         fs::copy_file(models::shippedModel(), model, fs::copy_options::overwrite_existing);
         auto card = models::readModelCardFields(models::shippedModel());
         change(card);
-        writeWholeFile(models::cardOf(model), models::cardText(card));
+        protocols::writeWholeFile(models::cardOf(model), models::cardText(card));
         return model;
     }
 
@@ -196,7 +196,7 @@ private Q_SLOTS:
             for (int index = 0; index < 3; ++index)
                 known.push_back(models::photographFeatures(photograph(fabric, index).photograph));
         card.photographs = models::fitFamiliarity(known, {});
-        writeWholeFile(models::cardOf(model), models::cardText(card));
+        protocols::writeWholeFile(models::cardOf(model), models::cardText(card));
         QCOMPARE(models::readModelCardFields(model).photographs, card.photographs);
 
         GenerationOptions options = fast();

@@ -49,7 +49,7 @@ std::map<std::string, std::string> contents(const fs::path& folder)
 {
     std::map<std::string, std::string> files;
     for (const auto& entry : fs::directory_iterator(folder))
-        files[entry.path().filename().string()] = readWholeFile(entry.path());
+        files[entry.path().filename().string()] = protocols::readWholeFile(entry.path());
     return files;
 }
 
@@ -67,10 +67,10 @@ private Q_SLOTS:
     {
         TrainingLog log(at("rows"));
         train(log, 1, 40);
-        const std::string text = readWholeFile(at("rows") / "losses.csv");
+        const std::string text = protocols::readWholeFile(at("rows") / "losses.csv");
         QVERIFY(text.starts_with("step,l1,generator\n1,1,"));
         QCOMPARE(std::count(text.begin(), text.end(), '\n'), 41);
-        QCOMPARE(readWholeFile(at("rows") / "validation.csv"), "step,ssim\n20,0.2\n40,0.4\n");
+        QCOMPARE(protocols::readWholeFile(at("rows") / "validation.csv"), "step,ssim\n20,0.2\n40,0.4\n");
         QVERIFY(fs::exists(at("rows") / "samples-000040.png"));
         QCOMPARE(log.valuesOf("l1").back(), 1.0 / 40);
     }
@@ -96,7 +96,7 @@ private Q_SLOTS:
             TrainingLog old(at("anew"));
             train(old, 1, 40);
         }
-        writeWholeFile(at("anew") / "notes.txt", "mine");
+        protocols::writeWholeFile(at("anew") / "notes.txt", "mine");
         const TrainingLog log(at("anew"));
         const auto files = contents(at("anew"));
         QCOMPARE(files.size(), std::size_t{1});
@@ -108,20 +108,20 @@ private Q_SLOTS:
         TrainingLog log(at("late"));
         log.losses(1, std::vector<NamedValue>{{"a", 1}});
         log.losses(2, std::vector<NamedValue>{{"b", INFINITY}, {"a", NAN}});
-        QCOMPARE(readWholeFile(at("late") / "losses.csv"), "step,a,b\n1,1,\n2,,inf\n");
+        QCOMPARE(protocols::readWholeFile(at("late") / "losses.csv"), "step,a,b\n1,1,\n2,,inf\n");
         const TrainingLog again(at("late"), 2);
-        QCOMPARE(readWholeFile(at("late") / "losses.csv"), "step,a,b\n1,1,\n2,,inf\n");
+        QCOMPARE(protocols::readWholeFile(at("late") / "losses.csv"), "step,a,b\n1,1,\n2,,inf\n");
     }
 
     void tableThatIsNoneIsRefusedWithItsLine()
     {
         fs::create_directories(at("spoilt"));
-        writeWholeFile(at("spoilt") / "losses.csv", "step,a\n1,2\n2,two\n");
+        protocols::writeWholeFile(at("spoilt") / "losses.csv", "step,a\n1,2\n2,two\n");
         try {
             const TrainingLog log(at("spoilt"), 5);
             QFAIL("a spoilt table was read");
         } catch (const protocols::Error& fault) {
-            QVERIFY2(QString(fault.what()).contains("losses.csv, line 3"), fault.what());
+            QVERIFY2(QString(fault.what()).contains("losses.csv, row 2 (line 3)"), fault.what());
         }
     }
 
@@ -130,7 +130,7 @@ private Q_SLOTS:
         TrainingLog log(at("curves"));
         for (int step = 1; step <= 3000; step += 2) log.losses(step, lossesAt(step));
         log.validation(3000, std::vector<NamedValue>{{"ssim", 0.4}});
-        const std::string svg = readWholeFile(at("curves") / "curves.svg");
+        const std::string svg = protocols::readWholeFile(at("curves") / "curves.svg");
         QXmlStreamReader reader(QByteArray::fromStdString(svg));
         QStringList titles;
         bool saysLogarithmic = false;
@@ -153,7 +153,7 @@ private Q_SLOTS:
         TrainingLog log(at("even"));
         log.losses(1, std::vector<NamedValue>{{"even", 0}, {"none", NAN}});
         log.validation(1, std::vector<NamedValue>{{"one", -3}});
-        const QString svg = QString::fromStdString(readWholeFile(at("even") / "curves.svg"));
+        const QString svg = QString::fromStdString(protocols::readWholeFile(at("even") / "curves.svg"));
         QVERIFY(!svg.contains("nan") && !svg.contains("inf\"") && svg.contains("no finite values"));
     }
 

@@ -11,6 +11,7 @@
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "protocols/files/sha256.h"
@@ -114,11 +115,12 @@ private Q_SLOTS:
         QVERIFY(outcome.output.contains("left"));
         const models::ModelCardFields card = models::readModelCardFields(at("model.pt"));
         QCOMPARE(card.steps, 160);
+        const auto validation = nlohmann::ordered_json::parse(card.validationJson);
         const std::map<const char*, double> shares{
             {"distance", 0.8}, {"mean_friction_relative_error", 0.8}, {"height_l1_mm", 0.95}, {"log_ratio_l1", 0.95}};
         for (const auto& [figure, share] : shares) {
-            const double before = card.validation.at("before").at(figure).at("generated").get<double>();
-            const double after = card.validation.at("after").at(figure).at("generated").get<double>();
+            const double before = validation.at("before").at(figure).at("generated").get<double>();
+            const double after = validation.at("after").at(figure).at("generated").get<double>();
             QVERIFY2(after < share * before, qPrintable(QString("%1: %2 -> %3").arg(figure).arg(before).arg(after)));
         }
         // What is remembered for use: the rings of three fabrics, and how friction goes with texture.

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <nlohmann/json.hpp>
 #include <opencv2/core.hpp>
 
 #include "protocols/files/errors.h"
@@ -80,7 +81,8 @@ private Q_SLOTS:
         QVERIFY(std::ranges::is_sorted(card.told.trainingSampleHashes));
         for (const std::string& hash : card.told.trainingSampleHashes) QCOMPARE(hash.size(), std::size_t{64});
         QVERIFY(card.photographs && card.photographs->fabricRings.size() == 15 && card.frictionByTexture);
-        const auto& after = card.validation.at("after");
+        const auto validation = nlohmann::ordered_json::parse(card.validationJson);
+        const auto& after = validation.at("after");
         QVERIFY(after.at("mean_friction_relative_error").at("generated").get<double>() < 0.1);
     }
 

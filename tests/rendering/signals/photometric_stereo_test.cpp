@@ -186,7 +186,7 @@ private Q_SLOTS:
                                     << "zero_percentile";
         QTest::newRow("no JSON") << "{"
                                  << ""
-                                 << "no calibration";
+                                 << "malformed JSON";
     }
     void malformedCalibrationIsRefusedByItsField()
     {

@@ -71,7 +71,7 @@ private Q_SLOTS:
                                         << "is no spectrogram";
         QTest::newRow("no JSON") << "{"
                                  << ""
-                                 << "is no spectrogram";
+                                 << "malformed JSON";
         QTest::newRow("another kind") << "\"complex\""
                                       << "\"simple\""
                                       << "simple";

@@ -1,4 +1,4 @@
-// What a script sends to `vis2hap analyse` and what comes back: formulas, recipes, refusals.
+// Requests to `vis2hap analyse` and their answers: formulas, recipes, faults.
 #include "study/analyse/analyse.h"
 
 #include <QtTest>
@@ -10,9 +10,9 @@
 namespace {
 
 using nlohmann::json;
-using study::commands::answerOf;
-using study::commands::arraysOfRecipe;
-using study::commands::valueOfFormula;
+using study::analyse::answerOf;
+using study::analyse::arraysOfRecipe;
+using study::analyse::valueOfFormula;
 
 json answerTo(const char* analysis, const json& inputs, const json& options = json::object())
 {
@@ -56,8 +56,8 @@ private Q_SLOTS:
     void whatIsNoFormulaIsRefused()
     {
         for (const char* text : {"", "1/", "(1", "1 2", "x", "sqrt 2", "import os", "1e999"})
-            QVERIFY_EXCEPTION_THROWN(valueOfFormula(text), study::commands::RequestFault);
-        QVERIFY_EXCEPTION_THROWN(valueOfFormula(std::string(5000, '(')), study::commands::RequestFault);
+            QVERIFY_EXCEPTION_THROWN(valueOfFormula(text), study::analyse::RequestFault);
+        QVERIFY_EXCEPTION_THROWN(valueOfFormula(std::string(5000, '(')), study::analyse::RequestFault);
     }
 
     void recipeOfOneArray()
@@ -93,10 +93,10 @@ private Q_SLOTS:
 
     void recipesThatCannotBeReadSayWhere()
     {
-        QVERIFY_EXCEPTION_THROWN(arraysOfRecipe("nothing", {}), study::commands::RequestFault);
-        QVERIFY_EXCEPTION_THROWN(arraysOfRecipe("x_i = i", {}), study::commands::RequestFault);  // how many?
-        QVERIFY_EXCEPTION_THROWN(arraysOfRecipe("x_i = j, i=0..3", {}), study::commands::RequestFault);
-        QVERIFY_EXCEPTION_THROWN(arraysOfRecipe("x_i = i, i=0..n-1", {{"n", 1e18}}), study::commands::RequestFault);
+        QVERIFY_EXCEPTION_THROWN(arraysOfRecipe("nothing", {}), study::analyse::RequestFault);
+        QVERIFY_EXCEPTION_THROWN(arraysOfRecipe("x_i = i", {}), study::analyse::RequestFault);  // how many?
+        QVERIFY_EXCEPTION_THROWN(arraysOfRecipe("x_i = j, i=0..3", {}), study::analyse::RequestFault);
+        QVERIFY_EXCEPTION_THROWN(arraysOfRecipe("x_i = i, i=0..n-1", {{"n", 1e18}}), study::analyse::RequestFault);
         const auto answer = answerTo("t_test", {{"kind", "one_sample"}, {"x", {{"recipe", "x_i = rand(i)"}, {"n", 5}}}});
         QVERIFY(saysError(answer, "rand"));
     }
@@ -141,7 +141,7 @@ private Q_SLOTS:
         QVERIFY(saysError(answerTo("", {}), "no analysis is named"));
         QVERIFY(saysError(answerTo("anova", {}), "unknown analysis \"anova\""));
         QVERIFY(saysError(answerTo("t_test", {{"kind", "pared"}, {"x", {1, 2}}}), "expected one of: one_sample"));
-        QVERIFY(saysError(answerTo("t_test", {{"kind", "one_sample"}}), "no x"));
+        QVERIFY(saysError(answerTo("t_test", {{"kind", "one_sample"}}), "have no x"));
         QVERIFY(saysError(answerTo("t_test", {{"kind", "one_sample"}, {"x", {1, "two"}}}), "value 2 of x"));
         QVERIFY(saysError(answerTo("binomial", {{"k", 2.5}, {"n", 5}}, {{"p0", "1/3"}}), "not a whole number"));
         QVERIFY(saysError(answerTo("friedman", {{"rows", {{1, 2}, {1}}}}), "differ in length"));
@@ -151,7 +151,7 @@ private Q_SLOTS:
 
     void everyAnalysisAnswersNothingWithoutCrashing()
     {
-        for (const auto& analysis : study::commands::analyses()) {
+        for (const auto& analysis : study::analyse::analyses()) {
             const auto answer = answerTo(std::string(analysis.name).c_str(), json::object());
             QVERIFY2(answer.contains("error") || answer.contains("reason"), analysis.name.data());
         }

@@ -48,7 +48,7 @@ private Q_SLOTS:
         QVERIFY(!document["cases"].empty());
         int wrong = 0;
         for (const oracle::Json& one : document["cases"]) {
-            const oracle::Json answer = study::commands::answerOf(one, path.parent_path());
+            const oracle::Json answer = study::analyse::answerOf(one, path.parent_path());
             const QString faults = oracle::fault(one, answer);
             if (faults.isEmpty()) continue;
             ++wrong;

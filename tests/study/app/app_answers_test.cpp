@@ -18,7 +18,7 @@ namespace {
 bool isFinished(OpenWindow& open) { return std::holds_alternative<Finished>(open.view().state.stage); }
 
 /// A different answer of the same kind.
-Response otherThan(const Response& right, const View& view)
+GivenAnswer otherThan(const GivenAnswer& right, const View& view)
 {
     if (const auto* fabric = std::get_if<protocols::FabricId>(&right))
         return view.trayIds[view.trayIds.front() == *fabric ? 1 : 0];
@@ -58,9 +58,9 @@ void AppAnswersTest::secondEntryMustAgree()
     OpenWindow open(folder);
     open.enrolAndBegin();
     open.playTo("Presenting", question.toStdString());
-    const Response right = responseTo(open.view());
-    const Response wrong = otherThan(right, open.view());
-    const auto enter = [&](const Response& response) {
+    const GivenAnswer right = responseTo(open.view());
+    const GivenAnswer wrong = otherThan(right, open.view());
+    const auto enter = [&](const GivenAnswer& response) {
         enterByKeys(open, response);
         pressKey(open, Qt::Key_Return);
     };
@@ -125,8 +125,10 @@ void AppAnswersTest::correctionsOfEveryKindOfAnswer()
     const auto kept = answersIn(folder);
     for (const auto& correctable : open.window().session()->correctables()) {
         const std::string question = correctable.question.value;
-        Response now = Words{"other words"};
-        if (question == "Q1") now = correctable.form.options[correctable.current.startsWith('A') ? 1 : 0].response;
+        GivenAnswer now = Words{"other words"};
+        if (question == "Q1")
+            now =
+                std::get<study::app::OptionsForm>(correctable.form).options[correctable.current.startsWith('A') ? 1 : 0].response;
         if (question == "S1") now = Sameness{correctable.current != "Same"};
         if (question == "Q2") now = Tenths{correctable.current == "3.3" ? 44 : 33};
         open.perform(Corrected{correctable.question, now, "misheard"});

@@ -9,7 +9,7 @@
 
 #include "rendering/fabrics/procedural/procedural_fabrics.h"
 #include "study/app/pages/data_page.h"
-#include "study/commands/look_at_data.h"
+#include "study/looking/look_at_data.h"
 #include "tests/rendering/fabric_files.h"
 #include "tests/support/open_window.h"
 
@@ -21,7 +21,7 @@ namespace {
 AppOptions lookingOptions()
 {
     AppOptions options;
-    options.lookAtData = study::commands::lookAtData();
+    options.lookAtData = study::looking::lookAtData();
     return options;
 }
 

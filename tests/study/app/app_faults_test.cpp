@@ -137,7 +137,7 @@ void AppFaultsTest::fullDiskKeepsTheEntryUntilSpaceIsFree()
     open.enrolAndBegin();
     open.playTo("Presenting", question.toStdString());
     const std::string asked = nowAsked(open);
-    const Response spoken = responseTo(open.view());
+    const GivenAnswer spoken = responseTo(open.view());
     disk.letWritesFailWith(SQLITE_FULL);
     enterByKeys(open, spoken);
     pressKey(open, Qt::Key_Return);

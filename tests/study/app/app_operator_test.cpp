@@ -62,7 +62,7 @@ void AppOperatorTest::earlierQuestionCanStillBeCorrected()
     open.playTo("Presenting", "Q3");  // the latest answers are to Q2 and, before it, Q1
     const auto correctable = open.window().session()->correctables();
     QCOMPARE(correctable.size(), std::size_t(2));
-    const auto& options = correctable[1].form.options;
+    const auto& options = std::get<study::app::OptionsForm>(correctable[1].form).options;
     const bool isFirst = textOf(correctable[1].form, options.front().response) == correctable[1].current;
     const auto other = std::get<protocols::FabricId>((isFirst ? options.back() : options.front()).response);
     const auto before = answersIn(folder);

@@ -69,7 +69,7 @@ void AppPagesTest::typedNumbersBecomeRatings()
 {
     QFETCH(QString, typed);
     QFETCH(int, tenths);
-    const auto read = ratingFromText(typed, protocols::Scale{});
+    const auto read = ratingFromText(typed, protocols::RatingScale{});
     const auto* rating = std::get_if<Tenths>(&read);
     QCOMPARE(rating ? rating->value : -1, tenths);
     if (!rating) QVERIFY(!std::get<NoRating>(read).why.isEmpty());
@@ -77,7 +77,7 @@ void AppPagesTest::typedNumbersBecomeRatings()
 
 void AppPagesTest::pointsOnTheLineBecomeSteps()
 {
-    const protocols::Scale halves{Tenths{0}, Tenths{100}, Tenths{5}, 9, {}};
+    const protocols::RatingScale halves{Tenths{0}, Tenths{100}, Tenths{5}, 9, {}};
     QCOMPARE(ratingAt(0.0, halves).value, 0);
     QCOMPARE(ratingAt(0.52, halves).value, 50);
     QCOMPARE(ratingAt(0.53, halves).value, 55);

@@ -54,7 +54,7 @@ struct Keys {
     void operator()(const PlacingTray&) const { enter(); }
     void operator()(const Presenting&) const
     {
-        const Response spoken = responseTo(open.view());
+        const GivenAnswer spoken = responseTo(open.view());
         typed[nowAsked(open)] = answerText(spoken);
         answerByKeys(open, spoken);
     }

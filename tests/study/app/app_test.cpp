@@ -25,7 +25,7 @@ bool isFinished(OpenWindow& open) { return std::holds_alternative<Finished>(open
 void clickOn(OpenWindow& open, const char* objectName) { QTest::mouseClick(&open.widget<QWidget>(objectName), Qt::LeftButton); }
 
 /// Gives one answer by mouse only; ratings by a click on the line.
-void answerByMouse(OpenWindow& open, const Response& response)
+void answerByMouse(OpenWindow& open, const GivenAnswer& response)
 {
     clickOn(open, "touchButton");
     if (const auto* fabric = std::get_if<FabricId>(&response)) {
@@ -73,7 +73,7 @@ void AppTest::wholeSessionByKeyboardAlone()
                 pressKey(open, Qt::Key_Return);
                 continue;
             }
-            const Response spoken = responseTo(open.view());
+            const GivenAnswer spoken = responseTo(open.view());
             typed[nowAsked(open)] = answerText(spoken);
             answerByKeys(open, spoken, u'.');
         }
@@ -103,7 +103,7 @@ void AppTest::wholeSessionByMouseAlone()
         } else if (!isPresenting(open)) {
             clickOn(open, "confirmButton");
         } else {
-            const Response spoken = responseTo(open.view());
+            const GivenAnswer spoken = responseTo(open.view());
             clicked[nowAsked(open)] = answerText(spoken);
             answerByMouse(open, spoken);
         }

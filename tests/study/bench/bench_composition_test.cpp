@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
-using rendering::BenchRow;
+using study::bench::BenchRow;
 
 class BenchCompositionTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void initTestCase() { m_rows = rendering::benchComposition(); }
+    void initTestCase() { m_rows = study::bench::benchComposition(); }
 
     void errorsAreWithinWhatIsPromised_data()
     {

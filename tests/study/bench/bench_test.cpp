@@ -6,17 +6,20 @@
 #include <algorithm>
 #include <cmath>
 
+#include "protocols/files/errors.h"
+#include "study/bench/peer_programs.h"
+
 class BenchTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
     void everyStageHasItsErrorWithinBounds()
     {
-        const auto rows = rendering::benchSignals();
+        const auto rows = study::bench::benchSignals();
         const auto row = [&](const QString& stage, const QString& quality) {
             const auto found = std::find_if(rows.begin(), rows.end(), [&](const auto& one) {
                 return QString::fromStdString(one.stage).startsWith(stage) && one.quality == quality.toStdString();
             });
-            return found == rows.end() ? rendering::BenchRow{"", "", 0, 1e9, "", ""} : *found;
+            return found == rows.end() ? study::bench::BenchRow{"", "", 0, 1e9, "", ""} : *found;
         };
         for (const auto& one : rows) {
             qInfo("%-28s %-9s %8.2f ms  %.3g %s (%s)", one.stage.c_str(), one.quality.c_str(), one.milliseconds, one.error,
@@ -30,6 +33,13 @@ private Q_SLOTS:
         QVERIFY(row("shape from shading", "accurate").error < 0.5);
         QVERIFY(row("spectrogram and back", "complex").error < 1e-10);
         QVERIFY(row("spectrogram inversion", "accurate").error < 10);
+    }
+
+    void scriptsOfPeersAreFilesThatAreFound()
+    {
+        for (const char* script : {"statistics_peer.py", "statistics_peer.R", "signals_peer.py", "generators_peer.py"})
+            QVERIFY2(std::filesystem::exists(study::bench::peerScript(script)), script);
+        QVERIFY_EXCEPTION_THROWN(study::bench::peerScript("nobodys_peer.py"), protocols::Error);
     }
 };
 

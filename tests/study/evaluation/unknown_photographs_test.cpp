@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-nlohmann::ordered_json readJson(const QString& file) { return nlohmann::ordered_json::parse(readWholeFile(file.toStdString())); }
+nlohmann::ordered_json readJson(const QString& file) { return nlohmann::ordered_json::parse(protocols::readWholeFile(file.toStdString())); }
 
 int countIn(const QString& text, const char* part) { return static_cast<int>(text.count(part)); }
 
@@ -46,7 +46,7 @@ private:
                     models::photographFeatures(readPng((m_fabrics + "/" + fabric + "/visual/" + file).toStdString())));
         if (!known.empty()) card.photographs = models::fitFamiliarity(known, {});
         fs::copy_file(models::shippedModel(), path(name).toStdString());
-        writeWholeFile(models::cardOf(path(name).toStdString()), models::cardText(card));
+        protocols::writeWholeFile(models::cardOf(path(name).toStdString()), models::cardText(card));
         return path(name);
     }
 
@@ -103,7 +103,7 @@ private Q_SLOTS:
         }
         mustRun({"simulate", path("study"), "--participants", "2", "--dataset", m_fabrics});
         mustRun({"report", path("study"), "--out", path("report")});
-        const QString html = QString::fromStdString(readWholeFile(path("report/index.html").toStdString()));
+        const QString html = QString::fromStdString(protocols::readWholeFile(path("report/index.html").toStdString()));
         QVERIFY(html.contains("is unlike every photograph that the model was trained on (distance "));
     }
 };

@@ -10,7 +10,7 @@
 #include "study/looking/render_sheet.h"
 
 using namespace rendering;
-using study::commands::contactSheetOf;
+using study::looking::contactSheetOf;
 namespace fs = std::filesystem;
 
 namespace {
@@ -94,7 +94,7 @@ private Q_SLOTS:
         QVERIFY(QString::fromStdString(row.remark).contains("unlike"));
 
         const fs::path png = m_folder.filePath("sheet.png").toStdString();
-        study::commands::writeContactSheet(png, sheet);
+        study::looking::writeContactSheet(png, sheet);
         const QImage image(m_folder.filePath("sheet.png"));
         QCOMPARE(image.height(), 92 + 2 * 252 + 18);
         QVERIFY(image.width() > 1800);

@@ -6,7 +6,7 @@
 
 using rendering::FabricSignals;
 using rendering::Signal;
-using study::commands::signalQuality;
+using study::making::signalQuality;
 
 namespace {
 

@@ -6,7 +6,7 @@
 #include "protocols/files/errors.h"
 #include "protocols/protocol_json.h"
 
-using namespace study::commands;
+using namespace study::players;
 
 namespace {
 

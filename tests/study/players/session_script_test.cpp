@@ -3,9 +3,10 @@
 
 #include <QTemporaryDir>
 #include <QtTest>
+#include <nlohmann/json.hpp>
 
 #include "protocols/files/errors.h"
-#include "study/commands/json_output.h"
+#include "protocols/files/whole_file.h"
 #include "study/players/script.h"
 #include "study/players/scripted_participant.h"
 #include "tests/support/played_session.h"
@@ -61,19 +62,19 @@ void playEventfully(OpenSession& session)
 
 std::string scriptOf(const database::StudyStore& store, const std::filesystem::path& out)
 {
-    const auto protocol = study::commands::protocolOf(store.facts());
-    study::commands::writeScripts(store, study::commands::namingOf(store, protocol, recordedUnblinding(store)), out);
-    return study::commands::readFile(out / "S01.json");
+    const auto protocol = study::records::protocolOf(store.facts());
+    study::players::writeScripts(store, study::records::namingOf(store, protocol, recordedUnblinding(store)), out);
+    return protocols::readWholeFile(out / "S01.json");
 }
 
 void replay(const std::string& text, OpenSession& session)
 {
     const auto& plan = session.driver->plan();
-    const auto script = study::commands::scriptFromJson(text, "exported", plan.protocol);
-    study::commands::DriverHands hands(*session.driver);
-    const study::commands::ScriptedTrials trials{
+    const auto script = study::players::scriptFromJson(text, "exported", plan.protocol);
+    study::players::DriverHands hands(*session.driver);
+    const study::players::ScriptedTrials trials{
         plan.trials, readAllocationKeyForTestDriver(session.store, database::ParticipantKind::Scripted), plan.protocol};
-    study::commands::playScript(script, trials, {}, hands, session.clock);
+    study::players::playScript(script, trials, {}, hands, session.clock);
 }
 
 }  // namespace

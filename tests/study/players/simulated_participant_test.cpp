@@ -10,8 +10,9 @@
 #include "rendering/composition/render_fabrics.h"
 #include "rendering/fabrics/procedural/procedural_fabrics.h"
 #include "study/players/expected_touch.h"
+#include "study/players/player_answers.h"
 
-using namespace study::commands;
+using namespace study::players;
 using protocols::ConditionId;
 
 namespace {
@@ -33,14 +34,14 @@ Scores simulateStudy(const protocols::Protocol& protocol, const protocols::Alloc
         for (const auto& trial : allocation.participants[p]) {
             const auto& entry = allocation.key.entries.at(trial.fileCode);
             const auto& phase = protocol.phases[trial.phase];
-            if (phase.isChoice()) {
+            if (std::holds_alternative<protocols::ForcedChoice>(phase.task)) {
                 const auto answer = std::get<protocols::FabricId>(participant.match(trial).response);
                 correct[entry.condition].first += answer == entry.fabric;
                 ++correct[entry.condition].second;
                 continue;
             }
             for (const auto& question : phase.questions) {
-                const auto rating = std::get<protocols::Tenths>(participant.rate(trial, question.id, *phase.scale).response);
+                const auto rating = std::get<protocols::Tenths>(simulatedAnswer(participant, trial, question).response);
                 ratings[entry.condition].first += rating.inScaleUnits();
                 ++ratings[entry.condition].second;
             }
@@ -130,7 +131,7 @@ private Q_SLOTS:
         SimulatedParticipant first(m_percepts, 3, "SIM01"), second(m_percepts, 3, "SIM01"), other(m_percepts, 4, "SIM01");
         int different = 0;
         for (const auto& trial : m_allocation.participants.front()) {
-            if (!m_protocol.phases[trial.phase].isChoice()) break;
+            if (!std::holds_alternative<protocols::ForcedChoice>(m_protocol.phases[trial.phase].task)) break;
             const auto a = first.match(trial), b = second.match(trial), c = other.match(trial);
             QVERIFY(a.response == b.response && a.seconds == b.seconds);
             different += a.seconds != c.seconds;

@@ -96,7 +96,8 @@ private Q_SLOTS:
         QCOMPARE(view.tray.size(), 3u);
         QCOMPARE(view.tray.front(), "fabric " + trial.alternatives.front().value.substr(1));
         QCOMPARE(view.question->id.value, std::string("Q1"));
-        QVERIFY(!view.scale && !view.lastAnswer);
+        QVERIFY(view.question->kind == protocols::AnswerKind(protocols::ForcedChoice{3}));
+        QVERIFY(!view.lastAnswer);
         QCOMPARE(view.phaseName, std::string("Q1"));
         QCOMPARE(view.presentation, 1);
         QCOMPARE(view.presentations, 12);
@@ -110,7 +111,7 @@ private Q_SLOTS:
         view = session.driver->view();
         QCOMPARE(view.phaseName, std::string("Q2-Q4"));
         QCOMPARE(view.question->id.value, std::string("Q3"));
-        QVERIFY(view.scale.has_value());
+        QVERIFY(view.question->kind == protocols::AnswerKind(protocols::Rating{}));
         QCOMPARE(view.minutesLeft, 3.0);
         const int tenths = std::get<Tenths>(session.driver->state().answers.back().response).value;
         QCOMPARE(*view.lastAnswer, "Q2: " + std::to_string(tenths / 10) + "." + std::to_string(tenths % 10));

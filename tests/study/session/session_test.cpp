@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "study/session/session_moves.h"
+#include "study/session/session_record.h"
 
 using namespace study::session;
 using protocols::FabricId;
@@ -23,10 +24,10 @@ Plan smallPlan()
     plan.protocol.fabrics = {FabricId("F01"), FabricId("F02"), FabricId("F03")};
     plan.protocol.breakAfterPresentations = 3;
     protocols::Phase choice, rating;
-    choice.questions = {{QuestionId("Q1"), "Which?"}};
-    choice.alternatives = 3;
-    rating.questions = {{QuestionId("Q2"), "How slippery?"}, {QuestionId("Q3"), "How textured?"}};
-    rating.scale = protocols::Scale{};
+    choice.task = protocols::ForcedChoice{3};
+    choice.questions = {{QuestionId("Q1"), "Which?", choice.task}};
+    rating.task = protocols::Rating{};
+    rating.questions = {{QuestionId("Q2"), "How slippery?", rating.task}, {QuestionId("Q3"), "How textured?", rating.task}};
     plan.protocol.phases = {choice, rating};
     for (int number = 1; number <= 7; ++number) {
         const bool isChoice = number <= 4;
@@ -59,7 +60,7 @@ public:
     std::vector<int> order() const
     {
         std::vector<int> indices;
-        for (const Place& place : m_state.order) indices.push_back(place.index);
+        for (const PlaceInOrder& place : m_state.order) indices.push_back(place.index);
         return indices;
     }
     Session& operator<<(const EventBody& body)
@@ -68,8 +69,8 @@ public:
         auto outcome = apply(m_plan, m_state, {body, m_nowNs});
         if (const auto* refusal = std::get_if<Refusal>(&outcome))
             qFatal("%s in %s: %s", kindOf(body).c_str(), nameOf(m_state).c_str(), refusal->reason.c_str());
-        m_state = std::get<Step>(outcome).next;
-        m_effects = std::get<Step>(outcome).effects;
+        m_state = std::get<SessionStep>(outcome).next;
+        m_effects = std::get<SessionStep>(outcome).effects;
         return *this;
     }
     QString refusalOf(const EventBody& body) const
@@ -155,7 +156,7 @@ std::string cell(const Session& session, EventBody body)
     if (std::holds_alternative<Answered>(body) && presenting && presenting->index >= 4) body = Answered{Tenths{54}};
     const auto outcome = apply(plan, session.state(), {body, 1});
     if (std::holds_alternative<Refusal>(outcome)) return ".";
-    const State& next = std::get<Step>(outcome).next;
+    const State& next = std::get<SessionStep>(outcome).next;
     return nameOf(next).substr(0, 2) + (next.paused ? "p" : "");
 }
 
@@ -307,7 +308,7 @@ private Q_SLOTS:
         Session session = rating ? atFirstRating() : atFirstTray() << TrayReady{};
         bool isNumber = false;
         const int tenths = given.toInt(&isNumber);
-        const Response response = isNumber ? Response(Tenths{tenths}) : Response(FabricId(given.toStdString()));
+        const GivenAnswer response = isNumber ? GivenAnswer(Tenths{tenths}) : GivenAnswer(FabricId(given.toStdString()));
         QCOMPARE(session.refusalOf(Answered{response}), reason);
     }
 
@@ -342,7 +343,7 @@ private Q_SLOTS:
         QCOMPARE(session.index(), 4);
         session << TrayReady{};
         QCOMPARE(std::get<Presenting>(session.state().stage).question, 1);
-        QCOMPARE(session.state().answers.back().response, Response(Tenths{54}));
+        QCOMPARE(session.state().answers.back().response, GivenAnswer(Tenths{54}));
         session.rate(60);
         QCOMPARE(session.index(), 5);
     }
@@ -358,13 +359,13 @@ private Q_SLOTS:
         Session session = atFirstRating().rate(54).rate(60);
         session << Corrected{QuestionId("Q2"), Tenths{40}, "misheard"};
         const auto& answers = session.state().answers;
-        QCOMPARE(answers[answers.size() - 2].response, Response(Tenths{40}));
-        QCOMPARE(answers.back().response, Response(Tenths{60}));
+        QCOMPARE(answers[answers.size() - 2].response, GivenAnswer(Tenths{40}));
+        QCOMPARE(answers.back().response, GivenAnswer(Tenths{60}));
         QCOMPARE(session.state().answersStored, 6);
         QVERIFY(session.refusalOf(Corrected{QuestionId("Q3"), Tenths{101}, ""}).contains("not on the scale"));
         QVERIFY(session.refusalOf(Corrected{QuestionId("Q9"), Tenths{10}, ""}).contains("no answer to Q9"));
         session << Corrected{QuestionId("Q1"), FabricId("F03"), "far back"};
-        QCOMPARE(session.state().answers[3].response, Response(FabricId("F03")));
+        QCOMPARE(session.state().answers[3].response, GivenAnswer(FabricId("F03")));
     }
 
     void aVoidPresentationComesAgainAtTheEndOfItsBlock()
@@ -464,7 +465,7 @@ private Q_SLOTS:
         Session session = familiarising() << FamiliarisationDone{};
         const auto places = placesToName(session.plan(), session.state());
         QCOMPARE(places.size(), 3u);
-        for (const Tenths place : places) QVERIFY(smallPlan().protocol.phases[1].scale->holds(place));
+        for (const Tenths place : places) QVERIFY(protocols::RatingScale{}.holds(place));
         QVERIFY(!session.refusalOf(ScalePlaced{places[1], {50}}).isEmpty());
         for (const Tenths place : places) session << ScalePlaced{place, {50}};
         QVERIFY(!session.refusalOf(ScalePlaced{places[2], {50}}).isEmpty());
@@ -474,8 +475,9 @@ private Q_SLOTS:
     {
         Plan plan = smallPlan();
         protocols::Phase same;
-        same.sameDifferent = true;
-        same.questions = {{QuestionId("S1"), "The same?"}, {QuestionId("N1"), "What was it like?", true}};
+        same.task = protocols::SameDifferent{};
+        same.questions = {{QuestionId("S1"), "The same?", same.task},
+                          {QuestionId("N1"), "What was it like?", protocols::FreeText{}}};
         plan.protocol.phases = {same};
         plan.trials.resize(1);
         plan.trials[0].alternatives.resize(1);

@@ -1,0 +1,165 @@
+#include "database/response_columns.h"
+
+#include <algorithm>
+#include <array>
+#include <variant>
+
+#include "database/sqlite_connection.h"
+
+namespace database {
+
+namespace {
+
+/// What the view of current answers shows of a column when an answer was corrected.
+enum class AfterCorrection {
+    OfFirst,   ///< the value of the first answer
+    OfLatest,  ///< the value of the latest correction
+    NotShown,
+};
+
+using Field = std::variant<std::string ResponseRow::*, int ResponseRow::*, std::int64_t ResponseRow::*, bool ResponseRow::*,
+                           std::optional<std::string> ResponseRow::*, std::optional<int> ResponseRow::*,
+                           std::optional<std::int64_t> ResponseRow::*>;
+
+struct Column {
+    const char* name;
+    const char* declaration;
+    Field field;
+    AfterCorrection afterCorrection = AfterCorrection::OfFirst;
+    int since = 1;  ///< version of the schema
+};
+
+constexpr const char* text = "TEXT NOT NULL";
+constexpr const char* whole = "INTEGER NOT NULL";
+
+constexpr std::array<Column, 14> allColumns{{
+    {"participant", "TEXT NOT NULL REFERENCES participants(id)", &ResponseRow::participant},
+    {"trial", whole, &ResponseRow::trial},
+    {"attempt", whole, &ResponseRow::attempt},
+    {"question", text, &ResponseRow::question},
+    {"file_code", "TEXT NOT NULL REFERENCES stimuli(file_code)", &ResponseRow::fileCode},
+    {"alternatives", text, &ResponseRow::alternatives},
+    {"choice", "TEXT", &ResponseRow::choice, AfterCorrection::OfLatest},
+    {"rating_tenths", "INTEGER", &ResponseRow::ratingTenths, AfterCorrection::OfLatest},
+    {"ready_at", whole, &ResponseRow::readyAt},
+    {"touched_at", "INTEGER", &ResponseRow::touchedAt},
+    {"answered_at", whole, &ResponseRow::answeredAt},
+    {"stored_at", whole, &ResponseRow::storedAt, AfterCorrection::OfLatest},
+    {"is_correction", whole, &ResponseRow::isCorrection, AfterCorrection::NotShown},
+    {"touched_by", "TEXT", &ResponseRow::touchedBy, AfterCorrection::OfFirst, 2},
+}};
+
+bool isAmong(const Column& column, ResponseColumns columns)
+{
+    return columns == ResponseColumns::OfTable || column.afterCorrection != AfterCorrection::NotShown;
+}
+
+QVariant valueOf(const std::string& value) { return toQt(value); }
+QVariant valueOf(int value) { return value; }
+QVariant valueOf(std::int64_t value) { return qlonglong(value); }
+QVariant valueOf(bool value) { return int(value); }
+template <class T>
+QVariant valueOf(const std::optional<T>& value)
+{
+    return value ? valueOf(*value) : QVariant();
+}
+
+void read(std::string& value, const QVariant& stored) { value = fromQt(stored); }
+void read(int& value, const QVariant& stored) { value = stored.toInt(); }
+void read(std::int64_t& value, const QVariant& stored) { value = stored.toLongLong(); }
+void read(bool& value, const QVariant& stored) { value = stored.toInt() != 0; }
+template <class T>
+void read(std::optional<T>& value, const QVariant& stored)
+{
+    value.reset();
+    if (!stored.isNull()) read(value.emplace(), stored);
+}
+
+/// "is correction" for the column is_correction.
+std::string labelOf(const Column& column)
+{
+    std::string label = column.name;
+    std::ranges::replace(label, '_', ' ');
+    return label;
+}
+
+template <class T>
+bool isThere(const T&)
+{
+    return true;
+}
+template <class T>
+bool isThere(const std::optional<T>& value)
+{
+    return value.has_value();
+}
+
+/// One text for each column that `wanted` takes, joined by commas.
+template <class Wanted, class TextOf>
+QString joined(Wanted wanted, TextOf textOf)
+{
+    QStringList texts;
+    for (const Column& column : allColumns)
+        if (wanted(column)) texts << textOf(column);
+    return texts.join(QStringLiteral(", "));
+}
+
+}  // namespace
+
+QString definitionsSince(int version)
+{
+    return joined([&](const Column& column) { return column.since == version; },
+                  [](const Column& column) { return QLatin1String(column.name) + ' ' + QLatin1String(column.declaration); });
+}
+
+QString currentAnswerColumns()
+{
+    return joined([](const Column& column) { return isAmong(column, ResponseColumns::OfCurrentAnswers); },
+                  [](const Column& column) {
+                      const bool isOfLatest = column.afterCorrection == AfterCorrection::OfLatest;
+                      return QStringLiteral("%1.%2 AS %2").arg(QString(isOfLatest ? "latest" : "first"), QString(column.name));
+                  });
+}
+
+QString namesOf(ResponseColumns columns)
+{
+    return joined([&](const Column& column) { return isAmong(column, columns); },
+                  [](const Column& column) { return QString(column.name); });
+}
+
+QString placeholders()
+{
+    return joined([](const Column&) { return true; }, [](const Column&) { return QStringLiteral("?"); });
+}
+
+QVariantList valuesOf(const ResponseRow& row)
+{
+    QVariantList values;
+    for (const Column& column : allColumns) values << std::visit([&](auto field) { return valueOf(row.*field); }, column.field);
+    return values;
+}
+
+ResponseRow rowFrom(const QSqlQuery& query, ResponseColumns columns, int first)
+{
+    ResponseRow row;
+    int place = first;
+    for (const Column& column : allColumns)
+        if (isAmong(column, columns)) std::visit([&](auto field) { read(row.*field, query.value(place++)); }, column.field);
+    return row;
+}
+
+void addTo(CanonicalBytes& bytes, const ResponseRow& row)
+{
+    bytes << std::string("response");
+    for (const Column& column : allColumns)
+        std::visit(
+            [&](auto field) {
+                if (column.since == 1)
+                    bytes << row.*field;
+                else if (isThere(row.*field))
+                    bytes << labelOf(column) << row.*field;
+            },
+            column.field);
+}
+
+}  // namespace database

@@ -1,0 +1,59 @@
+// The columns of the table `responses` as one list. It drives the table's creation, every INSERT and SELECT, the hash chain and
+// the audit: a new column is one more row of it and one more migration (schema.cpp).
+#pragma once
+
+#include <QSqlQuery>
+#include <QString>
+#include <QVariantList>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "database/canonical_bytes.h"
+
+namespace database {
+
+/// A row of `responses` without its id and its event.
+struct ResponseRow {
+    std::string participant;
+    int trial = 0;
+    int attempt = 1;
+    std::string question, fileCode, alternatives;
+    std::optional<std::string> choice;
+    std::optional<int> ratingTenths;
+    std::int64_t readyAt = 0;
+    std::optional<std::int64_t> touchedAt;
+    std::int64_t answeredAt = 0, storedAt = 0;
+    bool isCorrection = false;
+    std::optional<std::string> touchedBy;
+};
+
+/// Which columns a statement reads.
+enum class ResponseColumns {
+    OfTable,           ///< all of `responses`
+    OfCurrentAnswers,  ///< those of the view `current_responses`: no column that only marks a row as a correction
+};
+
+/// "participant TEXT NOT NULL, trial INTEGER NOT NULL, …": the columns that came with this version of the schema.
+QString definitionsSince(int version);
+
+/// "first.participant AS participant, …, latest.choice AS choice, …": a correction replaces the answer and keeps its times.
+QString currentAnswerColumns();
+
+/// "participant, trial, …" for SELECT and INSERT.
+QString namesOf(ResponseColumns columns);
+
+/// "?, ?, …", one for each column of the table.
+QString placeholders();
+
+/// The row's values in the order of the table's columns.
+QVariantList valuesOf(const ResponseRow& row);
+
+/// The row that a query on namesOf(columns) stands on. `first`: the place of the first of these columns in the query.
+ResponseRow rowFrom(const QSqlQuery& query, ResponseColumns columns, int first);
+
+/// Adds the row to the bytes that are hashed. A column of a later version is added with its name, and only where it has a
+/// value, so that the hashes of older rows stay.
+void addTo(CanonicalBytes& bytes, const ResponseRow& row);
+
+}  // namespace database

@@ -1,0 +1,217 @@
+#include "database/study_rows.h"
+
+#include <charconv>
+
+#include "database/response_columns.h"
+#include "database/stored_texts.h"
+#include "protocols/files/errors.h"
+
+namespace database {
+
+namespace {
+
+std::uint64_t seedOf(const std::string& digits)
+{
+    std::uint64_t seed = 0;
+    std::from_chars(digits.data(), digits.data() + digits.size(), seed);
+    return seed;
+}
+
+std::string stateName(const QVariant& stored) { return stored.isNull() ? "free" : fromQt(stored); }
+
+AnswerRecord recordOf(const ResponseRow& row)
+{
+    AnswerRecord record;
+    record.trial = {row.trial};
+    record.question = protocols::QuestionId(row.question);
+    record.fileCode = protocols::FileCode(row.fileCode);
+    record.alternatives = fabricsOf(row.alternatives);
+    record.answer = row.choice;
+    if (row.ratingTenths) record.rating = protocols::Tenths{*row.ratingTenths};
+    record.readyAtNs = row.readyAt;
+    record.touchedAtNs = row.touchedAt;
+    record.touchedBy = row.touchedBy.value_or("");
+    record.answeredAtNs = row.answeredAt;
+    return record;
+}
+
+/// The columns of the view that come before those of the response.
+constexpr const char* viewColumns = "event, corrections, voided, wall_time, note";
+constexpr int firstResponseColumn = 5;
+
+CurrentAnswer currentAnswerOf(const QSqlQuery& query)
+{
+    const ResponseRow row = rowFrom(query, ResponseColumns::OfCurrentAnswers, firstResponseColumn);
+    CurrentAnswer answer;
+    answer.participant = protocols::ParticipantId(row.participant);
+    answer.record = recordOf(row);
+    answer.attempt = row.attempt;
+    answer.storedAtNs = row.storedAt;
+    answer.event = query.value(0).toLongLong();
+    answer.corrections = query.value(1).toInt();
+    answer.voided = query.value(2).toInt() != 0;
+    answer.wallTime = fromQt(query.value(3));
+    answer.record.note = fromQt(query.value(4));
+    answer.record.isCorrection = answer.corrections > 0;
+    answer.seconds = static_cast<double>(row.answeredAt - row.touchedAt.value_or(row.readyAt)) / 1e9;
+    return answer;
+}
+
+}  // namespace
+
+StudyFacts factsIn(const SqliteConnection& sqlite)
+{
+    StudyFacts facts;
+    QSqlQuery row = sqlite.run(QStringLiteral(
+        "SELECT name, protocol_json, protocol_sha256, design_seed, key_sha256, masked_key_sha256, dataset_path, "
+        "dataset_sha256, dataset_procedural, model_sha256, stamps, signals_json, created_at, program_version FROM study"));
+    if (!row.next())
+        throw protocols::workFailed(
+            {"the study's facts are missing", sqlite.file().string(), "one row in table study", "go back to a backup"});
+    int column = 0;
+    for (std::string* text : {&facts.name, &facts.protocolJson, &facts.protocolSha256}) *text = fromQt(row.value(column++));
+    facts.designSeed = seedOf(fromQt(row.value(column++)));
+    for (std::string* text : {&facts.keySha256, &facts.maskedKeySha256, &facts.datasetPath, &facts.datasetSha256})
+        *text = fromQt(row.value(column++));
+    facts.datasetProcedural = row.value(column++).toInt() != 0;
+    facts.modelSha256 = fromQt(row.value(column++));
+    facts.stamps = textsOf(fromQt(row.value(column++)));
+    for (std::string* text : {&facts.signalsJson, &facts.createdAt, &facts.programVersion}) *text = fromQt(row.value(column++));
+    QSqlQuery fabric = sqlite.run(QStringLiteral("SELECT id, name FROM fabrics ORDER BY position"));
+    while (fabric.next()) {
+        facts.fabrics.emplace_back(fromQt(fabric.value(0)));
+        facts.fabricNames[facts.fabrics.back()] = fromQt(fabric.value(1));
+    }
+    QSqlQuery swatch = sqlite.run(QStringLiteral("SELECT slot, fabric, code FROM swatches ORDER BY slot"));
+    while (swatch.next()) {
+        facts.swatches.resize(static_cast<std::size_t>(swatch.value(0).toInt()));
+        facts.swatches.back()[protocols::FabricId(fromQt(swatch.value(1)))] = fromQt(swatch.value(2));
+    }
+    QSqlQuery item = sqlite.run(QStringLiteral("SELECT name, file_code FROM familiarisation ORDER BY position"));
+    while (item.next()) facts.familiarisation.push_back({fromQt(item.value(0)), protocols::FileCode(fromQt(item.value(1)))});
+    return facts;
+}
+
+std::map<protocols::FileCode, std::string> stimulusHashesIn(const SqliteConnection& sqlite)
+{
+    std::map<protocols::FileCode, std::string> hashes;
+    QSqlQuery row = sqlite.run(QStringLiteral("SELECT file_code, sha256 FROM stimuli"));
+    while (row.next()) hashes[protocols::FileCode(fromQt(row.value(0)))] = fromQt(row.value(1));
+    return hashes;
+}
+
+std::vector<Slot> slotsIn(const SqliteConnection& sqlite)
+{
+    std::vector<Slot> slots;
+    QSqlQuery row =
+        sqlite.run(QStringLiteral("SELECT s.number, p.state, p.id, p.kind FROM slots s LEFT JOIN participants p ON "
+                                  "p.slot = s.number AND p.state <> 'withdrawn' "
+                                  "ORDER BY s.number"));
+    while (row.next()) {
+        Slot slot;
+        slot.number = row.value(0).toInt();
+        slot.state = stateNamed(stateName(row.value(1)));
+        if (slot.state != SlotState::Free) {
+            slot.participant = protocols::ParticipantId(fromQt(row.value(2)));
+            slot.kind = kindNamed(fromQt(row.value(3)));
+        }
+        slots.push_back(slot);
+    }
+    return slots;
+}
+
+std::vector<protocols::BlindedTrial> trialsIn(const SqliteConnection& sqlite, int slot)
+{
+    std::vector<protocols::BlindedTrial> trials;
+    QSqlQuery row = sqlite.run(
+        QStringLiteral(
+            "SELECT number, phase, file_code, presentation_code, alternatives FROM trials WHERE slot = ? ORDER BY number"),
+        {slot});
+    while (row.next())
+        trials.push_back({protocols::TrialNumber{row.value(0).toInt()}, row.value(1).toInt(),
+                          protocols::FileCode(fromQt(row.value(2))), protocols::PresentationCode(fromQt(row.value(3))),
+                          fabricsOf(fromQt(row.value(4)))});
+    return trials;
+}
+
+std::vector<Enrolment> enrolmentsIn(const SqliteConnection& sqlite)
+{
+    std::vector<Enrolment> enrolments;
+    QSqlQuery row =
+        sqlite.run(QStringLiteral("SELECT id, slot, kind, state, protocol_version FROM participants ORDER BY slot, rowid"));
+    while (row.next())
+        enrolments.push_back({protocols::ParticipantId(fromQt(row.value(0))), row.value(1).toInt(),
+                              kindNamed(fromQt(row.value(2))), stateNamed(fromQt(row.value(3))), row.value(4).toInt()});
+    return enrolments;
+}
+
+std::vector<ProtocolVersion> protocolVersionsIn(const SqliteConnection& sqlite)
+{
+    const StudyFacts known = factsIn(sqlite);
+    std::vector<ProtocolVersion> versions{{1, known.protocolJson, known.protocolSha256, {}, {}, {}}};
+    QSqlQuery row =
+        sqlite.run(QStringLiteral("SELECT version, json, sha256, who, why, wall_time FROM protocol_versions ORDER BY version"));
+    while (row.next())
+        versions.push_back({row.value(0).toInt(), fromQt(row.value(1)), fromQt(row.value(2)), fromQt(row.value(3)),
+                            fromQt(row.value(4)), fromQt(row.value(5))});
+    return versions;
+}
+
+std::vector<EventRecord> eventsIn(const SqliteConnection& sqlite, const protocols::ParticipantId& participant)
+{
+    std::vector<EventRecord> events;
+    QSqlQuery row = sqlite.run(
+        QStringLiteral(
+            "SELECT sequence, sitting, kind, payload, at_ns, wall_time FROM events WHERE participant = ? ORDER BY sequence"),
+        {toQt(participant.value)});
+    while (row.next())
+        events.push_back({row.value(0).toLongLong(), participant, row.value(1).toInt(), fromQt(row.value(2)),
+                          fromQt(row.value(3)), row.value(4).toLongLong(), fromQt(row.value(5))});
+    return events;
+}
+
+std::vector<CurrentAnswer> answersIn(const SqliteConnection& sqlite)
+{
+    std::vector<CurrentAnswer> answers;
+    QSqlQuery query = sqlite.run(QStringLiteral("SELECT %1, %2 FROM current_responses ORDER BY slot, trial, first_id")
+                                     .arg(QString(viewColumns), namesOf(ResponseColumns::OfCurrentAnswers)));
+    while (query.next()) answers.push_back(currentAnswerOf(query));
+    return answers;
+}
+
+std::vector<StudyStore::Flag> flagsIn(const SqliteConnection& sqlite)
+{
+    std::vector<StudyStore::Flag> flags;
+    QSqlQuery row = sqlite.run(QStringLiteral("SELECT participant, trial, text FROM notes WHERE is_flag = 1 ORDER BY id"));
+    while (row.next())
+        flags.push_back({protocols::ParticipantId(fromQt(row.value(0))), {row.value(1).toInt()}, fromQt(row.value(2))});
+    return flags;
+}
+
+std::optional<UnblindingRecord> unblindingIn(const SqliteConnection& sqlite)
+{
+    QSqlQuery row = sqlite.run(QStringLiteral("SELECT who, why, wall_time FROM unblindings ORDER BY event LIMIT 1"));
+    if (!row.next()) return std::nullopt;
+    return UnblindingRecord{fromQt(row.value(0)), fromQt(row.value(1)), fromQt(row.value(2))};
+}
+
+std::vector<Erasure> erasuresIn(const SqliteConnection& sqlite)
+{
+    std::vector<Erasure> erasures;
+    QSqlQuery row =
+        sqlite.run(QStringLiteral("SELECT participant, answers_too, who, why, wall_time FROM erasures ORDER BY event"));
+    while (row.next())
+        erasures.push_back({protocols::ParticipantId(fromQt(row.value(0))), row.value(1).toInt() != 0, fromQt(row.value(2)),
+                            fromQt(row.value(3)), fromQt(row.value(4))});
+    return erasures;
+}
+
+std::map<protocols::ParticipantId, std::map<std::string, std::string>> personalFactsIn(const SqliteConnection& sqlite)
+{
+    std::map<protocols::ParticipantId, std::map<std::string, std::string>> facts;
+    QSqlQuery row = sqlite.run(QStringLiteral("SELECT participant, fact, value FROM participant_facts"));
+    while (row.next()) facts[protocols::ParticipantId(fromQt(row.value(0)))][fromQt(row.value(1))] = fromQt(row.value(2));
+    return facts;
+}
+
+}  // namespace database

@@ -1,0 +1,27 @@
+// Reads what study.db holds, each kind of row as its value.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "database/sqlite_connection.h"
+#include "database/study_store.h"
+
+namespace database {
+
+StudyFacts factsIn(const SqliteConnection& sqlite);
+std::map<protocols::FileCode, std::string> stimulusHashesIn(const SqliteConnection& sqlite);
+std::vector<Slot> slotsIn(const SqliteConnection& sqlite);
+std::vector<protocols::BlindedTrial> trialsIn(const SqliteConnection& sqlite, int slot);
+std::vector<Enrolment> enrolmentsIn(const SqliteConnection& sqlite);  ///< by slot, in each by time
+std::vector<ProtocolVersion> protocolVersionsIn(const SqliteConnection& sqlite);
+std::vector<EventRecord> eventsIn(const SqliteConnection& sqlite, const protocols::ParticipantId& participant);
+std::vector<CurrentAnswer> answersIn(const SqliteConnection& sqlite);  ///< by slot, trial and question
+std::vector<StudyStore::Flag> flagsIn(const SqliteConnection& sqlite);
+std::optional<UnblindingRecord> unblindingIn(const SqliteConnection& sqlite);
+std::vector<Erasure> erasuresIn(const SqliteConnection& sqlite);
+std::map<protocols::ParticipantId, std::map<std::string, std::string>> personalFactsIn(const SqliteConnection& sqlite);
+
+}  // namespace database

@@ -1,0 +1,198 @@
+#include "database/study_writing.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "database/event_chain.h"
+#include "database/stored_texts.h"
+#include "database/study_rows.h"
+#include "protocols/files/errors.h"
+#include "protocols/files/sha256.h"
+
+namespace database {
+
+namespace {
+
+std::string folderOf(const SqliteConnection& sqlite) { return sqlite.file().parent_path().string(); }
+
+void checkId(const protocols::ParticipantId& participant)
+{
+    const std::string& id = participant.value;
+    const bool isPrintable = std::none_of(id.begin(), id.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; });
+    if (id.empty() || id.size() > 64 || !isPrintable)
+        throw protocols::badInput(
+            {"\"" + id + "\" cannot name a participant", "", "1 to 64 printable characters", "choose another id"});
+}
+
+/// Presentations of this trial so far: the one now on is the void ones' successor.
+int attemptOf(const SqliteConnection& sqlite, const std::string& participant, int trial)
+{
+    return 1 + sqlite
+                   .value(QStringLiteral("SELECT COUNT(*) FROM voids WHERE participant = ? AND trial = ?"),
+                          {toQt(participant), trial})
+                   .toInt();
+}
+
+std::string placeOf(const std::string& participant, int trial, const std::string& question)
+{
+    return participant + ", trial " + std::to_string(trial) + ", " + question;
+}
+
+bool hasAnswer(const SqliteConnection& sqlite, const ResponseRow& row)
+{
+    return sqlite
+               .value(QStringLiteral(
+                          "SELECT COUNT(*) FROM responses WHERE participant = ? AND trial = ? AND attempt = ? AND question = ?"),
+                      {toQt(row.participant), row.trial, row.attempt, toQt(row.question)})
+               .toInt() > 0;
+}
+
+/// A correction changes what was answered, not when.
+void takeStampsOfFirst(const SqliteConnection& sqlite, ResponseRow& row)
+{
+    QSqlQuery query =
+        sqlite.run(QStringLiteral("SELECT %1 FROM responses WHERE participant = ? AND trial = ? AND attempt = ? AND "
+                                  "question = ? ORDER BY id LIMIT 1")
+                       .arg(namesOf(ResponseColumns::OfTable)),
+                   {toQt(row.participant), row.trial, row.attempt, toQt(row.question)});
+    if (!query.next())
+        throw protocols::workFailed({"there is no answer to correct", placeOf(row.participant, row.trial, row.question), "", ""});
+    const ResponseRow first = rowFrom(query, ResponseColumns::OfTable, 0);
+    row.readyAt = first.readyAt;
+    row.touchedAt = first.touchedAt;
+    row.answeredAt = first.answeredAt;
+}
+
+ResponseRow rowOf(const SqliteConnection& sqlite, const StudyStore::Append& entry, const AnswerRecord& answer)
+{
+    ResponseRow row;
+    row.participant = entry.event.participant.value;
+    row.trial = answer.trial.value;
+    row.attempt = attemptOf(sqlite, row.participant, row.trial);
+    row.question = answer.question.value;
+    row.fileCode = answer.fileCode.value;
+    row.alternatives = jsonOf(answer.alternatives);
+    row.choice = answer.answer;
+    row.ratingTenths = answer.rating ? std::optional<int>(answer.rating->value) : std::nullopt;
+    row.readyAt = answer.readyAtNs;
+    row.touchedAt = answer.touchedAtNs;
+    if (!answer.touchedBy.empty()) row.touchedBy = answer.touchedBy;
+    row.answeredAt = answer.answeredAtNs;
+    row.storedAt = entry.storedAtNs;
+    row.isCorrection = answer.isCorrection;
+    if (row.isCorrection)
+        takeStampsOfFirst(sqlite, row);
+    else if (hasAnswer(sqlite, row))
+        throw protocols::workFailed(
+            {"this answer is stored already", placeOf(row.participant, row.trial, row.question), "one answer to a question", ""});
+    return row;
+}
+
+LogEntry logEntryOf(const SqliteConnection& sqlite, const StudyStore::Append& entry)
+{
+    LogEntry log;
+    log.event = entry.event;
+    const std::string& participant = entry.event.participant.value;
+    for (const AnswerRecord& answer : entry.answers) {
+        log.responses.push_back(rowOf(sqlite, entry, answer));
+        if (!answer.note.empty())
+            log.notes.push_back(
+                {participant, answer.trial.value, log.responses.back().attempt, answer.question.value, answer.note, false});
+    }
+    if (entry.note)
+        log.notes.push_back({participant, entry.note->trial.value, attemptOf(sqlite, participant, entry.note->trial.value),
+                             std::nullopt, entry.note->text, entry.note->isFlag});
+    if (entry.voids) log.voids.push_back({participant, entry.voids->value, attemptOf(sqlite, participant, entry.voids->value)});
+    return log;
+}
+
+void moveState(const SqliteConnection& sqlite, const protocols::ParticipantId& participant, SlotState state)
+{
+    if (state == SlotState::Free)
+        throw protocols::workFailed({"a slot that was taken does not become free again", participant.value, "", ""});
+    QSqlQuery changed = sqlite.run(QStringLiteral("UPDATE participants SET state = ? WHERE id = ?"),
+                                   {toQt(nameOf(state)), toQt(participant.value)});
+    if (changed.numRowsAffected() != 1)
+        throw protocols::badInput({"no such participant", participant.value, "one who is enrolled", "enrol them first"});
+}
+
+}  // namespace
+
+Slot enrolIn(const SqliteConnection& sqlite, const protocols::ParticipantId& participant, ParticipantKind kind)
+{
+    checkId(participant);
+    Transaction transaction(sqlite);
+    for (const Erasure& erasure : erasuresIn(sqlite))
+        if (erasure.participant == participant && erasure.answersToo)
+            throw protocols::badInput({"participant " + participant.value + " was erased", folderOf(sqlite), "another id", ""});
+    for (const Enrolment& known : enrolmentsIn(sqlite)) {
+        if (known.participant != participant) continue;
+        if (known.kind != kind)
+            throw protocols::badInput({"participant " + participant.value + " is " + nameOf(known.kind) + ", not " + nameOf(kind),
+                                       folderOf(sqlite), "another id", ""});
+        return {known.slot, known.state, participant, kind};
+    }
+    std::optional<Slot> free;
+    for (const Slot& slot : slotsIn(sqlite))
+        if (!free && slot.state == SlotState::Free) free = slot;
+    if (!free)
+        throw protocols::workFailed({"every slot of the study is taken", folderOf(sqlite), "a free slot for " + participant.value,
+                                     "make a study with more participants"});
+    *free = {free->number, SlotState::Started, participant, kind};
+    const int version = protocolVersionsIn(sqlite).back().version;
+    sqlite.run(QStringLiteral("INSERT INTO participants(id, slot, kind, state, protocol_version) VALUES (?, ?, ?, ?, ?)"),
+               {toQt(participant.value), free->number, toQt(nameOf(kind)), toQt(nameOf(free->state)), version});
+    nlohmann::ordered_json payload{{"slot", free->number}, {"participant", participant.value}, {"kind", nameOf(kind)}};
+    if (version > 1) payload["protocol_version"] = version;
+    store(sqlite, actOnStudy("enrolled", payload, wallTimeNow()));
+    transaction.commit();
+    return *free;
+}
+
+void setSlotStateIn(const SqliteConnection& sqlite, const protocols::ParticipantId& participant, SlotState state)
+{
+    Transaction transaction(sqlite);
+    moveState(sqlite, participant, state);
+    store(sqlite, actOnStudy("slot_state_set", {{"participant", participant.value}, {"state", nameOf(state)}}, wallTimeNow()));
+    transaction.commit();
+}
+
+void appendTo(const SqliteConnection& sqlite, const StudyStore::Append& entry)
+{
+    Transaction transaction(sqlite);
+    store(sqlite, logEntryOf(sqlite, entry));
+    if (entry.slotState) moveState(sqlite, entry.event.participant, *entry.slotState);
+    for (const auto& [fact, value] : entry.facts)
+        sqlite.run(QStringLiteral("INSERT OR REPLACE INTO participant_facts(participant, fact, value) VALUES (?, ?, ?)"),
+                   {toQt(entry.event.participant.value), toQt(fact), toQt(value)});
+    transaction.commit();
+}
+
+void takeProtocolInto(const SqliteConnection& sqlite, const std::string& json, const std::string& who, const std::string& why)
+{
+    if (who.empty() || why.empty())
+        throw protocols::badInput(
+            {"a change of the protocol needs a name and a reason", folderOf(sqlite), "--who NAME --why TEXT", ""});
+    Transaction transaction(sqlite);
+    const int version = protocolVersionsIn(sqlite).back().version + 1;
+    const std::string hash = protocols::sha256(json), wallTime = wallTimeNow();
+    const std::int64_t event = store(
+        sqlite, actOnStudy("protocol_taken", {{"version", version}, {"sha256", hash}, {"who", who}, {"why", why}}, wallTime));
+    sqlite.run(QStringLiteral("INSERT INTO protocol_versions(version, event, json, sha256, who, why, wall_time) "
+                              "VALUES (?, ?, ?, ?, ?, ?, ?)"),
+               {version, qlonglong(event), toQt(json), toQt(hash), toQt(who), toQt(why), toQt(wallTime)});
+    transaction.commit();
+}
+
+void recordUnblindingIn(const SqliteConnection& sqlite, const UnblindingRecord& record)
+{
+    if (record.who.empty() || record.why.empty())
+        throw protocols::badInput({"an unblinding needs a name and a reason", folderOf(sqlite), "--who NAME --why TEXT", ""});
+    Transaction transaction(sqlite);
+    LogEntry entry = actOnStudy("unblinded", {{"who", record.who}, {"why", record.why}}, record.wallTime);
+    entry.unblinding = record;
+    store(sqlite, entry);
+    transaction.commit();
+}
+
+}  // namespace database

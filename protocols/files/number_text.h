@@ -1,0 +1,19 @@
+// Numbers as text and back, independent of the locale.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace protocols {
+
+/// The shortest text that reads back exactly.
+std::string shortest(double value);
+
+/// The finite number that the whole text states; blanks around it and a leading plus are allowed.
+std::optional<double> numberIn(std::string_view text);
+
+/// Without blanks, tabs and line breaks at both ends.
+std::string_view withoutBlanks(std::string_view text);
+
+}  // namespace protocols

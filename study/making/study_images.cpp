@@ -1,0 +1,90 @@
+#include "study/making/study_images.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "protocols/random.h"
+#include "study/making/image_folder.h"
+#include "study/making/sample_choice.h"
+#include "study/making/signal_quality.h"
+
+namespace study::making {
+
+namespace {
+
+using rendering::Signal;
+using rendering::fabrics::Dataset;
+using rendering::fabrics::Modality;
+
+/// With a capital letter and a full stop, for the report.
+std::string sentence(std::string line)
+{
+    line[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(line[0])));
+    return line + ".";
+}
+
+StudyImages rendered(const NewStudy& request, const StudyMaterial& material, const std::string& key, const StepProgress& progress)
+{
+    auto rendering = renderFabrics(material.dataset, material.render, progress);
+    StudyImages images;
+    images.signalsJson = signalQuality(rendering.signals).dump();
+    for (const auto& line : unfamiliarPhotographs(rendering)) images.stamps.push_back(sentence(line));
+    images.warnings = shadingWarnings(rendering);
+    for (const auto& line : cutPhotographs(rendering)) images.warnings.push_back(line);
+    if (!request.images.empty())
+        writeImageFolder(request.images, key, renderJson(material.dataset, material.render, rendering), rendering,
+                         images.signalsJson, images.stamps);
+    for (auto& condition : rendering.conditions) images.byCondition[condition.condition] = std::move(condition.images);
+    return images;
+}
+
+bool hasSamplesFor(const Dataset& dataset, const protocols::FabricId& fabric, const std::vector<Signal>& signals)
+{
+    const auto lacks = [&](Signal signal, Modality modality) {
+        return std::find(signals.begin(), signals.end(), signal) != signals.end() &&
+               sampleIndices(dataset, fabric, modality).empty();
+    };
+    return !lacks(Signal::Photograph, Modality::Visual) && !lacks(Signal::TactileFrame, Modality::Tactile) &&
+           !lacks(Signal::FrictionRecord, Modality::Friction);
+}
+
+}  // namespace
+
+StudyImages imagesFor(const NewStudy& request, const StudyMaterial& material, const database::StudyFacts& facts,
+                      const StepProgress& progress)
+{
+    const std::string key = imageFolderKey(facts, material.render);
+    if (!request.images.empty())
+        if (auto kept = readImageFolder(request.images, key, material.render))
+            return {std::move(kept->images), kept->signalsJson, true, kept->stamps, {}};
+    return rendered(request, material, key, progress);
+}
+
+FamiliarisationImages familiarisationFor(const NewStudy& request, const StudyMaterial& material)
+{
+    const Dataset& dataset = material.dataset;
+    rendering::RenderRequest render;
+    // The last condition of the protocol is the richest. One image a fabric is enough to get to know the display.
+    render.conditions = {material.protocol.conditions.back()};
+    render.generation.model = request.model;
+    const auto signals = rendering::signalsFor(std::span<const protocols::ConditionId>(render.conditions));
+    for (const auto& fabric : dataset.fabrics)
+        if (std::find(material.fabrics.begin(), material.fabrics.end(), fabric.id) == material.fabrics.end() &&
+            hasSamplesFor(dataset, fabric.id, signals))
+            render.fabrics.push_back(fabric.id);
+    protocols::Random::stream(request.seed, "fabrics for familiarisation").shuffle(render.fabrics);
+    const auto most = static_cast<std::size_t>(material.protocol.familiarisationFabrics);
+    if (render.fabrics.size() > most) render.fabrics.resize(most);
+    FamiliarisationImages familiarisation;
+    if (render.fabrics.empty()) return familiarisation;
+    render.rangeOver = render.fabrics;
+    render.samples = chooseSamples(dataset, render.fabrics, signals, nullptr, request.seed, true).samples;
+    const auto rendering = renderFabrics(dataset, render);
+    for (const auto& fabric : render.fabrics) {
+        familiarisation.names.push_back(dataset.fabric(fabric).name);
+        familiarisation.images.push_back(rendering.conditions.front().images.at(fabric));
+    }
+    return familiarisation;
+}
+
+}  // namespace study::making

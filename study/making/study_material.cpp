@@ -1,0 +1,84 @@
+#include "study/making/study_material.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "protocols/files/errors.h"
+#include "protocols/files/whole_file.h"
+#include "protocols/protocol_json.h"
+#include "protocols/random.h"
+#include "study/making/sample_choice.h"
+
+namespace study::making {
+
+namespace {
+
+using rendering::fabrics::Dataset;
+
+/// Keeps the file byte for byte unless the request changes the number of participants.
+void readProtocol(const NewStudy& request, StudyMaterial& material)
+{
+    const std::string where = request.protocol.empty() ? "the paper's protocol" : request.protocol.string();
+    auto& json = material.protocolJson;
+    json = request.protocol.empty() ? std::string(protocols::paperProtocolJson()) : protocols::readWholeFile(request.protocol);
+    material.protocol = protocols::protocolFromJson(json, where);
+    if (!request.participants || *request.participants == material.protocol.participants) return;
+    auto changed = nlohmann::ordered_json::parse(json);
+    changed["participants"] = *request.participants;
+    json = changed.dump(2) + "\n";
+    material.protocol =
+        protocols::protocolFromJson(json, where + " with --participants " + std::to_string(*request.participants));
+}
+
+/// The fabrics that the protocol names, or as many as it asks for, drawn by seed.
+std::vector<protocols::FabricId> fabricsFor(const protocols::Protocol& protocol, const Dataset& dataset, std::uint64_t seed)
+{
+    if (!protocol.fabrics.empty()) {
+        for (const auto& fabric : protocol.fabrics) (void)dataset.fabric(fabric);  // throws for an unknown one
+        return protocol.fabrics;
+    }
+    if (static_cast<int>(dataset.fabrics.size()) < protocol.fabricCount)
+        throw protocols::badInput({"the data set has " + std::to_string(dataset.fabrics.size()) + " fabrics",
+                                   dataset.folder.string(),
+                                   "at least " + std::to_string(protocol.fabricCount) + " fabrics, as the protocol states",
+                                   "use a larger data set or a protocol with fewer fabrics"});
+    std::vector<protocols::FabricId> fabrics;
+    for (const auto& fabric : dataset.fabrics) fabrics.push_back(fabric.id);
+    protocols::Random::stream(seed, "fabrics of the study").shuffle(fabrics);
+    fabrics.resize(protocol.fabricCount);
+    std::sort(fabrics.begin(), fabrics.end());
+    return fabrics;
+}
+
+void readModel(const NewStudy& request, StudyMaterial& material)
+{
+    material.model = rendering::models::readModelCard(request.model.empty() ? rendering::models::shippedModel() : request.model);
+    if (request.model.empty() && !material.dataset.procedural)
+        material.stamps.push_back(
+            "The shipped weights generated the signals. They were trained on procedural fabrics, not on this data set.");
+}
+
+}  // namespace
+
+StudyMaterial materialFor(const NewStudy& request)
+{
+    StudyMaterial material;
+    readProtocol(request, material);
+    material.dataset = rendering::fabrics::readDataset(request.dataset);
+    material.fabrics = fabricsFor(material.protocol, material.dataset, request.seed);
+    const auto signals = rendering::signalsFor(std::span<const protocols::ConditionId>(material.protocol.conditions));
+    if (needsGenerators(signals)) readModel(request, material);
+    const auto chosen = chooseSamples(material.dataset, material.fabrics, signals, material.model ? &*material.model : nullptr,
+                                      request.seed, request.allowTrainingSamples);
+    if (chosen.someTrainedOn)
+        material.stamps.push_back(
+            "Some samples shown in this study were among the training samples of the generators (--allow-training-samples).");
+    material.render.fabrics = material.fabrics;
+    material.render.rangeOver = material.fabrics;
+    material.render.conditions = material.protocol.conditions;
+    material.render.samples = chosen.samples;
+    material.render.generation.model = request.model;
+    return material;
+}
+
+}  // namespace study::making

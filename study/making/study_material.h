@@ -1,0 +1,30 @@
+// What a study is made from: protocol, data set, fabrics, samples and model. All of it is read or drawn before anything is
+// rendered, so that a request that cannot be met is refused at once.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "protocols/protocol.h"
+#include "rendering/composition/render_fabrics.h"
+#include "rendering/models/generation.h"
+#include "study/making/new_study.h"
+
+namespace study::making {
+
+struct StudyMaterial {
+    std::string protocolJson;  ///< the text that is kept and hashed
+    protocols::Protocol protocol;
+    rendering::fabrics::Dataset dataset;
+    std::vector<protocols::FabricId> fabrics;
+    std::optional<rendering::models::ModelCard> model;  ///< none where no condition needs generated signals
+    rendering::RenderRequest render;                    ///< the conditions over the fabrics, with their samples
+    std::vector<std::string> stamps;                    ///< sentences that every report must carry
+};
+
+/// Throws badInput: a protocol with faults, a data set with too few fabrics or without a needed signal, only samples that
+/// the model was trained on.
+StudyMaterial materialFor(const NewStudy& request);
+
+}  // namespace study::making

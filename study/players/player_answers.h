@@ -1,0 +1,34 @@
+// How scripted and simulated participants answer each kind of question.
+#pragma once
+
+#include <string>
+
+#include "protocols/allocation.h"
+#include "protocols/protocol.h"
+#include "study/players/script.h"
+#include "study/players/simulated_participant.h"
+#include "study/session/given_answer.h"
+
+namespace study::players {
+
+/// The presentation that a scripted answer belongs to.
+struct ScriptedPresentation {
+    const std::vector<protocols::FabricId>& tray;  ///< in slot order
+    const protocols::FabricId& truth;              ///< the fabric of the rendering
+    std::string name;                              ///< the script and the trial, for errors
+};
+
+/// "correct", "foil:1" or a fabric id for a choice; "same", "different", "correct" or "wrong" for same/different; words for
+/// free text; a number for a rating. A number for another kind is left to the session to refuse. Throws badInput for a text
+/// that answers no question of this kind on this tray.
+session::GivenAnswer scriptedAnswer(const ScriptedResponse& scripted, const protocols::AnswerKind& kind,
+                                    const ScriptedPresentation& presentation);
+
+/// The answer as a script holds it: a rating as a number in scale units, anything else as text.
+ScriptedResponse scriptedFormOf(const session::GivenAnswer& answer);
+
+/// What the simulated participant answers; empty words where the question asks for free text.
+SimulatedParticipant::Judgement simulatedAnswer(SimulatedParticipant& participant, const protocols::BlindedTrial& trial,
+                                                const protocols::Question& question);
+
+}  // namespace study::players

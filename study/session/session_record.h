@@ -1,0 +1,19 @@
+// Events as text for the log, and back.
+#pragma once
+
+#include <string>
+
+#include "study/session/session.h"
+
+namespace study::session {
+
+/// The event's kind in the log: "answered", "paused", ...
+std::string kindOf(const EventBody& body);
+
+/// What the log keeps of the event, as JSON. Personal values (facts, debriefing) are left out.
+std::string payloadJson(const EventBody& body);
+
+/// The event of a record. Throws workFailed for a record that this version cannot read.
+EventBody eventFromRecord(const std::string& kind, const std::string& payloadJson);
+
+}  // namespace study::session

@@ -1,0 +1,36 @@
+// What a window or another front end may show of a session: a value without any key.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "study/session/session.h"
+
+namespace study::session {
+
+struct View {
+    State state;
+    std::string participant;
+    std::string phaseName;             ///< "Q1", "Q2-Q4"
+    protocols::PresentationCode code;  ///< of the presentation; empty between presentations
+    std::vector<std::string> tray;     ///< the codes on the fabric pieces in slots A, B, C
+    std::vector<protocols::FabricId> trayIds;
+    std::optional<protocols::Question> question;  ///< the one now asked, or asked next in PlacingTray
+    int presentation = 0, presentations = 0;      ///< progress, from 1; a voided presentation adds to the total
+    int answersStored = 0, answersInAll = 0;
+    double minutesLeft = 0;     ///< by the protocol's seconds; after five presentations by this participant's median
+    double sittingMinutes = 0;  ///< since this sitting began, at the last event
+    int presentationsToBreak = 0;
+    bool sittingIsPrepared = true;                ///< false: the refresher and the checklist of this sitting are due
+    std::vector<std::string> familiarisation;     ///< names of the fabrics for getting to know the display
+    std::vector<protocols::Tenths> placesToName;  ///< in scale training
+    std::optional<std::string> lastAnswer;        ///< to read back: "Q3: 5.5"
+    std::optional<protocols::QuestionId> lastQuestion;
+};
+
+/// `nowNs`: the session's monotonic clock.
+View viewOf(const Plan& plan, const State& state, const protocols::ParticipantId& participant, std::int64_t nowNs);
+
+}  // namespace study::session

@@ -1,0 +1,221 @@
+// A file is there as a whole, old or new, whatever happens while it is written.
+#include "protocols/files/whole_file.h"
+
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <QTemporaryDir>
+#include <QtTest>
+#include <cerrno>
+
+#include "protocols/files/errors.h"
+#include "tests/support/observed_disk.h"
+
+using namespace protocols;
+using tests::support::DiskCall;
+using tests::support::DiskStep;
+using tests::support::ObservedDisk;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> namesIn(const fs::path& folder)
+{
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder)) names.push_back(entry.path().filename().string());
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+unsigned modeOf(const fs::path& file)
+{
+    struct stat status {};
+    return ::stat(file.c_str(), &status) == 0 ? status.st_mode & 0777 : 0;
+}
+
+template <class Call>
+QString errorOf(Call call)
+{
+    try {
+        call();
+    } catch (const Error& fault) {
+        return QString("%1: %2").arg(static_cast<int>(fault.exitCode())).arg(fault.what());
+    }
+    return {};
+}
+
+/// The exit status of `call` in a process of its own.
+template <class Call>
+int statusOfChild(Call call)
+{
+    const pid_t child = ::fork();
+    if (child == 0) {
+        call();
+        ::_exit(0);
+    }
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+}  // namespace
+
+class WholeFileTest : public QObject {
+    Q_OBJECT
+    std::unique_ptr<QTemporaryDir> m_folder;
+
+    fs::path folder() const { return m_folder->path().toStdString(); }
+    fs::path file() const { return folder() / "answers.csv"; }
+    fs::path unfinished() const { return folder() / (".answers.csv.unfinished-" + std::to_string(::getpid())); }
+
+private Q_SLOTS:
+    void init() { m_folder = std::make_unique<QTemporaryDir>(); }
+
+    void bytesReadBack()
+    {
+        const std::string bytes("a\0b\r\n\xff", 6);
+        writeWholeFile(file(), bytes);
+        QCOMPARE(readWholeFile(file()), bytes);
+        std::string inBlocks;
+        readInBlocks(file(), [&](std::string_view block) { inBlocks += block; });
+        QCOMPARE(inBlocks, bytes);
+        writeWholeFile(file(), "");
+        QCOMPARE(readWholeFile(file()), std::string());
+    }
+
+    void whatCannotBeReadIsBadInput()
+    {
+        QVERIFY(errorOf([&] { readWholeFile(file()); }).startsWith("2: " + QString::fromStdString(file().string())));
+        QVERIFY(errorOf([&] { readWholeFile(folder()); }).contains("Is a directory"));
+        QVERIFY(!readIfPossible(file()));
+        QVERIFY(!readIfPossible(folder()));
+    }
+
+    void fileIsSyncedBeforeItsRenameAndItsFolderAfterwards()
+    {
+        const ObservedDisk disk(folder());
+        writeWholeFile(file(), "new");
+        QCOMPARE(disk.steps(), (std::vector<DiskStep>{{DiskCall::Write, unfinished()},
+                                                      {DiskCall::Sync, unfinished()},
+                                                      {DiskCall::Rename, file()},
+                                                      {DiskCall::Sync, folder()}}));
+    }
+
+    void laterMeansNoSync()
+    {
+        const ObservedDisk disk(folder());
+        writeWholeFile(file(), "new", Sync::Later);
+        QCOMPARE(disk.count(DiskCall::Sync), std::size_t{0});
+        QCOMPARE(disk.count(DiskCall::Rename), std::size_t{1});
+    }
+
+    void processKilledAtAnyStepLeavesTheOldFileOrTheNewOne()
+    {
+        const std::string earlier(2500, 'o'), later(3500, 'n');
+        std::size_t steps = 0;
+        int withOld = 0;
+        for (std::size_t last = 0; steps == 0; ++last) {
+            writeWholeFile(file(), earlier);
+            const int status = statusOfChild([&] {
+                ObservedDisk disk(folder());
+                disk.dieBefore(last);
+                writeWholeFile(file(), later);
+            });
+            const std::string left = readWholeFile(file());
+            QVERIFY2(left == earlier || left == later, left.c_str());
+            if (left == earlier) ++withOld;
+            if (status == 0) steps = last;
+        }
+        QCOMPARE(steps, std::size_t{7});  // four writes of at most 1,000 bytes, a sync, the rename, the sync of the folder
+        QCOMPARE(withOld, 6);
+    }
+
+    void whatAKilledProcessLeftVanishesWithTheNextWriting()
+    {
+        QCOMPARE(statusOfChild([&] {
+                     ObservedDisk disk(folder());
+                     disk.dieBefore(1);
+                     writeWholeFile(file(), "never finished");
+                 }),
+                 7);
+        QCOMPARE(namesIn(folder()).size(), std::size_t{1});
+        writeWholeFile(folder() / "other.csv", "x");
+        QCOMPARE(namesIn(folder()).size(), std::size_t{2});  // only leftovers of the same file are removed
+        writeWholeFile(file(), "finished");
+        QCOMPARE(namesIn(folder()), (std::vector<std::string>{"answers.csv", "other.csv"}));
+    }
+
+    void unfinishedFileOfALivingProcessStays()
+    {
+        const fs::path ofParent = folder() / (".answers.csv.unfinished-" + std::to_string(::getppid()));
+        writeWholeFile(ofParent, "being written", Sync::Later);
+        writeWholeFile(file(), "finished");
+        QVERIFY(fs::exists(ofParent));
+    }
+
+    void everyFailureIsAnEnvironmentFaultThatLeavesTheOldFile()
+    {
+        writeWholeFile(file(), "old");
+        for (std::size_t step = 0; step < 3; ++step) {
+            ObservedDisk disk(folder());
+            disk.failAt(step, step == 0 ? ENOSPC : EIO);
+            const QString error = errorOf([&] { writeWholeFile(file(), "new"); });
+            QVERIFY2(error.startsWith("3: ") && error.contains("answers.csv") && error.contains("cannot be written"),
+                     qPrintable(error));
+            QCOMPARE(error.contains("No space left on device"), step == 0);
+            QCOMPARE(readWholeFile(file()), std::string("old"));
+            QCOMPARE(namesIn(folder()), std::vector<std::string>{"answers.csv"});
+        }
+    }
+
+    void fileSystemsThatCannotSyncFoldersAreGoodEnough()
+    {
+        ObservedDisk disk(folder());
+        disk.failAt(3, EINVAL);
+        writeWholeFile(file(), "new");
+        QCOMPARE(readWholeFile(file()), std::string("new"));
+    }
+
+    void readersOfANewFileAreAsAskedFor()
+    {
+        const mode_t usual = ::umask(0027);
+        writeWholeFile(file(), "x");
+        writeWholeFile(folder() / "key", "x", Sync::Now, Readers::OwnerOnly);
+        writeWholeFile(folder() / "masked", "x", Sync::Now, Readers::Everyone);
+        ::umask(usual);
+        QCOMPARE(modeOf(file()), 0640u);
+        QCOMPARE(modeOf(folder() / "key"), 0600u);
+        QCOMPARE(modeOf(folder() / "masked"), 0644u);
+    }
+
+    void deviceStaysADevice()
+    {
+        writeWholeFile("/dev/null", "nothing");
+        QVERIFY(fs::is_character_file("/dev/null"));
+        if (fs::exists("/dev/full")) QVERIFY(errorOf([] { writeWholeFile("/dev/full", "x"); }).startsWith("3: /dev/full"));
+    }
+
+    void finishedFileGetsItsName()
+    {
+        writeWholeFile(folder() / "draft", "whole", Sync::Later);
+        const ObservedDisk disk(folder());
+        putFileInPlace(folder() / "draft", file());
+        QCOMPARE(disk.steps(), (std::vector<DiskStep>{{DiskCall::Sync, folder() / "draft"},
+                                                      {DiskCall::Rename, file()},
+                                                      {DiskCall::Sync, folder()}}));
+        QCOMPARE(readWholeFile(file()), std::string("whole"));
+    }
+
+    void longWorkAsksBeforeItBegins()
+    {
+        requireWritable(file());
+        QVERIFY(namesIn(folder()).empty());
+        QVERIFY(errorOf([&] { requireWritable(folder()); }).startsWith("2: "));
+        QVERIFY(errorOf([&] { requireWritable(folder() / "missing" / "model.pt"); }).startsWith("3: "));
+    }
+};
+
+QTEST_GUILESS_MAIN(WholeFileTest)
+#include "whole_file_test.moc"

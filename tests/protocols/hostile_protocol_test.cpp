@@ -1,0 +1,264 @@
+// Protocols that could break a study later: each is refused by name, or read whole. All faults of a file stand in one list.
+#include <QtTest>
+
+#include "protocols/counterbalancing.h"
+#include "protocols/files/errors.h"
+#include "protocols/protocol_json.h"
+#include "protocols/question_ids.h"
+
+using namespace protocols;
+
+namespace {
+
+/// A protocol with these phases and a text for each of these questions.
+std::string protocolWith(const QString& phases, const QStringList& questions)
+{
+    QStringList texts;
+    for (const QString& question : questions) texts << QString(R"("%1": "What about %1?")").arg(question);
+    return QString(R"({"schema": "vis2hap.protocol/1", "name": "hostile", "participants": 2, "fabrics": 3,
+ "conditions": ["v_grey", "h"], "phases": [%1], "question_texts": {%2}})")
+        .arg(phases, texts.join(", "))
+        .toStdString();
+}
+
+QString quoted(const QStringList& ids) { return "\"" + ids.join("\", \"") + "\""; }
+
+/// One phase of ratings with these questions.
+std::string ratingsOf(const QStringList& ids)
+{
+    return protocolWith(QString(R"({"questions": [%1], "scale": {"min": 0, "max": 10}})").arg(quoted(ids)), ids);
+}
+
+/// The faults of a text, in order; empty where it was taken.
+QStringList faultsIn(const std::string& json)
+{
+    try {
+        protocolFromJson(json, "study.json");
+    } catch (const Error& error) {
+        const QString line = error.what();
+        const QString begin = "malformed protocol, ";
+        const qsizetype list = line.indexOf(": ", line.indexOf(begin) + begin.size()) + 2;
+        return line.mid(list, line.indexOf("; see protocols/") - list).split("; ");
+    }
+    return {};
+}
+
+}  // namespace
+
+class HostileProtocolTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void anIdThatWouldBreakATableIsRefusedByName_data()
+    {
+        QTest::addColumn<QStringList>("ids");
+        QTest::addColumn<QStringList>("faults");
+        const QString shape = ", expected a question id: a letter, then letters, digits and underscores, at most 40 characters";
+        QTest::newRow("a slash") << QStringList{"soft/hard"} << QStringList{"phases[0].questions[0]: \"soft/hard\"" + shape};
+        QTest::newRow("a hyphen") << QStringList{"Q-1"} << QStringList{"phases[0].questions[0]: \"Q-1\"" + shape};
+        QTest::newRow("a digit first") << QStringList{"1st"} << QStringList{"phases[0].questions[0]: \"1st\"" + shape};
+        QTest::newRow("a letter of another alphabet")
+            << QStringList{"Q1", "fühlt"} << QStringList{"phases[0].questions[1]: \"fühlt\"" + shape};
+        QTest::newRow("41 characters") << QStringList{QString(41, 'Q')}
+                                       << QStringList{"phases[0].questions[0]: \"" + QString(41, 'Q') + "\"" + shape};
+        QTest::newRow("case alone differs")
+            << QStringList{"Real", "real"}
+            << QStringList{"phases[0].questions[1]: 'real' differs from 'Real' in case only, expected different ids"};
+        QTest::newRow("a column of another question")
+            << QStringList{"Q1", "Q1_seconds"}
+            << QStringList{
+                   "phases[0].questions[1]: 'Q1_seconds' and 'Q1' would both have a column 'Q1_seconds' in exported "
+                   "answers, expected another id"};
+        QTest::newRow("another question has its column")
+            << QStringList{"q1_Correct", "Q1"}
+            << QStringList{
+                   "phases[0].questions[1]: 'Q1' and 'q1_Correct' would both have a column 'Q1_correct' in exported "
+                   "answers, expected another id"};
+        QTest::newRow("a fixed column")
+            << QStringList{"Condition"}
+            << QStringList{"phases[0].questions[0]: 'Condition' is a column of exported answers, expected another id"};
+        QTest::newRow("twice the same") << QStringList{"Q1", "Q1"}
+                                        << QStringList{
+                                               "phases[0].questions[1]: 'Q1' is asked twice, expected each question once"};
+    }
+
+    void anIdThatWouldBreakATableIsRefusedByName()
+    {
+        QFETCH(const QStringList, ids);
+        QFETCH(const QStringList, faults);
+        QStringList different = ids;
+        different.removeDuplicates();
+        std::string json = ratingsOf(ids);
+        if (different != ids) json = protocolWith(R"({"questions": ["Q1", "Q1"], "scale": {"min": 0, "max": 10}})", different);
+        QCOMPARE(faultsIn(json), faults);
+    }
+
+    void wordsOfTheReportMayBeIds_data()
+    {
+        QTest::addColumn<QStringList>("ids");
+        QTest::newRow("quality") << QStringList{"quality"};
+        QTest::newRow("conditions") << QStringList{"conditions"};
+        QTest::newRow("40 characters") << QStringList{QString(40, 'q')};
+        QTest::newRow("one letter and digits") << QStringList{"Q", "Q_1", "Q01"};
+    }
+
+    void wordsOfTheReportMayBeIds()
+    {
+        QFETCH(const QStringList, ids);
+        QCOMPARE(faultsIn(ratingsOf(ids)), QStringList());
+        const Protocol protocol = protocolFromJson(ratingsOf(ids), "study.json");
+        QCOMPARE(protocol.phases[0].questions.size(), static_cast<std::size_t>(ids.size()));
+        for (int i = 0; i < ids.size(); ++i)
+            QCOMPARE(protocol.phases[0].questions[static_cast<std::size_t>(i)].id.value, ids[i].toStdString());
+    }
+
+    void onePhaseMayAskTwentySixQuestions()
+    {
+        QStringList ids;
+        for (int number = 1; number <= 26; ++number) ids << "R" + QString::number(number);
+        const Protocol protocol = protocolFromJson(ratingsOf(ids), "study.json");
+        QCOMPARE(protocol.phases[0].questions.size(), std::size_t{26});
+        QCOMPARE(protocol.answersPerParticipant(), 6 * 26);
+    }
+
+    void aStudyMayAskInWordsAlone()
+    {
+        const Protocol protocol = protocolFromJson(
+            protocolWith(R"({"questions": ["W1", "W2"], "free_text": ["W2", "W1"], "scale": {"min": 0, "max": 10}})",
+                         {"W1", "W2"}),
+            "study.json");
+        for (const Question& question : protocol.phases[0].questions) QVERIFY(question.kind == AnswerKind(FreeText{}));
+        const Design design = drawDesign(protocol, 1);
+        for (const DesignTrial& trial : design.participants[0]) QCOMPARE(trial.alternatives, std::vector<int>{trial.fabric});
+        QCOMPARE(
+            faultsIn(protocolWith(R"({"questions": ["W1"], "free_text": ["W1"], "alternatives": 3})", {"W1"})),
+            QStringList{"phases[0].questions: 0 questions over one choice, expected one (and any number answered in words)"});
+    }
+
+    void aStudyMayAskOnlyForSameOrDifferent()
+    {
+        const Protocol protocol =
+            protocolFromJson(protocolWith(R"({"questions": ["S1"], "same_different": true})", {"S1"}), "study.json");
+        QVERIFY(protocol.phases[0].questions[0].kind == AnswerKind(SameDifferent{}));
+        QCOMPARE(
+            faultsIn(protocolWith(R"({"questions": ["S1", "S2"], "same_different": true})", {"S1", "S2"})),
+            QStringList{"phases[0].questions: 2 questions over one choice, expected one (and any number answered in words)"});
+    }
+
+    void faultsOfEveryStageStandInOneList()
+    {
+        const QStringList found = faultsIn(R"({"schema": "vis2hap.protocol/1", "participants": 0, "fabrics": 3, "planed": [],
+ "conditions": ["v_grey", "velvet"], "equivalence_bounds": [1, -1],
+ "phases": [{"questions": ["Q1"], "alternatives": 4}, {"questions": ["q1", "soft/hard"], "scale": {"min": 0, "max": "ten"}},
+            {"questions": ["Q9"]}],
+ "question_texts": {"Q7": "Is it warm?", "q1": "Is it soft?", "soft/hard": "Is it hard?"}})");
+        const QStringList expected{
+            "the protocol: unknown key 'planed'",
+            "the protocol: 'name' is missing",
+            "participants: 0, expected a whole number from 1 to 1000",
+            "phases[1].questions[1]: \"soft/hard\", expected a question id: a letter, then letters, digits and underscores, at "
+            "most "
+            "40 characters",
+            "phases[1].scale.max: \"ten\", expected a number in tenths",
+            "phases[2]: has none of alternatives, scale and same_different, expected one of them",
+            "question_texts: 'Q7' is asked in no phase, expected ids of the phases' questions",
+            "conditions[1]: unknown condition 'velvet', expected one of v_grey, v_shape, f_g, h_g, h_g&f_g, t_grey, f, h, h&f, "
+            "gradient",
+            "phases[0].alternatives: 4 of 3 fabrics, expected no more alternatives than fabrics",
+            "phases[2].questions[0]: 'Q9' has no words, expected them in question_texts",
+            "equivalence_bounds: the lower is not below the upper, expected [lower, upper]",
+            "phases[1].questions[0]: 'q1' differs from 'Q1' in case only, expected different ids"};
+        for (const QString& fault : expected) QVERIFY2(found.contains(fault), qPrintable(fault + "\n" + found.join("\n")));
+        QCOMPARE(found.size(), expected.size());
+    }
+
+    /// What cannot be read breaks no other rule: its faults are all there are.
+    void anUnreadableValueHasNoConsequences_data()
+    {
+        QTest::addColumn<QString>("json");
+        QTest::addColumn<int>("faults");
+        const QString phases = R"("phases": [{"questions": ["Q1"], "alternatives": 9, "catch_trials": 30}])";
+        const auto with = [&](const QString& fabrics, const QString& conditions, const QString& rest) {
+            return QString(
+                       R"({"schema": "vis2hap.protocol/1", "name": "a", "participants": 2, "fabrics": %1, "conditions": %2, %3})")
+                .arg(fabrics, conditions, rest);
+        };
+        QTest::newRow("sound") << with("9", "[\"h\", \"f\", \"v_grey\", \"h&f\"]", phases) << 0;
+        QTest::newRow("fabrics") << with("\"seven\"", "[\"h\", \"f\", \"v_grey\", \"h&f\"]", phases) << 1;
+        QTest::newRow("conditions") << with("9", "7", R"("planned": [["h", "f"]], )" + phases) << 1;
+        QTest::newRow("one condition") << with("9", "[\"h\", 5, \"f\"]", R"("planned": [["h", "f"]], "phases": [])") << 2;
+        QTest::newRow("phases") << with("9", "[\"h\"]", R"("phases": {}, "question_texts": {"Q1": "Which?"})") << 1;
+        QTest::newRow("a phase") << with("9", "[\"h\"]", R"("phases": ["Q1"], "question_texts": {"Q1": "Which?"})") << 1;
+        QTest::newRow("a question")
+            << with("9", "[\"h\"]", R"("phases": [{"questions": [5], "alternatives": 3}], "question_texts": {"Q5": "Which?"})")
+            << 1;
+        QTest::newRow("a text") << with("9", "[\"h\"]",
+                                        R"("phases": [{"questions": ["X1"], "alternatives": 3}], "question_texts": {"X1": ""})")
+                                << 1;
+        QTest::newRow("alternatives") << with("2", "[\"h\"]", R"("phases": [{"questions": ["Q1"], "alternatives": "two"}])") << 1;
+        QTest::newRow("scale") << with("2", "[\"h\"]",
+                                       R"("phases": [{"questions": ["Q2"], "scale": {"min": 20, "max": "x", "step": 3}}])")
+                               << 1;
+        QTest::newRow("same_different") << with("2", "[\"h\"]", R"("phases": [{"questions": ["Q1"], "same_different": "yes"}])")
+                                        << 1;
+        QTest::newRow("a contrast")
+            << with("2", "[\"h\", \"f\"]",
+                    R"("planned": [["h"], [5, "f"]], "phases": [{"questions": ["Q1"], "alternatives": 2}])")
+            << 2;
+        QTest::newRow("bounds") << with("2", "[\"h\"]",
+                                        R"("equivalence_bounds": ["a", 1], "phases": [{"questions": ["Q1"], "alternatives": 2}])")
+                                << 1;
+        QTest::newRow("a huge number") << with("99999999999999999999", "[\"h\"]",
+                                               R"("phases": [{"questions": ["Q1"], "alternatives": 2}])")
+                                       << 1;
+        QTest::newRow("a huge tenth") << with("2", "[\"h\"]",
+                                              R"("phases": [{"questions": ["Q2"], "scale": {"min": 0, "max": 1e300}}])")
+                                      << 1;
+        QTest::newRow("a list") << "[1, 2]" << 1;
+    }
+
+    void anUnreadableValueHasNoConsequences()
+    {
+        QFETCH(const QString, json);
+        QFETCH(const int, faults);
+        const QStringList found = faultsIn(json.toStdString());
+        QVERIFY2(found.size() == faults, qPrintable(found.join("\n")));
+    }
+
+    void anExistingStudyKeepsItsIds()
+    {
+        const std::string json = ratingsOf({"soft/hard", "Real", "real", "condition", "fühlt sich echt an"});
+        QCOMPARE(faultsIn(json).size(), 4);
+        QCOMPARE(keptProtocolFromJson(json, "a study of version 0.5.0").phases[0].questions[0].id, QuestionId("soft/hard"));
+        QVERIFY_EXCEPTION_THROWN(keptProtocolFromJson(ratingsOf({""}), "a study of version 0.5.0"), Error);
+    }
+
+    void theUsualTextOfQ1NamesThePieces_data()
+    {
+        QTest::addColumn<int>("pieces");
+        QTest::addColumn<QString>("text");
+        QTest::newRow("2") << 2 << "Which of the two pieces of fabric feels like the screen: A or B?";
+        QTest::newRow("3") << 3 << "Which of the three pieces of fabric feels like the screen: A, B or C?";
+        QTest::newRow("6") << 6 << "Which of the six pieces of fabric feels like the screen: A, B, C, D, E or F?";
+        QTest::newRow("7") << 7 << "Which of the seven pieces of fabric feels like the screen: A to G?";
+        QTest::newRow("13") << 13 << "Which of the 13 pieces of fabric feels like the screen: A to M?";
+    }
+
+    void theUsualTextOfQ1NamesThePieces()
+    {
+        QFETCH(const int, pieces);
+        QFETCH(const QString, text);
+        const QString json = QString(R"({"schema": "vis2hap.protocol/1", "name": "a", "participants": 2, "fabrics": 20,
+ "conditions": ["h"], "phases": [{"questions": ["Q1"], "alternatives": %1}]})")
+                                 .arg(pieces);
+        QCOMPARE(QString::fromStdString(protocolFromJson(json.toStdString(), "a").phases[0].questions[0].text), text);
+    }
+
+    void everyQuestionHasItsColumns()
+    {
+        QCOMPARE(columnsOf(QuestionId("Q1")), (std::vector<std::string>{"Q1", "Q1_correct", "Q1_answer", "Q1_seconds"}));
+    }
+};
+
+QTEST_GUILESS_MAIN(HostileProtocolTest)
+#include "hostile_protocol_test.moc"

@@ -1,0 +1,105 @@
+// Studies that an earlier version made stay usable: they verify, export and report as they did, and a killed session continues.
+#include <QDir>
+#include <QFile>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QtTest>
+#include <nlohmann/json.hpp>
+
+#include "tests/support/program.h"
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using support::mustRun;
+
+QString kept(const QString& name) { return QString(VIS2HAP_SOURCE_DIR "/tests/study/kept/") + name; }
+
+QByteArray bytesOf(const QString& file)
+{
+    QFile opened(file);
+    if (!opened.open(QIODevice::ReadOnly)) qFatal("%s cannot be read", qPrintable(file));
+    return opened.readAll();
+}
+
+Json jsonOf(const QString& file) { return Json::parse(bytesOf(file).toStdString()); }
+
+/// results/2 has the questions under "questions"; results/1 had them at the top level.
+Json inTheOldShape(const Json& results)
+{
+    Json old = Json::object();
+    for (const auto& [key, value] : results.items()) {
+        if (key == "schema")
+            old[key] = "vis2hap.results/1";
+        else if (key == "questions")
+            for (const auto& [question, part] : value.items()) old[question] = part;
+        else
+            old[key] = value;
+    }
+    return old;
+}
+
+}  // namespace
+
+class KeptStudiesTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init()
+    {
+        m_folder = std::make_unique<QTemporaryDir>();
+        QProcess tar;
+        tar.start("tar", {"xzf", kept("studies-0.5.0.tar.gz"), "-C", m_folder->path()});
+        QVERIFY(tar.waitForFinished());
+        QCOMPARE(tar.exitCode(), 0);
+    }
+
+    void finishedStudyIsSound()
+    {
+        const Json verified = Json::parse(mustRun({"verify", at("finished"), "--json"}).out.toStdString());
+        QVERIFY2(verified.at("sound") == true && verified.at("answers") == 157, verified.dump(1).c_str());
+    }
+
+    void finishedStudyExportsTheSameAnswers()
+    {
+        mustRun({"export", at("finished"), "--out", at("out"), "--format", "csv"});
+        QCOMPARE(bytesOf(at("out/answers.csv")), bytesOf(kept("finished-answers.csv")));
+    }
+
+    void finishedStudyReportsTheSameNumbers()
+    {
+        mustRun({"report", at("finished"), "--out", at("out")});
+        const Json results = jsonOf(at("out/results.json"));
+        QCOMPARE(results.at("schema").get<std::string>(), std::string("vis2hap.results/2"));
+        const Json old = jsonOf(kept("finished-results.json")), now = inTheOldShape(results);
+        for (const auto& [key, value] : old.items())
+            QVERIFY2(now.contains(key) && now[key] == value, (key + ": " + now.value(key, Json()).dump()).c_str());
+        const Json statistics = jsonOf(at("out/statistics.json")), oldStatistics = jsonOf(kept("finished-statistics.json"));
+        for (const auto& [key, value] : oldStatistics.items())
+            if (key != "data")  // which counts worded answers since 0.6.0
+                QVERIFY2(statistics.contains(key) && statistics[key] == value, key.c_str());
+    }
+
+    void wordedAnswersReachTheReport()
+    {
+        mustRun({"report", at("finished"), "--out", at("out")});
+        QVERIFY(bytesOf(at("out/index.html")).contains("What made you decide?"));
+        QVERIFY(bytesOf(at("out/index.html")).contains("ribs, &quot;3&quot;; rough"));
+    }
+
+    void killedSessionContinuesAtTheSameTrial()
+    {
+        const auto ended = mustRun({"replay", at("half"), kept("S03.json")});
+        QVERIFY2(ended.out.contains("S03: 40 answers stored, finished"), qPrintable(ended.out));
+        mustRun({"verify", at("half")});
+        mustRun({"export", at("half"), "--out", at("out"), "--format", "csv"});
+        QCOMPARE(bytesOf(at("out/answers.csv")), bytesOf(kept("resumed-answers.csv")));
+    }
+
+private:
+    QString at(const QString& name) const { return m_folder->filePath(name); }
+    std::unique_ptr<QTemporaryDir> m_folder;
+};
+
+QTEST_GUILESS_MAIN(KeptStudiesTest)
+#include "kept_studies_test.moc"

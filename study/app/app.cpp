@@ -22,7 +22,7 @@ int runApp(const AppOptions& options)
         try {
             window.openStudy(*options.study);
         } catch (const std::exception& fault) {
-            window.startPage().tellFault(QString::fromUtf8(fault.what()));
+            window.startPage().showFault(QString::fromUtf8(fault.what()));
         }
     }
     return QApplication::exec();

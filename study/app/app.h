@@ -1,18 +1,18 @@
-// The window program: one call for main. A QApplication must exist.
+// Entry points of the window program, called by main. A QApplication must exist.
 #pragma once
 
 #include "study/app/state/app_options.h"
 
 namespace study::app {
 
-/// The settings kept for this user between runs.
+/// Settings of this user, kept between runs.
 std::shared_ptr<QSettings> userSettings();
 
-/// Shows the window and returns QApplication's exit code when it is closed. A study that cannot be
-/// opened is told on the start page.
+/// Shows the window until the operator closes it and returns QApplication's exit code. If the study cannot be opened,
+/// the start page shows the reason.
 int runApp(const AppOptions& options);
 
-/// Shows the live monitor of `options.study` until it is closed. Throws protocols::Error where that is no study.
+/// Shows the live monitor of `options.study` until it is closed. Throws protocols::Error if the folder is not a study.
 int runMonitor(const AppOptions& options);
 
 }  // namespace study::app

@@ -19,14 +19,14 @@ namespace study::app {
 
 namespace {
 
-/// Does it, and tells what went wrong on the page where it was asked for.
+/// Runs `work` and shows its fault on `page`, where the operator asked for it.
 template <class Page, class Work>
-void tellingFaults(Page& page, Work work)
+void showingFaults(Page& page, Work work)
 {
     try {
         work();
     } catch (const std::exception& fault) {
-        page.tellFault(QString::fromUtf8(fault.what()));
+        page.showFault(QString::fromUtf8(fault.what()));
     }
 }
 
@@ -35,7 +35,7 @@ void tellingFaults(Page& page, Work work)
 MainWindow::MainWindow(const AppOptions& options, QWidget* parent)
     : QWidget(parent),
       m_options(options),
-      m_looks(new Looks(options.settings, *this)),
+      m_appearanceKeys(new AppearanceKeys(options.settings, *this)),
       m_pages(new QStackedWidget(this)),
       m_startPage(new StartPage(this)),
       m_newStudyPage(new NewStudyPage(options.makeStudy, this)),
@@ -54,43 +54,43 @@ MainWindow::MainWindow(const AppOptions& options, QWidget* parent)
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(m_pages);
     resize(1100, 750);
-    joinPages();
+    connectPages();
     connect(new QShortcut(QKeySequence(Qt::CTRL | Qt::Key_Q), this), &QShortcut::activated, this, [this] { close(); });
     showStart();
 }
 
 MainWindow::~MainWindow() = default;
 
-void MainWindow::joinPages()
+void MainWindow::connectPages()
 {
-    connect(m_startPage, &StartPage::openAsked, this,
-            [this](const QString& folder) { tellingFaults(*m_startPage, [&] { openStudy(folder.toStdString()); }); });
-    connect(m_startPage, &StartPage::newStudyAsked, this, [this] {
+    connect(m_startPage, &StartPage::openRequested, this,
+            [this](const QString& folder) { showingFaults(*m_startPage, [&] { openStudy(folder.toStdString()); }); });
+    connect(m_startPage, &StartPage::newStudyRequested, this, [this] {
         m_pages->setCurrentWidget(m_newStudyPage);
         m_newStudyPage->focusFirst();
     });
-    connect(m_startPage, &StartPage::dataAsked, this, [this] {
+    connect(m_startPage, &StartPage::dataRequested, this, [this] {
         m_pages->setCurrentWidget(m_dataPage);
         m_dataPage->focusFirst();
     });
-    connect(m_dataPage, &DataPage::backAsked, this, &MainWindow::showStart);
-    connect(m_newStudyPage, &NewStudyPage::backAsked, this, &MainWindow::showStart);
+    connect(m_dataPage, &DataPage::backRequested, this, &MainWindow::showStart);
+    connect(m_newStudyPage, &NewStudyPage::backRequested, this, &MainWindow::showStart);
     connect(m_newStudyPage, &NewStudyPage::made, this, [this](const QString& folder) {
         showStart();
-        tellingFaults(*m_startPage, [&] { openStudy(folder.toStdString()); });
+        showingFaults(*m_startPage, [&] { openStudy(folder.toStdString()); });
     });
-    connect(m_studyPage, &StudyPage::closeAsked, this, &MainWindow::closeStudy);
-    connect(m_studyPage, &StudyPage::sessionAsked, this, [this](const QString& participant) {
-        if (const QString fault = m_study->protocolFault(); !fault.isEmpty()) return m_studyPage->tellFault(fault);
-        tellingFaults(*m_studyPage, [&] { startSession(protocols::ParticipantId(participant.toStdString())); });
+    connect(m_studyPage, &StudyPage::closeRequested, this, &MainWindow::closeStudy);
+    connect(m_studyPage, &StudyPage::sessionRequested, this, [this](const QString& participant) {
+        if (const QString fault = m_study->protocolFault(); !fault.isEmpty()) return m_studyPage->showFault(fault);
+        showingFaults(*m_studyPage, [&] { startSession(protocols::ParticipantId(participant.toStdString())); });
     });
-    connect(m_sessionPage, &SessionPage::correctionAsked, this,
+    connect(m_sessionPage, &SessionPage::correctionRequested, this,
             [this] { m_sessionPage->openCorrection(m_session->correctables()); });
-    connect(m_sessionPage, &SessionPage::eventAsked, this, [this](const session::EventBody& event) {
+    connect(m_sessionPage, &SessionPage::eventRequested, this, [this](const session::EventBody& event) {
         if (m_session) m_session->send(event);
     });
-    // Queued: the page that asks must not be rebuilt under its own feet.
-    connect(m_sessionPage, &SessionPage::leaveAsked, this, &MainWindow::leaveSession, Qt::QueuedConnection);
+    // Queued, so that the page is not rebuilt while it still handles its own event.
+    connect(m_sessionPage, &SessionPage::leaveRequested, this, &MainWindow::leaveSession, Qt::QueuedConnection);
 }
 
 QWidget* MainWindow::currentPage() const { return m_pages->currentWidget(); }
@@ -118,7 +118,7 @@ void MainWindow::showStudy()
 {
     setWindowTitle(tr("%1 – Vis2Hap").arg(m_study->name()));
     m_studyPage->present(m_study->overview(), m_options.kind);
-    if (const QString fault = m_study->protocolFault(); !fault.isEmpty()) m_studyPage->tellFault(fault);
+    if (const QString fault = m_study->protocolFault(); !fault.isEmpty()) m_studyPage->showFault(fault);
     m_pages->setCurrentWidget(m_studyPage);
     m_studyPage->focusFirst();
 }
@@ -136,29 +136,30 @@ void MainWindow::startSession(const protocols::ParticipantId& participant)
     m_session =
         std::make_unique<SessionController>(m_study->store(), participant, m_study->bank(),
                                             m_options.openDisplay(m_options.display), m_options.clock, m_options.kind, nullptr);
-    m_leavingToldOnce = false;
-    joinSession();
+    m_leavingWasRefused = false;
+    connectSession();
     m_sessionPage->begin(m_session->facts());
     m_pages->setCurrentWidget(m_sessionPage);
     setWindowTitle(tr("%1 – %2 – Vis2Hap").arg(QString::fromStdString(participant.value), m_study->name()));
     m_sessionPage->present(m_session->view(), m_session->canCorrect());
 }
 
-void MainWindow::joinSession()
+void MainWindow::connectSession()
 {
     connect(m_session.get(), &SessionController::viewChanged, this, &MainWindow::refreshSession);
-    connect(m_session.get(), &SessionController::told, m_sessionPage, &SessionPage::tell);
+    connect(m_session.get(), &SessionController::reported, m_sessionPage, &SessionPage::showMessage);
 }
 
 void MainWindow::refreshSession()
 {
-    // Where a display fails, what was asked for is stored all the same. A touch that the display reports comes in
-    // between, and closes nothing that the hand is at.
+    // When the display fails, the event is stored nevertheless. A touch that the display reports can come at any time, so
+    // it must not close a panel that the operator is using.
     const auto& outcome = m_session->lastOutcome();
     const auto* touched = std::get_if<session::Touched>(&outcome->event);
     const bool isByDisplay = touched && touched->by == session::TouchSource::Display;
     const bool isAccepted = !outcome->refusal && !outcome->fault;
-    if (!isByDisplay && (isAccepted || m_sessionPage->shows().state != m_session->view().state)) m_sessionPage->settle();
+    if (!isByDisplay && (isAccepted || m_sessionPage->shownView().state != m_session->view().state))
+        m_sessionPage->closePanelAndMessage();
     m_sessionPage->present(m_session->view(), m_session->canCorrect());
 }
 
@@ -169,8 +170,8 @@ bool MainWindow::pauseForLeaving()
         std::holds_alternative<session::Finished>(state.stage) || std::holds_alternative<session::Withdrawn>(state.stage);
     if (state.paused || isOver) return true;
     m_session->send(session::Paused{});
-    if (!m_session->lastOutcome()->fault || m_leavingToldOnce) return true;
-    m_leavingToldOnce = true;
+    if (!m_session->lastOutcome()->fault || m_leavingWasRefused) return true;
+    m_leavingWasRefused = true;
     return false;
 }
 
@@ -191,7 +192,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
 
 void MainWindow::keyPressEvent(QKeyEvent* event)
 {
-    // Reached when no control of the page has the focus.
+    // Handles the keys of the session page when none of its controls has the focus.
     if (m_pages->currentWidget() == m_sessionPage && event->modifiers() == Qt::NoModifier && !event->isAutoRepeat() &&
         m_sessionPage->pressKey(event->key()))
         return;

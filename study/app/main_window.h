@@ -1,11 +1,11 @@
-// The window: a stack of five pages (start, new study, data set, study, session), what is open behind them, and the
-// looks. It decides nothing about a session; it joins pages to the controller.
+// The main window: a stack of five pages (start, new study, data set, study, session), the open study and session, and the
+// appearance. It decides nothing about a session; it connects the pages to the controller.
 #pragma once
 
 #include <QWidget>
 #include <memory>
 
-#include "study/app/pieces/looks.h"
+#include "study/app/pieces/appearance_keys.h"
 #include "study/app/state/app_options.h"
 #include "study/app/state/open_study.h"
 #include "study/app/state/session_controller.h"
@@ -26,39 +26,39 @@ public:
     explicit MainWindow(const AppOptions& options, QWidget* parent = nullptr);
     ~MainWindow() override;
 
-    /// Opens the study for writing and shows its page. Throws protocols::Error; what was open stays open then.
+    /// Opens the study for writing and shows its page. Throws protocols::Error and then keeps the current study open.
     void openStudy(const std::filesystem::path& folder);
-    /// Enrols the participant, or resumes their session, and shows it. Throws protocols::Error.
+    /// Enrols the participant, or resumes the session, and shows it. Throws protocols::Error.
     void startSession(const protocols::ParticipantId& participant);
 
     OpenStudy* study() const { return m_study.get(); }
     SessionController* session() const { return m_session.get(); }
-    /// The page now to be seen.
+    /// The visible page.
     QWidget* currentPage() const;
 
     StartPage& startPage() const { return *m_startPage; }
-    void setAppearance(const Appearance& appearance) { m_looks->set(appearance); }
+    void setAppearance(const Appearance& appearance) { m_appearanceKeys->set(appearance); }
 
 protected:
     void closeEvent(QCloseEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
-    void joinPages();
-    void joinSession();
+    void connectPages();
+    void connectSession();
     void showStart();
     void showStudy();
     void refreshSession();
     void leaveSession();
-    /// Pauses a session that runs; false where that could not be stored.
+    /// Pauses a running session. False if the pause cannot be stored; the next attempt then returns true.
     bool pauseForLeaving();
     void closeStudy();
 
     AppOptions m_options;
-    Looks* m_looks;
+    AppearanceKeys* m_appearanceKeys;
     std::unique_ptr<OpenStudy> m_study;
     std::unique_ptr<SessionController> m_session;
-    bool m_leavingToldOnce = false;
+    bool m_leavingWasRefused = false;
 
     QStackedWidget* m_pages;
     StartPage* m_startPage;

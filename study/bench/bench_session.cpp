@@ -16,7 +16,7 @@
 #include "protocols/protocol_json.h"
 #include "rendering/composition/friction_image.h"
 #include "rendering/display/stimulus_bank.h"
-#include "study/app/gui_hands.h"
+#include "study/app/gui_operator.h"
 #include "study/app/main_window.h"
 #include "study/session/driver.h"
 #include "study/session/preparation.h"
@@ -173,12 +173,12 @@ WindowTimes playThroughWindow(const database::StudyFolder& folder)
     QApplication::processEvents();
     times.untilShownMs = static_cast<double>(whole.nsecsElapsed()) / 1e6;
     window.startSession(protocols::ParticipantId("S01"));
-    app::GuiHands hands(window);
+    app::GuiOperator gui(window);
     whole.restart();
-    while (const auto event = nextEvent(hands.view(), hands.plan())) {
+    while (const auto event = nextEvent(gui.view(), gui.plan())) {
         clock->advanceSeconds(3);
         single.start();
-        hands.perform(*event);
+        gui.perform(*event);
         window.repaint();
         QApplication::processEvents();
         if (std::holds_alternative<Answered>(*event))

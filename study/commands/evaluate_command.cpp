@@ -74,7 +74,7 @@ int evaluate(const EvaluateCall& call)
     request.threads = std::min(stats::threadCount(0), mostThreads);
     if (!hasMeasurements(dataset)) {
         StagesShown stages;
-        const auto weaves = evaluation::weavesKept(
+        const auto weaves = evaluation::evaluateWeaves(
             dataset, request, [&](const std::string& stage, int done, int total) { stages.show(stage, done, total); });
         if (call.json) writeJson(call.json, evaluation::weavesJson(weaves));
         if (!call.json || !call.json->empty()) std::fputs(evaluation::weavesText(weaves).c_str(), stdout);

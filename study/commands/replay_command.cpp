@@ -11,7 +11,7 @@
 #include "protocols/files/whole_file.h"
 #include "rendering/display/display.h"
 #include "rendering/display/stimulus_bank.h"
-#include "study/app/gui_hands.h"
+#include "study/app/gui_operator.h"
 #include "study/app/main_window.h"
 #include "study/commands/command_line.h"
 #include "study/commands/json_output.h"
@@ -34,7 +34,7 @@ public:
     const session::State& state() const override { return m_hands.view().state; }
 
 private:
-    app::GuiHands m_hands;
+    app::GuiOperator m_hands;
 };
 
 std::vector<players::Script> readScripts(const std::vector<std::string>& files, const protocols::Protocol& protocol)

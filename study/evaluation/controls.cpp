@@ -17,62 +17,64 @@ namespace fabrics = rendering::fabrics;
 
 constexpr Modality tactile = Modality::Tactile, friction = Modality::Friction, visual = Modality::Visual;
 
-struct Heard {
+/// Features and mean of one training sample.
+struct SampleFeatures {
     std::size_t fabric = 0;
     FeatureVector features;
     double mean = 0;
 };
 
-std::vector<std::pair<std::size_t, Sample>> trainingSamples(const TestPlan& plan, Modality modality)
+std::vector<std::pair<std::size_t, PlannedSample>> trainingSamples(const TestPlan& plan, Modality modality)
 {
-    std::vector<std::pair<std::size_t, Sample>> samples;
+    std::vector<std::pair<std::size_t, PlannedSample>> samples;
     for (std::size_t i = 0; i < plan.fabrics.size(); ++i)
         if (const auto found = plan.fabrics[i].training.find(modality); found != plan.fabrics[i].training.end())
-            for (const Sample& sample : found->second) samples.emplace_back(i, sample);
+            for (const PlannedSample& sample : found->second) samples.emplace_back(i, sample);
     return samples;
 }
 
-/// At most mostPressesOfFabric of each fabric.
-std::vector<std::pair<std::size_t, Sample>> drawnPresses(const TestPlan& plan, const PlanRequest& request)
+/// At most maxPressesPerFabric presses of each fabric, drawn by seed.
+std::vector<std::pair<std::size_t, PlannedSample>> drawnPresses(const TestPlan& plan, const PlanRequest& request)
 {
     auto samples = trainingSamples(plan, tactile);
     protocols::Random random = protocols::Random::stream(request.seed, "evaluate/training presses");
     random.shuffle(samples);
     std::vector<std::size_t> taken(plan.fabrics.size());
-    std::erase_if(samples, [&](const auto& entry) { return ++taken[entry.first] > mostPressesOfFabric; });
+    std::erase_if(samples, [&](const auto& entry) { return ++taken[entry.first] > maxPressesPerFabric; });
     return samples;
 }
 
-template <class Hear>
-std::vector<Heard> hear(const std::vector<std::pair<std::size_t, Sample>>& samples, unsigned threads, const std::string& stage,
-                        const Report& report, const Hear& one)
+template <class FeaturesOfSample>
+std::vector<SampleFeatures> computeFeatures(const std::vector<std::pair<std::size_t, PlannedSample>>& samples, unsigned threads,
+                                            const std::string& stage, const Report& report,
+                                            const FeaturesOfSample& featuresOfSample)
 {
-    std::vector<Heard> heard(samples.size());
+    std::vector<SampleFeatures> computed(samples.size());
     stats::onThreads(
         samples.size(), threads,
         [&](std::size_t i) {
-            heard[i] = one(samples[i].second);
-            heard[i].fabric = samples[i].first;
+            computed[i] = featuresOfSample(samples[i].second);
+            computed[i].fabric = samples[i].first;
         },
         [&](std::size_t done) {
             if (report) report(stage, static_cast<int>(done), static_cast<int>(samples.size()));
         });
-    return heard;
+    return computed;
 }
 
-using OfClass = std::vector<std::vector<FeatureVector>>;
+using FeaturesByFabric = std::vector<std::vector<FeatureVector>>;
 
-OfClass byFabric(const std::vector<Heard>& heard, std::size_t fabricCount)
+FeaturesByFabric byFabric(const std::vector<SampleFeatures>& samples, std::size_t fabricCount)
 {
-    OfClass result(fabricCount);
-    for (const Heard& one : heard) result[one.fabric].push_back(one.features);
+    FeaturesByFabric result(fabricCount);
+    for (const SampleFeatures& one : samples) result[one.fabric].push_back(one.features);
     return result;
 }
 
-/// The k-th press beside the k-th stroke: any press and any stroke of a fabric belong together.
-OfClass sideBySide(const OfClass& heights, const OfClass& frictions)
+/// Joins the k-th press and the k-th stroke of a fabric; any press and any stroke of a fabric belong together.
+FeaturesByFabric pairedFeatures(const FeaturesByFabric& heights, const FeaturesByFabric& frictions)
 {
-    OfClass result(heights.size());
+    FeaturesByFabric result(heights.size());
     for (std::size_t k = 0; k < heights.size(); ++k)
         for (std::size_t i = 0; i < std::min(heights[k].size(), frictions[k].size()); ++i) {
             result[k].push_back(heights[k][i]);
@@ -81,8 +83,8 @@ OfClass sideBySide(const OfClass& heights, const OfClass& frictions)
     return result;
 }
 
-/// Of every fabric that is not held out, and over them.
-void setMeans(const TestPlan& plan, const std::vector<Heard>& heard, const std::string& what, stats::Value& over,
+/// Computes the mean of every fabric that is not held out, and the mean over these fabrics.
+void setMeans(const TestPlan& plan, const std::vector<SampleFeatures>& samples, const std::string& what, stats::Value& over,
               std::vector<stats::Value>& ofFabric)
 {
     double sum = 0;
@@ -90,15 +92,15 @@ void setMeans(const TestPlan& plan, const std::vector<Heard>& heard, const std::
     for (std::size_t i = 0; i < plan.fabrics.size(); ++i) {
         double total = 0;
         int count = 0;
-        for (const Heard& one : heard)
+        for (const SampleFeatures& one : samples)
             if (one.fabric == i) {
                 total += one.mean;
                 ++count;
             }
         if (plan.fabrics[i].heldOut)
-            ofFabric.push_back(stats::Value::undefined("the fabric is held out: nothing of it may be known"));
+            ofFabric.push_back(stats::Value::undefined("the fabric is held out, so its samples must not be used"));
         else if (count == 0)
-            ofFabric.push_back(stats::Value::undefined("the training part holds no " + what + " of the fabric"));
+            ofFabric.push_back(stats::Value::undefined("the training part has no " + what + " of the fabric"));
         else
             ofFabric.push_back(total / count);
         if (ofFabric.back().exists()) {
@@ -106,10 +108,10 @@ void setMeans(const TestPlan& plan, const std::vector<Heard>& heard, const std::
             ++fabricCount;
         }
     }
-    over = fabricCount > 0 ? stats::Value(sum / fabricCount) : stats::Value::undefined("the training part holds no " + what);
+    over = fabricCount > 0 ? stats::Value(sum / fabricCount) : stats::Value::undefined("the training part has no " + what);
 }
 
-/// The side of the square in which generated and measured maps are described alike.
+/// Side of the square, px, from which features of generated and measured maps are computed.
 int commonSide(const fabrics::Dataset& dataset, const MeasuredSignals& measured, const TestPlan& plan)
 {
     int side = std::numeric_limits<int>::max();
@@ -119,7 +121,7 @@ int commonSide(const fabrics::Dataset& dataset, const MeasuredSignals& measured,
             side = std::min(height.cols, height.rows);
             break;
         }
-    const Sample& first = plan.pairs.front().photograph;
+    const PlannedSample& first = plan.pairs.front().photograph;
     const cv::Mat photograph = fabrics::readPhotograph(dataset, first.fabric, first.index);
     const double pitch = measured.pitchMm(), ratio = dataset.cameraMmPerPixel.value_or(pitch) / pitch;
     return std::min(side, static_cast<int>(std::lround(std::min(photograph.cols, photograph.rows) * ratio)));
@@ -132,8 +134,9 @@ double squaredDistance(const std::vector<float>& a, const std::vector<float>& b)
     return sum;
 }
 
-std::vector<std::vector<float>> photographFeaturesOf(const fabrics::Dataset& dataset, const std::vector<Sample>& photographs,
-                                                     unsigned threads, const Report& report)
+std::vector<std::vector<float>> photographFeaturesOf(const fabrics::Dataset& dataset,
+                                                     const std::vector<PlannedSample>& photographs, unsigned threads,
+                                                     const Report& report)
 {
     std::vector<std::vector<float>> features(photographs.size());
     stats::onThreads(
@@ -143,19 +146,19 @@ std::vector<std::vector<float>> photographFeaturesOf(const fabrics::Dataset& dat
                 fabrics::readPhotograph(dataset, photographs[i].fabric, photographs[i].index));
         },
         [&](std::size_t done) {
-            if (report) report("photographs to retrieve from", static_cast<int>(done), static_cast<int>(photographs.size()));
+            if (report) report("training photographs for retrieval", static_cast<int>(done), static_cast<int>(photographs.size()));
         });
     return features;
 }
 
 /// A training sample of the retrieved photograph's fabric.
-std::optional<Sample> partnerOf(const TestPlan& plan, std::size_t fabric, const Sample& photograph, Modality modality,
-                                bool aligned, protocols::Random& random)
+std::optional<PlannedSample> partnerOf(const TestPlan& plan, std::size_t fabric, const PlannedSample& photograph,
+                                       Modality modality, bool aligned, protocols::Random& random)
 {
     const auto found = plan.fabrics[fabric].training.find(modality);
     if (found == plan.fabrics[fabric].training.end() || found->second.empty()) return {};
     if (!aligned) return found->second[random.below(found->second.size())];
-    for (const Sample& sample : found->second)
+    for (const PlannedSample& sample : found->second)
         if (sample.index == photograph.index) return sample;
     return {};
 }
@@ -167,10 +170,10 @@ void retrieve(const fabrics::Dataset& dataset, const TestPlan& plan, const PlanR
     std::erase_if(known, [&](const auto& entry) { return plan.fabrics[entry.first].heldOut; });
     controls.photographs = static_cast<int>(known.size());
     if (known.empty()) {
-        controls.whyNothingRetrieved = "the training part holds no photograph to retrieve";
+        controls.whyNoRetrieval = "the training part has no photograph to retrieve";
         return;
     }
-    std::vector<Sample> photographs;
+    std::vector<PlannedSample> photographs;
     for (const auto& entry : known) photographs.push_back(entry.second);
     for (const TestPair& pair : plan.pairs) photographs.push_back(pair.photograph);
     const auto features = photographFeaturesOf(dataset, photographs, request.threads, report);
@@ -181,11 +184,11 @@ void retrieve(const fabrics::Dataset& dataset, const TestPlan& plan, const PlanR
                 squaredDistance(features[nearest], features[known.size() + i]))
                 nearest = k;
         const auto& [fabric, photograph] = known[nearest];
-        const Sample& asked = plan.pairs[i].photograph;
+        const PlannedSample& tested = plan.pairs[i].photograph;
         protocols::Random random = protocols::Random::stream(
-            request.seed, "evaluate/retrieved/" + asked.fabric.value + "/" + std::to_string(asked.index));
+            request.seed, "evaluate/retrieved/" + tested.fabric.value + "/" + std::to_string(tested.index));
         const bool aligned = dataset.pairing == fabrics::Pairing::Aligned;
-        Retrieved retrieved{photograph, {}, {}};
+        RetrievedSamples retrieved{photograph, {}, {}};
         retrieved.press = partnerOf(plan, fabric, photograph, tactile, aligned, random);
         retrieved.stroke = partnerOf(plan, fabric, photograph, friction, aligned, random);
         controls.retrieved.push_back(std::move(retrieved));
@@ -194,33 +197,36 @@ void retrieve(const fabrics::Dataset& dataset, const TestPlan& plan, const PlanR
 
 }  // namespace
 
-Controls learnControls(const fabrics::Dataset& dataset, const MeasuredSignals& measured, const TestPlan& plan,
-                       const PlanRequest& request, const Report& report)
+Controls fitControls(const fabrics::Dataset& dataset, const MeasuredSignals& measured, const TestPlan& plan,
+                     const PlanRequest& request, const Report& report)
 {
     Controls controls;
-    std::vector<Heard> heights, frictions;
+    std::vector<SampleFeatures> heights, frictions;
     const double pitch = measured.pitchMm();
     if (measured.whyNoHeight().empty()) {
         const int side = commonSide(dataset, measured, plan);
         controls.featureSide = side;
         heights =
-            hear(drawnPresses(plan, request), request.threads, "presses of the training part", report, [&](const Sample& sample) {
-                const HeightMap map{measured.height(sample.fabric, sample.index), pitch, 0};
-                return Heard{0, featureVector(heightFeatures(map, side)), cv::mean(map.heightMm)[0]};
-            });
+            computeFeatures(drawnPresses(plan, request), request.threads, "presses of the training part", report,
+                            [&](const PlannedSample& sample) {
+                                const HeightMap map{measured.height(sample.fabric, sample.index), pitch, 0};
+                                return SampleFeatures{0, featureVector(heightFeatures(map, side)), cv::mean(map.heightMm)[0]};
+                            });
     }
     if (measured.whyNoFriction().empty())
-        frictions = hear(trainingSamples(plan, friction), request.threads, "strokes of the training part", report,
-                         [&](const Sample& sample) {
-                             const auto trace = measured.trace(sample.fabric, sample.index);
-                             return Heard{0, featureVector(frictionFeatures({trace.values, trace.mmPerSample})), trace.mean};
-                         });
+        frictions = computeFeatures(
+            trainingSamples(plan, friction), request.threads, "strokes of the training part", report,
+            [&](const PlannedSample& sample) {
+                const auto trace = measured.trace(sample.fabric, sample.index);
+                return SampleFeatures{0, featureVector(frictionFeatures({trace.values, trace.mmPerSample})), trace.mean};
+            });
     controls.presses = static_cast<int>(heights.size());
     controls.strokes = static_cast<int>(frictions.size());
     setMeans(plan, heights, "press", controls.heightMm, controls.heightMmOfFabric);
     setMeans(plan, frictions, "stroke", controls.friction, controls.frictionOfFabric);
     const auto ofHeight = byFabric(heights, plan.fabrics.size()), ofFriction = byFabric(frictions, plan.fabrics.size());
-    controls.judge.reset(new Judge{Identifier(ofHeight), Identifier(ofFriction), Identifier(sideBySide(ofHeight, ofFriction))});
+    controls.identifiers.reset(
+        new Identifiers{Identifier(ofHeight), Identifier(ofFriction), Identifier(pairedFeatures(ofHeight, ofFriction))});
     retrieve(dataset, plan, request, report, controls);
     return controls;
 }

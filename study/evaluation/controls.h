@@ -1,5 +1,5 @@
-// What speaks beside the generator, so that its figures mean something: two constants, the nearest known photograph, and the
-// judge that tells fabrics apart. All are made from the training part alone.
+// Controls beside the generator: a global constant, the mean of each fabric, and the nearest training photograph. Also the
+// classifiers that identify a fabric from its signals. All of them use the training part only.
 #pragma once
 
 #include <memory>
@@ -11,31 +11,33 @@
 
 namespace study::evaluation {
 
-/// The training photograph nearest to a test photograph, and a press and a stroke of its fabric: of the same index where the
-/// data set is aligned, else drawn by seed.
-struct Retrieved {
-    Sample photograph;
-    std::optional<Sample> press, stroke;
+/// The training photograph nearest to a test photograph, with a press and a stroke of its fabric. In an aligned data set they
+/// have the same index; otherwise they are drawn by seed.
+struct RetrievedSamples {
+    PlannedSample photograph;
+    std::optional<PlannedSample> press, stroke;
 };
 
-struct Judge {
+/// Classifiers of the fabric, by signal.
+struct Identifiers {
     Identifier byHeight, byFriction, byBoth;
 };
 
 struct Controls {
     stats::Value heightMm, friction;                               ///< means over the fabrics that are not held out
     std::vector<stats::Value> heightMmOfFabric, frictionOfFabric;  ///< undefined for a held-out fabric
-    std::unique_ptr<Judge> judge;
-    std::vector<Retrieved> retrieved;  ///< one a test pair; empty where no photograph is left to retrieve
-    std::string whyNothingRetrieved;
-    int presses = 0, strokes = 0, photographs = 0;  ///< of the training part that were read
-    int featureSide = 0;                            ///< px of the square that height features are taken of
+    std::unique_ptr<Identifiers> identifiers;
+    std::vector<RetrievedSamples> retrieved;  ///< one for each test pair; empty if there is no training photograph
+    std::string whyNoRetrieval;
+    int presses = 0, strokes = 0, photographs = 0;  ///< training samples that were read
+    int featureSide = 0;                            ///< side of the square for height features, px
 };
 
-/// At most so many training presses of a fabric are read, drawn by seed: more would change no digit that is shown.
-inline constexpr std::size_t mostPressesOfFabric = 60;
+/// Largest number of training presses read for a fabric, drawn by seed. More presses change no printed digit.
+inline constexpr std::size_t maxPressesPerFabric = 60;
 
-Controls learnControls(const rendering::fabrics::Dataset& dataset, const MeasuredSignals& measured, const TestPlan& plan,
-                       const PlanRequest& request, const Report& report = {});
+/// Fits the controls on the training part.
+Controls fitControls(const rendering::fabrics::Dataset& dataset, const MeasuredSignals& measured, const TestPlan& plan,
+                     const PlanRequest& request, const Report& report = {});
 
 }  // namespace study::evaluation

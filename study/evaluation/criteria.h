@@ -1,4 +1,4 @@
-// What a generator must reach to be of use, as a table; which of it applies follows from split and pairing.
+// Criteria that a useful generator must meet, as a table. Split and pairing decide which of them apply.
 #pragma once
 
 #include <string>
@@ -9,10 +9,10 @@
 namespace study::evaluation {
 
 struct Criterion {
-    std::string what;             ///< "mean friction off by"
-    std::string asked;            ///< "at most 5.0 %"
-    std::string found;            ///< "3.1 %"; with the value it was held against where that is a control
-    std::optional<bool> reached;  ///< none: cannot be told, `found` says why
+    std::string what;             ///< measure, such as "friction: mean off by"
+    std::string required;         ///< requirement, such as "at most 5.0 %"
+    std::string found;            ///< result, such as "3.1 %", with the value of the control it is compared with
+    std::optional<bool> reached;  ///< none: undecided, with the reason in `found`
 };
 
 std::vector<Criterion> criteriaOf(const Evaluation& evaluation);

@@ -5,7 +5,7 @@
 #include "protocols/files/errors.h"
 #include "rendering/models/model_card_fields.h"
 #include "stats/kernels/threads.h"
-#include "study/evaluation/speaking.h"
+#include "study/evaluation/predictions.h"
 #include "study/evaluation/summary.h"
 
 namespace study::evaluation {
@@ -15,29 +15,29 @@ namespace {
 namespace fabrics = rendering::fabrics;
 namespace models = rendering::models;
 
-/// So many photographs go to the second program at once: enough to outweigh its start, few enough to show progress.
+/// Number of photographs sent to the generator program at once: enough to outweigh its start-up, few enough to show progress.
 constexpr std::size_t photographsAtOnce = 30;
 
-constexpr SpeakerKind controlKinds[] = {SpeakerKind::GlobalConstant, SpeakerKind::FabricMean, SpeakerKind::Retrieval,
-                                        SpeakerKind::AnotherPlace};
+constexpr PredictorKind controlKinds[] = {PredictorKind::GlobalConstant, PredictorKind::FabricMean, PredictorKind::Retrieval,
+                                          PredictorKind::AnotherPlace};
 
-Speaker speakerOf(SpeakerKind kind)
+Predictor controlPredictor(PredictorKind kind)
 {
     switch (kind) {
-        case SpeakerKind::GlobalConstant:
+        case PredictorKind::GlobalConstant:
             return {kind, "global_constant", "one constant for all"};
-        case SpeakerKind::FabricMean:
+        case PredictorKind::FabricMean:
             return {kind, "fabric_mean", "the fabric's mean"};
-        case SpeakerKind::Retrieval:
+        case PredictorKind::Retrieval:
             return {kind, "retrieval", "nearest photograph"};
-        case SpeakerKind::AnotherPlace:
+        case PredictorKind::AnotherPlace:
             return {kind, "another_place", "fabric, another place"};
-        case SpeakerKind::Measured:
+        case PredictorKind::Measured:
             return {kind, "measured", "measured itself"};
-        case SpeakerKind::GeneratedMean:
+        case PredictorKind::GeneratedMean:
             return {kind, "generated_mean", "generated, mean alone"};
-        case SpeakerKind::Generated:
-        case SpeakerKind::Against:
+        case PredictorKind::Generated:
+        case PredictorKind::Against:
             break;
     }
     return {kind, "generated", "generated"};
@@ -57,7 +57,7 @@ std::vector<OpenModel> openModels(const EvaluationRequest& request)
     return opened;
 }
 
-/// By fabric, those are tested that the model never saw.
+/// Fabrics that the model was not trained on; the split by fabric tests these.
 std::vector<protocols::FabricId> heldOutFabrics(const fabrics::Dataset& dataset, const OpenModel& model)
 {
     std::vector<protocols::FabricId> found;
@@ -66,10 +66,10 @@ std::vector<protocols::FabricId> heldOutFabrics(const fabrics::Dataset& dataset,
             found.push_back(fabric.id);
     if (found.empty())
         throw protocols::badInput({model.card.heldOut.empty()
-                                       ? "the model was trained without holding a fabric out, so it cannot be tested by fabric"
-                                       : "none of the fabrics that the model held out is in the data set",
-                                   models::cardOf(model.file).string(), "held_out naming fabrics of " + dataset.folder.string(),
-                                   "train one with `vis2hap train ... --hold-out F02,F09,F13`, or use --split location"});
+                                       ? "the model was trained on every fabric, so it cannot be tested by fabric"
+                                       : "the data set has none of the fabrics that the model held out",
+                                   models::cardOf(model.file).string(), "held_out with fabrics of " + dataset.folder.string(),
+                                   "train a model with `vis2hap train … --hold-out F02,F09,F13`, or use --split location"});
     return found;
 }
 
@@ -101,7 +101,7 @@ stats::Value rangeOf(const std::vector<MeasuredPair>& pairs)
     return highest - lowest;
 }
 
-/// Within fabrics first, as everything else.
+/// Mean within fabrics first, then over fabrics, as for every measure.
 stats::Value noiseFloorOf(const TestPlan& plan, const std::vector<MeasuredPair>& pairs)
 {
     std::vector<Values> ofPairs(pairs.size());
@@ -111,16 +111,17 @@ stats::Value noiseFloorOf(const TestPlan& plan, const std::vector<MeasuredPair>&
     return at(summarise({}, plan, ofPairs).mean, Measure::FrictionMaeOverMean);
 }
 
-/// Asks every model for the photographs of the pairs from `first` on. [model][pair]
-std::vector<std::vector<models::GeneratedSignals>> generatedFor(const Setting& setting, const EvaluationRequest& request,
+/// Generates the signals of `count` pairs, starting at pair `first`. Index: [model][pair].
+std::vector<std::vector<models::GeneratedSignals>> generatedFor(const EvaluationContext& context,
+                                                                const EvaluationRequest& request,
                                                                 const std::vector<OpenModel>& opened, std::size_t first,
                                                                 std::size_t count, const Generate& generate)
 {
     std::vector<models::InputPhotograph> photographs;
     for (std::size_t i = first; i < first + count; ++i) {
-        const Sample& photograph = setting.plan.pairs[i].photograph;
+        const PlannedSample& photograph = context.plan.pairs[i].photograph;
         photographs.push_back(
-            {fabrics::readPhotograph(setting.dataset, photograph.fabric, photograph.index), setting.dataset.cameraMmPerPixel});
+            {fabrics::readPhotograph(context.dataset, photograph.fabric, photograph.index), context.dataset.cameraMmPerPixel});
     }
     std::vector<std::vector<models::GeneratedSignals>> answers;
     for (const OpenModel& model : opened) {
@@ -132,55 +133,55 @@ std::vector<std::vector<models::GeneratedSignals>> generatedFor(const Setting& s
     return answers;
 }
 
-std::vector<Speaker> speakersOf(const std::vector<OpenModel>& opened)
+std::vector<Predictor> predictorsOf(const std::vector<OpenModel>& opened)
 {
-    std::vector<Speaker> speakers;
+    std::vector<Predictor> predictors;
     for (std::size_t i = 0; i < opened.size(); ++i) {
         const std::string name = opened[i].file.stem().string();
-        speakers.push_back(i == 0 ? Speaker{SpeakerKind::Generated, "generated", "generated"}
-                                  : Speaker{SpeakerKind::Against, "against:" + name, "against: " + name});
+        predictors.push_back(i == 0 ? Predictor{PredictorKind::Generated, "generated", "generated"}
+                                    : Predictor{PredictorKind::Against, "against:" + name, "against: " + name});
     }
-    speakers.push_back(speakerOf(SpeakerKind::GeneratedMean));
-    for (const SpeakerKind kind : controlKinds) speakers.push_back(speakerOf(kind));
-    speakers.push_back(speakerOf(SpeakerKind::Measured));
-    return speakers;
+    predictors.push_back(controlPredictor(PredictorKind::GeneratedMean));
+    for (const PredictorKind kind : controlKinds) predictors.push_back(controlPredictor(kind));
+    predictors.push_back(controlPredictor(PredictorKind::Measured));
+    return predictors;
 }
 
-/// [speaker][pair], in the order of speakersOf().
-std::vector<std::vector<Values>> hearAll(const Setting& setting, const EvaluationRequest& request,
-                                         const std::vector<OpenModel>& opened, const std::vector<MeasuredPair>& measured,
-                                         double rangeMm, const Generate& generate, const Report& report)
+/// Values of all pairs. Index: [predictor][pair], with the predictors in the order of predictorsOf().
+std::vector<std::vector<Values>> evaluatePairs(const EvaluationContext& context, const EvaluationRequest& request,
+                                               const std::vector<OpenModel>& opened, const std::vector<MeasuredPair>& measured,
+                                               double rangeMm, const Generate& generate, const Report& report)
 {
-    const std::vector<Speaker> speakers = speakersOf(opened);
-    const std::size_t total = setting.plan.pairs.size();
-    std::vector<std::vector<Values>> heard(speakers.size(), std::vector<Values>(total));
+    const std::vector<Predictor> predictors = predictorsOf(opened);
+    const std::size_t total = context.plan.pairs.size();
+    std::vector<std::vector<Values>> values(predictors.size(), std::vector<Values>(total));
     for (std::size_t first = 0; first < total; first += photographsAtOnce) {
         const std::size_t count = std::min(photographsAtOnce, total - first);
-        const auto answers = generatedFor(setting, request, opened, first, count, generate);
+        const auto answers = generatedFor(context, request, opened, first, count, generate);
         stats::onThreads(
             count, request.threads,
             [&](std::size_t k) {
                 const std::size_t i = first + k;
-                const TestPair& pair = setting.plan.pairs[i];
-                const HeightMap partner = partnerMap(setting, pair);
-                const auto said = [&](std::size_t s) {
-                    if (s < opened.size()) return saidByModel(setting, pair, answers[s][k]);
-                    if (speakers[s].kind == SpeakerKind::GeneratedMean) return saidByMean(answers.front()[k], measured[i]);
-                    return saidByControl(setting, speakers[s].kind, i, measured[i]);
+                const TestPair& pair = context.plan.pairs[i];
+                const HeightMap partner = measuredMap(context, pair);
+                const auto prediction = [&](std::size_t s) {
+                    if (s < opened.size()) return predictByModel(context, pair, answers[s][k]);
+                    if (predictors[s].kind == PredictorKind::GeneratedMean) return predictByMean(answers.front()[k], measured[i]);
+                    return predictByControl(context, predictors[s].kind, i, measured[i]);
                 };
-                for (std::size_t s = 0; s < speakers.size(); ++s)
-                    heard[s][i] = speakers[s].kind == SpeakerKind::Measured
-                                      ? measuredItself(setting, pair, measured[i])
-                                      : compare(setting, pair, measured[i], partner, said(s), rangeMm);
+                for (std::size_t s = 0; s < predictors.size(); ++s)
+                    values[s][i] = predictors[s].kind == PredictorKind::Measured
+                                       ? valuesOfMeasured(context, pair, measured[i])
+                                       : compare(context, pair, measured[i], partner, prediction(s), rangeMm);
             },
             [&](std::size_t done) {
                 if (report) report("generated against measured", static_cast<int>(first + done), static_cast<int>(total));
             });
     }
-    return heard;
+    return values;
 }
 
-void addFacts(const fabrics::Dataset& dataset, const std::vector<OpenModel>& opened, const Setting& setting,
+void addFacts(const fabrics::Dataset& dataset, const std::vector<OpenModel>& opened, const EvaluationContext& context,
               Evaluation& evaluation)
 {
     evaluation.dataset = dataset.name;
@@ -188,55 +189,58 @@ void addFacts(const fabrics::Dataset& dataset, const std::vector<OpenModel>& ope
     for (const OpenModel& model : opened)
         evaluation.models.push_back(
             {model.card.summary.name, model.file.string(), model.card.summary.sha256, model.card.objective, model.card.heldOut});
-    evaluation.leaks = setting.plan.leaks;
-    evaluation.notes = setting.plan.notes;
-    evaluation.pairs = static_cast<int>(setting.plan.pairs.size());
-    evaluation.trainingPhotographs = setting.controls.photographs;
-    evaluation.trainingPresses = setting.controls.presses;
-    evaluation.trainingStrokes = setting.controls.strokes;
-    const bool turnsKnown = std::all_of(setting.plan.pairs.begin(), setting.plan.pairs.end(), [](const TestPair& pair) {
+    evaluation.leaks = context.plan.leaks;
+    evaluation.notes = context.plan.notes;
+    evaluation.pairs = static_cast<int>(context.plan.pairs.size());
+    evaluation.trainingPhotographs = context.controls.photographs;
+    evaluation.trainingPresses = context.controls.presses;
+    evaluation.trainingStrokes = context.controls.strokes;
+    const bool turnsKnown = std::all_of(context.plan.pairs.begin(), context.plan.pairs.end(), [](const TestPair& pair) {
         return pair.photograph.rotationDeg && (!pair.press || pair.press->rotationDeg);
     });
-    if (!turnsKnown) evaluation.notes.push_back("samples.csv does not tell every rotation: such maps are registered as they lie");
+    if (!turnsKnown)
+        evaluation.notes.push_back("samples.csv does not give every rotation; maps without one are registered unrotated");
     if (!dataset.tactileMmPerPixel)
-        evaluation.notes.push_back("the data set does not state the sensor's pitch: that of the model is taken");
+        evaluation.notes.push_back(
+            "the data set does not give the pixel pitch of the tactile sensor; the pitch of the model is used");
 }
 
 }  // namespace
 
-const SpeakerResult* Evaluation::speaker(SpeakerKind kind) const
+const PredictorResult* Evaluation::predictor(PredictorKind kind) const
 {
-    const auto found =
-        std::find_if(speakers.begin(), speakers.end(), [&](const SpeakerResult& one) { return one.speaker.kind == kind; });
-    return found == speakers.end() ? nullptr : &*found;
+    const auto found = std::find_if(predictors.begin(), predictors.end(),
+                                    [&](const PredictorResult& one) { return one.predictor.kind == kind; });
+    return found == predictors.end() ? nullptr : &*found;
 }
 
 Evaluation evaluate(const fabrics::Dataset& dataset, const EvaluationRequest& request, const Report& report,
                     const Generate& generate)
 {
     const auto opened = openModels(request);
-    const PlanRequest asked = planRequest(dataset, request, opened);
-    const TestPlan plan = testPlan(dataset, asked, report);
+    const PlanRequest planned = planRequest(dataset, request, opened);
+    const TestPlan plan = testPlan(dataset, planned, report);
     const MeasuredSignals measured(dataset, opened.front().card.architecture.mmPerPixel);
-    const Controls controls = learnControls(dataset, measured, plan, asked, report);
-    const Setting setting{dataset, measured, plan, controls};
+    const Controls controls = fitControls(dataset, measured, plan, planned, report);
+    const EvaluationContext context{dataset, measured, plan, controls};
     std::vector<MeasuredPair> pairs(plan.pairs.size());
-    stats::onThreads(plan.pairs.size(), request.threads, [&](std::size_t i) { pairs[i] = measurePair(setting, plan.pairs[i]); });
+    stats::onThreads(plan.pairs.size(), request.threads, [&](std::size_t i) { pairs[i] = measurePair(context, plan.pairs[i]); });
 
     Evaluation evaluation;
-    addFacts(dataset, opened, setting, evaluation);
+    addFacts(dataset, opened, context, evaluation);
     evaluation.split = request.split;
-    evaluation.splitSeed = asked.seed;
+    evaluation.splitSeed = planned.seed;
     evaluation.boundsFraction = request.boundsFraction;
     evaluation.rangeMm = rangeOf(pairs);
     evaluation.noiseFloor = noiseFloorOf(plan, pairs);
-    const auto heard = hearAll(setting, request, opened, pairs, evaluation.rangeMm.orElse(1), generate, report);
-    const auto speakers = speakersOf(opened);
-    for (std::size_t s = 0; s < speakers.size(); ++s) evaluation.speakers.push_back(summarise(speakers[s], plan, heard[s]));
-    const SpeakerResult truth = evaluation.speakers.back();
-    for (SpeakerResult& speaker : evaluation.speakers) {
-        speaker.friction = compareMeans(speaker, truth, Measure::MeanFriction, request.boundsFraction);
-        speaker.sq = compareMeans(speaker, truth, Measure::SqMm, request.boundsFraction);
+    const auto values = evaluatePairs(context, request, opened, pairs, evaluation.rangeMm.orElse(1), generate, report);
+    const auto predictors = predictorsOf(opened);
+    for (std::size_t s = 0; s < predictors.size(); ++s)
+        evaluation.predictors.push_back(summarise(predictors[s], plan, values[s]));
+    const PredictorResult truth = evaluation.predictors.back();
+    for (PredictorResult& predictor : evaluation.predictors) {
+        predictor.friction = compareMeans(predictor, truth, Measure::MeanFriction, request.boundsFraction);
+        predictor.sq = compareMeans(predictor, truth, Measure::SqMm, request.boundsFraction);
     }
     evaluation.fabrics = static_cast<int>(truth.fabrics.size());
     return evaluation;

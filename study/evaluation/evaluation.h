@@ -1,5 +1,6 @@
-// Generated against measured signals, beside what gives the figures meaning: a global constant, each fabric's mean, the nearest
-// known photograph, and the same fabric at another place. Averages are taken within a fabric first, then over fabrics.
+// Comparison of generated with measured signals. Four controls put the figures into context: a global constant, the mean of each
+// fabric, the nearest training photograph, and the same fabric at another place. Averages are taken within a fabric first, then
+// over fabrics.
 #pragma once
 
 #include <filesystem>
@@ -15,32 +16,35 @@
 
 namespace study::evaluation {
 
-/// GeneratedMean: the generated mean friction alone, a constant trace: what the condition h_g&f_g shows of friction.
-enum class SpeakerKind { Generated, GeneratedMean, Against, GlobalConstant, FabricMean, Retrieval, AnotherPlace, Measured };
+/// Source of predicted signals. GeneratedMean is the generated mean friction as a constant trace, as in condition h_g&f_g.
+enum class PredictorKind { Generated, GeneratedMean, Against, GlobalConstant, FabricMean, Retrieval, AnotherPlace, Measured };
 
-struct Speaker {
-    SpeakerKind kind = SpeakerKind::Generated;
-    std::string id;    ///< "generated", "against:NAME", "global_constant", ...
-    std::string name;  ///< for people
+/// A source of predicted signals: a model or a control.
+struct Predictor {
+    PredictorKind kind = PredictorKind::Generated;
+    std::string id;    ///< "generated", "against:NAME", "global_constant", …
+    std::string name;  ///< for tables
 };
 
+/// Measures of one fabric.
 struct FabricValues {
     protocols::FabricId fabric;
     int pairs = 0;
-    Values values;  ///< means over its pairs
+    Values values;  ///< means over the pairs of the fabric
 };
 
-/// Are the means over fabrics of what was generated and measured the same? Unit: fabric.
+/// Test whether predicted and measured means are equal. The unit is the fabric.
 struct MeanComparison {
-    double bound = 0;                    ///< of the equivalence test, in the measure's unit
-    stats::EquivalenceTest equivalence;  ///< with the paper's t test beside it (tDifference)
+    double bound = 0;                    ///< bound of the equivalence test, in the unit of the measure
+    stats::EquivalenceTest equivalence;  ///< includes the paper's t test (tDifference)
 };
 
-struct SpeakerResult {
-    Speaker speaker;
+/// Results of one predictor.
+struct PredictorResult {
+    Predictor predictor;
     std::vector<FabricValues> fabrics;
-    Values mean;                  ///< over fabrics
-    MeanComparison friction, sq;  ///< against the measured means
+    Values mean;                  ///< means over fabrics
+    MeanComparison friction, sq;  ///< comparison with the measured means
 };
 
 struct ModelUsed {
@@ -51,13 +55,13 @@ struct ModelUsed {
 
 struct EvaluationRequest {
     std::filesystem::path model;                 ///< empty: the shipped weights
-    std::vector<std::filesystem::path> against;  ///< further models, beside it
+    std::vector<std::filesystem::path> against;  ///< further models to compare with
     SplitKind split = SplitKind::Sample;
-    std::optional<std::uint64_t> splitSeed;  ///< none: the model's own
+    std::optional<std::uint64_t> splitSeed;  ///< none: the seed of the model's training
     rendering::models::Quality quality = rendering::models::Quality::Balanced;
     std::optional<int> samplesPerFabric;
-    double boundsFraction = 0.10;  ///< of the measured grand mean: equivalence bounds
-    unsigned threads = 0;          ///< 0: as many as the machine has; changes no number
+    double boundsFraction = 0.10;  ///< equivalence bounds as a fraction of the measured grand mean
+    unsigned threads = 0;  ///< 0: as many as the machine has; the results do not depend on it
 };
 
 struct Evaluation {
@@ -66,23 +70,23 @@ struct Evaluation {
     SplitKind split = SplitKind::Sample;
     std::uint64_t splitSeed = 1;
     double boundsFraction = 0.10;
-    std::vector<ModelUsed> models;                                          ///< the model, then those against it
-    int pairs = 0, fabrics = 0;                                             ///< tested
-    int trainingPhotographs = 0, trainingPresses = 0, trainingStrokes = 0;  ///< that the controls know
+    std::vector<ModelUsed> models;                                          ///< the evaluated model, then the others
+    int pairs = 0, fabrics = 0;                                             ///< number of tested pairs and fabrics
+    int trainingPhotographs = 0, trainingPresses = 0, trainingStrokes = 0;  ///< training samples that the controls use
     Leaks leaks;
-    stats::Value rangeMm;                 ///< L of SSIM: from the lowest to the highest point of all measured test maps
-    stats::Value noiseFloor;              ///< friction MAE/mean of a constant at each stroke's own mean
-    std::vector<SpeakerResult> speakers;  ///< generated, against, the controls, measured
+    stats::Value rangeMm;                     ///< L of SSIM: highest minus lowest point of all measured test maps
+    stats::Value noiseFloor;                  ///< friction MAE/mean of a constant at the mean of each stroke
+    std::vector<PredictorResult> predictors;  ///< generated, other models, controls, measured
     std::vector<std::string> notes;
 
-    const SpeakerResult* speaker(SpeakerKind kind) const;  ///< the first of its kind
+    const PredictorResult* predictor(PredictorKind kind) const;  ///< first of this kind; null if none
 };
 
-/// How signals are generated; the program asks rendering::models::generate().
+/// Function that generates signals; the program uses rendering::models::generate().
 using Generate = std::function<std::vector<rendering::models::GeneratedSignals>(
     std::span<const rendering::models::InputPhotograph>, const rendering::models::GenerationOptions&)>;
 
-/// Throws badInput where there is nothing to test or the model cannot be tested so.
+/// Evaluates the models. Throws badInput if there is nothing to test or if the split does not suit the model.
 Evaluation evaluate(const rendering::fabrics::Dataset& dataset, const EvaluationRequest& request, const Report& report = {},
                     const Generate& generate = rendering::models::generate);
 

@@ -10,7 +10,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Null with its reason where it does not exist.
+/// Writes the value, or null and its reason if it does not exist.
 void put(Json& object, std::string_view field, const stats::Value& value)
 {
     const std::string name(field);
@@ -56,14 +56,14 @@ Json meansJson(const std::string& measure, const MeanComparison& means)
     return json;
 }
 
-Json speakerJson(const SpeakerResult& speaker)
+Json predictorJson(const PredictorResult& predictor)
 {
-    Json json{{"id", speaker.speaker.id}, {"name", speaker.speaker.name}};
-    putValues(json, speaker.mean);
-    if (speaker.speaker.kind != SpeakerKind::Measured)
-        json["equal_means"] = {meansJson("mean_friction", speaker.friction), meansJson("sq_mm", speaker.sq)};
+    Json json{{"id", predictor.predictor.id}, {"name", predictor.predictor.name}};
+    putValues(json, predictor.mean);
+    if (predictor.predictor.kind != PredictorKind::Measured)
+        json["equal_means"] = {meansJson("mean_friction", predictor.friction), meansJson("sq_mm", predictor.sq)};
     json["fabrics"] = Json::array();
-    for (const FabricValues& fabric : speaker.fabrics) {
+    for (const FabricValues& fabric : predictor.fabrics) {
         Json one{{"fabric", fabric.fabric.value}, {"pairs", fabric.pairs}};
         putValues(one, fabric.values);
         json["fabrics"].push_back(one);
@@ -80,7 +80,7 @@ Json criteriaJson(const Evaluation& evaluation)
 {
     Json json = Json::array();
     for (const Criterion& one : criteriaOf(evaluation)) {
-        json.push_back({{"what", one.what}, {"asked", one.asked}, {"found", one.found}});
+        json.push_back({{"what", one.what}, {"asked", one.required}, {"found", one.found}});
         json.back()["reached"] = one.reached ? Json(*one.reached) : Json(nullptr);
         if (!one.reached) json.back()["why"]["reached"] = one.found;
     }
@@ -111,7 +111,7 @@ nlohmann::ordered_json evaluationJson(const Evaluation& evaluation)
     put(json, "ssim_range_mm", evaluation.rangeMm);
     put(json, "friction_noise_floor", evaluation.noiseFloor);
     json["speakers"] = Json::array();
-    for (const SpeakerResult& speaker : evaluation.speakers) json["speakers"].push_back(speakerJson(speaker));
+    for (const PredictorResult& predictor : evaluation.predictors) json["speakers"].push_back(predictorJson(predictor));
     json["criteria"] = criteriaJson(evaluation);
     return json;
 }

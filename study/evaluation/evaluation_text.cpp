@@ -16,11 +16,11 @@ using Line = std::vector<std::string>;
 std::string number(const char* format, double value)
 {
     char text[40];
-    std::snprintf(text, sizeof text, format, value);  // never under a locale of a window: commands run in "C"
+    std::snprintf(text, sizeof text, format, value);  // commands run in the "C" locale, never in that of a window
     return text;
 }
 
-/// Columns as wide as their widest entry; the first to the left, the others to the right.
+/// Table with columns as wide as their widest entry. The first column is aligned left, the others right.
 std::string table(const std::vector<Line>& lines)
 {
     std::vector<std::size_t> widths;
@@ -54,26 +54,26 @@ std::string title(const Evaluation& evaluation, const std::string& what)
     return "\n" + what + " (" + splitName(evaluation) + ")\n";
 }
 
-struct Titled {
+struct TitledSection {
     Section section;
     const char* title;
 };
 
-constexpr Titled sections[] = {
+constexpr TitledSection sections[] = {
     {Section::Friction, "Friction"},
     {Section::Height, "Height"},
     {Section::Roughness, "Roughness, generated over measured: 1 is right"},
     {Section::Identification, "Fabrics recognised from their signals"},
 };
 
-bool hasAny(const SpeakerResult& speaker, Section section)
+bool hasAny(const PredictorResult& predictor, Section section)
 {
     return std::any_of(measureTable().begin(), measureTable().end(),
-                       [&](const MeasureRow& row) { return row.section == section && at(speaker.mean, row.measure).exists(); });
+                       [&](const MeasureRow& row) { return row.section == section && at(predictor.mean, row.measure).exists(); });
 }
 
-/// One row a speaker; those of whom nothing of the section is known say why below.
-std::string sectionTable(const Evaluation& evaluation, const Titled& section)
+/// Table of one section with one row for each predictor. The reasons for missing values follow below.
+std::string sectionTable(const Evaluation& evaluation, const TitledSection& section)
 {
     std::vector<Line> lines{{""}};
     std::string meanings;
@@ -83,14 +83,14 @@ std::string sectionTable(const Evaluation& evaluation, const Titled& section)
             lines.front().push_back(std::string(row.heading));
             meanings += "    " + std::string(row.heading) + ": " + std::string(row.meaning) + "\n";
         }
-    for (const SpeakerResult& speaker : evaluation.speakers) {
-        const bool measured = speaker.speaker.kind == SpeakerKind::Measured;
+    for (const PredictorResult& predictor : evaluation.predictors) {
+        const bool measured = predictor.predictor.kind == PredictorKind::Measured;
         if (measured && section.section != Section::Identification) continue;
-        Line line{speaker.speaker.name};
+        Line line{predictor.predictor.name};
         for (const MeasureRow& row : measureTable())
             if (row.section == section.section) {
-                const stats::Value& value = at(speaker.mean, row.measure);
-                line.push_back(shownValue(value, row.shown));
+                const stats::Value& value = at(predictor.mean, row.measure);
+                line.push_back(formatted(value, row.format));
                 if (!value.exists()) reasons.insert(value.why());
             }
         lines.push_back(line);
@@ -100,55 +100,58 @@ std::string sectionTable(const Evaluation& evaluation, const Titled& section)
     return text;
 }
 
-std::string shownP(const stats::Value& p) { return p.exists() && *p < 1e-4 ? "< 0.0001" : shownValue(p, Shown::Plain4); }
+std::string formattedP(const stats::Value& p)
+{
+    return p.exists() && *p < 1e-4 ? "< 0.0001" : formatted(p, NumberFormat::Plain4);
+}
 
 std::string meansTable(const Evaluation& evaluation)
 {
     const int percent = static_cast<int>(std::lround(100 * evaluation.boundsFraction));
-    std::string text = title(evaluation, "Are the means over fabrics the same as the measured? Unit: fabric");
+    std::string text = title(evaluation, "Do the means over fabrics equal the measured means? Unit: fabric");
     std::vector<Line> lines{{"", "mean friction", "difference", "p (equal)  ", "p (different)", "Sq, mm", "difference",
                              "p (equal)  ", "p (different)"}};
-    for (const SpeakerResult& speaker : evaluation.speakers) {
-        Line line{speaker.speaker.name};
+    for (const PredictorResult& predictor : evaluation.predictors) {
+        Line line{predictor.predictor.name};
         const auto add = [&](Measure measure, const MeanComparison& means) {
-            line.push_back(shownValue(at(speaker.mean, measure), Shown::Plain4));
-            if (speaker.speaker.kind == SpeakerKind::Measured) {
+            line.push_back(formatted(at(predictor.mean, measure), NumberFormat::Plain4));
+            if (predictor.predictor.kind == PredictorKind::Measured) {
                 line.insert(line.end(), {"", "", ""});
                 return;
             }
-            line.push_back(shownValue(means.equivalence.estimate, Shown::Plain4));
-            line.push_back(shownP(means.equivalence.p) + (means.equivalence.equivalent ? " *" : "  "));
-            line.push_back(shownP(means.equivalence.pDifference));
+            line.push_back(formatted(means.equivalence.estimate, NumberFormat::Plain4));
+            line.push_back(formattedP(means.equivalence.p) + (means.equivalence.equivalent ? " *" : "  "));
+            line.push_back(formattedP(means.equivalence.pDifference));
         };
-        add(Measure::MeanFriction, speaker.friction);
-        add(Measure::SqMm, speaker.sq);
+        add(Measure::MeanFriction, predictor.friction);
+        add(Measure::SqMm, predictor.sq);
         lines.push_back(line);
     }
     text += table(lines);
     text += "    p (equal): two one-sided tests against bounds of +-" + std::to_string(percent) +
-            " % of the measured mean; * marks those shown to be equal within them (p < 0.05)\n"
-            "    p (different): the paper's paired t test; a large p does not show that means are equal\n";
+            " % of the measured mean; * marks means that are equal within these bounds (p < 0.05)\n"
+            "    p (different): the paper's paired t test; a large p does not show that the means are equal\n";
     return text;
 }
 
-/// Verdict, what, what was asked and what was found, all to the left.
+/// Table of the criteria: verdict, measure, requirement and result, all aligned left.
 std::string criteriaTable(const Evaluation& evaluation)
 {
     const auto criteria = criteriaOf(evaluation);
     if (criteria.empty()) return {};
-    std::size_t what = 0, asked = 0;
+    std::size_t what = 0, required = 0;
     for (const Criterion& one : criteria) {
         what = std::max(what, one.what.size());
-        asked = std::max(asked, one.asked.size());
+        required = std::max(required, one.required.size());
     }
-    std::string text = title(evaluation, "To be reached by the generated signals");
+    std::string text = title(evaluation, "Criteria for the generated signals");
     const auto padded = [](std::string entry, std::size_t width) {
         entry.resize(std::max(width, entry.size()), ' ');
         return entry + "  ";
     };
     for (const Criterion& one : criteria)
         text += "  " + padded(one.reached ? (*one.reached ? "yes" : "NO") : "?", 3) + padded(one.what, what) +
-                padded(one.asked, asked) + one.found + "\n";
+                padded(one.required, required) + one.found + "\n";
     return text;
 }
 
@@ -173,12 +176,12 @@ std::string leaksText(const Leaks& leaks, SplitKind split)
         text += "  " + what + ": " + (sumOf(counts) == 0 ? "none" : bySignal(counts)) + "\n";
     };
     const bool leak = split == SplitKind::Augmented;
-    add(leaks.trainedOn, leak ? "  LEAK: a model was trained on the very files; the figures below measure memory, too"
-                              : "  left out, a model was trained on the very files");
+    add(leaks.trainedOn, leak ? "  LEAK: a model was trained on these files; the figures below also measure memory"
+                              : "  left out because a model was trained on these files");
     if (sumOf(leaks.placeTrainedOn) > 0)
-        add(leaks.placeTrainedOn, "  left out, a model was trained on the piece of fabric that they show");
-    add(leaks.duplicates, "  same bytes as a sample outside the testing part");
-    add(leaks.overlaps, "  on fabric that a sample of the same signal outside it shows, too");
+        add(leaks.placeTrainedOn, "  left out because a model was trained on the same place of the fabric");
+    add(leaks.duplicates, "  identical with a sample outside the testing part");
+    add(leaks.overlaps, "  at the same place of the fabric as a sample of this signal outside the testing part");
     return text;
 }
 
@@ -188,9 +191,9 @@ std::string head(const Evaluation& evaluation)
     std::string text = "Generated against measured signals: model \"" + model.name + "\" on \"" + evaluation.dataset + "\"\n";
     text += "  split " + splitName(evaluation) + ", seed " + std::to_string(evaluation.splitSeed) + ": " +
             countOf(evaluation.pairs, "test photograph") + " of " + countOf(evaluation.fabrics, "fabric") +
-            (evaluation.aligned ? ", each beside the press and the stroke of its index\n"
-                                : ", each beside a press and a stroke of its fabric, drawn by seed\n");
-    text += "  the controls know " + countOf(evaluation.trainingPhotographs, "photograph") + ", " +
+            (evaluation.aligned ? ", each compared with the press and the stroke of its index\n"
+                                : ", each compared with a press and a stroke of its fabric, drawn by seed\n");
+    text += "  the controls use " + countOf(evaluation.trainingPhotographs, "photograph") + ", " +
             std::to_string(evaluation.trainingPresses) + " presses and " + countOf(evaluation.trainingStrokes, "stroke") +
             " of the training part\n";
     text += "  figures are means within a fabric, then over fabrics";
@@ -203,17 +206,17 @@ std::string head(const Evaluation& evaluation)
 
 }  // namespace
 
-std::string shownValue(const stats::Value& value, Shown shown)
+std::string formatted(const stats::Value& value, NumberFormat format)
 {
     if (!value.exists()) return "-";
-    switch (shown) {
-        case Shown::Plain4:
+    switch (format) {
+        case NumberFormat::Plain4:
             return number("%.4f", *value);
-        case Shown::Percent:
+        case NumberFormat::Percent:
             return number("%.1f %%", 100 * *value);
-        case Shown::Decibels:
+        case NumberFormat::Decibels:
             return number("%.2f dB", *value);
-        case Shown::Ratio:
+        case NumberFormat::Ratio:
             return number("%.3f", *value);
     }
     return {};
@@ -222,18 +225,18 @@ std::string shownValue(const stats::Value& value, Shown shown)
 std::string evaluationText(const Evaluation& evaluation)
 {
     std::string text = head(evaluation);
-    for (const Titled& section : sections) {
-        const bool any = std::any_of(evaluation.speakers.begin(), evaluation.speakers.end(),
-                                     [&](const SpeakerResult& speaker) { return hasAny(speaker, section.section); });
+    for (const TitledSection& section : sections) {
+        const bool any = std::any_of(evaluation.predictors.begin(), evaluation.predictors.end(),
+                                     [&](const PredictorResult& predictor) { return hasAny(predictor, section.section); });
         if (any) text += sectionTable(evaluation, section);
         if (section.section == Section::Friction && evaluation.noiseFloor.exists())
-            text += "    noise floor of MAE/mean: " + shownValue(evaluation.noiseFloor, Shown::Percent) +
-                    ", a constant at each stroke's own true mean: what is left when the mean is right and the texture unknown\n";
+            text += "    noise floor of MAE/mean: " + formatted(evaluation.noiseFloor, NumberFormat::Percent) +
+                    ", the error of a constant at the true mean of each stroke\n";
         if (!any)
             for (const MeasureRow& row : measureTable())
                 if (row.section == section.section) {
                     text += title(evaluation, section.title) +
-                            "  not measured: " + at(evaluation.speakers.front().mean, row.measure).why() + "\n";
+                            "  not measured: " + at(evaluation.predictors.front().mean, row.measure).why() + "\n";
                     break;
                 }
     }

@@ -1,4 +1,4 @@
-// An evaluation as tables for people.
+// An evaluation as text tables.
 #pragma once
 
 #include <string>
@@ -7,11 +7,11 @@
 
 namespace study::evaluation {
 
-/// Tables of friction, height, roughness, identification and equal means, each titled with split and pairing, with a line of
-/// explanation a column; at the end what must be reached, where `criteria` says so.
+/// Tables of friction, height, roughness, identification and equal means. Each has a title with split and pairing and an
+/// explanation of every column. The criteria follow at the end, if any apply.
 std::string evaluationText(const Evaluation& evaluation);
 
-/// "0.4213", "7.9 %", "4.2 dB", "0.97"; "-" where the value does not exist.
-std::string shownValue(const stats::Value& value, Shown shown);
+/// Text of a value, such as "0.4213", "7.9 %", "4.20 dB" or "0.970"; "-" if the value does not exist.
+std::string formatted(const stats::Value& value, NumberFormat format);
 
 }  // namespace study::evaluation

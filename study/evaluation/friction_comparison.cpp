@@ -10,7 +10,7 @@ namespace study::evaluation {
 
 namespace {
 
-constexpr std::size_t segment = 64;  // as the generators' spectrogram
+constexpr std::size_t segment = 64;  // segment length of the generators' spectrogram
 constexpr std::size_t frequenciesOfBand = 4;
 constexpr const char* constantWhy = "a constant has no texture";
 
@@ -34,7 +34,7 @@ std::vector<double> overMean(const std::vector<double>& values)
     return result;
 }
 
-/// The longest segment of a power of two that fits twice, at most 64 samples.
+/// The longest power of two that fits twice into `length`, from 8 to 64 samples.
 std::size_t segmentFor(std::size_t length)
 {
     std::size_t fitting = segment;
@@ -45,7 +45,7 @@ std::size_t segmentFor(std::size_t length)
 stats::Value envelopeDistance(const std::vector<double>& generated, const std::vector<double>& measured)
 {
     if (isConstant(generated) || isConstant(measured)) return stats::Value::undefined(constantWhy);
-    if (!(meanOf(generated) > 0 && meanOf(measured) > 0)) return stats::Value::undefined("a trace's mean is not above 0");
+    if (!(meanOf(generated) > 0 && meanOf(measured) > 0)) return stats::Value::undefined("the mean of a trace is not above 0");
     const auto length = segmentFor(std::min(generated.size(), measured.size()));
     return stats::spectrumDistance(overMean(generated), overMean(measured), length).decibels;
 }

@@ -1,4 +1,4 @@
-// A generated against a measured friction trace: sample by sample, by its mean, and by its spectrum.
+// Comparison of a generated with a measured friction trace: sample by sample, by mean and by spectrum.
 #pragma once
 
 #include <vector>
@@ -7,28 +7,29 @@
 
 namespace study::evaluation {
 
+/// Friction over distance.
 struct Trace {
     std::vector<double> values;  ///< coefficient of friction
-    double mmPerSample = 0;      ///< 0 where it makes no difference: a constant
+    double mmPerSample = 0;      ///< sample spacing, mm; 0 for a constant trace
 };
 
-/// `length` samples of one value.
+/// Trace of `length` equal samples.
 Trace constantTrace(double value, std::size_t length);
 
-/// Linearly interpolated; the trace itself where the spacings agree within 1 %.
+/// The trace resampled by linear interpolation; unchanged if the spacings agree within 1 %.
 Trace atSpacing(Trace trace, double mmPerSample);
 
 struct FrictionFeatures {
     double mean = 0;
-    std::vector<double> bandPowers;  ///< of the trace over its mean, in eight bands of frequency: 0 for a constant, empty for a
-                                     ///< trace below 64 samples
+    /// Powers of the trace over its mean in eight frequency bands: 0 for a constant, empty below 64 samples.
+    std::vector<double> bandPowers;
 };
 FrictionFeatures frictionFeatures(const Trace& trace);
 
-/// All friction measures but identification, over the samples that both traces have.
+/// Sets all friction measures except identification. Uses the samples that both traces have.
 void compareTraces(const Trace& generated, const Trace& measured, Values& values);
 
-/// MAE/mean of a constant at the stroke's own mean: what no constant does better than.
+/// MAE/mean of a constant at the mean of the stroke: the error that remains without texture.
 stats::Value ownMeanError(const Trace& measured);
 
 }  // namespace study::evaluation

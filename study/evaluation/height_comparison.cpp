@@ -13,8 +13,8 @@ namespace study::evaluation {
 namespace {
 
 constexpr double longestMm = 6.4;
-constexpr double bandFloor = 1e-4;  // -40 dB of the strongest band: less power is neither seen nor felt
-constexpr int bandCount = 15;       // thirds of an octave down to 0.2 mm
+constexpr double bandFloor = 1e-4;  // -40 dB of the strongest band: weaker bands are neither visible nor tangible
+constexpr int bandCount = 15;       // third-octave bands down to 0.2 mm
 
 cv::Mat middle(const cv::Mat& map, cv::Size size)
 {
@@ -42,7 +42,7 @@ cv::Mat stretched(const cv::Mat& map)
     return result;
 }
 
-/// A Hann window over the inscribed circle: one that is separable would weigh a texture by its direction.
+/// Hann window over the inscribed circle. A separable window would weight textures by their direction.
 cv::Mat roundWindow(int side)
 {
     cv::Mat window(side, side, CV_64F);
@@ -54,7 +54,7 @@ cv::Mat roundWindow(int side)
     return window;
 }
 
-/// Power density of the map about its mean under the window, mm^4, [side x side].
+/// Power density of the map minus its windowed mean, mm⁴, [side × side].
 cv::Mat powerDensity(const cv::Mat& square, double pitchMm)
 {
     const cv::Mat window = roundWindow(square.cols);
@@ -65,8 +65,8 @@ cv::Mat powerDensity(const cv::Mat& square, double pitchMm)
     return (parts[0].mul(parts[0]) + parts[1].mul(parts[1])) * (pitchMm * pitchMm / cv::sum(window.mul(window))[0]);
 }
 
-/// Bands overlap by halves (triangles over the logarithm of the frequency), so that no line of a spectrum jumps from one to the
-/// next.
+/// Mean power of each band. Bands are triangles over the logarithm of the frequency and overlap by half, so that a spectral line
+/// moves smoothly from one band to the next.
 std::vector<double> bandPowersOf(const cv::Mat& square, double pitchMm)
 {
     const int side = square.cols;
@@ -77,7 +77,7 @@ std::vector<double> bandPowersOf(const cv::Mat& square, double pitchMm)
         for (int j = 0; j < side; ++j) {
             const double cycles = std::hypot(j <= side / 2 ? j : j - side, i <= side / 2 ? i : i - side);
             if (cycles < 1 || cycles > side / 2.0) continue;
-            const double place = 3 * std::log2(cycles / (side * pitchMm) * longestMm) - 0.5;  // 0: the middle of the first band
+            const double place = 3 * std::log2(cycles / (side * pitchMm) * longestMm) - 0.5;  // 0: middle of the first band
             const int below = static_cast<int>(std::floor(place));
             for (const int band : {below, below + 1}) {
                 if (band < 0 || band >= bandCount) continue;
@@ -98,8 +98,8 @@ stats::Value ratioOf(double generated, double measured)
     return generated / measured;
 }
 
-/// All places are searched by transform; stats::registeredSsim goes through its shifts one by one, too slow for whole repeats.
-/// The corner within `window` at which `part` correlates best; the middle where `part` does not vary.
+/// Position in `window` at which `part` correlates best; the middle if `part` is constant. Uses a Fourier transform, because
+/// stats::registeredSsim tries shifts one by one, which is too slow for a whole repeat.
 cv::Point bestPlace(const cv::Mat& part, const cv::Mat& window)
 {
     cv::Mat partFloat, windowFloat, correlation;
@@ -117,8 +117,8 @@ stats::Value registered(const HeightMap& generated, const HeightMap& measured, d
 {
     const int wide = largestSideAlongFabric(measured);
     const int side = std::min({largestSideAlongFabric(generated), wide, registeredSidePx});
-    if (side < 16) return stats::Value::undefined("the maps are too small to be brought into register");
-    // Of equal parity, so that the pixels of both lie on one lattice about the middle.
+    if (side < 16) return stats::Value::undefined("the maps are too small to be registered");
+    // Sides of equal parity, so that the pixels of both maps lie on one lattice around the middle.
     const cv::Mat part = alongFabric(generated, side), window = alongFabric(measured, wide - (wide - side) % 2);
     const cv::Mat fitted = window(cv::Rect(bestPlace(part, window), part.size())).clone();
     return stats::ssim(viewOf(part), viewOf(fitted), rangeMm).mean;
@@ -179,7 +179,7 @@ cv::Mat alongFabric(const HeightMap& map, int side)
     const double angle = map.rotationDeg * std::numbers::pi / 180;
     const double c = std::cos(angle), s = std::sin(angle), to = (side - 1) / 2.0;
     const double x = (map.heightMm.cols - 1) / 2.0, y = (map.heightMm.rows - 1) / 2.0;
-    // A fabric anticlockwise by the angle in the picture, whose y points down: where its axes' point (u, v) lies there.
+    // Maps point (u, v) on the axes of the fabric to the picture. The fabric is rotated anticlockwise, and y points down.
     const cv::Mat fromFabric = (cv::Mat_<double>(2, 3) << c, s, x - c * to - s * to, -s, c, y + s * to - c * to);
     cv::Mat turned;
     cv::warpAffine(map.heightMm, turned, fromFabric, {side, side}, cv::INTER_CUBIC | cv::WARP_INVERSE_MAP,

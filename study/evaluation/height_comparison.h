@@ -1,4 +1,4 @@
-// A generated against a measured height map: structural similarity in three ways, spectrum, roughness.
+// Comparison of a generated with a measured height map: three variants of structural similarity, spectrum and roughness.
 #pragma once
 
 #include <opencv2/core/mat.hpp>
@@ -9,47 +9,47 @@
 
 namespace study::evaluation {
 
-/// Why a constant map has no ratio of roughness.
+/// Reason why a constant map has no roughness ratio.
 inline constexpr const char* flatMapWhy = "a flat map has no texture";
 
-/// A map at the pitch of the measured ones.
+/// Height map with its pitch and the rotation of the fabric.
 struct HeightMap {
     cv::Mat heightMm;        ///< CV_32FC1
-    double pitchMm = 1;      ///< mm a pixel
-    double rotationDeg = 0;  ///< of the fabric in it, anticlockwise; 0 where unknown
+    double pitchMm = 1;      ///< mm per pixel
+    double rotationDeg = 0;  ///< rotation of the fabric in the map, anticlockwise; 0 if unknown
     bool isFlat() const;
 };
 
-/// `map` brought to another pitch; the map itself where they are equal within 1e-6.
+/// The map resampled to another pitch; unchanged if the pitches agree within 1e-6.
 HeightMap atPitch(HeightMap map, double pitchMm);
 
-/// What tells heights apart whatever their place and direction; of a middle square.
+/// Features of a height map that do not depend on place and direction, from its middle square.
 struct HeightFeatures {
-    std::vector<double>
-        bandPowers;  ///< mean power in thirds of an octave from 6.4 to 0.2 mm wavelength, mm^4; the empty ones left out
-    double sqMm = 0;
-    double sdr = 0;
-    double salMm = 0;
+    std::vector<double> bandPowers;  ///< mean power in third-octave bands from 6.4 to 0.2 mm wavelength, mm⁴; no empty bands
+    double sqMm = 0;                 ///< RMS height
+    double sdr = 0;                  ///< developed area ratio
+    double salMm = 0;                ///< autocorrelation length
 };
 
-/// The middle square of `side` pixels, at most the map's shorter side.
+/// Features of the middle square with `side` pixels, at most the shorter side of the map.
 HeightFeatures heightFeatures(const HeightMap& map, int side);
 
-/// Root mean square over the bands of 10 log10 of the ratio of powers, each at least -40 dB of the measured map's strongest
-/// band: a flat map has a distance, too. Undefined with its reason where the measured map is flat or a map is too small.
+/// Spectral distance, dB: root mean square over the bands of 10 log10 of the ratio of powers. A floor 40 dB below the strongest
+/// measured band is added to each power, so that a flat map has a distance, too. Undefined if the measured map is flat or if a
+/// map is too small.
 stats::Value bandDistance(const HeightFeatures& generated, const HeightFeatures& measured);
 
-/// The fabric's own axes along rows and columns: turned by its rotation (cubic), middle square of `side` pixels.
+/// The middle square of `side` pixels, rotated (cubic interpolation) so that the axes of the fabric lie along rows and columns.
 cv::Mat alongFabric(const HeightMap& map, int side);
-/// The largest such square that lies wholly inside the map.
+/// Side of the largest such square that lies completely inside the map, px.
 int largestSideAlongFabric(const HeightMap& map);
 
-/// All height measures but identification. `rangeMm`: L of the structural similarity. Both maps at one pitch.
+/// Sets all height measures except identification. `rangeMm`: L of the structural similarity. Both maps have the same pitch.
 void compareHeights(const HeightMap& generated, const HeightFeatures& generatedFeatures, const HeightMap& measured,
                     const HeightFeatures& measuredFeatures, double rangeMm, Values& values);
 
-/// The registered similarity looks for the middle of the generated map, so many px wide, all over the measured one: 3.4 mm
-/// of search for presses of 12 x 16 mm, a repeat of the coarsest fabrics.
+/// Side of the middle square of the generated map that registration searches for in the measured map, px. For presses of
+/// 12 × 16 mm the search covers 3.4 mm, one repeat of the coarsest fabrics.
 inline constexpr int registeredSidePx = 128;
 
 }  // namespace study::evaluation

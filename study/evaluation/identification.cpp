@@ -8,7 +8,7 @@ namespace study::evaluation {
 
 namespace {
 
-// Far below any fabric, far above rounding.
+// Floors of the logarithms, far below the values of any fabric and far above rounding errors.
 constexpr double powerFloor = 1e-12, sqFloorMm = 1e-6, sdrFloor = 1e-9, salFloorMm = 1e-4, meanFloor = 1e-4,
                  texturePowerFloor = 1e-10;
 
@@ -68,7 +68,8 @@ Identifier::Identifier(const std::vector<std::vector<FeatureVector>>& samplesOfC
     if (freedom > 0) covariance /= freedom;
     const double shrinkage = static_cast<double>(length) / (static_cast<double>(length) + freedom);
     cv::Mat shrunk = covariance * (1 - shrinkage);
-    const double least = freedom > 0 ? 1e-6 * cv::trace(covariance)[0] / size + 1e-12 : 1;  // one sample a class: plain distance
+    const double least =
+        freedom > 0 ? 1e-6 * cv::trace(covariance)[0] / size + 1e-12 : 1;  // with one sample per class: Euclidean distance
     for (int i = 0; i < size; ++i) shrunk.at<double>(i, i) = covariance.at<double>(i, i) + least;
     cv::invert(shrunk, m_precision, cv::DECOMP_CHOLESKY);
 }

@@ -1,5 +1,5 @@
-// Which fabric a signal sounds like: a linear discriminant over what tells fabrics apart, fitted on measured signals.
-// The judge of generated signals, and of measured ones, whose score is the ceiling.
+// Identification of the fabric from a signal: linear discriminant analysis of signal features, fitted on measured signals.
+// It classifies generated signals, and measured ones as an upper limit.
 #pragma once
 
 #include <opencv2/core/mat.hpp>
@@ -13,24 +13,25 @@ namespace study::evaluation {
 
 using FeatureVector = std::vector<double>;
 
-/// Logarithms; a flat map or a constant trace lies at their floor.
+/// Logarithms of the features. A flat map or a constant trace has their lowest values.
 FeatureVector featureVector(const HeightFeatures& features);
 FeatureVector featureVector(const FrictionFeatures& features);
 
-/// Nearest class mean under the pooled covariance within classes, shrunk towards its diagonal by
-/// p / (p + degrees of freedom): few samples, more shrinkage.
+/// Classifier by the nearest class mean under the pooled within-class covariance. The covariance is shrunk towards its diagonal
+/// by p / (p + degrees of freedom), so fewer samples give more shrinkage.
 class Identifier {
 public:
-    /// One list of equally long vectors a class; classes without vectors are never chosen.
+    /// Fits the classifier on one list of vectors for each class. All vectors have the same length. A class without vectors is
+    /// never chosen.
     explicit Identifier(const std::vector<std::vector<FeatureVector>>& samplesOfClass);
 
-    /// None where fewer than two classes have samples, or the vector is of another length.
+    /// Index of the class; none if fewer than two classes have samples or if the length of the vector differs.
     std::optional<std::size_t> classOf(const FeatureVector& features) const;
 
 private:
-    std::vector<FeatureVector> m_means;  ///< empty: no samples
-    cv::Mat m_precision;                 ///< [p x p], the inverse of the shrunk covariance
-    std::size_t m_classes = 0;           ///< with samples
+    std::vector<FeatureVector> m_means;  ///< means of the classes; empty for a class without samples
+    cv::Mat m_precision;                 ///< inverse of the shrunk covariance, [p × p]
+    std::size_t m_classes = 0;           ///< number of classes with samples
 };
 
 }  // namespace study::evaluation

@@ -13,24 +13,24 @@ using fabrics::Part;
 
 namespace {
 
-bool sameSignal(const Placed& a, const Placed& b)
+bool sameSignal(const PlacedSample& a, const PlacedSample& b)
 {
     return a.place.modality == b.place.modality && a.place.fabric == b.place.fabric;
 }
 
-bool overlapping(const Placed& a, const Placed& b)
+bool overlapping(const PlacedSample& a, const PlacedSample& b)
 {
     return a.footprint && b.footprint && fabrics::overlap(*a.footprint, *b.footprint);
 }
 
 }  // namespace
 
-std::vector<Placed> placedSamples(const fabrics::Dataset& dataset, const PlanRequest& request, const Report& report)
+std::vector<PlacedSample> placedSamples(const fabrics::Dataset& dataset, const PlanRequest& request, const Report& report)
 {
     const auto split = request.split == SplitKind::Location ? fabrics::splitByLocation(dataset, request.seed)
                                                             : fabrics::splitBySample(dataset, request.seed);
-    std::vector<Placed> samples(split.size());
-    const auto tell = [&](std::size_t done) {
+    std::vector<PlacedSample> samples(split.size());
+    const auto progress = [&](std::size_t done) {
         if (report) report("hashes of the samples", static_cast<int>(done), static_cast<int>(split.size()));
     };
     stats::onThreads(
@@ -40,7 +40,7 @@ std::vector<Placed> placedSamples(const fabrics::Dataset& dataset, const PlanReq
             const auto file = fabrics::samplePath(dataset, place.fabric, place.modality, place.index);
             samples[i] = {place, split[i].second, protocols::sha256OfFile(file), fabrics::footprintOf(dataset, place), false};
         },
-        tell);
+        progress);
     return samples;
 }
 
@@ -50,18 +50,18 @@ bool isHeldOut(const PlanRequest& request, const protocols::FabricId& fabric)
            std::find(request.heldOut.begin(), request.heldOut.end(), fabric) != request.heldOut.end();
 }
 
-bool isTested(const PlanRequest& request, const Placed& sample)
+bool isTested(const PlanRequest& request, const PlacedSample& sample)
 {
     return sample.part == Part::Testing && (request.split != SplitKind::Fabric || isHeldOut(request, sample.place.fabric));
 }
 
-Leaks findLeaks(std::vector<Placed>& samples, const PlanRequest& request)
+Leaks findLeaks(std::vector<PlacedSample>& samples, const PlanRequest& request)
 {
     Leaks leaks;
     std::set<std::string> hashesElsewhere;
-    for (const Placed& sample : samples)
+    for (const PlacedSample& sample : samples)
         if (sample.part != Part::Testing) hashesElsewhere.insert(sample.sha256);
-    for (Placed& sample : samples) {
+    for (PlacedSample& sample : samples) {
         if (!isTested(request, sample)) continue;
         const Modality modality = sample.place.modality;
         const bool known = request.trainedOn.contains(sample.sha256);
@@ -69,7 +69,7 @@ Leaks findLeaks(std::vector<Placed>& samples, const PlanRequest& request)
         leaks.placesKnown = leaks.placesKnown && sample.footprint.has_value();
         leaks.duplicates[modality] += hashesElsewhere.contains(sample.sha256);
         bool overlaps = false, overlapsTraining = false;
-        for (const Placed& other : samples) {
+        for (const PlacedSample& other : samples) {
             if (&other == &sample || !sameSignal(sample, other) || !overlapping(sample, other)) continue;
             overlaps = overlaps || other.part != Part::Testing;
             overlapsTraining = overlapsTraining || request.trainedOn.contains(other.sha256);

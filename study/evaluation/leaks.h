@@ -1,5 +1,5 @@
-// The samples of a data set as a split has them, and what that split lets through: files that a model was trained on,
-// doubled files, and pieces of fabric that are shown on both sides.
+// Samples of a data set with their part in the split, and the leaks of the split: files that a model was trained on,
+// duplicate files, and places on the fabric that occur in both parts.
 #pragma once
 
 #include <optional>
@@ -11,21 +11,24 @@
 
 namespace study::evaluation {
 
-struct Placed {
+/// A sample with its part in the split and its place on the fabric.
+struct PlacedSample {
     rendering::fabrics::SamplePlace place;
     rendering::fabrics::Part part = rendering::fabrics::Part::Training;
     std::string sha256;
-    std::optional<rendering::fabrics::Footprint> footprint;  ///< none: its place is unknown
-    bool leftOut = false;                                    ///< of the test
+    std::optional<rendering::fabrics::Footprint> footprint;  ///< none: the place is unknown
+    bool leftOut = false;                                    ///< excluded from the test
 };
 
-std::vector<Placed> placedSamples(const rendering::fabrics::Dataset& dataset, const PlanRequest& request, const Report& report);
+std::vector<PlacedSample> placedSamples(const rendering::fabrics::Dataset& dataset, const PlanRequest& request,
+                                        const Report& report);
 
-/// Of the testing part; by fabric, of the fabrics that were held out.
-bool isTested(const PlanRequest& request, const Placed& sample);
+/// Whether the sample is in the testing part; in the split by fabric, only held-out fabrics are tested.
+bool isTested(const PlanRequest& request, const PlacedSample& sample);
 bool isHeldOut(const PlanRequest& request, const protocols::FabricId& fabric);
 
-/// Counts, and marks what must be left out: what a model was trained on and, by location, what overlaps that.
-Leaks findLeaks(std::vector<Placed>& samples, const PlanRequest& request);
+/// Counts the leaks and marks the samples to leave out: those a model was trained on and, in the split by location, those that
+/// overlap a training sample.
+Leaks findLeaks(std::vector<PlacedSample>& samples, const PlanRequest& request);
 
 }  // namespace study::evaluation

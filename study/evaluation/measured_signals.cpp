@@ -9,14 +9,14 @@ namespace signals = rendering::signals;
 
 namespace {
 
-/// The first record that there is.
+/// Reason why the data set gives no coefficient of friction, judged by its first record; empty if it does.
 std::string whyNoFrictionIn(const fabrics::Dataset& dataset)
 {
     for (const auto& fabric : dataset.fabrics)
         if (const auto indices = fabrics::sampleIndices(dataset, fabric.id, fabrics::Modality::Friction); !indices.empty()) {
             const auto record = fabrics::readFriction(dataset, fabric.id, indices.front());
             return record.isCoefficient() ? ""
-                                          : "the friction records hold " + record.quantity + ", not a coefficient of friction";
+                                          : "the friction records contain " + record.quantity + ", not a coefficient of friction";
         }
     return "the data set has no friction records";
 }
@@ -40,7 +40,7 @@ MeasuredSignals::MeasuredSignals(const fabrics::Dataset& dataset, double pitchIf
         return;
     }
     if (dataset.tactileCalibration.empty()) {
-        m_whyNoHeight = "the data set names no calibration of its tactile sensor";
+        m_whyNoHeight = "the data set has no calibration of its tactile sensor";
         return;
     }
     if (dataset.tactileCalibration == "known") return;
@@ -57,9 +57,10 @@ cv::Mat MeasuredSignals::height(const protocols::FabricId& fabric, int index) co
     } else {
         const auto known = fabrics::readKnownHeight(m_dataset, fabric, index);
         if (!known)
-            throw protocols::badInput({"the height of tactile sample " + std::to_string(index) + " is not there",
+            throw protocols::badInput({"the known height of tactile sample " + std::to_string(index) + " is missing",
                                        fabrics::knownHeightPath(m_dataset, fabric, index).string(),
-                                       "known heights, as dataset.json says (calibration \"known\")", ""});
+                                       "a height file for every frame, because dataset.json has the calibration \"known\"",
+                                       "add the file, or name a calibration file in dataset.json"});
         height = signals::zeroedRelief(*known, {m_pitchMm, m_pitchMm}, std::nullopt, signals::Calibration{}.zeroPercentile);
     }
     height.convertTo(height, CV_32F);
@@ -71,8 +72,9 @@ signals::FrictionTrace MeasuredSignals::trace(const protocols::FabricId& fabric,
     const auto record = fabrics::readFriction(m_dataset, fabric, index);
     const auto file = fabrics::samplePath(m_dataset, fabric, fabrics::Modality::Friction, index).string();
     if (!record.isCoefficient())
-        throw protocols::badInput({"the friction record holds " + record.quantity + ", not a coefficient", file,
-                                   "columns t_s,normal_n,tangential_n or t_s,mu", ""});
+        throw protocols::badInput({"the friction record contains " + record.quantity + ", not a coefficient", file,
+                                   "columns t_s,normal_n,tangential_n or t_s,mu",
+                                   "evaluate a data set with coefficients of friction"});
     return signals::frictionTrace(record, file);
 }
 

@@ -1,4 +1,4 @@
-// What the instruments said: height of a press and trace of a stroke, as the generators are trained on them.
+// Measured signals, in the form used to train the generators: the height map of a press and the friction trace of a stroke.
 #pragma once
 
 #include <opencv2/core/mat.hpp>
@@ -11,24 +11,25 @@
 
 namespace study::evaluation {
 
-/// Reads; holds the sensor's calibration alone. May be asked from several threads.
+/// Reads signals from the data set and keeps only the calibration of the sensor. Safe to call from several threads.
 class MeasuredSignals {
 public:
-    /// `pitchIfUnknownMm`: of the presses, where the data set does not state it.
+    /// `pitchIfUnknownMm`: pixel pitch of the presses if the data set does not give it.
     MeasuredSignals(const rendering::fabrics::Dataset& dataset, double pitchIfUnknownMm);
 
-    double pitchMm() const { return m_pitchMm; }  ///< of the height maps
+    /// Pixel pitch of the height maps.
+    double pitchMm() const { return m_pitchMm; }
 
-    /// Why no height can be had from this data set's presses; empty where it can.
+    /// Reason why the data set gives no height maps; empty if it does.
     const std::string& whyNoHeight() const { return m_whyNoHeight; }
 
-    /// Why no coefficient of friction can be had; empty where it can.
+    /// Reason why the data set gives no coefficient of friction; empty if it does.
     const std::string& whyNoFriction() const { return m_whyNoFriction; }
 
-    /// CV_32FC1, mm, >= 0: photometric stereo of the frame, or the known height where the data set says "known".
+    /// Height map, CV_32FC1, mm, ≥ 0: photometric stereo of the frame, or the known height if the calibration is "known".
     cv::Mat height(const protocols::FabricId& fabric, int index) const;
 
-    /// Throws badInput where the record is no coefficient of friction.
+    /// Friction trace. Throws badInput if the record is not a coefficient of friction.
     rendering::signals::FrictionTrace trace(const protocols::FabricId& fabric, int index) const;
 
 private:
@@ -36,7 +37,7 @@ private:
     double m_pitchMm;
     std::string m_whyNoHeight, m_whyNoFriction;
     cv::Mat m_reference;
-    std::optional<rendering::signals::Calibration> m_calibration;  ///< none: heights are known
+    std::optional<rendering::signals::Calibration> m_calibration;  ///< none: the data set has known heights
 };
 
 }  // namespace study::evaluation

@@ -1,4 +1,4 @@
-// What is measured of a pair of generated and measured signals, as one table: names, units, how it is averaged.
+// Measures of a pair of generated and measured signals, as one table with names, units and averaging.
 #pragma once
 
 #include <array>
@@ -32,20 +32,20 @@ inline constexpr std::size_t measureCount = 16;
 enum class Section { Friction, Height, Roughness, Identification, Level };
 enum class Averaging { Arithmetic, Geometric };
 enum class Better { Smaller, Larger, NearOne, Neither };
-enum class Shown { Plain4, Percent, Decibels, Ratio };
+enum class NumberFormat { Plain4, Percent, Decibels, Ratio };
 
 struct MeasureRow {
     Measure measure;
     Section section;
-    std::string_view field;    ///< in JSON
-    std::string_view heading;  ///< in tables
-    Shown shown;
+    std::string_view field;    ///< name in JSON
+    std::string_view heading;  ///< heading in tables
+    NumberFormat format;
     Averaging averaging;
     Better better;
-    std::string_view meaning;  ///< one line for people
+    std::string_view meaning;  ///< explanation in one line
 };
 
-/// In the order of the enumeration.
+/// All measures, in the order of the enumeration.
 const std::array<MeasureRow, measureCount>& measureTable();
 const MeasureRow& rowOf(Measure measure);
 

@@ -37,9 +37,9 @@ stats::Value averageOf(Measure measure, std::span<const stats::Value> values)
     return geometric ? std::exp(sum / count) : sum / count;
 }
 
-SpeakerResult summarise(const Speaker& speaker, const TestPlan& plan, const std::vector<Values>& ofPairs)
+PredictorResult summarise(const Predictor& predictor, const TestPlan& plan, const std::vector<Values>& ofPairs)
 {
-    SpeakerResult result{speaker, {}, {}, {}, {}};
+    PredictorResult result{predictor, {}, {}, {}, {}};
     for (std::size_t fabric = 0; fabric < plan.fabrics.size(); ++fabric) {
         std::vector<const Values*> own;
         for (std::size_t i = 0; i < plan.pairs.size(); ++i)
@@ -52,19 +52,19 @@ SpeakerResult summarise(const Speaker& speaker, const TestPlan& plan, const std:
     return result;
 }
 
-MeanComparison compareMeans(const SpeakerResult& speaker, const SpeakerResult& measured, Measure measure, double fraction)
+MeanComparison compareMeans(const PredictorResult& predictor, const PredictorResult& measured, Measure measure, double fraction)
 {
     std::vector<double> generated, truth;
     std::string why = "there is no fabric to compare";
     double sum = 0;
     for (std::size_t i = 0; i < measured.fabrics.size(); ++i) {
-        const stats::Value &said = at(speaker.fabrics[i].values, measure),
+        const stats::Value &predictedMean = at(predictor.fabrics[i].values, measure),
                            &measuredMean = at(measured.fabrics[i].values, measure);
-        if (!said.exists() || !measuredMean.exists()) {
-            why = said.exists() ? measuredMean.why() : said.why();
+        if (!predictedMean.exists() || !measuredMean.exists()) {
+            why = predictedMean.exists() ? measuredMean.why() : predictedMean.why();
             continue;
         }
-        generated.push_back(*said);
+        generated.push_back(*predictedMean);
         truth.push_back(*measuredMean);
         sum += *measuredMean;
     }

@@ -1,17 +1,17 @@
-// Means within fabrics, then over them, and the tests of equal means.
+// Means within fabrics, then over fabrics, and the tests of equal means.
 #pragma once
 
 #include "study/evaluation/evaluation.h"
 
 namespace study::evaluation {
 
-/// One speaker's values, one entry a test pair in the order of the plan.
-SpeakerResult summarise(const Speaker& speaker, const TestPlan& plan, const std::vector<Values>& ofPairs);
+/// Summarises one predictor. `ofPairs`: its values for each test pair, in the order of the plan.
+PredictorResult summarise(const Predictor& predictor, const TestPlan& plan, const std::vector<Values>& ofPairs);
 
-/// Of the measures that exist; undefined with the first reason where none does. Geometric means where the table says so.
+/// Mean of the values that exist, geometric if the table of measures says so. Undefined with the first reason if none exists.
 stats::Value averageOf(Measure measure, std::span<const stats::Value> values);
 
-/// Paired over the fabrics that both have; bounds are `fraction` of the measured grand mean.
-MeanComparison compareMeans(const SpeakerResult& speaker, const SpeakerResult& measured, Measure measure, double fraction);
+/// Paired test over the fabrics that both results have. The bounds are `fraction` of the measured grand mean.
+MeanComparison compareMeans(const PredictorResult& predictor, const PredictorResult& measured, Measure measure, double fraction);
 
 }  // namespace study::evaluation

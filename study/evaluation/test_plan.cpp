@@ -13,33 +13,33 @@ namespace {
 namespace fabrics = rendering::fabrics;
 using fabrics::Part;
 
-std::vector<FabricSamples> byFabric(const fabrics::Dataset& dataset, const std::vector<Placed>& samples,
+std::vector<PlannedFabric> byFabric(const fabrics::Dataset& dataset, const std::vector<PlacedSample>& samples,
                                     const PlanRequest& request)
 {
-    std::vector<FabricSamples> result;
+    std::vector<PlannedFabric> result;
     for (const auto& info : dataset.fabrics) result.push_back({info.id, isHeldOut(request, info.id), {}, {}});
-    for (const Placed& sample : samples) {
+    for (const PlacedSample& sample : samples) {
         const auto& place = sample.place;
         const auto fabric =
             std::find_if(result.begin(), result.end(), [&](const auto& one) { return one.fabric == place.fabric; });
-        const Sample plain{place.fabric, place.modality, place.index, place.rotationDeg, sample.sha256};
+        const PlannedSample plain{place.fabric, place.modality, place.index, place.rotationDeg, sample.sha256};
         if (isTested(request, sample) && !sample.leftOut) fabric->testing[place.modality].push_back(plain);
         if (sample.part == Part::Training) fabric->training[place.modality].push_back(plain);
     }
     return result;
 }
 
-std::vector<Sample> shuffled(std::vector<Sample> samples, const PlanRequest& request, const std::string& purpose)
+std::vector<PlannedSample> shuffled(std::vector<PlannedSample> samples, const PlanRequest& request, const std::string& purpose)
 {
     protocols::Random random = protocols::Random::stream(request.seed, "evaluate/" + purpose);
     random.shuffle(samples);
     return samples;
 }
 
-/// The measured partners of one fabric's photographs, of one signal.
+/// Measured partners for the photographs of one fabric, from one signal.
 class Partners {
 public:
-    Partners(const FabricSamples& fabric, Modality modality, bool aligned, const PlanRequest& request)
+    Partners(const PlannedFabric& fabric, Modality modality, bool aligned, const PlanRequest& request)
         : m_aligned(aligned), m_testing(partOf(fabric.testing, modality)), m_training(partOf(fabric.training, modality))
     {
         const std::string purpose = fabric.fabric.value + "/" + fabrics::nameOf(modality);
@@ -47,54 +47,54 @@ public:
         m_training = shuffled(m_training, request, purpose + "/training");
     }
 
-    /// Aligned: of the same index. Else the samples in turn, in a drawn order.
-    std::optional<Sample> of(const Sample& photograph, std::size_t turn) const
+    /// In an aligned data set, the sample with the same index. Otherwise the samples in turn, in random order.
+    std::optional<PlannedSample> of(const PlannedSample& photograph, std::size_t turn) const
     {
         if (!m_aligned) return m_testing.empty() ? std::nullopt : std::optional(m_testing[turn % m_testing.size()]);
         const auto found = std::find_if(m_testing.begin(), m_testing.end(),
-                                        [&](const Sample& sample) { return sample.index == photograph.index; });
+                                        [&](const PlannedSample& sample) { return sample.index == photograph.index; });
         return found == m_testing.end() ? std::nullopt : std::optional(*found);
     }
 
-    /// The next one with other bytes; of the training part where the test has no second one.
-    std::optional<Sample> otherThan(const std::optional<Sample>& partner) const
+    /// The next test sample with different bytes; otherwise a training sample.
+    std::optional<PlannedSample> otherThan(const std::optional<PlannedSample>& partner) const
     {
         if (!partner) return {};
         const auto self = std::find_if(m_testing.begin(), m_testing.end(),
-                                       [&](const Sample& sample) { return sample.index == partner->index; });
+                                       [&](const PlannedSample& sample) { return sample.index == partner->index; });
         for (std::size_t k = 1; k < m_testing.size(); ++k) {
-            const Sample& next = m_testing[(static_cast<std::size_t>(self - m_testing.begin()) + k) % m_testing.size()];
+            const PlannedSample& next = m_testing[(static_cast<std::size_t>(self - m_testing.begin()) + k) % m_testing.size()];
             if (next.sha256 != partner->sha256) return next;
         }
-        for (const Sample& sample : m_training)
+        for (const PlannedSample& sample : m_training)
             if (sample.sha256 != partner->sha256) return sample;
         return {};
     }
 
 private:
-    static std::vector<Sample> partOf(const std::map<Modality, std::vector<Sample>>& samples, Modality modality)
+    static std::vector<PlannedSample> partOf(const std::map<Modality, std::vector<PlannedSample>>& samples, Modality modality)
     {
         const auto found = samples.find(modality);
-        return found == samples.end() ? std::vector<Sample>{} : found->second;
+        return found == samples.end() ? std::vector<PlannedSample>{} : found->second;
     }
 
     bool m_aligned;
-    std::vector<Sample> m_testing, m_training;
+    std::vector<PlannedSample> m_testing, m_training;
 };
 
 void addPairs(TestPlan& plan, std::size_t fabric, bool aligned, const PlanRequest& request)
 {
-    const FabricSamples& samples = plan.fabrics[fabric];
+    const PlannedFabric& samples = plan.fabrics[fabric];
     const auto found = samples.testing.find(Modality::Visual);
     if (found == samples.testing.end()) return;
-    std::vector<Sample> photographs = found->second;
+    std::vector<PlannedSample> photographs = found->second;
     if (request.samplesPerFabric && photographs.size() > static_cast<std::size_t>(*request.samplesPerFabric)) {
         photographs = shuffled(photographs, request, samples.fabric.value + "/photographs");
         photographs.resize(static_cast<std::size_t>(*request.samplesPerFabric));
     }
     const Partners presses(samples, Modality::Tactile, aligned, request), strokes(samples, Modality::Friction, aligned, request);
     for (std::size_t turn = 0; turn < photographs.size(); ++turn) {
-        const Sample& photograph = photographs[turn];
+        const PlannedSample& photograph = photographs[turn];
         const auto press = presses.of(photograph, turn), stroke = strokes.of(photograph, turn);
         plan.pairs.push_back({fabric, photograph, press, stroke, presses.otherThan(press), strokes.otherThan(stroke)});
     }
@@ -111,7 +111,7 @@ void requirePhotographs(const fabrics::Dataset& dataset)
 {
     for (const auto& fabric : dataset.fabrics)
         if (!fabrics::sampleIndices(dataset, fabric.id, Modality::Visual).empty()) return;
-    throw protocols::badInput({"the data set has no photographs, so nothing can be generated from it", dataset.folder.string(),
+    throw protocols::badInput({"the data set has no photographs to generate signals from", dataset.folder.string(),
                                "visual/*.png of at least one fabric", "import photographs with `vis2hap import photos`"});
 }
 
@@ -119,13 +119,14 @@ void requireSomethingLeft(const fabrics::Dataset& dataset, const TestPlan& plan,
 {
     if (!plan.pairs.empty()) return;
     const int trainedOn = sum(plan.leaks.trainedOn) + sum(plan.leaks.placeTrainedOn);
-    const std::string left = trainedOn > 0 ? "the model was trained on every photograph of the testing part, or on its place (" +
-                                                 std::to_string(trainedOn) + " samples were left out)"
-                                           : "the testing part holds no photograph: a tenth of fewer than three places is none";
+    const std::string left = trainedOn > 0
+                                 ? "the model was trained on every photograph of the testing part, or on its place (" +
+                                       std::to_string(trainedOn) + " samples were left out)"
+                                 : "the testing part has no photograph, because a tenth of fewer than three places is none";
     throw protocols::badInput(
-        {"nothing is left to test on: " + left, dataset.folder.string(), "photographs that the model was not trained on",
-         request.split == SplitKind::Location ? "use the --split-seed the model was trained with, or --split sample"
-                                              : "use the --split-seed the model was trained with, or another data set"});
+        {"no test photograph is left: " + left, dataset.folder.string(), "photographs that the model was not trained on",
+         request.split == SplitKind::Location ? "use the --split-seed of the model's training, or --split sample"
+                                              : "use the --split-seed of the model's training, or another data set"});
 }
 
 }  // namespace
@@ -148,7 +149,7 @@ std::string_view nameOf(SplitKind kind)
 TestPlan testPlan(const fabrics::Dataset& dataset, const PlanRequest& request, const Report& report)
 {
     requirePhotographs(dataset);
-    std::vector<Placed> samples = placedSamples(dataset, request, report);
+    std::vector<PlacedSample> samples = placedSamples(dataset, request, report);
     TestPlan plan;
     plan.leaks = findLeaks(samples, request);
     plan.fabrics = byFabric(dataset, samples, request);
@@ -157,12 +158,12 @@ TestPlan testPlan(const fabrics::Dataset& dataset, const PlanRequest& request, c
     requireSomethingLeft(dataset, plan, request);
     if (!plan.leaks.placesKnown)
         plan.notes.push_back(request.split == SplitKind::Location
-                                 ? "samples.csv does not tell every place: such a sample counts as a place of its own"
-                                 : "samples.csv does not tell every place, so overlapping samples are not all found");
-    for (const FabricSamples& fabric : plan.fabrics)
+                                 ? "samples.csv does not give every place; a sample without one counts as a separate place"
+                                 : "samples.csv does not give every place, so some overlapping samples may be missed");
+    for (const PlannedFabric& fabric : plan.fabrics)
         if (const bool tested = request.split != SplitKind::Fabric || fabric.heldOut;
             tested && !fabric.testing.contains(Modality::Visual))
-            plan.notes.push_back("fabric " + fabric.fabric.value + " is left out: no photograph of it is left to test on");
+            plan.notes.push_back("fabric " + fabric.fabric.value + " is left out, because it has no test photograph left");
     return plan;
 }
 

@@ -1,5 +1,5 @@
-// What is tested on, what it is compared with, and what the split lets through: which photographs, presses and strokes
-// the models never saw, which of them form a pair, and which lie on fabric that was trained on.
+// Plan of an evaluation: the test photographs, the measured presses and strokes they are compared with, and the leaks of the
+// split. A leak is a test sample, or its place on the fabric, that was also used for training.
 #pragma once
 
 #include <cstdint>
@@ -16,15 +16,17 @@ namespace study::evaluation {
 
 using rendering::fabrics::Modality;
 
-/// Progress of long work; called on one thread at a time.
+/// Reports the progress of long work; called by one thread at a time.
 using Report = std::function<void(const std::string& stage, int done, int total)>;
 
-/// Augmented: the paper's split after augmentation, in which every original has copies in every part; nothing is left out
-/// of the test, and what a model was trained on is counted: such figures measure memory.
+/// How test samples are chosen. Augmented is the paper's split after augmentation, in which every part has copies of every
+/// original. It leaves no sample out of the test and counts those a model was trained on, so its figures also measure memory.
 enum class SplitKind { Sample, Location, Fabric, Augmented };
-std::string_view nameOf(SplitKind kind);  ///< "sample", "location", "fabric", "augmented"
+/// "sample", "location", "fabric" or "augmented".
+std::string_view nameOf(SplitKind kind);
 
-struct Sample {
+/// One file of the data set.
+struct PlannedSample {
     protocols::FabricId fabric;
     Modality modality = Modality::Visual;
     int index = 0;
@@ -32,33 +34,34 @@ struct Sample {
     std::string sha256;
 };
 
-struct FabricSamples {
+/// Training and test samples of one fabric.
+struct PlannedFabric {
     protocols::FabricId fabric;
-    bool heldOut = false;  ///< from the models: no control may know it
-    std::map<Modality, std::vector<Sample>> training, testing;
+    bool heldOut = false;  ///< not used to train the models, so the controls must not use it either
+    std::map<Modality, std::vector<PlannedSample>> training, testing;
 };
 
-/// What a test photograph is compared with. None: the fabric has no such sample left.
+/// A test photograph and its measured partners. A partner is empty if the fabric has no such sample left.
 struct TestPair {
-    std::size_t fabric = 0;  ///< in TestPlan::fabrics
-    Sample photograph;
-    std::optional<Sample> press, stroke;
-    std::optional<Sample> otherPress, otherStroke;  ///< of the same fabric, another file
+    std::size_t fabric = 0;  ///< index in TestPlan::fabrics
+    PlannedSample photograph;
+    std::optional<PlannedSample> press, stroke;
+    std::optional<PlannedSample> otherPress, otherStroke;  ///< other files of the same fabric
 };
 
-/// Counts of test samples, by signal.
+/// Numbers of test samples, by signal.
 struct Leaks {
-    std::map<Modality, int> tested;          ///< in the testing part, before any is left out
-    std::map<Modality, int> trainedOn;       ///< a model was trained on the very file: left out
-    std::map<Modality, int> placeTrainedOn;  ///< overlaps a place trained on: left out (by location)
-    std::map<Modality, int> duplicates;      ///< same bytes as a file outside the test
-    std::map<Modality, int> overlaps;        ///< its place overlaps one outside the test
-    bool placesKnown = true;                 ///< else overlaps could not be looked for
+    std::map<Modality, int> tested;          ///< in the testing part, before samples are left out
+    std::map<Modality, int> trainedOn;       ///< left out because a model was trained on this file
+    std::map<Modality, int> placeTrainedOn;  ///< left out by location because a training sample overlaps it
+    std::map<Modality, int> duplicates;      ///< identical with a file outside the testing part
+    std::map<Modality, int> overlaps;        ///< overlap a sample outside the testing part
+    bool placesKnown = true;                 ///< false: overlaps could not be searched for all samples
 };
 
 struct TestPlan {
-    std::vector<FabricSamples> fabrics;  ///< every fabric of the data set, in its order
-    std::vector<TestPair> pairs;         ///< by fabric, then photograph
+    std::vector<PlannedFabric> fabrics;  ///< all fabrics in the order of the data set
+    std::vector<TestPair> pairs;         ///< in the order of fabrics, then photographs
     Leaks leaks;
     std::vector<std::string> notes;
 };
@@ -66,13 +69,13 @@ struct TestPlan {
 struct PlanRequest {
     SplitKind split = SplitKind::Sample;
     std::uint64_t seed = 1;
-    std::set<std::string> trainedOn;           ///< SHA-256 of every file a model was trained on
-    std::vector<protocols::FabricId> heldOut;  ///< by fabric: those tested on
-    std::optional<int> samplesPerFabric;       ///< test photographs; none: all
-    unsigned threads = 0;                      ///< 0: as many as the machine has; changes no number
+    std::set<std::string> trainedOn;           ///< SHA-256 of every file that a model was trained on
+    std::vector<protocols::FabricId> heldOut;  ///< test fabrics of the split by fabric
+    std::optional<int> samplesPerFabric;       ///< number of test photographs; none: all
+    unsigned threads = 0;                      ///< 0: as many as the machine has; the results do not depend on it
 };
 
-/// Throws badInput where the data set has no photographs, or nothing is left to test on.
+/// Plans the evaluation. Throws badInput if the data set has no photographs or if no test photograph is left.
 TestPlan testPlan(const rendering::fabrics::Dataset& dataset, const PlanRequest& request, const Report& report = {});
 
 }  // namespace study::evaluation

@@ -16,11 +16,11 @@ namespace {
 namespace fabrics = rendering::fabrics;
 namespace models = rendering::models;
 
-constexpr std::size_t photographsAtOnce = 6;
+constexpr std::size_t photographsPerCall = 6;
 
-void compareWaves(WeaveKept& weave, const cv::Mat& photograph, const cv::Mat& heightMm)
+void compareWaves(WeaveComparison& weave, const cv::Mat& photograph, const cv::Mat& heightMm)
 {
-    // Both on the relief's pixels; where the scale is not known these are the photograph's own.
+    // Compare on the pixels of the relief. If the scale is unknown, these are the pixels of the photograph.
     cv::Mat seen = photograph;
     if (seen.size() != heightMm.size()) cv::resize(photograph, seen, heightMm.size(), 0, 0, cv::INTER_AREA);
     weave.photograph = rendering::signals::dominantWave(seen);
@@ -39,8 +39,7 @@ std::string figure(const char* format, double value)
 
 std::string waveText(const std::optional<rendering::signals::DominantWave>& wave)
 {
-    return wave ? figure("%6.2f px ", wave->periodPx) + figure("%4.0f deg", wave->directionDeg)
-                : std::string("no wave stands out");
+    return wave ? figure("%6.2f px ", wave->periodPx) + figure("%4.0f deg", wave->directionDeg) : std::string("no clear wave");
 }
 
 nlohmann::ordered_json waveJson(const std::optional<rendering::signals::DominantWave>& wave)
@@ -51,12 +50,15 @@ nlohmann::ordered_json waveJson(const std::optional<rendering::signals::Dominant
 
 }  // namespace
 
-bool WeaveKept::kept() const { return comparable() && std::abs(periodChange) <= mostPeriodChange && turnDeg <= mostTurnDeg; }
-
-Weaves weavesKept(const fabrics::Dataset& dataset, const EvaluationRequest& request, const Report& report,
-                  const Generate& generate)
+bool WeaveComparison::kept() const
 {
-    Weaves weaves;
+    return comparable() && std::abs(periodChange) <= mostPeriodChange && turnDeg <= mostTurnDeg;
+}
+
+WeaveReport evaluateWeaves(const fabrics::Dataset& dataset, const EvaluationRequest& request, const Report& report,
+                           const Generate& generate)
+{
+    WeaveReport weaves;
     weaves.dataset = dataset.name;
     models::GenerationOptions options;
     options.model = request.model.empty() ? models::shippedModel() : request.model;
@@ -67,17 +69,17 @@ Weaves weavesKept(const fabrics::Dataset& dataset, const EvaluationRequest& requ
         for (const int index : fabrics::sampleIndices(dataset, fabric.id, Modality::Visual))
             weaves.photographs.push_back({fabric.id, fabric.name, index, {}, {}, 0, 0, {}});
     if (weaves.photographs.empty())
-        throw protocols::badInput({"there are no photographs to test with", dataset.folder.string(),
+        throw protocols::badInput({"the data set has no photographs to test with", dataset.folder.string(),
                                    "visual/*.png of at least one fabric", "import photographs with `vis2hap import photos`"});
-    for (std::size_t first = 0; first < weaves.photographs.size(); first += photographsAtOnce) {
-        const std::size_t end = std::min(weaves.photographs.size(), first + photographsAtOnce);
-        std::vector<models::InputPhotograph> asked;
+    for (std::size_t first = 0; first < weaves.photographs.size(); first += photographsPerCall) {
+        const std::size_t end = std::min(weaves.photographs.size(), first + photographsPerCall);
+        std::vector<models::InputPhotograph> photographs;
         for (std::size_t i = first; i < end; ++i)
-            asked.push_back({fabrics::readPhotograph(dataset, weaves.photographs[i].fabric, weaves.photographs[i].index),
-                             dataset.cameraMmPerPixel});
-        const auto answers = generate(asked, options);
+            photographs.push_back({fabrics::readPhotograph(dataset, weaves.photographs[i].fabric, weaves.photographs[i].index),
+                                   dataset.cameraMmPerPixel});
+        const auto answers = generate(photographs, options);
         for (std::size_t i = first; i < end; ++i) {
-            compareWaves(weaves.photographs[i], asked[i - first].photograph, answers[i - first].heightMm);
+            compareWaves(weaves.photographs[i], photographs[i - first].photograph, answers[i - first].heightMm);
             weaves.photographs[i].facts = answers[i - first].photograph;
         }
         if (report) report("reliefs of photographs", static_cast<int>(end), static_cast<int>(weaves.photographs.size()));
@@ -85,10 +87,10 @@ Weaves weavesKept(const fabrics::Dataset& dataset, const EvaluationRequest& requ
     return weaves;
 }
 
-nlohmann::ordered_json weavesJson(const Weaves& weaves)
+nlohmann::ordered_json weavesJson(const WeaveReport& weaves)
 {
     nlohmann::ordered_json rows = nlohmann::ordered_json::array();
-    for (const WeaveKept& weave : weaves.photographs) {
+    for (const WeaveComparison& weave : weaves.photographs) {
         nlohmann::ordered_json row{{"fabric", weave.fabric.value},
                                    {"name", weave.name},
                                    {"index", weave.index},
@@ -97,21 +99,21 @@ nlohmann::ordered_json weavesJson(const Weaves& weaves)
         row["period_change"] = weave.comparable() ? nlohmann::ordered_json(weave.periodChange) : nullptr;
         row["turn_deg"] = weave.comparable() ? nlohmann::ordered_json(weave.turnDeg) : nullptr;
         row["kept"] = weave.photograph ? nlohmann::ordered_json(weave.kept()) : nullptr;
-        if (!weave.comparable()) row["why"] = {{"period_change", "no wave stands out of the photograph or of the relief"}};
+        if (!weave.comparable()) row["why"] = {{"period_change", "the photograph or the relief has no clear wave"}};
         rows.push_back(row);
     }
     return {{"schema", "vis2hap.evaluation/1"}, {"dataset", weaves.dataset}, {"model", weaves.model}, {"weaves", rows}};
 }
 
-std::string weavesText(const Weaves& weaves)
+std::string weavesText(const WeaveReport& weaves)
 {
     std::string text = "Generated reliefs of photographs without measurements: model \"" + weaves.model + "\" on \"" +
                        weaves.dataset +
                        "\"\n  strongest wave of the photograph and of the relief, period and direction, on the same pixels\n";
     std::size_t width = 0;
-    for (const WeaveKept& weave : weaves.photographs) width = std::max(width, weave.name.size());
-    int kept = 0, told = 0;
-    for (const WeaveKept& weave : weaves.photographs) {
+    for (const WeaveComparison& weave : weaves.photographs) width = std::max(width, weave.name.size());
+    int kept = 0, withWave = 0;
+    for (const WeaveComparison& weave : weaves.photographs) {
         std::string name = weave.name;
         name.resize(width, ' ');
         text += "  " + weave.fabric.value + " " + name + " " + figure("%3.0f", weave.index) + "  photograph " +
@@ -119,7 +121,7 @@ std::string weavesText(const Weaves& weaves)
         if (weave.comparable())
             text += "  off by " + figure("%5.1f %%", 100 * weave.periodChange) + figure(" and %4.1f deg", weave.turnDeg);
         if (weave.photograph) {
-            ++told;
+            ++withWave;
             kept += weave.kept() ? 1 : 0;
             text += weave.kept() ? "  kept" : "  NOT KEPT";
         }
@@ -127,8 +129,8 @@ std::string weavesText(const Weaves& weaves)
             text += figure("  (scale unknown, taken as %.3f mm/px)", *weave.facts.assumedMmPerPixel);
         text += "\n";
     }
-    return text + "  kept within 5 % and 5 deg: " + std::to_string(kept) + " of " + std::to_string(told) +
-           " photographs with a wave that stands out\n";
+    return text + "  kept within 5 % and 5 deg: " + std::to_string(kept) + " of " + std::to_string(withWave) +
+           " photographs with a clear wave\n";
 }
 
 }  // namespace study::evaluation

@@ -1,5 +1,5 @@
-// Photographs of which nothing was measured: does the generated relief keep the weave, the period and direction of the
-// photograph's strongest wave?
+// Evaluation on photographs without measurements: whether the generated relief keeps the weave, given by period and direction of
+// the strongest wave in the photograph.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -12,33 +12,34 @@
 
 namespace study::evaluation {
 
-struct WeaveKept {
+/// Strongest waves of a photograph and of its generated relief.
+struct WeaveComparison {
     protocols::FabricId fabric;
     std::string name;
     int index = 0;
-    std::optional<rendering::signals::DominantWave> photograph, relief;  ///< none: no wave stands out
-    double periodChange = 0;                                             ///< relief over photograph, less 1
-    double turnDeg = 0;
+    std::optional<rendering::signals::DominantWave> photograph, relief;  ///< none: no clear wave
+    double periodChange = 0;  ///< period of the relief over that of the photograph, minus 1
+    double turnDeg = 0;       ///< angle between the two waves
     rendering::models::PhotographFacts facts;
 
     bool comparable() const { return photograph && relief; }
-    /// Within 5 % and 5 degrees.
+    /// Whether the relief keeps the weave within 5 % and 5°.
     bool kept() const;
 };
 
-struct Weaves {
+struct WeaveReport {
     std::string dataset, model;
-    std::vector<WeaveKept> photographs;
+    std::vector<WeaveComparison> photographs;
 };
 
 inline constexpr double mostPeriodChange = 0.05, mostTurnDeg = 5;
 
-/// Every photograph of the data set, relief and photograph on the same pixels.
-Weaves weavesKept(const rendering::fabrics::Dataset& dataset, const EvaluationRequest& request, const Report& report = {},
-                  const Generate& generate = rendering::models::generate);
+/// Compares every photograph of the data set with its relief, both on the same pixels.
+WeaveReport evaluateWeaves(const rendering::fabrics::Dataset& dataset, const EvaluationRequest& request,
+                           const Report& report = {}, const Generate& generate = rendering::models::generate);
 
-/// Schema vis2hap.evaluation/1.
-nlohmann::ordered_json weavesJson(const Weaves& weaves);
-std::string weavesText(const Weaves& weaves);
+/// The report as JSON, schema vis2hap.evaluation/1.
+nlohmann::ordered_json weavesJson(const WeaveReport& weaves);
+std::string weavesText(const WeaveReport& weaves);
 
 }  // namespace study::evaluation

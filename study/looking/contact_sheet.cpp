@@ -17,24 +17,24 @@ namespace {
 
 constexpr double margin = 18, gap = 14, nameWidth = 120, picture = 190, below = 48, traceWidth = 330, headHeight = 92,
                  lineHeight = 22;
-constexpr double imageWidth = picture * 1.6;  // the display's shape
-constexpr int shownOfImage = 2;               // its middle, so that threads can be seen: half of width and height
+constexpr double imageWidth = picture * 1.6;  // proportions of the display
+constexpr int shownOfImage = 2;               // the sheet shows half of width and height, so that threads are visible
 
-/// Of the sheet, left to right.
-struct Column {
+/// A column of the sheet.
+struct SheetColumn {
     QString head, under;
     double width = 0;
 };
 
-std::vector<Column> columnsOf(const ContactSheet& sheet)
+std::vector<SheetColumn> columnsOf(const ContactSheet& sheet)
 {
-    std::vector<Column> columns{{QString(), QString(), nameWidth},
-                                {QStringLiteral("Photograph"), QString(), picture},
-                                {QStringLiteral("Measured height"), QString(), picture},
-                                {QStringLiteral("Generated height"), QStringLiteral("same colours"), picture},
-                                {QStringLiteral("Friction over the stroke"), QString(), traceWidth}};
+    std::vector<SheetColumn> columns{{QString(), QString(), nameWidth},
+                                     {QStringLiteral("Photograph"), QString(), picture},
+                                     {QStringLiteral("Measured height"), QString(), picture},
+                                     {QStringLiteral("Generated height"), QStringLiteral("same colours"), picture},
+                                     {QStringLiteral("Friction over the stroke"), QString(), traceWidth}};
     for (const std::string& name : sheet.frictionColumns)
-        columns.push_back({QString::fromStdString(name), QStringLiteral("friction image, its middle"), imageWidth});
+        columns.push_back({QString::fromStdString(name), QStringLiteral("middle of the friction image"), imageWidth});
     return columns;
 }
 
@@ -50,14 +50,14 @@ void drawNote(QPainter& painter, const QRectF& place, const QString& text, const
     painter.drawText(place.adjusted(8, 8, -8, -8), Qt::AlignCenter | Qt::TextWordWrap, text);
 }
 
-QImage imageOf(const cv::Mat& values, const Axis& range)
+QImage imageOf(const cv::Mat& values, const PlotAxis& range)
 {
     if (values.type() == CV_8UC3)
         return QImage(values.data, values.cols, values.rows, static_cast<qsizetype>(values.step), QImage::Format_RGB888).copy();
     return pictureOf(values, range.low, range.high, Palette::Colours, QColor(Qt::white));
 }
 
-/// The middle square of a map: `sideMm` long where its scale is known, else the largest.
+/// The middle square of a map. Its side is `sideMm` if the scale of the map is known, otherwise as long as possible.
 cv::Mat middleOf(const ContactMap& map, std::optional<double> sideMm)
 {
     const int least = std::min(map.values.cols, map.values.rows);
@@ -66,7 +66,7 @@ cv::Mat middleOf(const ContactMap& map, std::optional<double> sideMm)
     return map.values({(map.values.cols - side) / 2, (map.values.rows - side) / 2, side, side});
 }
 
-/// Every map of known scale in the row covers so much.
+/// Side in mm that every map of known scale in the row covers.
 std::optional<double> commonSide(const ContactRow& row)
 {
     std::optional<double> side;
@@ -78,7 +78,7 @@ std::optional<double> commonSide(const ContactRow& row)
     return side;
 }
 
-void drawMap(QPainter& painter, const QRectF& place, const ContactMap& map, std::optional<double> sideMm, const Axis& range,
+void drawMap(QPainter& painter, const QRectF& place, const ContactMap& map, std::optional<double> sideMm, const PlotAxis& range,
              const SheetStyle& style)
 {
     const cv::Mat shown = middleOf(map, sideMm);
@@ -96,8 +96,8 @@ void drawMap(QPainter& painter, const QRectF& place, const ContactMap& map, std:
     }
 }
 
-/// Both heights of the row, so that equal colours are equal heights.
-Axis commonRange(const ContactRow& row)
+/// Range of both heights of the row, so that equal colours mean equal heights.
+PlotAxis commonRange(const ContactRow& row)
 {
     std::vector<double> ends;
     for (const ContactMap* map : {&row.measuredHeight, &row.generatedHeight})
@@ -111,8 +111,8 @@ Axis commonRange(const ContactRow& row)
     return {*low, *high, QStringLiteral("mm")};
 }
 
-/// The colours between both ends, in mm.
-void drawColours(QPainter& painter, const QRectF& place, const Axis& range, const SheetStyle& style)
+/// Colour bar with its ends in mm.
+void drawColours(QPainter& painter, const QRectF& place, const PlotAxis& range, const SheetStyle& style)
 {
     const QString low = QStringLiteral("%1 mm").arg(range.low, 0, 'f', 2),
                   high = QStringLiteral("%1 mm").arg(range.high, 0, 'f', 2);
@@ -135,7 +135,7 @@ void drawHeight(QPainter& painter, const QRectF& place, const ContactMap& map, c
         drawNote(painter, place, QString::fromUtf8(lack), style);
         return;
     }
-    const Axis range = commonRange(row);
+    const PlotAxis range = commonRange(row);
     drawMap(painter, place, map, commonSide(row), range, style);
     drawColours(painter, QRectF(place.left(), place.bottom() + lineHeight + 1, place.width(), lineHeight), range, style);
 }
@@ -167,7 +167,7 @@ void drawLegend(QPainter& painter, const QRectF& place, const ContactRow& row, c
     if (!row.generatedFriction.values.empty()) entry(QStringLiteral("generated"), generatedColour());
 }
 
-/// Both over the same axes; a measured quantity that is no coefficient is left out where there is a generated one.
+/// Draws both traces over the same axes. A measured quantity that is not a coefficient is left out if there is a generated trace.
 void drawFriction(QPainter& painter, const QRectF& place, const ContactRow& row, const SheetStyle& style)
 {
     const ContactTrace &measured = row.measuredFriction, &generated = row.generatedFriction;
@@ -180,8 +180,8 @@ void drawFriction(QPainter& painter, const QRectF& place, const ContactRow& row,
     std::vector<double> all = generated.values;
     if (drawsMeasured) all.insert(all.end(), measured.values.begin(), measured.values.end());
     const auto lengthOf = [](const ContactTrace& trace) { return static_cast<double>(trace.values.size()) * trace.mmPerSample; };
-    const Axis x{0, std::max({drawsMeasured ? lengthOf(measured) : 0, lengthOf(generated), 1e-9}), QStringLiteral("mm")};
-    const Axis y = axisAround(
+    const PlotAxis x{0, std::max({drawsMeasured ? lengthOf(measured) : 0, lengthOf(generated), 1e-9}), QStringLiteral("mm")};
+    const PlotAxis y = axisAround(
         all, isCoefficient || !drawsMeasured ? QStringLiteral("coefficient") : QString::fromStdString(row.measuredQuantity));
     const QRectF inside = drawAxes(painter, place.adjusted(0, 0, 0, -2), x, y, style);
     if (drawsMeasured) drawCurve(painter, inside, x, y, placesOf(measured), measured.values, style);
@@ -224,13 +224,13 @@ void drawName(QPainter& painter, const QRectF& place, const ContactRow& row, con
                      QString::fromStdString(row.remark));
 }
 
-void drawHead(QPainter& painter, const ContactSheet& sheet, const std::vector<Column>& columns, const SheetStyle& style)
+void drawHead(QPainter& painter, const ContactSheet& sheet, const std::vector<SheetColumn>& columns, const SheetStyle& style)
 {
     painter.setPen(style.text);
     painter.setFont(fontOf(style, 1.4, true));
     painter.drawText(QPointF(margin, margin + 20), QString::fromStdString(sheet.title));
     double left = margin;
-    for (const Column& column : columns) {
+    for (const SheetColumn& column : columns) {
         painter.setFont(fontOf(style, 1, true));
         painter.setPen(style.text);
         painter.drawText(QRectF(left, headHeight - 44, column.width, 20), Qt::AlignLeft | Qt::AlignVCenter, column.head);
@@ -241,7 +241,8 @@ void drawHead(QPainter& painter, const ContactSheet& sheet, const std::vector<Co
     }
 }
 
-void drawRow(QPainter& painter, double top, const ContactRow& row, const std::vector<Column>& columns, const SheetStyle& style)
+void drawRow(QPainter& painter, double top, const ContactRow& row, const std::vector<SheetColumn>& columns,
+             const SheetStyle& style)
 {
     double left = margin;
     std::size_t column = 0;
@@ -266,16 +267,17 @@ void drawRow(QPainter& painter, double top, const ContactRow& row, const std::ve
 
 QImage drawContactSheet(const ContactSheet& sheet, const SheetStyle& style)
 {
-    assert(!sheet.rows.empty() && "a sheet shows something");
-    const std::vector<Column> columns = columnsOf(sheet);
+    assert(!sheet.rows.empty() && "a contact sheet needs at least one row");
+    const std::vector<SheetColumn> columns = columnsOf(sheet);
     double width = 2 * margin - gap;
-    for (const Column& column : columns) width += column.width + gap;
+    for (const SheetColumn& column : columns) width += column.width + gap;
     const double rowHeight = picture + below + gap;
     const double height = headHeight + static_cast<double>(sheet.rows.size()) * rowHeight + margin;
     constexpr double largestPx = 32000;
     if (height * style.pixelRatio > largestPx)
         throw protocols::badInput(
-            {"the sheet would be higher than 32000 pixels", "--sheet", "fewer fabrics", "name some by --fabric"});
+            {"the sheet would be " + std::to_string(static_cast<int>(height * style.pixelRatio)) + " px high", "--sheet",
+             "at most 32000 px", "name fewer fabrics with --fabric"});
     QImage image((QSizeF(width, height) * style.pixelRatio).toSize(), QImage::Format_RGB32);
     image.setDevicePixelRatio(style.pixelRatio);
     image.fill(style.surface);
@@ -283,7 +285,7 @@ QImage drawContactSheet(const ContactSheet& sheet, const SheetStyle& style)
     drawHead(painter, sheet, columns, style);
     double top = headHeight;
     for (const ContactRow& row : sheet.rows) {
-        assert(row.frictionImages.size() == sheet.frictionColumns.size() && "an image a column");
+        assert(row.frictionImages.size() == sheet.frictionColumns.size() && "one friction image for each column");
         drawRow(painter, top, row, columns, style);
         top += rowHeight;
     }

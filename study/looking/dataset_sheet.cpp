@@ -17,7 +17,7 @@ using rendering::fabrics::Modality;
 
 std::string pitchText(const char* what, const std::optional<double>& mmPerPixel)
 {
-    return std::string(what) + (mmPerPixel ? " " + roughFigure(*mmPerPixel) + " mm a pixel" : " without scale");
+    return std::string(what) + (mmPerPixel ? " " + roughFigure(*mmPerPixel) + " mm per pixel" : " of unknown scale");
 }
 
 std::string aboutOf(const Dataset& dataset)
@@ -44,7 +44,7 @@ int knownHeightsOf(const Dataset& dataset, const protocols::FabricId& fabric)
                                           [&](int index) { return fs::exists(knownHeightPath(dataset, fabric, index)); }));
 }
 
-/// The index of sample number `place`, where there are so many.
+/// File index of sample number `place` (from 0); none if there are fewer samples.
 std::optional<int> indexAt(const Dataset& dataset, const protocols::FabricId& fabric, Modality modality, int place)
 {
     const auto indices = sampleIndices(dataset, fabric, modality);
@@ -62,12 +62,12 @@ SeenSignal computedHeight(const Dataset& dataset, const protocols::FabricId& fab
     return seenHeight(
         signals.images.at(rendering::Signal::PhotometricHeight), dataset.tactileMmPerPixel,
         fabric.value + " height of tactile " + samplePath(dataset, fabric, Modality::Tactile, index).filename().string(),
-        "from the frame");
+        "computed from the frame");
 }
 
-class Sheet {
+class SheetBuilder {
 public:
-    /// What cannot be read is told on the sheet's page, and the rest is shown.
+    /// Adds a signal, or the reason why it cannot be read.
     template <class Read>
     void add(Read read)
     {
@@ -104,7 +104,7 @@ FabricSheet sheetOf(const fs::path& folder, const std::string& fabricId, int sam
     requireNotOfOpenStudy(folder);
     const Dataset dataset = rendering::fabrics::readDataset(folder);
     const protocols::FabricId fabric = dataset.fabric(protocols::FabricId(fabricId)).id;
-    Sheet sheet;
+    SheetBuilder sheet;
     const auto addFile = [&](Modality modality) {
         if (const auto index = indexAt(dataset, fabric, modality, sample))
             sheet.add([&] { return readSignal(samplePath(dataset, fabric, modality, *index)); });

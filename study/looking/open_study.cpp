@@ -11,9 +11,9 @@ namespace fs = std::filesystem;
 
 protocols::Error blinded(const fs::path& place, const fs::path& study)
 {
-    return protocols::badInput({"belongs to a study that is not unblinded, whose stimuli nobody may look at", place.string(),
-                                "a signal outside " + study.string(),
-                                "look at the data set that the study was made from, or unblind the study when it is over"});
+    return protocols::badInput({"is part of a study that is not unblinded, so nobody may view it", place.string(),
+                                "a file outside " + study.string(),
+                                "view the data set of the study, or unblind the study when it is over"});
 }
 
 bool isUnblinded(const fs::path& study)
@@ -21,7 +21,7 @@ bool isUnblinded(const fs::path& study)
     try {
         return database::StudyStore({study}, database::StudyStore::Access::Read).unblinding().has_value();
     } catch (const protocols::Error&) {
-        return false;  // what cannot be asked is not known to be open to all
+        return false;  // a study that cannot be read must count as blinded
     }
 }
 

@@ -1,12 +1,12 @@
-// The stimuli of a study that still runs are looked at by nobody: who has seen them is not blinded any more.
+// Protection of blinding: nobody may view the stimuli of a study that still runs.
 #pragma once
 
 #include <filesystem>
 
 namespace study::looking {
 
-/// Throws badInput where the file or folder lies (after following links) inside a study that is not unblinded, or whose
-/// study.db cannot be read. A QCoreApplication must exist.
+/// Throws badInput if the file or folder, after following links, lies in a study that is not unblinded or whose study.db cannot
+/// be read. A QCoreApplication must exist.
 void requireNotOfOpenStudy(const std::filesystem::path& place);
 
 }  // namespace study::looking

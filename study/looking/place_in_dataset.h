@@ -1,4 +1,4 @@
-// Where a file lies in a data set: DATASET/F01/visual/000.png.
+// Place of a file in a data set, such as DATASET/F01/visual/000.png.
 #pragma once
 
 #include <filesystem>
@@ -14,10 +14,10 @@ struct PlaceInDataset {
     std::string fabric, signal;  ///< names of the folders
 };
 
-/// None for a file outside. Throws badInput where dataset.json cannot be read.
+/// Place of the file; none if it is not in a data set. Throws badInput if dataset.json cannot be read.
 std::optional<PlaceInDataset> placeInDataset(const std::filesystem::path& file);
 
-/// "F01 visual 000.png", or the file's own name.
+/// "F01 visual 000.png", or the name of the file if it is not in a data set.
 std::string titleOf(const std::filesystem::path& file, const std::optional<PlaceInDataset>& place);
 
 }  // namespace study::looking

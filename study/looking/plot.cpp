@@ -9,12 +9,12 @@ namespace study::looking {
 
 namespace {
 
-double across(const QRectF& inside, const Axis& axis, double value)
+double across(const QRectF& inside, const PlotAxis& axis, double value)
 {
     return inside.left() + (value - axis.low) / (axis.high - axis.low) * inside.width();
 }
 
-double up(const QRectF& inside, const Axis& axis, double value)
+double up(const QRectF& inside, const PlotAxis& axis, double value)
 {
     return inside.bottom() - (value - axis.low) / (axis.high - axis.low) * inside.height();
 }
@@ -24,12 +24,12 @@ double stepOf(const std::vector<double>& ticks)
     return ticks.size() > 1 ? ticks[1] - ticks[0] : std::abs(ticks.empty() ? 1 : ticks[0]);
 }
 
-QString labelOf(const Axis& axis, double tick, double step)
+QString labelOf(const PlotAxis& axis, double tick, double step)
 {
     return axis.isLogarithmic ? QString::number(std::pow(10, tick), 'g', 2) : tickText(tick, step);
 }
 
-std::vector<double> ticksOf(const Axis& axis, int wanted)
+std::vector<double> ticksOf(const PlotAxis& axis, int wanted)
 {
     if (!axis.isLogarithmic) return ticksBetween(axis.low, axis.high, wanted);
     const double step = std::max(1.0, std::ceil((axis.high - axis.low) / wanted));
@@ -38,8 +38,8 @@ std::vector<double> ticksOf(const Axis& axis, int wanted)
     return decades;
 }
 
-/// Lines across, each with its label on the left.
-void drawRows(QPainter& painter, const QRectF& inside, double left, double labelWidth, const Axis& y,
+/// Horizontal grid lines with their labels on the left.
+void drawRows(QPainter& painter, const QRectF& inside, double left, double labelWidth, const PlotAxis& y,
               const std::vector<double>& ticks, const SheetStyle& style)
 {
     const double height = QFontMetricsF(painter.font()).height();
@@ -53,8 +53,8 @@ void drawRows(QPainter& painter, const QRectF& inside, double left, double label
     }
 }
 
-/// The line below with its ticks, and the unit at its end; labels that would touch the unit are left out.
-void drawColumns(QPainter& painter, const QRectF& inside, const QRectF& place, const Axis& x, const SheetStyle& style)
+/// Horizontal axis with its ticks and the unit at its end. Labels that would touch the unit are left out.
+void drawColumns(QPainter& painter, const QRectF& inside, const QRectF& place, const PlotAxis& x, const SheetStyle& style)
 {
     const QFontMetricsF metrics(painter.font());
     const QRectF labels(place.left(), inside.bottom() + 2, place.width() - 2, place.bottom() - inside.bottom());
@@ -75,15 +75,15 @@ void drawColumns(QPainter& painter, const QRectF& inside, const QRectF& place, c
     painter.drawLine(inside.bottomLeft(), inside.bottomRight());
 }
 
-struct Extent {
+struct ValueExtent {
     std::optional<double> low, high;
 };
 
-/// Of all samples that lie in the same column of pixels as sample `i`, which goes on to the first behind them.
-Extent extentOfColumn(const QRectF& inside, const Axis& x, const std::vector<double>& places, const std::vector<double>& values,
-                      std::size_t& i)
+/// Extent of all samples in the pixel column of sample `i`. Moves `i` to the first sample after this column.
+ValueExtent extentOfColumn(const QRectF& inside, const PlotAxis& x, const std::vector<double>& places,
+                           const std::vector<double>& values, std::size_t& i)
 {
-    Extent extent;
+    ValueExtent extent;
     const double column = std::floor(across(inside, x, places[i]));
     for (; i < values.size() && std::floor(across(inside, x, places[i])) == column; ++i)
         if (std::isfinite(values[i])) {
@@ -167,7 +167,7 @@ QRectF belowCaption(QPainter& painter, const QRectF& place, const QString& capti
     return place.adjusted(0, height, 0, 0);
 }
 
-Axis axisAround(const std::vector<double>& values, const QString& unit)
+PlotAxis axisAround(const std::vector<double>& values, const QString& unit)
 {
     std::optional<double> low, high;
     for (const double value : values)
@@ -181,7 +181,7 @@ Axis axisAround(const std::vector<double>& values, const QString& unit)
     return {*low - room, *high + room, unit};
 }
 
-QRectF drawAxes(QPainter& painter, const QRectF& place, const Axis& x, const Axis& y, const SheetStyle& style)
+QRectF drawAxes(QPainter& painter, const QRectF& place, const PlotAxis& x, const PlotAxis& y, const SheetStyle& style)
 {
     painter.setFont(fontOf(style, 0.8));
     const QFontMetricsF metrics(painter.font());
@@ -197,7 +197,7 @@ QRectF drawAxes(QPainter& painter, const QRectF& place, const Axis& x, const Axi
     return inside;
 }
 
-void drawCurve(QPainter& painter, const QRectF& inside, const Axis& x, const Axis& y, const std::vector<double>& places,
+void drawCurve(QPainter& painter, const QRectF& inside, const PlotAxis& x, const PlotAxis& y, const std::vector<double>& places,
                const std::vector<double>& values, const SheetStyle& style)
 {
     painter.save();
@@ -208,7 +208,7 @@ void drawCurve(QPainter& painter, const QRectF& inside, const Axis& x, const Axi
     std::size_t i = 0;
     while (i < values.size()) {
         const std::size_t first = i;
-        const Extent extent = extentOfColumn(inside, x, places, values, i);
+        const ValueExtent extent = extentOfColumn(inside, x, places, values, i);
         if (!extent.low) {
             before.reset();  // a gap
             continue;
@@ -220,7 +220,7 @@ void drawCurve(QPainter& painter, const QRectF& inside, const Axis& x, const Axi
         if (before)
             painter.drawLine(*before, isTopNearer ? top : bottom);
         else if (isOne && (i == values.size() || !std::isfinite(values[i])))
-            painter.drawEllipse(top, 1.5, 1.5);  // it stands alone
+            painter.drawEllipse(top, 1.5, 1.5);  // a single sample between gaps
         if (!isOne) painter.drawLine(top, bottom);
         before = bottom;
     }
@@ -229,7 +229,7 @@ void drawCurve(QPainter& painter, const QRectF& inside, const Axis& x, const Axi
 
 void drawScaleBar(QPainter& painter, const QRectF& place, double pixelsPerUnit, const QString& unit, const SheetStyle& style)
 {
-    // A bar of part of a pixel would say nothing.
+    // A bar shorter than one pixel has no meaning.
     const double shortest = unit == QStringLiteral("pixels") ? 1 : 1e-12;
     const double length = roundStep(std::max(shortest, place.width() * 0.42 / pixelsPerUnit));
     const QString text = QStringLiteral("%1 %2").arg(

@@ -1,4 +1,4 @@
-// Lines over axes with units, and the steps of axes and scale bars that people can read off.
+// Curves over axes with units, and round steps for axes and scale bars.
 #pragma once
 
 #include <QColor>
@@ -9,45 +9,46 @@
 
 namespace study::looking {
 
+/// Colours and sizes of a sheet.
 struct SheetStyle {
     QColor background, surface, text, quietText, line, accent, attention, onAttention;
-    QColor body;            ///< of reliefs
-    double fontPx = 15;     ///< of plain text
-    int columnPx = 460;     ///< one signal takes so much
-    double pixelRatio = 1;  ///< of the screen
+    QColor body;            ///< colour of reliefs
+    double fontPx = 15;     ///< size of plain text, px
+    int columnPx = 460;     ///< width of one signal, px
+    double pixelRatio = 1;  ///< device pixels per px
 };
 SheetStyle lightSheet();
 SheetStyle darkSheet();
 
 QFont fontOf(const SheetStyle& style, double factor = 1, bool isBold = false);
 
-/// 1, 2 or 5 times a power of ten: the largest that is not above `most`. `most` > 0.
+/// The largest of 1, 2 or 5 times a power of ten that is not above `most`. `most` > 0.
 double roundStep(double most);
-/// Multiples of a round step within the bounds, about `wanted` of them.
+/// About `wanted` multiples of a round step within the bounds.
 std::vector<double> ticksBetween(double low, double high, int wanted);
-/// A tick in as few digits as its step needs: "0.05", "20".
+/// Text of a tick with as few digits as its step needs: "0.05", "20".
 QString tickText(double value, double step);
 
-struct Axis {
+struct PlotAxis {
     double low = 0, high = 1;
     QString unit;
-    bool isLogarithmic = false;  ///< the values are decimal logarithms, and labelled by what they are of
+    bool isLogarithmic = false;  ///< low and high are decimal logarithms; labels show the numbers
 };
 
-/// Where the curves go: axes, grid and labels are drawn around it.
-QRectF drawAxes(QPainter& painter, const QRectF& place, const Axis& x, const Axis& y, const SheetStyle& style);
+/// Draws axes, grid and labels, and returns the area for the curves.
+QRectF drawAxes(QPainter& painter, const QRectF& place, const PlotAxis& x, const PlotAxis& y, const SheetStyle& style);
 
-/// Where there are many samples a pixel, from the lowest to the highest of each. NaN leaves a gap.
-void drawCurve(QPainter& painter, const QRectF& inside, const Axis& x, const Axis& y, const std::vector<double>& places,
+/// Draws a curve. If a pixel column has many samples, it is filled from the lowest to the highest. NaN leaves a gap.
+void drawCurve(QPainter& painter, const QRectF& inside, const PlotAxis& x, const PlotAxis& y, const std::vector<double>& places,
                const std::vector<double>& values, const SheetStyle& style);
 
-/// A bar of a round length and its label, in `place`; `pixelsPerUnit` of the picture that it belongs to.
+/// Draws a scale bar of a round length with its label. `pixelsPerUnit`: scale of the picture above it.
 void drawScaleBar(QPainter& painter, const QRectF& place, double pixelsPerUnit, const QString& unit, const SheetStyle& style);
 
-/// Writes the caption at the top of the place; what is left lies below it.
+/// Draws the caption at the top of `place` and returns the area below it.
 QRectF belowCaption(QPainter& painter, const QRectF& place, const QString& caption, const SheetStyle& style);
 
-/// Around the values with some room; one that is even gets a height of its own.
-Axis axisAround(const std::vector<double>& values, const QString& unit);
+/// Axis around the values with a margin. Equal values get a range of their own.
+PlotAxis axisAround(const std::vector<double>& values, const QString& unit);
 
 }  // namespace study::looking

@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double missingValue = std::numeric_limits<double>::quiet_NaN();
 constexpr double missingMarkerMm = -1e9;  // instruments write -1e10
 
 std::optional<double> pitchIn(const PlaceInDataset& place)
@@ -41,15 +41,15 @@ std::string endingOf(const fs::path& file)
 
 std::string sizeOf(const cv::Mat& image) { return std::to_string(image.cols) + " × " + std::to_string(image.rows); }
 
-/// Bit 0: a channel at 0; bit 1: a channel at the highest.
-cv::Mat clippedIn(const cv::Mat& image, const Holds& holds)
+/// Marks of clipped pixels. Bit 0: a channel has the lowest value; bit 1: a channel has the highest value.
+cv::Mat clippedIn(const cv::Mat& image, const StoredRange& storedRange)
 {
     cv::Mat marks = cv::Mat::zeros(image.size(), CV_8UC1);
     std::vector<cv::Mat> channels;
     cv::split(image, channels);
     for (const cv::Mat& channel : channels) {
-        marks |= (channel == holds.lowest) & 1;
-        marks |= (channel == holds.highest) & 2;
+        marks |= (channel == storedRange.lowest) & 1;
+        marks |= (channel == storedRange.highest) & 2;
     }
     return marks;
 }
@@ -57,12 +57,12 @@ cv::Mat clippedIn(const cv::Mat& image, const Holds& holds)
 SeenMap mapOfImage(const cv::Mat& image)
 {
     SeenMap map;
-    map.holds = image.depth() == CV_8U ? Holds{0, 255} : Holds{0, 65535};
+    map.storedRange = image.depth() == CV_8U ? StoredRange{0, 255} : StoredRange{0, 65535};
     map.unit = "grey level";
-    map.clipped = clippedIn(image, *map.holds);
+    map.clipped = clippedIn(image, *map.storedRange);
     cv::Mat grey = image;
     if (image.channels() == 3) {
-        image.convertTo(map.colours, CV_8U, 255.0 / map.holds->highest);
+        image.convertTo(map.colours, CV_8U, 255.0 / map.storedRange->highest);
         cv::cvtColor(image, grey, cv::COLOR_RGB2GRAY);
     }
     grey.convertTo(map.values, CV_32F);
@@ -75,7 +75,7 @@ SeenMap mapOfNumbers(const cv::Mat& numbers, const std::string& unit)
     map.unit = unit;
     numbers.convertTo(map.values, CV_32F);
     for (float& value : cv::Mat_<float>(map.values))
-        if (!std::isfinite(value) || (unit == "mm" && value <= missingMarkerMm)) value = static_cast<float>(nothing);
+        if (!std::isfinite(value) || (unit == "mm" && value <= missingMarkerMm)) value = static_cast<float>(missingValue);
     return map;
 }
 
@@ -87,14 +87,14 @@ SeenSignal seenRow(const cv::Mat& row, const std::string& title, const std::stri
     for (int i = 0; i < values.cols; ++i) {
         const double value = values.at<double>(i);
         trace.places.push_back(i);
-        trace.values.push_back(std::isfinite(value) ? value : nothing);
+        trace.values.push_back(std::isfinite(value) ? value : missingValue);
     }
     trace.placeUnit = "samples";
     trace.quantity = unit.empty() ? "value" : unit;
     return {title, "array of one row, " + std::to_string(values.cols) + " values", std::move(trace)};
 }
 
-/// Friction images of the display's own size lie on its glass pixel by pixel.
+/// Whether the image has the size of the display. Its pixels then have the pitch of the display.
 bool isOfTheGlass(const cv::Mat& image)
 {
     return image.channels() == 1 && image.size() == cv::Size(rendering::displayWidthPx, rendering::displayHeightPx);
@@ -109,13 +109,13 @@ std::string kindOfImage(const cv::Mat& image, const std::optional<PlaceInDataset
     return kind + sizeOf(image) + depth;
 }
 
-/// Of an instrument that keeps its pitch beside the heights.
+/// Reads a profilometer file, which contains its pitch.
 SeenSignal readProfilometer(const fs::path& file, const ReadingOptions& options)
 {
     const rendering::TrueMap read = rendering::readTrueMap(file);
     SeenMap map = mapOfNumbers(read.heightMm, "mm");
     map.mmPerPixel = options.mmPerPixel.value_or(read.xPitchMm);
-    map.rowPitch = std::clamp(read.yPitchMm / read.xPitchMm, 0.01, 100.0);  // else nothing could be seen
+    map.rowPitch = std::clamp(read.yPitchMm / read.xPitchMm, 0.01, 100.0);  // extreme ratios would make the picture unreadable
     return {file.filename().string(), "height, " + sizeOf(read.heightMm), std::move(map)};
 }
 
@@ -143,13 +143,15 @@ std::string kindOfNumbers(const SeenMap& map)
 SeenSignal readMap(const fs::path& file, const ReadingOptions& options)
 {
     const cv::Mat image = decoded(file, options);
-    if (image.empty()) throw protocols::badInput({"holds no numbers", file.string(), "at least one pixel", ""});
+    if (image.empty())
+        throw protocols::badInput({"contains no numbers", file.string(), "at least one pixel", "write the file again"});
     const auto place = placeInDataset(file);
     const bool isImage = image.depth() == CV_8U || image.depth() == CV_16U;
     const bool isArray = endingOf(file) == ".npy";
     if (!isImage && image.channels() != 1)
-        throw protocols::badInput({"holds " + std::to_string(image.channels()) + " numbers a pixel", file.string(),
-                                   "one number a pixel, or an image of 8 or 16 bits", ""});
+        throw protocols::badInput({"has " + std::to_string(image.channels()) + " numbers per pixel", file.string(),
+                                   "one number per pixel, or an image with 8 or 16 bits",
+                                   "write one channel to a file of its own"});
     if (isArray && image.rows == 1 && image.cols > 1) return seenRow(image, titleOf(file, place), options.unit);
     const std::string usualUnit = isArray ? "mm/mm" : "mm";
     SeenMap map = isImage ? mapOfImage(image) : mapOfNumbers(image, options.unit.empty() ? usualUnit : options.unit);

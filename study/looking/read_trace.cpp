@@ -15,14 +15,14 @@ namespace {
 namespace fs = std::filesystem;
 using protocols::CsvTable;
 
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-constexpr double leastNormalN = 0.05;  // below it a coefficient is noise over noise
+constexpr double missingSample = std::numeric_limits<double>::quiet_NaN();
+constexpr double leastNormalN = 0.05;  // below this load the coefficient is only noise
 
 std::vector<double> columnOf(const protocols::CsvTable& table, std::size_t column)
 {
     std::vector<double> values;
     values.reserve(table.rows.size());
-    for (const auto& row : table.rows) values.push_back(protocols::numberIn(row[column]).value_or(nothing));
+    for (const auto& row : table.rows) values.push_back(protocols::numberIn(row[column]).value_or(missingSample));
     return values;
 }
 
@@ -33,14 +33,14 @@ std::string joined(const std::vector<std::string>& names)
     return line;
 }
 
-/// What of the table is friction: tangential over normal force, "mu", or the first column that is neither time nor place.
+/// Takes the friction from the table: tangential over normal force, "mu", or the first column that is neither time nor place.
 void takeValues(SeenTrace& trace, const protocols::CsvTable& table, const std::string& quantity)
 {
     if (!quantity.empty()) {
         const auto column = table.column(quantity);
         if (!column)
-            throw protocols::badInput(
-                {"has no column " + quantity, table.where, "one of its columns: " + joined(table.columns), ""});
+            throw protocols::badInput({"has no column " + quantity, table.where, "one of its columns: " + joined(table.columns),
+                                       "name one of these columns"});
         trace.values = columnOf(table, *column);
         trace.quantity = quantity;
         return;
@@ -50,7 +50,7 @@ void takeValues(SeenTrace& trace, const protocols::CsvTable& table, const std::s
         trace.values = columnOf(table, *tangential);
         const auto load = columnOf(table, *normal);
         for (std::size_t i = 0; i < load.size(); ++i)
-            trace.values[i] = load[i] > leastNormalN ? trace.values[i] / load[i] : nothing;
+            trace.values[i] = load[i] > leastNormalN ? trace.values[i] / load[i] : missingSample;
         trace.quantity = "coefficient of friction";
         trace.whyMissing = "not in contact";
         return;
@@ -62,11 +62,12 @@ void takeValues(SeenTrace& trace, const protocols::CsvTable& table, const std::s
         trace.quantity = mu ? "coefficient of friction" : name;
         return;
     }
-    throw protocols::badInput(
-        {"holds no friction", table.where, "t_s,normal_n,tangential_n or t_s,mu or t_s and one named quantity", ""});
+    throw protocols::badInput({"contains no friction", table.where,
+                               "t_s,normal_n,tangential_n or t_s,mu or t_s and one named quantity",
+                               "add a column with the measured quantity"});
 }
 
-/// Samples without a place of their own (and what stands out of order) are left out.
+/// Removes samples without a place, and samples whose place does not increase.
 void keepRising(SeenTrace& trace)
 {
     std::size_t kept = 0;
@@ -103,7 +104,8 @@ SeenSignal readTrace(const fs::path& file, const ReadingOptions& options)
     takeValues(trace, table, options.quantity);
     takePlaces(trace, table, speed);
     keepRising(trace);
-    if (trace.places.empty()) throw protocols::badInput({"holds no samples", file.string(), "at least one row", ""});
+    if (trace.places.empty())
+        throw protocols::badInput({"contains no samples", file.string(), "at least one row", "record the stroke again"});
     const double gaps = static_cast<double>(trace.places.size() - 1);
     const double length = trace.places.back() - trace.places.front();
     if (trace.placeUnit == "mm" && length > 0) trace.samplesPerMm = gaps / length;

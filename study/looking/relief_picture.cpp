@@ -11,11 +11,11 @@ namespace study::looking {
 
 namespace {
 
-constexpr double foreshortening = 0.62;  // of the ground, seen from some 40 degrees above
-constexpr double heightShare = 0.11;     // of the picture's height, taken by the relief itself
-constexpr double outlierShare = 0.005;   // at either end: one spike must not flatten the rest
+constexpr double foreshortening = 0.62;  // of the ground, viewed from about 40 degrees above
+constexpr double heightShare = 0.11;     // share of the picture's height for the relief
+constexpr double outlierShare = 0.005;   // ignored at each end, so that one spike does not flatten the rest
 
-/// The values that all but a few lie between.
+/// Range of the values without outliers.
 std::pair<double, double> bulkOf(const cv::Mat& values)
 {
     std::vector<float> finite;
@@ -30,7 +30,7 @@ std::pair<double, double> bulkOf(const cv::Mat& values)
     return {at(outlierShare), at(1 - outlierShare)};
 }
 
-/// Heights in pixels of the picture, on a grid of the picture's columns.
+/// Heights in pixels of the picture, resampled to its columns.
 cv::Mat heightsFor(const cv::Mat& values, int width, int rows, double low, double high, double pixelsPerUnit)
 {
     cv::Mat whole = values.clone(), resized;
@@ -42,13 +42,13 @@ cv::Mat heightsFor(const cv::Mat& values, int width, int rows, double low, doubl
     return resized * pixelsPerUnit;
 }
 
-/// How bright a place is under a light from the upper left, 0..1.1.
+/// Brightness of a point under a light from the upper left, 0..1.1.
 double brightnessAt(const cv::Mat& heights, int row, int column)
 {
     const auto at = [&](int r, int c) {
         return heights.at<float>(std::clamp(r, 0, heights.rows - 1), std::clamp(c, 0, heights.cols - 1));
     };
-    // Steep sides are shown less steep: where threads are fine all would be black and white.
+    // Slopes are compressed, because steep sides of fine threads would be only black and white.
     const auto eased = [](double slope) { return slope / (1 + 0.6 * std::abs(slope)); };
     const double dx = eased((at(row, column + 1) - at(row, column - 1)) / 2);
     const double dy = eased((at(row + 1, column) - at(row - 1, column)) / 2 * foreshortening);
@@ -105,22 +105,22 @@ QRect reliefPart(const cv::Mat& values, double widthOverDepth)
     return {(values.cols - width) / 2, (values.rows - depth) / 2, width, depth};
 }
 
-Relief reliefOf(const cv::Mat& values, QSize size, const QColor& body)
+ReliefPicture reliefOf(const cv::Mat& values, QSize size, const QColor& body)
 {
     const auto [low, high] = bulkOf(values);
-    Relief relief{QImage(size, QImage::Format_ARGB32_Premultiplied), 0, static_cast<double>(size.width()) / values.cols};
+    ReliefPicture relief{QImage(size, QImage::Format_ARGB32_Premultiplied), 0, static_cast<double>(size.width()) / values.cols};
     relief.picture.fill(Qt::transparent);
     const double highest = heightShare * size.height();
     relief.pixelsPerUnit = high > low ? highest / (high - low) : 0;
-    const int edge = std::max(2, size.height() / 24);  // the front of the block
+    const int edge = std::max(2, size.height() / 24);  // front side of the block
     const int ground = size.height() - edge - static_cast<int>(std::ceil(highest));
-    // The ground keeps the map's own shape where that fits, else it is as deep as there is room.
+    // The ground keeps the proportions of the map if they fit, otherwise it uses the available depth.
     const int rows =
         std::clamp(static_cast<int>(std::lround(relief.pixelsPerValue * values.rows * foreshortening)), 1, std::max(1, ground));
     const cv::Mat heights = heightsFor(values, size.width(), rows, low, high, relief.pixelsPerUnit);
     const int bottom = size.height() - edge;
     for (int x = 0; x < size.width(); ++x) {
-        int hidden = size.height();  // everything from this line down is drawn already
+        int hidden = size.height();  // everything from this line down is already drawn
         const QRgb front = lit(body, 0.32);
         for (int row = rows - 1; row >= 0; --row) {
             const int y = std::clamp(bottom - (rows - 1 - row) - static_cast<int>(std::lround(heights.at<float>(row, x))), 0,

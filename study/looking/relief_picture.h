@@ -1,4 +1,4 @@
-// Pictures of a map's values: in colours, and as relief seen obliquely from the front, lit from the upper left.
+// Pictures of a map: in colours, and as a relief viewed obliquely from the front with light from the upper left.
 #pragma once
 
 #include <QColor>
@@ -8,22 +8,22 @@
 
 namespace study::looking {
 
-/// Dark blue (0) over green to yellow (1): grows evenly in lightness, and is told apart by colour-blind eyes.
+/// Colour from dark blue (0) through green to yellow (1). Lightness grows evenly, and colour-blind people can distinguish it.
 QColor colourOf(double fraction);
 
-/// The values between `low` and `high` as grey or colours, one pixel each; missing ones in `missing`.
 enum class Palette { Grey, Colours };
+/// Picture of the values between `low` and `high`, one pixel each; missing values have the colour `missing`.
 QImage pictureOf(const cv::Mat& values, double low, double high, Palette palette, const QColor& missing);
 
-/// Part of a map that a relief of this shape shows: around the middle, and small enough for threads to be seen.
+/// Part of a map that a relief of these proportions shows: around the middle, and small enough that threads are visible.
 QRect reliefPart(const cv::Mat& values, double widthOverDepth);
 
-struct Relief {
-    QImage picture;             ///< transparent where there is nothing
-    double pixelsPerUnit = 0;   ///< so high is one unit of the values drawn; 0 for an even map
-    double pixelsPerValue = 0;  ///< so wide is one value of the map
+struct ReliefPicture {
+    QImage picture;             ///< transparent around the relief
+    double pixelsPerUnit = 0;   ///< height of one unit of the values, px; 0 for a flat map
+    double pixelsPerValue = 0;  ///< width of one value of the map, px
 };
-/// Missing values lie at the lowest place. `values` must not be empty.
-Relief reliefOf(const cv::Mat& values, QSize size, const QColor& body);
+/// Draws a relief. Missing values have the lowest height. `values` must not be empty.
+ReliefPicture reliefOf(const cv::Mat& values, QSize size, const QColor& body);
 
 }  // namespace study::looking

@@ -10,11 +10,11 @@ namespace study::looking {
 
 namespace {
 
-constexpr double muchClipped = 0.01;  // of the pixels
+constexpr double muchClipped = 0.01;  // share of the pixels
 constexpr double muchMissing = 0.001;
-constexpr double flatContrast = 2;  // grey levels of root mean square: nothing can be seen in it
+constexpr double flatContrast = 2;  // RMS grey levels; below it nothing is visible
 
-/// Two passes, for small waves on a large height.
+/// Computes the moments in two passes, which stays exact for small waves on a large height.
 void addMoments(SignalFacts& facts, const std::vector<double>& finite)
 {
     if (finite.empty()) return;
@@ -43,7 +43,7 @@ SignalFacts factsOfMap(const SeenMap& map)
         if (std::isfinite(value)) finite.push_back(value);
     addMoments(facts, finite);
     facts.missingShare = share(map.values.total() - finite.size(), map.values.total());
-    if (!map.holds) return facts;
+    if (!map.storedRange) return facts;
     std::size_t low = 0, high = 0;
     for (const unsigned char mark : cv::Mat_<unsigned char>(map.clipped)) {
         low += mark & 1u;
@@ -79,7 +79,7 @@ std::string figure(double value)
     std::array<char, 32> text{};
     const double size = std::abs(value);
     const bool isPlain = size == 0 || (size >= 1e-4 && size < 1e5);
-    // As many decimals as three digits take; whole numbers stay whole.
+    // Three significant digits; whole numbers have no decimals.
     const int decimals = size == 0 || value == std::round(value)
                              ? 0
                              : std::clamp(2 - static_cast<int>(std::floor(std::log10(size * 1.0005))), 0, 6);
@@ -114,7 +114,7 @@ std::vector<std::string> linesOf(const SeenSignal& signal, const SignalFacts& fa
     std::string shares = missing + percent(facts.missingShare);
     if (facts.clippedLowShare)
         shares = "clipped: " + percent(*facts.clippedLowShare) + " at 0, " + percent(*facts.clippedHighShare) + " at " +
-                 figure(map->holds->highest);
+                 figure(map->storedRange->highest);
     lines.push_back(shares);
     return lines;
 }
@@ -125,17 +125,17 @@ std::vector<std::string> warningsOf(const SeenSignal& signal, const SignalFacts&
     std::vector<std::string> warnings;
     const double clipped = facts.clippedLowShare.value_or(0) + facts.clippedHighShare.value_or(0);
     if (!facts.min)
-        warnings.emplace_back("There is no number in it.");
+        warnings.emplace_back("The signal has no number.");
     else if (*facts.min == *facts.max)
-        warnings.emplace_back("It is the same everywhere.");
-    else if (map && map->holds && *facts.sq < flatContrast * map->holds->highest / 255)
-        warnings.emplace_back("There is hardly any contrast in it.");
+        warnings.emplace_back("All values are equal.");
+    else if (map && map->storedRange && *facts.sq < flatContrast * map->storedRange->highest / 255)
+        warnings.emplace_back("The picture has hardly any contrast.");
     if (clipped > muchClipped && facts.min && *facts.min != *facts.max)
-        warnings.push_back(percent(clipped) + " of the pixels are clipped: what is above or below is lost.");
+        warnings.push_back(percent(clipped) + " of the pixels are clipped; their true values are lost.");
     if (facts.missingShare > muchMissing && facts.min)
-        warnings.push_back(
-            percent(facts.missingShare) +
-            (map ? " of the points are missing." : " of the samples: " + std::get<SeenTrace>(signal.what).whyMissing + "."));
+        warnings.push_back(percent(facts.missingShare) +
+                           (map ? " of the points are missing."
+                                : " of the samples are missing: " + std::get<SeenTrace>(signal.what).whyMissing + "."));
     if (map && map->beginsAtZero && facts.min && *facts.min < -1e-6) warnings.emplace_back("Some heights are below 0.");
     return warnings;
 }

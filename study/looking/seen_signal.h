@@ -1,5 +1,5 @@
-// A signal as it is looked at: a map (photograph, tactile frame, height, gradient, friction image) or a trace
-// (friction over a stroke), with its unit and pitch, and the figures by which a bad recording is seen.
+// A signal to be shown on a sheet: a map (photograph, tactile frame, height, gradient, friction image) or a trace (friction over
+// a stroke), with unit and pitch. Also the figures and warnings that reveal a bad recording.
 #pragma once
 
 #include <opencv2/core/mat.hpp>
@@ -10,30 +10,30 @@
 
 namespace study::looking {
 
-/// What the file's own numbers can hold: pixels at either end are clipped.
-struct Holds {
+/// Range of numbers that the file format can store. Pixels at either end are clipped.
+struct StoredRange {
     double lowest = 0, highest = 255;
 };
 
 struct SeenMap {
-    cv::Mat values;                    ///< CV_32FC1; NaN where the file has nothing. Of a colour picture: its grey
-    cv::Mat colours;                   ///< CV_8UC3, RGB; empty where the file has one channel
-    cv::Mat clipped;                   ///< CV_8UC1, not 0 where any channel is at an end; empty without `holds`
+    cv::Mat values;                    ///< CV_32FC1; NaN: missing. A colour picture has its grey values here
+    cv::Mat colours;                   ///< CV_8UC3, RGB; empty if the file has one channel
+    cv::Mat clipped;                   ///< CV_8UC1, not 0 where a channel is clipped; empty without `storedRange`
     std::string unit;                  ///< "mm", "mm/mm", "grey level"
-    std::optional<double> mmPerPixel;  ///< along a row
-    double rowPitch = 1;               ///< from row to row, in pitches along a row
-    bool beginsAtZero = false;         ///< the lowest places of a data set's heights are 0
-    std::optional<Holds> holds;
+    std::optional<double> mmPerPixel;  ///< pitch along a row
+    double rowPitch = 1;               ///< pitch from row to row, relative to the pitch along a row
+    bool beginsAtZero = false;         ///< true for heights of a data set, whose lowest points are 0
+    std::optional<StoredRange> storedRange;
 };
 
 struct SeenTrace {
-    std::vector<double> places;          ///< of the samples, rising, in `placeUnit`
-    std::vector<double> values;          ///< NaN where there is none
+    std::vector<double> places;          ///< place of each sample, increasing, in `placeUnit`
+    std::vector<double> values;          ///< NaN: missing
     std::string placeUnit;               ///< "mm", "s", "samples"
-    std::string quantity;                ///< "coefficient of friction", or the record's own name
-    std::optional<double> sampleRateHz;  ///< on the average
+    std::string quantity;                ///< "coefficient of friction", or the name in the record
+    std::optional<double> sampleRateHz;  ///< mean rate
     std::optional<double> samplesPerMm;
-    std::string whyMissing = "no number";
+    std::string whyMissing = "not a number";
 };
 
 struct SeenSignal {
@@ -42,24 +42,24 @@ struct SeenSignal {
     std::variant<SeenMap, SeenTrace> what;
 };
 
-/// Figures of the finite values; a signal without any has none of the first five.
+/// Figures of the finite values. A signal without finite values has no minimum, maximum, mean and sq.
 struct SignalFacts {
     std::optional<double> min, max, mean;
-    std::optional<double> sq;                                 ///< root mean square about the mean (of a surface: Sq)
-    double missingShare = 0;                                  ///< not finite, or marked as missing
-    std::optional<double> clippedLowShare, clippedHighShare;  ///< of the pixels, where the file's numbers have ends
+    std::optional<double> sq;                                 ///< RMS deviation from the mean; Sq of a surface
+    double missingShare = 0;                                  ///< share of values that are not finite or marked as missing
+    std::optional<double> clippedLowShare, clippedHighShare;  ///< shares of the pixels; none without `storedRange`
     bool operator==(const SignalFacts&) const = default;
 };
 SignalFacts factsOf(const SeenSignal& signal);
 
 /// The figures as lines of text with units: "min 0.012  max 0.410 mm", "Sq 0.055 mm".
 std::vector<std::string> linesOf(const SeenSignal& signal, const SignalFacts& facts);
-/// What an experimenter should look at before going on, each a sentence; empty where nothing is odd.
+/// Warnings for the experimenter, one sentence each; empty if the signal looks normal.
 std::vector<std::string> warningsOf(const SeenSignal& signal, const SignalFacts& facts);
 
-/// Three significant digits: "0.0551", "12.3", "1.28e+06".
+/// Number with three significant digits: "0.0551", "12.3", "1.28e+06".
 std::string figure(double value);
-/// At most two, without noughts at the end: "0.05", "12".
+/// Number with at most two significant digits and no trailing zeros: "0.05", "12".
 std::string roughFigure(double value);
 
 }  // namespace study::looking

@@ -7,16 +7,18 @@
 #include <cmath>
 
 #include "protocols/files/errors.h"
-#include "study/looking/sheet_panels.h"
+#include "study/looking/map_panels.h"
+#include "study/looking/trace_panels.h"
 
 namespace study::looking {
 
 namespace {
 
 constexpr double edge = 16;     // around a card
-constexpr double between = 14;  // cards, and panels of one
+constexpr double between = 14;  // cards, and the panels of a card
 
-struct Card {
+/// One signal of the sheet with its figures and warnings.
+struct SignalCard {
     const SeenSignal& signal;
     SignalFacts facts;
     QStringList lines, warnings;
@@ -29,13 +31,14 @@ QStringList qtLines(const std::vector<std::string>& lines)
     return list;
 }
 
-Card cardOf(const SeenSignal& signal)
+SignalCard cardOf(const SeenSignal& signal)
 {
     const SignalFacts facts = factsOf(signal);
     return {signal, facts, qtLines(linesOf(signal, facts)), qtLines(warningsOf(signal, facts))};
 }
 
-struct Measures {
+/// Heights of the parts of a card, px; all cards of a sheet have the same.
+struct CardHeights {
     double head = 0, picture = 0, relief = 0, profile = 0, facts = 0;
     double whole() const { return head + picture + relief + profile + facts + 4 * between + 2 * edge; }
 };
@@ -47,22 +50,22 @@ double heightOf(const QString& text, const QFont& font, double width)
     return QFontMetricsF(font).boundingRect(QRectF(0, 0, width, 1e4), Qt::AlignLeft | Qt::TextWordWrap, text).height();
 }
 
-double factsHeight(const Card& card, const SheetStyle& style)
+double factsHeight(const SignalCard& card, const SheetStyle& style)
 {
     double height = heightOf(card.lines.join('\n'), fontOf(style), inner(style));
     for (const QString& warning : card.warnings) height += heightOf(warning, fontOf(style), inner(style) - 16) + 16;
     return height;
 }
 
-Measures measuresOf(const std::vector<Card>& cards, const SheetStyle& style)
+CardHeights heightsOf(const std::vector<SignalCard>& cards, const SheetStyle& style)
 {
-    Measures measures;
-    measures.head = QFontMetricsF(fontOf(style, 1.15, true)).height() + QFontMetricsF(fontOf(style, 0.9)).height() + 6;
-    measures.picture = inner(style) * 0.72;
-    measures.relief = inner(style) * 0.52;
-    measures.profile = inner(style) * 0.42;
-    for (const Card& card : cards) measures.facts = std::max(measures.facts, factsHeight(card, style));
-    return measures;
+    CardHeights heights;
+    heights.head = QFontMetricsF(fontOf(style, 1.15, true)).height() + QFontMetricsF(fontOf(style, 0.9)).height() + 6;
+    heights.picture = inner(style) * 0.72;
+    heights.relief = inner(style) * 0.52;
+    heights.profile = inner(style) * 0.42;
+    for (const SignalCard& card : cards) heights.facts = std::max(heights.facts, factsHeight(card, style));
+    return heights;
 }
 
 void drawHead(QPainter& painter, const QRectF& place, const SeenSignal& signal, const SheetStyle& style)
@@ -79,7 +82,7 @@ void drawHead(QPainter& painter, const QRectF& place, const SeenSignal& signal, 
                      plain.elidedText(QString::fromStdString(signal.kind), Qt::ElideRight, place.width()));
 }
 
-void drawFacts(QPainter& painter, QRectF place, const Card& card, const SheetStyle& style)
+void drawFacts(QPainter& painter, QRectF place, const SignalCard& card, const SheetStyle& style)
 {
     painter.setFont(fontOf(style));
     painter.setPen(style.text);
@@ -98,8 +101,8 @@ void drawFacts(QPainter& painter, QRectF place, const Card& card, const SheetSty
     }
 }
 
-/// The panels from top to bottom; a map and a trace have as many.
-void drawPanels(QPainter& painter, const QRectF& first, const QRectF& second, const QRectF& third, const Card& card,
+/// Draws the three panels of a map or of a trace, from top to bottom.
+void drawPanels(QPainter& painter, const QRectF& first, const QRectF& second, const QRectF& third, const SignalCard& card,
                 const SheetStyle& style)
 {
     if (const auto* map = std::get_if<SeenMap>(&card.signal.what)) {
@@ -114,12 +117,13 @@ void drawPanels(QPainter& painter, const QRectF& first, const QRectF& second, co
     drawSpectrum(painter, third, trace, style);
 }
 
-void drawCard(QPainter& painter, const QPointF& corner, const Card& card, const Measures& measures, const SheetStyle& style)
+void drawCard(QPainter& painter, const QPointF& corner, const SignalCard& card, const CardHeights& heights,
+              const SheetStyle& style)
 {
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(QPen(style.line, 1));
     painter.setBrush(style.surface);
-    painter.drawRoundedRect(QRectF(corner, QSizeF(style.columnPx, measures.whole())).adjusted(0.5, 0.5, -0.5, -0.5), 10, 10);
+    painter.drawRoundedRect(QRectF(corner, QSizeF(style.columnPx, heights.whole())).adjusted(0.5, 0.5, -0.5, -0.5), 10, 10);
     painter.setRenderHint(QPainter::Antialiasing, false);
     double top = corner.y() + edge;
     const auto next = [&](double height) {
@@ -127,35 +131,36 @@ void drawCard(QPainter& painter, const QPointF& corner, const Card& card, const 
         top += height + between;
         return place;
     };
-    drawHead(painter, next(measures.head), card.signal, style);
-    const QRectF first = next(measures.picture), second = next(measures.relief), third = next(measures.profile);
+    drawHead(painter, next(heights.head), card.signal, style);
+    const QRectF first = next(heights.picture), second = next(heights.relief), third = next(heights.profile);
     drawPanels(painter, first, second, third, card, style);
-    drawFacts(painter, next(measures.facts), card, style);
+    drawFacts(painter, next(heights.facts), card, style);
 }
 
 }  // namespace
 
 QImage drawSheet(const std::vector<SeenSignal>& signals, const SheetStyle& style, int perRow)
 {
-    assert(!signals.empty() && perRow >= 1 && "a sheet shows something");
-    std::vector<Card> cards;
+    assert(!signals.empty() && perRow >= 1 && "a sheet needs at least one signal");
+    std::vector<SignalCard> cards;
     for (const SeenSignal& signal : signals) cards.push_back(cardOf(signal));
-    const Measures measures = measuresOf(cards, style);
+    const CardHeights heights = heightsOf(cards, style);
     const int columns = std::min(perRow, static_cast<int>(cards.size()));
     const int rows = (static_cast<int>(cards.size()) + columns - 1) / columns;
-    const QSizeF size(columns * (style.columnPx + between) + between, rows * (measures.whole() + between) + between);
+    const QSizeF size(columns * (style.columnPx + between) + between, rows * (heights.whole() + between) + between);
     constexpr double largestPx = 32000;
     if (std::max(size.width(), size.height()) * style.pixelRatio > largestPx)
-        throw protocols::badInput({"the sheet would be larger than 32000 pixels", "",
-                                   "fewer signals on one sheet, or narrower ones", "make several sheets"});
+        throw protocols::badInput({"the sheet would have " + std::to_string(static_cast<int>(size.width() * style.pixelRatio)) +
+                                       " × " + std::to_string(static_cast<int>(size.height() * style.pixelRatio)) + " px",
+                                   "", "at most 32000 px per side", "name fewer files"});
     QImage sheet((size * style.pixelRatio).toSize(), QImage::Format_RGB32);
     sheet.setDevicePixelRatio(style.pixelRatio);
     sheet.fill(style.background);
     QPainter painter(&sheet);
     for (int i = 0; i < static_cast<int>(cards.size()); ++i) {
         const QPointF corner(between + (i % columns) * (style.columnPx + between),
-                             between + (i / columns) * (measures.whole() + between));
-        drawCard(painter, corner, cards[static_cast<std::size_t>(i)], measures, style);
+                             between + (i / columns) * (heights.whole() + between));
+        drawCard(painter, corner, cards[static_cast<std::size_t>(i)], heights, style);
     }
     return sheet;
 }
@@ -164,7 +169,7 @@ QString describe(const std::vector<SeenSignal>& signals)
 {
     QStringList texts;
     for (const SeenSignal& signal : signals) {
-        const Card card = cardOf(signal);
+        const SignalCard card = cardOf(signal);
         const QString facts = card.lines.join(QStringLiteral("; ")).replace(QStringLiteral("   "), QStringLiteral(", "));
         texts << QStringLiteral("%1 (%2): %3")
                          .arg(QString::fromStdString(signal.title), QString::fromStdString(signal.kind), facts) +

@@ -1,5 +1,5 @@
-// Signals side by side on one sheet: each as picture, relief and profile (traces: curve, spectrogram, spectrum), with
-// units, a scale bar and the figures by which a bad press or a clipped image is seen.
+// Sheet with several signals side by side. A map has a picture, a relief and a profile; a trace has a curve, a spectrogram and a
+// spectrum. Each has units, a scale bar, and the figures that reveal a bad press or a clipped image.
 #pragma once
 
 #include <QImage>
@@ -9,14 +9,14 @@
 
 namespace study::looking {
 
-/// At most this many signals stand in a row.
+/// Largest number of signals in a row.
 inline constexpr int signalsInARow = 4;
 
-/// `signals` must not be empty; `perRow` from 1. A QGuiApplication must exist; any thread. Throws badInput where the sheet
-/// would be larger than a picture can be.
+/// Draws the sheet. `signals` must not be empty; `perRow` ≥ 1. A QGuiApplication must exist; works on any thread. Throws badInput
+/// if the sheet exceeds the largest picture size.
 QImage drawSheet(const std::vector<SeenSignal>& signals, const SheetStyle& style, int perRow = signalsInARow);
 
-/// What the sheet tells, in words: for screen readers and for standard output.
+/// Contents of the sheet as text, for screen readers and for standard output.
 QString describe(const std::vector<SeenSignal>& signals);
 
 }  // namespace study::looking

@@ -1,4 +1,5 @@
-// The panels of a trace. Spectrograms are those of rendering/signals, drawn.
+#include "study/looking/trace_panels.h"
+
 #include <QFontMetricsF>
 #include <algorithm>
 #include <cmath>
@@ -6,64 +7,63 @@
 
 #include "rendering/signals/spectrogram.h"
 #include "study/looking/relief_picture.h"
-#include "study/looking/sheet_panels.h"
 
 namespace study::looking {
 
 namespace {
 
-constexpr std::size_t fewestSamples = 32;   // for a spectrogram
+constexpr std::size_t fewestSamples = 32;   // needed for a spectrogram
 constexpr std::size_t mostSamples = 20000;  // more than a panel can show
 constexpr double shownDecades = 3;          // 60 dB
 
-/// What spectrograms are taken of: without gaps, about its mean, at most `mostSamples` from the middle.
-struct Stretch {
+/// Part of a trace for a spectrogram: at most `mostSamples` from the middle, minus the mean, with 0 in gaps.
+struct TraceExcerpt {
     std::vector<double> values;
     std::size_t first = 0;
     bool isWhole = true;
 };
 
-Stretch stretchOf(const SeenTrace& trace)
+TraceExcerpt excerptOf(const SeenTrace& trace)
 {
     const std::size_t count = std::min(trace.values.size(), mostSamples);
-    Stretch stretch{{}, (trace.values.size() - count) / 2, count == trace.values.size()};
-    const auto begin = trace.values.begin() + static_cast<std::ptrdiff_t>(stretch.first);
-    stretch.values.assign(begin, begin + static_cast<std::ptrdiff_t>(count));
+    TraceExcerpt excerpt{{}, (trace.values.size() - count) / 2, count == trace.values.size()};
+    const auto begin = trace.values.begin() + static_cast<std::ptrdiff_t>(excerpt.first);
+    excerpt.values.assign(begin, begin + static_cast<std::ptrdiff_t>(count));
     double sum = 0, finite = 0;
-    for (const double value : stretch.values)
+    for (const double value : excerpt.values)
         if (std::isfinite(value)) {
             sum += value;
             ++finite;
         }
     const double mean = finite > 0 ? sum / finite : 0;
-    for (double& value : stretch.values) value = std::isfinite(value) ? value - mean : 0;
-    return stretch;
+    for (double& value : excerpt.values) value = std::isfinite(value) ? value - mean : 0;
+    return excerpt;
 }
 
-/// Frequencies count per second, per mm where only places are known, else per sample.
-struct Frequencies {
+/// Scale of frequencies: per second; per mm if only places are known; otherwise per sample.
+struct FrequencyScale {
     double perSample = 1;
     QString unit;
 };
 
-Frequencies frequenciesOf(const SeenTrace& trace)
+FrequencyScale frequenciesOf(const SeenTrace& trace)
 {
     if (trace.sampleRateHz) return {*trace.sampleRateHz, QStringLiteral("Hz")};
     if (trace.samplesPerMm) return {*trace.samplesPerMm, QStringLiteral("per mm")};
     return {1, QStringLiteral("per sample")};
 }
 
-rendering::signals::Spectrogram spectrogramOf(const Stretch& stretch)
+rendering::signals::Spectrogram spectrogramOf(const TraceExcerpt& excerpt)
 {
     rendering::signals::SpectrogramParameters parameters;
     int window = 32;
-    while (window < 512 && static_cast<std::size_t>(window) * 16 < stretch.values.size()) window *= 2;
+    while (window < 512 && static_cast<std::size_t>(window) * 16 < excerpt.values.size()) window *= 2;
     parameters.windowLength = parameters.fftSize = window;
     parameters.hop = window / 4;
-    return rendering::signals::stft(stretch.values, parameters);
+    return rendering::signals::stft(excerpt.values, parameters);
 }
 
-/// Amplitudes of sines, CV_64FC1 [frequency x frame]: a Hann window weighs half of its length.
+/// Amplitudes of sines, CV_64FC1 [frequency × frame]. The factor 4 / length corrects for the Hann window, whose mean is 0.5.
 cv::Mat amplitudesOf(const rendering::signals::Spectrogram& spectrogram)
 {
     std::vector<cv::Mat> parts;
@@ -79,7 +79,7 @@ bool isTooShort(QPainter& painter, const QRectF& place, const SeenTrace& trace, 
     painter.setFont(fontOf(style, 0.9));
     painter.setPen(style.quietText);
     painter.drawText(place, Qt::AlignCenter | Qt::TextWordWrap,
-                     QStringLiteral("%1 samples are too few for this").arg(trace.values.size()));
+                     QStringLiteral("%1 samples are too few for a spectrum").arg(trace.values.size()));
     return true;
 }
 
@@ -91,30 +91,31 @@ void drawTrace(QPainter& painter, const QRectF& place, const SeenTrace& trace, c
 {
     const QRectF below = belowCaption(painter, place, QStringLiteral("Trace"), style);
     const double length = trace.places.back() - trace.places.front();
-    const Axis x{trace.places.front(), trace.places.front() + (length > 0 ? length : 1), QString::fromStdString(trace.placeUnit)};
-    const Axis y = axisAround(trace.values, withUnit(trace));
+    const PlotAxis x{trace.places.front(), trace.places.front() + (length > 0 ? length : 1),
+                     QString::fromStdString(trace.placeUnit)};
+    const PlotAxis y = axisAround(trace.values, withUnit(trace));
     drawCurve(painter, drawAxes(painter, below, x, y, style), x, y, trace.places, trace.values, style);
 }
 
 void drawSpectrogram(QPainter& painter, const QRectF& place, const SeenTrace& trace, const SheetStyle& style)
 {
-    const Stretch stretch = stretchOf(trace);
-    const QString part = stretch.isWhole ? QString() : QStringLiteral(" of %1 samples").arg(stretch.values.size());
+    const TraceExcerpt excerpt = excerptOf(trace);
+    const QString part = excerpt.isWhole ? QString() : QStringLiteral(" of %1 samples").arg(excerpt.values.size());
     const QRectF below = belowCaption(painter, place, QStringLiteral("Spectrogram%1, 60 dB").arg(part), style);
     if (isTooShort(painter, below, trace, style)) return;
-    const cv::Mat amplitudes = amplitudesOf(spectrogramOf(stretch));
+    const cv::Mat amplitudes = amplitudesOf(spectrogramOf(excerpt));
     double strongest = 0;
     cv::minMaxLoc(amplitudes, nullptr, &strongest);
     cv::Mat levels(amplitudes.size(), CV_32FC1);
     for (int row = 0; row < levels.rows; ++row)
-        for (int column = 0; column < levels.cols; ++column)  // low frequencies below
+        for (int column = 0; column < levels.cols; ++column)  // low frequencies at the bottom
             levels.at<float>(levels.rows - 1 - row, column) =
                 strongest > 0 ? static_cast<float>(
                                     std::max(-shownDecades, std::log10(amplitudes.at<double>(row, column) / strongest + 1e-12)))
                               : -3.0f;
-    const Frequencies frequencies = frequenciesOf(trace);
-    const double first = trace.places[stretch.first], last = trace.places[stretch.first + stretch.values.size() - 1];
-    const Axis x{first, last, QString::fromStdString(trace.placeUnit)}, y{0, frequencies.perSample / 2, frequencies.unit};
+    const FrequencyScale frequencies = frequenciesOf(trace);
+    const double first = trace.places[excerpt.first], last = trace.places[excerpt.first + excerpt.values.size() - 1];
+    const PlotAxis x{first, last, QString::fromStdString(trace.placeUnit)}, y{0, frequencies.perSample / 2, frequencies.unit};
     const QRectF inside = drawAxes(painter, below, x, y, style);
     painter.save();
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
@@ -126,8 +127,8 @@ void drawSpectrum(QPainter& painter, const QRectF& place, const SeenTrace& trace
 {
     const QRectF below = belowCaption(painter, place, QStringLiteral("Spectrum, mean amplitude"), style);
     if (isTooShort(painter, below, trace, style)) return;
-    const cv::Mat amplitudes = amplitudesOf(spectrogramOf(stretchOf(trace)));
-    const Frequencies frequencies = frequenciesOf(trace);
+    const cv::Mat amplitudes = amplitudesOf(spectrogramOf(excerptOf(trace)));
+    const FrequencyScale frequencies = frequenciesOf(trace);
     std::vector<double> places, logarithms;
     for (int row = 1; row < amplitudes.rows; ++row) {
         places.push_back(row * frequencies.perSample / (2.0 * (amplitudes.rows - 1)));
@@ -136,7 +137,7 @@ void drawSpectrum(QPainter& painter, const QRectF& place, const SeenTrace& trace
     }
     const double highest = *std::max_element(logarithms.begin(), logarithms.end());
     const double lowest = std::max(*std::min_element(logarithms.begin(), logarithms.end()), highest - 6);
-    const Axis x{0, places.back(), frequencies.unit},
+    const PlotAxis x{0, places.back(), frequencies.unit},
         y{std::floor(lowest), std::max(std::ceil(highest), std::floor(lowest) + 1), withUnit(trace), true};
     drawCurve(painter, drawAxes(painter, below, x, y, style), x, y, places, logarithms, style);
 }

@@ -45,7 +45,7 @@ private Q_SLOTS:
     {
         const CountingVfs disk;
         AskedSession asked;
-        const int before = asked.session.display.told.size();
+        const int before = asked.session.display.calls.size();
         QVERIFY(before > 0);
         int answers = 0;
         while (std::holds_alternative<study::session::Presenting>(asked.session.driver->state().stage) || asked.session.step()) {

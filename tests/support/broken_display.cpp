@@ -1,5 +1,5 @@
-// A display's driver with one fault, named on its command line, for the tests of the conformance check and of
-// sessions:  broken_display FAULT
+// Display driver with one fault, named on the command line, for tests of the conformance check and of sessions:
+//   broken_display FAULT
 #include <unistd.h>
 
 #include <csignal>
@@ -19,14 +19,14 @@ int images = 0;
 
 bool is(const char* name) { return fault == name; }
 
-void sayLine(const std::string& line) { std::cout << line << std::endl; }
+void writeLine(const std::string& line) { std::cout << line << std::endl; }
 
-void say(const char* type, const Json& id, Json more = Json::object())
+void reply(const char* type, const Json& id, Json more = Json::object())
 {
     more["type"] = type;
     more["id"] = id;
-    sayLine(more.dump());
-    if (is("answers twice")) sayLine(more.dump());
+    writeLine(more.dump());
+    if (is("answers twice")) writeLine(more.dump());
 }
 
 void hang()
@@ -37,19 +37,19 @@ void hang()
 void hello(const Json& request)
 {
     if (is("silent at hello")) hang();
-    if (is("babbles")) sayLine("Engine 2.1 is ready");
+    if (is("babbles")) writeLine("Engine 2.1 is ready");
     if (is("endless line"))
         while (true) std::cout << std::string(1000, 'x') << std::flush;
     if (is("endless lines"))
-        while (true) sayLine("x");
+        while (true) writeLine("x");
     if (is("other schema"))
-        return say("hello", request["id"], {{"schema", "acme/7"}, {"name", "A"}, {"width", 4}, {"height", 3}});
+        return reply("hello", request["id"], {{"schema", "acme/7"}, {"name", "A"}, {"width", 4}, {"height", 3}});
     if (is("echoes the schema"))
-        return say("hello", request["id"], {{"schema", request["schema"]}, {"name", "A"}, {"width", 40}, {"height", 30}});
-    if (is("no name")) return say("hello", request["id"], {{"schema", "vis2hap.display/1"}, {"width", 40}, {"height", 30}});
+        return reply("hello", request["id"], {{"schema", request["schema"]}, {"name", "A"}, {"width", 40}, {"height", 30}});
+    if (is("no name")) return reply("hello", request["id"], {{"schema", "vis2hap.display/1"}, {"width", 40}, {"height", 30}});
     if (is("shows at the start")) showing = 1;
-    say("hello", request["id"],
-        {{"schema", "vis2hap.display/1"}, {"name", "A"}, {"width", 40}, {"height", 30}, {"touches", true}});
+    reply("hello", request["id"],
+          {{"schema", "vis2hap.display/1"}, {"name", "A"}, {"width", 40}, {"height", 30}, {"touches", true}});
 }
 
 void show(const Json& request)
@@ -61,7 +61,7 @@ void show(const Json& request)
     }
     if (is("hangs at an image")) hang();
     while (is("babbles for ever")) {
-        sayLine("frame");
+        writeLine("frame");
         ::usleep(200);
     }
     if (is("dies at an image")) std::raise(SIGKILL);
@@ -78,12 +78,12 @@ void show(const Json& request)
         std::exit(0);
     }
     if (is("floods its errors")) std::cerr << std::string(1 << 20, 'e') << std::endl;
-    if (is("refuses images")) return say("failed", request["id"], {{"why", "no amplifier"}});
-    if (is("answers an old id")) return say("shown", 1);
-    if (is("late first reply") && images == 1) return say("shown", 0);
+    if (is("refuses images")) return reply("failed", request["id"], {{"why", "no amplifier"}});
+    if (is("answers an old id")) return reply("shown", 1);
+    if (is("late first reply") && images == 1) return reply("shown", 0);
     showing = request["id"];
-    say("shown", showing);
-    if (is("touched elsewhere")) say("touched", 999999);
+    reply("shown", showing);
+    if (is("touched elsewhere")) reply("touched", 999999);
     if (is("dies after an image")) {
         ::usleep(20000);
         std::raise(SIGKILL);
@@ -97,13 +97,13 @@ void answer(const Json& request)
     if (type == "show") return show(request);
     if (type == "clear" && !is("never clears")) showing = nullptr;
     if (type == "clear" && is("hangs at clearing")) hang();
-    if (type == "clear") say("cleared", request["id"]);
+    if (type == "clear") reply("cleared", request["id"]);
     if (type == "clear" && is("dies after clearing")) std::raise(SIGKILL);
     if (type == "clear") return;
-    if (type == "status" && is("status tells nothing")) return say("status", request["id"]);
-    if (type == "status") return say("status", request["id"], {{"showing", showing}});
+    if (type == "status" && is("status tells nothing")) return reply("status", request["id"]);
+    if (type == "status") return reply("status", request["id"], {{"showing", showing}});
     if (is("ends at the unknown")) std::exit(0);
-    if (!is("silent at the unknown")) say("failed", request.value("id", Json(0)), {{"why", "unknown"}});
+    if (!is("silent at the unknown")) reply("failed", request.value("id", Json(0)), {{"why", "unknown"}});
 }
 
 }  // namespace

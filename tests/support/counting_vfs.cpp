@@ -7,7 +7,7 @@ namespace tests::support {
 
 namespace {
 
-// SQLite calls back without a place for an object of ours, so the state is the process's.
+// SQLite's callbacks cannot carry an object of ours, so the state is global to the process.
 struct SharedState {
     sqlite3_vfs* real = nullptr;
     LogTraffic traffic;
@@ -15,7 +15,7 @@ struct SharedState {
     int syncFault = SQLITE_OK;
 } shared;
 
-/// The real file lies behind it in the memory that SQLite hands out.
+/// Our part of an open file. The real file follows it in the memory that SQLite allocates.
 struct File {
     sqlite3_file base;
     bool isLog;

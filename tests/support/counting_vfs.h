@@ -1,14 +1,15 @@
-// A SQLite VFS over the default one that counts what reaches the write-ahead log, and can let the disk
-// fail. While one exists, every database opened in this process goes through it.
+// SQLite VFS that wraps the default one, counts writes and syncs of the write-ahead log, and can simulate disk faults.
+// While an object exists, every database that this process opens uses it.
 #pragma once
 
 #include <sqlite3.h>
 
 namespace tests::support {
 
+/// Number of operations on -wal files.
 struct LogTraffic {
-    int writes = 0;          ///< to a -wal file
-    int completedSyncs = 0;  ///< of a -wal file
+    int writes = 0;
+    int completedSyncs = 0;
     int writesSinceSync = 0;
 };
 
@@ -20,7 +21,7 @@ public:
     CountingVfs& operator=(const CountingVfs&) = delete;
 
     LogTraffic traffic() const;
-    /// SQLITE_FULL, SQLITE_IOERR_WRITE ...; SQLITE_OK heals the disk.
+    /// Sets the result of all following writes: SQLITE_FULL, SQLITE_IOERR_WRITE, …; SQLITE_OK lets them work again.
     void letWritesFailWith(int code);
     void letSyncsFailWith(int code);
 

@@ -1,6 +1,5 @@
-// Files spoilt the way disks, editors and strangers spoil them, for tests that feed readers: cut short, bytes
-// flipped, numbers too large, zero bytes, quotes lost, line ends mixed, Latin-1, lengths in headers that lie.
-// The same seed of the generator gives the same files.
+// Damaged files for fuzzing tests of readers: truncated, with flipped bits, extreme numbers, zero bytes, lost quotes, mixed
+// line ends, Latin-1 text, or wrong lengths in headers. The same seed of the generator gives the same files.
 #pragma once
 
 #include <algorithm>
@@ -66,7 +65,7 @@ inline void insertToken(std::string& text, Random& random)
     text.insert(placeIn(text, random), tokens[random.below(std::size(tokens))]);
 }
 
-/// A number in the text becomes another one.
+/// Replaces one number in the text by another.
 inline void replaceNumber(std::string& text, Random& random)
 {
     static constexpr std::string_view numbers[] = {"0",          "-0", "1e300", "-1e300", "1e-300",
@@ -78,7 +77,7 @@ inline void replaceNumber(std::string& text, Random& random)
     text.replace(start, end - start, numbers[random.below(std::size(numbers))]);
 }
 
-/// Four or eight bytes of a binary header become an extreme number, in either byte order.
+/// Overwrites four or eight bytes with an extreme integer, in either byte order.
 inline void writeExtremeInteger(std::string& text, Random& random)
 {
     static constexpr std::uint64_t extremes[] = {
@@ -122,23 +121,23 @@ inline void repeatPart(std::string& text, Random& random)
     text.insert(placeIn(text, random), part);
 }
 
-/// One to four spoilings of `seed`.
+/// A copy of `seed` after one to four random mutations.
 inline std::string mutated(const std::string& seed, Random& random)
 {
-    static constexpr void (*spoilings[])(std::string&, Random&) = {cutShort,      flipBits,      writeNoise,          insertToken,
+    static constexpr void (*mutations[])(std::string&, Random&) = {cutShort,      flipBits,      writeNoise,          insertToken,
                                                                    replaceNumber, replaceNumber, writeExtremeInteger, loseQuotes,
                                                                    mixLineEnds,   erasePart,     repeatPart};
     std::string text = seed;
     for (std::uint64_t count = 1 + random.below(4); count > 0; --count)
-        spoilings[random.below(std::size(spoilings))](text, random);
+        mutations[random.below(std::size(mutations))](text, random);
     return text;
 }
 
-/// How long a fuzzing test runs: `seconds`, or what VIS2HAP_FUZZ_SECONDS says.
+/// Duration of a fuzzing test, s: the value of VIS2HAP_FUZZ_SECONDS, or `seconds` if it is not set.
 inline double fuzzSeconds(double seconds)
 {
-    const char* told = std::getenv("VIS2HAP_FUZZ_SECONDS");
-    return told != nullptr ? std::max(0.0, std::atof(told)) : seconds;
+    const char* wanted = std::getenv("VIS2HAP_FUZZ_SECONDS");
+    return wanted != nullptr ? std::max(0.0, std::atof(wanted)) : seconds;
 }
 
 }  // namespace mutated_files

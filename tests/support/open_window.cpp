@@ -28,9 +28,9 @@ public:
     {
         if (!m_record->fault.empty())
             throw protocols::workFailed({.what = m_record->fault, .where = "display", .expected = {}, .nextStep = "plug it in"});
-        m_record->told.push_back("show");
+        m_record->calls.push_back("show");
     }
-    void clear() override { m_record->told.push_back("clear"); }
+    void clear() override { m_record->calls.push_back("clear"); }
     std::string name() const override { return "recording"; }
     bool reportsTouches() const override { return m_record->reportsTouches; }
     void onTouched(std::function<void(const rendering::Touch&)> touched) override
@@ -91,7 +91,7 @@ database::StudyFolder WindowTest::newStudy(const StudyRecipe& recipe)
     return buildStudy(m_folder.path().toStdString() + "/study" + std::to_string(++m_made), recipe);
 }
 
-ShownWindow::ShownWindow(const study::app::AppOptions& options) : window(options), hands(window) { window.show(); }
+ShownWindow::ShownWindow(const study::app::AppOptions& options) : window(options), gui(window) { window.show(); }
 
 OpenWindow::OpenWindow(const database::StudyFolder& study, const study::app::AppOptions& options)
     : OpenWindow(study, options, DisplayRecord{})
@@ -102,7 +102,7 @@ OpenWindow::OpenWindow(const database::StudyFolder& study, const study::app::App
     : m_display(std::make_shared<DisplayRecord>(display)),
       m_clock(std::make_shared<VirtualClock>()),
       m_window(std::make_unique<study::app::MainWindow>(withFakes(options, m_display, m_clock))),
-      m_hands(*m_window)
+      m_gui(*m_window)
 {
     m_window->show();
     m_window->openStudy(study.folder);
@@ -111,7 +111,7 @@ OpenWindow::OpenWindow(const database::StudyFolder& study, const study::app::App
 void OpenWindow::perform(const EventBody& event)
 {
     m_clock->advanceSeconds(1.5);
-    if (const auto refusal = m_hands.perform(event)) throw std::logic_error("refused: " + refusal->reason);
+    if (const auto refusal = m_gui.perform(event)) throw std::logic_error("refused: " + refusal->reason);
 }
 
 void OpenWindow::enrolAndBegin(const std::string& participant)
@@ -124,7 +124,7 @@ EventBody OpenWindow::nextEvent()
 {
     const auto* presenting = std::get_if<Presenting>(&view().state.stage);
     if (presenting && !presenting->touchedAtNs) return Touched{};
-    const auto event = tests::support::nextEvent(view(), m_hands.plan());
+    const auto event = tests::support::nextEvent(view(), m_gui.plan());
     if (!event) throw std::logic_error("the session is over");
     return *event;
 }

@@ -1,4 +1,4 @@
-// A small study open in the real window, with a still clock, a display that can fail, and hands.
+// A small study in the real window, with a clock that stands still, a display that can fail, and an operator.
 #pragma once
 
 #include <QTemporaryDir>
@@ -7,13 +7,13 @@
 #include <set>
 #include <string>
 
-#include "study/app/gui_hands.h"
+#include "study/app/gui_operator.h"
 #include "study/app/main_window.h"
 #include "tests/support/study_builder.h"
 
 namespace tests::support {
 
-/// What tests of the window start from: a folder that goes with them, and studies in it.
+/// Base of the window tests: a temporary folder with studies.
 class WindowTest : public QObject {
 protected:
     database::StudyFolder newStudy(const StudyRecipe& recipe = {});
@@ -35,38 +35,38 @@ struct ShownWindow {
     }
 
     study::app::MainWindow window;
-    study::app::GuiHands hands;
+    study::app::GuiOperator gui;
 };
 
-/// What the display was told, shared with the test; it fails while `fault` is not empty.
+/// Calls that the display received, shared with the test. The display fails while `fault` is not empty.
 struct DisplayRecord {
-    std::vector<std::string> told;
+    std::vector<std::string> calls;
     std::string fault;
     bool reportsTouches = false;
-    std::function<void()> touch;  ///< as if a finger came down; empty without a session
+    std::function<void()> touch;  ///< simulates the touch of a finger; empty without a session
 };
 
 class OpenWindow {
 public:
     /// Opens `study` and shows the window.
     explicit OpenWindow(const database::StudyFolder& study, const study::app::AppOptions& options = {});
-    /// With a display as the record says at the start.
+    /// `display`: initial state of the display.
     OpenWindow(const database::StudyFolder& study, const study::app::AppOptions& options, const DisplayRecord& display);
 
     study::app::MainWindow& window() { return *m_window; }
-    study::app::GuiHands& hands() { return m_hands; }
+    study::app::GuiOperator& gui() { return m_gui; }
     study::session::VirtualClock& clock() { return *m_clock; }
     DisplayRecord& display() { return *m_display; }
-    const study::session::View& view() { return m_hands.view(); }
+    const study::session::View& view() { return m_gui.view(); }
 
-    /// Performs an event by keys; a refusal fails the test that calls it.
+    /// Performs an event by keys. Throws if the engine refuses it, so that the test fails.
     void perform(const study::session::EventBody& event);
-    /// Enrols and goes on to the first tray.
+    /// Enrols the participant and plays to the first tray.
     void enrolAndBegin(const std::string& participant = "P01");
-    /// Plays by keys until the stage has the name ("Presenting" ...) and `question` is asked, if one is given.
+    /// Plays by keys to the stage with this name ("Presenting", …) and, if given, to this question.
     void playTo(const std::string& stage, const std::string& question = "");
     void playToEnd();
-    /// The one event that leads on from here.
+    /// The event that continues the session from the current view.
     study::session::EventBody nextEvent();
 
     template <class Widget>
@@ -74,22 +74,22 @@ public:
     {
         for (Widget* found : m_window->currentPage()->template findChildren<Widget*>(QString::fromLatin1(objectName)))
             if (found->isVisible()) return *found;
-        throw std::logic_error(std::string(objectName) + " is not to be seen");
+        throw std::logic_error(std::string(objectName) + " is not visible");
     }
-    /// Text of the message on the page; empty where none is shown.
+    /// Text of the message on the page; empty if none is visible.
     QString message(const char* objectName = "sessionMessage");
 
 private:
     std::shared_ptr<DisplayRecord> m_display;
     std::shared_ptr<study::session::VirtualClock> m_clock;
     std::unique_ptr<study::app::MainWindow> m_window;
-    study::app::GuiHands m_hands;
+    study::app::GuiOperator m_gui;
 };
 
-/// Every text that a widget under `root` (or its title) can show or tell a screen reader.
+/// Every text that `root` and the widgets in it show, or give to a screen reader.
 std::vector<QString> textsIn(const QWidget& root);
 
-/// Texts that hold one of the words as a whole token; "h&f" and "h_g+f_g" count as one.
+/// Texts that contain one of the words as a whole token. "h&f" and "h_g+f_g" are single tokens.
 std::vector<QString> textsNaming(const std::set<QString>& words, const std::vector<QString>& texts);
 
 }  // namespace tests::support

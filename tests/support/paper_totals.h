@@ -1,5 +1,5 @@
-// Ten scripted participants whose answers add up to the totals that the paper publishes. Where the
-// paper gives only an order or a difference, the total is chosen to agree with it and marked so.
+// Ten scripted participants whose answers give the totals published in the paper. If the paper gives only an order or a
+// difference, the total is chosen to agree with it and marked as chosen.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -10,13 +10,13 @@ namespace support {
 
 struct PaperTotal {
     std::string condition;
-    int correct;            ///< of 70 matches; the paper prints correct / 7 with one decimal
-    double ratings[3];      ///< mean of Q2, Q3, Q4
-    bool correctPublished;  ///< else chosen
-    bool ratingsPublished;  ///< else chosen
+    int correct;            ///< correct matches out of 70; the paper prints correct / 7 with one decimal
+    double ratings[3];      ///< mean ratings of Q2, Q3 and Q4
+    bool correctPublished;  ///< false: chosen
+    bool ratingsPublished;  ///< false: chosen
 };
 
-/// In the order of the conditions.
+/// Totals in the order of the conditions.
 const std::vector<PaperTotal>& paperTotals();
 
 /// Scripts S01..S10 for a study of these seven fabrics.

@@ -26,24 +26,24 @@ protocols::Tenths ratingFrom(unsigned draw, const protocols::RatingScale& scale)
     return {scale.min.value + scale.step.value * static_cast<int>(draw % static_cast<unsigned>(steps + 1))};
 }
 
-std::map<std::string, std::string> toldFor(const std::vector<std::string>& captions)
+std::map<std::string, std::string> filledIn(const std::vector<std::string>& captions)
 {
-    std::map<std::string, std::string> told;
-    for (const std::string& caption : captions) told[caption] = std::to_string(20 + told.size());
-    return told;
+    std::map<std::string, std::string> filled;
+    for (const std::string& caption : captions) filled[caption] = std::to_string(20 + filled.size());
+    return filled;
 }
 
-struct NextEvent {
+struct NextEventOfView {
     const View& view;
     const Plan& plan;
     std::optional<EventBody> operator()(const Enrolled&) const { return Begun{}; }
     std::optional<EventBody> operator()(const Consenting&) const { return Consented{}; }
-    std::optional<EventBody> operator()(const AskingFacts&) const { return FactsGiven{toldFor(plan.protocol.facts)}; }
+    std::optional<EventBody> operator()(const AskingFacts&) const { return FactsGiven{filledIn(plan.protocol.facts)}; }
     std::optional<EventBody> operator()(const Familiarising&) const { return FamiliarisationDone{}; }
     std::optional<EventBody> operator()(const ScaleTraining&) const { return ScaleTrainingDone{}; }
     std::optional<EventBody> operator()(const CheckingList&) const
     {
-        return ChecklistDone{plan.protocol.checklist, toldFor(plan.protocol.readings)};
+        return ChecklistDone{plan.protocol.checklist, filledIn(plan.protocol.readings)};
     }
     std::optional<EventBody> operator()(const PlacingTray&) const { return TrayReady{}; }
     std::optional<EventBody> operator()(const Presenting&) const { return Answered{responseTo(view)}; }
@@ -59,10 +59,10 @@ void FakeDisplay::show(const cv::Mat& image)
 {
     if (onShow) onShow();
     if (!fault.empty()) throw protocols::workFailed({fault, "fake display", "", ""});
-    told.push_back("show " + std::to_string(image.at<unsigned char>(0, 0)));
+    calls.push_back("show " + std::to_string(image.at<unsigned char>(0, 0)));
 }
 
-void FakeDisplay::clear() { told.push_back("clear"); }
+void FakeDisplay::clear() { calls.push_back("clear"); }
 
 OpenSession::OpenSession(const database::StudyFolder& folder, const std::string& participant, database::ParticipantKind kind)
     : store(folder, database::StudyStore::Access::Write),
@@ -111,7 +111,7 @@ void OpenSession::stepUntil(const std::string& stateName)
 std::optional<EventBody> nextEvent(const View& view, const Plan& plan)
 {
     if (view.state.paused) return Resumed{};
-    return std::visit(NextEvent{view, plan}, view.state.stage);
+    return std::visit(NextEventOfView{view, plan}, view.state.stage);
 }
 
 GivenAnswer responseTo(const View& view)

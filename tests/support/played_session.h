@@ -1,5 +1,5 @@
-// Plays sessions for tests: sends what the present state asks for, with responses that follow from the
-// trial alone, so that an interrupted and an uninterrupted session must store the same answers.
+// Plays sessions for tests: sends the event that the current state waits for. Responses depend only on the trial, so that an
+// interrupted and an uninterrupted session store the same answers.
 #pragma once
 
 #include <functional>
@@ -13,19 +13,19 @@
 
 namespace tests::support {
 
-/// Remembers what it was told; fails where `fault` is set.
+/// Records every call; throws where `fault` is set.
 class FakeDisplay final : public rendering::HapticDisplay {
 public:
     void show(const cv::Mat& image) override;
     void clear() override;
     std::string name() const override { return "fake"; }
 
-    std::vector<std::string> told;  ///< "show 30" (the pixel value), "clear"
-    std::string fault;              ///< not empty: show throws workFailed with this text
+    std::vector<std::string> calls;  ///< "show 30" (with the pixel value), "clear"
+    std::string fault;               ///< if not empty, show() throws workFailed with this text
     std::function<void()> onShow;
 };
 
-/// A store open for writing with one participant's driver, bank, display and clock.
+/// A store that is open for writing, with driver, stimulus bank, display and clock of one participant.
 struct OpenSession {
     OpenSession(const database::StudyFolder& folder, const std::string& participant,
                 database::ParticipantKind kind = database::ParticipantKind::Scripted);
@@ -36,22 +36,22 @@ struct OpenSession {
     study::session::VirtualClock clock;
     std::unique_ptr<study::session::Driver> driver;
 
-    /// Throws std::logic_error where the event is refused, so that a test stops there.
+    /// Sends the event. Throws std::logic_error if it is refused, so that the test stops.
     void send(const study::session::EventBody& event);
-    /// The one step that leads on from here, with the touch before a presentation's first answer. False at the end.
+    /// Sends the next event, and before the first answer to a presentation also a touch. False at the end.
     bool step();
-    /// Steps until `answers` are stored (ever), or the end.
+    /// Steps until `answers` answers are stored in the whole session, or until the end.
     void playUntilAnswers(int answers);
     void playToEnd();
-    /// Until the question is asked next (PlacingTray -> Presenting ...).
+    /// Steps until the state has this name ("PlacingTray", "Presenting", …).
     void stepUntil(const std::string& stateName);
 };
 
-/// The one event that leads on from here: begin, consent, tray, answer, break's end ... Every line of the checklist is
-/// ticked, every fact and reading is told. None at the end.
+/// The event that continues the session from `view`: begin, consent, tray ready, answer, end of break, … It ticks every line
+/// of the checklist and fills in every fact and reading. Empty at the end of the session.
 std::optional<study::session::EventBody> nextEvent(const study::session::View& view, const study::session::Plan& plan);
 
-/// By the code of the presentation and the question.
+/// GivenAnswer that depends only on the code of the presentation and the question.
 study::session::GivenAnswer responseTo(const study::session::View& view);
 
 }  // namespace tests::support

@@ -20,7 +20,7 @@ QProcessEnvironment environmentWith(const QStringList& more)
 
 }  // namespace
 
-QStringList Ended::complaints() const
+QStringList ProgramResult::messages() const
 {
     QStringList lines;
     for (const auto& line : err.split('\n', Qt::SkipEmptyParts))
@@ -28,20 +28,20 @@ QStringList Ended::complaints() const
     return lines;
 }
 
-Ended runProgram(const QStringList& arguments, const QStringList& environment)
+ProgramResult runProgram(const QStringList& arguments, const QStringList& environment)
 {
     QProcess process;
     process.setProcessEnvironment(environmentWith(environment));
     process.start(VIS2HAP_PROGRAM, arguments);
     process.waitForFinished(longestMs);
-    Ended ended;
+    ProgramResult ended;
     ended.exitCode = process.exitStatus() == QProcess::NormalExit ? process.exitCode() : 128 + process.exitCode();
     ended.out = QString::fromUtf8(process.readAllStandardOutput());
     ended.err = QString::fromUtf8(process.readAllStandardError());
     return ended;
 }
 
-Ended mustRun(const QStringList& arguments, const QStringList& environment)
+ProgramResult mustRun(const QStringList& arguments, const QStringList& environment)
 {
     const auto ended = runProgram(arguments, environment);
     if (ended.exitCode != 0)

@@ -1,4 +1,4 @@
-// Runs the built program as a user does, and keeps what it says.
+// Runs the built program as a user does, and captures its output.
 #pragma once
 
 #include <QProcess>
@@ -7,22 +7,22 @@
 
 namespace support {
 
-struct Ended {
+struct ProgramResult {
     int exitCode = -1;
     QString out;
     QString err;
 
-    /// The lines of standard error that are not progress.
-    QStringList complaints() const;
+    /// Lines of standard error that are messages, not progress.
+    QStringList messages() const;
 };
 
-/// `environment`: "NAME=value" on top of the test's own.
-Ended runProgram(const QStringList& arguments, const QStringList& environment = {});
+/// Runs the program to its end. `environment`: entries "NAME=value" added to the environment of the test.
+ProgramResult runProgram(const QStringList& arguments, const QStringList& environment = {});
 
-/// Throws std::runtime_error with what the program said, unless it ended with 0.
-Ended mustRun(const QStringList& arguments, const QStringList& environment = {});
+/// Runs the program. Throws std::runtime_error with its error output if its exit code is not 0.
+ProgramResult mustRun(const QStringList& arguments, const QStringList& environment = {});
 
-/// Started and left running, offscreen.
+/// Starts the program and leaves it running.
 void startProgram(QProcess& process, const QStringList& arguments);
 
 }  // namespace support

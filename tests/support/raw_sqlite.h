@@ -1,4 +1,4 @@
-// SQL on a file past all of the program's own code: what a meddler, or a lab's script, would do.
+// SQL on a database file without the program's own code, as an intruder or a script of a laboratory would use it.
 #pragma once
 
 #include <sqlite3.h>
@@ -21,14 +21,14 @@ public:
     RawSqlite(const RawSqlite&) = delete;
     RawSqlite& operator=(const RawSqlite&) = delete;
 
-    /// The message of a failing statement; empty where it went well.
+    /// Runs a statement and returns the error message; empty if there is no error.
     std::string run(const std::string& sql)
     {
         return sqlite3_exec(m_connection, sql.c_str(), nullptr, nullptr, nullptr) == SQLITE_OK ? ""
                                                                                                : sqlite3_errmsg(m_connection);
     }
 
-    /// Rows with cells joined by "|"; an absent one is empty.
+    /// Rows of the result, with cells joined by "|". A NULL cell is empty.
     std::vector<std::string> rows(const std::string& sql)
     {
         std::vector<std::string> lines;

@@ -1,7 +1,7 @@
-// A process of its own for tests that kill one, or need a second writer or another user:
-//   session_child play STUDY PARTICIPANT    plays to the end; a line for each acknowledged answer
-//   session_child hold STUDY                opens for writing, says "held", waits to be killed
-//   session_child look STUDY                as nobody (where it may): "read N" answers, then "write MESSAGE"
+// Child process for tests that kill a process, or need a second writer or another user:
+//   session_child play STUDY PARTICIPANT    plays to the end and prints a line for each stored answer
+//   session_child hold STUDY                opens the study for writing, prints "held" and waits to be killed
+//   session_child look STUDY                as user nobody, if possible: prints "read N …" for N answers, then "write MESSAGE"
 #include <unistd.h>
 
 #include <QCoreApplication>
@@ -17,7 +17,7 @@ namespace {
 
 constexpr uid_t nobody = 65534;
 
-void say(const std::string& line)
+void print(const std::string& line)
 {
     const std::string text = line + "\n";
     [[maybe_unused]] const ssize_t written = ::write(STDOUT_FILENO, text.data(), text.size());
@@ -26,30 +26,30 @@ void say(const std::string& line)
 void play(const database::StudyFolder& folder, const std::string& participant)
 {
     OpenSession session(folder, participant);
-    int told = session.driver->state().answersStored;
-    say("open " + std::to_string(told));
+    int printed = session.driver->state().answersStored;
+    print("open " + std::to_string(printed));
     while (session.step())
-        for (; told < session.driver->state().answersStored; ++told) say("answer " + std::to_string(told + 1));
-    say("end");
+        for (; printed < session.driver->state().answersStored; ++printed) print("answer " + std::to_string(printed + 1));
+    print("end");
 }
 
 void hold(const database::StudyFolder& folder)
 {
     const database::StudyStore store(folder, database::StudyStore::Access::Write);
-    say("held");
+    print("held");
     while (true) ::pause();
 }
 
 void look(const database::StudyFolder& folder)
 {
-    if (::geteuid() == 0 && ::setuid(nobody) != 0) say("still root");
+    if (::geteuid() == 0 && ::setuid(nobody) != 0) print("still root");
     const database::StudyStore store(folder, database::StudyStore::Access::Read);
-    say("read " + std::to_string(store.answers().size()) + " synchronous " + std::to_string(store.synchronousMode()));
+    print("read " + std::to_string(store.answers().size()) + " synchronous " + std::to_string(store.synchronousMode()));
     try {
         const database::StudyStore writer(folder, database::StudyStore::Access::Write);
-        say("write possible");
+        print("write possible");
     } catch (const protocols::Error& fault) {
-        say("write exit " + std::to_string(static_cast<int>(fault.exitCode())) + " " + fault.what());
+        print("write exit " + std::to_string(static_cast<int>(fault.exitCode())) + " " + fault.what());
     }
 }
 
@@ -67,7 +67,7 @@ int main(int argc, char** argv)
         else if (mode == "look")
             look({argv[2]});
     } catch (const std::exception& fault) {
-        say(std::string("fault ") + fault.what());
+        print(std::string("fault ") + fault.what());
         return 1;
     }
     return 0;

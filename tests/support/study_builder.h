@@ -1,5 +1,5 @@
-// A small study folder for tests: a real design, keys, stimuli and database, made as `study new`
-// makes them, but from constant images instead of a data set.
+// Small study folder for tests: a real design, keys, stimuli and database, as `study new` makes them, but with constant
+// images instead of a data set.
 #pragma once
 
 #include <cstdint>
@@ -13,23 +13,24 @@
 
 namespace tests::support {
 
+/// Options of a test study.
 struct StudyRecipe {
-    int fabrics = 3;  ///< F01 ...
+    int fabrics = 3;  ///< F01, F02, …
     std::vector<std::string> conditions{"v_grey", "h&f"};
     int participants = 2;
     int alternatives = 3;
-    int breakAfter = 4;  ///< presentations
+    int breakAfter = 4;  ///< presentations between two breaks
     std::uint64_t designSeed = 1;
     std::uint64_t keySeed = 2;
-    int imageWidthPx = 16, imageHeightPx = 10;  ///< image n is constant, of value 10 n
-    std::string protocol = {};                  ///< JSON text, instead of the one that follows from the above
-    bool hasSwatchCodes = false;                ///< else fabric pieces go by their names
+    int imageWidthPx = 16, imageHeightPx = 10;  ///< every pixel of image n has the value 10 n
+    std::string protocol = {};                  ///< JSON text used instead of the options above
+    bool hasSwatchCodes = false;                ///< false: pieces of fabric have the names of the fabrics
     int familiarisationImages = 0;
-    /// What each condition is called in the keys: itself where nothing stands here. The images are others then.
+    /// Replaces conditions in the keys, by id. If it is not empty, the images have other values.
     std::map<std::string, std::string> keyNames = {};
 };
 
-/// Q1 by choice, then Q2 to Q4 on the scale: fabrics x conditions presentations in each phase.
+/// Protocol with Q1 as a choice, then Q2–Q4 on the scale. Each phase has fabrics × conditions presentations.
 std::string protocolText(const StudyRecipe& recipe);
 
 /// Makes `folder` (its parent must exist) with protocol.json, both keys, stimuli/ and study.db.

@@ -36,7 +36,7 @@ Answers answersIn(const database::StudyFolder& folder)
 std::string nowAsked(OpenWindow& open)
 {
     const int index = std::get<Presenting>(open.view().state.stage).index;
-    const auto number = open.hands().plan().trials.at(static_cast<std::size_t>(index)).number;
+    const auto number = open.gui().plan().trials.at(static_cast<std::size_t>(index)).number;
     return open.view().participant + " " + std::to_string(number.value) + " " + open.view().question->id.value;
 }
 
@@ -47,7 +47,7 @@ void typeText(OpenWindow& open, const QString& text) { QTest::keyClicks(open.win
 void answerByKeys(OpenWindow& open, const GivenAnswer& response, QChar point)
 {
     if (std::holds_alternative<protocols::FreeText>(open.view().question->kind))
-        QTest::keyClick(open.window().focusWidget(), Qt::Key_T, Qt::AltModifier);  // letters are text there
+        QTest::keyClick(open.window().focusWidget(), Qt::Key_T, Qt::AltModifier);  // letters are text on this page
     else
         pressKey(open, Qt::Key_T);
     open.clock().advanceSeconds(2.0);
@@ -61,8 +61,8 @@ void enterByKeys(OpenWindow& open, const GivenAnswer& response, QChar point)
         const auto& tray = open.view().trayIds;
         const auto place = std::find(tray.begin(), tray.end(), *fabric) - tray.begin();
         pressKey(open, static_cast<Qt::Key>(Qt::Key_A + place));
-    } else if (const auto* said = std::get_if<study::session::Sameness>(&response)) {
-        pressKey(open, said->same ? Qt::Key_S : Qt::Key_D);
+    } else if (const auto* sameness = std::get_if<study::session::Sameness>(&response)) {
+        pressKey(open, sameness->same ? Qt::Key_S : Qt::Key_D);
     } else if (std::holds_alternative<protocols::Tenths>(response)) {
         typeText(open, QString::fromStdString(answerText(response)).replace(QLatin1Char('.'), point));
     } else {

@@ -1,4 +1,4 @@
-// What was typed into the window and what the study stored of it, in one form to compare.
+// Answers typed into the window and answers stored in the study, in one form for comparison.
 #pragma once
 
 #include <map>
@@ -10,24 +10,24 @@
 
 namespace tests::support {
 
-/// "P01 7 Q3" -> "F02", "5.4", "same" or words.
+/// Text of the answer ("F02", "5.4", "same" or words) by participant, trial and question ("P01 7 Q3").
 using Answers = std::map<std::string, std::string>;
 
 std::string answerText(const study::session::GivenAnswer& response);
 std::vector<database::CurrentAnswer> storedIn(const database::StudyFolder& folder);
 Answers answersIn(const database::StudyFolder& folder);
 
-/// The name of the answer that is now asked for, as in Answers.
+/// Key in Answers of the answer that the window waits for.
 std::string nowAsked(OpenWindow& open);
 
-/// Keys to whatever has the focus.
+/// Sends keys to the widget that has the focus.
 void pressKey(OpenWindow& open, Qt::Key key);
 void typeText(OpenWindow& open, const QString& text);
 
-/// The letter, the number (with this decimal point) or the words.
+/// Types the letter, the number (with `point` as decimal point) or the words.
 void enterByKeys(OpenWindow& open, const study::session::GivenAnswer& response, QChar point = u'.');
 
-/// One answer by keys alone: the first touch, two seconds, the entry, Enter.
+/// Gives one answer by keys only: first touch, two seconds, entry, Enter.
 void answerByKeys(OpenWindow& open, const study::session::GivenAnswer& response, QChar point = u'.');
 
 }  // namespace tests::support

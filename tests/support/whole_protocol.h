@@ -1,5 +1,5 @@
-// A small protocol that asks for everything a session can have: every stage, every kind of answer, readings, facts and
-// a checklist; for tests that walk through all pages.
+// Small protocol with everything that a session can have: every stage, every kind of answer, readings, facts and a
+// checklist. For tests that visit all pages.
 #pragma once
 
 #include <string>
@@ -9,6 +9,7 @@
 
 namespace tests::support {
 
+/// Options of the protocol.
 struct WholeProtocol {
     std::vector<std::string> conditions{"v_grey", "h&f"};
     bool secondEntry = false;
@@ -16,14 +17,14 @@ struct WholeProtocol {
     int sittingMinutes = 60;
 };
 
-/// 3 fabrics; in this order: a choice with a question in words, same or different, the nine-sectioned scale with two
-/// questions, a Likert scale of five steps, a continuous line.
+/// Protocol with 3 fabrics and five phases: a choice with a question in words; same or different; two questions on the scale
+/// with nine sections; a Likert scale of five steps; a continuous line.
 std::string wholeProtocolText(const WholeProtocol& wanted = {});
 
-/// A study by it with swatch codes and two fabrics to get to know the display by.
+/// A study with this protocol, with swatch codes and two fabrics for familiarisation.
 StudyRecipe wholeStudy(const WholeProtocol& wanted = {});
 
-/// Of one participant: 3 fabrics x the conditions in each of the phases' seven questions.
+/// Number of answers of one participant: 3 fabrics × conditions × seven questions.
 int answersOf(const WholeProtocol& wanted);
 
 }  // namespace tests::support

@@ -15,10 +15,11 @@ ChecklistPage::ChecklistPage(QWidget* parent)
     : StagePage(parent),
       m_rows(new QVBoxLayout),
       m_readings(new LineForm("reading", this)),
-      m_action(mainButton("confirmButton", tr("All is ready (Enter)"), this))
+      m_action(mainButton("confirmButton", tr("Everything is ready (Enter)"), this))
 {
     auto* head = new PageHead(this);
-    head->tell(tr("Before the first presentation"), tr("Go through the list; Space ticks a line. The time is kept with it."));
+    head->setTexts(tr("Before the first presentation"),
+                   tr("Work through the list. Press Space to tick a line. The program stores the time when you finish."));
     m_rows->setSpacing(4);
     auto* column = new QVBoxLayout(this);
     column->setSpacing(14);
@@ -33,12 +34,12 @@ ChecklistPage::ChecklistPage(QWidget* parent)
 
 void ChecklistPage::begin(const SessionFacts& facts)
 {
-    emptyOut(*m_rows);
+    clearLayout(*m_rows);
     m_boxes.clear();
     for (const QString& line : facts.checklist) m_rows->addWidget(rowFor(line));
     m_readings->setCaptions(facts.readings);
     m_readings->setVisible(!facts.readings.isEmpty());
-    letFollow(facts.readings.isEmpty() ? static_cast<QWidget&>(*this) : *m_readings, {m_action});
+    setTabOrderAfter(facts.readings.isEmpty() ? static_cast<QWidget&>(*this) : *m_readings, {m_action});
 }
 
 QWidget* ChecklistPage::rowFor(const QString& line)
@@ -50,7 +51,7 @@ QWidget* ChecklistPage::rowFor(const QString& line)
     text->setText(line);
     text->setBuddy(box);
     for (QWidget* part : {static_cast<QWidget*>(box), static_cast<QWidget*>(text)}) part->installEventFilter(this);
-    // Ticking goes down the list by itself, so that a row of spaces ticks all.
+    // Moves the focus to the next open line, so that pressing Space repeatedly ticks the whole list.
     connect(box, &QCheckBox::toggled, this, [this] { firstFocus().setFocus(); });
     auto* layout = new QHBoxLayout(row);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -71,12 +72,12 @@ void ChecklistPage::confirm()
 {
     if (QCheckBox* open = firstUnticked()) {
         open->setFocus();
-        Q_EMIT hinted(tr("Not ticked yet: %1. Space ticks it.").arg(open->accessibleName()));
+        Q_EMIT hinted(tr("This line is not ticked yet: %1. Check it, then press Space.").arg(open->accessibleName()));
         return;
     }
     session::ChecklistDone done{{}, m_readings->given()};
     for (const QCheckBox* box : m_boxes) done.ticked.push_back(box->accessibleName().toStdString());
-    Q_EMIT eventAsked(done);
+    Q_EMIT eventRequested(done);
 }
 
 bool ChecklistPage::eventFilter(QObject* watched, QEvent* event)
@@ -90,7 +91,7 @@ bool ChecklistPage::eventFilter(QObject* watched, QEvent* event)
 bool ChecklistPage::pressKey(int key)
 {
     if (!isEnter(key)) return false;
-    if (!m_readings->goOn()) confirm();
+    if (!m_readings->focusNext()) confirm();
     return true;
 }
 

@@ -1,5 +1,5 @@
-// The protocol's checklist before the first presentation of a sitting: every line must be ticked; readings of
-// instruments are written if there are any. Stamped when it is done.
+// The protocol's checklist before the first presentation of a sitting. Every line must be ticked. The page also takes the
+// readings of instruments that the protocol asks for. Its event carries the time.
 #pragma once
 
 #include <QCheckBox>
@@ -18,14 +18,14 @@ class ChecklistPage : public StagePage {
 public:
     explicit ChecklistPage(QWidget* parent);
 
-    /// All lines open.
+    /// Clears all ticks and readings.
     void begin(const SessionFacts& facts) override;
     void present(const session::View&) override {}
     bool pressKey(int key) override;
     QWidget& firstFocus() override;
 
-    /// Enter goes on with the page, also from a box (some desktops would let it tick the box); a click on the
-    /// text beside a box ticks it.
+    /// Enter always confirms the page, because some desktops would let it tick the focused box. A click on the text beside
+    /// a box ticks the box.
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
@@ -34,7 +34,7 @@ private:
     QCheckBox* firstUnticked() const;
 
     QVBoxLayout* m_rows;
-    std::vector<QCheckBox*> m_boxes;  ///< each in a row with its text
+    std::vector<QCheckBox*> m_boxes;  ///< one for each line of the checklist
     LineForm* m_readings;
     QPushButton* m_action;
 };

@@ -7,7 +7,7 @@
 namespace study::app {
 
 CorrectionPanel::CorrectionPanel(QWidget* parent)
-    : Panel(parent),
+    : FormPanel(parent),
       m_questionsRow(new FlowLayout(8, 8)),
       m_old(label("oldValue", Type::Lead, this)),
       m_entry(new AnswerEntry(this))
@@ -15,19 +15,20 @@ CorrectionPanel::CorrectionPanel(QWidget* parent)
     auto* questions = new QWidget(this);
     questions->setLayout(m_questionsRow);
     m_old->setContentsMargins(0, 4, 0, 0);
-    addRow(tr("Answer to"), questions);
-    addRow(tr("Stored is"), m_old);
-    addRow(tr("It shall be"), m_entry);
+    addRow(tr("Question"), questions);
+    addRow(tr("Stored answer"), m_old);
+    addRow(tr("New answer"), m_entry);
 }
 
 void CorrectionPanel::ask(const std::vector<Correctable>& answers)
 {
     m_correctables = answers;
     open({.title = tr("Correct an answer"),
-          .explanation = tr("The old answer stays in the record beside the new one."),
-          .caption = tr("Because"),
+          .explanation = tr("The study keeps the old answer beside the new one."),
+          .caption = tr("Reason"),
           .action = tr("Store the correction (Enter)"),
-          .hintWhenEmpty = tr("Say why, in a few words such as “misheard”. Enter once more stores it without a reason.")});
+          .hintWhenEmpty =
+              tr("Write a short reason, such as “misheard”. Press Enter again to store the correction without a reason.")});
     showQuestions();
     showAnswer(0);
 }
@@ -54,7 +55,7 @@ void CorrectionPanel::showAnswer(std::size_t place)
     for (std::size_t i = 0; i < m_questions.size(); ++i) m_questions[i]->setChecked(i == place);
     m_old->setText(m_correctables[place].current);
     m_entry->ask(m_correctables[place].form);
-    letReasonFollow(*m_entry);
+    setReasonAfter(*m_entry);
     firstFocus().setFocus();
 }
 
@@ -81,7 +82,7 @@ bool CorrectionPanel::pressKey(int key)
         focusReason();
         return true;
     }
-    return Panel::pressKey(key);
+    return FormPanel::pressKey(key);
 }
 
 QWidget& CorrectionPanel::firstFocus() { return m_entry->firstFocus(); }

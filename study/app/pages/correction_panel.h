@@ -1,8 +1,8 @@
-// Corrects a stored answer: which one (the last at first), what it is now, what it shall be, and why. The old value
-// stays in the record.
+// Form to correct a stored answer: the question (at first the last one answered), the stored answer, the new answer and the
+// reason. The study keeps the old answer.
 #pragma once
 
-#include "study/app/pages/panel.h"
+#include "study/app/pages/form_panel.h"
 #include "study/app/state/session_controller.h"
 
 class QLabel;
@@ -13,12 +13,12 @@ namespace study::app {
 class AnswerEntry;
 class FlowLayout;
 
-class CorrectionPanel : public Panel {
+class CorrectionPanel : public FormPanel {
     Q_OBJECT
 public:
     explicit CorrectionPanel(QWidget* parent);
 
-    /// `answers`: the last one first; at least one.
+    /// Opens the form. `answers`: at least one, the latest first.
     void ask(const std::vector<Correctable>& answers);
 
     bool pressKey(int key) override;
@@ -33,7 +33,7 @@ private:
     void showAnswer(std::size_t place);
 
     std::vector<Correctable> m_correctables;
-    std::size_t m_which = 0;  ///< of the correctables
+    std::size_t m_which = 0;  ///< index in m_correctables
     std::optional<session::GivenAnswer> m_response;
     FlowLayout* m_questionsRow;
     std::vector<QPushButton*> m_questions;

@@ -26,14 +26,14 @@ namespace study::app {
 
 namespace {
 
-enum Column { idColumn, nameColumn, photographsColumn, framesColumn, heightsColumn, strokesColumn, faultsColumn, columns };
+enum FabricColumn { idColumn, nameColumn, photographsColumn, framesColumn, heightsColumn, strokesColumn, faultsColumn, columns };
 
-/// What stops a check whose result nobody waits for any more.
+/// Thrown to stop a check whose result is no longer needed.
 struct Stopped : std::runtime_error {
     Stopped() : std::runtime_error("stopped") {}
 };
 
-/// So many of the lines are of files of the fabric.
+/// Number of lines that name files of this fabric.
 int faultsOf(const QStringList& faults, const QString& folder, const QString& fabric)
 {
     const QString place = QDir::cleanPath(folder + QLatin1Char('/') + fabric);
@@ -55,13 +55,13 @@ DataPage::DataPage(const LookAtData& look, QWidget* parent)
       m_look(look),
       m_folderField(field("dataFolderField", tr("Folder of the data set"), this)),
       m_browse(button("browseDataButton", tr("Browse…"), this)),
-      m_open(mainButton("openDataButton", tr("Look at it (Enter)"), this)),
+      m_open(mainButton("openDataButton", tr("Open the data set (Enter)"), this)),
       m_about(quietLabel("dataAbout", this, Type::Plain)),
       m_fabrics(new QTreeWidget(this)),
       m_checked(label("dataChecked", Type::Body, this)),
       m_faults(new QPlainTextEdit(this)),
       m_sampleLabel(label("sampleLabel", Type::Lead, this, Weight::Bold)),
-      m_before(button("sampleBeforeButton", tr("Before (Page Up)"), this)),
+      m_before(button("sampleBeforeButton", tr("Previous (Page Up)"), this)),
       m_after(button("sampleAfterButton", tr("Next (Page Down)"), this)),
       m_keys(quietLabel("dataKeys", this, Type::Plain)),
       m_sheet(new QLabel(this)),
@@ -75,13 +75,13 @@ DataPage::DataPage(const LookAtData& look, QWidget* parent)
     build();
     connect(m_open, &QPushButton::clicked, this, [this] { open(m_folderField->text()); });
     connect(m_browse, &QPushButton::clicked, this, &DataPage::browse);
-    connect(m_back, &QPushButton::clicked, this, &DataPage::backAsked);
+    connect(m_back, &QPushButton::clicked, this, &DataPage::backRequested);
     connect(m_before, &QPushButton::clicked, this, [this] { stepSample(-1); });
     connect(m_after, &QPushButton::clicked, this, [this] { stepSample(+1); });
     connect(m_fabrics, &QTreeWidget::currentItemChanged, this, &DataPage::chooseFabric);
     for (const auto& [key, step] : {std::pair(Qt::Key_PageUp, -1), std::pair(Qt::Key_PageDown, +1)}) {
         auto* shortcut = new QShortcut(QKeySequence(key), this);
-        shortcut->setContext(Qt::WidgetWithChildrenShortcut);  // the list would take them for itself
+        shortcut->setContext(Qt::WidgetWithChildrenShortcut);  // otherwise the list handles these keys itself
         connect(shortcut, &QShortcut::activated, this, [this, step = step] { stepSample(step); });
         auto* scroll = new QShortcut(QKeySequence(Qt::CTRL | (step > 0 ? Qt::Key_Down : Qt::Key_Up)), this);
         scroll->setContext(Qt::WidgetWithChildrenShortcut);
@@ -95,7 +95,7 @@ DataPage::DataPage(const LookAtData& look, QWidget* parent)
 
 DataPage::~DataPage()
 {
-    // Before the pieces go that the work tells of itself on.
+    // The workers report to the widgets of this page, so stop them before the widgets are destroyed.
     for (InBackground* work : {m_checking, m_drawing, m_reading}) work->stop();
 }
 
@@ -114,11 +114,11 @@ void DataPage::build()
         m_fabrics->headerItem()->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
     m_fabrics->header()->setFocusPolicy(Qt::NoFocus);
     m_fabrics->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    name(*m_faults, "dataFaults", tr("Faults of the files"));
+    name(*m_faults, "dataFaults", tr("Faults found in the files"));
     setType(*m_faults, Type::Plain);
     m_faults->setReadOnly(true);
     m_faults->setTabChangesFocus(true);
-    m_keys->setText(tr("Fabrics: arrow keys in the list   ·   up and down the page: Ctrl ↑ and Ctrl ↓"));
+    m_keys->setText(tr("Choose a fabric: arrow keys in the list   ·   scroll the page: Ctrl ↑ and Ctrl ↓"));
     m_sheet->setObjectName("dataSheet");
     m_sheet->setAlignment(Qt::AlignLeft | Qt::AlignTop);
 
@@ -126,12 +126,12 @@ void DataPage::build()
     auto* title = label("dataTitle", Type::Title, page, Weight::Bold);
     title->setText(tr("Look at a data set"));
     auto* lead = quietLabel("dataLead", page);
-    lead->setText(tr("Before a participant comes: a bad press or a clipped image is seen here."));
+    lead->setText(tr("Check the data before the first participant comes. This page shows bad presses and clipped images."));
     auto* folderRow = new QHBoxLayout;
     folderRow->setSpacing(10);
     folderRow->addWidget(m_folderField, 1);
     folderRow->addWidget(m_browse);
-    m_folderField->setPlaceholderText(tr("the folder that holds dataset.json"));
+    m_folderField->setPlaceholderText(tr("the folder that contains dataset.json"));
     auto* column = new QVBoxLayout(page);
     column->setSpacing(10);
     column->addWidget(title);
@@ -149,7 +149,7 @@ void DataPage::build()
     column->addWidget(m_keys);
     column->addWidget(m_sheet);
     column->addStretch(1);
-    column->addWidget(lookHint(page));
+    column->addWidget(appearanceHint(page));
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
     m_area = scrolling("dataArea", page, this);
@@ -179,14 +179,14 @@ void DataPage::open(const QString& asked)
     enable();
     if (folder.isEmpty()) {
         m_folderField->setFocus();
-        return m_message->tellHint(tr("Name the data set's folder, or browse to it."));
+        return m_message->showHint(tr("No folder is given. Type the folder of the data set, or choose it with Browse."));
     }
-    m_message->tellDone(tr("Reading…"));
+    m_message->showDone(tr("The program reads the data set."));
     m_reading->run(
         [this, folder](const std::atomic<bool>&) -> InBackground::Then {
             return [this, folder, overview = m_look.open(folder.toStdString())] { showOverview(folder, overview); };
         },
-        [this](const QString& why) { m_message->tellFault(why); });
+        [this](const QString& why) { m_message->showFault(why); });
 }
 
 void DataPage::showOverview(const QString& folder, const DataOverview& overview)
@@ -215,7 +215,7 @@ void DataPage::showOverview(const QString& folder, const DataOverview& overview)
 
 void DataPage::checkFiles()
 {
-    m_checked->setText(tr("Checking every file…"));
+    m_checked->setText(tr("The program checks every file."));
     m_faults->hide();
     const auto check = [this, folder = m_folder.toStdString()](const std::atomic<bool>& isStopping) -> InBackground::Then {
         const auto progress = [&](double share) {
@@ -224,7 +224,7 @@ void DataPage::checkFiles()
                 m_checked,
                 [this, share] {
                     if (m_checking->isBusy())
-                        m_checked->setText(tr("Checking every file: %1 %").arg(static_cast<int>(100 * share)));
+                        m_checked->setText(tr("The program checks every file: %1 % done.").arg(static_cast<int>(100 * share)));
                 },
                 Qt::QueuedConnection);
         };
@@ -235,7 +235,7 @@ void DataPage::checkFiles()
 
 void DataPage::showFaults(const QStringList& faults)
 {
-    m_checked->setText(faults.isEmpty() ? tr("Every file is sound.") : tr("Faults of the files: %1").arg(faults.size()));
+    m_checked->setText(faults.isEmpty() ? tr("All files are valid.") : tr("Faults found in the files: %1").arg(faults.size()));
     m_faults->setPlainText(faults.join('\n'));
     m_faults->setVisible(!faults.isEmpty());
     for (int row = 0; row < m_fabrics->topLevelItemCount(); ++row) {
@@ -273,7 +273,7 @@ void DataPage::draw()
     m_isDrawingDue = false;
     const auto* fabric = chosen();
     if (!fabric || fabric->samples == 0) return;
-    m_isDrawnAgain = m_drawing->isBusy();  // what is being drawn is waited for, but not shown
+    m_isDrawnAgain = m_drawing->isBusy();  // showSheet() then draws again instead of showing an outdated sheet
     if (m_isDrawnAgain) return;
     constexpr int marginsPx = 76;
     const DataSheetRequest request{.folder = m_folder.toStdString(),
@@ -294,7 +294,7 @@ void DataPage::draw()
 
 void DataPage::drawSoon()
 {
-    // Once, when the window has come to rest.
+    // Draws once at the end of resizing, not for every step of it.
     if (m_isDrawingDue || m_folder.isEmpty()) return;
     m_isDrawingDue = true;
     constexpr int restMs = 150;
@@ -310,7 +310,7 @@ void DataPage::showSheet(const DataSheet& sheet)
     if (sheet.faults.isEmpty())
         m_message->clearMessage();
     else
-        m_message->tellFault(sheet.faults.join('\n'));
+        m_message->showFault(sheet.faults.join('\n'));
 }
 
 void DataPage::arrange()
@@ -358,7 +358,7 @@ void DataPage::keyPressEvent(QKeyEvent* event)
 {
     auto* pressed = qobject_cast<QPushButton*>(focusWidget());
     if (event->key() == Qt::Key_Escape)
-        Q_EMIT backAsked();
+        Q_EMIT backRequested();
     else if (isEnter(event->key()) && focusWidget() == m_folderField)
         open(m_folderField->text());
     else if (isEnter(event->key()) && pressed)

@@ -1,5 +1,5 @@
-// Looking at a data set before a study is made of it: its fabrics with their counts, what is wrong with its files, and one
-// fabric's signals on a sheet, sample by sample.
+// Page to inspect a data set before a study is made from it: the fabrics with their counts, the faults of the files, and the
+// signals of one fabric, sample by sample.
 #pragma once
 
 #include <QWidget>
@@ -29,13 +29,13 @@ public:
     ~DataPage() override;
 
     void focusFirst();
-    /// Opens the folder; what came of it is told on the page.
+    /// Opens the folder and shows its contents, or the fault, on the page.
     void open(const QString& folder);
-    /// Something is still being read, drawn or checked.
+    /// True while the page reads, draws or checks.
     bool isBusy() const;
 
 Q_SIGNALS:
-    void backAsked();
+    void backRequested();
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;
@@ -59,10 +59,10 @@ private:
 
     LookAtData m_look;
     DataOverview m_overview;
-    QString m_folder;  ///< the one that is open; empty: none
+    QString m_folder;  ///< open data set; empty if none
     int m_sample = 0;
-    bool m_isDrawingDue = false;  ///< when the window has come to rest
-    bool m_isDrawnAgain = false;  ///< something else was asked for while the sheet was drawn
+    bool m_isDrawingDue = false;  ///< a drawing is scheduled for the end of resizing
+    bool m_isDrawnAgain = false;  ///< another sheet was requested during the current drawing
 
     QLineEdit* m_folderField;
     QPushButton* m_browse;

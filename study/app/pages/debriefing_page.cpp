@@ -9,17 +9,17 @@
 namespace study::app {
 
 DebriefingPage::DebriefingPage(QWidget* parent)
-    : StagePage(parent), m_notes(new WordsField("debriefingField", tr("What the participant says about the session"), this))
+    : StagePage(parent), m_notes(new WordsField("debriefingField", tr("Comments of the participant about the session"), this))
 {
     auto* head = new PageHead(this);
-    head->tell(tr("After the last presentation"), tr("The display is off; the participant may take off the mask."));
+    head->setTexts(tr("After the last presentation"), tr("The display is off. The participant may take off the mask now."));
     auto* steps = new StepList(this);
-    steps->tell({tr("Ask: “What did you go by when you compared? Was anything unpleasant or odd?”"),
-                 tr("Ask: “What do you think this was about?” Then tell them what the study is for.")});
+    steps->setSteps({tr("Ask: “How did you compare the display with the fabrics? Was anything unpleasant or strange?”"),
+                     tr("Ask: “What do you think this study is about?” Then explain the purpose of the study.")});
     auto* rights = quietLabel("rightsText", this);
     rights->setText(
-        tr("Nothing has to be written. It is kept apart from the answers and can be erased later. "
-           "Shift and Enter begin a new line."));
+        tr("You may leave the field empty. The text is stored apart from the answers and can be erased later. "
+           "Press Shift and Enter for a new line."));
     auto* action = mainButton("confirmButton", tr("Finish the session (Enter)"), this);
     auto* column = new QVBoxLayout(this);
     column->setSpacing(14);
@@ -35,7 +35,7 @@ DebriefingPage::DebriefingPage(QWidget* parent)
 
 void DebriefingPage::begin(const SessionFacts&) { m_notes->clear(); }
 
-void DebriefingPage::confirm() { Q_EMIT eventAsked(session::Debriefed{m_notes->words().toStdString()}); }
+void DebriefingPage::confirm() { Q_EMIT eventRequested(session::Debriefed{m_notes->words().toStdString()}); }
 
 bool DebriefingPage::pressKey(int key)
 {

@@ -1,4 +1,4 @@
-// What the participant says at the end, in free words; erasable later.
+// Debriefing at the end of the session: the participant's comments in free words. They can be erased later.
 #pragma once
 
 #include "study/app/pages/stage_page.h"

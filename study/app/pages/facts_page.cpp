@@ -8,14 +8,15 @@
 namespace study::app {
 
 FactsPage::FactsPage(QWidget* parent)
-    : StagePage(parent), m_form(new LineForm("fact", this)), m_action(mainButton("confirmButton", tr("Go on (Enter)"), this))
+    : StagePage(parent), m_form(new LineForm("fact", this)), m_action(mainButton("confirmButton", tr("Continue (Enter)"), this))
 {
     auto* head = new PageHead(this);
-    head->tell(tr("About the participant"), tr("Ask, and write what they tell. Every line may stay empty."));
+    head->setTexts(tr("About the participant"),
+                   tr("Ask the participant and write the answers down. You may leave any line empty."));
     auto* rights = quietLabel("rightsText", this);
     rights->setText(
-        tr("Say: “You need not tell any of this. It is kept apart from your answers, and you can have it erased "
-           "later.”"));
+        tr("Say: “You do not have to answer these questions. We store this information apart from your other answers. "
+           "You can ask us to erase it later.”"));
     auto* column = new QVBoxLayout(this);
     column->setSpacing(14);
     column->addWidget(head);
@@ -30,15 +31,15 @@ FactsPage::FactsPage(QWidget* parent)
 void FactsPage::begin(const SessionFacts& facts)
 {
     m_form->setCaptions(facts.facts);
-    letFollow(*m_form, {m_action});
+    setTabOrderAfter(*m_form, {m_action});
 }
 
-void FactsPage::confirm() { Q_EMIT eventAsked(session::FactsGiven{m_form->given()}); }
+void FactsPage::confirm() { Q_EMIT eventRequested(session::FactsGiven{m_form->given()}); }
 
 bool FactsPage::pressKey(int key)
 {
     if (!isEnter(key)) return false;
-    if (!m_form->goOn()) confirm();
+    if (!m_form->focusNext()) confirm();
     return true;
 }
 

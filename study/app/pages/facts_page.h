@@ -1,4 +1,4 @@
-// What the protocol asks about a participant: each told or not, as they like, and erasable later.
+// Questions of the protocol about the participant. Every answer is voluntary and can be erased later.
 #pragma once
 
 #include "study/app/pages/stage_page.h"

@@ -18,7 +18,7 @@ FamiliarisationPage::FamiliarisationPage(QWidget* parent)
       m_action(mainButton("confirmButton", tr("The participant is ready (Enter)"), this))
 {
     auto* head = new PageHead(this);
-    head->tell(tr("Getting to know the display"), tr("Nothing is scored here. Take the time that the participant needs."));
+    head->setTexts(tr("Getting to know the display"), tr("Nothing is scored here. Give the participant as much time as needed."));
     m_fabricsRow->setLayout(new FlowLayout(10, 8));
     auto* column = new QVBoxLayout(this);
     column->setSpacing(14);
@@ -29,7 +29,7 @@ FamiliarisationPage::FamiliarisationPage(QWidget* parent)
     column->addSpacing(6);
     column->addWidget(m_action, 0, Qt::AlignLeft);
     column->addStretch(1);
-    connect(m_action, &QPushButton::clicked, this, [this] { Q_EMIT eventAsked(session::FamiliarisationDone{}); });
+    connect(m_action, &QPushButton::clicked, this, [this] { Q_EMIT eventRequested(session::FamiliarisationDone{}); });
 }
 
 void FamiliarisationPage::begin(const SessionFacts& facts)
@@ -40,18 +40,18 @@ void FamiliarisationPage::begin(const SessionFacts& facts)
 
 void FamiliarisationPage::showSteps()
 {
-    QStringList steps{tr("Seat the participant so that the display and the tray are within reach of one hand.")};
+    QStringList steps{tr("Seat the participant so that one hand can reach both the display and the tray.")};
     if (!m_strokeWords.isEmpty()) steps << tr("Say: “%1”").arg(m_strokeWords);
     if (m_fabrics.empty())
-        steps << tr("Let them stroke some fabrics on the table, and then the glass of the display.");
+        steps << tr("Let the participant stroke some fabrics on the table, then the glass of the display.");
     else
         steps << tr(
-            "Put one of these fabrics on the table and its image on the display, by its number. Let them stroke both; "
-            "then take the next.");
+            "Put one of these fabrics on the table. Press its number to show its image on the display. Let the participant "
+            "stroke both, then take the next fabric.");
     steps << tr(
-        "Say: “Soon you will compare what you feel on the glass with a piece of fabric on the tray. There is no right "
-        "answer and no hurry.”");
-    m_steps->tell(steps);
+        "Say: “Soon you will compare what you feel on the glass with a piece of fabric on the tray. There are no right or "
+        "wrong answers. Take your time.”");
+    m_steps->setSteps(steps);
 }
 
 void FamiliarisationPage::setFabrics(const std::vector<std::string>& fabrics)
@@ -64,7 +64,7 @@ void FamiliarisationPage::setFabrics(const std::vector<std::string>& fabrics)
                             QStringLiteral("%1    %2").arg(item + 1).arg(QString::fromStdString(fabrics[item])), m_fabricsRow);
         made->setCheckable(true);
         connect(made, &QPushButton::clicked, this,
-                [this, item] { Q_EMIT eventAsked(FamiliarisationShown{static_cast<int>(item)}); });
+                [this, item] { Q_EMIT eventRequested(FamiliarisationShown{static_cast<int>(item)}); });
         m_fabricsRow->layout()->addWidget(made);
         made->show();
         m_buttons.push_back(made);
@@ -82,18 +82,18 @@ void FamiliarisationPage::present(const session::View& view)
         showText(*m_shown, {});
     else if (shown)
         showText(*m_shown,
-                 tr("On the display now: %1.").arg(QString::fromStdString(m_fabrics.at(static_cast<std::size_t>(*shown)))));
+                 tr("The display now shows %1.").arg(QString::fromStdString(m_fabrics.at(static_cast<std::size_t>(*shown)))));
     else
-        showText(*m_shown, tr("The display is clear. Press the number of a fabric to show its image."));
+        showText(*m_shown, tr("The display shows nothing now. Press the number of a fabric to show its image."));
 }
 
 bool FamiliarisationPage::pressKey(int key)
 {
     const int item = key - Qt::Key_1;
     if (isEnter(key))
-        Q_EMIT eventAsked(session::FamiliarisationDone{});
+        Q_EMIT eventRequested(session::FamiliarisationDone{});
     else if (item >= 0 && item < 9 && item < static_cast<int>(m_fabrics.size()))
-        Q_EMIT eventAsked(FamiliarisationShown{item});
+        Q_EMIT eventRequested(FamiliarisationShown{item});
     else
         return false;
     return true;

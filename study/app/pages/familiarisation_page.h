@@ -1,5 +1,5 @@
-// Getting to know the display before anything is scored: what to do, and fabrics outside the study's own whose image
-// can be put on the display by number.
+// Familiarisation with the display before anything is scored: steps for the operator, and fabrics that are not in the
+// study. The number of a fabric puts its image on the display.
 #pragma once
 
 #include "study/app/pages/stage_page.h"

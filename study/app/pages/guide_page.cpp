@@ -12,8 +12,8 @@ GuidePage::GuidePage(QWidget* parent)
     : StagePage(parent),
       m_head(new PageHead(this)),
       m_steps(new StepList(this)),
-      m_action(mainButton("confirmButton", tr("Go on (Enter)"), this)),
-      m_second(button("secondButton", tr("Go on without (G)"), this))
+      m_action(mainButton("confirmButton", tr("Continue (Enter)"), this)),
+      m_second(button("secondButton", tr("Skip the preparation (G)"), this))
 {
     auto* column = new QVBoxLayout(this);
     column->setSpacing(14);
@@ -31,8 +31,8 @@ void GuidePage::present(const session::View& view)
     const auto guide = guideFor(view, m_facts, m_isPreparationDue);
     if (!guide) return;
     m_guide = *guide;
-    m_head->tell(m_guide.title, m_guide.lead);
-    m_steps->tell(m_guide.steps);
+    m_head->setTexts(m_guide.title, m_guide.lead);
+    m_steps->setSteps(m_guide.steps);
     setButtonText(*m_action, m_guide.action);
     m_second->setVisible(m_guide.second.has_value());
     if (m_guide.second) setButtonText(*m_second, m_guide.second->text);
@@ -42,10 +42,10 @@ void GuidePage::act(GuideAct act)
 {
     switch (act) {
         case GuideAct::Send:
-            Q_EMIT eventAsked(session::EventBody(m_guide.event));
+            Q_EMIT eventRequested(session::EventBody(m_guide.event));
             break;
         case GuideAct::Leave:
-            Q_EMIT leaveAsked();
+            Q_EMIT leaveRequested();
             break;
         case GuideAct::DeclinePreparation:
             Q_EMIT preparationDeclined();

@@ -1,5 +1,5 @@
-// A page that tells the operator what to do now and waits for one confirmation: welcome, consent, break, pause, end.
-// What it says is a value (stage_guides.h).
+// Page that shows the operator what to do now and waits for one confirmation: welcome, consent, break, pause, end.
+// Its texts come from stage_guides.h.
 #pragma once
 
 #include "study/app/pages/stage_guides.h"
@@ -18,15 +18,15 @@ public:
     explicit GuidePage(QWidget* parent);
 
     void begin(const SessionFacts& facts) override { m_facts = facts; }
-    /// Whether this sitting's refresher and checklist are to be offered.
+    /// Sets whether the page offers the refresher and the checklist of this sitting.
     void offerPreparation(bool isDue) { m_isPreparationDue = isDue; }
     void present(const session::View& view) override;
     bool pressKey(int key) override;
     QWidget& firstFocus() override;
 
 Q_SIGNALS:
-    void leaveAsked();
-    /// The session shall go on without its refresher and checklist.
+    void leaveRequested();
+    /// The operator skips the refresher and the checklist.
     void preparationDeclined();
 
 private:

@@ -14,18 +14,19 @@ namespace study::app {
 
 namespace {
 
-constexpr int msBetweenLooks = 2000;
+constexpr int msBetweenUpdates = 2000;
 
 QString sinceText(const std::optional<double>& minutes)
 {
     if (!minutes) return {};
     if (*minutes < 1) return MonitorWindow::tr("just now");
     const int minutesInADay = 24 * 60;
-    if (*minutes >= minutesInADay) return MonitorWindow::tr("%1 days ago").arg(std::lround(*minutes / minutesInADay));
+    const long days = std::lround(*minutes / minutesInADay);
+    if (*minutes >= minutesInADay) return days == 1 ? MonitorWindow::tr("1 day ago") : MonitorWindow::tr("%1 days ago").arg(days);
     return MonitorWindow::tr("%1 min ago").arg(static_cast<int>(*minutes));
 }
 
-QStringList cellsOf(const MonitorOverview::Row& row)
+QStringList cellsOf(const MonitorOverview::ParticipantRow& row)
 {
     if (row.state == database::SlotState::Free)
         return {QString::number(row.place), QStringLiteral("–"), MonitorWindow::tr("free")};
@@ -54,7 +55,7 @@ MonitorWindow::MonitorWindow(const std::filesystem::path& study, const AppOption
     : QWidget(parent),
       m_store(database::StudyFolder{study}, database::StudyStore::Access::Read),
       m_clock(options.clock ? options.clock : std::make_shared<session::SystemClock>()),
-      m_looks(new Looks(options.settings, *this)),
+      m_appearanceKeys(new AppearanceKeys(options.settings, *this)),
       m_flagReading(new FlagReading(options.readFlags, study, this)),
       m_title(label("monitorTitle", Type::Title, this, Weight::Bold)),
       m_summary(label("monitorSummary", Type::Lead, this)),
@@ -64,19 +65,19 @@ MonitorWindow::MonitorWindow(const std::filesystem::path& study, const AppOption
       m_message(new MessageBar("monitorMessage", this))
 {
     setObjectName("monitorWindow");
-    name(*m_rows, "monitorRows", tr("Who is where"));
+    name(*m_rows, "monitorRows", tr("Stage of every participant"));
     setType(*m_rows, Type::Plain);
     m_rows->setRootIsDecorated(false);
     m_rows->setAllColumnsShowFocus(true);
-    m_rows->setHeaderLabels(
-        {tr("Place"), tr("Participant"), tr("Where"), tr("At"), tr("Answers"), tr("Missing"), tr("Void"), tr("Last event")});
+    m_rows->setHeaderLabels({tr("Place"), tr("Participant"), tr("Stage"), tr("Presentation"), tr("Answers"), tr("Missing"),
+                             tr("Void"), tr("Last event")});
     m_rows->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_rows->header()->setFocusPolicy(Qt::NoFocus);
     m_flagsCaption->setText(tr("Flags"));
     auto* hint = quietLabel("monitorHint", this, Type::Small);
     hint->setText(
-        tr("Reads only; looks again every two seconds.   ·   At: the presentation.   ·   Missing: answers to "
-           "presentations that were voided and not given again yet.   ·   Close: Esc"));
+        tr("This window only reads the study. It updates every two seconds.   ·   Missing: answers to voided "
+           "presentations that have not been repeated yet.   ·   Close: Esc"));
 
     auto* page = new QWidget(this);
     auto* column = new QVBoxLayout(page);
@@ -84,7 +85,7 @@ MonitorWindow::MonitorWindow(const std::filesystem::path& study, const AppOption
     for (QWidget* part : {static_cast<QWidget*>(m_title), static_cast<QWidget*>(m_summary), static_cast<QWidget*>(m_message)})
         column->addWidget(part);
     column->addWidget(m_rows, 1);
-    for (QWidget* part : {m_flagsCaption, m_flags, hint, lookHint(page)}) column->addWidget(part);
+    for (QWidget* part : {m_flagsCaption, m_flags, hint, appearanceHint(page)}) column->addWidget(part);
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
     outer->addWidget(scrolling("monitorArea", page, this));
@@ -92,25 +93,25 @@ MonitorWindow::MonitorWindow(const std::filesystem::path& study, const AppOption
     connect(m_flagReading, &FlagReading::done, this, &MonitorWindow::showFlags);
     connect(m_flagReading, &FlagReading::failed, m_flags, &QLabel::setText);
     auto* timer = new QTimer(this);
-    connect(timer, &QTimer::timeout, this, &MonitorWindow::look);
-    timer->start(msBetweenLooks);
-    look();
+    connect(timer, &QTimer::timeout, this, &MonitorWindow::refresh);
+    timer->start(msBetweenUpdates);
+    refresh();
     m_rows->setFocus();
 }
 
 MonitorWindow::~MonitorWindow() = default;
 
-void MonitorWindow::look()
+void MonitorWindow::refresh()
 {
     try {
-        tell(monitorOverview(m_store, m_clock->wallTime()));
+        present(monitorOverview(m_store, m_clock->wallTime()));
         m_message->clearMessage();
     } catch (const std::exception& fault) {
-        m_message->tellFault(tr("%1. The next look tries again.").arg(QString::fromUtf8(fault.what())));
+        m_message->showFault(tr("%1. The window tries again in two seconds.").arg(QString::fromUtf8(fault.what())));
     }
 }
 
-void MonitorWindow::tell(const MonitorOverview& overview)
+void MonitorWindow::present(const MonitorOverview& overview)
 {
     if (overview.answers != m_answersAtFlags && !m_flagReading->isUnderWay()) {
         m_answersAtFlags = overview.answers;
@@ -126,7 +127,7 @@ void MonitorWindow::tell(const MonitorOverview& overview)
                            .arg(overview.isBlinded ? tr("blinded") : tr("unblinded")));
     const int chosen = m_rows->indexOfTopLevelItem(m_rows->currentItem());
     m_rows->clear();
-    for (const MonitorOverview::Row& row : overview.rows) new QTreeWidgetItem(m_rows, cellsOf(row));
+    for (const MonitorOverview::ParticipantRow& row : overview.rows) new QTreeWidgetItem(m_rows, cellsOf(row));
     m_rows->setCurrentItem(m_rows->topLevelItem(chosen));
     m_rows->setMinimumHeight(m_rows->fontMetrics().height() * 9);
 }

@@ -1,10 +1,10 @@
-// The window of the live monitor (monitor.h). Looks again every two seconds; any number of them may be open beside
-// the console, on the same computer or wherever the study's folder is shared.
+// Window of the live monitor (monitor.h). It updates every two seconds. Several may be open beside the console, on this
+// computer or on another that shares the study folder.
 #pragma once
 
 #include <QWidget>
 
-#include "study/app/pieces/looks.h"
+#include "study/app/pieces/appearance_keys.h"
 #include "study/app/state/app_options.h"
 #include "study/app/state/monitor.h"
 
@@ -19,26 +19,26 @@ class MessageBar;
 class MonitorWindow : public QWidget {
     Q_OBJECT
 public:
-    /// Throws protocols::Error where `study` is none.
+    /// Throws protocols::Error if `study` is not a study folder.
     MonitorWindow(const std::filesystem::path& study, const AppOptions& options, QWidget* parent = nullptr);
     ~MonitorWindow() override;
 
-    /// Looks at the study now. What goes wrong is told on the page, and the next look tries again.
-    void look();
-    void setAppearance(const Appearance& appearance) { m_looks->set(appearance); }
+    /// Reads the study now. A fault is shown in the window, and the next update tries again.
+    void refresh();
+    void setAppearance(const Appearance& appearance) { m_appearanceKeys->set(appearance); }
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
-    void tell(const MonitorOverview& overview);
+    void present(const MonitorOverview& overview);
     void showFlags(const std::vector<MonitorFlag>& flags);
 
     database::StudyStore m_store;
     std::shared_ptr<session::Clock> m_clock;
     std::optional<MonitorOverview> m_shown;
-    int m_answersAtFlags = -1;  ///< as many there were when flags were last read
-    Looks* m_looks;
+    int m_answersAtFlags = -1;  ///< number of answers when the flags were last read
+    AppearanceKeys* m_appearanceKeys;
     FlagReading* m_flagReading;
     QLabel* m_title;
     QLabel* m_summary;

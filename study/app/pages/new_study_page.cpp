@@ -36,7 +36,7 @@ NewStudyPage::NewStudyPage(MakeStudy make, QWidget* parent)
       m_make(std::move(make)),
       m_participants(field("participantsField", tr("Number of participants"), this)),
       m_seed(field("seedField", tr("Seed of the running orders"), this)),
-      m_makeButton(mainButton("makeButton", tr("Make the study (Enter)"), this)),
+      m_makeButton(mainButton("makeButton", tr("Create the study (Enter)"), this)),
       m_back(button("backButton", tr("Back (Esc)"), this)),
       m_doing(label("makingText", Type::Body, this)),
       m_bar(new QProgressBar(this)),
@@ -45,12 +45,13 @@ NewStudyPage::NewStudyPage(MakeStudy make, QWidget* parent)
     setObjectName("newStudyPage");
     auto* page = new QWidget(this);
     auto* title = label("newStudyTitle", Type::Title, page, Weight::Bold);
-    title->setText(tr("A new study"));
+    title->setText(tr("New study"));
     auto* lead = quietLabel("newStudyLead", page);
-    lead->setText(tr("Running orders are drawn by the seed; which stimulus is which stays sealed in the study's folder."));
-    m_participants->setPlaceholderText(tr("empty: as in the protocol"));
+    lead->setText(
+        tr("The seed determines the running orders. The key from stimuli to conditions stays sealed in the study folder."));
+    m_participants->setPlaceholderText(tr("empty: the number in the protocol"));
     m_seed->setText(QStringLiteral("1"));
-    name(*m_bar, "makingBar", tr("Progress of the making"));
+    name(*m_bar, "makingBar", tr("Progress of creating the study"));
     m_bar->setRange(0, progressSteps);
     m_bar->setTextVisible(false);
 
@@ -60,7 +61,8 @@ NewStudyPage::NewStudyPage(MakeStudy make, QWidget* parent)
     form->setColumnStretch(1, 1);
     m_study =
         addPath(*form, "newStudyFolderField", tr("Study folder"), tr("a folder that does not exist yet"), Browse::NewFolder);
-    m_dataset = addPath(*form, "datasetField", tr("Fabric data set"), tr("the folder that holds dataset.json"), Browse::Folder);
+    m_dataset =
+        addPath(*form, "datasetField", tr("Fabric data set"), tr("the folder that contains dataset.json"), Browse::Folder);
     m_protocol = addPath(*form, "protocolField", tr("Protocol file"), tr("empty: the study of the paper"), Browse::File);
     addRow(*form, tr("Participants"), m_participants);
     addRow(*form, tr("Seed"), m_seed);
@@ -129,28 +131,31 @@ void NewStudyPage::browseFor(QLineEdit& target, Browse browse)
         chosen = QFileDialog::getOpenFileName(this, tr("Protocol file"), target.text(), tr("Protocols (*.json)"));
     else
         chosen = QFileDialog::getExistingDirectory(
-            this, browse == Browse::Folder ? tr("Fabric data set") : tr("Where to make it"), target.text());
+            this, browse == Browse::Folder ? tr("Fabric data set") : tr("Folder for the new study"), target.text());
     if (!chosen.isEmpty()) target.setText(browse == Browse::NewFolder ? chosen + QStringLiteral("/study") : chosen);
 }
 
 std::optional<NewStudyRequest> NewStudyPage::request()
 {
-    const auto told = [this](QLineEdit* line, const QString& text) {
+    const auto refuse = [this](QLineEdit* line, const QString& text) {
         line->setFocus();
-        m_message->tellHint(text);
+        m_message->showHint(text);
         return std::nullopt;
     };
-    if (m_study->text().trimmed().isEmpty()) return told(m_study, tr("Name a folder for the study; it is made for you."));
+    if (m_study->text().trimmed().isEmpty())
+        return refuse(m_study, tr("No study folder is given. Type a folder that does not exist yet; the program creates it."));
     if (m_dataset->text().trimmed().isEmpty())
-        return told(m_dataset, tr("Name the fabric data set that the stimuli are made from."));
+        return refuse(m_dataset, tr("No data set is given. Choose the fabric data set that the stimuli are made from."));
     const auto seed = wholeNumberFrom<std::uint64_t>(m_seed->text());
-    if (!seed) return told(m_seed, tr("The seed is a whole number, 0 or larger."));
+    if (!seed) return refuse(m_seed, tr("The seed is not valid. Type a whole number, 0 or larger."));
     NewStudyRequest filled{pathOf(*m_study), pathOf(*m_dataset), std::nullopt, std::nullopt, *seed};
     if (!m_protocol->text().trimmed().isEmpty()) filled.protocol = pathOf(*m_protocol);
     if (!m_participants->text().trimmed().isEmpty()) {
         filled.participants = wholeNumberFrom<int>(m_participants->text());
         if (!filled.participants || *filled.participants < 1)
-            return told(m_participants, tr("The number of participants is a whole number from 1, or empty."));
+            return refuse(
+                m_participants,
+                tr("The number of participants is not valid. Type a whole number, 1 or larger, or leave the line empty."));
     }
     return filled;
 }
@@ -172,7 +177,7 @@ void NewStudyPage::make()
         m_making.get(), &StudyMaking::failed, this,
         [this](const QString& why) {
             end();
-            m_message->tellFault(why);
+            m_message->showFault(why);
         },
         Qt::QueuedConnection);
     connect(
@@ -183,7 +188,7 @@ void NewStudyPage::make()
             Q_EMIT made(folder);
         },
         Qt::QueuedConnection);
-    m_doing->setText(tr("The study is being made."));
+    m_doing->setText(tr("The program creates the study."));
     m_bar->setValue(0);
     enable();
     m_making->begin();
@@ -201,7 +206,7 @@ void NewStudyPage::enable()
     for (QWidget* input : m_inputs) input->setEnabled(!m_making);
     m_doing->setVisible(m_making != nullptr);
     m_bar->setVisible(m_making != nullptr);
-    setButtonText(*m_back, m_making ? tr("Stop the making (Esc)") : tr("Back (Esc)"));
+    setButtonText(*m_back, m_making ? tr("Cancel (Esc)") : tr("Back (Esc)"));
     if (m_making) m_back->setFocus();
 }
 
@@ -209,11 +214,11 @@ void NewStudyPage::goBack()
 {
     if (!m_making) {
         m_message->clearMessage();
-        Q_EMIT backAsked();
+        Q_EMIT backRequested();
         return;
     }
     m_making->stop();
-    m_doing->setText(tr("Stopping…"));
+    m_doing->setText(tr("The program stops this work."));
 }
 
 void NewStudyPage::focusFirst() { m_study->setFocus(); }

@@ -1,4 +1,4 @@
-// The form for a new study, and how far its making is. Paths may be typed or browsed to.
+// Form for a new study, with the progress of its creation. Paths can be typed or chosen in a dialog.
 #pragma once
 
 #include <QWidget>
@@ -30,7 +30,7 @@ public:
 
 Q_SIGNALS:
     void made(const QString& folder);
-    void backAsked();
+    void backRequested();
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;

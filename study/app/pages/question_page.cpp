@@ -34,7 +34,7 @@ QuestionPage::QuestionPage(QWidget* parent)
     connect(m_store, &QPushButton::clicked, this, &QuestionPage::store);
     connect(m_touch, &TouchButton::touched, this, [this] {
         firstFocus().setFocus();
-        Q_EMIT eventAsked(session::Touched{});
+        Q_EMIT eventRequested(session::Touched{});
     });
 }
 
@@ -57,7 +57,7 @@ void QuestionPage::present(const session::View& view)
 {
     m_head->present(view);
     m_touch->present(view);
-    if (isSameQuestion(view)) return;  // a touch, a note or a fault keeps what is being entered
+    if (isSameQuestion(view)) return;  // a touch, a note or a fault must not clear the entry
     m_shown = std::get<Presenting>(view.state.stage);
     m_shownCode = view.code;
     m_firstEntry.reset();
@@ -67,12 +67,12 @@ void QuestionPage::present(const session::View& view)
 void QuestionPage::showReadBack()
 {
     const bool isFirstOfTwo = m_wantsSecondEntry && !m_firstEntry;
-    setButtonText(*m_store, isFirstOfTwo ? tr("Now a second time (Enter)") : tr("Store the answer (Enter)"));
+    setButtonText(*m_store, isFirstOfTwo ? tr("Go to the second entry (Enter)") : tr("Store the answer (Enter)"));
     const ReadBack readBack = m_entry->readBack();
     QStringList sentences{readBack.text};
     if (m_firstEntry) sentences.prepend(tr("Second entry."));
     if (readBack.isComplete)
-        sentences.append(isFirstOfTwo ? tr("Enter, then enter the same once more.") : tr("Enter stores it."));
+        sentences.append(isFirstOfTwo ? tr("Press Enter, then enter the same answer again.") : tr("Press Enter to store it."));
     m_readBack->setText(sentences.join(QLatin1Char(' ')));
 }
 
@@ -90,14 +90,14 @@ void QuestionPage::store()
 void QuestionPage::takeEntry(const GivenAnswer& response)
 {
     if (!m_wantsSecondEntry) {
-        Q_EMIT eventAsked(session::Answered{response});
+        Q_EMIT eventRequested(session::Answered{response});
         return;
     }
     const QString differing = m_firstEntry ? disagreement(m_entry->form(), *m_firstEntry, response) : QString();
     if (m_firstEntry && differing.isEmpty()) {
-        // Words may differ in spaces; the first entry is the one that was read back.
+        // Texts that differ in spaces agree; the first entry is the one that was read back.
         const GivenAnswer agreed = *m_firstEntry;
-        Q_EMIT eventAsked(session::Answered{agreed});
+        Q_EMIT eventRequested(session::Answered{agreed});
         return;
     }
     if (m_firstEntry)
@@ -117,10 +117,10 @@ bool QuestionPage::pressKey(int key)
         store();
         return true;
     }
-    // Before T: a tray of twenty slots would have a letter of its own there.
+    // Before T: on a tray of twenty slots, T is the letter of a slot.
     if (m_entry->pressKey(key)) return true;
     if (key != Qt::Key_T) return false;
-    Q_EMIT eventAsked(session::Touched{});
+    Q_EMIT eventRequested(session::Touched{});
     return true;
 }
 

@@ -1,6 +1,6 @@
-// One question about a presentation: the words to say, the answer as it is entered and read back, the mark of the
-// first touch. Enter stores. Where the protocol wants second entries, the answer is asked for twice and both must
-// agree; the engine is told one answer.
+// Page of one question about a presentation: the words to say, the entry of the answer with its read-back, and the button
+// for the first touch. Enter stores the answer. Where the protocol requires second entries, the page asks twice and both
+// entries must agree. The engine receives one answer.
 #pragma once
 
 #include <optional>

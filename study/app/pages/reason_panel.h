@@ -1,19 +1,19 @@
-// One line to write: a note, a flag, the reason to void a presentation, the reason of a withdrawal.
+// Form with one line of text: a note, a flag, the reason to void a presentation, or the reason for a withdrawal.
 #pragma once
 
-#include "study/app/pages/panel.h"
+#include "study/app/pages/form_panel.h"
 
 namespace study::app {
 
-class ReasonPanel : public Panel {
+class ReasonPanel : public FormPanel {
     Q_OBJECT
 public:
-    explicit ReasonPanel(QWidget* parent) : Panel(parent) {}
+    explicit ReasonPanel(QWidget* parent) : FormPanel(parent) {}
 
     void askForNote();
-    /// Marks a presentation to be looked at; words are welcome but not needed. `presentation` as below.
+    /// Marks a presentation for inspection; the reason is optional. `presentation`: see askWhyVoid().
     void askForFlag(const QString& presentation);
-    /// `presentation`: the code of the one that is meant; empty: the one before the present tray.
+    /// `presentation`: its code; empty: the presentation before the current tray.
     void askWhyVoid(const QString& presentation);
     void askWhyWithdrawn();
 

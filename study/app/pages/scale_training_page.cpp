@@ -27,8 +27,8 @@ ScaleTrainingPage::ScaleTrainingPage(QWidget* parent)
       m_spoken(new RatingField("spokenField", tr("Number that the participant says for the mark"), m_placeRow)),
       m_whichPlace(label("whichPlace", Type::Lead, m_placeRow)),
       m_deviation(label("deviation", Type::Lead, this)),
-      m_action(mainButton("confirmButton", tr("Go on (Enter)"), this)),
-      m_done(button("scaleKnownButton", tr("The scale is known (G)"), this))
+      m_action(mainButton("confirmButton", tr("Continue (Enter)"), this)),
+      m_done(button("scaleKnownButton", tr("The participant knows the scale (G)"), this))
 {
     m_line->setObjectName("memorisedLine");
     m_anchors->setLayout(anchors());
@@ -43,7 +43,7 @@ ScaleTrainingPage::ScaleTrainingPage(QWidget* parent)
     column->addLayout(actionsRow({m_action, m_done}));
     column->addStretch(1);
     connect(m_action, &QPushButton::clicked, this, &ScaleTrainingPage::confirm);
-    connect(m_done, &QPushButton::clicked, this, [this] { Q_EMIT eventAsked(session::ScaleTrainingDone{}); });
+    connect(m_done, &QPushButton::clicked, this, [this] { Q_EMIT eventRequested(session::ScaleTrainingDone{}); });
 }
 
 QLayout* ScaleTrainingPage::anchors()
@@ -74,38 +74,42 @@ void ScaleTrainingPage::begin(const SessionFacts& facts)
 {
     m_scale = facts.scale.value_or(protocols::RatingScale{});
     m_line->setScale(m_scale);
-    tellAnchors();
+    showAnchors();
     m_place.reset();
     m_asked.reset();
     m_lastNamed.reset();
     m_spoken->clear();
 }
 
-void ScaleTrainingPage::tellWhatToDo(bool isRefresher)
+void ScaleTrainingPage::showInstruction(bool isRefresher)
 {
     const QString low = textOf(m_scale.min), high = textOf(m_scale.max);
     m_anchors->setVisible(!isRefresher);
     if (isRefresher)
-        m_head->tell(tr("The scale, once more"),
-                     m_scale.labels.empty() ? tr("Show this line again: %1 is unrelated, %2 is totally the same.").arg(low, high)
-                                            : tr("Show this line again, from %1 to %2.").arg(low, high));
+        m_head->setTexts(tr("Repeat the scale"),
+                         m_scale.labels.empty()
+                             ? tr("Show this line again. Say: “%1 means unrelated. %2 means totally the same.”").arg(low, high)
+                             : tr("Show this line again, from %1 to %2.").arg(low, high));
     else
-        m_head->tell(tr("The scale, to be memorised"),
-                     m_scale.sections > 1 ? tr("Show this line. It has equal sections, and only its ends carry a number.")
-                                          : tr("Show this line. Only its ends carry a number."));
+        m_head->setTexts(tr("Learn the scale"),
+                         m_scale.sections > 1
+                             ? tr("Show this line to the participant. Its sections are equal, and only its ends have numbers.")
+                             : tr("Show this line to the participant. Only its ends have numbers."));
 }
 
-void ScaleTrainingPage::tellAnchors()
+void ScaleTrainingPage::showAnchors()
 {
     const QString low = wordedText(m_scale.min, m_scale), high = wordedText(m_scale.max, m_scale);
-    if (!m_scale.labels.empty()) {  // a scale that says itself what its ends are
+    if (!m_scale.labels.empty()) {  // the scale has words of its own for its ends
         m_lowAnchor->setText(low);
         m_highAnchor->setText(high);
         return;
     }
-    m_lowAnchor->setText(tr("Let them touch sandpaper, then silk. “These two are unrelated. That is %1.”").arg(low));
+    m_lowAnchor->setText(
+        tr("Let the participant touch sandpaper, then silk. Say: “These two are unrelated. This is %1.”").arg(low));
     m_highAnchor->setText(
-        tr("Let them touch two pieces of the same fabric. “These two are totally the same. That is %1.”").arg(high));
+        tr("Let the participant touch two pieces of the same fabric. Say: “These two are totally the same. This is %1.”")
+            .arg(high));
 }
 
 void ScaleTrainingPage::present(const session::View& view)
@@ -119,13 +123,14 @@ void ScaleTrainingPage::present(const session::View& view)
         m_lastNamed = std::exchange(m_asked, std::nullopt);
     }
     m_place = place;
-    tellWhatToDo(training.isRefresher);
+    showInstruction(training.isRefresher);
     m_line->setRating(m_place);
     m_placeRow->setVisible(m_place.has_value());
-    m_whichPlace->setText(places == 1 ? tr("Which number has the mark?")
-                                      : tr("Mark %1 of %2: which number do they say?").arg(training.placed + 1).arg(places));
+    m_whichPlace->setText(
+        places == 1 ? tr("Ask: “Which number belongs to this mark?”")
+                    : tr("Mark %1 of %2. Ask: “Which number belongs to this mark?”").arg(training.placed + 1).arg(places));
     showText(*m_deviation, m_lastNamed ? deviation(*m_lastNamed) : QString());
-    setButtonText(*m_action, m_place ? tr("They say this number (Enter)") : tr("The scale is known (Enter)"));
+    setButtonText(*m_action, m_place ? tr("Store this number (Enter)") : tr("The participant knows the scale (Enter)"));
     m_done->setVisible(m_place.has_value());
 }
 
@@ -134,30 +139,32 @@ QString ScaleTrainingPage::deviation(const ScalePlaced& placed) const
     const int off = placed.spoken.value - placed.shown.value;
     const int span = m_scale.max.value - m_scale.min.value;
     const QString far = textOf(Tenths{std::abs(off)}), shown = textOf(placed.shown), spoken = textOf(placed.spoken);
-    if (off == 0) return tr("They said %1, and that is just where the mark was.").arg(spoken);
-    if (std::abs(off) * 20 <= span) return tr("They said %1, the mark was at %2: very close.").arg(spoken, shown);
+    if (off == 0) return tr("The participant said %1. The mark was exactly there.").arg(spoken);
+    if (std::abs(off) * 20 <= span)
+        return tr("The participant said %1, and the mark was at %2. This is very close.").arg(spoken, shown);
     const QString way = off > 0 ? tr("%1 too high").arg(far) : tr("%1 too low").arg(far);
-    if (std::abs(off) * 10 <= span) return tr("They said %1, the mark was at %2: close, %3.").arg(spoken, shown, way);
-    return tr("They said %1, the mark was at %2: %3. Let them look at the ends and the sections once more.")
+    if (std::abs(off) * 10 <= span)
+        return tr("The participant said %1, and the mark was at %2. This is close, %3.").arg(spoken, shown, way);
+    return tr("The participant said %1, and the mark was at %2. This is %3. Show the ends and the sections again.")
         .arg(spoken, shown, way);
 }
 
 void ScaleTrainingPage::confirm()
 {
     if (!m_place) {
-        Q_EMIT eventAsked(session::ScaleTrainingDone{});
+        Q_EMIT eventRequested(session::ScaleTrainingDone{});
         return;
     }
     const auto typed = ratingFromText(m_spoken->text(), m_scale);
     if (const auto* spoken = std::get_if<Tenths>(&typed)) {
         m_asked = ScalePlaced{*m_place, *spoken};
         const ScalePlaced placed = *m_asked;
-        Q_EMIT eventAsked(placed);
+        Q_EMIT eventRequested(placed);
         return;
     }
     m_spoken->setFocus();
     m_spoken->selectAll();
-    Q_EMIT hinted(tr("%1 G goes on where the scale is known already.").arg(std::get<NoRating>(typed).why));
+    Q_EMIT hinted(tr("%1 Press G to skip this if the participant already knows the scale.").arg(std::get<NoRating>(typed).why));
 }
 
 bool ScaleTrainingPage::pressKey(int key)
@@ -165,7 +172,7 @@ bool ScaleTrainingPage::pressKey(int key)
     if (isEnter(key))
         confirm();
     else if (key == Qt::Key_G)
-        Q_EMIT eventAsked(session::ScaleTrainingDone{});
+        Q_EMIT eventRequested(session::ScaleTrainingDone{});
     else
         return false;
     return true;

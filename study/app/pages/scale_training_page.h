@@ -1,5 +1,6 @@
-// The participant's page of the scale, before the mask: the line to memorise with its two anchors, then marks without
-// a number, one after another, to which the participant says the number. Shortened in later sittings.
+// Scale training, shown to the participant before the mask is on. The page shows the line to memorise with its two anchors,
+// then marks without numbers, one after another. The participant says the number of each mark. Later sittings use a shorter
+// form.
 #pragma once
 
 #include <optional>
@@ -28,15 +29,15 @@ public:
 private:
     QLayout* anchors();
     QLayout* placeRow();
-    void tellWhatToDo(bool isRefresher);
-    void tellAnchors();
+    void showInstruction(bool isRefresher);
+    void showAnchors();
     void confirm();
-    /// How far the spoken number lay from the mark, kindly.
+    /// Sentence on the distance between the spoken number and the mark, in friendly words.
     QString deviation(const session::ScalePlaced& placed) const;
 
     protocols::RatingScale m_scale;
-    std::optional<protocols::Tenths> m_place;     ///< to be named now
-    std::optional<session::ScalePlaced> m_asked;  ///< not known to be stored yet
+    std::optional<protocols::Tenths> m_place;     ///< the mark shown now
+    std::optional<session::ScalePlaced> m_asked;  ///< sent, not yet confirmed as stored
     std::optional<session::ScalePlaced> m_lastNamed;
     PageHead* m_head;
     ScaleLine* m_line;

@@ -37,16 +37,16 @@ SessionPage::SessionPage(QWidget* parent)
     column->addWidget(m_stages, 1);
     column->addLayout(messageRow);
     column->addWidget(m_footer);
-    connect(m_stages, &StageStack::eventAsked, this, &SessionPage::eventAsked);
-    connect(m_stages, &StageStack::hinted, this, [this](const QString& text) { tell(text, Tone::Hint); });
-    connect(m_stages, &StageStack::panelCloseAsked, this, &SessionPage::closePanel);
-    connect(&m_stages->guide(), &GuidePage::leaveAsked, this, &SessionPage::leaveAsked);
+    connect(m_stages, &StageStack::eventRequested, this, &SessionPage::eventRequested);
+    connect(m_stages, &StageStack::hinted, this, [this](const QString& text) { showMessage(text, Tone::Hint); });
+    connect(m_stages, &StageStack::panelCloseRequested, this, &SessionPage::closePanel);
+    connect(&m_stages->guide(), &GuidePage::leaveRequested, this, &SessionPage::leaveRequested);
     connect(&m_stages->guide(), &GuidePage::preparationDeclined, this, &SessionPage::goOnUnprepared);
-    joinPanels();
+    connectPanels();
     bindKeysWhileWriting();
 }
 
-void SessionPage::joinPanels()
+void SessionPage::connectPanels()
 {
     ReasonPanel& reason = m_stages->reason();
     const auto onAsking = [this, &reason](auto asked, auto ask) {
@@ -55,18 +55,18 @@ void SessionPage::joinPanels()
             openPanel(reason);
         });
     };
-    onAsking(&SessionFooter::noteAsked, [&reason] { reason.askForNote(); });
-    onAsking(&SessionFooter::flagAsked, [this, &reason] { reason.askForFlag(codeMeant()); });
-    onAsking(&SessionFooter::voidAsked, [this, &reason] { reason.askWhyVoid(codeMeant()); });
-    onAsking(&SessionFooter::withdrawAsked, [&reason] { reason.askWhyWithdrawn(); });
-    connect(m_footer, &SessionFooter::correctionAsked, this, &SessionPage::correctionAsked);
-    connect(m_footer, &SessionFooter::pauseAsked, this, [this] { Q_EMIT eventAsked(Paused{}); });
-    connect(m_footer, &SessionFooter::leaveAsked, this, &SessionPage::leaveAsked);
+    onAsking(&SessionFooter::noteRequested, [&reason] { reason.askForNote(); });
+    onAsking(&SessionFooter::flagRequested, [this, &reason] { reason.askForFlag(codeMeant()); });
+    onAsking(&SessionFooter::voidRequested, [this, &reason] { reason.askWhyVoid(codeMeant()); });
+    onAsking(&SessionFooter::withdrawRequested, [&reason] { reason.askWhyWithdrawn(); });
+    connect(m_footer, &SessionFooter::correctionRequested, this, &SessionPage::correctionRequested);
+    connect(m_footer, &SessionFooter::pauseRequested, this, [this] { Q_EMIT eventRequested(Paused{}); });
+    connect(m_footer, &SessionFooter::leaveRequested, this, &SessionPage::leaveRequested);
 }
 
 void SessionPage::bindKeysWhileWriting()
 {
-    // In a field of text the letters are text; with Alt they are the keys that they are elsewhere.
+    // In a text field letters are text. With Alt they work as the command keys of the other pages.
     for (const int key : {Qt::Key_T, Qt::Key_L, Qt::Key_N, Qt::Key_F, Qt::Key_V, Qt::Key_P, Qt::Key_W, Qt::Key_Q, Qt::Key_G}) {
         auto* shortcut = new QShortcut(QKeySequence(Qt::ALT | key), this);
         shortcut->setContext(Qt::WidgetWithChildrenShortcut);
@@ -121,7 +121,7 @@ void SessionPage::goOnUnprepared()
 {
     m_isPreparationDeclined = true;
     if (m_view.state.paused)
-        Q_EMIT eventAsked(Resumed{});
+        Q_EMIT eventRequested(Resumed{});
     else
         present(View(m_view), m_footer->canCorrect());
 }
@@ -163,25 +163,25 @@ void SessionPage::closePanel()
     bringForward(pageOf(m_view));
 }
 
-void SessionPage::settle()
+void SessionPage::closePanelAndMessage()
 {
     m_message->clearMessage();
     m_panel = nullptr;
     m_footer->setPanelOpen(false);
 }
 
-void SessionPage::tell(const QString& text, Tone tone)
+void SessionPage::showMessage(const QString& text, Tone tone)
 {
     switch (tone) {
         case Tone::Done:
-            m_message->tellDone(text);
+            m_message->showDone(text);
             break;
         case Tone::Hint:
         case Tone::Refusal:
-            m_message->tellHint(text);
+            m_message->showHint(text);
             break;
         case Tone::Fault:
-            m_message->tellFault(text);
+            m_message->showFault(text);
             break;
     }
 }
@@ -194,7 +194,7 @@ bool SessionPage::pressKey(int key)
 
 bool SessionPage::pressFocusedButton() const
 {
-    // Enter is the page's main action, but on a button that was tabbed to it presses that one.
+    // Enter triggers the main action of the page, but it presses a side button that has the focus.
     auto* focused = qobject_cast<QPushButton*>(focusWidget());
     const bool isSideButton = focused && focused->isVisible() && focused->isEnabled() && !focused->isCheckable() &&
                               focused->property("role").toString() != QLatin1String("main");

@@ -1,5 +1,5 @@
-// One running session: header, the page of its stage, footer, and in the stage's place the panels that are
-// opened by wish. Shows what it is given and asks for events; the engine is elsewhere.
+// Page of a running session: header, page of the current stage, footer. A panel that the operator opens takes the place of
+// the stage page. The page shows a view and requests events; it contains no engine.
 #pragma once
 
 #include <QWidget>
@@ -19,33 +19,33 @@ class SessionPage : public QWidget {
 public:
     explicit SessionPage(QWidget* parent);
 
-    /// A session starts or goes on in this window: nothing is known of the tray, no box is ticked.
+    /// Resets the page for a session that starts or continues: unknown tray, no ticks.
     void begin(const SessionFacts& facts);
     void present(const session::View& view, bool canCorrect);
-    /// The panel to correct one of these, the last one first; at least one.
+    /// Opens the correction panel. `answers`: at least one, the latest first.
     void openCorrection(const std::vector<Correctable>& answers);
-    /// An event was accepted: messages and panels go.
-    void settle();
-    void tell(const QString& text, Tone tone);
-    const session::View& shows() const { return m_view; }
+    /// Closes the panel and clears the message after an accepted event.
+    void closePanelAndMessage();
+    void showMessage(const QString& text, Tone tone);
+    const session::View& shownView() const { return m_view; }
 
-    /// A later sitting has begun, and its refresher and checklist are offered now.
+    /// True while the page offers the refresher and the checklist of a later sitting.
     bool offersPreparation() const;
 
-    /// A key that no control took; true where something came of it.
+    /// Handles a key that no control used; returns whether it had an effect.
     bool pressKey(int key);
 
 Q_SIGNALS:
-    void eventAsked(const study::session::EventBody& event);
-    void correctionAsked();
-    /// The session shall be left, after a pause where it still runs.
-    void leaveAsked();
+    void eventRequested(const study::session::EventBody& event);
+    void correctionRequested();
+    /// The operator leaves the session; a running session must be paused first.
+    void leaveRequested();
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
-    void joinPanels();
+    void connectPanels();
     void bindKeysWhileWriting();
     StagePage& pageOf(const session::View& view) const;
     StagePage& pageInFront() const;
@@ -53,14 +53,14 @@ private:
     void openPanel(StagePage& panel);
     void closePanel();
     void goOnUnprepared();
-    /// Of the presentation that a void or flag is about; empty: the one before the tray that is being laid.
+    /// Code of the presentation that a void or flag applies to; empty: the presentation before the current tray.
     QString codeMeant() const;
     bool pressFocusedButton() const;
 
     SessionFacts m_facts;
     session::View m_view;
     bool m_isPreparationDeclined = false;
-    StagePage* m_panel = nullptr;  ///< the open one
+    StagePage* m_panel = nullptr;  ///< open panel; null if none
 
     SessionHeader* m_header;
     StageStack* m_stages;

@@ -15,9 +15,10 @@ Guide introduction()
 {
     return {.title = tr("Welcome the participant"),
             .lead = tr("The participant does not wear the mask yet."),
-            .steps = {tr("Give them the information sheet, and time to read it."),
-                      tr("Tell them what will happen: stroking the glass and fabrics, and saying what is felt, with breaks."),
-                      tr("Say: “You may stop at any time, without giving a reason.”")},
+            .steps = {tr("Give the participant the information sheet and time to read it."),
+                      tr("Explain the session: the participant strokes the glass and pieces of fabric and says how they feel. "
+                         "There are breaks."),
+                      tr("Say: “You may stop at any time. You do not have to give a reason.”")},
             .action = tr("Begin (Enter)"),
             .event = Begun{}};
 }
@@ -27,16 +28,17 @@ Guide consent(const SessionFacts& facts)
     const bool hasFullStop = facts.consent.endsWith(QLatin1Char('.'));
     return {.title = tr("Consent"),
             .lead = tr("You confirm: %1.").arg(hasFullStop ? facts.consent.chopped(1) : facts.consent),
-            .steps = {tr("If they do not agree, nothing is begun: press W.")},
+            .steps = {tr("If the participant does not agree, do not begin. Press W instead.")},
             .action = tr("The participant has agreed (Enter)"),
             .event = Consented{}};
 }
 
-/// What every break is for, whatever brought it about.
+/// Steps of every break, whatever its reason.
 QStringList breakSteps()
 {
     return {tr("The participant may lift the mask, drink and move the hand."),
-            tr("Clean the glass and the finger, and let both dry."), tr("Before you go on, the mask is on again.")};
+            tr("Clean the glass and the participant's finger. Let both dry."),
+            tr("Make sure that the participant wears the mask again before you continue.")};
 }
 
 QString breakTitle(const OnBreak& onBreak, const View& view)
@@ -45,9 +47,9 @@ QString breakTitle(const OnBreak& onBreak, const View& view)
         case BreakReason::Block:
             return tr("Break");
         case BreakReason::Phase:
-            return tr("Break: now other questions");
+            return tr("Break: new questions follow");
         case BreakReason::Time:
-            return tr("Break: it has been a while");
+            return tr("Break: time for a rest");
         case BreakReason::SittingOver:
             return tr("This sitting has lasted %1 minutes").arg(std::lround(view.sittingMinutes));
     }
@@ -56,16 +58,17 @@ QString breakTitle(const OnBreak& onBreak, const View& view)
 
 QString breakLead(const OnBreak& onBreak, const View& view)
 {
-    const QString done = tr("Done so far: %1 of %2 answers. The display is off.").arg(view.answersStored).arg(view.answersInAll);
+    const QString done = tr("%1 of %2 answers are stored. The display is off.").arg(view.answersStored).arg(view.answersInAll);
     switch (onBreak.reason) {
         case BreakReason::Block:
         case BreakReason::Time:
             return done;
         case BreakReason::Phase:
-            return tr("Next come the questions %1. Explain them before the mask is on. %2")
+            return tr("Questions that follow: %1. Explain them before the participant puts the mask on. %2")
                 .arg(QString::fromStdString(view.phaseName), done);
         case BreakReason::SittingOver:
-            return tr("A tired hand feels less. Stop here with Q and go on another day; everything is kept. %1").arg(done);
+            return tr("A tired hand feels less. Press Q to stop here and continue on another day. Everything is stored. %1")
+                .arg(done);
     }
     return done;
 }
@@ -75,10 +78,10 @@ Guide breakGuide(const OnBreak& onBreak, const View& view)
     Guide guide{.title = breakTitle(onBreak, view),
                 .lead = breakLead(onBreak, view),
                 .steps = breakSteps(),
-                .action = tr("Go on (Enter)"),
+                .action = tr("Continue (Enter)"),
                 .event = BreakEnded{}};
     if (onBreak.reason == BreakReason::SittingOver) {
-        guide.action = tr("Go on all the same (Enter)");
+        guide.action = tr("Continue anyway (Enter)");
         guide.second = Guide::Second{tr("Stop here for today (Q)"), Qt::Key_Q, GuideAct::Leave};
     }
     return guide;
@@ -87,31 +90,30 @@ Guide breakGuide(const OnBreak& onBreak, const View& view)
 Guide paused()
 {
     return {.title = tr("Paused"),
-            .lead = tr("Every answer so far is stored. The display is off."),
-            .steps = {tr("An interrupted presentation starts again from the tray."),
-                      tr("You may also close the window now; the session goes on from here later.")},
-            .action = tr("Go on with the session (Enter)"),
+            .lead = tr("All answers so far are stored. The display is off."),
+            .steps = {tr("An interrupted presentation starts again with the tray."),
+                      tr("You may close the window now. The session continues here later.")},
+            .action = tr("Continue the session (Enter)"),
             .event = Resumed{}};
 }
 
 Guide laterSitting(const View& view)
 {
     return {.title = tr("Welcome back"),
-            .lead = tr("A new sitting begins; %1 of %2 answers are stored. First the scale is shown once more and the "
-                       "checklist is gone through.")
+            .lead = tr("A new sitting begins. %1 of %2 answers are stored. First repeat the scale and the checklist.")
                         .arg(view.answersStored)
                         .arg(view.answersInAll),
             .steps = {tr("The participant does not wear the mask yet."),
-                      tr("After a short interruption, with everything still in place, you may go on without.")},
+                      tr("After a short interruption you may skip this if everything is still in place.")},
             .action = tr("Prepare this sitting (Enter)"),
             .event = SittingPrepared{},
-            .second = Guide::Second{tr("Go on without (G)"), Qt::Key_G, GuideAct::DeclinePreparation}};
+            .second = Guide::Second{tr("Skip the preparation (G)"), Qt::Key_G, GuideAct::DeclinePreparation}};
 }
 
 Guide finished(const View& view)
 {
     return {.title = tr("The session is complete"),
-            .lead = tr("All %1 answers are stored. Thank you, and thank the participant.").arg(view.answersStored),
+            .lead = tr("All %1 answers are stored. Thank the participant for the time and care.").arg(view.answersStored),
             .steps = {tr("Clean the glass and put the fabrics back in order.")},
             .action = tr("Back to the study (Enter)"),
             .event = {},
@@ -120,13 +122,13 @@ Guide finished(const View& view)
 
 Guide withdrawn(const View& view)
 {
-    return {.title = tr("The participant has withdrawn"),
-            .lead = tr("The session has ended. Answers stored until then: %1. The place is free for somebody else.")
-                        .arg(view.answersStored),
-            .steps = {tr("Thank the participant for coming.")},
-            .action = tr("Back to the study (Enter)"),
-            .event = {},
-            .act = GuideAct::Leave};
+    return {
+        .title = tr("The participant has withdrawn"),
+        .lead = tr("The session has ended. Stored answers: %1. Another participant can take this place.").arg(view.answersStored),
+        .steps = {tr("Thank the participant for coming.")},
+        .action = tr("Back to the study (Enter)"),
+        .event = {},
+        .act = GuideAct::Leave};
 }
 
 struct GuideOfStage {

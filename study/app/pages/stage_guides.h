@@ -1,4 +1,4 @@
-// What the operator is told at each stage that is confirmed and no more.
+// Texts for the operator at every stage that needs only a confirmation.
 #pragma once
 
 #include <QStringList>
@@ -9,10 +9,10 @@
 
 namespace study::app {
 
-/// What a button of a guide does.
+/// Action of a button on a guide page.
 enum class GuideAct { Send, Leave, DeclinePreparation };
 
-/// The words of one guide page.
+/// Texts and actions of one guide page.
 struct Guide {
     struct Second {
         QString text;
@@ -20,16 +20,16 @@ struct Guide {
         GuideAct act = GuideAct::Leave;
     };
     QString title;
-    QString lead;  ///< one sentence under the title
+    QString lead;  ///< shown under the title
     QStringList steps;
-    QString action;            ///< on the button that Enter presses
-    session::EventBody event;  ///< what it sends
+    QString action;            ///< text of the button that Enter presses
+    session::EventBody event;  ///< sent by this button if `act` is Send
     GuideAct act = GuideAct::Send;
-    std::optional<Second> second = {};  ///< another way to go on
+    std::optional<Second> second = {};  ///< second button with its own key
 };
 
-/// Empty for stages that have a page of their own. `isPreparationDue`: a later sitting has begun, and its
-/// refresher and checklist are offered first.
+/// The guide for the stage of `view`; empty for stages that have their own page. `isPreparationDue`: a later sitting has
+/// begun, and its refresher and checklist come first.
 std::optional<Guide> guideFor(const session::View& view, const SessionFacts& facts, bool isPreparationDue);
 
 }  // namespace study::app

@@ -1,4 +1,4 @@
-// What the pages of a running session have in common: they are given a view, show it, and ask for events.
+// Common interface of the pages of a running session: they receive a view, show it and request events.
 #pragma once
 
 #include <QWidget>
@@ -13,20 +13,20 @@ class StagePage : public QWidget {
 public:
     using QWidget::QWidget;
 
-    /// A session starts or goes on in this window.
+    /// Resets the page for a session that starts or continues.
     virtual void begin(const SessionFacts&) {}
-    /// Only of a stage that the page is for.
+    /// Shows `view`, whose stage must belong to this page.
     virtual void present(const session::View& view) = 0;
-    /// Whether the hand writes text there, so that letters are no keys.
+    /// True if the page has a text field, so that letters are text and not commands.
     virtual bool isForWriting() const { return false; }
-    /// A key without modifiers that no control took; true where the page acts on it.
+    /// Handles a key without modifiers that no control used; returns whether it had an effect.
     virtual bool pressKey(int key) = 0;
-    /// The control where the hand starts.
+    /// The control that has the focus at first.
     virtual QWidget& firstFocus() = 0;
 
 Q_SIGNALS:
-    void eventAsked(const study::session::EventBody& event);
-    /// Something to tell the operator without asking the engine; empty: what was told is settled.
+    void eventRequested(const study::session::EventBody& event);
+    /// A hint for the operator that does not come from the engine; empty clears the last hint.
     void hinted(const QString& text);
 };
 

@@ -39,8 +39,8 @@ struct StageStack::PageOfStage {
 
 namespace {
 
-/// Where one types must be in sight, whatever the size of the text.
-void letEntryBeSeen(QScrollArea& area)
+/// Keeps the text field that has the focus visible at every text size.
+void scrollToTextEntry(QScrollArea& area)
 {
     constexpr int marginPx = 28;
     QWidget* focus = QApplication::focusWidget();
@@ -64,8 +64,8 @@ StageStack::StageStack(QWidget* parent)
       m_reason(add<ReasonPanel>("reasonArea"))
 {
     setObjectName("stages");
-    connect(m_correction, &Panel::closeAsked, this, &StageStack::panelCloseAsked);
-    connect(m_reason, &Panel::closeAsked, this, &StageStack::panelCloseAsked);
+    connect(m_correction, &FormPanel::closeRequested, this, &StageStack::panelCloseRequested);
+    connect(m_reason, &FormPanel::closeRequested, this, &StageStack::panelCloseRequested);
 }
 
 template <class Page>
@@ -75,9 +75,9 @@ Page* StageStack::add(const char* areaName)
     m_pages.push_back(page);
     QScrollArea* area = scrolling(areaName, page, this);
     addWidget(area);
-    connect(page, &StagePage::eventAsked, this, &StageStack::eventAsked);
+    connect(page, &StagePage::eventRequested, this, &StageStack::eventRequested);
     connect(page, &StagePage::hinted, this, &StageStack::hinted);
-    connect(area->verticalScrollBar(), &QScrollBar::rangeChanged, area, [area] { letEntryBeSeen(*area); });
+    connect(area->verticalScrollBar(), &QScrollBar::rangeChanged, area, [area] { scrollToTextEntry(*area); });
     return page;
 }
 
@@ -95,7 +95,7 @@ void StageStack::bringForward(StagePage& page)
     setCurrentWidget(&area);
     page.firstFocus().setFocus();
     area.verticalScrollBar()->setValue(0);
-    letEntryBeSeen(area);
+    scrollToTextEntry(area);
 }
 
 bool StageStack::scrollBy(int key)

@@ -1,5 +1,4 @@
-// The pages of a session's stages and the panels that are opened by wish, one of them in front. Which page a stage has
-// is decided here.
+// Stack of the pages of all stages and of the panels that the operator opens. Decides which page belongs to a stage.
 #pragma once
 
 #include <QStackedWidget>
@@ -25,17 +24,17 @@ public:
     ReasonPanel& reason() const { return *m_reason; }
 
     void begin(const SessionFacts& facts);
-    /// The page of the stage itself, whatever else is to be said now.
+    /// The page of `stage`, even while a panel or a guide is in front of it.
     StagePage& pageOf(const session::Stage& stage) const;
-    /// Read from its top, with the hand where it starts; where one types is in sight.
+    /// Shows the page from its top and focuses its first control. Scrolls to that control if it is a text field.
     void bringForward(StagePage& page);
-    /// By the keys that turn pages; false for others.
+    /// Scrolls on Page Up and Page Down; returns false for other keys.
     bool scrollBy(int key);
 
 Q_SIGNALS:
-    void eventAsked(const study::session::EventBody& event);
+    void eventRequested(const study::session::EventBody& event);
     void hinted(const QString& text);
-    void panelCloseAsked();
+    void panelCloseRequested();
 
 private:
     struct PageOfStage;

@@ -20,7 +20,7 @@ StartPage::StartPage(QWidget* parent)
       m_folder(field("studyFolderField", tr("Study folder"), this)),
       m_browse(button("browseStudyButton", tr("Browse…"), this)),
       m_open(mainButton("openButton", tr("Open the study (Enter)"), this)),
-      m_new(button("newStudyButton", tr("Make a new study…"), this)),
+      m_new(button("newStudyButton", tr("Create a new study…"), this)),
       m_data(button("lookAtDataButton", tr("Look at a data set…"), this)),
       m_message(new MessageBar("startMessage", this))
 {
@@ -30,8 +30,8 @@ StartPage::StartPage(QWidget* parent)
     title->setText(tr("Vis2Hap"));
     auto* lead = label("startLead", Type::Lead, page);
     lead->setText(tr("Blinded studies of how rendered fabrics feel."));
-    m_recentCaption->setText(tr("Last used"));
-    name(*m_recent, "recentList", tr("Studies last used"));
+    m_recentCaption->setText(tr("Recent studies"));
+    name(*m_recent, "recentList", tr("Recent studies"));
     setType(*m_recent, Type::Body);
     m_recent->setTextElideMode(Qt::ElideMiddle);
     m_recent->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
@@ -39,7 +39,7 @@ StartPage::StartPage(QWidget* parent)
     m_recent->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     auto* caption = quietLabel("studyFolderCaption", page);
     caption->setText(tr("Study folder"));
-    m_folder->setPlaceholderText(tr("the folder that holds study.db"));
+    m_folder->setPlaceholderText(tr("the folder that contains study.db"));
 
     auto* folderRow = new QHBoxLayout;
     folderRow->setSpacing(10);
@@ -61,7 +61,7 @@ StartPage::StartPage(QWidget* parent)
     column->addSpacing(6);
     column->addWidget(m_message);
     column->addStretch(2);
-    column->addWidget(lookHint(page));
+    column->addWidget(appearanceHint(page));
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
     outer->addWidget(scrolling("startArea", page, this));
@@ -72,8 +72,8 @@ StartPage::StartPage(QWidget* parent)
         if (!folder.isEmpty()) m_folder->setText(folder);
     });
     connect(m_browse, &QPushButton::clicked, this, &StartPage::browse);
-    connect(m_new, &QPushButton::clicked, this, &StartPage::newStudyAsked);
-    connect(m_data, &QPushButton::clicked, this, &StartPage::dataAsked);
+    connect(m_new, &QPushButton::clicked, this, &StartPage::newStudyRequested);
+    connect(m_data, &QPushButton::clicked, this, &StartPage::dataRequested);
 }
 
 void StartPage::present(const QStringList& recentFolders, bool canMakeStudies, bool canLookAtData)
@@ -88,7 +88,7 @@ void StartPage::present(const QStringList& recentFolders, bool canMakeStudies, b
     m_data->setVisible(canLookAtData);
 }
 
-void StartPage::tellFault(const QString& text) { m_message->tellFault(text); }
+void StartPage::showFault(const QString& text) { m_message->showFault(text); }
 
 void StartPage::focusFirst()
 {
@@ -103,10 +103,10 @@ void StartPage::open(const QString& folder)
     m_message->clearMessage();
     if (folder.trimmed().isEmpty()) {
         m_folder->setFocus();
-        m_message->tellHint(tr("Name the study's folder, or browse to it."));
+        m_message->showHint(tr("No folder is given. Type the study folder, or choose it with Browse."));
         return;
     }
-    Q_EMIT openAsked(folder.trimmed());
+    Q_EMIT openRequested(folder.trimmed());
 }
 
 void StartPage::browse()

@@ -1,5 +1,4 @@
-// Where the program begins: open a study folder (one of the last ones, or any), or go on to making a new one
-// or to looking at a data set.
+// First page of the program: opens a study folder, recent or other, or leads to the pages for a new study or a data set.
 #pragma once
 
 #include <QStringList>
@@ -19,15 +18,15 @@ class StartPage : public QWidget {
 public:
     explicit StartPage(QWidget* parent);
 
-    /// Folders, the last used first.
+    /// `recentFolders`: the most recent first.
     void present(const QStringList& recentFolders, bool canMakeStudies, bool canLookAtData);
-    void tellFault(const QString& text);
+    void showFault(const QString& text);
     void focusFirst();
 
 Q_SIGNALS:
-    void openAsked(const QString& folder);
-    void newStudyAsked();
-    void dataAsked();
+    void openRequested(const QString& folder);
+    void newStudyRequested();
+    void dataRequested();
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;

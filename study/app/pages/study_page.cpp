@@ -35,8 +35,8 @@ StudyPage::StudyPage(QWidget* parent)
       m_summary(label("studySummary", Type::Lead, this)),
       m_middle(new QBoxLayout(QBoxLayout::LeftToRight)),
       m_places(new QTreeWidget(this)),
-      m_resume(mainButton("resumeButton", tr("Go on with a session"), this)),
-      m_participant(field("participantField", tr("Name of the next participant"), this)),
+      m_resume(mainButton("resumeButton", tr("Continue a session"), this)),
+      m_participant(field("participantField", tr("Code of the next participant"), this)),
       m_enrol(mainButton("enrolButton", tr("Enrol and begin (Enter)"), this)),
       m_close(plainButton("closeStudyButton", tr("Close the study (Esc)"), this)),
       m_message(new MessageBar("studyMessage", this))
@@ -54,8 +54,9 @@ StudyPage::StudyPage(QWidget* parent)
 
     auto* side = new QVBoxLayout;
     side->setSpacing(14);
-    side->addWidget(card("enrolCard", tr("Next participant"), tr("A code, not a person's name."), {m_participant, m_enrol}));
-    side->addWidget(card("resumeCard", tr("Under way"), tr("Choose a place in the list to go on with it."), {m_resume}));
+    side->addWidget(
+        card("enrolCard", tr("Next participant"), tr("Type a code, not the name of the person."), {m_participant, m_enrol}));
+    side->addWidget(card("resumeCard", tr("Session in progress"), tr("Choose a participant in the list."), {m_resume}));
     side->addStretch(1);
     m_middle->setSpacing(22);
     m_middle->addLayout(side, 2);
@@ -71,7 +72,7 @@ StudyPage::StudyPage(QWidget* parent)
     column->addWidget(m_message);
     auto* bottom = new QHBoxLayout;
     bottom->addWidget(m_close);
-    bottom->addWidget(lookHint(page), 1);
+    bottom->addWidget(appearanceHint(page), 1);
     column->addLayout(bottom);
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
@@ -85,7 +86,7 @@ StudyPage::StudyPage(QWidget* parent)
     connect(m_resume, &QPushButton::clicked, this, &StudyPage::resumeChosen);
     connect(m_places, &QTreeWidget::itemActivated, this, &StudyPage::resumeChosen);
     connect(m_places, &QTreeWidget::currentItemChanged, this, &StudyPage::showChosen);
-    connect(m_close, &QPushButton::clicked, this, &StudyPage::closeAsked);
+    connect(m_close, &QPushButton::clicked, this, &StudyPage::closeRequested);
 }
 
 QFrame* StudyPage::card(const char* objectName, const QString& caption, const QString& hint,
@@ -109,7 +110,7 @@ QFrame* StudyPage::card(const char* objectName, const QString& caption, const QS
 
 void StudyPage::arrange()
 {
-    // Beside each other where both fit, else one below the other.
+    // Side by side if both fit, otherwise one below the other.
     const int side = std::max(m_enrol->sizeHint().width(), m_resume->sizeHint().width()) + 60;
     int list = 40;
     for (int column = 0; column < m_places->columnCount(); ++column)
@@ -141,7 +142,7 @@ void StudyPage::showEvent(QShowEvent* event)
 
 void StudyPage::arrangeSoon()
 {
-    // Queued: the pieces of the page get their font after the page itself.
+    // Queued, because the widgets of the page get their font after the page itself.
     QMetaObject::invokeMethod(this, &StudyPage::arrange, Qt::QueuedConnection);
 }
 
@@ -154,7 +155,7 @@ void StudyPage::present(const StudyOverview& overview, database::ParticipantKind
     m_folder->setText(overview.folder);
     const int free = overview.placesIn(SlotState::Free);
     const int withdrawn = overview.placesIn(SlotState::Withdrawn);
-    const QString counts = tr("Finished %1  ·  under way %2  ·  free %3")
+    const QString counts = tr("Finished %1  ·  in progress %2  ·  free %3")
                                .arg(overview.placesIn(SlotState::Finished))
                                .arg(overview.placesIn(SlotState::Started))
                                .arg(free);
@@ -183,7 +184,7 @@ void StudyPage::showPlaces()
     arrange();
 }
 
-QString StudyPage::stateText(const StudyOverview::Place& place) const
+QString StudyPage::stateText(const StudyOverview::ParticipantPlace& place) const
 {
     QString text;
     switch (place.state) {
@@ -191,7 +192,7 @@ QString StudyPage::stateText(const StudyOverview::Place& place) const
             text = tr("free");
             break;
         case SlotState::Started:
-            text = tr("under way");
+            text = tr("in progress");
             break;
         case SlotState::Finished:
             text = tr("finished");
@@ -211,12 +212,12 @@ QString StudyPage::stateText(const StudyOverview::Place& place) const
     return text;
 }
 
-bool StudyPage::canResume(const StudyOverview::Place& place) const
+bool StudyPage::canResume(const StudyOverview::ParticipantPlace& place) const
 {
     return place.state == SlotState::Started && place.kind == m_kind;
 }
 
-const StudyOverview::Place* StudyPage::chosenPlace() const
+const StudyOverview::ParticipantPlace* StudyPage::chosenPlace() const
 {
     const int row = m_places->indexOfTopLevelItem(m_places->currentItem());
     return row < 0 ? nullptr : &m_overview.places.at(static_cast<std::size_t>(row));
@@ -227,16 +228,16 @@ void StudyPage::showChosen()
     const auto* place = chosenPlace();
     const bool isResumable = place && canResume(*place);
     m_resume->setEnabled(isResumable);
-    setButtonText(*m_resume, isResumable ? tr("Go on with %1").arg(place->participant) : tr("Go on with a session"));
+    setButtonText(*m_resume, isResumable ? tr("Continue with %1").arg(place->participant) : tr("Continue a session"));
 }
 
 void StudyPage::resumeChosen()
 {
     const auto* place = chosenPlace();
     if (place && canResume(*place))
-        Q_EMIT sessionAsked(place->participant);
+        Q_EMIT sessionRequested(place->participant);
     else
-        m_message->tellHint(tr("Choose a place that is under way; only those can be gone on with."));
+        m_message->showHint(tr("Choose a participant whose session has started but is not finished."));
 }
 
 void StudyPage::enrol()
@@ -246,15 +247,16 @@ void StudyPage::enrol()
                                      [&](const auto& place) { return place.participant == participant; });
     m_message->clearMessage();
     if (!isParticipantName(participant))
-        m_message->tellHint(tr("Write a short code of letters and digits, such as %1.").arg(m_overview.nextParticipant));
+        m_message->showHint(
+            tr("This code cannot be used. Type at most 24 letters and digits, such as %1.").arg(m_overview.nextParticipant));
     else if (isTaken)
-        m_message->tellHint(
-            tr("%1 has a place already. Choose it in the list to go on with it, or write another code.").arg(participant));
+        m_message->showHint(tr("%1 is already enrolled. Choose this participant in the list to continue, or type another code.")
+                                .arg(participant));
     else
-        Q_EMIT sessionAsked(participant);
+        Q_EMIT sessionRequested(participant);
 }
 
-void StudyPage::tellFault(const QString& text) { m_message->tellFault(text); }
+void StudyPage::showFault(const QString& text) { m_message->showFault(text); }
 
 void StudyPage::focusFirst()
 {
@@ -270,7 +272,7 @@ void StudyPage::keyPressEvent(QKeyEvent* event)
 {
     auto* pressed = qobject_cast<QPushButton*>(focusWidget());
     if (event->key() == Qt::Key_Escape)
-        Q_EMIT closeAsked();
+        Q_EMIT closeRequested();
     else if (isEnter(event->key()) && pressed)
         pressed->click();
     else if (isEnter(event->key()) && focusWidget() == m_participant)

@@ -1,5 +1,5 @@
-// An open study: who is where, the next participant to enrol, and a session to go on with. Blinded: places,
-// names and counts, nothing of what was shown or answered.
+// Page of an open study: all participants, the next one to enrol, and sessions to continue. Blinded: it shows places, codes
+// and counts, but no stimulus, condition or answer.
 #pragma once
 
 #include <QWidget>
@@ -22,15 +22,15 @@ class StudyPage : public QWidget {
 public:
     explicit StudyPage(QWidget* parent);
 
-    /// `kind`: participants of other kinds cannot be gone on with here.
+    /// `kind`: sessions of participants of other kinds cannot be continued here.
     void present(const StudyOverview& overview, database::ParticipantKind kind);
-    void tellFault(const QString& text);
+    void showFault(const QString& text);
     void focusFirst();
 
 Q_SIGNALS:
-    /// Enrols, or resumes where the participant has started.
-    void sessionAsked(const QString& participant);
-    void closeAsked();
+    /// The operator enrols this participant, or continues the session if there is one.
+    void sessionRequested(const QString& participant);
+    void closeRequested();
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;
@@ -46,9 +46,9 @@ private:
     void enrol();
     void resumeChosen();
     void showChosen();
-    const StudyOverview::Place* chosenPlace() const;
-    bool canResume(const StudyOverview::Place& place) const;
-    QString stateText(const StudyOverview::Place& place) const;
+    const StudyOverview::ParticipantPlace* chosenPlace() const;
+    bool canResume(const StudyOverview::ParticipantPlace& place) const;
+    QString stateText(const StudyOverview::ParticipantPlace& place) const;
 
     StudyOverview m_overview;
     database::ParticipantKind m_kind = database::ParticipantKind::Human;

@@ -39,7 +39,7 @@ TrayPage::TrayPage(QWidget* parent)
     column->addSpacing(10);
     column->addWidget(m_stroke);
     column->addStretch(1);
-    connect(m_ready, &QPushButton::clicked, this, [this] { Q_EMIT eventAsked(session::TrayReady{}); });
+    connect(m_ready, &QPushButton::clicked, this, [this] { Q_EMIT eventRequested(session::TrayReady{}); });
 }
 
 void TrayPage::begin(const SessionFacts& facts)
@@ -60,7 +60,7 @@ void TrayPage::present(const session::View& view)
     bool isAnyNew = false;
     for (std::size_t place = 0; place < view.trayIds.size(); ++place) isAnyNew = isAnyNew || isNew(view, place);
     if (!isAnyNew)
-        m_task->setText(tr("Nothing to change."));
+        m_task->setText(tr("All pieces stay on the tray."));
     else
         m_task->setText(view.tray.size() == 1 ? tr("Put this piece on the tray.") : tr("Put these pieces on the tray."));
 }
@@ -72,10 +72,10 @@ void TrayPage::showCards(const session::View& view)
         const int place = static_cast<int>(m_cards.size()) - 1;
         m_grid->addWidget(m_cards.back(), place / cardsInARow, place % cardsInARow);
     }
-    // Kept for the next tray: making a card takes longer than showing one.
+    // Cards are reused for the next tray, because making a card takes longer than showing one.
     for (std::size_t place = 0; place < m_cards.size(); ++place) {
         const bool isNeeded = place < view.tray.size();
-        if (isNeeded) m_cards[place]->tell(nameOfPiece(view.tray[place]), isNew(view, place), view.tray.size() > 1);
+        if (isNeeded) m_cards[place]->showPiece(nameOfPiece(view.tray[place]), isNew(view, place), view.tray.size() > 1);
         m_cards[place]->setVisible(isNeeded);
     }
 }
@@ -83,7 +83,7 @@ void TrayPage::showCards(const session::View& view)
 bool TrayPage::pressKey(int key)
 {
     if (!isEnter(key)) return false;
-    Q_EMIT eventAsked(session::TrayReady{});
+    Q_EMIT eventRequested(session::TrayReady{});
     return true;
 }
 

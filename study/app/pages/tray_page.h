@@ -1,5 +1,5 @@
-// Which pieces of fabric go where before a presentation: the presentation's code, one card a tray slot, and what has
-// to be changed since the last one marked; and the words to say about stroking.
+// Page before a presentation: its code and one card for each tray slot with the piece of fabric that belongs there. Cards
+// whose piece changed are marked. The page also shows the words to say about stroking.
 #pragma once
 
 #include "study/app/pages/stage_page.h"
@@ -17,7 +17,7 @@ class TrayPage : public StagePage {
 public:
     explicit TrayPage(QWidget* parent);
 
-    /// The tray as it was last confirmed to lie there; empty when nobody knows.
+    /// Sets the pieces that were last confirmed to lie on the tray; empty if unknown.
     void setPlaced(const std::vector<protocols::FabricId>& fabrics) { m_placed = fabrics; }
 
     void begin(const SessionFacts& facts) override;
@@ -33,7 +33,7 @@ private:
     QLabel* m_code;
     QLabel* m_task;
     QGridLayout* m_grid;
-    std::vector<SlotCard*> m_cards;  ///< at least one a slot; those left over are hidden
+    std::vector<SlotCard*> m_cards;  ///< at least one for each slot; unused cards are hidden
     QLabel* m_stroke;
     QPushButton* m_ready;
 };

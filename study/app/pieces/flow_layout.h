@@ -1,5 +1,5 @@
-// Puts widgets in a row and goes on in the next where the row is full, so that bars of buttons stay whole at
-// any text size. Rows are aligned left.
+// Layout that puts widgets in a row and starts a new row when the row is full. Bars of buttons stay complete at every text
+// size. Rows are aligned left.
 #pragma once
 
 #include <QLayout>
@@ -27,7 +27,7 @@ public:
 
 private:
     enum class Placing { Try, Do };
-    /// Height used when the items are laid into `rect`.
+    /// Lays the items out in `rect` and returns the height used. Try only measures.
     int place(const QRect& rect, Placing placing) const;
     void placeRow(const QRect& rect, std::size_t first, std::size_t end, int top, int height) const;
 

@@ -16,7 +16,7 @@ LineForm::LineForm(const char* objectName, QWidget* parent)
 
 void LineForm::setCaptions(const QStringList& captions)
 {
-    emptyOut(*m_grid);
+    clearLayout(*m_grid);
     m_lines.clear();
     m_captions = captions;
     for (const QString& caption : captions) {
@@ -48,7 +48,7 @@ QWidget* LineForm::firstOpen() const
     return m_lines.empty() ? nullptr : m_lines.back();
 }
 
-bool LineForm::goOn()
+bool LineForm::focusNext()
 {
     for (std::size_t i = 0; i + 1 < m_lines.size(); ++i)
         if (m_lines[i]->hasFocus()) {

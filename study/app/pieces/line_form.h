@@ -1,4 +1,4 @@
-// Lines to fill in, each under its caption and each optional: facts about a participant, readings of instruments.
+// Form of optional lines with captions: facts about a participant, readings of instruments.
 #pragma once
 
 #include <QStringList>
@@ -15,18 +15,18 @@ namespace study::app {
 class LineForm : public QWidget {
     Q_OBJECT
 public:
-    /// `objectName`: of the lines, followed by their number from 1.
+    /// `objectName`: prefix of the object names of the lines; the number of the line, from 1, follows.
     LineForm(const char* objectName, QWidget* parent);
 
-    /// Empty lines with these captions, in place of all there were.
+    /// Replaces all lines by empty lines with these captions.
     void setCaptions(const QStringList& captions);
-    /// What was filled in, by caption.
+    /// Text of every filled line, by caption.
     std::map<std::string, std::string> given() const;
 
-    /// The first line that is empty, else the last; none where there are no lines.
+    /// The first empty line, otherwise the last one; null if there are no lines.
     QWidget* firstOpen() const;
-    /// From the line that has the focus to the next; false where there is none.
-    bool goOn();
+    /// Moves the focus from the current line to the next; false if there is no next line.
+    bool focusNext();
 
 private:
     const char* m_objectName;

@@ -12,7 +12,7 @@ namespace study::app {
 
 namespace {
 
-/// The style sheet is asked again where the widget has been styled already.
+/// Sets the property and repeats the styling of a widget that is already styled.
 void setStyledProperty(QWidget& widget, const char* property, const char* value)
 {
     if (widget.property(property).toString() == QLatin1String(value)) return;
@@ -96,11 +96,11 @@ QLineEdit* field(const char* objectName, const QString& accessibleName, QWidget*
     return made;
 }
 
-QLabel* lookHint(QWidget* parent)
+QLabel* appearanceHint(QWidget* parent)
 {
-    QLabel* made = quietLabel("lookHint", parent, Type::Small);
-    made->setText(QCoreApplication::translate("study::app::lookHint",
-                                              "Larger and smaller text: Ctrl + and Ctrl −   ·   dark room: Ctrl D"));
+    QLabel* made = quietLabel("appearanceHint", parent, Type::Small);
+    made->setText(
+        QCoreApplication::translate("study::app::appearanceHint", "Text size: Ctrl + and Ctrl −   ·   dark room: Ctrl D"));
     return made;
 }
 
@@ -124,14 +124,14 @@ QScrollArea* scrolling(const char* objectName, QWidget* page, QWidget* parent)
     area->setWidget(whole);
     area->viewport()->setAutoFillBackground(false);
     whole->setAutoFillBackground(false);
-    // A control that gets the focus below the edge comes into sight.
+    // Scroll to a control that gets the focus outside the visible part.
     QObject::connect(qApp, &QApplication::focusChanged, area, [area](QWidget*, QWidget* now) {
         if (now && area->isVisible() && area->isAncestorOf(now)) area->ensureWidgetVisible(now, 0, marginPx);
     });
     return area;
 }
 
-void emptyOut(QLayout& layout)
+void clearLayout(QLayout& layout)
 {
     while (QLayoutItem* item = layout.takeAt(0)) {
         delete item->widget();
@@ -139,7 +139,7 @@ void emptyOut(QLayout& layout)
     }
 }
 
-void letFollow(const QWidget& controls, std::initializer_list<QWidget*> following)
+void setTabOrderAfter(const QWidget& controls, std::initializer_list<QWidget*> following)
 {
     QWidget* before = nullptr;
     for (QWidget* control : controls.findChildren<QWidget*>())
@@ -172,7 +172,7 @@ PageHead::PageHead(QWidget* parent)
     column->addWidget(m_lead);
 }
 
-void PageHead::tell(const QString& title, const QString& lead)
+void PageHead::setTexts(const QString& title, const QString& lead)
 {
     m_title->setText(title);
     showText(*m_lead, lead);
@@ -193,7 +193,7 @@ void MessageBar::clearMessage()
     hide();
 }
 
-void MessageBar::tell(const char* role, const QString& text)
+void MessageBar::showAs(const char* role, const QString& text)
 {
     setRole(*this, role);
     setText(text);

@@ -1,6 +1,6 @@
-// The few pieces that all pages are made of, so that they look and read alike. Their looks go by the properties
-// "role", "type" and "weight", which the style sheet reads (appearance.h); every piece has an object name, and every
-// control a name for screen readers.
+// Widgets and helper functions shared by all pages, so that the pages look and read alike. Their style depends on the
+// properties "role", "type" and "weight", which the style sheet reads (appearance.h). Every widget has an object name, and
+// every control has a name for screen readers.
 #pragma once
 
 #include <QLabel>
@@ -17,71 +17,70 @@ class FlowLayout;
 
 enum class Weight { Normal, Bold };
 
-/// Gives the widget its size of text; the style sheet follows it at every scale.
+/// Sets the text size of the widget; the style sheet scales it.
 void setType(QWidget& widget, Type type, Weight weight = Weight::Normal);
 
-/// Changes the role and lets the style sheet look again.
+/// Sets the role and applies the style sheet again.
 void setRole(QWidget& widget, const char* role);
 
-/// A wrapped line of text.
+/// Label with word wrap.
 QLabel* label(const char* objectName, Type type, QWidget* parent, Weight weight = Weight::Normal);
 QLabel* quietLabel(const char* objectName, QWidget* parent, Type type = Type::Body);
 
-/// `text` is also the accessible name. Ampersands are shown, not taken as mnemonics.
+/// `text` is also the accessible name. Ampersands are shown and mark no mnemonics.
 QPushButton* button(const char* objectName, const QString& text, QWidget* parent);
 QPushButton* mainButton(const char* objectName, const QString& text, QWidget* parent);
 QPushButton* plainButton(const char* objectName, const QString& text, QWidget* parent);
 void setButtonText(QPushButton& button, const QString& text);
 
-/// Beside each other, or below each other where they do not fit.
+/// Row of buttons that continues below if the window is too narrow.
 FlowLayout* actionsRow(std::initializer_list<QWidget*> actions);
 
 QLineEdit* field(const char* objectName, const QString& accessibleName, QWidget* parent);
 
-/// How text size and theme are changed, for the pages that are not in a hurry.
-QLabel* lookHint(QWidget* parent);
+/// Line that names the keys for text size and theme; for pages where the operator has time to read it.
+QLabel* appearanceHint(QWidget* parent);
 
-/// The page inside an area that scrolls where the text is too large for the window; no wider than is
-/// pleasant to read.
+/// Puts the page into an area that scrolls if the text is too large for the window, and limits its width for easy reading.
 QScrollArea* scrolling(const char* objectName, QWidget* page, QWidget* parent);
 
-/// Deletes what lies in the layout.
-void emptyOut(QLayout& layout);
+/// Deletes all widgets in the layout.
+void clearLayout(QLayout& layout);
 
-/// Tab leads from the last of the controls inside `controls` to these, one after another: for controls that were made
-/// after what stands below them.
-void letFollow(const QWidget& controls, std::initializer_list<QWidget*> following);
+/// Puts `following` after the last control inside `controls` in the tab order. Needed for controls that were made later
+/// than the ones below them.
+void setTabOrderAfter(const QWidget& controls, std::initializer_list<QWidget*> following);
 
-/// Object name and accessible name in one go.
+/// Sets the object name and the accessible name.
 void name(QWidget& widget, const char* objectName, const QString& accessibleName);
 
-/// Shows text that may be empty: hides the label then.
+/// Sets the text, and hides the label if the text is empty.
 void showText(QLabel& label, const QString& text);
 
-/// Title of a page and a sentence below it.
+/// Title of a page with a sentence below it.
 class PageHead : public QWidget {
     Q_OBJECT
 public:
     explicit PageHead(QWidget* parent);
-    void tell(const QString& title, const QString& lead);
+    void setTexts(const QString& title, const QString& lead);
 
 private:
     QLabel* m_title;
     QLabel* m_lead;
 };
 
-/// A message for the operator: that something was done, a hint or refusal, a fault. Empty text is none.
+/// Message for the operator: a confirmation, a hint or refusal, or a fault. Hidden while its text is empty.
 class MessageBar : public QLabel {
     Q_OBJECT
 public:
     explicit MessageBar(const char* objectName, QWidget* parent);
-    void tellDone(const QString& text) { tell("done", text); }
-    void tellHint(const QString& text) { tell("hint", text); }
-    void tellFault(const QString& text) { tell("fault", text); }
+    void showDone(const QString& text) { showAs("done", text); }
+    void showHint(const QString& text) { showAs("hint", text); }
+    void showFault(const QString& text) { showAs("fault", text); }
     void clearMessage();
 
 private:
-    void tell(const char* role, const QString& text);
+    void showAs(const char* role, const QString& text);
 };
 
 }  // namespace study::app

@@ -28,9 +28,10 @@ void QuestionHead::present(const session::View& view)
     m_words->setText(view.question ? tr("“%1”").arg(QString::fromStdString(view.question->text)) : QString());
 }
 
-TouchButton::TouchButton(QWidget* parent) : QWidget(parent), m_button(button("touchButton", tr("First touch (by key T)"), this))
+TouchButton::TouchButton(QWidget* parent)
+    : QWidget(parent), m_button(button("touchButton", tr("Stamp the first touch (T)"), this))
 {
-    setRole(*m_button, "stamp");  // what it tells once it is pressed can be read
+    setRole(*m_button, "stamp");  // keeps the text readable when the button is disabled
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->addWidget(m_button);
@@ -42,10 +43,10 @@ QString TouchButton::textFor(const session::View& view) const
     const auto& presenting = std::get<session::Presenting>(view.state.stage);
     const QString key = std::holds_alternative<WordsForm>(formOf(view)) ? tr("Alt T") : tr("T");
     if (!presenting.touchedAtNs)
-        return m_displayReports ? tr("The display tells the first touch (else key %1)").arg(key)
-                                : tr("First touch (by key %1)").arg(key);
-    return presenting.touchedBy == session::TouchSource::Display ? tr("First touch stamped by the display ✓")
-                                                                 : tr("First touch stamped by key ✓");
+        return m_displayReports ? tr("The display reports the first touch (or press %1)").arg(key)
+                                : tr("Stamp the first touch (%1)").arg(key);
+    return presenting.touchedBy == session::TouchSource::Display ? tr("The display reported the first touch ✓")
+                                                                 : tr("You stamped the first touch ✓");
 }
 
 void TouchButton::present(const session::View& view)

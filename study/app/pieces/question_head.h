@@ -1,5 +1,4 @@
-// The upper part of a question page: which presentation, and what to say to the participant; and the mark of the first
-// touch.
+// Upper part of a question page: the presentation and the question to read aloud. Also the button for the first touch.
 #pragma once
 
 #include <QWidget>
@@ -24,7 +23,7 @@ private:
     QLabel* m_words;
 };
 
-/// The button that stamps the first touch, and by whom it has been stamped.
+/// Button that stamps the first touch and then shows who stamped it.
 class TouchButton : public QWidget {
     Q_OBJECT
 public:

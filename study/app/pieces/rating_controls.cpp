@@ -57,7 +57,7 @@ void RatingControls::setScale(const RatingScale& scale)
 
 void RatingControls::showLabels()
 {
-    emptyOut(*m_labels);
+    clearLayout(*m_labels);
     for (std::size_t step = 0; step < m_scale->labels.size(); ++step) {
         const Tenths rating{m_scale->min.value + static_cast<int>(step) * m_scale->step.value};
         auto* made = label("scaleLabel", Type::Body, this);

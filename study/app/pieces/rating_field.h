@@ -1,4 +1,4 @@
-// The line for a typed rating: takes digits and signs, leaves letters to the page (whose keys they are).
+// Field for a typed rating. It accepts digits and signs and leaves letters to the page, where they are command keys.
 #pragma once
 
 #include <QLineEdit>
@@ -10,7 +10,7 @@ class RatingField : public QLineEdit {
 public:
     RatingField(const char* objectName, const QString& accessibleName, QWidget* parent);
 
-    /// Room for a rating, not for a sentence.
+    /// Wide enough for one rating.
     QSize sizeHint() const override;
 
 protected:

@@ -14,7 +14,7 @@ using protocols::Tenths;
 
 namespace {
 
-/// Where steps have words of their own, they are what the line is divided by.
+/// Number of sections. A scale with words has one section between two neighbouring words.
 int sectionsOf(const protocols::RatingScale& scale)
 {
     return scale.labels.size() > 1 ? static_cast<int>(scale.labels.size()) - 1 : scale.sections;
@@ -69,7 +69,7 @@ QPoint ScaleLine::pointOf(Tenths rating) const
 
 QSize ScaleLine::sizeHint() const
 {
-    ensurePolished();  // the style sheet brings the font
+    ensurePolished();  // the style sheet sets the font
     return {fontMetrics().height() * 18, static_cast<int>(fontMetrics().height() * 2.9)};
 }
 

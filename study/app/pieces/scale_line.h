@@ -1,6 +1,5 @@
-// The line of the Haptic Analog Scale that the participant memorises: equal sections between its two ends, no
-// numbers but theirs. To look at while the scale is learned, perhaps with a mark to put a number to; to click,
-// or move by the arrow keys, while a rating is entered.
+// Line of the Haptic Analog Scale, which the participant memorises: equal sections, and numbers only at its two ends.
+// Use::Show displays the line during scale training, with or without a mark. Use::Pick takes a rating by click or arrow keys.
 #pragma once
 
 #include <QWidget>
@@ -17,10 +16,10 @@ public:
     ScaleLine(Use use, QWidget* parent);
 
     void setScale(const protocols::RatingScale& scale);
-    /// Marks it, without a number.
+    /// Marks the rating on the line, without its number.
     void setRating(std::optional<protocols::Tenths> rating);
     std::optional<protocols::Tenths> rating() const { return m_rating; }
-    /// Where a rating lies on the widget; for tests that click.
+    /// Point of a rating on the widget; for tests that click.
     QPoint pointOf(protocols::Tenths rating) const;
 
     QSize sizeHint() const override;

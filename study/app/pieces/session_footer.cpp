@@ -9,7 +9,7 @@ namespace study::app {
 
 namespace {
 
-/// Answers in words may be long; here they only tell which answer it was.
+/// Shortens a long answer; the footer only identifies the last answer.
 QString inShort(const std::string& answer)
 {
     constexpr int longest = 24;
@@ -40,13 +40,13 @@ SessionFooter::SessionFooter(QWidget* parent)
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(28, 8, 22, 8);
     column->addLayout(row);
-    connect(m_correct, &QPushButton::clicked, this, &SessionFooter::correctionAsked);
-    connect(m_note, &QPushButton::clicked, this, &SessionFooter::noteAsked);
-    connect(m_flag, &QPushButton::clicked, this, &SessionFooter::flagAsked);
-    connect(m_void, &QPushButton::clicked, this, &SessionFooter::voidAsked);
-    connect(m_pause, &QPushButton::clicked, this, &SessionFooter::pauseAsked);
-    connect(m_withdraw, &QPushButton::clicked, this, &SessionFooter::withdrawAsked);
-    connect(m_leave, &QPushButton::clicked, this, &SessionFooter::leaveAsked);
+    connect(m_correct, &QPushButton::clicked, this, &SessionFooter::correctionRequested);
+    connect(m_note, &QPushButton::clicked, this, &SessionFooter::noteRequested);
+    connect(m_flag, &QPushButton::clicked, this, &SessionFooter::flagRequested);
+    connect(m_void, &QPushButton::clicked, this, &SessionFooter::voidRequested);
+    connect(m_pause, &QPushButton::clicked, this, &SessionFooter::pauseRequested);
+    connect(m_withdraw, &QPushButton::clicked, this, &SessionFooter::withdrawRequested);
+    connect(m_leave, &QPushButton::clicked, this, &SessionFooter::leaveRequested);
 }
 
 QPushButton* SessionFooter::add(const char* objectName, const QString& text, int key, const QString& keyName)

@@ -1,4 +1,4 @@
-// The line below every page of a session: the last answer read back, and what can be done at any time.
+// Footer of a session: the last answer, and buttons for the actions that are possible at any time.
 #pragma once
 
 #include <QFrame>
@@ -16,32 +16,32 @@ class SessionFooter : public QFrame {
 public:
     explicit SessionFooter(QWidget* parent);
 
-    /// `canCorrect`: there is an answer that can be corrected.
+    /// `canCorrect`: at least one answer can be corrected.
     void present(const session::View& view, bool canCorrect);
     bool canCorrect() const { return m_canCorrect; }
-    /// Where letters are text, the keys are pressed with Alt, and the buttons say so.
+    /// On pages with a text field the keys need Alt, and the buttons show this.
     void setWriting(bool isWriting);
-    /// While a panel is open nothing else is begun.
+    /// Disables all buttons while a panel is open.
     void setPanelOpen(bool open);
 
-    /// The same buttons by key; true where there is one for it and it can be pressed now.
+    /// Presses the button of this key; returns false if there is none or it is disabled.
     bool pressKey(int key);
 
 Q_SIGNALS:
-    void correctionAsked();
-    void noteAsked();
-    void flagAsked();
-    void voidAsked();
-    void pauseAsked();
-    void withdrawAsked();
-    void leaveAsked();
+    void correctionRequested();
+    void noteRequested();
+    void flagRequested();
+    void voidRequested();
+    void pauseRequested();
+    void withdrawRequested();
+    void leaveRequested();
 
 private:
     struct Key {
         int key = 0;
         QString name;  ///< "L"
         QPushButton* button = nullptr;
-        QString text;  ///< of the button, without the key
+        QString text;  ///< text of the button without the key
     };
     QPushButton* add(const char* objectName, const QString& text, int key, const QString& keyName);
     void enable();

@@ -60,9 +60,10 @@ void SessionHeader::present(const session::View& view)
     showText(*m_timeLeft, isBetween ? QString() : tr("About %1 min left").arg(minutes));
     showText(*m_sitting, isOver
                              ? QString()
-                             : tr("This sitting %1 of %2 min").arg(static_cast<int>(view.sittingMinutes)).arg(m_sittingMinutes));
-    showText(*m_nextBreak,
-             isBetween || view.presentationsToBreak <= 0 ? QString() : tr("Next break in %1").arg(view.presentationsToBreak));
+                             : tr("This sitting: %1 of %2 min").arg(static_cast<int>(view.sittingMinutes)).arg(m_sittingMinutes));
+    showText(*m_nextBreak, isBetween || view.presentationsToBreak <= 0
+                               ? QString()
+                               : tr("Presentations to next break: %1").arg(view.presentationsToBreak));
     m_bar->setRange(0, std::max(1, view.answersInAll));
     m_bar->setValue(std::min(view.answersStored, view.answersInAll));
 }

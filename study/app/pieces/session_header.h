@@ -1,4 +1,4 @@
-// The line above every page of a session: who, which part, how far, how long still and already, when the next break is.
+// Header of a session: participant, phase, progress, time left, duration of this sitting, and next break.
 #pragma once
 
 #include <QFrame>

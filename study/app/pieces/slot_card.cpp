@@ -28,7 +28,7 @@ SlotCard::SlotCard(const QString& letter, QWidget* parent)
     column->addStretch(1);
 }
 
-void SlotCard::tell(const QString& piece, bool isNew, bool hasLetter)
+void SlotCard::showPiece(const QString& piece, bool isNew, bool hasLetter)
 {
     setRole(*this, isNew ? "card-new" : "card");
     setRole(*m_tag, isNew ? "tag-new" : "tag");

@@ -1,4 +1,4 @@
-// The card of one tray slot: its letter, the piece that belongs there, and whether the hand has to put it there.
+// Card of one tray slot: its letter, the piece of fabric that belongs there, and whether the operator must put it there now.
 #pragma once
 
 #include <QFrame>
@@ -12,8 +12,8 @@ class SlotCard : public QFrame {
 public:
     SlotCard(const QString& letter, QWidget* parent);
 
-    /// `hasLetter`: not where the tray has one slot only.
-    void tell(const QString& piece, bool isNew, bool hasLetter);
+    /// `hasLetter`: false if the tray has only one slot.
+    void showPiece(const QString& piece, bool isNew, bool hasLetter);
 
 private:
     QLabel* m_letter;

@@ -13,7 +13,7 @@ StepList::StepList(QWidget* parent) : QWidget(parent)
     column->setSpacing(8);
 }
 
-void StepList::tell(const QStringList& steps)
+void StepList::setSteps(const QStringList& steps)
 {
     while (static_cast<qsizetype>(m_steps.size()) < steps.size()) {
         m_steps.push_back(label(qPrintable(QStringLiteral("step%1").arg(m_steps.size() + 1)), Type::Body, this));

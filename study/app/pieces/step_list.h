@@ -1,4 +1,4 @@
-// Numbered steps of what to do, one below the other; a single step has no number.
+// List of numbered steps for the operator. A single step has no number.
 #pragma once
 
 #include <QStringList>
@@ -14,10 +14,10 @@ class StepList : public QWidget {
 public:
     explicit StepList(QWidget* parent);
 
-    void tell(const QStringList& steps);
+    void setSteps(const QStringList& steps);
 
 private:
-    std::vector<QLabel*> m_steps;  ///< those left over are hidden
+    std::vector<QLabel*> m_steps;  ///< unused labels are hidden
 };
 
 }  // namespace study::app

@@ -1,4 +1,4 @@
-// A box to tick that grows with the text and can be seen in both themes; its text stands beside it as a label.
+// Check box that grows with the text and is visible in both themes. Its text is a label beside it.
 #pragma once
 
 #include <QCheckBox>

@@ -1,4 +1,4 @@
-// Free text of a few lines: Enter is left to the page, Shift and Enter begin a new line, Tab goes on.
+// Text field of a few lines. The page handles Enter; Shift and Enter begin a new line; Tab moves to the next control.
 #pragma once
 
 #include <QPlainTextEdit>
@@ -10,7 +10,7 @@ class WordsField : public QPlainTextEdit {
 public:
     WordsField(const char* objectName, const QString& accessibleName, QWidget* parent);
 
-    /// As written; empty where it is nothing but spaces.
+    /// The text as typed; empty if it contains only spaces.
     QString words() const;
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;

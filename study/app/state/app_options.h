@@ -1,5 +1,5 @@
-// What the window needs from outside, as a value: which study, which display, whose clock, where
-// settings are kept and how a new study is made. main and tests put it together; nothing here is global.
+// Everything that the window needs from outside, as one value: study, display, clock, settings, and the function that makes
+// a study. main and the tests fill it; nothing is global.
 #pragma once
 
 #include <QSettings>
@@ -19,34 +19,34 @@
 
 namespace study::app {
 
-/// What the form for a new study was filled with.
+/// Input of the form for a new study.
 struct NewStudyRequest {
     std::filesystem::path study;  ///< a folder that does not exist yet
     std::filesystem::path dataset;
-    std::optional<std::filesystem::path> protocol;  ///< none: the paper's study
-    std::optional<int> participants;                ///< none: as the protocol says
+    std::optional<std::filesystem::path> protocol;  ///< none: the study of the paper
+    std::optional<int> participants;                ///< none: the number in the protocol
     std::uint64_t seed = 1;
     bool operator==(const NewStudyRequest&) const = default;
 };
 
-/// How far the making is, 0..1, and what is being done. Throws to stop the work when the experimenter
-/// asks for that, so the maker must leave nothing half-made when an exception passes through it.
+/// Reports the share done (0..1) and the current step. It throws to stop the work when the experimenter asks for it, so the
+/// maker must leave no half-made study behind when an exception passes.
 using MakingProgress = std::function<void(double fraction, const std::string& what)>;
 
-/// Makes the study or throws protocols::Error. Called off the GUI thread.
+/// Makes the study or throws protocols::Error. Called on a worker thread.
 using MakeStudy = std::function<void(const NewStudyRequest&, const MakingProgress&)>;
 
 using OpenDisplay = std::function<std::unique_ptr<rendering::HapticDisplay>(const std::string& specification)>;
 
 struct AppOptions {
     std::optional<std::filesystem::path> study;  ///< opened at the start
-    std::string display = "none";                ///< specification for `openDisplay`
+    std::string display = "none";                ///< argument of `openDisplay`
     OpenDisplay openDisplay = app::openDisplay;
-    MakeStudy makeStudy;                    ///< empty: the window makes no studies
-    std::shared_ptr<session::Clock> clock;  ///< empty: the system's
-    std::shared_ptr<QSettings> settings;    ///< recent studies and looks; empty: nothing is remembered
-    LookAtData lookAtData;                  ///< empty: the window shows no data sets
-    ReadFlags readFlags;                    ///< for the monitor; empty: it shows no flags
+    MakeStudy makeStudy;                    ///< empty: the window offers no new study
+    std::shared_ptr<session::Clock> clock;  ///< empty: the system's clock
+    std::shared_ptr<QSettings> settings;    ///< recent studies and appearance; empty: nothing is stored
+    LookAtData lookAtData;                  ///< empty: the window offers no data sets
+    ReadFlags readFlags;                    ///< for the monitor; empty: no flags are shown
     database::ParticipantKind kind = database::ParticipantKind::Human;
 };
 

@@ -101,7 +101,7 @@ double factorOf(Type type) { return rowOf(type).factor; }
 
 QString styleSheetOf(const Colours& c, double basePoints)
 {
-    // Pieces are styled by their property "role" (pieces.h); %1.. are the colours in the order below.
+    // The property "role" of a widget (pieces.h) selects its style. %1, %2, … are the colours in the order of `inOrder`.
     const QString sheet = QStringLiteral(R"(
 QLabel[role="quiet"] { color: %4; }
 QFrame[role="card"] { background: %2; border: 1px solid %5; border-radius: 10px; }

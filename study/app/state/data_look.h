@@ -1,5 +1,5 @@
-// What the page for looking at a data set shows, and the functions that get it, as values: this window opens no signal
-// itself. main and tests put them together.
+// Contents of the page that shows a data set, and the functions that supply them, as values. The window itself opens no
+// signal file. main and the tests assemble the functions.
 #pragma once
 
 #include <QImage>
@@ -17,10 +17,10 @@ struct DataOverview {
     struct Fabric {
         QString id, name, structure;
         int photographs = 0, frames = 0, heights = 0, strokes = 0;
-        int samples = 0;  ///< the most of any signal
+        int samples = 0;  ///< number of samples of the signal that has most
     };
     QString name;
-    QString about;  ///< pairing, scale, strokes, licence: a line
+    QString about;  ///< one line: pairing, scale, strokes, licence
     std::vector<Fabric> fabrics;
 };
 
@@ -29,22 +29,23 @@ struct DataSheetRequest {
     QString fabric;
     int sample = 0;  ///< from 0
     Theme theme = Theme::Light;
-    int widthPx = 900;   ///< to fill
-    double fontPx = 15;  ///< of plain text
+    int widthPx = 900;   ///< width of the picture, px
+    double fontPx = 15;  ///< size of plain text, px
     double pixelRatio = 1;
 };
 
 struct DataSheet {
-    QImage picture;       ///< empty where no signal could be read
-    QString description;  ///< its figures in words
-    QStringList faults;   ///< what could not be read
+    QImage picture;       ///< empty if no signal could be read
+    QString description;  ///< the numbers of the picture as text
+    QStringList faults;   ///< signals that could not be read, with the reason
 };
 
-/// Each throws protocols::Error, may be called on any thread, and refuses what belongs to an open study.
+/// Functions that read a data set. Each throws protocols::Error and may be called on any thread. Each refuses files that
+/// belong to an open study.
 struct LookAtData {
     std::function<DataOverview(const std::filesystem::path& folder)> open;
     std::function<DataSheet(const DataSheetRequest&)> draw;
-    /// Every fault of the files, with its file. `progress` hears the share done, and throws to stop.
+    /// Lists every fault of the files, each with its file. `progress` receives the share done (0..1) and throws to stop.
     std::function<QStringList(const std::filesystem::path& folder, const std::function<void(double)>& progress)> check;
 
     explicit operator bool() const { return open && draw && check; }

@@ -16,34 +16,34 @@ using namespace session;
 
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("study::app::Monitor", text); }
+QString monitorTr(const char* text) { return QCoreApplication::translate("study::app::Monitor", text); }
 
 struct StageText {
     const Plan& plan;
-    QString operator()(const Enrolled&) const { return tr("welcome"); }
-    QString operator()(const Consenting&) const { return tr("consent"); }
-    QString operator()(const AskingFacts&) const { return tr("facts"); }
-    QString operator()(const Familiarising&) const { return tr("familiarisation"); }
-    QString operator()(const ScaleTraining&) const { return tr("scale"); }
-    QString operator()(const CheckingList&) const { return tr("checklist"); }
-    QString operator()(const PlacingTray&) const { return tr("tray"); }
+    QString operator()(const Enrolled&) const { return monitorTr("welcome"); }
+    QString operator()(const Consenting&) const { return monitorTr("consent"); }
+    QString operator()(const AskingFacts&) const { return monitorTr("facts"); }
+    QString operator()(const Familiarising&) const { return monitorTr("familiarisation"); }
+    QString operator()(const ScaleTraining&) const { return monitorTr("scale"); }
+    QString operator()(const CheckingList&) const { return monitorTr("checklist"); }
+    QString operator()(const PlacingTray&) const { return monitorTr("tray"); }
     QString operator()(const Presenting& asked) const
     {
-        return tr("question %1").arg(QString::fromStdString(questionOf(plan, asked.index, asked.question).id.value));
+        return monitorTr("question %1").arg(QString::fromStdString(questionOf(plan, asked.index, asked.question).id.value));
     }
-    QString operator()(const OnBreak&) const { return tr("break"); }
-    QString operator()(const Debriefing&) const { return tr("debriefing"); }
-    QString operator()(const Finished&) const { return tr("finished"); }
-    QString operator()(const Withdrawn&) const { return tr("withdrawn"); }
+    QString operator()(const OnBreak&) const { return monitorTr("break"); }
+    QString operator()(const Debriefing&) const { return monitorTr("debriefing"); }
+    QString operator()(const Finished&) const { return monitorTr("finished"); }
+    QString operator()(const Withdrawn&) const { return monitorTr("withdrawn"); }
 };
 
 QString stageText(const Plan& plan, const State& state)
 {
     const QString stage = std::visit(StageText{plan}, state.stage);
-    return state.paused ? tr("paused (%1)").arg(stage) : stage;
+    return state.paused ? monitorTr("paused (%1)").arg(stage) : stage;
 }
 
-/// Where the log leads, as far as this version can follow it.
+/// State after all events of the log. Events that this version refuses are skipped.
 State stateAfter(const Plan& plan, const std::vector<database::EventRecord>& log)
 {
     State state;
@@ -80,15 +80,15 @@ bool isErased(const database::StudyStore& store, const protocols::ParticipantId&
     });
 }
 
-MonitorOverview::Row rowOf(const database::StudyStore& store, const database::Enrolment& one, const std::string& now)
+MonitorOverview::ParticipantRow rowOf(const database::StudyStore& store, const database::Enrolment& one, const std::string& now)
 {
-    MonitorOverview::Row row;
+    MonitorOverview::ParticipantRow row;
     row.place = one.slot;
     row.state = one.state;
     row.kind = one.kind;
     row.participant = QString::fromStdString(one.participant.value);
     if (isErased(store, one.participant)) {
-        row.stage = tr("erased");
+        row.stage = monitorTr("erased");
         return row;
     }
     const Plan plan = readPlan(store, one.participant);
@@ -122,7 +122,7 @@ MonitorOverview monitorOverview(const database::StudyStore& store, const std::st
         if (slot.state == database::SlotState::Free) seen.rows.push_back({.place = slot.number});
         seen.answersInAll += protocol.answersPerParticipant();
     }
-    for (const MonitorOverview::Row& row : seen.rows)
+    for (const MonitorOverview::ParticipantRow& row : seen.rows)
         if (row.state != database::SlotState::Withdrawn) seen.answers += row.answers;
     return seen;
 }

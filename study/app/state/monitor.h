@@ -1,5 +1,5 @@
-// How a study stands while it runs, for its principal investigator: who is where, which cells are missing, and flags.
-// Blinded: places, stages and counts, nothing of what was shown or answered, and no running scores. Reads only.
+// Progress of a running study, for its principal investigator: the stage of every participant, missing cells, and flags.
+// Blinded: it contains places, stages and counts, but no stimuli, answers or scores. It only reads the study.
 #pragma once
 
 #include <QString>
@@ -12,40 +12,42 @@
 
 namespace study::app {
 
-/// A finished verdict on a participant's data, or on the study's.
+/// Data-quality flag on a participant or on the whole study.
 struct MonitorFlag {
-    std::string participant;  ///< empty: of the whole study
+    std::string participant;  ///< empty: the flag concerns the whole study
     std::string flag;         ///< "too_fast"
-    std::string why;          ///< a sentence, with what the flag does not show
+    std::string why;          ///< a sentence with the reason and the limits of the flag
     bool operator==(const MonitorFlag&) const = default;
 };
 
-/// Assembled where reports may be read. Called off the GUI thread; throws protocols::Error.
+/// Reads the flags of a study. Called on a worker thread; throws protocols::Error. main supplies it, because this folder
+/// does not include the reports.
 using ReadFlags = std::function<std::vector<MonitorFlag>(const database::StudyStore&)>;
 
 struct MonitorOverview {
-    struct Row {
+    struct ParticipantRow {
         int place = 0;
         database::SlotState state = database::SlotState::Free;
         database::ParticipantKind kind = database::ParticipantKind::Human;
-        QString participant = {};  ///< empty while the place is free
+        QString participant = {};  ///< empty if the place is free
         QString stage = {};        ///< "question Q2", "break", "paused (tray)"
         int presentation = 0, presentations = 0;
-        int answers = 0, answersInAll = 0;  ///< valid ones; of a whole session, voided presentations given again
-        int missing = 0;                    ///< cells passed without a valid answer: voided, and not yet presented again
-        int voided = 0;                     ///< presentations
+        int answers = 0;       ///< valid answers
+        int answersInAll = 0;  ///< answers of a complete session
+        int missing = 0;       ///< answers to voided presentations that have not been repeated yet
+        int voided = 0;        ///< number of voided presentations
         std::optional<double> minutesSinceEvent = {};
-        bool operator==(const Row&) const = default;
+        bool operator==(const ParticipantRow&) const = default;
     };
     QString study;
     bool isBlinded = true;
-    std::vector<Row> rows;  ///< by place; one who withdrew before the one who took the place over
-    int answers = 0;        ///< valid, of those who did not withdraw
-    int answersInAll = 0;   ///< of the whole study
+    std::vector<ParticipantRow> rows;  ///< by place; a participant who withdrew stands before the one who took over the place
+    int answers = 0;                   ///< valid answers, without participants who withdrew
+    int answersInAll = 0;              ///< answers of the complete study
     bool operator==(const MonitorOverview&) const = default;
 };
 
-/// `now`: wall time, ISO 8601. Throws as StudyStore does.
+/// Reads the overview. `now`: wall time, ISO 8601. Throws the errors of StudyStore.
 MonitorOverview monitorOverview(const database::StudyStore& store, const std::string& now);
 
 }  // namespace study::app

@@ -23,7 +23,8 @@ QString OpenStudy::name() const { return QString::fromStdString(m_facts.name); }
 
 int StudyOverview::placesIn(database::SlotState state) const
 {
-    return static_cast<int>(std::count_if(places.begin(), places.end(), [state](const Place& p) { return p.state == state; }));
+    return static_cast<int>(
+        std::count_if(places.begin(), places.end(), [state](const ParticipantPlace& p) { return p.state == state; }));
 }
 
 StudyOverview OpenStudy::overview() const
@@ -53,8 +54,8 @@ QString OpenStudy::protocolFault() const
         session::requireKeptProtocol(m_store);
         return {};
     } catch (const protocols::Error& fault) {
-        // Both ways out write to the study, which this window holds.
-        return QCoreApplication::translate("study::app::OpenStudy", "%1. Close the study here first (Esc).")
+        // Both remedies write to the study, which this window keeps locked.
+        return QCoreApplication::translate("study::app::OpenStudy", "%1. First close the study in this window (Esc).")
             .arg(QString::fromUtf8(fault.what()));
     }
 }

@@ -1,5 +1,5 @@
-// A study that is open for writing: its store with the lock, its protocol and its stimuli; and the
-// blinded overview that the study page shows.
+// A study that is open for writing: its locked store, its protocol and its stimuli. Also the blinded overview that the study
+// page shows.
 #pragma once
 
 #include <QString>
@@ -12,21 +12,22 @@
 
 namespace study::app {
 
-/// Who is where; carries no condition, no file code and no score.
+/// Progress of all participants. Contains no condition, no file code and no score.
 struct StudyOverview {
-    /// A place; one whose participant withdrew stands for itself, and the place that it freed follows.
-    struct Place {
+    /// A place of the study and its participant. A participant who withdrew keeps an entry of their own; the freed place
+    /// follows as another entry.
+    struct ParticipantPlace {
         int number = 0;
         database::SlotState state = database::SlotState::Free;
-        QString participant;  ///< empty while free
+        QString participant;  ///< empty if the place is free
         database::ParticipantKind kind = database::ParticipantKind::Human;
-        int answers = 0;  ///< stored and not voided
-        bool operator==(const Place&) const = default;
+        int answers = 0;  ///< stored answers that are not voided
+        bool operator==(const ParticipantPlace&) const = default;
     };
     QString name;
     QString folder;
-    std::vector<Place> places;
-    int answersInAll = 0;  ///< of one whole session
+    std::vector<ParticipantPlace> places;
+    int answersInAll = 0;  ///< answers of one complete session
     QString nextParticipant;
     bool operator==(const StudyOverview&) const = default;
 
@@ -35,7 +36,7 @@ struct StudyOverview {
 
 class OpenStudy {
 public:
-    /// Throws as database::StudyStore does, and badInput where the kept protocol cannot be read.
+    /// Throws the errors of database::StudyStore, and badInput if the stored protocol cannot be read.
     explicit OpenStudy(const std::filesystem::path& folder);
 
     database::StudyStore& store() { return m_store; }
@@ -43,7 +44,7 @@ public:
     const protocols::Protocol& protocol() const { return m_protocol; }
     QString name() const;
     StudyOverview overview() const;
-    /// Why no session can be held: protocol.json was changed. Says what to do; empty where all is well.
+    /// Message if protocol.json was changed, so that no session can run, with the next step; otherwise empty.
     QString protocolFault() const;
 
 private:

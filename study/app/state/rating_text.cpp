@@ -15,9 +15,9 @@ using protocols::Tenths;
 
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("study::app::ratingFromText", text); }
+QString ratingTr(const char* text) { return QCoreApplication::translate("study::app::ratingFromText", text); }
 
-/// Digits alone; empty for anything else or for numbers too long to be a rating.
+/// Value of a text of digits; empty for other texts and for numbers too long for a rating.
 std::optional<int> digits(const std::string& text)
 {
     int value = 0;
@@ -26,7 +26,7 @@ std::optional<int> digits(const std::string& text)
     return isWhole && text.size() <= 6 ? std::optional(value) : std::nullopt;
 }
 
-/// Tenths of a plain decimal number; empty where it is none or has more than one decimal.
+/// Tenths of a plain decimal number; empty if the text is not such a number or has more than one decimal.
 std::optional<int> tenths(std::string text)
 {
     const bool isNegative = text.starts_with('-');
@@ -44,16 +44,18 @@ std::optional<int> tenths(std::string text)
 std::variant<Tenths, NoRating> ratingFromText(const QString& typed, const RatingScale& scale)
 {
     const QString plain = typed.trimmed().replace(QLatin1Char(','), QLatin1Char('.'));
-    if (plain.isEmpty()) return NoRating{tr("Type the number that the participant says.")};
+    if (plain.isEmpty()) return NoRating{ratingTr("Type the number that the participant says.")};
     const auto value = tenths(plain.toStdString());
     if (!value)
-        return NoRating{tr("“%1” is not a rating: type a number with at most one decimal, such as 5.4.").arg(typed.trimmed())};
+        return NoRating{
+            ratingTr("“%1” is not a rating. Type a number with at most one decimal, such as 5.4.").arg(typed.trimmed())};
     const Tenths rating{*value};
     if (rating < scale.min || rating > scale.max)
-        return NoRating{tr("%1 is outside the scale: ratings go from %2 to %3. Ask the participant again.")
+        return NoRating{ratingTr("%1 is outside the scale. Ratings go from %2 to %3. Ask the participant again.")
                             .arg(textOf(rating), textOf(scale.min), textOf(scale.max))};
     if (!scale.holds(rating))
-        return NoRating{tr("%1 is between two steps: ratings go in steps of %2.").arg(textOf(rating), textOf(scale.step))};
+        return NoRating{ratingTr("%1 is between two steps of the scale. Ratings go in steps of %2. Ask the participant again.")
+                            .arg(textOf(rating), textOf(scale.step))};
     return rating;
 }
 
@@ -77,9 +79,9 @@ QString rangeText(const RatingScale& scale)
 {
     const QString from = textOf(scale.min), to = textOf(scale.max);
     const int wholePoint = 10;
-    if (scale.step.value == 1) return tr("from %1 to %2, one decimal").arg(from, to);
-    if (scale.step.value == wholePoint) return tr("from %1 to %2, whole numbers").arg(from, to);
-    return tr("from %1 to %2 in steps of %3").arg(from, to, textOf(scale.step));
+    if (scale.step.value == 1) return ratingTr("from %1 to %2, one decimal").arg(from, to);
+    if (scale.step.value == wholePoint) return ratingTr("from %1 to %2, whole numbers").arg(from, to);
+    return ratingTr("from %1 to %2 in steps of %3").arg(from, to, textOf(scale.step));
 }
 
 Tenths ratingAt(double fraction, const RatingScale& scale)

@@ -1,5 +1,4 @@
-// A rating as it is spoken and typed: a number with at most one decimal, with point or comma, whatever the
-// computer's locale is.
+// Ratings as spoken and typed: a number with at most one decimal, with point or comma. Independent of the computer's locale.
 #pragma once
 
 #include <QString>
@@ -9,24 +8,24 @@
 
 namespace study::app {
 
-/// Why typed text is no rating, as a sentence for the operator.
+/// Sentence for the operator: the reason why the typed text is not a rating.
 struct NoRating {
     QString why;
 };
 
-/// "5", "5.4", "5,4" -> tenths on the scale; else the reason.
+/// Rating of a typed text such as "5", "5.4" or "5,4", in tenths; or the reason why it is none on this scale.
 std::variant<protocols::Tenths, NoRating> ratingFromText(const QString& typed, const protocols::RatingScale& scale);
 
-/// "5.4", "10", always with a point; whole numbers without a decimal.
+/// Text of a rating, such as "5.4" or "10": always with a point, whole numbers without a decimal.
 QString textOf(protocols::Tenths rating);
 
-/// "5, agree" where the scale has words for its steps, else as textOf.
+/// Text of a rating with its word, such as "5, agree", if the scale has words for its steps; otherwise textOf(rating).
 QString wordedText(protocols::Tenths rating, const protocols::RatingScale& scale);
 
-/// "from 0 to 10, one decimal"
+/// Description of the allowed numbers, such as "from 0 to 10, one decimal".
 QString rangeText(const protocols::RatingScale& scale);
 
-/// The rating of the scale's step that lies nearest to `fraction` (0..1) of the line.
+/// The rating nearest to `fraction` (0..1) of the scale line.
 protocols::Tenths ratingAt(double fraction, const protocols::RatingScale& scale);
 
 }  // namespace study::app

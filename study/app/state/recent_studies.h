@@ -1,5 +1,5 @@
-// What the window remembers between runs: the studies last used and how it looks. Without settings nothing
-// is remembered and nothing fails.
+// Settings that the window stores between runs: recent studies and appearance. Without settings nothing is stored and
+// nothing fails.
 #pragma once
 
 #include <QSettings>
@@ -9,11 +9,11 @@
 
 namespace study::app {
 
-/// The last used first; folders that are gone are left out.
+/// Recent study folders that still exist, the latest first.
 QStringList recentStudies(const QSettings* settings);
 void rememberStudy(QSettings* settings, const QString& folder);
 
-/// Where nothing is remembered: the theme of the system and text at 100 percent.
+/// The stored appearance; by default the theme of the system and text at 100 %.
 Appearance rememberedAppearance(const QSettings* settings);
 void rememberAppearance(QSettings* settings, const Appearance& appearance);
 

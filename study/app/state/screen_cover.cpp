@@ -13,14 +13,14 @@ namespace {
 
 constexpr std::string_view coverKind = "cover:";
 
-/// "folder:DIR,cover:1" -> "folder:DIR" and "1"; no number where no screen is to be covered. A folder's name may hold
-/// commas: only the last part counts.
-struct Specification {
-    std::string felt;
+/// Parts of a specification: "folder:DIR,cover:1" gives "folder:DIR" and "1". Without a cover there is no number. Only the
+/// last part can be a cover, because the name of a folder may contain commas.
+struct CoverSpecification {
+    std::string wrapped;
     std::optional<std::string> screen;
 };
 
-Specification partsOf(const std::string& text)
+CoverSpecification partsOf(const std::string& text)
 {
     if (text.starts_with(coverKind)) return {"none", text.substr(coverKind.size())};
     const auto place = text.rfind("," + std::string(coverKind));
@@ -40,8 +40,8 @@ QScreen& screenNumbered(const std::string& number, const std::string& specificat
     throw protocols::badInput(
         {.what = isThere ? "covering the only screen would hide the console" : "there is no screen " + number + " to cover",
          .where = "display '" + specification + "'",
-         .expected = "a screen beside the console's; this computer has " + count + ", counted from 0",
-         .nextStep = "connect the display's screen, or leave \"cover\" out and stamp touches by key T"});
+         .expected = "a screen other than the console's (screens of this computer: " + count + ", numbered from 0)",
+         .nextStep = "connect the screen of the display, or leave \"cover\" out and stamp touches with the key T"});
 }
 
 }  // namespace
@@ -54,14 +54,14 @@ public:
         setObjectName("screenCover");
         setAccessibleName(QCoreApplication::translate("study::app::ScreenCover", "Cover of the haptic display"));
         setAttribute(Qt::WA_AcceptTouchEvents);
-        setAttribute(Qt::WA_ShowWithoutActivating);  // the keys stay the console's
+        setAttribute(Qt::WA_ShowWithoutActivating);  // the console keeps the keyboard
         setAttribute(Qt::WA_QuitOnClose, false);
         setAttribute(Qt::WA_StyledBackground);
         setStyleSheet(QStringLiteral("#screenCover { background: black; }"));
         setCursor(Qt::BlankCursor);
         setScreen(&screen);
         setGeometry(screen.geometry());
-        // A window of a screen that is unplugged would come to lie over the console.
+        // Qt moves the window of an unplugged screen to another screen, where it would cover the console.
         connect(qApp, &QGuiApplication::screenRemoved, this, [this, covered = &screen](const QScreen* removed) {
             isScreenGone = isScreenGone || removed == covered;
             setVisible(!isScreenGone);
@@ -78,14 +78,14 @@ protected:
         const bool isTouch = event->type() == QEvent::TouchBegin || event->type() == QEvent::MouseButtonPress ||
                              event->type() == QEvent::MouseButtonDblClick;
         if (!isTouch) return QWidget::event(event);
-        event->accept();  // else the system would make a mouse press of a finger's touch
+        event->accept();  // otherwise the touch arrives a second time as a mouse press
         if (touched) touched({});
         return true;
     }
 };
 
-ScreenCover::ScreenCover(std::unique_ptr<rendering::HapticDisplay> felt, QScreen& screen)
-    : m_felt(std::move(felt)), m_window(std::make_unique<Window>(screen))
+ScreenCover::ScreenCover(std::unique_ptr<rendering::HapticDisplay> wrapped, QScreen& screen)
+    : m_wrapped(std::move(wrapped)), m_window(std::make_unique<Window>(screen))
 {
 }
 
@@ -94,27 +94,27 @@ ScreenCover::~ScreenCover() = default;
 void ScreenCover::show(const cv::Mat& frictionImage)
 {
     if (m_window->isScreenGone)
-        throw protocols::workFailed({.what = "the screen of the display is gone",
+        throw protocols::workFailed({.what = "the screen of the display was disconnected",
                                      .where = name(),
-                                     .expected = "it to stay connected",
-                                     .nextStep = "connect it, stop with Q and open the session again"});
-    m_felt->show(frictionImage);
+                                     .expected = "a connected screen during the whole session",
+                                     .nextStep = "connect the screen, press Q to stop, and open the session again"});
+    m_wrapped->show(frictionImage);
 }
 
-std::string ScreenCover::name() const { return m_felt->name() + " under a covered screen"; }
+std::string ScreenCover::name() const { return m_wrapped->name() + " under a covered screen"; }
 
 void ScreenCover::onTouched(std::function<void(const rendering::Touch&)> touched)
 {
-    m_felt->onTouched(touched);
+    m_wrapped->onTouched(touched);
     m_window->touched = std::move(touched);
 }
 
 std::unique_ptr<rendering::HapticDisplay> openDisplay(const std::string& specification)
 {
-    const Specification parts = partsOf(specification);
-    if (!parts.screen) return rendering::openDisplay(parts.felt);
+    const CoverSpecification parts = partsOf(specification);
+    if (!parts.screen) return rendering::openDisplay(parts.wrapped);
     QScreen& screen = screenNumbered(*parts.screen, specification);
-    return std::make_unique<ScreenCover>(rendering::openDisplay(parts.felt), screen);
+    return std::make_unique<ScreenCover>(rendering::openDisplay(parts.wrapped), screen);
 }
 
 }  // namespace study::app

@@ -1,5 +1,5 @@
-// A touch screen that carries the display's film: covered by a black window, so that nothing can be seen where it is
-// stroked, and asked when it is touched. What is felt there is another display's business, which it wraps.
+// Touch screen under the film of a haptic display. A black window covers the screen, so that the participant sees nothing
+// there, and reports touches. The wrapped display renders the sensation.
 #pragma once
 
 #include <memory>
@@ -14,29 +14,29 @@ namespace study::app {
 
 class ScreenCover final : public rendering::HapticDisplay {
 public:
-    /// Covers the screen as long as it lives. A QApplication must exist.
-    ScreenCover(std::unique_ptr<rendering::HapticDisplay> felt, QScreen& screen);
+    /// Covers the screen during the lifetime of this object. A QApplication must exist.
+    ScreenCover(std::unique_ptr<rendering::HapticDisplay> wrapped, QScreen& screen);
     ~ScreenCover() override;
 
-    /// Throws workFailed too where the screen was disconnected.
+    /// Also throws workFailed if the screen was disconnected.
     void show(const cv::Mat& frictionImage) override;
-    void clear() override { m_felt->clear(); }
+    void clear() override { m_wrapped->clear(); }
     std::string name() const override;
     bool reportsTouches() const override { return true; }
-    /// Touches of a finger and presses of a mouse alike, and those that the display under the cover tells.
+    /// Reports touches by a finger, presses of the mouse, and touches that the wrapped display reports.
     void onTouched(std::function<void(const rendering::Touch&)> touched) override;
-    int descriptorToWatch() const override { return m_felt->descriptorToWatch(); }
-    void processMessages() override { m_felt->processMessages(); }
+    int descriptorToWatch() const override { return m_wrapped->descriptorToWatch(); }
+    void processMessages() override { m_wrapped->processMessages(); }
 
 private:
     class Window;
-    std::unique_ptr<rendering::HapticDisplay> m_felt;
+    std::unique_ptr<rendering::HapticDisplay> m_wrapped;
     std::unique_ptr<Window> m_window;
 };
 
-/// What rendering::openDisplay takes, and "cover:N" for the screen N (0 is the main one), alone or behind another kind:
-/// "folder:DIR,cover:1", "exec:COMMAND,cover:1". Throws badInput for a screen that is not there, or where no other is left for
-/// the console.
+/// Opens a display. Accepts every specification of rendering::openDisplay. "cover:N" covers screen N (0 is the main screen);
+/// it stands alone or after another display: "folder:DIR,cover:1", "exec:COMMAND,cover:1". Throws badInput if screen N does
+/// not exist or if no screen is left for the console.
 std::unique_ptr<rendering::HapticDisplay> openDisplay(const std::string& specification);
 
 }  // namespace study::app

@@ -10,25 +10,28 @@ using session::StoredAnswer;
 
 namespace {
 
-/// Of what leaves no other trace on the page.
+/// Confirms an action that changes nothing else on the page.
 QString confirmationOf(const session::EventBody& event)
 {
     const auto* noted = std::get_if<session::Noted>(&event);
-    if (noted) return noted->isFlag ? SessionController::tr("Flagged.") : SessionController::tr("The note is stored.");
+    if (noted)
+        return noted->isFlag ? SessionController::tr("The presentation is flagged.")
+                             : SessionController::tr("The note is stored.");
     if (std::holds_alternative<session::Corrected>(event))
-        return SessionController::tr("Corrected. The old answer stays in the record.");
+        return SessionController::tr("The answer is corrected. The study keeps the old answer.");
     if (std::holds_alternative<session::Voided>(event))
-        return SessionController::tr("Void. It is presented once more, under another code.");
+        return SessionController::tr("The presentation is void. It will be repeated under another code.");
     return {};
 }
 
 QString withNextStep(const QString& trouble, bool isPaused)
 {
-    return isPaused ? SessionController::tr(
-                          "%1. The session is paused and no answer is lost; when this is mended, press Enter "
-                          "to go on.")
-                          .arg(trouble)
-                    : SessionController::tr("%1. This was not stored; when it is mended, do it again.").arg(trouble);
+    return isPaused
+               ? SessionController::tr(
+                     "%1. The session is paused and no answer is lost. Fix the problem, then press Enter "
+                     "to continue.")
+                     .arg(trouble)
+               : SessionController::tr("%1. Your last entry was not stored. Fix the problem, then enter it again.").arg(trouble);
 }
 
 }  // namespace
@@ -58,15 +61,15 @@ void SessionController::attendDisplay()
     try {
         m_display->processMessages();
     } catch (const std::exception& fault) {
-        // What was being felt is not to be trusted: the presentation begins again when the display is back.
+        // The participant may have felt a wrong image, so the presentation begins again after the pause.
         send(session::Paused{});
-        Q_EMIT told(withNextStep(QString::fromUtf8(fault.what()), m_view.state.paused), Tone::Fault);
+        Q_EMIT reported(withNextStep(QString::fromUtf8(fault.what()), m_view.state.paused), Tone::Fault);
     }
 }
 
 void SessionController::send(const session::EventBody& event)
 {
-    m_lastOutcome = Outcome{event, std::nullopt, nullptr};
+    m_lastOutcome = EventOutcome{event, std::nullopt, nullptr};
     ++m_eventsSent;
     QString trouble;
     try {
@@ -77,18 +80,18 @@ void SessionController::send(const session::EventBody& event)
     }
     m_view = m_driver.view();
     Q_EMIT viewChanged();
-    tellWhatCame(trouble);
+    reportOutcome(trouble);
 }
 
-void SessionController::tellWhatCame(const QString& trouble)
+void SessionController::reportOutcome(const QString& trouble)
 {
     const auto& event = m_lastOutcome->event;
     if (m_lastOutcome->refusal)
-        Q_EMIT told(QString::fromStdString(m_lastOutcome->refusal->reason), Tone::Refusal);
+        Q_EMIT reported(QString::fromStdString(m_lastOutcome->refusal->reason), Tone::Refusal);
     else if (m_lastOutcome->fault)
-        Q_EMIT told(withNextStep(trouble, m_view.state.paused), Tone::Fault);
+        Q_EMIT reported(withNextStep(trouble, m_view.state.paused), Tone::Fault);
     else if (const QString done = confirmationOf(event); !done.isEmpty())
-        Q_EMIT told(done, Tone::Done);
+        Q_EMIT reported(done, Tone::Done);
 }
 
 void SessionController::displayTouched(const rendering::Touch& touch)
@@ -137,7 +140,7 @@ bool SessionController::canCorrect() const
 QString strokeText(const SessionFacts& facts)
 {
     if (facts.strokeWords.isEmpty()) return {};
-    return SessionController::tr("Say, where it is needed: “%1”").arg(facts.strokeWords);
+    return SessionController::tr("Say if needed: “%1”").arg(facts.strokeWords);
 }
 
 SessionFacts SessionController::facts() const

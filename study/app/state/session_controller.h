@@ -1,6 +1,5 @@
-// Owns the engine of one running session and stands between it and the pages: takes the events they ask
-// for, keeps what came of the last one, and tells what may be shown. No page ever sees the plan, for
-// that carries file codes.
+// Owns the engine of one running session and connects it to the pages. It sends the events that the pages request, keeps the
+// last outcome, and provides the view. No page sees the plan, because the plan contains file codes.
 #pragma once
 
 #include <QObject>
@@ -17,15 +16,15 @@
 
 namespace study::app {
 
-/// A stored answer that can still be corrected, as the correction panel shows it: the latest to its question.
+/// A stored answer that can be corrected: the latest answer to its question, as the correction panel shows it.
 struct Correctable {
     protocols::QuestionId question;
     QString current;  ///< "B    Piece 427", "5.5"
-    AnswerForm form;  ///< of that presentation
+    AnswerForm form;  ///< form of an answer to that presentation
 };
 
-/// What came of one event.
-struct Outcome {
+/// Result of one event: accepted, refused or failed.
+struct EventOutcome {
     session::EventBody event;
     std::optional<session::Refusal> refusal;
     std::exception_ptr fault;  ///< a protocols::Error thrown by disk or display
@@ -36,44 +35,44 @@ enum class Tone { Done, Hint, Refusal, Fault };
 class SessionController : public QObject {
     Q_OBJECT
 public:
-    /// Enrols the participant or finds where they were. Throws protocols::Error as Driver does.
+    /// Enrols the participant or restores the session. Throws the errors of Driver.
     SessionController(database::StudyStore& store, const protocols::ParticipantId& participant, rendering::StimulusBank& bank,
                       std::unique_ptr<rendering::HapticDisplay> display, std::shared_ptr<session::Clock> clock,
                       database::ParticipantKind kind, QObject* parent);
 
-    /// Never throws: refusals and faults are signalled, and kept in lastOutcome().
+    /// Sends the event to the engine. Never throws: refusals and faults are reported by signal and kept in lastOutcome().
     void send(const session::EventBody& event);
-    /// The display was touched: stamps the first touch where one is awaited, else nothing.
+    /// Stamps the first touch if the presentation waits for one; otherwise does nothing.
     void displayTouched(const rendering::Touch& touch = {});
 
     const session::View& view() const { return m_view; }
     const session::Plan& plan() const { return m_driver.plan(); }
-    /// The last answer first.
+    /// The latest answer to every question, the most recent first.
     std::vector<Correctable> correctables() const;
     bool canCorrect() const;
     SessionFacts facts() const;
 
     /// Empty before the first event.
-    const std::optional<Outcome>& lastOutcome() const { return m_lastOutcome; }
+    const std::optional<EventOutcome>& lastOutcome() const { return m_lastOutcome; }
     int eventsSent() const { return m_eventsSent; }
 
 Q_SIGNALS:
     void viewChanged();
-    void told(const QString& text, study::app::Tone tone);
+    void reported(const QString& text, study::app::Tone tone);
 
 private:
     const protocols::Question& questionOf(const session::StoredAnswer& answer) const;
     Correctable correctableOf(const session::StoredAnswer& answer) const;
-    void tellWhatCame(const QString& trouble);
+    void reportOutcome(const QString& trouble);
     void watchDisplay();
     void attendDisplay();
 
     std::unique_ptr<rendering::HapticDisplay> m_display;
-    std::unique_ptr<QSocketNotifier> m_watch;  ///< goes before what it watches
+    std::unique_ptr<QSocketNotifier> m_watch;  ///< declared after the display, so destroyed before it
     std::shared_ptr<session::Clock> m_clock;
     session::Driver m_driver;
     session::View m_view;
-    std::optional<Outcome> m_lastOutcome;
+    std::optional<EventOutcome> m_lastOutcome;
     int m_eventsSent = 0;
 };
 

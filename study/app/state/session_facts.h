@@ -1,5 +1,5 @@
-// What stays the same during a session and is shown in it. No page sees the plan that it is taken from, for that
-// carries file codes.
+// Facts that stay the same during a session and are shown in it. They are copied from the plan, which no page sees because
+// it contains file codes.
 #pragma once
 
 #include <QString>
@@ -12,17 +12,17 @@ namespace study::app {
 
 struct SessionFacts {
     QString participant;
-    QString consent;                              ///< what is confirmed when the participant agrees
-    QStringList facts;                            ///< asked about the participant
-    QStringList checklist, readings;              ///< of each sitting
-    QString strokeWords;                          ///< said the same for glass and cloth
-    std::optional<protocols::RatingScale> scale;  ///< of the first rating question
-    int sittingMinutes = 60;                      ///< a sitting's planned length
-    bool secondEntry = false;                     ///< every answer is entered twice and must agree
+    QString consent;                        ///< statement that the operator confirms when the participant agrees
+    QStringList facts;                      ///< questions about the participant
+    QStringList checklist, readings;        ///< gone through in each sitting
+    QString strokeWords;                    ///< instruction for stroking, the same for glass and fabric
+    std::optional<protocols::RatingScale> scale;  ///< scale of the first rating question
+    int sittingMinutes = 60;                ///< planned duration of a sitting, min
+    bool secondEntry = false;               ///< every answer is entered twice and must agree
     bool displayReportsTouches = false;
 };
 
-/// How the words about stroking stand on the pages of a presentation; empty where the protocol has none.
+/// The stroking instruction as the pages of a presentation show it; empty if the protocol has none.
 QString strokeText(const SessionFacts& facts);
 
 }  // namespace study::app

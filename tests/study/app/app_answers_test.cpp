@@ -1,5 +1,5 @@
-// Every kind of answer through the real widgets: as it is typed, entered twice, corrected and flagged; who stamps the
-// first touch; what the pieces of fabric are called.
+// Every kind of answer through the real widgets: typed, entered twice, corrected and flagged. Also the source of the first
+// touch, and the names of the pieces of fabric.
 #include <QLabel>
 #include <QPushButton>
 #include <QTest>
@@ -17,13 +17,13 @@ namespace {
 
 bool isFinished(OpenWindow& open) { return std::holds_alternative<Finished>(open.view().state.stage); }
 
-/// Another answer of the same kind.
+/// A different answer of the same kind.
 GivenAnswer otherThan(const GivenAnswer& right, const View& view)
 {
     if (const auto* fabric = std::get_if<protocols::FabricId>(&right))
         return view.trayIds[view.trayIds.front() == *fabric ? 1 : 0];
     if (const auto* rating = std::get_if<Tenths>(&right)) return Tenths{rating->value == 10 ? 20 : 10};
-    if (const auto* said = std::get_if<Sameness>(&right)) return Sameness{!said->same};
+    if (const auto* sameness = std::get_if<Sameness>(&right)) return Sameness{!sameness->same};
     return Words{"something else"};
 }
 
@@ -35,14 +35,14 @@ class AppAnswersTest : public tests::support::WindowTest {
 private Q_SLOTS:
     void secondEntryMustAgree_data();
     void secondEntryMustAgree();
-    void wordsMayBeMissingAfterASecondEnter();
-    void lettersAreTextWhileWordsAreWritten();
+    void secondEnterStoresAnAnswerWithoutWords();
+    void lettersAreTextInATextField();
     void correctionsOfEveryKindOfAnswer();
-    void flagNeedsNoWords();
+    void flagNeedsNoReason();
     void touchIsStampedByTheDisplay();
     void keyStampsTheTouchThatTheDisplayMissed();
     void touchDuringANoteKeepsTheNote();
-    void piecesGoByTheirCodesAlone();
+    void pagesNamePiecesByTheirCodesOnly();
 };
 
 void AppAnswersTest::secondEntryMustAgree_data()
@@ -79,7 +79,7 @@ void AppAnswersTest::secondEntryMustAgree()
     QCOMPARE(answersIn(folder).at(asked), answerText(right));
 }
 
-void AppAnswersTest::wordsMayBeMissingAfterASecondEnter()
+void AppAnswersTest::secondEnterStoresAnAnswerWithoutWords()
 {
     const auto folder = newStudy(wholeStudy());
     OpenWindow open(folder);
@@ -93,7 +93,7 @@ void AppAnswersTest::wordsMayBeMissingAfterASecondEnter()
     QCOMPARE(answersIn(folder).at(asked), std::string());
 }
 
-void AppAnswersTest::lettersAreTextWhileWordsAreWritten()
+void AppAnswersTest::lettersAreTextInATextField()
 {
     const auto folder = newStudy(wholeStudy());
     OpenWindow open(folder);
@@ -132,14 +132,14 @@ void AppAnswersTest::correctionsOfEveryKindOfAnswer()
         if (question == "S1") now = Sameness{correctable.current != "Same"};
         if (question == "Q2") now = Tenths{correctable.current == "3.3" ? 44 : 33};
         open.perform(Corrected{correctable.question, now, "misheard"});
-        QVERIFY2(open.message().contains("Corrected"), qPrintable(open.message()));
+        QVERIFY2(open.message().contains("is corrected"), qPrintable(open.message()));
     }
     int changed = 0;
     for (const auto& [asked, answer] : answersIn(folder)) changed += kept.at(asked) != answer ? 1 : 0;
-    QCOMPARE(changed, 4);  // Q1, W1, S1, Q2: the last of each
+    QCOMPARE(changed, 4);  // the latest answers to Q1, W1, S1 and Q2
 }
 
-void AppAnswersTest::flagNeedsNoWords()
+void AppAnswersTest::flagNeedsNoReason()
 {
     const auto folder = newStudy(wholeStudy());
     OpenWindow open(folder);
@@ -148,7 +148,7 @@ void AppAnswersTest::flagNeedsNoWords()
     open.playTo("Presenting", "Q1");
     pressKey(open, Qt::Key_F);
     pressKey(open, Qt::Key_Return);
-    QCOMPARE(open.message(), QString("Flagged."));
+    QCOMPARE(open.message(), QString("The presentation is flagged."));
     open.perform(Noted{"a door slammed", true});
     const auto events = open.window().study()->store().events(ParticipantId("P01"));
     QCOMPARE(events.back().payloadJson, payloadJson(Noted{"a door slammed", true}));
@@ -158,31 +158,31 @@ void AppAnswersTest::flagNeedsNoWords()
 void AppAnswersTest::touchIsStampedByTheDisplay()
 {
     const auto folder = newStudy(wholeStudy());
-    OpenWindow open(folder, {}, {.told = {}, .fault = {}, .reportsTouches = true, .touch = {}});
+    OpenWindow open(folder, {}, {.calls = {}, .fault = {}, .reportsTouches = true, .touch = {}});
     open.enrolAndBegin();
-    open.display().touch();  // at the tray a touch means nothing
+    open.display().touch();  // a touch has no effect before the tray is ready
     QCOMPARE(nameOf(open.view().state), std::string("PlacingTray"));
     open.perform(TrayReady{});
-    QVERIFY(open.widget<QPushButton>("touchButton").text().contains("display tells"));
+    QVERIFY(open.widget<QPushButton>("touchButton").text().contains("display reports"));
     open.clock().advanceSeconds(1);
     open.display().touch();
     open.clock().advanceSeconds(3);
-    open.display().touch();  // only the first counts
-    QVERIFY(open.widget<QPushButton>("touchButton").text().contains("by the display"));
+    open.display().touch();  // only the first touch counts
+    QVERIFY(open.widget<QPushButton>("touchButton").text().contains("display reported"));
     open.perform(Answered{responseTo(open.view())});
     const auto stored = storedIn(folder).front();
     QCOMPARE(stored.record.touchedBy, std::string("display"));
-    QCOMPARE(stored.seconds, 4.5);  // 3 and the 1.5 that perform() takes
+    QCOMPARE(stored.seconds, 4.5);  // 3 s, and 1.5 s that perform() adds
 }
 
 void AppAnswersTest::keyStampsTheTouchThatTheDisplayMissed()
 {
     const auto folder = newStudy(wholeStudy());
-    OpenWindow open(folder, {}, {.told = {}, .fault = {}, .reportsTouches = true, .touch = {}});
+    OpenWindow open(folder, {}, {.calls = {}, .fault = {}, .reportsTouches = true, .touch = {}});
     open.enrolAndBegin();
     open.perform(TrayReady{});
     pressKey(open, Qt::Key_T);
-    QVERIFY(open.widget<QPushButton>("touchButton").text().contains("by key"));
+    QVERIFY(open.widget<QPushButton>("touchButton").text().contains("You stamped"));
     open.display().touch();
     open.perform(Answered{responseTo(open.view())});
     QCOMPARE(storedIn(folder).front().record.touchedBy, std::string("operator"));
@@ -190,7 +190,7 @@ void AppAnswersTest::keyStampsTheTouchThatTheDisplayMissed()
 
 void AppAnswersTest::touchDuringANoteKeepsTheNote()
 {
-    OpenWindow open(newStudy(wholeStudy()), {}, {.told = {}, .fault = {}, .reportsTouches = true, .touch = {}});
+    OpenWindow open(newStudy(wholeStudy()), {}, {.calls = {}, .fault = {}, .reportsTouches = true, .touch = {}});
     open.enrolAndBegin();
     open.perform(TrayReady{});
     pressKey(open, Qt::Key_N);
@@ -203,7 +203,7 @@ void AppAnswersTest::touchDuringANoteKeepsTheNote()
     QCOMPARE(last.payloadJson, payloadJson(Noted{"hands are cold", false}));
 }
 
-void AppAnswersTest::piecesGoByTheirCodesAlone()
+void AppAnswersTest::pagesNamePiecesByTheirCodesOnly()
 {
     OpenWindow open(newStudy(wholeStudy()));
     open.enrolAndBegin();

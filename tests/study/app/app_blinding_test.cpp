@@ -1,5 +1,5 @@
-// Nothing that a running session leaves anywhere names a condition: in windows, logs, file names, running orders and
-// exports. And two studies whose keys differ only by which condition is which cannot be told apart by any of them.
+// Blinding of a running session. No window, log, file name, running order or export names a condition. Two studies whose
+// keys differ only in the conditions behind the labels give identical windows, logs and files.
 #include <unistd.h>
 
 #include <QApplication>
@@ -43,22 +43,22 @@ WholeProtocol nineConditions()
     return wanted;
 }
 
-/// As without a test, which keeps Qt's log for itself.
+/// Writes Qt's log to standard error, as outside a test.
 void logToStandardError(QtMsgType, const QMessageLogContext&, const QString& text)
 {
     std::fprintf(stderr, "%s\n", qPrintable(text));
 }
 
-/// Everything that is written to standard error while it lives, by Qt's log or past it.
-class StandardError {
+/// Captures standard error, including Qt's log, during its lifetime.
+class CapturedStandardError {
 public:
-    StandardError() : m_kept(::dup(STDERR_FILENO)), m_before(qInstallMessageHandler(logToStandardError))
+    CapturedStandardError() : m_kept(::dup(STDERR_FILENO)), m_before(qInstallMessageHandler(logToStandardError))
     {
         m_file.open();
         ::fflush(stderr);
         ::dup2(m_file.handle(), STDERR_FILENO);
     }
-    ~StandardError()
+    ~CapturedStandardError()
     {
         ::fflush(stderr);
         ::dup2(m_kept, STDERR_FILENO);
@@ -105,9 +105,9 @@ QMap<QString, QByteArray> contentsOf(const QString& folder)
     return contents;
 }
 
-/// What somebody saw and could take away from a session: at each step the texts of all windows and a fingerprint of
-/// the picture; in the end the log and what the program wrote of the study.
-struct Seen {
+/// Everything that a session shows and writes: at each step the texts of all windows and a hash of the picture; at the end
+/// the log and the written files.
+struct SessionTraces {
     std::vector<std::vector<QString>> texts;
     std::vector<std::size_t> pictures;
     QString log;
@@ -126,17 +126,17 @@ class AppBlindingTest : public tests::support::WindowTest {
     Q_OBJECT
 
 private:
-    Seen playAndLook(const StudyRecipe& recipe);
-    void look(OpenWindow& open, Seen& seen);
-    void panelsAndPause(OpenWindow& open, Seen& seen);
+    SessionTraces playAndRecord(const StudyRecipe& recipe);
+    void record(OpenWindow& open, SessionTraces& traces);
+    void panelsAndPause(OpenWindow& open, SessionTraces& traces);
     QMap<QString, QByteArray> writtenOf(const QString& study);
 
 private Q_SLOTS:
-    void initTestCase() { QApplication::setCursorFlashTime(0); }  // a cursor that blinks makes other pictures
+    void initTestCase() { QApplication::setCursorFlashTime(0); }  // a blinking cursor would change the pictures
     void wordsAreFoundAsWholeTokens_data();
     void wordsAreFoundAsWholeTokens();
     void nothingNamesACondition();
-    void studiesWithOtherConditionsLookTheSame();
+    void studiesWithPermutedConditionsLookTheSame();
 };
 
 void AppBlindingTest::wordsAreFoundAsWholeTokens_data()
@@ -149,7 +149,7 @@ void AppBlindingTest::wordsAreFoundAsWholeTokens_data()
     QTest::newRow("spelled for files") << "stimuli/h_g+f_g.pgm" << true;
     QTest::newRow("in a row of a table") << "P01,3,F02,h_g&f_g,5.5" << true;
     QTest::newRow("part of a word") << "half of the fabric" << false;
-    QTest::newRow("another id's part") << "f_gauze" << false;
+    QTest::newRow("part of another id") << "f_gauze" << false;
 }
 
 void AppBlindingTest::wordsAreFoundAsWholeTokens()
@@ -162,55 +162,55 @@ void AppBlindingTest::wordsAreFoundAsWholeTokens()
     QCOMPARE(!textsNaming(conditionIds(), textsIn(words)).empty(), isFound);
 }
 
-void AppBlindingTest::look(OpenWindow& open, Seen& seen)
+void AppBlindingTest::record(OpenWindow& open, SessionTraces& traces)
 {
     QApplication::processEvents();
-    seen.texts.push_back(textsOfAllWindows());
-    seen.pictures.push_back(fingerprintOf(open.window()));
+    traces.texts.push_back(textsOfAllWindows());
+    traces.pictures.push_back(fingerprintOf(open.window()));
 }
 
-void AppBlindingTest::panelsAndPause(OpenWindow& open, Seen& seen)
+void AppBlindingTest::panelsAndPause(OpenWindow& open, SessionTraces& traces)
 {
     for (const char* footerButton : {"voidButton", "noteButton", "flagButton", "correctButton", "withdrawButton"}) {
         if (!open.widget<QWidget>(footerButton).isEnabled()) continue;
-        open.hands().click(QString::fromLatin1(footerButton));
-        look(open, seen);
-        open.hands().pressKey(Qt::Key_Escape);
+        open.gui().click(QString::fromLatin1(footerButton));
+        record(open, traces);
+        open.gui().pressKey(Qt::Key_Escape);
     }
     if (open.view().state.paused || std::holds_alternative<Finished>(open.view().state.stage)) return;
     open.perform(Paused{});
-    look(open, seen);
+    record(open, traces);
     open.perform(Resumed{});
 }
 
-Seen AppBlindingTest::playAndLook(const StudyRecipe& recipe)
+SessionTraces AppBlindingTest::playAndRecord(const StudyRecipe& recipe)
 {
-    const QString path = filePath("study");  // the same for all, because the study page shows it
+    const QString path = filePath("study");  // the same path for all studies, because the study page shows it
     QDir(path).removeRecursively();
     const auto folder = buildStudy(path.toStdString(), recipe);
-    Seen seen;
+    SessionTraces traces;
     {
-        StandardError log;
+        CapturedStandardError log;
         OpenWindow open(folder);
-        look(open, seen);
+        record(open, traces);
         open.window().startSession(ParticipantId("P01"));
         for (int steps = 1; !std::holds_alternative<Finished>(open.view().state.stage); ++steps) {
-            look(open, seen);
-            if (steps % 17 == 0) panelsAndPause(open, seen);
+            record(open, traces);
+            if (steps % 17 == 0) panelsAndPause(open, traces);
             if (steps == 60) open.perform(Voided{"a piece fell down"});
             open.perform(open.nextEvent());
         }
-        look(open, seen);
-        open.hands().pressKey(Qt::Key_Return);
+        record(open, traces);
+        open.gui().pressKey(Qt::Key_Return);
         QApplication::processEvents();
-        look(open, seen);
-        open.window().startSession(ParticipantId("P02"));  // one that still runs while the files are written
+        record(open, traces);
+        open.window().startSession(ParticipantId("P02"));  // this session still runs while the files are written
         open.playTo("Presenting", "S1");
-        look(open, seen);
-        seen.files = writtenOf(path);
-        seen.log = log.text();
+        record(open, traces);
+        traces.files = writtenOf(path);
+        traces.log = log.text();
     }
-    return seen;
+    return traces;
 }
 
 QMap<QString, QByteArray> AppBlindingTest::writtenOf(const QString& study)
@@ -218,55 +218,55 @@ QMap<QString, QByteArray> AppBlindingTest::writtenOf(const QString& study)
     const QString out = filePath("written");
     QDir(out).removeRecursively();
     QDir().mkpath(out);
-    QByteArray said;
+    QByteArray output;
     const auto run = [&](const QStringList& arguments) {
         const auto ended = support::mustRun(arguments);
-        said += (ended.out + ended.err).toUtf8();
+        output += (ended.out + ended.err).toUtf8();
     };
     run({"study", "status", study});
     run({"study", "plan", study, "--csv", out + "/plan.csv"});
     for (const char* format : {"csv", "json", "script"}) run({"export", study, "--out", out + "/" + format, "--format", format});
     auto written = contentsOf(out);
-    written["(said)"] = said;
+    written["(output)"] = output;
     return written;
 }
 
 void AppBlindingTest::nothingNamesACondition()
 {
     const auto ids = conditionIds();
-    const Seen seen = playAndLook(wholeStudy(nineConditions()));
-    QVERIFY(seen.texts.size() > 250);
+    const SessionTraces traces = playAndRecord(wholeStudy(nineConditions()));
+    QVERIFY(traces.texts.size() > 250);
     const auto require = [&](const std::vector<QString>& texts, const QString& where, const std::set<QString>& hidden) {
         const auto leaks = textsNaming(hidden, texts);
         QVERIFY2(leaks.empty(), leaks.empty() ? "" : qPrintable(where + ": " + leaks.front().left(300)));
     };
     std::set<QString> shown;
-    for (const auto& texts : seen.texts) shown.insert(texts.begin(), texts.end());
+    for (const auto& texts : traces.texts) shown.insert(texts.begin(), texts.end());
     QVERIFY(shown.size() > 400);
-    // In windows neither what the stimuli's files are called nor the labels of the masked key.
+    // Windows must hide the file codes of the stimuli and the labels of the masked key, too.
     std::set<QString> hiddenInWindows = ids;
     const database::StudyStore store({filePath("study").toStdString()}, database::StudyStore::Access::Read);
     for (const auto& [code, hash] : store.stimulusHashes()) hiddenInWindows.insert(QString::fromStdString(code.value));
     for (int label = 1; label <= 9; ++label) hiddenInWindows.insert(QStringLiteral("K%1").arg(label));
     require({shown.begin(), shown.end()}, "a window", hiddenInWindows);
-    require({seen.log}, "the log", hiddenInWindows);
+    require({traces.log}, "the log", hiddenInWindows);
     for (const QString& name : namesOfFilesIn(filePath("study"))) require({name}, "a file's name", ids);
-    QVERIFY(seen.files.size() > 4);
-    for (auto file = seen.files.begin(); file != seen.files.end(); ++file)
+    QVERIFY(traces.files.size() > 4);
+    for (auto file = traces.files.begin(); file != traces.files.end(); ++file)
         require({file.key(), QString::fromUtf8(file.value())}, file.key(), ids);
 }
 
-void AppBlindingTest::studiesWithOtherConditionsLookTheSame()
+void AppBlindingTest::studiesWithPermutedConditionsLookTheSame()
 {
     WholeProtocol wanted;
     wanted.conditions = {"v_grey", "h_g&f_g", "h&f"};
     StudyRecipe one = wholeStudy(wanted), other = one;
     for (std::size_t i = 0; i < wanted.conditions.size(); ++i)
         other.keyNames[wanted.conditions[i]] = wanted.conditions[(i + 1) % wanted.conditions.size()];
-    const Seen first = playAndLook(one);
+    const SessionTraces first = playAndRecord(one);
     const auto keyOf = [&] { return contentsOf(filePath("study"))["allocation-key.json"]; };
     const QByteArray firstKey = keyOf();
-    const Seen second = playAndLook(other);
+    const SessionTraces second = playAndRecord(other);
     QVERIFY(firstKey != keyOf());
     QCOMPARE(first.texts.size(), second.texts.size());
     for (std::size_t step = 0; step < first.texts.size(); ++step) {

@@ -1,5 +1,5 @@
-// The cover of a touch screen: black, out of the keyboard's way, and a teller of touches. On two screens of the
-// offscreen platform; where a second one is missing, a skip says so.
+// Cover of a touch screen: it is black, takes no keyboard focus and reports touches. The tests use two screens of the
+// offscreen platform. With one screen they are skipped with a message.
 #include <poll.h>
 
 #include <QApplication>
@@ -50,14 +50,14 @@ class AppCoverTest : public tests::support::WindowTest {
 private Q_SLOTS:
     void init()
     {
-        if (QGuiApplication::screens().size() < 2) QSKIP("the platform gives one screen only");
+        if (QGuiApplication::screens().size() < 2) QSKIP("the platform has only one screen");
     }
     void coversItsScreenWithBlack();
     void reportsFingersAndMouse();
-    void passesImagesOnToTheDisplayUnderIt();
-    void driverUnderTheCoverTellsItsTouchesToo();
-    void screensThatAreNotThereAreRefused_data();
-    void screensThatAreNotThereAreRefused();
+    void passesImagesToTheWrappedDisplay();
+    void touchesOfTheWrappedDriverAreReported();
+    void missingScreensAreRefused_data();
+    void missingScreensAreRefused();
     void touchOfTheCoverIsStampedInASession();
 };
 
@@ -91,7 +91,7 @@ void AppCoverTest::reportsFingersAndMouse()
     QCOMPARE(touches, 2);
 }
 
-void AppCoverTest::passesImagesOnToTheDisplayUnderIt()
+void AppCoverTest::passesImagesToTheWrappedDisplay()
 {
     const std::string folder = filePath("watched, by a device").toStdString();
     const auto display = openDisplay("folder:" + folder + ",cover:1");
@@ -102,7 +102,7 @@ void AppCoverTest::passesImagesOnToTheDisplayUnderIt()
     QVERIFY(image.readAll().contains(char(200)));
 }
 
-void AppCoverTest::driverUnderTheCoverTellsItsTouchesToo()
+void AppCoverTest::touchesOfTheWrappedDriverAreReported()
 {
     const auto display =
         openDisplay("exec:" VIS2HAP_REFERENCE_DISPLAY " '" + filePath("felt").toStdString() + "' --touch-after 10,cover:1");
@@ -117,10 +117,10 @@ void AppCoverTest::driverUnderTheCoverTellsItsTouchesToo()
     QCOMPARE(touches, 2);
 }
 
-void AppCoverTest::screensThatAreNotThereAreRefused_data()
+void AppCoverTest::missingScreensAreRefused_data()
 {
     QTest::addColumn<QString>("specification");
-    QTest::addColumn<QString>("told");
+    QTest::addColumn<QString>("expectedText");
     QTest::newRow("beyond the last") << "cover:2"
                                      << "no screen 2";
     QTest::newRow("no number") << "cover:left"
@@ -133,12 +133,12 @@ void AppCoverTest::screensThatAreNotThereAreRefused_data()
                                            << "unknown display";
 }
 
-void AppCoverTest::screensThatAreNotThereAreRefused()
+void AppCoverTest::missingScreensAreRefused()
 {
     QFETCH(QString, specification);
-    QFETCH(QString, told);
+    QFETCH(QString, expectedText);
     const QString fault = faultOf(specification.toStdString());
-    QVERIFY2(fault.contains(told), qPrintable(fault));
+    QVERIFY2(fault.contains(expectedText), qPrintable(fault));
     QVERIFY(!cover());
 }
 
@@ -151,14 +151,14 @@ void AppCoverTest::touchOfTheCoverIsStampedInASession()
     ShownWindow shown(options);
     shown.window.openStudy(newStudy().folder);
     shown.window.startSession(protocols::ParticipantId("P01"));
-    while (!std::holds_alternative<Presenting>(shown.hands.view().state.stage))
-        QVERIFY(!shown.hands.perform(*tests::support::nextEvent(shown.hands.view(), shown.hands.plan())));
+    while (!std::holds_alternative<Presenting>(shown.gui.view().state.stage))
+        QVERIFY(!shown.gui.perform(*tests::support::nextEvent(shown.gui.view(), shown.gui.plan())));
     clock->advanceSeconds(2);
     QTest::mousePress(cover(), Qt::LeftButton);
-    const auto& presenting = std::get<Presenting>(shown.hands.view().state.stage);
+    const auto& presenting = std::get<Presenting>(shown.gui.view().state.stage);
     QCOMPARE(presenting.touchedAtNs.value_or(0), clock->monotonicNs());
     QVERIFY(presenting.touchedBy == TouchSource::Display);
-    shown.hands.pressKey(Qt::Key_Q);
+    shown.gui.pressKey(Qt::Key_Q);
     QTRY_VERIFY(!cover());  // the screen is free again
 }
 

@@ -1,4 +1,4 @@
-// Looking at a data set before a study is made: the real page over real files, by keys alone.
+// Page to inspect a data set before a study is made, with real files and by keys only.
 #include <QLabel>
 #include <QLineEdit>
 #include <QPlainTextEdit>
@@ -25,7 +25,7 @@ AppOptions lookingOptions()
     return options;
 }
 
-/// Through the window, as a keyboard does: shortcuts come before the control that has the focus.
+/// Sends a key as the keyboard does, so that shortcuts are handled before the focused control.
 void press(ShownWindow& shown, Qt::Key key)
 {
     QTest::keyClick(shown.window.focusWidget() ? shown.window.focusWidget() : &shown.window, key);
@@ -49,8 +49,8 @@ class AppDataTest : public tests::support::WindowTest {
     }
     DataPage& openPage(ShownWindow& shown, const std::filesystem::path& folder)
     {
-        shown.hands.click("lookAtDataButton");
-        shown.hands.type(QString::fromStdString(folder.string()));
+        shown.gui.click("lookAtDataButton");
+        shown.gui.type(QString::fromStdString(folder.string()));
         press(shown, Qt::Key_Return);
         return *qobject_cast<DataPage*>(shown.window.currentPage());
     }
@@ -59,17 +59,17 @@ class AppDataTest : public tests::support::WindowTest {
     QString messageOn(const DataPage& page) { return page.findChild<QLabel*>("dataMessage")->text(); }
 
 private Q_SLOTS:
-    void fabricsAreGoneThroughByKeysAlone();
+    void fabricsAndSamplesAreChosenByKeys();
     void sheetOfAFabricShowsItsSignals();
-    void faultsOfTheFilesAreListed();
-    void fileThatCannotBeReadLeavesTheOthers();
-    void openStudyIsNotLookedAt();
-    void folderThatIsNoDataSetIsTold();
+    void faultyFilesAreListed();
+    void unreadableFileLeavesTheOthersVisible();
+    void stimuliOfAnOpenStudyAreRefused();
+    void pageShowsWhyAFolderIsNotADataSet();
     void leavingStopsTheCheck();
     void pageIsSavedAsPicture();
 };
 
-void AppDataTest::fabricsAreGoneThroughByKeysAlone()
+void AppDataTest::fabricsAndSamplesAreChosenByKeys()
 {
     ShownWindow shown(lookingOptions());
     QVERIFY(QTest::qWaitForWindowActive(&shown.window));
@@ -103,7 +103,7 @@ void AppDataTest::sheetOfAFabricShowsItsSignals()
     QTRY_VERIFY(!page.isBusy());
     for (const char* signal : {"F01 visual 000.png", "F01 tactile 000.png", "F01 height 000.tiff", "F01 friction 000.csv"})
         QVERIFY2(sheetIn(page).contains(signal), signal);
-    QVERIFY(page.findChild<QLabel*>("dataAbout")->text().contains("mm a pixel"));
+    QVERIFY(page.findChild<QLabel*>("dataAbout")->text().contains("mm per pixel"));
     const QPixmap sheet = page.findChild<QLabel*>("dataSheet")->pixmap();
     QVERIFY(sheet.width() > 600 && sheet.width() <= shown.window.width());
     std::set<QRgb> colours;
@@ -113,7 +113,7 @@ void AppDataTest::sheetOfAFabricShowsItsSignals()
     QVERIFY(colours.size() > 200);
 }
 
-void AppDataTest::faultsOfTheFilesAreListed()
+void AppDataTest::faultyFilesAreListed()
 {
     const std::filesystem::path folder = filePath("faulty").toStdString();
     std::filesystem::copy(dataset(), folder, std::filesystem::copy_options::recursive);
@@ -124,15 +124,15 @@ void AppDataTest::faultsOfTheFilesAreListed()
     QTRY_VERIFY(!page.isBusy());
     const QString listed = page.findChild<QPlainTextEdit*>("dataFaults")->toPlainText();
     QVERIFY2(listed.contains("F01/visual/001.png") && listed.contains("F02"), qPrintable(listed));
-    QVERIFY(page.findChild<QLabel*>("dataChecked")->text().contains("Faults of the files: 3"));
-    // One truncated photograph; a height and a row of samples.csv without their frame.
+    QVERIFY(page.findChild<QLabel*>("dataChecked")->text().contains("Faults found in the files: 3"));
+    // F01 has a truncated photograph. F02 has a height map, and a row of samples.csv, without their tactile frame.
     const auto* fabrics = page.findChild<QTreeWidget*>("dataFabrics");
     const int last = fabrics->columnCount() - 1;
     QCOMPARE(fabrics->topLevelItem(0)->text(last), QString("1"));
     QCOMPARE(fabrics->topLevelItem(1)->text(last), QString("1"));
 }
 
-void AppDataTest::fileThatCannotBeReadLeavesTheOthers()
+void AppDataTest::unreadableFileLeavesTheOthersVisible()
 {
     const std::filesystem::path folder = filePath("unreadable").toStdString();
     std::filesystem::copy(dataset(), folder, std::filesystem::copy_options::recursive);
@@ -144,7 +144,7 @@ void AppDataTest::fileThatCannotBeReadLeavesTheOthers()
     QVERIFY(sheetIn(page).contains("F01 tactile 000.png") && !sheetIn(page).contains("visual"));
 }
 
-void AppDataTest::openStudyIsNotLookedAt()
+void AppDataTest::stimuliOfAnOpenStudyAreRefused()
 {
     const auto study = newStudy();
     ShownWindow shown(lookingOptions());
@@ -163,7 +163,7 @@ void AppDataTest::openStudyIsNotLookedAt()
     QVERIFY(!sheetIn(page).contains("visual"));
 }
 
-void AppDataTest::folderThatIsNoDataSetIsTold()
+void AppDataTest::pageShowsWhyAFolderIsNotADataSet()
 {
     ShownWindow shown(lookingOptions());
     auto& page = openPage(shown, filePath("nothing-here").toStdString());
@@ -171,7 +171,7 @@ void AppDataTest::folderThatIsNoDataSetIsTold()
     QVERIFY2(messageOn(page).contains("dataset.json"), qPrintable(messageOn(page)));
     QVERIFY(!page.findChild<QTreeWidget*>("dataFabrics")->isVisible());
     page.open("  ");
-    QVERIFY(messageOn(page).contains("Name the data set"));
+    QVERIFY(messageOn(page).contains("No folder is given"));
 }
 
 void AppDataTest::leavingStopsTheCheck()

@@ -1,5 +1,5 @@
-// A session with a display behind a driver, in the real window: what can be felt at every stage, first touches, and a
-// driver that dies in the middle.
+// Session with a display driver in the real window: the displayed image at every stage, first touches, and a driver that
+// dies during the session.
 #include <signal.h>
 #include <unistd.h>
 
@@ -23,8 +23,8 @@ using tests::support::ShownWindow;
 
 namespace {
 
-/// The pixel value that can be felt; the stimuli of these studies are even.
-int feltIn(const QString& folder)
+/// Pixel value of the displayed image, which is uniform in these studies; -1 if it is not.
+int displayedIn(const QString& folder)
 {
     const cv::Mat image = rendering::readPgm((folder + "/current.pgm").toStdString());
     double low = 0, high = 0;
@@ -37,7 +37,7 @@ int feltIn(const QString& folder)
 class AppDisplayTest : public tests::support::WindowTest {
     Q_OBJECT
 
-    QString felt() { return filePath(QString::fromLatin1(QTest::currentTestFunction()) + "-felt"); }
+    QString displayFolder() { return filePath(QString::fromLatin1(QTest::currentTestFunction()) + "-displayed"); }
     AppOptions with(const QString& display)
     {
         AppOptions options;
@@ -47,7 +47,7 @@ class AppDisplayTest : public tests::support::WindowTest {
     }
     AppOptions withReference(const QString& more = {})
     {
-        return with(QStringLiteral("exec:" VIS2HAP_REFERENCE_DISPLAY " '%1' %2").arg(felt(), more));
+        return with(QStringLiteral("exec:" VIS2HAP_REFERENCE_DISPLAY " '%1' %2").arg(displayFolder(), more));
     }
     void begin(ShownWindow& shown, const database::StudyFolder& study, const std::string& participant = "P01")
     {
@@ -57,70 +57,70 @@ class AppDisplayTest : public tests::support::WindowTest {
     void step(ShownWindow& shown)
     {
         m_clock->advanceSeconds(1);
-        if (const auto refusal = shown.hands.perform(*tests::support::nextEvent(shown.hands.view(), shown.hands.plan())))
+        if (const auto refusal = shown.gui.perform(*tests::support::nextEvent(shown.gui.view(), shown.gui.plan())))
             QFAIL(refusal->reason.c_str());
     }
     template <class Stage>
     void stepTo(ShownWindow& shown)
     {
-        while (!std::holds_alternative<Stage>(shown.hands.view().state.stage)) step(shown);
+        while (!std::holds_alternative<Stage>(shown.gui.view().state.stage)) step(shown);
     }
     QString messageIn(ShownWindow& shown) { return shown.window.currentPage()->findChild<QLabel*>("sessionMessage")->text(); }
 
     std::shared_ptr<VirtualClock> m_clock;
 
 private Q_SLOTS:
-    void imageIsFeltOnlyWhilePresenting();
-    void touchToldByTheDriverIsStamped();
-    void lateTouchIsSetBack();
-    void driverThatDiesInMidSessionPausesAndLosesNothing();
-    void driverThatStaysDeadSaysWhatToDo();
-    void driverThatCannotBeginIsToldOnTheStudyPage();
-    void killedProgramLeavesNothingToFeel();
+    void displayShowsImagesOnlyWhilePresenting();
+    void touchReportedByTheDriverIsStamped();
+    void delayedTouchReportIsDatedBack();
+    void deadDriverPausesTheSessionAndLosesNothing();
+    void messageForADeadDriverNamesTheNextStep();
+    void studyPageShowsWhyTheDriverCannotStart();
+    void driverClearsTheDisplayAfterTheProgramIsKilled();
 };
 
-void AppDisplayTest::imageIsFeltOnlyWhilePresenting()
+void AppDisplayTest::displayShowsImagesOnlyWhilePresenting()
 {
     ShownWindow shown(withReference());
     begin(shown, newStudy());
     int presented = 0;
-    while (!std::holds_alternative<Finished>(shown.hands.view().state.stage)) {
-        const auto* presenting = std::get_if<Presenting>(&shown.hands.view().state.stage);
-        QCOMPARE(feltIn(felt()) > 0, presenting != nullptr);
+    while (!std::holds_alternative<Finished>(shown.gui.view().state.stage)) {
+        const auto* presenting = std::get_if<Presenting>(&shown.gui.view().state.stage);
+        QCOMPARE(displayedIn(displayFolder()) > 0, presenting != nullptr);
         presented += presenting ? 1 : 0;
         step(shown);
     }
     QVERIFY(presented > 10);
-    QCOMPARE(feltIn(felt()), 0);
+    QCOMPARE(displayedIn(displayFolder()), 0);
 }
 
-void AppDisplayTest::touchToldByTheDriverIsStamped()
+void AppDisplayTest::touchReportedByTheDriverIsStamped()
 {
     ShownWindow shown(withReference("--touch-after 30"));
     begin(shown, newStudy());
     stepTo<Presenting>(shown);
-    const auto touched = [&] { return std::get<Presenting>(shown.hands.view().state.stage).touchedAtNs.has_value(); };
+    const auto touched = [&] { return std::get<Presenting>(shown.gui.view().state.stage).touchedAtNs.has_value(); };
     QVERIFY(!touched());
     QTRY_VERIFY(touched());
-    QVERIFY(std::get<Presenting>(shown.hands.view().state.stage).touchedBy == TouchSource::Display);
+    QVERIFY(std::get<Presenting>(shown.gui.view().state.stage).touchedBy == TouchSource::Display);
 }
 
-void AppDisplayTest::lateTouchIsSetBack()
+void AppDisplayTest::delayedTouchReportIsDatedBack()
 {
-    // The touch comes while the window is busy; the clock of the session went on for 3 s meanwhile.
+    // The touch arrives while the window is busy. Meanwhile the clock of the session advances by 3 s.
     ShownWindow shown(withReference("--touch-after 30"));
     begin(shown, newStudy());
     stepTo<Presenting>(shown);
-    const auto readyAt = std::get<Presenting>(shown.hands.view().state.stage).readyAtNs;
+    const auto readyAt = std::get<Presenting>(shown.gui.view().state.stage).readyAtNs;
     QTest::qSleep(300);
     m_clock->advanceSeconds(3);
     const auto now = m_clock->monotonicNs();
-    QTRY_VERIFY(std::get<Presenting>(shown.hands.view().state.stage).touchedAtNs);
-    const auto touchedAt = *std::get<Presenting>(shown.hands.view().state.stage).touchedAtNs;
+    QTRY_VERIFY(std::get<Presenting>(shown.gui.view().state.stage).touchedAtNs);
+    const auto touchedAt = *std::get<Presenting>(shown.gui.view().state.stage).touchedAtNs;
     QVERIFY(touchedAt < now - 100000000 && touchedAt > readyAt);
-    // A log that is read again says the same.
-    const auto before = shown.hands.view().state;
-    const auto& plan = shown.hands.plan();
+    // Reading the log again gives the same time.
+    const auto before = shown.gui.view().state;
+    const auto& plan = shown.gui.plan();
     const Event event{Touched{TouchSource::Display, now - touchedAt}, now};
     const auto copied = eventFromRecord(kindOf(event.body), payloadJson(event.body));
     QCOMPARE(std::get<Touched>(copied).agoNs, now - touchedAt);
@@ -130,7 +130,7 @@ void AppDisplayTest::lateTouchIsSetBack()
     QCOMPARE(std::get<Presenting>(std::get<Step>(outcome).next.stage).touchedAtNs.value_or(0), touchedAt);
 }
 
-void AppDisplayTest::driverThatDiesInMidSessionPausesAndLosesNothing()
+void AppDisplayTest::deadDriverPausesTheSessionAndLosesNothing()
 {
     const auto study = newStudy();
     ShownWindow shown(withReference());
@@ -138,90 +138,91 @@ void AppDisplayTest::driverThatDiesInMidSessionPausesAndLosesNothing()
     stepTo<Presenting>(shown);
     step(shown);  // the first presentation is answered
     stepTo<Presenting>(shown);
-    const int answers = shown.hands.view().state.answersStored;
-    const auto trial = std::get<Presenting>(shown.hands.view().state.stage).index;
-    QVERIFY(answers > 0 && feltIn(felt()) > 0);
+    const int answers = shown.gui.view().state.answersStored;
+    const auto trial = std::get<Presenting>(shown.gui.view().state.stage).index;
+    QVERIFY(answers > 0 && displayedIn(displayFolder()) > 0);
 
-    // kill -9 of the driver, found as our own child by the folder that it shows in
+    // Kill the driver. Its process is the one that has the display folder in its arguments.
     QProcess list;
     list.start("ps", {"-eo", "pid,ppid,args"});
     QVERIFY(list.waitForFinished());
     for (const QString& line : QString::fromUtf8(list.readAllStandardOutput()).split('\n'))
-        if (line.contains(felt()) && line.contains("vis2hap-reference-display"))
+        if (line.contains(displayFolder()) && line.contains("vis2hap-reference-display"))
             ::kill(line.trimmed().section(' ', 0, 0).toInt(), SIGKILL);
 
-    QTRY_VERIFY(shown.hands.view().state.paused);
+    QTRY_VERIFY(shown.gui.view().state.paused);
     QVERIFY2(messageIn(shown).contains("while an image was felt") && messageIn(shown).contains("no answer is lost") &&
                  messageIn(shown).contains("press Enter"),
              qPrintable(messageIn(shown)));
     QCOMPARE(shown.window.study()->store().answers().size(), static_cast<std::size_t>(answers));
-    QCOMPARE(feltIn(felt()), 0);  // begun again, and clear
-    shown.hands.pressKey(Qt::Key_Return);
+    QCOMPARE(displayedIn(displayFolder()), 0);  // the driver was restarted and shows nothing
+    shown.gui.pressKey(Qt::Key_Return);
     stepTo<Presenting>(shown);
-    QCOMPARE(std::get<Presenting>(shown.hands.view().state.stage).index, trial);
-    QVERIFY(feltIn(felt()) > 0);
+    QCOMPARE(std::get<Presenting>(shown.gui.view().state.stage).index, trial);
+    QVERIFY(displayedIn(displayFolder()) > 0);
     stepTo<Finished>(shown);
     QCOMPARE(static_cast<int>(shown.window.study()->store().answers().size()), 24);
     QVERIFY(shown.window.study()->store().faults().empty());
 }
 
-void AppDisplayTest::driverThatStaysDeadSaysWhatToDo()
+void AppDisplayTest::messageForADeadDriverNamesTheNextStep()
 {
     const QString works = filePath("works");
     QFile mark(works);
     QVERIFY(mark.open(QIODevice::WriteOnly));
     const QString command =
         QStringLiteral("test -e '%1' && exec " VIS2HAP_REFERENCE_DISPLAY " '%2'; echo no amplifier >&2; exit 4")
-            .arg(works, felt());
+            .arg(works, displayFolder());
     ShownWindow shown(with("exec:" + command));
     begin(shown, newStudy());
     stepTo<PlacingTray>(shown);
-    const int before = shown.hands.view().state.answersStored;
+    const int before = shown.gui.view().state.answersStored;
     mark.remove();
     QProcess list;
     list.start("ps", {"-eo", "pid,args"});
     QVERIFY(list.waitForFinished());
     for (const QString& line : QString::fromUtf8(list.readAllStandardOutput()).split('\n'))
-        if (line.contains("vis2hap-reference-display " + felt())) ::kill(line.trimmed().section(' ', 0, 0).toInt(), SIGKILL);
+        if (line.contains("vis2hap-reference-display " + displayFolder()))
+            ::kill(line.trimmed().section(' ', 0, 0).toInt(), SIGKILL);
     QTest::qWait(50);
-    QVERIFY(!shown.hands.view().state.paused);  // nothing was felt: nobody need know yet
+    QVERIFY(!shown.gui.view().state.paused);  // no image was displayed, so there is no fault to report yet
     shown.window.session()->send(TrayReady{});
-    QVERIFY(shown.hands.view().state.paused);
-    const QString told = messageIn(shown);
-    QVERIFY2(
-        told.contains("exit code 4; it said: no amplifier") && told.contains("tried 3 times") && told.contains("press Enter"),
-        qPrintable(told));
-    QCOMPARE(shown.hands.view().state.answersStored, before);
+    QVERIFY(shown.gui.view().state.paused);
+    const QString message = messageIn(shown);
+    QVERIFY2(message.contains("exit code 4; it said: no amplifier") && message.contains("tried 3 times") &&
+                 message.contains("press Enter"),
+             qPrintable(message));
+    QCOMPARE(shown.gui.view().state.answersStored, before);
 
-    QVERIFY(mark.open(QIODevice::WriteOnly));  // mended
-    shown.hands.pressKey(Qt::Key_Return);
-    QVERIFY(!shown.hands.view().state.paused);
+    QVERIFY(mark.open(QIODevice::WriteOnly));  // the driver works again
+    shown.gui.pressKey(Qt::Key_Return);
+    QVERIFY(!shown.gui.view().state.paused);
     stepTo<Presenting>(shown);
-    QVERIFY(feltIn(felt()) > 0);
+    QVERIFY(displayedIn(displayFolder()) > 0);
 }
 
-void AppDisplayTest::driverThatCannotBeginIsToldOnTheStudyPage()
+void AppDisplayTest::studyPageShowsWhyTheDriverCannotStart()
 {
     ShownWindow shown(with("exec:/nowhere/driver"));
     shown.window.openStudy(newStudy().folder);
-    shown.hands.click("enrolButton");
-    const QString told = shown.window.currentPage()->findChild<QLabel*>("studyMessage")->text();
-    QVERIFY2(told.contains("exit code 127") && told.contains("not found"), qPrintable(told));
+    shown.gui.click("enrolButton");
+    const QString message = shown.window.currentPage()->findChild<QLabel*>("studyMessage")->text();
+    QVERIFY2(message.contains("exit code 127") && message.contains("not found"), qPrintable(message));
     QVERIFY(!shown.window.session());
 }
 
-void AppDisplayTest::killedProgramLeavesNothingToFeel()
+void AppDisplayTest::driverClearsTheDisplayAfterTheProgramIsKilled()
 {
-    // A process of its own opens the display, shows an image and is killed: the driver sees its end of input.
+    // A child process opens the display, shows an image and is killed. The driver then sees the end of its input.
     QProcess child;
     child.start(QCoreApplication::applicationFilePath(),
-                {"--show-and-wait", "exec:" VIS2HAP_REFERENCE_DISPLAY " '" + felt() + "'"});
+                {"--show-and-wait", "exec:" VIS2HAP_REFERENCE_DISPLAY " '" + displayFolder() + "'"});
     QVERIFY(child.waitForReadyRead(10000));
     QCOMPARE(child.readLine(), QByteArray("shown\n"));
-    QVERIFY(feltIn(felt()) > 0);
+    QVERIFY(displayedIn(displayFolder()) > 0);
     child.kill();
     QVERIFY(child.waitForFinished());
-    QTRY_COMPARE(feltIn(felt()), 0);
+    QTRY_COMPARE(displayedIn(displayFolder()), 0);
 }
 
 int main(int argc, char** argv)

@@ -1,5 +1,5 @@
-// What goes wrong around a session is told on the page where it happens, with what to do, and loses no answer: a
-// protocol edited in mid-study, a study open elsewhere, a stimulus altered, a full disk, a display that cannot be opened.
+// Faults around a session: an edited protocol, a study open elsewhere, an altered stimulus, a full disk, a display that
+// cannot be opened. Each must appear on its page with the next step and lose no answer.
 #include <unistd.h>
 
 #include <QFile>
@@ -22,20 +22,20 @@ using protocols::Tenths;
 
 namespace {
 
-/// Wall time as a computer shows it whose clock is set back by hand; the monotonic clock goes on.
+/// Clock whose wall time can be set back while its monotonic time continues.
 class SteppedClock final : public Clock {
 public:
-    std::int64_t monotonicNs() const override { return m_going.monotonicNs(); }
+    std::int64_t monotonicNs() const override { return m_monotonic.monotonicNs(); }
     std::string wallTime() const override { return m_wall.wallTime(); }
     void advanceSeconds(double seconds)
     {
-        m_going.advanceSeconds(seconds);
+        m_monotonic.advanceSeconds(seconds);
         m_wall.advanceSeconds(seconds);
     }
     void setWallBackHours(double hours) { m_wall.advanceSeconds(-3600 * hours); }
 
 private:
-    VirtualClock m_going, m_wall;
+    VirtualClock m_monotonic, m_wall;
 };
 
 }  // namespace
@@ -44,19 +44,19 @@ class AppFaultsTest : public tests::support::WindowTest {
     Q_OBJECT
 
 private Q_SLOTS:
-    void editedProtocolIsToldOnTheStudyPage();
-    void protocolEditedWhileTheStudyIsOpenIsToldToo();
-    void studyHeldByAnotherProcessNamesIt();
+    void studyPageShowsThatTheProtocolWasEdited();
+    void studyPageChecksTheProtocolBeforeEachSession();
+    void messageForALockedStudyNamesTheProcess();
     void alteredStimulusPausesAndNamesTheFile();
-    void fullDiskKeepsTheEntryUntilThereIsRoom_data();
-    void fullDiskKeepsTheEntryUntilThereIsRoom();
-    void displayThatCannotBeOpenedIsToldOnTheStudyPage();
+    void fullDiskKeepsTheEntryUntilSpaceIsFree_data();
+    void fullDiskKeepsTheEntryUntilSpaceIsFree();
+    void studyPageShowsWhyTheDisplayCannotBeOpened();
     void theOnlyScreenIsNotCovered();
     void messageOfOneSessionIsNotShownInTheNext();
     void steppedWallClockChangesNoResponseTime();
 };
 
-void AppFaultsTest::editedProtocolIsToldOnTheStudyPage()
+void AppFaultsTest::studyPageShowsThatTheProtocolWasEdited()
 {
     const auto folder = newStudy(wholeStudy());
     QFile file(QString::fromStdString(folder.protocol().string()));
@@ -66,32 +66,32 @@ void AppFaultsTest::editedProtocolIsToldOnTheStudyPage()
     OpenWindow open(folder);
     const auto message = [&] { return open.message("studyMessage"); };
     QVERIFY2(message().contains("protocol was changed") && message().contains("study amend"), qPrintable(message()));
-    QVERIFY2(message().contains("Close the study here first"), qPrintable(message()));
-    open.hands().click("enrolButton");
+    QVERIFY2(message().contains("First close the study"), qPrintable(message()));
+    open.gui().click("enrolButton");
     QVERIFY(!open.window().session());
     QCOMPARE(open.window().currentPage()->objectName(), QString("studyPage"));
     QVERIFY(message().contains("protocol was changed"));
     QVERIFY(open.window().study()->store().enrolments().empty());
 }
 
-void AppFaultsTest::protocolEditedWhileTheStudyIsOpenIsToldToo()
+void AppFaultsTest::studyPageChecksTheProtocolBeforeEachSession()
 {
     const auto folder = newStudy(wholeStudy());
     OpenWindow open(folder);
     QVERIFY(open.message("studyMessage").isEmpty());
     QVERIFY(QFile::remove(QString::fromStdString(folder.protocol().string())));
-    open.hands().click("enrolButton");
+    open.gui().click("enrolButton");
     QVERIFY(!open.window().session());
     QVERIFY2(open.message("studyMessage").contains("protocol cannot be read"), qPrintable(open.message("studyMessage")));
 }
 
-void AppFaultsTest::studyHeldByAnotherProcessNamesIt()
+void AppFaultsTest::messageForALockedStudyNamesTheProcess()
 {
     const auto folder = newStudy(wholeStudy());
     const database::StudyStore other(folder, database::StudyStore::Access::Write);
     ShownWindow shown;
     shown.widget<QLineEdit>("studyFolderField").setText(QString::fromStdString(folder.folder.string()));
-    shown.hands.click("openButton");
+    shown.gui.click("openButton");
     const auto* message = &shown.widget<QLabel>("startMessage");
     QVERIFY(message->isVisible());
     QVERIFY2(message->text().contains(QString::number(::getpid())), qPrintable(message->text()));
@@ -102,7 +102,7 @@ void AppFaultsTest::alteredStimulusPausesAndNamesTheFile()
     const auto folder = newStudy(wholeStudy());
     OpenWindow open(folder);
     open.enrolAndBegin();
-    open.playTo("OnBreak");  // what comes next is not read ahead before the tray
+    open.playTo("OnBreak");  // the next stimuli are loaded only at the tray
     const auto before = answersIn(folder);
     for (const auto& file : std::filesystem::directory_iterator(folder.stimuli())) {
         QFile stimulus(QString::fromStdString(file.path().string()));
@@ -122,13 +122,13 @@ void AppFaultsTest::alteredStimulusPausesAndNamesTheFile()
     for (const auto& [asked, answer] : before) QCOMPARE(after.at(asked), answer);
 }
 
-void AppFaultsTest::fullDiskKeepsTheEntryUntilThereIsRoom_data()
+void AppFaultsTest::fullDiskKeepsTheEntryUntilSpaceIsFree_data()
 {
     QTest::addColumn<QString>("question");
     for (const char* question : {"Q1", "W1", "S1", "Q2"}) QTest::newRow(question) << question;
 }
 
-void AppFaultsTest::fullDiskKeepsTheEntryUntilThereIsRoom()
+void AppFaultsTest::fullDiskKeepsTheEntryUntilSpaceIsFree()
 {
     QFETCH(QString, question);
     const auto folder = newStudy(wholeStudy());
@@ -146,19 +146,19 @@ void AppFaultsTest::fullDiskKeepsTheEntryUntilThereIsRoom()
     QVERIFY(!open.view().state.paused);
     QVERIFY(!answersIn(folder).contains(asked));
     disk.letWritesFailWith(SQLITE_OK);
-    pressKey(open, Qt::Key_Return);  // what was entered is still there
+    pressKey(open, Qt::Key_Return);  // the entry is still in the field
     QVERIFY2(open.message().isEmpty(), qPrintable(open.message()));
     QCOMPARE(answersIn(folder).at(asked), answerText(spoken));
 }
 
-void AppFaultsTest::displayThatCannotBeOpenedIsToldOnTheStudyPage()
+void AppFaultsTest::studyPageShowsWhyTheDisplayCannotBeOpened()
 {
     const auto folder = newStudy(wholeStudy());
     AppOptions options;
     options.display = "cover:9";
     ShownWindow shown(options);
     shown.window.openStudy(folder.folder);
-    shown.hands.click("enrolButton");
+    shown.gui.click("enrolButton");
     QCOMPARE(shown.window.currentPage()->objectName(), QString("studyPage"));
     const auto* message = &shown.widget<QLabel>("studyMessage");
     QVERIFY(message->isVisible());
@@ -171,7 +171,7 @@ void AppFaultsTest::theOnlyScreenIsNotCovered()
     if (QGuiApplication::screens().size() > 1) QSKIP("there is more than one screen");
     try {
         study::app::openDisplay("cover:0");
-        QFAIL("the console would be hidden");
+        QFAIL("the cover hides the console");
     } catch (const protocols::Error& fault) {
         QVERIFY2(QString::fromUtf8(fault.what()).contains("hide the console"), fault.what());
     }
@@ -212,7 +212,7 @@ void AppFaultsTest::steppedWallClockChangesNoResponseTime()
     QCOMPARE(answers.back().record.question.value, std::string("S1"));
     QCOMPARE(answers.back().seconds, 4.5);
     QVERIFY(answers.back().storedAtNs >= answers.back().record.answeredAtNs);
-    QVERIFY(answers.back().wallTime < answers.front().wallTime);  // the record says what the wall clock said
+    QVERIFY(answers.back().wallTime < answers.front().wallTime);  // the record keeps the wall time as it was
     QVERIFY(answersIn(folder).contains(asked));
     QCOMPARE(open.widget<QLabel>("sittingFact").text(), sitting);
     QVERIFY(timeLeft.startsWith("About"));

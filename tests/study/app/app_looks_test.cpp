@@ -1,5 +1,5 @@
-// How every page looks: names for screen readers, themes, text sizes. With VIS2HAP_SCREENSHOTS=FOLDER every page is
-// saved there as PNG: light, dark, and with text at 200 percent.
+// Appearance of every page: names for screen readers, themes, text sizes. With VIS2HAP_SCREENSHOTS=FOLDER the test saves
+// every page in this folder as PNG: light, dark, and with text at 200 %.
 #include <QAbstractButton>
 #include <QAbstractItemView>
 #include <QAbstractScrollArea>
@@ -42,13 +42,13 @@ QStringList namelessControlsIn(const QWidget& root)
     return nameless;
 }
 
-/// A data set with one faulty file; the sheet is an empty one.
+/// A data set with one faulty file and a blank sheet.
 LookAtData someData()
 {
     LookAtData look;
     look.open = [](const std::filesystem::path&) {
         return DataOverview{"Fifteen fabrics",
-                            "signals of different places; photographs 0.05 mm a pixel; CC0-1.0",
+                            "signals of different places; photographs 0.05 mm per pixel; CC0-1.0",
                             {{"F01", "Linen", "plain weave", 225, 225, 225, 225, 225}, {"F02", "Felt", "", 3, 0, 0, 2, 3}}};
     };
     look.draw = [](const DataSheetRequest& request) {
@@ -62,7 +62,7 @@ LookAtData someData()
     return look;
 }
 
-/// Buttons and labels that have less room than their text takes.
+/// Buttons and labels that are too small for their text.
 QStringList cutTextsIn(const QWidget& page)
 {
     QStringList cut;
@@ -85,7 +85,7 @@ QStringList cutTextsIn(const QWidget& page)
     return cut;
 }
 
-/// Areas whose content is wider than they are, so that one would have to scroll sideways to read.
+/// Areas with content that is wider than themselves and would need sideways scrolling.
 QStringList wideAreasIn(const QWidget& page)
 {
     QStringList wide;
@@ -101,9 +101,9 @@ class AppLooksTest : public tests::support::WindowTest {
     Q_OBJECT
 
 private:
-    /// Told each page's name.
+    /// Receives the window on each page, with the name of the page.
     using Look = std::function<void(QWidget& window, const char* page)>;
-    /// Goes through every page of the window.
+    /// Calls `look` on every page of the window.
     void visitPages(const Look& look);
     void visitPreparation(OpenWindow& open, const Look& look);
     void visitQuestions(OpenWindow& open, const Look& look);
@@ -119,7 +119,7 @@ private Q_SLOTS:
     void everyControlHasANameForScreenReaders();
     void noTextIsCut_data();
     void noTextIsCut();
-    void keysChangeTheLooks();
+    void keysChangeTheAppearance();
     void pagesAreSavedAsPictures();
 };
 
@@ -132,11 +132,11 @@ void AppLooksTest::visitPages(const Look& look)
     OpenWindow open(newStudy(tests::support::wholeStudy()), options);
     open.window().startSession(protocols::ParticipantId("P01"));
     open.playTo("Debriefing");
-    open.hands().type("One felt sticky, the others dry.");
+    open.gui().type("One felt sticky, the others dry.");
     look(open.window(), "debriefing");
     open.playToEnd();
     look(open.window(), "finished");
-    open.hands().pressKey(Qt::Key_Return);
+    open.gui().pressKey(Qt::Key_Return);
     QTest::qWait(1);
     open.window().startSession(protocols::ParticipantId("P02"));
     visitPreparation(open, look);
@@ -151,23 +151,23 @@ void AppLooksTest::visitPreparation(OpenWindow& open, const Look& look)
     open.playTo("Consenting");
     look(open.window(), "consent");
     open.playTo("AskingFacts");
-    open.hands().focusOn("fact1");
-    open.hands().type("31");
+    open.gui().focusOn("fact1");
+    open.gui().type("31");
     look(open.window(), "facts");
     open.playTo("Familiarising");
     look(open.window(), "familiarisation");
-    open.hands().pressKey(Qt::Key_2);
+    open.gui().pressKey(Qt::Key_2);
     look(open.window(), "familiarisation-shown");
     open.playTo("ScaleTraining");
     look(open.window(), "scale-training");
     open.perform(ScalePlaced{open.view().placesToName.front(), Tenths{50}});
     look(open.window(), "scale-training-named");
     open.playTo("CheckingList");
-    open.hands().focusOn("check1");
-    open.hands().pressKey(Qt::Key_Space);
-    open.hands().pressKey(Qt::Key_Space);  // the focus has gone on to the next
+    open.gui().focusOn("check1");
+    open.gui().pressKey(Qt::Key_Space);
+    open.gui().pressKey(Qt::Key_Space);  // the focus has moved to the next box
     look(open.window(), "checklist");
-    open.hands().pressKey(Qt::Key_Return);
+    open.gui().pressKey(Qt::Key_Return);
     look(open.window(), "checklist-refused");
 }
 
@@ -177,31 +177,31 @@ void AppLooksTest::visitQuestions(OpenWindow& open, const Look& look)
     look(open.window(), "tray-first");
     open.playTo("Presenting");
     look(open.window(), "choice");
-    open.hands().pressKey(Qt::Key_B);
+    open.gui().pressKey(Qt::Key_B);
     look(open.window(), "choice-read-back");
     open.playTo("Presenting", "W1");
-    open.hands().type("Like paper,\nbut softer.");
+    open.gui().type("Like paper,\nbut softer.");
     look(open.window(), "words");
     open.playTo("PlacingTray");
     look(open.window(), "tray");
     open.playTo("OnBreak");
     look(open.window(), "break");
     open.playTo("Presenting", "S1");
-    open.hands().pressKey(Qt::Key_D);
+    open.gui().pressKey(Qt::Key_D);
     look(open.window(), "same-different");
     open.playTo("Presenting", "Q2");
     look(open.window(), "rating");
-    open.hands().type("5,4");
+    open.gui().type("5,4");
     look(open.window(), "rating-read-back");
-    open.hands().type("9");
-    open.hands().pressKey(Qt::Key_Return);
+    open.gui().type("9");
+    open.gui().pressKey(Qt::Key_Return);
     look(open.window(), "rating-refused");
     open.widget<QLineEdit>("ratingField").clear();
     open.playTo("Presenting", "L1");
-    open.hands().type("4");
+    open.gui().type("4");
     look(open.window(), "likert");
     open.playTo("Presenting", "C1");
-    open.hands().type("7.2");
+    open.gui().type("7.2");
     look(open.window(), "continuous");
 }
 
@@ -209,15 +209,15 @@ void AppLooksTest::visitPanels(OpenWindow& open, const Look& look)
 {
     open.playTo("PlacingTray");
     const auto visit = [&](Qt::Key key, const char* page) {
-        open.hands().pressKey(key);
+        open.gui().pressKey(key);
         look(open.window(), page);
-        open.hands().pressKey(Qt::Key_Escape);
+        open.gui().pressKey(Qt::Key_Escape);
     };
     visit(Qt::Key_L, "correction-of-rating");
-    open.hands().pressKey(Qt::Key_L);
-    open.hands().click("answerToQ1");
+    open.gui().pressKey(Qt::Key_L);
+    open.gui().click("answerToQ1");
     look(open.window(), "correction-of-choice");
-    open.hands().pressKey(Qt::Key_Escape);
+    open.gui().pressKey(Qt::Key_Escape);
     visit(Qt::Key_V, "void");
     visit(Qt::Key_N, "note");
     visit(Qt::Key_F, "flag");
@@ -229,7 +229,7 @@ void AppLooksTest::visitPanels(OpenWindow& open, const Look& look)
     look(open.window(), "paused");
     open.display().fault = "the display does not answer";
     open.perform(Resumed{});
-    open.hands().pressKey(Qt::Key_Return);
+    open.gui().pressKey(Qt::Key_Return);
     look(open.window(), "display-fault");
     open.display().fault.clear();
 }
@@ -237,7 +237,7 @@ void AppLooksTest::visitPanels(OpenWindow& open, const Look& look)
 void AppLooksTest::visitAround(OpenWindow& open, const Look& look)
 {
     const auto leave = [&] {
-        open.hands().pressKey(Qt::Key_Q);
+        open.gui().pressKey(Qt::Key_Q);
         QTest::qWait(1);
     };
     leave();
@@ -254,18 +254,18 @@ void AppLooksTest::visitAround(OpenWindow& open, const Look& look)
     open.window().startSession(protocols::ParticipantId("P03"));
     open.perform(WithdrawnEvent{"tired"});
     look(open.window(), "withdrawn");
-    open.hands().pressKey(Qt::Key_Return);
+    open.gui().pressKey(Qt::Key_Return);
     QTest::qWait(1);
     look(open.window(), "study");
-    open.hands().pressKey(Qt::Key_Escape);
+    open.gui().pressKey(Qt::Key_Escape);
     look(open.window(), "start");
     open.widget<QLineEdit>("studyFolderField").setText(filePath("nothing-here"));
-    open.hands().click("openButton");
+    open.gui().click("openButton");
     look(open.window(), "start-fault");
-    open.hands().click("newStudyButton");
+    open.gui().click("newStudyButton");
     look(open.window(), "new-study");
-    open.hands().pressKey(Qt::Key_Escape);
-    open.hands().click("lookAtDataButton");
+    open.gui().pressKey(Qt::Key_Escape);
+    open.gui().click("lookAtDataButton");
     look(open.window(), "data");
     auto& page = *qobject_cast<DataPage*>(open.window().currentPage());
     page.open("fabrics");
@@ -286,7 +286,7 @@ void AppLooksTest::visitMonitor(OpenWindow& open, const Look& look)
     };
     MonitorWindow monitor(open.window().study()->store().folder().folder, options);
     monitor.show();
-    QTRY_VERIFY(monitor.findChild<QLabel*>("flags")->text().contains("earnest"));
+    QTRY_VERIFY(monitor.findChild<QLabel*>("flags")->text().contains("like this"));
     look(monitor, "monitor");
 }
 
@@ -339,7 +339,7 @@ void AppLooksTest::noTextIsCut()
     });
 }
 
-void AppLooksTest::keysChangeTheLooks()
+void AppLooksTest::keysChangeTheAppearance()
 {
     AppOptions options;
     options.settings = std::make_shared<QSettings>(filePath("looks.ini"), QSettings::IniFormat);

@@ -1,5 +1,5 @@
-// The live monitor of the principal investigator: who is where, what is missing, flags; while a session runs in another
-// window, and without a word of what is shown or answered.
+// Live monitor of the principal investigator: stages, missing answers and flags while a session runs in another window. The
+// monitor must stay blinded.
 #include <QLabel>
 #include <QTest>
 #include <QThread>
@@ -20,7 +20,7 @@ class AppMonitorTest : public tests::support::WindowTest {
     Q_OBJECT
 
 private:
-    /// Cells of the row, joined.
+    /// Texts of the cells of a row, joined by "|".
     static QString rowOf(const MonitorWindow& monitor, int row)
     {
         const auto& tree = *monitor.findChild<QTreeWidget*>("monitorRows");
@@ -31,14 +31,14 @@ private:
 
 private Q_SLOTS:
     void followsASessionInAnotherWindow();
-    void voidedCellsAreMissingUntilTheyAreGivenAgain();
-    void placeOfOneWhoWithdrewIsSeenFreed();
-    void severalMonitorsAndAWriterGoTogether();
-    void looksAgainByItself();
-    void flagsAreReadOffTheWindowsThread();
-    void flagsThatCannotBeReadAreTold();
+    void voidedAnswersAreMissingUntilTheyAreRepeated();
+    void placeOfAWithdrawnParticipantIsFree();
+    void severalMonitorsRunBesideAWriter();
+    void updatesByItself();
+    void flagsAreReadOnAWorkerThread();
+    void monitorShowsWhyFlagsCannotBeRead();
     void folderThatIsNoStudyIsRefused();
-    void tellsNothingThatIsHiddenNorAnyScore();
+    void showsNoHiddenNameAndNoScore();
     void erasedParticipantsHaveNoStage();
 };
 
@@ -47,30 +47,30 @@ void AppMonitorTest::followsASessionInAnotherWindow()
     const auto folder = newStudy(wholeStudy());
     OpenWindow open(folder);
     AppOptions options;
-    options.clock = std::shared_ptr<Clock>(std::shared_ptr<Clock>(), &open.clock());  // the session's own
+    options.clock = std::shared_ptr<Clock>(std::shared_ptr<Clock>(), &open.clock());  // shares the clock of the session
     MonitorWindow monitor(folder.folder, options);
     QCOMPARE(rowOf(monitor, 0), QString("1|–|free|||||"));
     open.window().startSession(ParticipantId("P01"));
-    monitor.look();
+    monitor.refresh();
     QCOMPARE(rowOf(monitor, 0), QString("1|P01|welcome|1/30|0/42|||just now"));
     open.playTo("CheckingList");
     open.clock().advanceSeconds(7 * 60);
-    monitor.look();
+    monitor.refresh();
     QCOMPARE(rowOf(monitor, 0), QString("1|P01|checklist|1/30|0/42|||7 min ago"));
     open.playTo("Presenting", "S1");
-    monitor.look();
+    monitor.refresh();
     QCOMPARE(rowOf(monitor, 0), QString("1|P01|question S1|7/30|12/42|||just now"));
     QVERIFY(monitor.findChild<QLabel*>("monitorSummary")->text().startsWith("12 of 126 answers"));
     open.perform(Paused{});
-    monitor.look();
+    monitor.refresh();
     QCOMPARE(rowOf(monitor, 0), QString("1|P01|paused (tray)|7/30|12/42|||just now"));
     open.perform(Resumed{});
     open.playToEnd();
-    monitor.look();
+    monitor.refresh();
     QCOMPARE(rowOf(monitor, 0), QString("1|P01|finished||42/42|||just now"));
 }
 
-void AppMonitorTest::voidedCellsAreMissingUntilTheyAreGivenAgain()
+void AppMonitorTest::voidedAnswersAreMissingUntilTheyAreRepeated()
 {
     const auto folder = newStudy(wholeStudy());
     OpenWindow open(folder);
@@ -78,14 +78,14 @@ void AppMonitorTest::voidedCellsAreMissingUntilTheyAreGivenAgain()
     open.enrolAndBegin();
     open.playTo("Presenting", "W1");
     open.perform(Voided{"the wrong piece"});
-    monitor.look();
+    monitor.refresh();
     QVERIFY2(rowOf(monitor, 0).startsWith("1|P01|tray|2/31|0/42|2|1|"), qPrintable(rowOf(monitor, 0)));
     open.playToEnd();
-    monitor.look();
+    monitor.refresh();
     QVERIFY2(rowOf(monitor, 0).startsWith("1|P01|finished||42/42||1|"), qPrintable(rowOf(monitor, 0)));
 }
 
-void AppMonitorTest::placeOfOneWhoWithdrewIsSeenFreed()
+void AppMonitorTest::placeOfAWithdrawnParticipantIsFree()
 {
     const auto folder = newStudy(wholeStudy());
     OpenWindow open(folder);
@@ -98,22 +98,22 @@ void AppMonitorTest::placeOfOneWhoWithdrewIsSeenFreed()
     QVERIFY(monitor.findChild<QLabel*>("monitorSummary")->text().startsWith("0 of 126 answers"));
 }
 
-void AppMonitorTest::severalMonitorsAndAWriterGoTogether()
+void AppMonitorTest::severalMonitorsRunBesideAWriter()
 {
     const auto folder = newStudy(wholeStudy());
     OpenWindow open(folder);
     MonitorWindow first(folder.folder, {}), second(folder.folder, {});
     open.enrolAndBegin();
     open.playTo("OnBreak");
-    first.look();
-    second.look();
+    first.refresh();
+    second.refresh();
     QVERIFY(rowOf(first, 0).startsWith("1|P01|break|"));
     QCOMPARE(rowOf(first, 0), rowOf(second, 0));
     open.playToEnd();
     QCOMPARE(static_cast<int>(answersIn(folder).size()), answersOf({}));
 }
 
-void AppMonitorTest::looksAgainByItself()
+void AppMonitorTest::updatesByItself()
 {
     const auto folder = newStudy(wholeStudy());
     MonitorWindow monitor(folder.folder, {});
@@ -123,7 +123,7 @@ void AppMonitorTest::looksAgainByItself()
     QTRY_VERIFY_WITH_TIMEOUT(rowOf(monitor, 0).startsWith("1|P01|tray|"), 5000);
 }
 
-void AppMonitorTest::flagsAreReadOffTheWindowsThread()
+void AppMonitorTest::flagsAreReadOnAWorkerThread()
 {
     const auto folder = newStudy(wholeStudy());
     QThread* thread = nullptr;
@@ -141,18 +141,18 @@ void AppMonitorTest::flagsAreReadOffTheWindowsThread()
     QTRY_COMPARE(flags->text(), QString("P01, too fast: 0 answers came within half a second\n"
                                         "slot bias: slot A was chosen more often than chance allows"));
     QVERIFY(thread != QThread::currentThread());
-    monitor.look();
+    monitor.refresh();
     QTest::qWait(20);
-    QCOMPARE(readings, 1);  // no answer came since
+    QCOMPARE(readings, 1);  // no new answer since the last reading
     {
         OpenSession session(folder, "P01", database::ParticipantKind::Human);
         session.playUntilAnswers(3);
     }
-    monitor.look();
+    monitor.refresh();
     QTRY_VERIFY(flags->text().startsWith("P01, too fast: 3 answers"));
 }
 
-void AppMonitorTest::flagsThatCannotBeReadAreTold()
+void AppMonitorTest::monitorShowsWhyFlagsCannotBeRead()
 {
     AppOptions options;
     options.readFlags = [](const database::StudyStore&) -> std::vector<MonitorFlag> {
@@ -167,7 +167,7 @@ void AppMonitorTest::folderThatIsNoStudyIsRefused()
     QVERIFY_EXCEPTION_THROWN(MonitorWindow(filePath("nothing").toStdString(), {}), protocols::Error);
 }
 
-void AppMonitorTest::tellsNothingThatIsHiddenNorAnyScore()
+void AppMonitorTest::showsNoHiddenNameAndNoScore()
 {
     const auto folder = newStudy(wholeStudy());
     OpenWindow open(folder);

@@ -1,5 +1,5 @@
-// What an experimenter meets on the way through a session: corrections, notes, voids, withdrawal, a dead
-// display, a key held down. Through the real widgets.
+// Events that an experimenter meets during a session: corrections, notes, voids, a withdrawal, a display that fails, a key
+// held down. Through the real widgets.
 #include <QLabel>
 #include <QTest>
 
@@ -14,15 +14,15 @@ class AppOperatorTest : public tests::support::WindowTest {
 
 private Q_SLOTS:
     void lastAnswerIsCorrectedWithItsReason();
-    void choiceOfTheLastPartCanStillBeCorrected();
+    void earlierQuestionCanStillBeCorrected();
     void stopForNowLeadsBackToTheStudy();
-    void voidedPresentationComesAgain();
-    void noteIsKeptWithTheAnswer();
+    void voidedPresentationIsRepeated();
+    void noteIsStored();
     void withdrawalNeedsNoReason();
-    void trayMarksOnlyWhatHasToBeChanged();
-    void heldKeyStoresNothingTwice();
-    void deadDisplayIsToldAndNothingIsLost();
-    void answerIsNotStoredBeforeOneIsChosen();
+    void trayMarksOnlyPiecesThatChange();
+    void heldKeyStoresOneAnswer();
+    void displayFaultPausesAndLosesNothing();
+    void enterStoresNothingBeforeAChoice();
 };
 
 void AppOperatorTest::lastAnswerIsCorrectedWithItsReason()
@@ -39,14 +39,14 @@ void AppOperatorTest::lastAnswerIsCorrectedWithItsReason()
     QCOMPARE(open.widget<QLabel>("oldValue").text(), QString("5.4"));
     typeText(open, "4");
     pressKey(open, Qt::Key_Return);  // no reason yet
-    QVERIFY(open.message().contains("why"));
+    QVERIFY(open.message().contains("Write a short reason"));
     QCOMPARE(answersIn(folder).at(asked), std::string("5.4"));
-    typeText(open, "misheard, said four");  // letters that are keys elsewhere
+    typeText(open, "misheard, said four");  // these letters are command keys on other pages
     pressKey(open, Qt::Key_Return);
 
     QCOMPARE(answersIn(folder).at(asked), std::string("4"));
     QVERIFY(open.widget<QLabel>("lastAnswer").text().contains("4.0"));
-    QCOMPARE(open.window().focusWidget()->objectName(), QString("ratingField"));  // the question goes on
+    QCOMPARE(open.window().focusWidget()->objectName(), QString("ratingField"));  // the open question is in front again
     for (const auto& stored : storedIn(folder))
         if (stored.record.question.value == "Q2") {
             QCOMPARE(stored.corrections, 1);
@@ -54,12 +54,12 @@ void AppOperatorTest::lastAnswerIsCorrectedWithItsReason()
         }
 }
 
-void AppOperatorTest::choiceOfTheLastPartCanStillBeCorrected()
+void AppOperatorTest::earlierQuestionCanStillBeCorrected()
 {
     const auto folder = newStudy();
     OpenWindow open(folder);
     open.enrolAndBegin();
-    open.playTo("Presenting", "Q3");  // Q2 is the last answer, Q1 the one before it
+    open.playTo("Presenting", "Q3");  // the latest answers are to Q2 and, before it, Q1
     const auto correctable = open.window().session()->correctables();
     QCOMPARE(correctable.size(), std::size_t(2));
     const auto& options = std::get<study::app::OptionsForm>(correctable[1].form).options;
@@ -88,7 +88,7 @@ void AppOperatorTest::stopForNowLeadsBackToTheStudy()
     QVERIFY(open.view().state.paused);
 }
 
-void AppOperatorTest::voidedPresentationComesAgain()
+void AppOperatorTest::voidedPresentationIsRepeated()
 {
     const auto folder = newStudy();
     OpenWindow open(folder);
@@ -107,7 +107,7 @@ void AppOperatorTest::voidedPresentationComesAgain()
     QCOMPARE(voided, 1);
 }
 
-void AppOperatorTest::noteIsKeptWithTheAnswer()
+void AppOperatorTest::noteIsStored()
 {
     const auto folder = newStudy();
     OpenWindow open(folder);
@@ -115,7 +115,7 @@ void AppOperatorTest::noteIsKeptWithTheAnswer()
     open.playTo("Presenting", "Q2");
     pressKey(open, Qt::Key_N);
     pressKey(open, Qt::Key_Return);
-    pressKey(open, Qt::Key_Return);  // an empty note is none, however often it is confirmed
+    pressKey(open, Qt::Key_Return);  // an empty note is never stored
     QVERIFY(!open.message().isEmpty());
     pressKey(open, Qt::Key_Escape);
     QVERIFY(!open.view().state.paused);  // Esc only closed the panel
@@ -137,7 +137,7 @@ void AppOperatorTest::withdrawalNeedsNoReason()
     QTRY_COMPARE(open.window().currentPage()->objectName(), QString("studyPage"));
 }
 
-void AppOperatorTest::trayMarksOnlyWhatHasToBeChanged()
+void AppOperatorTest::trayMarksOnlyPiecesThatChange()
 {
     OpenWindow open(newStudy());
     open.enrolAndBegin();
@@ -147,7 +147,7 @@ void AppOperatorTest::trayMarksOnlyWhatHasToBeChanged()
             letters += tag->isVisible() && tag->property("role").toString() == QLatin1String("tag-new") ? '1' : '0';
         return letters;
     };
-    QCOMPARE(marked(), QString("111"));  // nobody knows what lies there
+    QCOMPARE(marked(), QString("111"));  // the pieces on the tray are unknown
     for (int presentation = 0; presentation < 3; ++presentation) {
         const auto before = open.view().trayIds;
         open.playTo("Presenting");
@@ -159,7 +159,7 @@ void AppOperatorTest::trayMarksOnlyWhatHasToBeChanged()
     }
 }
 
-void AppOperatorTest::heldKeyStoresNothingTwice()
+void AppOperatorTest::heldKeyStoresOneAnswer()
 {
     const auto folder = newStudy();
     OpenWindow open(folder);
@@ -171,10 +171,10 @@ void AppOperatorTest::heldKeyStoresNothingTwice()
         QApplication::sendEvent(open.window().focusWidget(), &held);
     }
     QCOMPARE(answersIn(folder).size(), std::size_t(1));
-    QCOMPARE(nameOf(open.view().state), std::string("PlacingTray"));  // and the next tray is not confirmed unseen
+    QCOMPARE(nameOf(open.view().state), std::string("PlacingTray"));  // the held key does not confirm the next tray
 }
 
-void AppOperatorTest::deadDisplayIsToldAndNothingIsLost()
+void AppOperatorTest::displayFaultPausesAndLosesNothing()
 {
     const auto folder = newStudy();
     OpenWindow open(folder);
@@ -189,13 +189,13 @@ void AppOperatorTest::deadDisplayIsToldAndNothingIsLost()
     QVERIFY(open.view().state.paused);
     QCOMPARE(answersIn(folder), before);
     open.display().fault.clear();
-    pressKey(open, Qt::Key_Return);  // goes on
+    pressKey(open, Qt::Key_Return);  // continues the session
     QVERIFY(open.message().isEmpty());
     open.playToEnd();
     QCOMPARE(answersIn(folder).size(), std::size_t(24));
 }
 
-void AppOperatorTest::answerIsNotStoredBeforeOneIsChosen()
+void AppOperatorTest::enterStoresNothingBeforeAChoice()
 {
     const auto folder = newStudy();
     OpenWindow open(folder);

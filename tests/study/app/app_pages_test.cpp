@@ -1,4 +1,4 @@
-// The pages around a session: opening and making studies, who is where, the checklist; and numbers as typed.
+// Pages around a session: opening and creating studies, the list of participants, the checklist. Also typed numbers.
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
@@ -23,24 +23,24 @@ class AppPagesTest : public tests::support::WindowTest {
     Q_OBJECT
 
 private:
-    /// A row of the study page's list.
+    /// Text of one row in the list of the study page.
     static QString placeAt(OpenWindow& open, int row);
 
 private Q_SLOTS:
     void typedNumbersBecomeRatings_data();
     void typedNumbersBecomeRatings();
-    void placesOnTheLineAreSteps();
+    void pointsOnTheLineBecomeSteps();
     void startPageOpensAStudy();
-    void folderThatIsNoStudyIsToldOnTheStartPage();
-    void studiesLastUsedAreRemembered();
-    void studyPageShowsWhoIsWhere();
-    void placeOfOneWhoWithdrewIsTakenByTheNext();
-    void takenOrStrangeParticipantsAreNotEnrolled_data();
-    void takenOrStrangeParticipantsAreNotEnrolled();
-    void newStudyIsMadeOffTheWindowsThread();
-    void makingThatFailsIsToldOnThePage();
+    void startPageShowsWhyAFolderCannotBeOpened();
+    void recentStudiesAreListed();
+    void studyPageShowsEveryParticipant();
+    void nextParticipantTakesThePlaceAfterAWithdrawal();
+    void takenOrInvalidCodesAreNotEnrolled_data();
+    void takenOrInvalidCodesAreNotEnrolled();
+    void newStudyIsMadeOnAWorkerThread();
+    void pageShowsWhyTheStudyCouldNotBeMade();
     void makingCanBeStopped();
-    void incompleteFormIsToldAndMakesNothing();
+    void incompleteFormShowsAHintAndMakesNothing();
     void checklistMustBeCompleteBeforeTheFirstPresentation();
 };
 
@@ -75,7 +75,7 @@ void AppPagesTest::typedNumbersBecomeRatings()
     if (!rating) QVERIFY(!std::get<NoRating>(read).why.isEmpty());
 }
 
-void AppPagesTest::placesOnTheLineAreSteps()
+void AppPagesTest::pointsOnTheLineBecomeSteps()
 {
     const protocols::RatingScale halves{Tenths{0}, Tenths{100}, Tenths{5}, 9, {}};
     QCOMPARE(ratingAt(0.0, halves).value, 0);
@@ -98,20 +98,20 @@ void AppPagesTest::startPageOpensAStudy()
     QVERIFY(shown.window.windowTitle().contains("Small study"));
 }
 
-void AppPagesTest::folderThatIsNoStudyIsToldOnTheStartPage()
+void AppPagesTest::startPageShowsWhyAFolderCannotBeOpened()
 {
     ShownWindow shown;
     const auto message = [&] { return &shown.widget<QLabel>("startMessage"); };
-    shown.hands.click("openButton");
+    shown.gui.click("openButton");
     QVERIFY(message()->isVisible());
     shown.widget<QLineEdit>("studyFolderField").setText(filePath("not-there"));
-    shown.hands.click("openButton");
+    shown.gui.click("openButton");
     QCOMPARE(shown.window.currentPage()->objectName(), QString("startPage"));
     QVERIFY(message()->isVisible());
     QVERIFY2(message()->text().contains("not-there"), qPrintable(message()->text()));
 }
 
-void AppPagesTest::studiesLastUsedAreRemembered()
+void AppPagesTest::recentStudiesAreListed()
 {
     const auto first = newStudy(), second = newStudy();
     AppOptions options;
@@ -137,39 +137,39 @@ QString AppPagesTest::placeAt(OpenWindow& open, int row)
     return texts.join('|');
 }
 
-void AppPagesTest::placeOfOneWhoWithdrewIsTakenByTheNext()
+void AppPagesTest::nextParticipantTakesThePlaceAfterAWithdrawal()
 {
     OpenWindow open(newStudy({.participants = 1}));
     open.enrolAndBegin();
     open.playTo("Presenting", "Q2");
     open.perform(WithdrawnEvent{"tired"});
-    open.hands().pressKey(Qt::Key_Return);
+    open.gui().pressKey(Qt::Key_Return);
     QTRY_COMPARE(open.window().currentPage()->objectName(), QString("studyPage"));
     QCOMPARE(placeAt(open, 0), QString("1|P01|withdrawn, place freed|6 of 24"));
     QCOMPARE(placeAt(open, 1), QString("1|–|free|"));
-    open.hands().click("enrolButton");
-    open.hands().pressKey(Qt::Key_Q);
+    open.gui().click("enrolButton");
+    open.gui().pressKey(Qt::Key_Q);
     QTRY_COMPARE(open.window().currentPage()->objectName(), QString("studyPage"));
     QCOMPARE(placeAt(open, 0), QString("1|P01|withdrawn, place freed|6 of 24"));
-    QCOMPARE(placeAt(open, 1), QString("1|P02|under way|0 of 24"));
+    QCOMPARE(placeAt(open, 1), QString("1|P02|in progress|0 of 24"));
 }
 
-void AppPagesTest::studyPageShowsWhoIsWhere()
+void AppPagesTest::studyPageShowsEveryParticipant()
 {
     OpenWindow open(newStudy({.participants = 3}));
     open.enrolAndBegin();
     open.playToEnd();
     open.window().startSession(protocols::ParticipantId("P02"));
     open.playTo("Presenting", "Q2");
-    open.hands().pressKey(Qt::Key_Q);
+    open.gui().pressKey(Qt::Key_Q);
     QTRY_COMPARE(open.window().currentPage()->objectName(), QString("studyPage"));
     QCOMPARE(placeAt(open, 0), QString("1|P01|finished|24 of 24"));
-    QCOMPARE(placeAt(open, 1), QString("2|P02|under way|6 of 24"));
+    QCOMPARE(placeAt(open, 1), QString("2|P02|in progress|6 of 24"));
     QCOMPARE(placeAt(open, 2), QString("3|–|free|"));
     QCOMPARE(open.widget<QLineEdit>("participantField").text(), QString("P03"));
 }
 
-void AppPagesTest::takenOrStrangeParticipantsAreNotEnrolled_data()
+void AppPagesTest::takenOrInvalidCodesAreNotEnrolled_data()
 {
     QTest::addColumn<QString>("participant");
     QTest::newRow("taken") << "P01";
@@ -178,20 +178,20 @@ void AppPagesTest::takenOrStrangeParticipantsAreNotEnrolled_data()
     QTest::newRow("a path") << "../P02";
 }
 
-void AppPagesTest::takenOrStrangeParticipantsAreNotEnrolled()
+void AppPagesTest::takenOrInvalidCodesAreNotEnrolled()
 {
     QFETCH(QString, participant);
     OpenWindow open(newStudy());
     open.enrolAndBegin();
-    open.hands().pressKey(Qt::Key_Q);
+    open.gui().pressKey(Qt::Key_Q);
     QTRY_COMPARE(open.window().currentPage()->objectName(), QString("studyPage"));
     open.widget<QLineEdit>("participantField").setText(participant);
-    open.hands().click("enrolButton");
+    open.gui().click("enrolButton");
     QVERIFY(!open.window().session());
     QVERIFY(!open.message("studyMessage").isEmpty());
 }
 
-void AppPagesTest::newStudyIsMadeOffTheWindowsThread()
+void AppPagesTest::newStudyIsMadeOnAWorkerThread()
 {
     const auto made = newStudy();
     AppOptions options;
@@ -203,34 +203,34 @@ void AppPagesTest::newStudyIsMadeOffTheWindowsThread()
         progress(0.5, "drawing the running orders");
     };
     ShownWindow shown(options);
-    shown.hands.click("newStudyButton");
-    shown.hands.type(QString::fromStdString(made.folder.string()));
-    shown.hands.focusOn("datasetField");
-    shown.hands.type("/data/fabrics");
-    shown.hands.focusOn("seedField");
+    shown.gui.click("newStudyButton");
+    shown.gui.type(QString::fromStdString(made.folder.string()));
+    shown.gui.focusOn("datasetField");
+    shown.gui.type("/data/fabrics");
+    shown.gui.focusOn("seedField");
     shown.widget<QLineEdit>("seedField").clear();
-    shown.hands.type("42");
-    shown.hands.focusOn("participantsField");
-    shown.hands.type("4");
-    shown.hands.focusOn("protocolField");
-    shown.hands.pressKey(Qt::Key_Return);
+    shown.gui.type("42");
+    shown.gui.focusOn("participantsField");
+    shown.gui.type("4");
+    shown.gui.focusOn("protocolField");
+    shown.gui.pressKey(Qt::Key_Return);
     QTRY_COMPARE(shown.window.currentPage()->objectName(), QString("studyPage"));
     QCOMPARE(asked, (NewStudyRequest{made.folder, "/data/fabrics", std::nullopt, 4, 42}));
     QVERIFY(thread != QThread::currentThread());
 }
 
-void AppPagesTest::makingThatFailsIsToldOnThePage()
+void AppPagesTest::pageShowsWhyTheStudyCouldNotBeMade()
 {
     AppOptions options;
     options.makeStudy = [](const NewStudyRequest& request, const MakingProgress&) {
         throw protocols::badInput({.what = "no photographs", .where = request.dataset.string(), .expected = {}, .nextStep = {}});
     };
     ShownWindow shown(options);
-    shown.hands.click("newStudyButton");
-    shown.hands.type("/tmp/new-study");
-    shown.hands.focusOn("datasetField");
-    shown.hands.type("/data/poor");
-    shown.hands.click("makeButton");
+    shown.gui.click("newStudyButton");
+    shown.gui.type("/tmp/new-study");
+    shown.gui.focusOn("datasetField");
+    shown.gui.type("/data/poor");
+    shown.gui.click("makeButton");
     const auto* message = &shown.widget<QLabel>("newStudyMessage");
     QTRY_VERIFY(message->isVisible());
     QVERIFY(message->text().contains("no photographs"));
@@ -255,39 +255,39 @@ void AppPagesTest::makingCanBeStopped()
         }
     };
     ShownWindow shown(options);
-    shown.hands.click("newStudyButton");
-    shown.hands.type("/tmp/new-study");
-    shown.hands.focusOn("datasetField");
-    shown.hands.type("/data/fabrics");
-    shown.hands.pressKey(Qt::Key_Return);
+    shown.gui.click("newStudyButton");
+    shown.gui.type("/tmp/new-study");
+    shown.gui.focusOn("datasetField");
+    shown.gui.type("/data/fabrics");
+    shown.gui.pressKey(Qt::Key_Return);
     QTRY_COMPARE(shown.widget<QLabel>("makingText").text(), QString("working"));
-    shown.hands.pressKey(Qt::Key_Escape);
+    shown.gui.pressKey(Qt::Key_Escape);
     QTRY_VERIFY(isUnwound);
     QTRY_VERIFY(shown.widget<QLabel>("newStudyMessage").isVisible());
     QVERIFY(shown.widget<QLabel>("newStudyMessage").text().contains("stopped"));
 }
 
-void AppPagesTest::incompleteFormIsToldAndMakesNothing()
+void AppPagesTest::incompleteFormShowsAHintAndMakesNothing()
 {
     AppOptions options;
     bool isMade = false;
     options.makeStudy = [&](const NewStudyRequest&, const MakingProgress&) { isMade = true; };
     ShownWindow shown(options);
-    shown.hands.click("newStudyButton");
+    shown.gui.click("newStudyButton");
     const auto* message = &shown.widget<QLabel>("newStudyMessage");
-    const auto toldAfterEnter = [&] {
-        shown.hands.pressKey(Qt::Key_Return);
+    const auto messageAfterEnter = [&] {
+        shown.gui.pressKey(Qt::Key_Return);
         return message->isVisible() ? message->text() : QString();
     };
-    QVERIFY(toldAfterEnter().contains("folder for the study"));
-    shown.hands.type("/tmp/s");
-    QVERIFY(toldAfterEnter().contains("data set"));
-    shown.hands.type("/tmp/d");
+    QVERIFY(messageAfterEnter().contains("study folder"));
+    shown.gui.type("/tmp/s");
+    QVERIFY(messageAfterEnter().contains("data set"));
+    shown.gui.type("/tmp/d");
     shown.widget<QLineEdit>("seedField").setText("-3");
-    QVERIFY(toldAfterEnter().contains("seed"));
+    QVERIFY(messageAfterEnter().contains("seed"));
     shown.widget<QLineEdit>("seedField").setText("3");
     shown.widget<QLineEdit>("participantsField").setText("0");
-    QVERIFY(toldAfterEnter().contains("number of participants"));
+    QVERIFY(messageAfterEnter().contains("number of participants"));
     QTest::qWait(20);
     QVERIFY(!isMade);
 }
@@ -303,7 +303,7 @@ void AppPagesTest::checklistMustBeCompleteBeforeTheFirstPresentation()
     page.begin(facts);
     std::optional<ChecklistDone> done;
     QString hint;
-    connect(&page, &StagePage::eventAsked, this, [&](const EventBody& event) { done = std::get<ChecklistDone>(event); });
+    connect(&page, &StagePage::eventRequested, this, [&](const EventBody& event) { done = std::get<ChecklistDone>(event); });
     connect(&page, &StagePage::hinted, this, [&](const QString& text) { hint = text; });
     const auto boxes = page.findChildren<QCheckBox*>();
     QCOMPARE(boxes.size(), qsizetype(2));

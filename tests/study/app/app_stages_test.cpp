@@ -1,4 +1,4 @@
-// The stages of a session around and between its presentations, through the real widgets.
+// Stages of a session before, between and after its presentations, through the real widgets.
 #include <QLabel>
 #include <QPushButton>
 #include <QTest>
@@ -17,7 +17,7 @@ namespace {
 
 bool isFinished(OpenWindow& open) { return std::holds_alternative<Finished>(open.view().state.stage); }
 
-/// What the operator does at the present stage, with nothing but keys to whatever has the focus.
+/// Keys that the operator presses at each stage, sent to the widget that has the focus.
 struct Keys {
     OpenWindow& open;
     Answers& typed;
@@ -28,7 +28,7 @@ struct Keys {
     {
         for (const char* fact : {"31", "", "left", ""}) {
             typeText(open, fact);
-            enter();  // to the next line; from the last on
+            enter();  // moves to the next line; on the last line, confirms the page
         }
     }
     void operator()(const Familiarising&) const
@@ -79,17 +79,17 @@ class AppStagesTest : public tests::support::WindowTest {
 private Q_SLOTS:
     void everyStageAndAnswerByKeyboardAlone();
     void factsAreKeptOutsideTheLog();
-    void fabricThatIsShownIsMarked();
-    void scaleTrainingReadsBackKindly_data();
-    void scaleTrainingReadsBackKindly();
+    void shownFabricIsMarked();
+    void scaleTrainingCommentsOnTheDistance_data();
+    void scaleTrainingCommentsOnTheDistance();
     void scaleTrainingMayEndAtAnyTime();
-    void checklistIsStampedWithItsReadings();
-    void eachBreakSaysWhyItIs();
+    void checklistStoresItsReadingsAndTheTime();
+    void everyBreakShowsItsReason();
     void laterSittingOffersItsPreparation();
-    void laterSittingMayGoOnWithout();
+    void laterSittingMaySkipItsPreparation();
     void killedSessionOffersThePreparationToo();
-    void nothingIsOfferedWhereTheProtocolHasNothing();
-    void whatIsTypedIsInSightAtTwiceTheSize();
+    void noPreparationIsOfferedIfTheProtocolHasNone();
+    void focusedFieldIsVisibleAtDoubleTextSize();
 };
 
 void AppStagesTest::everyStageAndAnswerByKeyboardAlone()
@@ -103,7 +103,7 @@ void AppStagesTest::everyStageAndAnswerByKeyboardAlone()
     QVERIFY(isFinished(open));
     QCOMPARE(static_cast<int>(typed.size()), answersOf({}));
     QCOMPARE(answersIn(folder), typed);
-    for (const auto& stored : storedIn(folder)) QCOMPARE(stored.seconds, 2.0);  // of the injected clock, from touch to answer
+    for (const auto& stored : storedIn(folder)) QCOMPARE(stored.seconds, 2.0);  // from touch to answer, by the injected clock
     pressKey(open, Qt::Key_Return);
     QTRY_COMPARE(open.window().currentPage()->objectName(), QString("studyPage"));
     const auto facts = open.window().study()->store().personalFacts().at(ParticipantId("P01"));
@@ -122,40 +122,40 @@ void AppStagesTest::factsAreKeptOutsideTheLog()
         QVERIFY(event.payloadJson.find("thirty-one") == std::string::npos);
 }
 
-void AppStagesTest::fabricThatIsShownIsMarked()
+void AppStagesTest::shownFabricIsMarked()
 {
     OpenWindow open(newStudy(wholeStudy()));
     open.window().startSession(ParticipantId("P01"));
     open.playTo("Familiarising");
     open.perform(FamiliarisationShown{1});
-    QCOMPARE(open.display().told.back(), std::string("show"));
+    QCOMPARE(open.display().calls.back(), std::string("show"));
     QVERIFY(open.widget<QPushButton>("familiar2").isChecked());
     QVERIFY(!open.widget<QPushButton>("familiar1").isChecked());
     QVERIFY(open.widget<QLabel>("shownFabric").text().contains("known fabric 2"));
     open.perform(FamiliarisationDone{});
-    QCOMPARE(open.display().told.back(), std::string("clear"));
+    QCOMPARE(open.display().calls.back(), std::string("clear"));
 }
 
-void AppStagesTest::scaleTrainingReadsBackKindly_data()
+void AppStagesTest::scaleTrainingCommentsOnTheDistance_data()
 {
     QTest::addColumn<int>("tenthsOff");
-    QTest::addColumn<QString>("told");
-    QTest::newRow("hit") << 0 << "just where";
+    QTest::addColumn<QString>("expectedText");
+    QTest::newRow("hit") << 0 << "exactly there";
     QTest::newRow("by half a point") << 5 << "very close";
     QTest::newRow("by almost a point") << -9 << "close, 0.9 too low";
     QTest::newRow("by two points") << 20 << "2 too high";
 }
 
-void AppStagesTest::scaleTrainingReadsBackKindly()
+void AppStagesTest::scaleTrainingCommentsOnTheDistance()
 {
     QFETCH(int, tenthsOff);
-    QFETCH(QString, told);
+    QFETCH(QString, expectedText);
     OpenWindow open(newStudy(wholeStudy()));
     open.window().startSession(ParticipantId("P01"));
     open.playTo("ScaleTraining");
     const auto places = open.view().placesToName;
     QCOMPARE(places.size(), std::size_t(3));
-    // The mark that leaves room for the number, wherever the three lie.
+    // Use the first mark that is far enough from the ends of the scale.
     std::size_t at = 0;
     const auto isOnTheLine = [&](Tenths mark) { return mark.value + tenthsOff >= 0 && mark.value + tenthsOff <= 100; };
     while (!isOnTheLine(places.at(at))) {
@@ -165,7 +165,7 @@ void AppStagesTest::scaleTrainingReadsBackKindly()
     const Tenths shown = places[at];
     open.perform(ScalePlaced{shown, {shown.value + tenthsOff}});
     const QString text = open.widget<QLabel>("deviation").text();
-    QVERIFY2(text.contains(told), qPrintable(text));
+    QVERIFY2(text.contains(expectedText), qPrintable(text));
     QVERIFY(text.contains(study::app::textOf(shown)) || tenthsOff == 0);
 }
 
@@ -175,20 +175,20 @@ void AppStagesTest::scaleTrainingMayEndAtAnyTime()
     open.window().startSession(ParticipantId("P01"));
     open.playTo("ScaleTraining");
     pressKey(open, Qt::Key_Return);
-    QVERIFY2(open.message().contains("G goes on"), qPrintable(open.message()));
+    QVERIFY2(open.message().contains("Press G"), qPrintable(open.message()));
     pressKey(open, Qt::Key_G);
     QCOMPARE(nameOf(open.view().state), std::string("CheckingList"));
 }
 
-void AppStagesTest::checklistIsStampedWithItsReadings()
+void AppStagesTest::checklistStoresItsReadingsAndTheTime()
 {
     OpenWindow open(newStudy(wholeStudy()));
     open.window().startSession(ParticipantId("P01"));
     open.playTo("CheckingList");
     pressKey(open, Qt::Key_Return);
-    QVERIFY2(open.message().contains("Not ticked yet"), qPrintable(open.message()));
+    QVERIFY2(open.message().contains("not ticked yet"), qPrintable(open.message()));
     QCOMPARE(nameOf(open.view().state), std::string("CheckingList"));
-    open.perform(ChecklistDone{open.hands().plan().protocol.checklist, {{"temperature in °C", "22,5"}}});
+    open.perform(ChecklistDone{open.gui().plan().protocol.checklist, {{"temperature in °C", "22,5"}}});
     const auto last = open.window().study()->store().events(ParticipantId("P01")).back();
     QCOMPARE(last.kind, std::string("checklist_done"));
     QVERIFY(last.payloadJson.find("eye mask") != std::string::npos);
@@ -196,7 +196,7 @@ void AppStagesTest::checklistIsStampedWithItsReadings()
     QVERIFY(!last.wallTime.empty());
 }
 
-void AppStagesTest::eachBreakSaysWhyItIs()
+void AppStagesTest::everyBreakShowsItsReason()
 {
     OpenWindow open(newStudy(wholeStudy()));
     open.enrolAndBegin();
@@ -207,13 +207,13 @@ void AppStagesTest::eachBreakSaysWhyItIs()
     open.perform(BreakEnded{});
     open.playTo("OnBreak");
     QVERIFY(std::get<OnBreak>(open.view().state.stage).reason == BreakReason::Phase);
-    QVERIFY2(lead().contains("other questions") && lead().contains("S1"), qPrintable(lead()));
+    QVERIFY2(lead().contains("new questions") && lead().contains("S1"), qPrintable(lead()));
     open.perform(BreakEnded{});
     open.clock().advanceSeconds(75 * 60);
     open.playTo("OnBreak");
     QVERIFY(std::get<OnBreak>(open.view().state.stage).reason == BreakReason::SittingOver);
     QVERIFY2(lead().contains("another day") && lead().contains("lasted"), qPrintable(lead()));
-    open.hands().click("secondButton");  // stop here for today
+    open.gui().click("secondButton");  // stop here for today
     QTRY_COMPARE(open.window().currentPage()->objectName(), QString("studyPage"));
 }
 
@@ -231,18 +231,18 @@ void AppStagesTest::laterSittingOffersItsPreparation()
     QVERIFY(open.view().state.paused);
     pressKey(open, Qt::Key_Return);
     QCOMPARE(nameOf(open.view().state), std::string("ScaleTraining"));
-    QVERIFY(open.widget<QLabel>("pageTitle").text().contains("once more"));
+    QVERIFY(open.widget<QLabel>("pageTitle").text().contains("Repeat the scale"));
     QVERIFY(!open.window().findChild<QLabel*>("lowAnchor")->isVisible());
     QCOMPARE(open.view().placesToName.size(), std::size_t(1));
     open.playTo("CheckingList");
-    QVERIFY(!open.widget<QAbstractButton>("check1").isChecked());  // each sitting anew
+    QVERIFY(!open.widget<QAbstractButton>("check1").isChecked());  // every sitting starts without ticks
     open.playTo("PlacingTray");
     QVERIFY(open.view().sittingIsPrepared);
     open.playToEnd();
     QCOMPARE(static_cast<int>(answersIn(folder).size()), answersOf({}));
 }
 
-void AppStagesTest::laterSittingMayGoOnWithout()
+void AppStagesTest::laterSittingMaySkipItsPreparation()
 {
     const auto folder = newStudy(wholeStudy());
     {
@@ -273,11 +273,11 @@ void AppStagesTest::killedSessionOffersThePreparationToo()
     QVERIFY(open.widget<QLabel>("pageTitle").text().contains("Welcome back"));
     const int events = open.window().session()->eventsSent();
     pressKey(open, Qt::Key_G);
-    QCOMPARE(open.window().session()->eventsSent(), events);  // the engine waits at the tray already
+    QCOMPARE(open.window().session()->eventsSent(), events);  // the engine is already at the tray
     QVERIFY(open.widget<QPushButton>("trayReadyButton").isVisible());
 }
 
-void AppStagesTest::nothingIsOfferedWhereTheProtocolHasNothing()
+void AppStagesTest::noPreparationIsOfferedIfTheProtocolHasNone()
 {
     const std::string protocol = R"({"schema": "vis2hap.protocol/1", "name": "Bare study", "participants": 1,
         "fabrics": ["F01", "F02", "F03"], "conditions": ["v_grey", "h&f"],
@@ -295,7 +295,7 @@ void AppStagesTest::nothingIsOfferedWhereTheProtocolHasNothing()
     QVERIFY(open.widget<QPushButton>("trayReadyButton").isVisible());
 }
 
-void AppStagesTest::whatIsTypedIsInSightAtTwiceTheSize()
+void AppStagesTest::focusedFieldIsVisibleAtDoubleTextSize()
 {
     OpenWindow open(newStudy(wholeStudy()));
     QVERIFY(QTest::qWaitForWindowActive(&open.window()));

@@ -1,5 +1,5 @@
-// Sessions through the real window: whole ones by keyboard and by mouse, ratings as they are typed, and going on
-// after the window was closed. What is stored is compared with what was typed.
+// Sessions through the real window: complete ones by keyboard and by mouse, typed ratings, and a session that continues
+// after the window was closed. The tests compare the stored answers with the typed ones.
 #include <QElapsedTimer>
 #include <QLabel>
 #include <QLineEdit>
@@ -24,7 +24,7 @@ bool isFinished(OpenWindow& open) { return std::holds_alternative<Finished>(open
 
 void clickOn(OpenWindow& open, const char* objectName) { QTest::mouseClick(&open.widget<QWidget>(objectName), Qt::LeftButton); }
 
-/// One answer by mouse alone; ratings on the line.
+/// Gives one answer by mouse only; ratings by a click on the line.
 void answerByMouse(OpenWindow& open, const GivenAnswer& response)
 {
     clickOn(open, "touchButton");
@@ -49,10 +49,10 @@ private Q_SLOTS:
     void wholeSessionByMouseAlone();
     void windowStoresTheSameRowsAsTheEngine();
     void paperSizedSessionTakesSeconds();
-    void ratingThatIsNoneIsRefusedOnThePage_data();
-    void ratingThatIsNoneIsRefusedOnThePage();
+    void pageRefusesTextThatIsNotARating_data();
+    void pageRefusesTextThatIsNotARating();
     void commaAndPointAreTheSameNumber();
-    void closedWindowGoesOnAtTheSamePresentation();
+    void reopenedSessionContinuesAtTheSamePresentation();
 };
 
 void AppTest::wholeSessionByKeyboardAlone()
@@ -66,7 +66,7 @@ void AppTest::wholeSessionByKeyboardAlone()
         QVERIFY(open.window().session());
         while (!isFinished(open)) {
             if (std::holds_alternative<ScaleTraining>(open.view().state.stage)) {
-                pressKey(open, Qt::Key_G);  // known already
+                pressKey(open, Qt::Key_G);  // the participant knows the scale
                 continue;
             }
             if (!isPresenting(open)) {
@@ -84,7 +84,7 @@ void AppTest::wholeSessionByKeyboardAlone()
     QCOMPARE(typed.size(), std::size_t(6 + 3 * 6));
     for (const auto& stored : storedIn(folder)) {
         QVERIFY(stored.record.touchedAtNs.has_value());
-        QCOMPARE(stored.seconds, 2.0);  // of the injected clock, from touch to answer
+        QCOMPARE(stored.seconds, 2.0);  // from touch to answer, by the injected clock
         QCOMPARE(stored.corrections, 0);
     }
 }
@@ -126,7 +126,7 @@ void AppTest::windowStoresTheSameRowsAsTheEngine()
         open.playToEnd();
     }
     {
-        OpenWindow open(byEngine);  // only for its fakes: here the engine itself is told
+        OpenWindow open(byEngine);  // used only for its fakes; this run sends events to the engine directly
         database::StudyStore& store = open.window().study()->store();
         const auto display = rendering::openDisplay("none");
         Driver driver(store, protocols::ParticipantId("P01"), database::ParticipantKind::Human, open.window().study()->bank(),
@@ -161,10 +161,10 @@ void AppTest::paperSizedSessionTakesSeconds()
     qInfo("252 answers through the window in %lld ms", static_cast<long long>(timer.elapsed()));
 }
 
-void AppTest::ratingThatIsNoneIsRefusedOnThePage_data()
+void AppTest::pageRefusesTextThatIsNotARating_data()
 {
     QTest::addColumn<QString>("typed");
-    QTest::addColumn<QString>("told");
+    QTest::addColumn<QString>("expectedText");
     QTest::newRow("above the scale") << "11"
                                      << "outside the scale";
     QTest::newRow("just above") << "10.1"
@@ -181,10 +181,10 @@ void AppTest::ratingThatIsNoneIsRefusedOnThePage_data()
                              << "Type the number";
 }
 
-void AppTest::ratingThatIsNoneIsRefusedOnThePage()
+void AppTest::pageRefusesTextThatIsNotARating()
 {
     QFETCH(QString, typed);
-    QFETCH(QString, told);
+    QFETCH(QString, expectedText);
     const auto folder = newStudy();
     OpenWindow open(folder);
     open.enrolAndBegin();
@@ -192,7 +192,7 @@ void AppTest::ratingThatIsNoneIsRefusedOnThePage()
     const auto before = answersIn(folder);
     typeText(open, typed);
     pressKey(open, Qt::Key_Return);
-    QVERIFY2(open.message().contains(told), qPrintable(open.message()));
+    QVERIFY2(open.message().contains(expectedText), qPrintable(open.message()));
     QCOMPARE(answersIn(folder), before);
     QCOMPARE(open.view().question->id.value, std::string("Q2"));
 
@@ -215,7 +215,7 @@ void AppTest::commaAndPointAreTheSameNumber()
     QCOMPARE(answersIn(folder).at(asked), std::string("5.4"));
 }
 
-void AppTest::closedWindowGoesOnAtTheSamePresentation()
+void AppTest::reopenedSessionContinuesAtTheSamePresentation()
 {
     const auto folder = newStudy();
     std::string code;
@@ -227,7 +227,7 @@ void AppTest::closedWindowGoesOnAtTheSamePresentation()
         code = open.view().code.value;
         before = answersIn(folder);
         QVERIFY(open.window().close());
-        QCOMPARE(open.display().told.back(), std::string("clear"));
+        QCOMPARE(open.display().calls.back(), std::string("clear"));
     }
     OpenWindow open(folder);
     QVERIFY(open.widget<QPushButton>("resumeButton").text().contains("P01"));
@@ -235,7 +235,7 @@ void AppTest::closedWindowGoesOnAtTheSamePresentation()
     pressKey(open, Qt::Key_Return);
     QVERIFY(open.view().state.paused);
     QVERIFY(open.widget<QLabel>("pageTitle").text().contains("Welcome back"));
-    pressKey(open, Qt::Key_G);  // without the scale's refresher
+    pressKey(open, Qt::Key_G);  // skips the preparation
     QCOMPARE(open.view().code.value, code);
     QCOMPARE(nameOf(open.view().state), std::string("PlacingTray"));
     QCOMPARE(open.widget<QLabel>("presentationCode").text().toStdString(), code);

@@ -24,7 +24,7 @@ private Q_SLOTS:
         const QString file = m_folder.filePath("evaluation.json");
         const auto ended = support::mustRun({"evaluate", m_data, "--split", "location", "--quality", "fast", "--json", file});
         for (const char* wanted : {"Friction (by location, weak pairs)", "nearest photograph", "fabric, another place",
-                                   "noise floor", "To be reached"})
+                                   "noise floor", "Criteria for the generated signals"})
             QVERIFY2(ended.out.contains(wanted), wanted);
         QFile written(file);
         QVERIFY(written.open(QIODevice::ReadOnly));

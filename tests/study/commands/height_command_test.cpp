@@ -211,7 +211,7 @@ private Q_SLOTS:
         const auto ended = support::runProgram(arguments);
         QCOMPARE(ended.exitCode, 2);
         QVERIFY2(ended.err.contains(named), qPrintable(ended.err));
-        QCOMPARE(ended.complaints().size(), 1);
+        QCOMPARE(ended.messages().size(), 1);
     }
 
 private:

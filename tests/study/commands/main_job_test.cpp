@@ -14,8 +14,8 @@
 #include "tests/support/paper_totals.h"
 #include "tests/support/program.h"
 
-using support::Ended;
 using support::mustRun;
+using support::ProgramResult;
 using support::runProgram;
 
 namespace {
@@ -264,7 +264,7 @@ void MainJobTest::aStudyWithGeneratedSignalsNeedsTheSecondProgram()
 {
     const auto ended = runProgram({"study", "new", path("without"), "--dataset", m_fabrics}, {"VIS2HAP_NN=/nowhere/vis2hap-nn"});
     QCOMPARE(ended.exitCode, 3);
-    QCOMPARE(ended.complaints().size(), 1);
+    QCOMPARE(ended.messages().size(), 1);
     QVERIFY(!QFile::exists(path("without")));
     mustRun({"render", m_fabrics, "--condition", "v_grey,h", "--out", path("measured")}, {"VIS2HAP_NN=/nowhere/vis2hap-nn"});
 }
@@ -317,7 +317,7 @@ void MainJobTest::badInputIsOneLineAndTheRightExitCode()
     QFETCH(QString, named);
     const auto ended = runProgram(arguments);
     QVERIFY2(ended.exitCode == exitCode, qPrintable(QString::number(ended.exitCode) + ": " + ended.err));
-    if (arguments.front() != "verify") QVERIFY2(ended.complaints().size() == 1, qPrintable(ended.err));
+    if (arguments.front() != "verify") QVERIFY2(ended.messages().size() == 1, qPrintable(ended.err));
     QVERIFY2((ended.err + ended.out).contains(named), qPrintable(ended.err));
     for (const char* out : {"bad1", "bad2", "bad3", "bad4"}) QVERIFY2(!QFile::exists(path(out)), out);
 }

@@ -8,7 +8,7 @@
 #include "tests/support/program.h"
 #include "tests/support/study_builder.h"
 
-using support::Ended;
+using support::ProgramResult;
 using support::runProgram;
 
 class ViewCommandTest : public QObject {
@@ -66,7 +66,7 @@ private Q_SLOTS:
         QTest::newRow("missing") << QStringList{"view", "NOTHING", "--out", "OUT"} << "nothing-here.png";
         QTest::newRow("more than a sheet holds")
             << QStringList{"view", "--per-row", "1", "--width", "2000", "--out", "OUT"} + QStringList(9, "IMAGE")
-            << "larger than 32000 pixels";
+            << "at most 32000 px per side";
         QTest::newRow("no file") << QStringList{"view", "--out", "OUT"} << "FILE";
         QTest::newRow("nothing to check") << QStringList{"display", "check", "none"} << "no driver to check";
         QTest::newRow("no port") << QStringList{"display", "check", "tcp:lab"} << "tcp:HOST:PORT";
@@ -77,7 +77,7 @@ private Q_SLOTS:
         QFETCH(QString, told);
         arguments.replaceInStrings("IMAGE", at("image.pgm")).replaceInStrings("OUT", at("not-written"));
         arguments.replaceInStrings("PHOTO", at("set/F01/visual/000.png")).replaceInStrings("NOTHING", at("nothing-here.png"));
-        const Ended ended = runProgram(arguments);
+        const ProgramResult ended = runProgram(arguments);
         QCOMPARE(ended.exitCode, 2);
         QVERIFY2(ended.err.contains(told) && ended.err.count('\n') == 1, qPrintable(ended.err));
         QVERIFY(!QFile::exists(at("not-written")));
@@ -87,16 +87,16 @@ private Q_SLOTS:
     {
         const auto study = tests::support::buildStudy(pathAt("study"));
         const auto stimulus = QString::fromStdString(std::filesystem::directory_iterator(study.stimuli())->path().string());
-        const Ended ended = runProgram({"view", stimulus, "--out", at("seen.png")});
+        const ProgramResult ended = runProgram({"view", stimulus, "--out", at("seen.png")});
         QCOMPARE(ended.exitCode, 2);
         QVERIFY2(ended.err.contains("not unblinded"), qPrintable(ended.err));
         QVERIFY(!QFile::exists(at("seen.png")));
-        const Ended stroked = runProgram({"stroke", stimulus, "--csv", at("felt.csv")});
+        const ProgramResult stroked = runProgram({"stroke", stimulus, "--csv", at("felt.csv")});
         QCOMPARE(stroked.exitCode, 2);
         QVERIFY(stroked.err.contains("not unblinded") && !QFile::exists(at("felt.csv")));
 
         // Compared with a rendering of one's own it would tell its condition.
-        const Ended compared = runProgram({"metrics", stimulus, stimulus});
+        const ProgramResult compared = runProgram({"metrics", stimulus, stimulus});
         QCOMPARE(compared.exitCode, 2);
         QVERIFY2(compared.err.contains("not unblinded") && compared.out.isEmpty(), qPrintable(compared.err));
     }
@@ -104,11 +104,11 @@ private Q_SLOTS:
     void ownerOfADisplayChecksTheDriver()
     {
         const QString driver = QStringLiteral("exec:" VIS2HAP_REFERENCE_DISPLAY " '%1'").arg(at("felt"));
-        const Ended ended = runProgram({"display", "check", driver + " --touch-after 20", "--touch", "5"});
+        const ProgramResult ended = runProgram({"display", "check", driver + " --touch-after 20", "--touch", "5"});
         QVERIFY2(ended.exitCode == 0, qPrintable(ended.out + ended.err));
         QCOMPARE(ended.out.count("\npass  "), 17);
         QVERIFY(ended.out.contains("reference display: meets every demand") && ended.out.contains("ms in the middle of 10"));
-        const Ended dead = runProgram({"display", "check", driver + " --crash-at 1"});
+        const ProgramResult dead = runProgram({"display", "check", driver + " --crash-at 1"});
         QCOMPARE(dead.exitCode, 1);
         QVERIFY2(dead.out.contains("FAIL  shows an image") && dead.out.contains("signal 9"), qPrintable(dead.out));
     }

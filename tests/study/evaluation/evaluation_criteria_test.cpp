@@ -1,4 +1,4 @@
-// What must be reached, and how an evaluation is told to people and to scripts.
+// Criteria of an evaluation, and its output as text tables and as JSON.
 #include <QtTest>
 #include <algorithm>
 
@@ -10,9 +10,9 @@ using namespace study::evaluation;
 
 namespace {
 
-SpeakerResult speaker(SpeakerKind kind, const std::string& name, double badness)
+PredictorResult predictor(PredictorKind kind, const std::string& name, double badness)
 {
-    SpeakerResult result{{kind, name, name}, {}, {}, {}, {}};
+    PredictorResult result{{kind, name, name}, {}, {}, {}, {}};
     for (int i = 1; i <= 3; ++i) result.fabrics.push_back({protocols::FabricId("F0" + std::to_string(i)), 4, {}});
     for (const MeasureRow& row : measureTable()) {
         const bool larger = row.better == Better::Larger;
@@ -24,7 +24,7 @@ SpeakerResult speaker(SpeakerKind kind, const std::string& name, double badness)
     return result;
 }
 
-/// A generator that reaches everything.
+/// Evaluation of a generator that meets every criterion.
 Evaluation good(SplitKind split = SplitKind::Sample, bool aligned = false)
 {
     Evaluation evaluation;
@@ -36,21 +36,21 @@ Evaluation good(SplitKind split = SplitKind::Sample, bool aligned = false)
     evaluation.fabrics = 3;
     evaluation.rangeMm = 0.5;
     evaluation.noiseFloor = 0.06;
-    evaluation.speakers = {speaker(SpeakerKind::Generated, "generated", 0.04),
-                           speaker(SpeakerKind::Against, "against: l1", 0.06),
-                           speaker(SpeakerKind::GeneratedMean, "generated, mean alone", 0.045),
-                           speaker(SpeakerKind::GlobalConstant, "one constant for all", 0.3),
-                           speaker(SpeakerKind::FabricMean, "the fabric's mean", 0.05),
-                           speaker(SpeakerKind::Retrieval, "nearest photograph", 0.08),
-                           speaker(SpeakerKind::AnotherPlace, "fabric, another place", 0.07),
-                           speaker(SpeakerKind::Measured, "measured itself", 0.01)};
+    evaluation.predictors = {predictor(PredictorKind::Generated, "generated", 0.04),
+                             predictor(PredictorKind::Against, "against: l1", 0.06),
+                             predictor(PredictorKind::GeneratedMean, "generated, mean alone", 0.045),
+                             predictor(PredictorKind::GlobalConstant, "one constant for all", 0.3),
+                             predictor(PredictorKind::FabricMean, "the fabric's mean", 0.05),
+                             predictor(PredictorKind::Retrieval, "nearest photograph", 0.08),
+                             predictor(PredictorKind::AnotherPlace, "fabric, another place", 0.07),
+                             predictor(PredictorKind::Measured, "measured itself", 0.01)};
     return evaluation;
 }
 
-SpeakerResult& of(Evaluation& evaluation, SpeakerKind kind)
+PredictorResult& of(Evaluation& evaluation, PredictorKind kind)
 {
-    return *std::find_if(evaluation.speakers.begin(), evaluation.speakers.end(),
-                         [&](const auto& one) { return one.speaker.kind == kind; });
+    return *std::find_if(evaluation.predictors.begin(), evaluation.predictors.end(),
+                         [&](const auto& one) { return one.predictor.kind == kind; });
 }
 
 int countOf(const std::vector<Criterion>& criteria, std::optional<bool> reached)
@@ -59,12 +59,12 @@ int countOf(const std::vector<Criterion>& criteria, std::optional<bool> reached)
         std::count_if(criteria.begin(), criteria.end(), [&](const Criterion& one) { return one.reached == reached; }));
 }
 
-Criterion named(const std::vector<Criterion>& criteria, const std::string& what, const std::string& asked)
+Criterion named(const std::vector<Criterion>& criteria, const std::string& what, const std::string& required)
 {
     const auto found = std::find_if(criteria.begin(), criteria.end(), [&](const Criterion& one) {
-        return one.what.find(what) != std::string::npos && one.asked.find(asked) != std::string::npos;
+        return one.what.find(what) != std::string::npos && one.required.find(required) != std::string::npos;
     });
-    if (found == criteria.end()) qFatal("no such criterion: %s, %s", what.c_str(), asked.c_str());
+    if (found == criteria.end()) qFatal("no such criterion: %s, %s", what.c_str(), required.c_str());
     return *found;
 }
 
@@ -74,7 +74,7 @@ class EvaluationCriteriaTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void goodGeneratorReachesEverythingThatApplies_data()
+    void goodGeneratorMeetsEveryCriterion_data()
     {
         QTest::addColumn<int>("split");
         QTest::addColumn<bool>("aligned");
@@ -85,7 +85,7 @@ private Q_SLOTS:
         QTest::newRow("by fabric") << int(SplitKind::Fabric) << false << 9;
     }
 
-    void goodGeneratorReachesEverythingThatApplies()
+    void goodGeneratorMeetsEveryCriterion()
     {
         QFETCH(int, split);
         QFETCH(bool, aligned);
@@ -95,14 +95,14 @@ private Q_SLOTS:
         QCOMPARE(countOf(criteria, true), count);
     }
 
-    void eachShortcomingIsNamed_data()
+    void everyUnmetCriterionIsReported_data()
     {
         QTest::addColumn<int>("split");
         QTest::addColumn<int>("measure");
         QTest::addColumn<double>("found");
-        QTest::addColumn<QString>("asked");
-        const auto row = [](const char* name, SplitKind split, Measure measure, double found, const char* asked) {
-            QTest::newRow(name) << int(split) << int(measure) << found << asked;
+        QTest::addColumn<QString>("required");
+        const auto row = [](const char* name, SplitKind split, Measure measure, double found, const char* required) {
+            QTest::newRow(name) << int(split) << int(measure) << found << required;
         };
         row("mean friction", SplitKind::Sample, Measure::MeanFrictionError, 0.051, "at most 5.0 %");
         row("friction error", SplitKind::Sample, Measure::FrictionMaeOverMean, 0.081, "at most 8.0 %");
@@ -112,28 +112,28 @@ private Q_SLOTS:
         row("similarity below retrieval", SplitKind::Location, Measure::SsimRegistered, 0.919, "nearest photograph");
         row("similarity below the other model", SplitKind::Location, Measure::SsimRegistered, 0.939, "against: l1");
         row("spectrum above retrieval", SplitKind::Sample, Measure::HeightSpectrum, 0.081, "nearest photograph");
-        row("not recognised", SplitKind::Sample, Measure::IdentifiedByBoth, 0.899, "at least 90.0 %");
+        row("not identified", SplitKind::Sample, Measure::IdentifiedByBoth, 0.899, "at least 90.0 %");
         row("unknown fabric's friction", SplitKind::Fabric, Measure::MeanFrictionError, 0.151, "at most 15.0 %");
         row("no better than a constant", SplitKind::Fabric, Measure::FrictionMaeOverMean, 0.31, "one constant");
     }
 
-    void eachShortcomingIsNamed()
+    void everyUnmetCriterionIsReported()
     {
         QFETCH(int, split);
         QFETCH(int, measure);
         QFETCH(double, found);
-        QFETCH(QString, asked);
+        QFETCH(QString, required);
         Evaluation evaluation = good(SplitKind(split));
-        at(of(evaluation, SpeakerKind::Generated).mean, Measure(measure)) = found;
+        at(of(evaluation, PredictorKind::Generated).mean, Measure(measure)) = found;
         const auto criteria = criteriaOf(evaluation);
-        QCOMPARE(named(criteria, std::string(rowOf(Measure(measure)).heading), asked.toStdString()).reached,
+        QCOMPARE(named(criteria, std::string(rowOf(Measure(measure)).heading), required.toStdString()).reached,
                  std::optional(false));
     }
 
-    void frictionAtTheFloorOfAnotherStrokeIsSaidToBe()
+    void frictionAtTheNoiseFloorMeetsTheCriterion()
     {
         Evaluation evaluation = good();
-        at(of(evaluation, SpeakerKind::Generated).mean, Measure::FrictionMaeOverMean) = 0.065;
+        at(of(evaluation, PredictorKind::Generated).mean, Measure::FrictionMaeOverMean) = 0.065;
         const auto one = named(criteriaOf(evaluation), "MAE/mean", "below the fabric's mean");
         QCOMPARE(one.reached, std::optional(true));
         QVERIFY(one.found.find("noise floor") != std::string::npos);
@@ -142,19 +142,20 @@ private Q_SLOTS:
     void worstFabricDecidesTheRoughness()
     {
         Evaluation evaluation = good();
-        at(of(evaluation, SpeakerKind::Generated).fabrics[1].values, Measure::SqRatio) = 0.79;
+        at(of(evaluation, PredictorKind::Generated).fabrics[1].values, Measure::SqRatio) = 0.79;
         const auto one = named(criteriaOf(evaluation), "Sq", "every fabric");
         QCOMPARE(one.reached, std::optional(false));
         QVERIFY(one.found.find("F02: 0.790") != std::string::npos);
-        at(of(evaluation, SpeakerKind::Generated).fabrics[1].values, Measure::SqRatio) = 1.26;
+        at(of(evaluation, PredictorKind::Generated).fabrics[1].values, Measure::SqRatio) = 1.26;
         QCOMPARE(named(criteriaOf(evaluation), "Sq", "every fabric").reached, std::optional(false));
     }
 
-    void whatDoesNotExistCannotBeTold()
+    void missingValuesLeaveACriterionUndecided()
     {
         Evaluation evaluation = good();
-        at(of(evaluation, SpeakerKind::Generated).mean, Measure::MeanFrictionError) = stats::Value::undefined("no friction here");
-        at(of(evaluation, SpeakerKind::Retrieval).mean, Measure::SsimRegistered) = stats::Value::undefined("nothing retrieved");
+        at(of(evaluation, PredictorKind::Generated).mean, Measure::MeanFrictionError) =
+            stats::Value::undefined("no friction here");
+        at(of(evaluation, PredictorKind::Retrieval).mean, Measure::SsimRegistered) = stats::Value::undefined("nothing retrieved");
         const auto criteria = criteriaOf(evaluation);
         QCOMPARE(countOf(criteria, std::nullopt), 2);
         QVERIFY(named(criteria, "mean off by", "at most").found.find("no friction here") != std::string::npos);
@@ -164,15 +165,15 @@ private Q_SLOTS:
     {
         const std::string text = evaluationText(good(SplitKind::Location));
         const QString shown = QString::fromStdString(text);
-        QCOMPARE(shown.count("(by location, weak pairs)"), 6);  // four sections, equal means, what must be reached
+        QCOMPARE(shown.count("(by location, weak pairs)"), 6);  // four sections, equal means, criteria
         QVERIFY(shown.contains("model \"ours\" on \"cloths\""));
         for (const QString& line : shown.split('\n')) QVERIFY2(line.size() < 200, qPrintable(line));
     }
 
-    void jsonHasEveryMeasureAndSaysWhyOneIsMissing()
+    void jsonHasEveryMeasureAndTheReasonForAMissingOne()
     {
         Evaluation evaluation = good();
-        at(of(evaluation, SpeakerKind::Retrieval).mean, Measure::Ssim) = stats::Value::undefined("nothing retrieved");
+        at(of(evaluation, PredictorKind::Retrieval).mean, Measure::Ssim) = stats::Value::undefined("nothing retrieved");
         const auto json = evaluationJson(evaluation);
         QCOMPARE(json.begin().key(), std::string("schema"));
         QCOMPARE(json["schema"].get<std::string>(), std::string("vis2hap.evaluation/1"));

@@ -1,5 +1,4 @@
-// What `vis2hap evaluate` measures of a pair of signals: height maps, friction traces, whether the fabric is recognised,
-// averages.
+// Measures of `vis2hap evaluate` for a pair of signals: height maps, friction traces, identification of the fabric, averages.
 #include <QtTest>
 #include <cmath>
 #include <numbers>
@@ -13,7 +12,7 @@ using namespace study::evaluation;
 
 namespace {
 
-/// A weave of 0.8 mm repeat with a finer, slanted ripple, `shiftMm` along its first axis, turned in the picture.
+/// A woven relief of three waves, shifted by `shiftMm` along its first axis and rotated in the picture.
 HeightMap weave(double depthMm, double rotationDeg = 0, double shiftMm = 0, cv::Size size = {320, 240})
 {
     HeightMap map{cv::Mat(size, CV_32FC1), 0.05, rotationDeg};
@@ -38,7 +37,7 @@ Values compared(const HeightMap& generated, const HeightMap& measured)
 
 double at_(const Values& values, Measure measure) { return *at(values, measure); }
 
-/// A rough trace about a mean; `salt` draws another one of the same law.
+/// A random trace around `mean`. Another `salt` gives another trace with the same statistics.
 Trace stroke(double mean, double roughness, std::uint64_t salt, double persistence = 0.8)
 {
     protocols::Random random(salt);
@@ -64,7 +63,7 @@ class EvaluationMeasuresTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void sameMapIsPerfect()
+    void equalMapsGivePerfectValues()
     {
         const Values values = compared(weave(0.1), weave(0.1));
         QVERIFY(std::abs(at_(values, Measure::Ssim) - 1) < 1e-12);
@@ -73,30 +72,30 @@ private Q_SLOTS:
         QCOMPARE(at_(values, Measure::SqRatio), 1.0);
     }
 
-    void turnedAndShiftedMapIsFoundByRegistration_data()
+    void registrationFindsRotatedAndShiftedMaps_data()
     {
         QTest::addColumn<double>("rotation");
         for (const double rotation : {0.0, 30.0, 90.0, 135.0}) QTest::addRow("%g degrees", rotation) << rotation;
     }
 
-    void turnedAndShiftedMapIsFoundByRegistration()
+    void registrationFindsRotatedAndShiftedMaps()
     {
         QFETCH(double, rotation);
         const Values values = compared(weave(0.1, rotation, 0.4, {256, 256}), weave(0.1, 2));
         QVERIFY2(at_(values, Measure::SsimRegistered) > 0.97, qPrintable(QString::number(at_(values, Measure::SsimRegistered))));
         QVERIFY(at_(values, Measure::Ssim) < 0.5);
         QVERIFY2(at_(values, Measure::HeightSpectrum) < 2.5,
-                 qPrintable(QString::number(at_(values, Measure::HeightSpectrum))));  // whatever the direction
+                 qPrintable(QString::number(at_(values, Measure::HeightSpectrum))));  // independent of the direction
     }
 
-    void unknownTurnStaysAsItLies()
+    void mapWithUnknownRotationIsNotRotated()
     {
         HeightMap turned = weave(0.1, 30, 0, {256, 256});
         turned.rotationDeg = 0;
         QVERIFY(at_(compared(turned, weave(0.1)), Measure::SsimRegistered) < 0.7);
     }
 
-    void flatterMapHasItsRatioButTheSameNormalisedSimilarity()
+    void flatterMapChangesTheRatioButNotTheNormalisedSimilarity()
     {
         const Values values = compared(weave(0.05), weave(0.1));
         QVERIFY(std::abs(at_(values, Measure::SqRatio) - 0.5) < 1e-3);
@@ -115,7 +114,7 @@ private Q_SLOTS:
         QCOMPARE(at(values, Measure::SqRatio).why(), std::string(flatMapWhy));
     }
 
-    void otherPitchIsBroughtToTheMeasured()
+    void mapIsResampledToTheMeasuredPitch()
     {
         HeightMap coarse = weave(0.1);
         cv::resize(coarse.heightMm, coarse.heightMm, {160, 120}, 0, 0, cv::INTER_AREA);
@@ -125,7 +124,7 @@ private Q_SLOTS:
         QVERIFY(at_(compared(back, weave(0.1)), Measure::Ssim) > 0.8);
     }
 
-    void smallMapsAreToldSo()
+    void smallMapsGiveUndefinedMeasures()
     {
         const Values values = compared(weave(0.1, 0, 0, {7, 7}), weave(0.1));
         QVERIFY(!at(values, Measure::Ssim).exists() && !at(values, Measure::Ssim).why().empty());
@@ -140,7 +139,7 @@ private Q_SLOTS:
         QCOMPARE(at_(same, Measure::FrictionSpectrum), 0.0);
         const Values rougher = compared(stroke(0.6, 0.1, 1), stroke(0.3, 0.05, 1));
         QVERIFY(std::abs(at_(rougher, Measure::MeanFrictionError) - 1) < 0.05);
-        QVERIFY(std::abs(at_(rougher, Measure::FrictionSpectrum) - 6.02) < 0.3);  // relative to the mean, twice as rough
+        QVERIFY(std::abs(at_(rougher, Measure::FrictionSpectrum) - 6.02) < 0.3);  // twice as rough relative to the mean
         const Values other = compared(stroke(0.3, 0.05, 2), stroke(0.3, 0.05, 1));
         QVERIFY(at_(other, Measure::FrictionSpectrum) < 2.5);
         QVERIFY(at_(other, Measure::FrictionMaeOverMean) > 0.05);
@@ -155,14 +154,14 @@ private Q_SLOTS:
         QVERIFY(*ownMeanError(measured) > 0.01);
     }
 
-    void tracesAreBroughtToOneSpacing()
+    void traceIsResampledToOneSpacing()
     {
         const Trace wide = atSpacing({{0, 1, 2, 3}, 0.2}, 0.1);
         QCOMPARE(wide.values, (std::vector<double>{0, 0.5, 1, 1.5, 2, 2.5, 3}));
         QCOMPARE(atSpacing({{0, 1}, 0.1005}, 0.1).values, (std::vector<double>{0, 1}));
     }
 
-    void fabricIsRecognisedByHeightAndByFriction()
+    void fabricIsIdentifiedByHeightAndByFriction()
     {
         std::vector<std::vector<FeatureVector>> heights(3), frictions(3);
         const auto height = [](int k, std::uint64_t salt) {
@@ -186,9 +185,9 @@ private Q_SLOTS:
         QVERIFY(!byHeight.classOf({1, 2}));
     }
 
-    void correlatedNoiseIsSeenThrough()
+    void classifierUsesTheCorrelationOfFeatures()
     {
-        // Two classes apart by 1 in a direction in which they hardly spread, both spreading by 10 in the other.
+        // The two classes differ by 1 in a direction with small spread. In the other direction both spread by 10.
         std::vector<std::vector<FeatureVector>> samples(2);
         protocols::Random random(7);
         for (int i = 0; i < 200; ++i)
@@ -203,7 +202,7 @@ private Q_SLOTS:
         }
     }
 
-    void oneFabricOrOneSampleCannotBeToldApartOrIsStillDefined()
+    void identificationNeedsTwoFabricsButOneSampleOfEach()
     {
         QVERIFY(!Identifier({{{1, 2}, {2, 1}}}).classOf({1, 2}));
         const Identifier single({{{0, 0}}, {}, {{4, 0}}});
@@ -214,31 +213,31 @@ private Q_SLOTS:
     {
         TestPlan plan;
         plan.fabrics = {{protocols::FabricId("F01"), false, {}, {}}, {protocols::FabricId("F02"), false, {}, {}}};
-        std::vector<Values> heard;
+        std::vector<Values> ofPairs;
         const auto add = [&](std::size_t fabric, double mae, double ratio) {
             plan.pairs.push_back({fabric, {}, {}, {}, {}, {}});
-            heard.emplace_back();
-            at(heard.back(), Measure::FrictionMae) = mae;
-            at(heard.back(), Measure::SqRatio) = ratio;
-            at(heard.back(), Measure::Ssim) = stats::Value::undefined("none here");
+            ofPairs.emplace_back();
+            at(ofPairs.back(), Measure::FrictionMae) = mae;
+            at(ofPairs.back(), Measure::SqRatio) = ratio;
+            at(ofPairs.back(), Measure::Ssim) = stats::Value::undefined("none here");
         };
         add(0, 1, 0.5);
         add(0, 1, 2);
         add(0, 1, 1);
         add(1, 3, 4);
-        const SpeakerResult result = summarise({}, plan, heard);
+        const PredictorResult result = summarise({}, plan, ofPairs);
         QCOMPARE(*at(result.mean, Measure::FrictionMae), 2.0);
-        QVERIFY(std::abs(*at(result.mean, Measure::SqRatio) - 2) < 1e-12);  // 1 and 4, geometrically
+        QVERIFY(std::abs(*at(result.mean, Measure::SqRatio) - 2) < 1e-12);  // geometric mean of 1 and 4
         QCOMPARE(at(result.mean, Measure::Ssim).why(), std::string("none here"));
         QCOMPARE(result.fabrics[0].pairs, 3);
     }
 
     void equalMeansAreShownByEquivalenceNotByALargeP()
     {
-        SpeakerResult measured, close, wild;
+        PredictorResult measured, close, wild;
         const double truth[] = {0.20, 0.30, 0.40, 0.30, 0.25};
         for (int i = 0; i < 5; ++i) {
-            const auto add = [&](SpeakerResult& to, double value) {
+            const auto add = [&](PredictorResult& to, double value) {
                 to.fabrics.push_back({protocols::FabricId("F0" + std::to_string(i + 1)), 1, {}});
                 at(to.fabrics.back().values, Measure::MeanFriction) = value;
             };

@@ -1,4 +1,4 @@
-// What `vis2hap evaluate` tests on: pairs, splits, and what they let through.
+// Plan of `vis2hap evaluate`: pairs, splits and their leaks.
 #include <algorithm>
 #include <memory>
 
@@ -14,7 +14,7 @@ namespace {
 
 constexpr Modality all[] = {Modality::Visual, Modality::Tactile, Modality::Friction};
 
-/// Two fabrics of `count` samples of each signal, 100 mm apart, each file with its own bytes.
+/// Two fabrics with `count` samples of each signal, 100 mm apart. All files differ.
 Dataset scattered(const fs::path& folder, int count, Pairing pairing = Pairing::Weak)
 {
     Dataset dataset;
@@ -52,7 +52,7 @@ std::vector<int> testedPhotographs(const TestPlan& plan, std::size_t fabric = 0)
     return indices;
 }
 
-/// Brings a sample to the place of another one.
+/// Moves a sample to the place of another one.
 void moveBeside(const Dataset& dataset, Modality modality, int moved, int to)
 {
     auto places = readSamplePlaces(dataset);
@@ -84,7 +84,7 @@ private Q_SLOTS:
     void weakPairsTakeAnyPressAndStrokeOfTheFabricInTurn()
     {
         const TestPlan plan = testPlan(m_dataset, {});
-        QCOMPARE(plan.pairs.size(), std::size_t(6));  // a tenth of 30, two fabrics
+        QCOMPARE(plan.pairs.size(), std::size_t(6));  // a tenth of 30 from each of two fabrics
         std::vector<int> presses;
         for (const TestPair& pair : plan.pairs) {
             QCOMPARE(pair.press->fabric, pair.photograph.fabric);
@@ -108,7 +108,7 @@ private Q_SLOTS:
         PlanRequest request;
         request.trainedOn = {plan.pairs[0].press->sha256};
         const TestPlan without = testPlan(aligned, request);
-        QVERIFY(!without.pairs[0].press && without.pairs[0].stroke);  // no other press takes its place
+        QVERIFY(!without.pairs[0].press && without.pairs[0].stroke);  // no other press replaces it
         QCOMPARE(without.pairs[1].press->index, without.pairs[1].photograph.index);
     }
 
@@ -127,7 +127,7 @@ private Q_SLOTS:
         }
     }
 
-    void doubledFilesAreSaid()
+    void duplicateFilesAreCounted()
     {
         const TestPlan before = testPlan(m_dataset, {});
         QCOMPARE(before.leaks.duplicates.at(Modality::Visual), 0);
@@ -139,7 +139,7 @@ private Q_SLOTS:
         QCOMPARE(after.leaks.duplicates.at(Modality::Tactile), 0);
     }
 
-    void overlapsAcrossTheSplitAreSaidBySampleAndAvoidedByLocation()
+    void overlapsAreCountedBySampleAndAvoidedByLocation()
     {
         const TestPlan before = testPlan(m_dataset, {});
         QCOMPARE(before.leaks.overlaps.at(Modality::Visual), 0);
@@ -150,9 +150,9 @@ private Q_SLOTS:
         QCOMPARE(testPlan(m_dataset, byLocation).leaks.overlaps.at(Modality::Visual), 0);
     }
 
-    void byLocationAPlaceTrainedOnIsLeftOut()
+    void splitByLocationLeavesOutPlacesOfTrainingSamples()
     {
-        moveBeside(m_dataset, Modality::Visual, 4, 17);  // one place, in one part
+        moveBeside(m_dataset, Modality::Visual, 4, 17);  // now both are one place, so in one part
         PlanRequest request;
         request.split = SplitKind::Location;
         request.trainedOn = {protocols::sha256OfFile(samplePath(m_dataset, FabricId("F01"), Modality::Visual, 4))};
@@ -163,10 +163,10 @@ private Q_SLOTS:
             QVERIFY(std::find(indices.begin(), indices.end(), 17) == indices.end());
             if (plan.leaks.placeTrainedOn.at(Modality::Visual) == 1 && plan.leaks.trainedOn.at(Modality::Visual) == 1) return;
         }
-        QFAIL("the place was never drawn for the test");
+        QFAIL("no seed put the place into the test");
     }
 
-    void heldOutFabricsAreTestedAndKeptFromTheControls()
+    void heldOutFabricsAreTestedAndHiddenFromTheControls()
     {
         PlanRequest request;
         request.split = SplitKind::Fabric;
@@ -175,10 +175,10 @@ private Q_SLOTS:
         QCOMPARE(plan.pairs.size(), std::size_t(3));
         for (const TestPair& pair : plan.pairs) QCOMPARE(pair.photograph.fabric, FabricId("F02"));
         QVERIFY(plan.fabrics[1].heldOut && !plan.fabrics[0].heldOut);
-        QVERIFY(!plan.fabrics[1].training.at(Modality::Tactile).empty());  // for the judge
+        QVERIFY(!plan.fabrics[1].training.at(Modality::Tactile).empty());  // for the identifiers
     }
 
-    void fewerPhotographsCanBeAskedFor()
+    void numberOfPhotographsCanBeLimited()
     {
         PlanRequest request;
         request.samplesPerFabric = 2;
@@ -195,10 +195,10 @@ private Q_SLOTS:
         QVERIFY(plan.pairs.back().stroke);
     }
 
-    void nothingToTestOnIsRefusedByName()
+    void planWithoutTestPhotographsIsRefused()
     {
         fs::remove_all(pathOf(*m_folder) / "F01" / "visual");
-        QVERIFY(!testPlan(m_dataset, {}).notes.empty());  // one fabric less
+        QVERIFY(!testPlan(m_dataset, {}).notes.empty());  // notes that one fabric is missing
         PlanRequest trained;
         for (const TestPair& pair : testPlan(m_dataset, {}).pairs) trained.trainedOn.insert(pair.photograph.sha256);
         QVERIFY(contains(refusalOf([&] { testPlan(m_dataset, trained); }), "trained on every photograph"));
@@ -206,13 +206,13 @@ private Q_SLOTS:
         QVERIFY(contains(refusalOf([&] { testPlan(m_dataset, {}); }), "has no photographs"));
     }
 
-    void oneSampleIsTooFewToSplit()
+    void oneSampleIsTooFewForASplit()
     {
         const Dataset small = scattered(pathOf(*m_folder) / "one", 1);
         QVERIFY(contains(refusalOf([&] { testPlan(small, {}); }), "fewer than three places"));
     }
 
-    void unknownPlacesAreSaid()
+    void unknownPlacesAreNoted()
     {
         fs::remove(m_dataset.folder / "samples.csv");
         const TestPlan plan = testPlan(m_dataset, {});

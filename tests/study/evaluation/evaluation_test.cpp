@@ -1,4 +1,4 @@
-// A whole evaluation with generators that are made up: a perfect one, a constant one; extremes of the data set. No libtorch.
+// Complete evaluations with simulated generators (a perfect one and a constant one), and unusual data sets. Without libtorch.
 #include <QtTest>
 #include <atomic>
 #include <fstream>
@@ -29,7 +29,7 @@ std::string bytesOf(const cv::Mat& image)
     return protocols::sha256({reinterpret_cast<const char*>(image.data), image.total() * image.elemSize()});
 }
 
-/// Says of a photograph what was measured at its index: right where the data set is aligned.
+/// Returns for each photograph the signals measured at its index. This is perfect if the data set is aligned.
 class PerfectGenerator {
 public:
     explicit PerfectGenerator(const Dataset& dataset) : m_dataset(dataset), m_measured(dataset, 0.05)
@@ -67,9 +67,9 @@ std::vector<GeneratedSignals> flatAnswers(std::span<const InputPhotograph> photo
         {cv::Mat(256, 256, CV_32FC1, cv::Scalar(0.1)), 0.05, {}, std::vector<double>(480, 0.3), 1.0 / 12, 0.3, {}, {}});
 }
 
-double mean(const Evaluation& evaluation, SpeakerKind kind, Measure measure)
+double mean(const Evaluation& evaluation, PredictorKind kind, Measure measure)
 {
-    return *at(evaluation.speaker(kind)->mean, measure);
+    return *at(evaluation.predictor(kind)->mean, measure);
 }
 
 }  // namespace
@@ -93,28 +93,28 @@ private Q_SLOTS:
 
     void init() { m_dataset = readDataset(m_root / "aligned"); }
 
-    void perfectGeneratorReachesEverything()
+    void perfectGeneratorMeetsEveryCriterion()
     {
         const PerfectGenerator perfect(m_dataset);
         const Evaluation evaluation = evaluate(m_dataset, m_request, {}, perfect.asFunction());
         QCOMPARE(evaluation.pairs, 3);
-        const auto generated = SpeakerKind::Generated;
+        const auto generated = PredictorKind::Generated;
         QVERIFY(std::abs(mean(evaluation, generated, Measure::Ssim) - 1) < 1e-9);
-        QVERIFY(mean(evaluation, generated, Measure::SsimRegistered) > 0.999);  // places are rounded to 1/32 px
+        QVERIFY(mean(evaluation, generated, Measure::SsimRegistered) > 0.999);  // positions are rounded to 1/32 px
         QCOMPARE(mean(evaluation, generated, Measure::FrictionMae), 0.0);
         QCOMPARE(mean(evaluation, generated, Measure::IdentifiedByBoth),
-                 mean(evaluation, SpeakerKind::Measured, Measure::IdentifiedByBoth));
-        QVERIFY(mean(evaluation, SpeakerKind::AnotherPlace, Measure::SsimRegistered) < 0.98);
-        for (const FabricValues& fabric : evaluation.speaker(generated)->fabrics)
+                 mean(evaluation, PredictorKind::Measured, Measure::IdentifiedByBoth));
+        QVERIFY(mean(evaluation, PredictorKind::AnotherPlace, Measure::SsimRegistered) < 0.98);
+        for (const FabricValues& fabric : evaluation.predictor(generated)->fabrics)
             QCOMPARE(*at(fabric.values, Measure::MeanFrictionError), 0.0);
         for (const Criterion& one : criteriaOf(evaluation)) QVERIFY2(one.reached.value_or(false), one.what.c_str());
     }
 
-    void flatGeneratorIsSeenThrough()
+    void flatGeneratorMeetsAlmostNoCriterion()
     {
         const Evaluation evaluation = evaluate(m_dataset, m_request, {}, flatAnswers);
-        QVERIFY(!at(evaluation.speaker(SpeakerKind::Generated)->mean, Measure::SqRatio).exists());
-        QVERIFY(mean(evaluation, SpeakerKind::Generated, Measure::IdentifiedByBoth) < 0.5);
+        QVERIFY(!at(evaluation.predictor(PredictorKind::Generated)->mean, Measure::SqRatio).exists());
+        QVERIFY(mean(evaluation, PredictorKind::Generated, Measure::IdentifiedByBoth) < 0.5);
         int reached = 0;
         for (const Criterion& one : criteriaOf(evaluation)) reached += one.reached.value_or(false);
         QVERIFY(reached <= 2);
@@ -123,17 +123,17 @@ private Q_SLOTS:
     void controlsComeFromTheTrainingPart()
     {
         const Evaluation evaluation = evaluate(m_dataset, m_request, {}, flatAnswers);
-        // A fabric's mean lies nearer than one constant for all; the nearest photograph is of the right fabric most times.
-        QVERIFY(mean(evaluation, SpeakerKind::FabricMean, Measure::MeanFrictionError) <
-                mean(evaluation, SpeakerKind::GlobalConstant, Measure::MeanFrictionError));
-        QVERIFY(mean(evaluation, SpeakerKind::Retrieval, Measure::IdentifiedByHeight) > 0.6);
+        // The mean of a fabric has a smaller error than a global constant. The nearest photograph is mostly of the same fabric.
+        QVERIFY(mean(evaluation, PredictorKind::FabricMean, Measure::MeanFrictionError) <
+                mean(evaluation, PredictorKind::GlobalConstant, Measure::MeanFrictionError));
+        QVERIFY(mean(evaluation, PredictorKind::Retrieval, Measure::IdentifiedByHeight) > 0.6);
         QCOMPARE(evaluation.trainingPhotographs, 30);
-        QCOMPARE(at(evaluation.speaker(SpeakerKind::FabricMean)->mean, Measure::FrictionSpectrum).why(),
+        QCOMPARE(at(evaluation.predictor(PredictorKind::FabricMean)->mean, Measure::FrictionSpectrum).why(),
                  std::string("a constant has no texture"));
-        QVERIFY(*evaluation.noiseFloor <= mean(evaluation, SpeakerKind::FabricMean, Measure::FrictionMaeOverMean));
+        QVERIFY(*evaluation.noiseFloor <= mean(evaluation, PredictorKind::FabricMean, Measure::FrictionMaeOverMean));
     }
 
-    void repeatGivesTheSameBitsWhateverTheThreads()
+    void resultsDoNotDependOnTheNumberOfThreads()
     {
         const std::string once = evaluationJson(evaluate(m_dataset, m_request, {}, flatAnswers)).dump();
         m_request.threads = 1;
@@ -141,22 +141,22 @@ private Q_SLOTS:
         m_request.threads = 2;
     }
 
-    void fabricsHeldOutAreUnknownToTheControls()
+    void controlsDoNotUseHeldOutFabrics()
     {
         EvaluationRequest request = m_request;
         request.split = SplitKind::Fabric;
         request.model = card("held", {"F02", "F99"});
         const Evaluation evaluation = evaluate(m_dataset, request, {}, flatAnswers);
         QCOMPARE(evaluation.fabrics, 1);
-        QCOMPARE(evaluation.speakers.front().fabrics.front().fabric, FabricId("F02"));
-        QVERIFY(at(evaluation.speaker(SpeakerKind::FabricMean)->mean, Measure::FrictionMae).why().find("held out") !=
+        QCOMPARE(evaluation.predictors.front().fabrics.front().fabric, FabricId("F02"));
+        QVERIFY(at(evaluation.predictor(PredictorKind::FabricMean)->mean, Measure::FrictionMae).why().find("held out") !=
                 std::string::npos);
-        QCOMPARE(mean(evaluation, SpeakerKind::Retrieval, Measure::IdentifiedByBoth), 0.0);  // always another fabric
-        QVERIFY(mean(evaluation, SpeakerKind::Measured, Measure::IdentifiedByBoth) > 0.5);   // the judge does know it
+        QCOMPARE(mean(evaluation, PredictorKind::Retrieval, Measure::IdentifiedByBoth), 0.0);  // always another fabric
+        QVERIFY(mean(evaluation, PredictorKind::Measured, Measure::IdentifiedByBoth) > 0.5);   // the classifiers use it
         QCOMPARE(evaluation.trainingPhotographs, 20);
     }
 
-    void modelWithoutHeldOutFabricsIsRefusedByFabric()
+    void splitByFabricNeedsAModelWithHeldOutFabrics()
     {
         EvaluationRequest request = m_request;
         request.split = SplitKind::Fabric;
@@ -165,41 +165,41 @@ private Q_SLOTS:
         QVERIFY(contains(refusalOf([&] { evaluate(m_dataset, request, {}, flatAnswers); }), "none of the fabrics"));
     }
 
-    void everyOtherModelIsMeasuredBesideIt()
+    void otherModelsAreEvaluatedToo()
     {
         EvaluationRequest request = m_request;
         request.against = {card("l1", {})};
         const Evaluation evaluation = evaluate(m_dataset, request, {}, flatAnswers);
-        QCOMPARE(evaluation.speakers.size(), std::size_t(8));
-        QCOMPARE(evaluation.speakers[1].speaker.id, std::string("against:l1"));
+        QCOMPARE(evaluation.predictors.size(), std::size_t(8));
+        QCOMPARE(evaluation.predictors[1].predictor.id, std::string("against:l1"));
         QVERIFY(contains(evaluationText(evaluation), "against: l1"));
     }
 
-    void dataWithoutASignalIsMeasuredByTheOther()
+    void dataSetWithoutOneSignalIsEvaluatedByTheOther()
     {
         const fs::path copy = m_root / "no friction";
         fs::copy(m_root / "aligned", copy, fs::copy_options::recursive);
         for (const char* fabric : {"F01", "F02", "F03"}) fs::remove_all(copy / fabric / "friction");
         const Evaluation evaluation = evaluate(readDataset(copy), m_request, {}, flatAnswers);
-        QVERIFY(at(evaluation.speakers[0].mean, Measure::Ssim).exists());
-        QVERIFY(contains(at(evaluation.speakers[0].mean, Measure::FrictionMae).why(), "no friction records"));
+        QVERIFY(at(evaluation.predictors[0].mean, Measure::Ssim).exists());
+        QVERIFY(contains(at(evaluation.predictors[0].mean, Measure::FrictionMae).why(), "no friction records"));
         QVERIFY(contains(evaluationText(evaluation), "not measured: the data set has no friction records"));
         for (const char* fabric : {"F01", "F02", "F03"}) fs::remove_all(copy / fabric / "tactile");
         const Evaluation none = evaluate(readDataset(copy), m_request, {}, flatAnswers);
-        QVERIFY(!none.rangeMm.exists() && !at(none.speakers[0].mean, Measure::Ssim).exists());
+        QVERIFY(!none.rangeMm.exists() && !at(none.predictors[0].mean, Measure::Ssim).exists());
     }
 
     void knownHeightsServeAsMeasured()
     {
         m_dataset.tactileCalibration = "known";
         const Evaluation evaluation = evaluate(m_dataset, m_request, {}, flatAnswers);
-        QVERIFY(at(evaluation.speakers[0].mean, Measure::Ssim).exists());
+        QVERIFY(at(evaluation.predictors[0].mean, Measure::Ssim).exists());
         m_dataset.tactileCalibration.clear();
         QVERIFY(
-            contains(at(evaluate(m_dataset, m_request, {}, flatAnswers).speakers[0].mean, Measure::Ssim).why(), "calibration"));
+            contains(at(evaluate(m_dataset, m_request, {}, flatAnswers).predictors[0].mean, Measure::Ssim).why(), "calibration"));
     }
 
-    void oneFabricInTheDarkIsDefined()
+    void oneFabricWithBlackPhotographsHasDefinedResults()
     {
         const fs::path copy = m_root / "dark";
         fs::copy(m_root / "aligned", copy, fs::copy_options::recursive);
@@ -209,15 +209,15 @@ private Q_SLOTS:
         dark.fabrics.resize(1);
         const Evaluation evaluation = evaluate(dark, m_request, {}, flatAnswers);
         QCOMPARE(evaluation.fabrics, 1);
-        QCOMPARE(evaluation.leaks.duplicates.at(Modality::Visual), 1);  // all black is all the same
-        QVERIFY(contains(at(evaluation.speakers[0].mean, Measure::IdentifiedByBoth).why(), "fewer than two fabrics"));
-        QVERIFY(!evaluation.speakers[0].friction.equivalence.why.empty());
+        QCOMPARE(evaluation.leaks.duplicates.at(Modality::Visual), 1);  // all photographs are identical
+        QVERIFY(contains(at(evaluation.predictors[0].mean, Measure::IdentifiedByBoth).why(), "fewer than two fabrics"));
+        QVERIFY(!evaluation.predictors[0].friction.equivalence.why.empty());
         QVERIFY(!contains(evaluationText(evaluation), "nan"));
         QVERIFY(contains(evaluationJson(evaluation).dump(), "vis2hap.evaluation/1"));
     }
 
 private:
-    /// The card of a model whose weights nobody opens.
+    /// Writes the card of a model without weights, which these tests never open.
     fs::path card(const std::string& name, const std::vector<std::string>& heldOut)
     {
         rendering::models::ModelCardFields fields;

@@ -1,5 +1,5 @@
-// Photographs without measurements: is the weave kept? With made-up generators, no torch; and the shipped
-// weights on real twills.
+// Evaluation on photographs without measurements: whether the relief keeps the weave. With simulated generators, and with the
+// shipped weights on photographs of twills.
 #include <QTemporaryDir>
 #include <QTest>
 #include <cmath>
@@ -32,7 +32,7 @@ cv::Mat waves(double periodPx, double directionDeg)
     return picture;
 }
 
-/// Brighter is higher; enlarged by `zoom` about the corner and turned by a quarter where `turned`.
+/// Generator that takes brightness as height, enlarges the map by `zoom` and rotates it by 90° if `turned`.
 Generate madeUp(double zoom, bool turned)
 {
     return [=](std::span<const models::InputPhotograph> photographs, const models::GenerationOptions& options) {
@@ -48,7 +48,7 @@ Generate madeUp(double zoom, bool turned)
             signals.heightMmPerPixel = 0.05;
             answers.push_back(signals);
         }
-        if (options.friction) qFatal("friction was asked for, though nobody looks at it");
+        if (options.friction) qFatal("friction was requested, but this evaluation does not use it");
         return answers;
     };
 }
@@ -85,26 +85,26 @@ private Q_SLOTS:
 
     void faithfulReliefKeepsTheWeave()
     {
-        const Weaves weaves = weavesKept(m_dataset, {}, {}, madeUp(1, false));
+        const WeaveReport weaves = evaluateWeaves(m_dataset, {}, {}, madeUp(1, false));
         QCOMPARE(weaves.photographs.size(), std::size_t{3});
         QVERIFY(weaves.photographs[0].kept() && weaves.photographs[1].kept());
         QVERIFY(!weaves.photographs[2].photograph && !weaves.photographs[2].kept());
         QVERIFY(QString::fromStdString(weavesText(weaves)).contains("2 of 2 photographs"));
     }
 
-    void anotherPeriodOrDirectionIsNotKept()
+    void changedPeriodOrDirectionIsReported()
     {
-        const Weaves coarser = weavesKept(m_dataset, {}, {}, madeUp(1.08, false));
+        const WeaveReport coarser = evaluateWeaves(m_dataset, {}, {}, madeUp(1.08, false));
         QVERIFY(!coarser.photographs[0].kept() && coarser.photographs[0].turnDeg < 3);
         QVERIFY(std::abs(coarser.photographs[0].periodChange - 0.08) < 0.02);
-        const Weaves turned = weavesKept(m_dataset, {}, {}, madeUp(1, true));
+        const WeaveReport turned = evaluateWeaves(m_dataset, {}, {}, madeUp(1, true));
         QVERIFY(!turned.photographs[1].kept() && turned.photographs[1].turnDeg > 85);
         QVERIFY(QString::fromStdString(weavesText(turned)).contains("NOT KEPT"));
     }
 
-    void jsonTellsWhyNothingCouldBeCompared()
+    void jsonHasTheReasonForAMissingComparison()
     {
-        const nlohmann::ordered_json json = weavesJson(weavesKept(m_dataset, {}, {}, madeUp(1, false)));
+        const nlohmann::ordered_json json = weavesJson(evaluateWeaves(m_dataset, {}, {}, madeUp(1, false)));
         QCOMPARE(json.at("schema").get<std::string>(), std::string("vis2hap.evaluation/1"));
         QVERIFY(json.at("weaves").at(0).at("kept").get<bool>());
         QVERIFY(json.at("weaves").at(2).at("kept").is_null());
@@ -114,7 +114,7 @@ private Q_SLOTS:
     void shippedWeightsKeepRealTwills()
     {
         const std::filesystem::path photographs = sharedData("fabricbtdf_photos");
-        if (!std::filesystem::exists(photographs)) QSKIP("the shared photographs are not there (VIS2HAP_SHARED)");
+        if (!std::filesystem::exists(photographs)) QSKIP("the shared photographs are missing (set VIS2HAP_SHARED)");
         QTemporaryDir folder;
         fabrics::Dataset dataset;
         dataset.folder = folder.path().toStdString();
@@ -129,8 +129,8 @@ private Q_SLOTS:
         }
         EvaluationRequest request;
         request.quality = models::Quality::Fast;
-        const Weaves weaves = weavesKept(dataset, request);
-        QVERIFY2(std::ranges::all_of(weaves.photographs, &WeaveKept::kept), weavesText(weaves).c_str());
+        const WeaveReport weaves = evaluateWeaves(dataset, request);
+        QVERIFY2(std::ranges::all_of(weaves.photographs, &WeaveComparison::kept), weavesText(weaves).c_str());
     }
 };
 

@@ -1,4 +1,4 @@
-// Photographs that a model knows nothing like of are told to who renders them and printed in the study's report.
+// Photographs unlike the training photographs of a model: the warning of `render`, and the notice in status and report.
 #include <QDir>
 #include <QTemporaryDir>
 #include <QtTest>
@@ -36,7 +36,8 @@ private:
 
     QString path(const QString& name) const { return m_folder.filePath(name); }
 
-    /// The shipped weights, saying that they know the photographs of these fabrics (none: that they do not tell).
+    /// The shipped weights with a card that lists the photographs of these fabrics as training photographs. Without fabrics, the
+    /// card has no such list.
     QString modelKnowing(const QString& name, const QStringList& fabrics) const
     {
         auto card = models::readModelCardFields(models::shippedModel());
@@ -59,7 +60,7 @@ private Q_SLOTS:
         mustRun({"fabrics", "make", m_fabrics, "--fabrics", "8", "--samples", "2", "--seed", "5"});
     }
 
-    void renderNamesThemAndSavesTheDistances()
+    void renderWarnsAndStoresTheDistances()
     {
         const QString model = modelKnowing("knows-all.pt", {"F01", "F02", "F03", "F04", "F05", "F06", "F07", "F08"});
         const auto known =
@@ -78,7 +79,7 @@ private Q_SLOTS:
         QVERIFY(saved["unfamiliar"].get<bool>());
     }
 
-    void weightsThatDoNotTellSaySoOnce()
+    void weightsWithoutAPhotographListWarnOnce()
     {
         const auto ended = mustRun(
             {"render", m_fabrics, "--condition", "h_g,f_g", "--out", path("untold"), "--model", modelKnowing("old.pt", {})});
@@ -89,10 +90,10 @@ private Q_SLOTS:
         QVERIFY(!none.err.contains("these weights"));
     }
 
-    void studyAndReportSayIt()
+    void statusAndReportRepeatTheWarning()
     {
         const QString model = modelKnowing("for-study.pt", {"F01"});
-        for (const QString& study : {QString("study"), QString("again")}) {  // the second reuses the images of the first
+        for (const QString& study : {QString("study"), QString("again")}) {  // the second study reuses the images of the first
             const auto made =
                 mustRun({"study", "new", path(study), "--dataset", m_fabrics, "--seed", "3", "--key-seed", "4", "--model", model,
                          "--images", path("images"), "--allow-training-samples", "--participants", "2"});

@@ -1,4 +1,4 @@
-// The contact sheet of a data set: a row a fabric, whatever signals there are, and a refusal where there are none.
+// Contact sheet of a data set: one row for each fabric with the signals that exist, and a refusal if there are none.
 #include <QImage>
 #include <QTemporaryDir>
 #include <QtTest>
@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// As the generators answer, without starting them; the last photograph is called unlike those trained on.
+/// Replaces the generators. The last photograph is reported as unlike the training photographs.
 std::vector<models::GeneratedSignals> generated(std::span<const models::InputPhotograph> photographs,
                                                 const models::GenerationOptions&)
 {
@@ -41,7 +41,7 @@ RenderRequest requestFor(const fabrics::Dataset& dataset)
     return request;
 }
 
-/// A note leaves most of its cell white, a picture nothing.
+/// Whether the cell has a picture. A note leaves most of its cell white.
 bool hasPicture(const QImage& image, const QRect& part)
 {
     int white = 0;
@@ -50,7 +50,7 @@ bool hasPicture(const QImage& image, const QRect& part)
     return white < part.width() * part.height() / 2;
 }
 
-/// Where the sheet puts column `number` (from 0: photograph, measured, generated height) of a row.
+/// Cell of a map in a row of the sheet. `number`: 0 photograph, 1 measured height, 2 generated height.
 QRect mapCell(int row, int number) { return {152 + number * 204, 92 + row * 252, 190, 190}; }
 
 }  // namespace
@@ -62,7 +62,7 @@ private:
     QTemporaryDir m_folder;
     fabrics::Dataset m_dataset;
 
-    /// The same fabrics without some of their signals.
+    /// A copy of the data set without some signals.
     fabrics::Dataset without(const char* name, std::initializer_list<const char*> modalities) const
     {
         const fs::path copy = m_folder.filePath(name).toStdString();
@@ -81,7 +81,7 @@ private Q_SLOTS:
         m_dataset = fabrics::makeProceduralFabrics(m_folder.filePath("fabrics").toStdString(), options);
     }
 
-    void everyFabricHasARowOfAllThatThereIs()
+    void everyFabricHasARowWithAllItsSignals()
     {
         const auto sheet = contactSheetOf(m_dataset, requestFor(m_dataset));
         QCOMPARE(sheet.rows.size(), std::size_t{2});
@@ -103,7 +103,7 @@ private Q_SLOTS:
         QVERIFY(image.copy(mapCell(0, 2)) != image.copy(mapCell(1, 2)));
     }
 
-    void photographsAloneGiveWhatIsGenerated()
+    void photographsGiveTheGeneratedSignals()
     {
         const auto dataset = without("photographs", {"tactile", "friction", "height"});
         const auto sheet = contactSheetOf(dataset, requestFor(dataset));
@@ -115,7 +115,7 @@ private Q_SLOTS:
         QVERIFY(hasPicture(image, mapCell(0, 2)));
     }
 
-    void recordingsWithoutPhotographsAskForNoGenerators()
+    void recordingsWithoutPhotographsNeedNoGenerators()
     {
         const auto dataset = without("recordings", {"visual"});
         RenderRequest request = requestFor(dataset);
@@ -131,8 +131,8 @@ private Q_SLOTS:
     {
         study::looking::ContactSheet sheet{"scales", {}, std::vector<study::looking::ContactRow>(1)};
         cv::Mat coarse(100, 100, CV_32FC1, cv::Scalar(0)), fine(200, 200, CV_32FC1, cv::Scalar(0));
-        coarse.colRange(50, 100).setTo(1);  // 0.1 mm a pixel: 10 mm wide
-        fine.colRange(100, 200).setTo(1);   // 0.025 mm a pixel: 5 mm wide
+        coarse.colRange(50, 100).setTo(1);  // 0.1 mm per pixel: 10 mm wide
+        fine.colRange(100, 200).setTo(1);   // 0.025 mm per pixel: 5 mm wide
         coarse.col(26).setTo(0.5);          // 2.4 mm left of the middle: just inside the common 5 mm
         sheet.rows[0].measuredHeight = {coarse, 0.1};
         sheet.rows[0].generatedHeight = {fine, 0.025};
@@ -147,7 +147,7 @@ private Q_SLOTS:
         const auto dataset = without("nothing", {"visual", "tactile", "friction", "height"});
         try {
             contactSheetOf(dataset, requestFor(dataset));
-            QFAIL("a sheet of nothing was drawn");
+            QFAIL("an empty sheet was drawn");
         } catch (const protocols::Error& fault) {
             QCOMPARE(fault.exitCode(), protocols::ExitCode::BadInput);
             QVERIFY2(QString(fault.what()).contains("have no photograph, no measured height"), fault.what());

@@ -1,5 +1,5 @@
-// Signals as they are looked at: figures that tell a bad recording, axes that can be read off, pictures that show what is
-// there; and the stimuli of a study that still runs, which nobody sees.
+// Signals on a sheet: figures that reveal a bad recording, readable axes, correct pictures. Also the protection of stimuli of a
+// study that still runs.
 #include <QSet>
 #include <cmath>
 #include <limits>
@@ -31,7 +31,7 @@ QString warningsIn(const SeenSignal& signal)
     return texts.join(' ');
 }
 
-/// How many colours a picture holds: an empty one has few.
+/// Number of colours in a picture; an empty picture has few.
 int coloursIn(const QImage& image)
 {
     QSet<QRgb> colours;
@@ -49,7 +49,7 @@ class LookingTest : public QObject {
     std::filesystem::path at(const std::string& name) { return fabric_files::pathOf(m_folder) / name; }
 
 private Q_SLOTS:
-    void figuresOfAMapAreThoseOfItsNumbers()
+    void figuresOfAMapAreExact()
     {
         // 1 2 / 3 NaN: mean 2, Sq sqrt(2/3).
         cv::Mat heights = (cv::Mat_<float>(2, 2) << 1, 2, 3, static_cast<float>(nothing));
@@ -112,7 +112,7 @@ private Q_SLOTS:
         QVERIFY(mapOf(seen).colours.at<cv::Vec3b>(0, 0) == cv::Vec3b(100, 150, 200));
     }
 
-    void sixteenBitsAreSeenAtTheirOwnScale()
+    void sixteenBitImagesKeepTheirScale()
     {
         cv::Mat image(4, 5, CV_16UC1, cv::Scalar(1000));
         image.at<std::uint16_t>(0, 0) = 65535;
@@ -122,7 +122,7 @@ private Q_SLOTS:
         QCOMPARE(facts.clippedHighShare.value(), 0.05);
     }
 
-    void markersOfMissingHeightsAreNoHeights()
+    void markersOfMissingHeightsAreNotHeights()
     {
         cv::Mat heights = (cv::Mat_<float>(1, 3) << 0.1f, -1e10f, 0.3f);
         rendering::writeTiff(at("marked.tiff"), heights);
@@ -143,14 +143,14 @@ private Q_SLOTS:
         QVERIFY(contains(photograph.kind, "photograph") && contains(frame.kind, "tactile frame") &&
                 contains(height.kind, "height"));
         QCOMPARE(photograph.title, std::string("F01 visual 001.png"));
-        auto told = readSignal(at("set/F01/visual/001.png"), {0.5, {}, {}, {}, {}});
-        QCOMPARE(mapOf(told).mmPerPixel.value(), 0.5);
+        auto overridden = readSignal(at("set/F01/visual/001.png"), {0.5, {}, {}, {}, {}});
+        QCOMPARE(mapOf(overridden).mmPerPixel.value(), 0.5);
         const auto stroke = readSignal(at("set/F01/friction/000.csv"));
         const auto& trace = std::get<SeenTrace>(stroke.what);
         QCOMPARE(trace.placeUnit, std::string("mm"));
         QCOMPARE(trace.places, (std::vector<double>{0, 2.5, 5}));  // 5 mm/s
         QCOMPARE(trace.values, (std::vector<double>{0.2, 0.3, 0.2}));
-        QVERIFY(warningsIn(readSignal(at("set/F01/height/000.tiff"))).contains("same everywhere"));
+        QVERIFY(warningsIn(readSignal(at("set/F01/height/000.tiff"))).contains("All values are equal"));
     }
 
     void profilometerMapsKeepTheirPitch()
@@ -166,12 +166,12 @@ private Q_SLOTS:
         fabric_files::write(at("scan.TMD"), bytes);
         auto seen = readSignal(at("scan.TMD"));
         QCOMPARE(mapOf(seen).values.size(), cv::Size(4, 3));
-        QVERIFY(mapOf(seen).mmPerPixel.value() > 0 && mapOf(seen).rowPitch > 1.5);  // rows lie farther apart
+        QVERIFY(mapOf(seen).mmPerPixel.value() > 0 && mapOf(seen).rowPitch > 1.5);  // the pitch between rows is larger
         QVERIFY(std::abs(factsOf(seen).missingShare - 1.0 / 12) < 1e-12);
         QVERIFY(coloursIn(drawSheet({seen}, lightSheet())) > 20);
     }
 
-    void foreignPicturesAreReadWhereADecoderIsLent()
+    void otherPictureFormatsNeedADecoder()
     {
         fabric_files::write(at("photo.jpg"), "as a camera writes it");
         ReadingOptions options;
@@ -181,13 +181,13 @@ private Q_SLOTS:
         QCOMPARE(mapOf(seen).values.size(), cv::Size(6, 5));
     }
 
-    void heightsBelowZeroAreToldInADataSet()
+    void heightsBelowZeroInADataSetGiveAWarning()
     {
         fabric_files::smallDataset(at("low"));
         cv::Mat height = (cv::Mat_<float>(1, 3) << -0.1f, 0.2f, 0.3f);
         for (const char* file : {"low/F01/height/000.tiff", "low.tiff"}) rendering::writeTiff(at(file), height);
         QVERIFY(warningsIn(readSignal(at("low/F01/height/000.tiff"))).contains("below 0"));
-        QVERIFY(!warningsIn(readSignal(at("low.tiff"))).contains("below 0"));  // elsewhere any height is as good as another
+        QVERIFY(!warningsIn(readSignal(at("low.tiff"))).contains("below 0"));  // outside a data set, heights have no fixed zero
     }
 
     void frictionImageOfTheDisplayHasTheGlassPitch()
@@ -207,7 +207,7 @@ private Q_SLOTS:
         QCOMPARE(trace.placeUnit, std::string("s"));
         QVERIFY(trace.values[0] == 0.5 && std::isnan(trace.values[1]) && std::isnan(trace.values[2]) && trace.values[3] == 0.25);
         QCOMPARE(trace.sampleRateHz.value(), 1.0);
-        QVERIFY2(warningsIn(seen).contains("50 % of the samples: not in contact"), qPrintable(warningsIn(seen)));
+        QVERIFY2(warningsIn(seen).contains("50 % of the samples are missing: not in contact"), qPrintable(warningsIn(seen)));
     }
 
     void recordsOfOtherQuantitiesKeepTheirName_data()
@@ -237,7 +237,7 @@ private Q_SLOTS:
         QCOMPARE(std::get<SeenTrace>(seen.what).values, (std::vector<double>{1, 2}));
     }
 
-    void anyColumnOfARecordCanBeAskedFor()
+    void anyColumnOfARecordCanBeShown()
     {
         fabric_files::write(at("channels.csv"), "timestamp, channel1, channel2\n10,1,5\n20,2,6\n");
         const auto first = readSignal(at("channels.csv")), second = readSignal(at("channels.csv"), {{}, {}, {}, "channel2", {}});
@@ -247,18 +247,18 @@ private Q_SLOTS:
         QVERIFY2(contains(refusal, "has no column channel3") && contains(refusal, "channel1, channel2"), refusal.c_str());
     }
 
-    void whatCannotBeLookedAtIsRefusedByName_data()
+    void unreadableFilesAreRefusedByName_data()
     {
         QTest::addColumn<QString>("file");
         QTest::addColumn<QByteArray>("bytes");
-        QTest::newRow("nothing there") << "none.png" << QByteArray();
+        QTest::newRow("missing file") << "none.png" << QByteArray();
         QTest::newRow("truncated") << "cut.png" << QByteArray("\x89PNG\r\n\x1a\n");
         QTest::newRow("unknown kind") << "film.mov" << QByteArray("x");
         QTest::newRow("only time") << "time.csv" << QByteArray("t_s\n0\n1\n");
         QTest::newRow("no rows") << "empty.csv" << QByteArray("t_s,mu\n");
         QTest::newRow("no header") << "blank.csv" << QByteArray("");
     }
-    void whatCannotBeLookedAtIsRefusedByName()
+    void unreadableFilesAreRefusedByName()
     {
         QFETCH(QString, file);
         QFETCH(QByteArray, bytes);
@@ -275,8 +275,8 @@ private Q_SLOTS:
         QTest::addColumn<double>("wave");
         QTest::newRow("one pixel") << 1 << 1 << 0.5 << 0.0;
         QTest::newRow("one column") << 300 << 1 << 0.0 << 1.0;
-        QTest::newRow("even") << 40 << 50 << 0.25 << 0.0;
-        QTest::newRow("nothing but NaN") << 30 << 40 << nothing << 0.0;
+        QTest::newRow("flat") << 40 << 50 << 0.25 << 0.0;
+        QTest::newRow("only NaN") << 30 << 40 << nothing << 0.0;
         QTest::newRow("infinite") << 30 << 40 << std::numeric_limits<double>::infinity() << 0.0;
         QTest::newRow("a nanometre") << 30 << 40 << 0.0 << 1e-6;
         QTest::newRow("a kilometre") << 30 << 40 << 0.0 << 1e6;
@@ -304,8 +304,8 @@ private Q_SLOTS:
             QVERIFY(sheet.width() > 3 * 460 && sheet.height() > 700);
             QVERIFY(coloursIn(sheet) > 5);
         }
-        const QString told = describe(signals);
-        QVERIFY2(!told.contains("inf"), qPrintable(told));
+        const QString description = describe(signals);
+        QVERIFY2(!description.contains("inf"), qPrintable(description));
     }
 
     void sheetWrapsItsRows()
@@ -316,7 +316,7 @@ private Q_SLOTS:
         QVERIFY(five.height() > 2.8 * one.height());
     }
 
-    void stepsCanBeReadOff_data()
+    void stepsAreRound_data()
     {
         QTest::addColumn<double>("most");
         QTest::addColumn<double>("step");
@@ -325,7 +325,7 @@ private Q_SLOTS:
         QTest::newRow("just below") << 0.1999 << 0.1;
         QTest::newRow("small") << 3.1e-7 << 2e-7;
     }
-    void stepsCanBeReadOff()
+    void stepsAreRound()
     {
         QFETCH(double, most);
         QFETCH(double, step);
@@ -334,7 +334,7 @@ private Q_SLOTS:
 
     void ticksLieWithinTheAxis()
     {
-        QCOMPARE(ticksBetween(0, 1, 6).size(), std::size_t(6));  // 0, 0.2 ... 1
+        QCOMPARE(ticksBetween(0, 1, 6).size(), std::size_t(6));  // 0, 0.2, …, 1
         for (const auto& [low, high] : {std::pair(-0.3, 0.31), std::pair(1e-9, 2e-9), std::pair(-1e6, 1e6), std::pair(5.0, 5.0)})
             for (const double tick : ticksBetween(low, high, 5))
                 QVERIFY(tick >= low - 1e-6 * (high - low) && tick <= high + 1e-6 * (high - low));
@@ -347,7 +347,7 @@ private Q_SLOTS:
     {
         QTest::addColumn<double>("value");
         QTest::addColumn<QString>("text");
-        QTest::newRow("nought") << 0.0 << "0";
+        QTest::newRow("zero") << 0.0 << "0";
         QTest::newRow("whole") << 255.0 << "255";
         QTest::newRow("small") << 0.05512 << "0.0551";
         QTest::newRow("rounded up") << 0.99999 << "1.00";
@@ -363,18 +363,18 @@ private Q_SLOTS:
 
     void reliefIsBrightTowardsTheLight()
     {
-        // One long ridge across the picture: the side towards the upper left is lit.
+        // One long ridge across the picture. Its left side faces the light.
         cv::Mat ridge(60, 60, CV_32FC1);
         for (int i = 0; i < 60; ++i)
             for (int j = 0; j < 60; ++j) ridge.at<float>(i, j) = static_cast<float>(-std::abs(j - 30));
-        const Relief relief = reliefOf(ridge, {300, 200}, QColor(200, 200, 200));
+        const ReliefPicture relief = reliefOf(ridge, {300, 200}, QColor(200, 200, 200));
         QVERIFY(qGray(relief.picture.pixel(75, 150)) > qGray(relief.picture.pixel(225, 150)) + 20);
         QVERIFY(relief.pixelsPerUnit > 0);
         QCOMPARE(relief.pixelsPerValue, 5.0);
         QCOMPARE(reliefOf(cv::Mat(9, 9, CV_32FC1, cv::Scalar(4)), {300, 200}, QColor(200, 200, 200)).pixelsPerUnit, 0.0);
     }
 
-    void pictureShowsLowDarkHighBrightAndMissingApart()
+    void pictureDistinguishesLowHighAndMissingValues()
     {
         const cv::Mat values = (cv::Mat_<float>(1, 3) << 0, 1, static_cast<float>(nothing));
         const QImage grey = pictureOf(values, 0, 1, Palette::Grey, Qt::red);
@@ -389,22 +389,22 @@ private Q_SLOTS:
         }
     }
 
-    void dataSetIsGoneThroughFabricByFabric()
+    void overviewAndSheetsCoverADataSet()
     {
         fabric_files::smallDataset(at("walk"));
         const auto seen = overviewOf(at("walk"));
         QCOMPARE(seen.fabrics.size(), std::size_t(2));
         QCOMPARE(seen.fabrics[0], (FabricCounts{"F01", "Linen", "plain weave", 2, 1, 1, 2}));
         QCOMPARE(seen.fabrics[1].most(), 1);
-        QVERIFY(contains(seen.about, "0.04 mm a pixel") && contains(seen.about, "5 mm/s") && contains(seen.about, "CC0-1.0"));
+        QVERIFY(contains(seen.about, "0.04 mm per pixel") && contains(seen.about, "5 mm/s") && contains(seen.about, "CC0-1.0"));
         const auto first = sheetOf(at("walk"), "F01", 0), second = sheetOf(at("walk"), "F01", 1);
         QCOMPARE(first.signals.size(), std::size_t(4));
-        QCOMPARE(second.signals.size(), std::size_t(2));  // there is one press
+        QCOMPARE(second.signals.size(), std::size_t(2));  // this fabric has one press
         QVERIFY(first.faults.empty() && sheetOf(at("walk"), "F02", 7).signals.empty());
         QVERIFY(contains(refusalOf([&] { sheetOf(at("walk"), "F09", 0); }), "F09"));
     }
 
-    void heightIsComputedWhereNoneIsKnown()
+    void heightIsComputedIfNoneIsKnown()
     {
         rendering::fabrics::ProceduralOptions options;
         options.fabrics = options.samples = 1;
@@ -442,7 +442,7 @@ private Q_SLOTS:
         QCOMPARE(refusalOf([&] { readSignal(stimulus); }), std::string());
     }
 
-    void studyThatCannotBeAskedIsNotOpenToAll()
+    void unreadableStudyCountsAsBlinded()
     {
         fabric_files::write(at("broken/study.db"), "no database");
         rendering::writePgm(at("broken/image.pgm"), cv::Mat(3, 3, CV_8UC1, cv::Scalar(5)));

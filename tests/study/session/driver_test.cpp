@@ -81,7 +81,7 @@ private Q_SLOTS:
             expected.push_back("show " + std::to_string(value));
             expected.push_back("clear");
         }
-        QCOMPARE(session.display.told, expected);
+        QCOMPARE(session.display.calls, expected);
     }
 
     void theViewCarriesTheTrialAndNoKey()
@@ -133,7 +133,7 @@ private Q_SLOTS:
             session.playUntilAnswers(answers);
         }
         OpenSession session(folder, "S01");
-        QCOMPARE(session.display.told, std::vector<std::string>{"clear"});
+        QCOMPARE(session.display.calls, std::vector<std::string>{"clear"});
         QCOMPARE(nameOf(session.driver->state()), std::string("Debriefing"));
         QVERIFY(session.step());
         QVERIFY(!session.step());

@@ -1,4 +1,4 @@
-#include "study/looking/sheet_panels.h"
+#include "study/looking/map_panels.h"
 
 #include <QFontMetricsF>
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace {
 
 QString unitText(const std::string& unit) { return QString::fromStdString(unit); }
 
-/// Shrunk so that it has no more pixels than the place; a map of few values keeps its steps.
+/// The image resized to `size`. Enlarging repeats the pixels, so that a map of few values keeps its steps.
 cv::Mat fitted(const cv::Mat& image, QSize size)
 {
     cv::Mat result;
@@ -29,13 +29,13 @@ QImage imageOf(const SeenMap& map, const SignalFacts& facts, QSize size, const S
         const cv::Mat small = fitted(map.colours, size);
         return QImage(small.data, small.cols, small.rows, static_cast<qsizetype>(small.step), QImage::Format_RGB888).copy();
     }
-    const Palette palette = map.holds ? Palette::Grey : Palette::Colours;
-    const double low = map.holds ? map.holds->lowest : facts.min.value_or(0),
-                 high = map.holds ? map.holds->highest : facts.max.value_or(1);
+    const Palette palette = map.storedRange ? Palette::Grey : Palette::Colours;
+    const double low = map.storedRange ? map.storedRange->lowest : facts.min.value_or(0),
+                 high = map.storedRange ? map.storedRange->highest : facts.max.value_or(1);
     return pictureOf(fitted(map.values, size), low, high, palette, style.attention);
 }
 
-/// The bar of colours beside a map, with the values at its ends.
+/// Colour bar beside a map, with the values at its ends.
 void drawColourBar(QPainter& painter, const QRectF& place, const SeenMap& map, const SignalFacts& facts, const SheetStyle& style)
 {
     painter.setFont(fontOf(style, 0.8));
@@ -45,10 +45,10 @@ void drawColourBar(QPainter& painter, const QRectF& place, const SeenMap& map, c
         const double fraction = 1 - step / bar.height();
         const int level = static_cast<int>(std::lround(255 * fraction));
         painter.fillRect(QRectF(bar.left(), bar.top() + step, bar.width(), 1),
-                         map.holds ? QColor(level, level, level) : colourOf(fraction));
+                         map.storedRange ? QColor(level, level, level) : colourOf(fraction));
     }
-    const double low = map.holds ? map.holds->lowest : facts.min.value_or(0),
-                 high = map.holds ? map.holds->highest : facts.max.value_or(0);
+    const double low = map.storedRange ? map.storedRange->lowest : facts.min.value_or(0),
+                 high = map.storedRange ? map.storedRange->highest : facts.max.value_or(0);
     painter.setPen(style.quietText);
     painter.drawText(QRectF(place.left(), place.top(), place.width(), textHeight), Qt::AlignLeft | Qt::AlignTop,
                      QString::fromStdString(figure(high)));
@@ -61,7 +61,7 @@ void drawColourBar(QPainter& painter, const QRectF& place, const SeenMap& map, c
     painter.restore();
 }
 
-/// Little arrows at both ends of the row that the profile is of, and corners around the part that the relief is of.
+/// Marks the row of the profile by arrows at both ends, and the part shown as relief by a frame.
 void markPlaces(QPainter& painter, const QRectF& picture, const SeenMap& map, const QRect& part, const SheetStyle& style)
 {
     painter.save();
@@ -85,7 +85,7 @@ void markPlaces(QPainter& painter, const QRectF& picture, const SeenMap& map, co
     painter.restore();
 }
 
-/// How long something of the map is: in mm where the pitch is known.
+/// Length in the map, in mm if the pitch is known, otherwise in pixels.
 QString lengthText(double pixels, const std::optional<double>& mmPerPixel)
 {
     return mmPerPixel ? QStringLiteral("%1 mm").arg(QString::fromStdString(roughFigure(pixels * *mmPerPixel)))
@@ -94,11 +94,11 @@ QString lengthText(double pixels, const std::optional<double>& mmPerPixel)
                             .arg(pixels == 1 ? QStringLiteral("pixel") : QStringLiteral("pixels"));
 }
 
-QString heightWords(const SeenMap& map, const Relief& relief)
+QString heightWords(const SeenMap& map, const ReliefPicture& relief)
 {
-    if (relief.pixelsPerUnit == 0) return QStringLiteral("even");
+    if (relief.pixelsPerUnit == 0) return QStringLiteral("flat");
     const bool isHeight = map.unit == "mm" && map.mmPerPixel;
-    if (!isHeight) return map.holds ? QStringLiteral("bright is high") : QStringLiteral("large is high");
+    if (!isHeight) return map.storedRange ? QStringLiteral("bright is high") : QStringLiteral("large is high");
     const double factor = relief.pixelsPerUnit / (relief.pixelsPerValue / *map.mmPerPixel);
     return QStringLiteral("heights × %1").arg(QString::fromStdString(roughFigure(factor)));
 }
@@ -133,11 +133,11 @@ void drawRelief(QPainter& painter, const QRectF& place, const SeenMap& map, cons
     cv::Mat values = map.values(cv::Rect(part.left(), part.top(), part.width(), part.height())).clone();
     const int evenRows = std::max(1, static_cast<int>(std::lround(part.height() * map.rowPitch)));
     if (evenRows != part.height())
-        cv::resize(values, values, {part.width(), evenRows}, 0, 0, cv::INTER_NEAREST);  // no NaN spreads
+        cv::resize(values, values, {part.width(), evenRows}, 0, 0, cv::INTER_NEAREST);  // does not spread NaN
     const double captionHeight = style.fontPx * 1.6;
     const QSize size(static_cast<int>(place.width() * style.pixelRatio),
                      static_cast<int>((place.height() - captionHeight) * style.pixelRatio));
-    const Relief relief = reliefOf(values, size, style.body);
+    const ReliefPicture relief = reliefOf(values, size, style.body);
     const QRectF below = belowCaption(
         painter, place,
         QStringLiteral("Relief of %1, %2").arg(lengthText(part.width(), map.mmPerPixel), heightWords(map, relief)), style);
@@ -153,9 +153,9 @@ void drawProfile(QPainter& painter, const QRectF& place, const SeenMap& map, con
         places.push_back(column * pitch);
         values.push_back(map.values.at<float>(map.values.rows / 2, column));
     }
-    const Axis x{0, std::max(places.back(), pitch), map.mmPerPixel ? QStringLiteral("mm") : QStringLiteral("pixels")};
-    Axis y = axisAround(values, unitText(map.unit));
-    if (map.holds) y = {map.holds->lowest, map.holds->highest, unitText(map.unit)};
+    const PlotAxis x{0, std::max(places.back(), pitch), map.mmPerPixel ? QStringLiteral("mm") : QStringLiteral("pixels")};
+    PlotAxis y = axisAround(values, unitText(map.unit));
+    if (map.storedRange) y = {map.storedRange->lowest, map.storedRange->highest, unitText(map.unit)};
     drawCurve(painter, drawAxes(painter, below, x, y, style), x, y, places, values, style);
 }
 

@@ -1,4 +1,4 @@
-#include "study/app/pages/panel.h"
+#include "study/app/pages/form_panel.h"
 
 #include <QGridLayout>
 #include <QVBoxLayout>
@@ -10,20 +10,20 @@ namespace study::app {
 
 namespace {
 
-constexpr int rowOfReason = 100;  // below every row that a panel adds
+constexpr int rowOfReason = 100;  // below all rows that addRow() adds
 
 QLabel* captionFor(const QString& text, QWidget* parent)
 {
     QLabel* made = quietLabel("panelCaption", parent);
     made->setText(text);
     made->setWordWrap(false);
-    made->setContentsMargins(0, 7, 0, 0);  // level with the text in the fields
+    made->setContentsMargins(0, 7, 0, 0);  // aligns the caption with the text in the field
     return made;
 }
 
 }  // namespace
 
-Panel::Panel(QWidget* parent)
+FormPanel::FormPanel(QWidget* parent)
     : StagePage(parent),
       m_head(new PageHead(this)),
       m_form(new QGridLayout),
@@ -44,39 +44,40 @@ Panel::Panel(QWidget* parent)
     column->addLayout(m_form);
     column->addLayout(actionsRow({m_action, m_back}));
     column->addStretch(1);
-    connect(m_action, &QPushButton::clicked, this, &Panel::confirm);
-    connect(m_back, &QPushButton::clicked, this, &Panel::closeAsked);
+    connect(m_action, &QPushButton::clicked, this, &FormPanel::confirm);
+    connect(m_back, &QPushButton::clicked, this, &FormPanel::closeRequested);
 }
 
-void Panel::addRow(const QString& caption, QWidget* control)
+void FormPanel::addRow(const QString& caption, QWidget* control)
 {
     const int row = m_form->rowCount() > rowOfReason ? m_form->count() / 2 : m_form->rowCount();
     m_form->addWidget(captionFor(caption, this), row, 0, Qt::AlignTop);
     m_form->addWidget(control, row, 1);
 }
 
-void Panel::letReasonFollow(const QWidget& controls) { letFollow(controls, {m_reason, m_action, m_back}); }
+void FormPanel::setReasonAfter(const QWidget& controls) { setTabOrderAfter(controls, {m_reason, m_action, m_back}); }
 
-void Panel::open(const Texts& texts)
+void FormPanel::open(const Texts& texts)
 {
     m_texts = texts;
     m_isAskedAgain = false;
-    m_head->tell(texts.title, texts.explanation);
+    m_head->setTexts(texts.title, texts.explanation);
     m_caption->setText(texts.caption);
     m_reason->clear();
     m_reason->setAccessibleName(texts.caption);
     setButtonText(*m_action, texts.action);
 }
 
-void Panel::focusReason() { m_reason->setFocus(); }
+void FormPanel::focusReason() { m_reason->setFocus(); }
 
-void Panel::confirm()
+void FormPanel::confirm()
 {
     if (!isReady()) return;
     const bool isEmpty = m_reason->text().trimmed().isEmpty();
-    const bool mayGo = !isEmpty || m_texts.empty == Empty::IsFine || (m_texts.empty == Empty::IsAskedAgain && m_isAskedAgain);
-    if (mayGo) {
-        Q_EMIT eventAsked(eventFor(isEmpty ? std::string() : m_reason->text().toStdString()));
+    const bool isAccepted = !isEmpty || m_texts.withoutReason == WithoutReason::Accept ||
+                            (m_texts.withoutReason == WithoutReason::AskTwice && m_isAskedAgain);
+    if (isAccepted) {
+        Q_EMIT eventRequested(eventFor(isEmpty ? std::string() : m_reason->text().toStdString()));
         return;
     }
     m_isAskedAgain = true;
@@ -84,17 +85,17 @@ void Panel::confirm()
     Q_EMIT hinted(m_texts.hintWhenEmpty);
 }
 
-bool Panel::pressKey(int key)
+bool FormPanel::pressKey(int key)
 {
     if (isEnter(key))
         confirm();
     else if (key == Qt::Key_Escape)
-        Q_EMIT closeAsked();
+        Q_EMIT closeRequested();
     else
         return false;
     return true;
 }
 
-QWidget& Panel::firstFocus() { return *m_reason; }
+QWidget& FormPanel::firstFocus() { return *m_reason; }
 
 }  // namespace study::app

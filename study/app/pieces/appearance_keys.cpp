@@ -1,4 +1,4 @@
-#include "study/app/pieces/looks.h"
+#include "study/app/pieces/appearance_keys.h"
 
 #include <QApplication>
 #include <QShortcut>
@@ -8,7 +8,7 @@
 
 namespace study::app {
 
-Looks::Looks(std::shared_ptr<QSettings> settings, QWidget& window)
+AppearanceKeys::AppearanceKeys(std::shared_ptr<QSettings> settings, QWidget& window)
     : QObject(&window),
       m_settings(std::move(settings)),
       m_base(QApplication::font()),
@@ -28,7 +28,7 @@ Looks::Looks(std::shared_ptr<QSettings> settings, QWidget& window)
     applyAppearance(m_appearance, m_base);
 }
 
-void Looks::set(const Appearance& appearance)
+void AppearanceKeys::set(const Appearance& appearance)
 {
     m_appearance = appearance;
     applyAppearance(appearance, m_base);

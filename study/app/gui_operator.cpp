@@ -1,10 +1,10 @@
-#include "study/app/gui_hands.h"
+#include "study/app/gui_operator.h"
 
 #include <QApplication>
 #include <QKeyEvent>
 #include <QMouseEvent>
 
-#include "study/app/gui_movements.h"
+#include "study/app/gui_actions.h"
 #include "study/app/pages/session_page.h"
 #include "study/session/session_record.h"
 
@@ -28,52 +28,52 @@ void sendKey(QWidget& target, int key, const QString& text, Qt::KeyboardModifier
 
 }  // namespace
 
-SessionController& GuiHands::controller() const
+SessionController& GuiOperator::controller() const
 {
-    if (!m_window.session()) throw noWay("no session is open");
+    if (!m_window.session()) throw cannotPerform("no session is open");
     return *m_window.session();
 }
 
-const View& GuiHands::view() const { return controller().view(); }
+const View& GuiOperator::view() const { return controller().view(); }
 
-const Plan& GuiHands::plan() const { return controller().plan(); }
+const Plan& GuiOperator::plan() const { return controller().plan(); }
 
-std::optional<Refusal> GuiHands::perform(const EventBody& event)
+std::optional<Refusal> GuiOperator::perform(const EventBody& event)
 {
     if (isOfferedPreparation() && !controller().view().state.paused && !std::holds_alternative<SittingPrepared>(event))
         click(QStringLiteral("secondButton"));
     const int sentBefore = controller().eventsSent();
-    makeMovements(*this, m_window, event);
+    performInWindow(*this, m_window, event);
     QApplication::processEvents(QEventLoop::ExcludeUserInputEvents);
     const auto& outcome = controller().lastOutcome();
     const bool isSent = controller().eventsSent() == sentBefore + 1 && kindOf(outcome->event) == kindOf(event) &&
                         payloadJson(outcome->event) == payloadJson(event);
-    if (!isSent) throw noWay("\"" + kindOf(event) + "\" did not come out of the page for " + nameOf(view().state));
+    if (!isSent) throw cannotPerform("the page for " + nameOf(view().state) + " did not send \"" + kindOf(event) + "\"");
     if (outcome->fault) std::rethrow_exception(outcome->fault);
     return outcome->refusal;
 }
 
-QWidget& GuiHands::focus() const
+QWidget& GuiOperator::focus() const
 {
     QWidget* focused = m_window.focusWidget();
     return focused && focused->isVisible() ? *focused : m_window;
 }
 
-bool GuiHands::isOfferedPreparation() const
+bool GuiOperator::isOfferedPreparation() const
 {
     const auto* page = qobject_cast<SessionPage*>(m_window.currentPage());
     return page && page->offersPreparation();
 }
 
-QWidget& GuiHands::widget(const QString& objectName) const
+QWidget& GuiOperator::widget(const QString& objectName) const
 {
     const auto found = m_window.currentPage()->findChildren<QWidget*>(objectName);
     for (QWidget* widget : found)
         if (widget->isVisible() && widget->isEnabled()) return *widget;
-    throw noWay("\"" + objectName.toStdString() + "\" is not on the page, or is off");
+    throw cannotPerform("the page has no visible and enabled control \"" + objectName.toStdString() + "\"");
 }
 
-void GuiHands::pressKey(int key)
+void GuiOperator::pressKey(int key)
 {
     QWidget& target = focus();
     sendKey(target, key, textOfKey(key));
@@ -81,7 +81,7 @@ void GuiHands::pressKey(int key)
     QApplication::sendEvent(&focus(), &release);
 }
 
-void GuiHands::type(const QString& text)
+void GuiOperator::type(const QString& text)
 {
     for (const char32_t character : text.toStdU32String()) {
         const bool isNewLine = character == U'\n';
@@ -90,21 +90,21 @@ void GuiHands::type(const QString& text)
     }
 }
 
-void GuiHands::clear()
+void GuiOperator::clear()
 {
     sendKey(focus(), Qt::Key_A, {}, Qt::ControlModifier);
     sendKey(focus(), Qt::Key_Delete, {});
 }
 
-void GuiHands::focusOn(const QString& objectName) { widget(objectName).setFocus(Qt::TabFocusReason); }
+void GuiOperator::focusOn(const QString& objectName) { widget(objectName).setFocus(Qt::TabFocusReason); }
 
-void GuiHands::click(const QString& objectName)
+void GuiOperator::click(const QString& objectName)
 {
     QWidget& target = widget(objectName);
     clickAt(target, target.rect().center());
 }
 
-void GuiHands::clickAt(QWidget& target, const QPoint& point)
+void GuiOperator::clickAt(QWidget& target, const QPoint& point)
 {
     const QPointF at(point);
     const QPointF global = target.mapToGlobal(at);

@@ -1,4 +1,4 @@
-#include "study/app/gui_movements.h"
+#include "study/app/gui_actions.h"
 
 #include <QCheckBox>
 
@@ -12,11 +12,11 @@ using namespace session;
 
 namespace {
 
-struct Movement {
-    GuiHands& hands;
+struct EventActions {
+    GuiOperator& gui;
     MainWindow& window;
 
-    void operator()(const SittingStarted&) const { throw noWay("a sitting starts when its session is opened"); }
+    void operator()(const SittingStarted&) const { throw cannotPerform("a sitting starts when its session is opened"); }
     void operator()(const Begun&) const { enter(); }
     void operator()(const Consented&) const { enter(); }
     void operator()(const FactsGiven& event) const
@@ -24,14 +24,14 @@ struct Movement {
         fill(event.facts, window.session()->facts().facts, QStringLiteral("fact"));
         press("confirmButton");
     }
-    void operator()(const FamiliarisationShown& event) const { hands.pressKey(Qt::Key_1 + event.item); }
+    void operator()(const FamiliarisationShown& event) const { gui.pressKey(Qt::Key_1 + event.item); }
     void operator()(const FamiliarisationDone&) const { enter(); }
     void operator()(const ScalePlaced& event) const
     {
-        hands.type(study::app::textOf(event.spoken));
+        gui.type(study::app::textOf(event.spoken));
         enter();
     }
-    void operator()(const ScaleTrainingDone&) const { hands.pressKey(Qt::Key_G); }
+    void operator()(const ScaleTrainingDone&) const { gui.pressKey(Qt::Key_G); }
     void operator()(const ChecklistDone& event) const
     {
         tick(event.ticked);
@@ -45,21 +45,21 @@ struct Movement {
         if (event.by == TouchSource::Display)
             window.session()->displayTouched();
         else
-            hands.click(QStringLiteral("touchButton"));
+            gui.click(QStringLiteral("touchButton"));
     }
     void operator()(const Answered& event) const
     {
-        const int entries = hands.plan().protocol.secondEntry ? 2 : 1;
+        const int entries = gui.plan().protocol.secondEntry ? 2 : 1;
         for (int entry = 0; entry < entries; ++entry) {
-            give(event.response, formOf(hands.view()));
+            give(event.response, formOf(gui.view()));
             enter();
-            if (isWithoutWords(event.response)) enter();  // the page asks once whether there are none
+            if (isWithoutWords(event.response)) enter();  // the page asks for a second Enter if nothing is written
         }
     }
     void operator()(const Corrected& event) const
     {
         click("correctButton");
-        hands.click(QStringLiteral("answerTo") + QString::fromStdString(event.question.value));
+        gui.click(QStringLiteral("answerTo") + QString::fromStdString(event.question.value));
         give(event.response, formOfAnswerTo(event.question));
         if (isWithoutWords(event.response)) press("panelConfirmButton");
         giveReason(event.why, true);
@@ -73,7 +73,7 @@ struct Movement {
     void operator()(const Paused&) const { click("pauseButton"); }
     void operator()(const Resumed&) const
     {
-        if (hands.isOfferedPreparation())
+        if (gui.isOfferedPreparation())
             click("secondButton");
         else
             enter();
@@ -90,16 +90,16 @@ struct Movement {
     }
     void operator()(const Debriefed& event) const
     {
-        hands.type(QString::fromStdString(event.text));
+        gui.type(QString::fromStdString(event.text));
         enter();
     }
 
 private:
-    void enter() const { hands.pressKey(Qt::Key_Return); }
-    void click(const char* button) const { hands.click(QString::fromLatin1(button)); }
+    void enter() const { gui.pressKey(Qt::Key_Return); }
+    void click(const char* button) const { gui.click(QString::fromLatin1(button)); }
     void press(const char* button) const
     {
-        hands.focusOn(QString::fromLatin1(button));
+        gui.focusOn(QString::fromLatin1(button));
         enter();
     }
 
@@ -108,22 +108,22 @@ private:
         const QStringList all = window.session()->facts().checklist;
         for (const std::string& line : lines) {
             const QString box = QStringLiteral("check%1").arg(all.indexOf(QString::fromStdString(line)) + 1);
-            if (static_cast<QCheckBox&>(hands.widget(box)).isChecked()) continue;
-            hands.focusOn(box);
-            hands.pressKey(Qt::Key_Space);
+            if (static_cast<QCheckBox&>(gui.widget(box)).isChecked()) continue;
+            gui.focusOn(box);
+            gui.pressKey(Qt::Key_Space);
         }
     }
     void fill(const std::map<std::string, std::string>& values, const QStringList& captions, const QString& line) const
     {
         for (const auto& [caption, value] : values) {
-            hands.focusOn(line + QString::number(captions.indexOf(QString::fromStdString(caption)) + 1));
-            hands.type(QString::fromStdString(value));
+            gui.focusOn(line + QString::number(captions.indexOf(QString::fromStdString(caption)) + 1));
+            gui.type(QString::fromStdString(value));
         }
     }
     void giveReason(const std::string& text, bool isAskedTwice) const
     {
-        hands.focusOn(QStringLiteral("reasonField"));
-        hands.type(QString::fromStdString(text));
+        gui.focusOn(QStringLiteral("reasonField"));
+        gui.type(QString::fromStdString(text));
         enter();
         if (text.empty() && isAskedTwice) enter();
     }
@@ -137,31 +137,34 @@ private:
     {
         for (const Correctable& one : window.session()->correctables())
             if (one.question == question) return one.form;
-        throw noWay("there is no answer to " + question.value);
+        throw cannotPerform("there is no answer to " + question.value);
     }
     void give(const GivenAnswer& response, const AnswerForm& form) const
     {
         if (const auto* choice = std::get_if<OptionsForm>(&form)) {
             for (const AnswerOption& option : choice->options)
-                if (option.response == response) return hands.pressKey(option.letter.front().unicode());
-            throw noWay(textOf(response) + " is not among the answers to choose from");
+                if (option.response == response) return gui.pressKey(option.letter.front().unicode());
+            throw cannotPerform(textOf(response) + " is not one of the answers on the page");
         }
         const auto* rating = std::get_if<protocols::Tenths>(&response);
-        hands.clear();
-        hands.type(rating ? study::app::textOf(*rating) : QString::fromStdString(textOf(response)));
+        gui.clear();
+        gui.type(rating ? study::app::textOf(*rating) : QString::fromStdString(textOf(response)));
     }
 };
 
 }  // namespace
 
-protocols::Error noWay(const std::string& what)
+protocols::Error cannotPerform(const std::string& what)
 {
-    return protocols::workFailed({.what = "the window cannot be driven on: " + what,
+    return protocols::workFailed({.what = "the window cannot send the next event: " + what,
                                   .where = "replay --gui",
                                   .expected = "the page of the script's next event",
-                                  .nextStep = "replay the script without --gui, and report this"});
+                                  .nextStep = "replay the script without --gui and report this fault"});
 }
 
-void makeMovements(GuiHands& hands, MainWindow& window, const EventBody& event) { std::visit(Movement{hands, window}, event); }
+void performInWindow(GuiOperator& gui, MainWindow& window, const EventBody& event)
+{
+    std::visit(EventActions{gui, window}, event);
+}
 
 }  // namespace study::app

@@ -1,5 +1,5 @@
-// A form that is opened by wish in place of the stage page: what it is about, one line to write a reason into, and
-// whether a second Enter does it without one. Enter does it, Esc goes back.
+// A form that the operator opens in place of the stage page: title, explanation and one line for a reason. Enter stores,
+// Esc goes back. Each form defines what Enter does without a reason.
 #pragma once
 
 #include "study/app/pages/stage_page.h"
@@ -13,7 +13,7 @@ namespace study::app {
 
 class PageHead;
 
-class Panel : public StagePage {
+class FormPanel : public StagePage {
     Q_OBJECT
 public:
     void present(const session::View&) override {}
@@ -21,27 +21,27 @@ public:
     QWidget& firstFocus() override;
 
 Q_SIGNALS:
-    void closeAsked();
+    void closeRequested();
 
 protected:
-    /// What Enter does while nothing is written.
-    enum class Empty { IsRefused, IsAskedAgain, IsFine };
+    /// Effect of Enter while the reason is empty. AskTwice: a second Enter is needed.
+    enum class WithoutReason { Refuse, AskTwice, Accept };
     struct Texts {
         QString title, explanation, caption, action, hintWhenEmpty;
-        Empty empty = Empty::IsAskedAgain;
+        WithoutReason withoutReason = WithoutReason::AskTwice;
     };
-    explicit Panel(QWidget* parent);
+    explicit FormPanel(QWidget* parent);
 
-    /// Opens with nothing written.
+    /// Shows the form with an empty reason.
     void open(const Texts& texts);
-    /// A row between the explanation and the line to write; takes the control.
+    /// Adds a row above the reason and takes ownership of the control.
     void addRow(const QString& caption, QWidget* control);
-    /// Lets the hand go on to the line to write.
+    /// Moves the focus to the reason.
     void focusReason();
-    /// Tab leads there from the last of these controls.
-    void letReasonFollow(const QWidget& controls);
+    /// Puts the reason and the buttons after `controls` in the tab order.
+    void setReasonAfter(const QWidget& controls);
 
-    /// False, after a hint, where something other than the reason is missing.
+    /// Whether everything except the reason is given; emits hinted() if not.
     virtual bool isReady() { return true; }
     virtual session::EventBody eventFor(const std::string& reason) = 0;
 

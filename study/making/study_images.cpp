@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <nlohmann/json.hpp>
 
 #include "protocols/random.h"
 #include "rendering/composition/photograph_warnings.h"

@@ -131,8 +131,6 @@ void writeSheets(const database::StudyStore& store, const std::filesystem::path&
     write("preparation.html", preparationPage(facts, sets));
     if (const auto* scale = memorisedScaleOf(protocol)) write("scale-card.html", scaleCard(facts, *scale));
     draft.putInPlace();
-    std::printf("%s: pages to print\n", out.c_str());
-    return 0;
 }
 
 }  // namespace study::making

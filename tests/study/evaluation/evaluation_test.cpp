@@ -221,7 +221,7 @@ private:
     fs::path card(const std::string& name, const std::vector<std::string>& heldOut)
     {
         rendering::models::ModelCardFields fields;
-        fields.told.name = name;
+        fields.summary.name = name;
         fields.splitSeed = 1;
         fields.heldOut = heldOut;
         fields.validation = nlohmann::ordered_json::object();

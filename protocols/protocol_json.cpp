@@ -18,11 +18,11 @@ namespace protocols {
 namespace {
 
 using nlohmann::json;
-using Faults = std::vector<SchemaFault>;
+using SchemaFaults = std::vector<SchemaFault>;
 
 constexpr int mostFabrics = 100;  // as the schema has it
 
-[[noreturn]] void refuse(const Faults& faults, const JsonDocument& document)
+[[noreturn]] void refuse(const SchemaFaults& faults, const JsonDocument& document)
 {
     std::string list;
     for (const SchemaFault& fault : faults)
@@ -163,7 +163,7 @@ Protocol readBy(ProtocolEdition edition, std::string_view text, const std::strin
     for (const std::string& fault : faultsOf(protocol)) faults.add(fault);
     if (edition == ProtocolEdition::Current)
         for (const std::string& fault : faultsOfQuestionIds(protocol)) faults.add(fault);
-    if (const Faults all = faults.all(); !all.empty()) refuse(all, document);
+    if (const SchemaFaults all = faults.all(); !all.empty()) refuse(all, document);
     return protocol;
 }
 

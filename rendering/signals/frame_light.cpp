@@ -32,7 +32,7 @@ cv::Vec<double, cubicTerms> cubic(double u, double v)
 
 double placeOf(double index, int length) { return length > 1 ? 2 * index / (length - 1) - 1 : 0; }
 
-double medianOf(std::vector<double> values)
+double medianOfLights(std::vector<double> values)
 {
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
     std::nth_element(values.begin(), middle, values.end());
@@ -74,7 +74,7 @@ cv::Mat logIllumination(const cv::Mat& channel)
         cv::solve(normal, right, surface, cv::DECOMP_CHOLESKY);
         std::vector<double> deviations(levels.size());
         for (std::size_t s = 0; s < levels.size(); ++s) deviations[s] = std::abs(levels[s] - terms[s].dot(surface));
-        const double spread = std::max(1e-6, 2 * 1.4826 * medianOf(deviations));
+        const double spread = std::max(1e-6, 2 * 1.4826 * medianOfLights(deviations));
         for (std::size_t s = 0; s < levels.size(); ++s) weights[s] = 1 / (1 + deviations[s] * deviations[s] / (spread * spread));
     }
     cv::Mat result(channel.size(), CV_32FC1);

@@ -5,6 +5,7 @@
 
 #include "protocols/counterbalancing.h"
 #include "protocols/files/errors.h"
+#include "protocols/protocol_edition.h"
 #include "protocols/protocol_json.h"
 #include "protocols/question_ids.h"
 

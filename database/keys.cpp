@@ -7,7 +7,7 @@
 #include "protocols/files/errors.h"
 #include "protocols/files/sha256.h"
 #include "protocols/files/whole_file.h"
-#include "protocols/key_json.h"
+#include "protocols/records/key_json.h"
 
 namespace database {
 

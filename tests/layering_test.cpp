@@ -22,6 +22,7 @@ const QList<Room>& rooms()
         {"protocols/",
          "the words of a study: ids, conditions, protocols, the seeded generator, running orders, keys",
          {"protocols/files/"}},
+        {"protocols/records/", "what is kept of an allocation: the texts of the keys, the balance", {"protocols/"}},
         {"stats/kernels/", "sums, moments, ranks, tail probabilities, matrices; the value that may be undefined", {}},
         {"stats/metrics/", "measures of images and traces", {"stats/kernels/"}},
         {"stats/tests/", "tests and intervals, one result struct each", {"stats/kernels/"}},

@@ -12,7 +12,7 @@ namespace stats {
 struct CalibrationFamily {
     std::string truth;  ///< the model that the studies are drawn from
     std::vector<CalibrationRow> tests;
-    StudyAnalysis analysis;
+    SimulatedAnalysis analysis;
     std::size_t studies = 0;
 };
 

@@ -48,7 +48,7 @@ void addTests(std::vector<PlannedTest>& planned, const PowerGroup& group, const 
     std::vector<PlannedTest> tests;
     for (const GroupedTest& test : group.tests) tests.push_back(plannedTest(group, test, options));
     for (const double effect : group.effects) {
-        const StudyAnalysis analysis = [&](Draws& draws, std::span<Value> p) { group.analysis(effect, draws, p); };
+        const SimulatedAnalysis analysis = [&](Draws& draws, std::span<Value> p) { group.analysis(effect, draws, p); };
         const auto simulated = simulateTests(tests.size(), analysis, options.simulation);
         for (std::size_t t = 0; t < tests.size(); ++t)
             tests[t].points.push_back({effect, group.tests[t].formula(options.design, effect), simulated[t],

@@ -127,7 +127,7 @@ Interval Rejections::interval() const
     return wilsonInterval(static_cast<long long>(rejected), static_cast<long long>(studies));
 }
 
-std::vector<Rejections> simulateTests(std::size_t tests, const StudyAnalysis& analysis, const SimulationOptions& options)
+std::vector<Rejections> simulateTests(std::size_t tests, const SimulatedAnalysis& analysis, const SimulationOptions& options)
 {
     enum TestOutcome : char { Kept, Rejected, Undefined };
     std::vector<char> outcomes(tests * options.studies);

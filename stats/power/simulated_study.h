@@ -80,7 +80,7 @@ struct Rejections {
 };
 
 /// Draws a study and stores the p of each test.
-using StudyAnalysis = std::function<void(Draws& draws, std::span<Value> p)>;
-std::vector<Rejections> simulateTests(std::size_t tests, const StudyAnalysis& analysis, const SimulationOptions& options);
+using SimulatedAnalysis = std::function<void(Draws& draws, std::span<Value> p)>;
+std::vector<Rejections> simulateTests(std::size_t tests, const SimulatedAnalysis& analysis, const SimulationOptions& options);
 
 }  // namespace stats

@@ -5,13 +5,13 @@
 #include <nlohmann/json.hpp>
 
 #include "database/study_store.h"
-#include "protocols/balance.h"
 #include "protocols/files/csv_table.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/number_text.h"
 #include "protocols/files/sha256.h"
 #include "protocols/files/whole_file.h"
 #include "protocols/protocol_json.h"
+#include "protocols/records/balance.h"
 #include "study/commands/command_line.h"
 #include "study/commands/json_output.h"
 #include "study/commands/progress.h"

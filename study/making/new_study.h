@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "database/study_store.h"
-#include "protocols/balance.h"
+#include "protocols/records/balance.h"
 
 namespace study::making {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "database/study_store.h"
-#include "protocols/balance.h"
+#include "protocols/records/balance.h"
 
 namespace study::records {
 

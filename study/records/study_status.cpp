@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "protocols/balance.h"
+#include "protocols/records/balance.h"
 #include "reports/analysis/quality_flags.h"
 #include "study/records/realised_balance.h"
 #include "study/records/stored_study.h"

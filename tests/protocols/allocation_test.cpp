@@ -5,8 +5,8 @@
 #include <set>
 
 #include "protocols/files/errors.h"
-#include "protocols/key_json.h"
 #include "protocols/protocol_json.h"
+#include "protocols/records/key_json.h"
 
 using namespace protocols;
 

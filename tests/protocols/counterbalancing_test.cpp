@@ -7,8 +7,8 @@
 #include <map>
 #include <set>
 
-#include "protocols/balance.h"
 #include "protocols/protocol_json.h"
+#include "protocols/records/balance.h"
 
 using namespace protocols;
 

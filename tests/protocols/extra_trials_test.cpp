@@ -6,10 +6,10 @@
 #include <set>
 
 #include "protocols/allocation.h"
-#include "protocols/balance.h"
 #include "protocols/condition.h"
-#include "protocols/key_json.h"
 #include "protocols/protocol_json.h"
+#include "protocols/records/balance.h"
+#include "protocols/records/key_json.h"
 
 using namespace protocols;
 

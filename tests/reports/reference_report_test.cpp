@@ -2,6 +2,7 @@
 #include <QtTest>
 #include <cmath>
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "reports/data/answers_csv.h"
 #include "reports/json/results_json.h"

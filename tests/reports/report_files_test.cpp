@@ -2,6 +2,7 @@
 #include <QXmlStreamReader>
 #include <QtTest>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "protocols/files/csv_table.h"

@@ -1,6 +1,7 @@
 // results.json: what it holds, in which order, and what stands where a value does not exist.
 #include <QtTest>
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "protocols/files/errors.h"

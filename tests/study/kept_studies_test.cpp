@@ -24,6 +24,15 @@ QByteArray bytesOf(const QString& file)
 
 Json jsonOf(const QString& file) { return Json::parse(bytesOf(file).toStdString()); }
 
+/// Every number of `old` is in `now`; `now` may hold more, as worded questions are since 0.6.0.
+bool holds(const Json& now, const Json& old)
+{
+    if (!old.is_object()) return now == old;
+    for (const auto& [key, value] : old.items())
+        if (!now.is_object() || !now.contains(key) || !holds(now[key], value)) return false;
+    return true;
+}
+
 /// results/2 has the questions under "questions"; results/1 had them at the top level.
 Json inTheOldShape(const Json& results)
 {
@@ -77,7 +86,7 @@ private Q_SLOTS:
         const Json statistics = jsonOf(at("out/statistics.json")), oldStatistics = jsonOf(kept("finished-statistics.json"));
         for (const auto& [key, value] : oldStatistics.items())
             if (key != "data")  // which counts worded answers since 0.6.0
-                QVERIFY2(statistics.contains(key) && statistics[key] == value, key.c_str());
+                QVERIFY2(statistics.contains(key) && holds(statistics[key], value), key.c_str());
     }
 
     void wordedAnswersReachTheReport()

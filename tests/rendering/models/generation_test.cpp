@@ -11,6 +11,7 @@
 
 #include "protocols/files/errors.h"
 #include "rendering/fabrics/dataset.h"
+#include "rendering/fabrics/friction_record.h"
 #include "rendering/fabrics/procedural/procedural_fabrics.h"
 
 using namespace rendering;

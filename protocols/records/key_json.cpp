@@ -1,4 +1,4 @@
-#include "protocols/key_json.h"
+#include "protocols/records/key_json.h"
 
 #include <map>
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-#include "protocols/balance.h"
+#include "protocols/records/balance.h"
 
 #include <algorithm>
 #include <map>

@@ -190,6 +190,15 @@ QMap<QString, QString> sources()
     return found;
 }
 
+/// A row of the table in CONTRIBUTING.md.
+QString rowOf(const Room& room)
+{
+    QStringList below;
+    for (const QString& prefix : room.mayInclude) below << '`' + prefix + '`';
+    return QString("| `%1` | %2 | %3%4 |")
+        .arg(room.folder, room.contents, below.isEmpty() ? QString("nothing of ours") : below.join(", "), room.qt ? ", Qt" : "");
+}
+
 }  // namespace
 
 class LayeringTest : public QObject {
@@ -202,6 +211,14 @@ private Q_SLOTS:
         QStringList faults;
         for (auto it = m_sources.begin(); it != m_sources.end(); ++it) faults << includeFaults(it.key(), it.value());
         QVERIFY2(faults.isEmpty(), qPrintable(faults.join("; ")));
+    }
+
+    void contributingShowsThisTable()
+    {
+        QFile guide(QDir(VIS2HAP_SOURCE_DIR).filePath("CONTRIBUTING.md"));
+        QVERIFY(guide.open(QIODevice::ReadOnly));
+        const QString text = QString::fromUtf8(guide.readAll());
+        for (const Room& room : rooms()) QVERIFY2(text.contains(rowOf(room) + '\n'), qPrintable("missing: " + rowOf(room)));
     }
 
     void sessionAndAppKnowNoKey()

@@ -4,6 +4,7 @@
 #include <QPushButton>
 #include <QTest>
 
+#include "study/session/session_record.h"
 #include "tests/support/played_session.h"
 #include "tests/support/typed_answers.h"
 #include "tests/support/whole_protocol.h"

@@ -12,6 +12,7 @@
 
 #include "rendering/images/image_io.h"
 #include "study/app/state/screen_cover.h"
+#include "study/session/session_record.h"
 #include "tests/support/open_window.h"
 #include "tests/support/played_session.h"
 
@@ -127,7 +128,7 @@ void AppDisplayTest::delayedTouchReportIsDatedBack()
     auto untouched = before;
     std::get<Presenting>(untouched.stage).touchedAtNs.reset();
     const auto outcome = apply(plan, untouched, {copied, now});
-    QCOMPARE(std::get<Presenting>(std::get<Step>(outcome).next.stage).touchedAtNs.value_or(0), touchedAt);
+    QCOMPARE(std::get<Presenting>(std::get<SessionStep>(outcome).next.stage).touchedAtNs.value_or(0), touchedAt);
 }
 
 void AppDisplayTest::deadDriverPausesTheSessionAndLosesNothing()

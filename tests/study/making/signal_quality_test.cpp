@@ -2,6 +2,7 @@
 #include "study/making/signal_quality.h"
 
 #include <QtTest>
+#include <nlohmann/json.hpp>
 #include <opencv2/imgproc.hpp>
 
 using rendering::FabricSignals;

@@ -1,6 +1,7 @@
 // Criteria of an evaluation, and its output as text tables and as JSON.
 #include <QtTest>
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "study/evaluation/criteria.h"
 #include "study/evaluation/evaluation_json.h"

@@ -82,8 +82,8 @@ void requireUsable(const StrokeOptions& options)
                             {"sample rate (Hz)", options.sampleRateHz, 1e-3, 1e6}};
     for (const Bound& bound : bounds)
         if (!(bound.value >= bound.least && bound.value <= bound.most))
-            throw protocols::badInput({std::string("the ") + bound.name + " of a stroke is " + protocols::shortest(bound.value), "",
-                                       protocols::shortest(bound.least) + " to " + protocols::shortest(bound.most),
+            throw protocols::badInput({std::string("the ") + bound.name + " of a stroke is " + protocols::shortest(bound.value),
+                                       "", protocols::shortest(bound.least) + " to " + protocols::shortest(bound.most),
                                        "correct the option"});
 }
 

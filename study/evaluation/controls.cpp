@@ -146,7 +146,8 @@ std::vector<std::vector<float>> photographFeaturesOf(const fabrics::Dataset& dat
                 fabrics::readPhotograph(dataset, photographs[i].fabric, photographs[i].index));
         },
         [&](std::size_t done) {
-            if (report) report("training photographs for retrieval", static_cast<int>(done), static_cast<int>(photographs.size()));
+            if (report)
+                report("training photographs for retrieval", static_cast<int>(done), static_cast<int>(photographs.size()));
         });
     return features;
 }

@@ -61,7 +61,7 @@ struct EvaluationRequest {
     rendering::models::Quality quality = rendering::models::Quality::Balanced;
     std::optional<int> samplesPerFabric;
     double boundsFraction = 0.10;  ///< equivalence bounds as a fraction of the measured grand mean
-    unsigned threads = 0;  ///< 0: as many as the machine has; the results do not depend on it
+    unsigned threads = 0;          ///< 0: as many as the machine has; the results do not depend on it
 };
 
 struct Evaluation {

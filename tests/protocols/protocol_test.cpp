@@ -201,8 +201,9 @@ private Q_SLOTS:
             "                \"f\"],\n"
             " \"phases\": [{\"questions\": [\"Q1\"], \"alternatives\": 9}]}";
         const QString refusal = refusalOf(json);
-        for (const char* place : {"line 1, column 66, participants: 0", "line 2, column 26, the protocol: unknown key 'velvet'",
-                                  "line 4, column 17, conditions[1]: 'f' is named twice", "line 5, column 48, phases[0].alternatives: 9 of 3"})
+        for (const char* place :
+             {"line 1, column 67, participants: 0", "line 2, column 26, the protocol: unknown key 'velvet'",
+              "line 4, column 17, conditions[1]: 'f' is named twice", "line 5, column 51, phases[0].alternatives: 9 of 3"})
             QVERIFY2(refusal.contains(place), qPrintable(refusal));
     }
 

@@ -12,13 +12,13 @@ namespace study::app {
 
 struct SessionFacts {
     QString participant;
-    QString consent;                        ///< statement that the operator confirms when the participant agrees
-    QStringList facts;                      ///< questions about the participant
-    QStringList checklist, readings;        ///< gone through in each sitting
-    QString strokeWords;                    ///< instruction for stroking, the same for glass and fabric
+    QString consent;                              ///< statement that the operator confirms when the participant agrees
+    QStringList facts;                            ///< questions about the participant
+    QStringList checklist, readings;              ///< gone through in each sitting
+    QString strokeWords;                          ///< instruction for stroking, the same for glass and fabric
     std::optional<protocols::RatingScale> scale;  ///< scale of the first rating question
-    int sittingMinutes = 60;                ///< planned duration of a sitting, min
-    bool secondEntry = false;               ///< every answer is entered twice and must agree
+    int sittingMinutes = 60;                      ///< planned duration of a sitting, min
+    bool secondEntry = false;                     ///< every answer is entered twice and must agree
     bool displayReportsTouches = false;
 };
 

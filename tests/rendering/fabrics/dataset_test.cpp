@@ -159,9 +159,9 @@ private Q_SLOTS:
         QTest::newRow("pulled off") << "t_s,normal_n,tangential_n\n0,-3,1\n1,5,1\n"
                                     << "row 1";
         QTest::newRow("text") << "t_s,mu\n0,0.1\n1,high\n"
-                              << "row 2, column mu";
+                              << "row 2 (line 3), column mu";
         QTest::newRow("empty cell") << "t_s,mu\n0,0.1\n1,\n"
-                                    << "row 2, column mu";
+                                    << "row 2 (line 3), column mu";
         QTest::newRow("decimal comma") << "t_s,mu\n0,0.1\n1,\"0,2\"\n"
                                        << "row 2";
         QTest::newRow("not a number") << "t_s,mu\n0,nan\n1,0.1\n"

@@ -90,7 +90,7 @@ private Q_SLOTS:
         QCOMPARE(names.unique("comparisons_planned"), std::string("comparisons_planned"));
         QCOMPARE(names.unique("Comparisons_Planned"), std::string("Comparisons_Planned-2"));
         QCOMPARE(names.unique("comparisons_planned"), std::string("comparisons_planned-3"));
-        QCOMPARE(names.unique("soft/hard .. \u00e9"), std::string("soft_hard_______"));
+        QCOMPARE(names.unique("soft/hard .. \u00e9"), std::string("soft_hard______"));
     }
 
     void conditionsAreSetAsInThePaper()

@@ -31,7 +31,7 @@ private Q_SLOTS:
     void csvHasFullDigitsAndItsOwnColumns()
     {
         QCOMPARE(toCsv(example()), std::string("condition,mean \u00B1 SD,sd,p,n\r\n"
-                                               "h_g&f_g,-1.25,0.5,0.0004,7\r\n"
+                                               "h_g&f_g,-1.25,0.5,4e-04,7\r\n"
                                                "f,,,,0\r\n"));
         const Table words{"w", "", {"words"}, {{textCell("soft, \"warm\"\nwool")}}};
         QCOMPARE(toCsv(words), std::string("words\r\n\"soft, \"\"warm\"\"\nwool\"\r\n"));
@@ -40,7 +40,7 @@ private Q_SLOTS:
     void terminalTextIsAligned()
     {
         QCOMPARE(toText(example()), std::string("condition   mean \u00B1 SD        95 % CI       p  n\n"
-                                                "------------------------------------------------\n"
+                                                "-----------------------------------------------\n"
                                                 "h_g&f_g    -1.2 \u00B1 0.5  [-1.75, 0.06]  < .001  7\n"
                                                 "f                   -              -       -  0\n"));
     }

@@ -116,7 +116,7 @@ private Q_SLOTS:
         QTest::newRow("babbles") << "sends only messages"
                                  << "Engine 2.1 is ready";
         QTest::newRow("answers twice") << "sends only messages"
-                                       << "answered before";
+                                       << "was already answered";
         QTest::newRow("touched elsewhere") << "sends only messages"
                                            << "image 999999";
         QTest::newRow("echoes the schema") << "newer schema"
@@ -146,7 +146,7 @@ private Q_SLOTS:
         QTest::newRow("ends at the unknown") << "unknown request"
                                              << "ended with exit code 0";
         QTest::newRow("goes on without input") << "input ends"
-                                               << "went on";
+                                               << "continued after";
     }
     void brokenDriversAreRecognised()
     {

@@ -190,7 +190,7 @@ void AppDisplayTest::messageForADeadDriverNamesTheNextStep()
     shown.window.session()->send(TrayReady{});
     QVERIFY(shown.gui.view().state.paused);
     const QString message = messageIn(shown);
-    QVERIFY2(message.contains("exit code 4; it said: no amplifier") && message.contains("tried 3 times") &&
+    QVERIFY2(message.contains("exit code 4; its error text: no amplifier") && message.contains("tried 3 times") &&
                  message.contains("press Enter"),
              qPrintable(message));
     QCOMPARE(shown.gui.view().state.answersStored, before);

@@ -286,7 +286,7 @@ void AppLooksTest::visitMonitor(OpenWindow& open, const Look& look)
     };
     MonitorWindow monitor(open.window().study()->store().folder().folder, options);
     monitor.show();
-    QTRY_VERIFY(monitor.findChild<QLabel*>("flags")->text().contains("like this"));
+    QTRY_VERIFY(monitor.findChild<QLabel*>("flags")->text().contains("also answers so"));
     look(monitor, "monitor");
 }
 

@@ -146,20 +146,21 @@ void MainJobTest::thePapersTotalsComeOutOfTheReport()
     const auto results = readJson(path("report/results.json"));
     QCOMPARE(results["study"]["participants"].get<int>(), 10);
     for (const auto& total : support::paperTotals()) {
-        const auto& match = results["Q1"][total.condition];
+        const auto& match = results["questions"]["Q1"][total.condition];
         QCOMPARE(match["trials"].get<int>(), 70);
         QCOMPARE(match["correct"].get<int>(), total.correct);
         QCOMPARE(match["matches_per_rendering"].get<double>(), 10.0 * total.correct / 70);
         for (int q = 0; q < 3; ++q) {
-            const auto& rating = results[q == 0 ? "Q2" : q == 1 ? "Q3" : "Q4"][total.condition];
+            const auto& rating = results["questions"][q == 0 ? "Q2" : q == 1 ? "Q3" : "Q4"][total.condition];
             QCOMPARE(rating["n"].get<int>(), 70);
             QCOMPARE(rating["mean"].get<double>(), total.ratings[q]);
         }
     }
     // As the paper prints them.
-    QCOMPARE(QString::number(results["Q1"]["v_grey"]["matches_per_rendering"].get<double>(), 'f', 1), QString("3.9"));
-    QCOMPARE(QString::number(results["Q1"]["f_g"]["matches_per_rendering"].get<double>(), 'f', 1), QString("5.6"));
-    QCOMPARE(QString::number(results["Q1"]["h&f"]["matches_per_rendering"].get<double>(), 'f', 1), QString("7.1"));
+    QCOMPARE(QString::number(results["questions"]["Q1"]["v_grey"]["matches_per_rendering"].get<double>(), 'f', 1),
+             QString("3.9"));
+    QCOMPARE(QString::number(results["questions"]["Q1"]["f_g"]["matches_per_rendering"].get<double>(), 'f', 1), QString("5.6"));
+    QCOMPARE(QString::number(results["questions"]["Q1"]["h&f"]["matches_per_rendering"].get<double>(), 'f', 1), QString("7.1"));
     QVERIFY(QFile::exists(path("report/index.html")));
     QVERIFY(QDir(path("report/figures")).entryList({"*.svg"}).size() >= 2);
 }

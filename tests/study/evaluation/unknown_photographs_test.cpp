@@ -71,7 +71,7 @@ private Q_SLOTS:
         const QString other = modelKnowing("knows-one.pt", {"F01"});
         const auto ended =
             mustRun({"render", m_fabrics, "--condition", "h_g,v_grey", "--out", path("unknown"), "--model", other});
-        QVERIFY2(ended.err.contains("photograph 0 of F05 is unlike every photograph that the model was trained on (distance "),
+        QVERIFY2(ended.err.contains("photograph 0 of F05 differs from all training photographs (distance "),
                  qPrintable(ended.err));
         QVERIFY2(!ended.err.contains("photograph 0 of F01"), qPrintable(ended.err));
         const auto saved = readJson(path("unknown/render.json"))["photographs"]["F05"];
@@ -83,7 +83,7 @@ private Q_SLOTS:
     {
         const auto ended = mustRun(
             {"render", m_fabrics, "--condition", "h_g,f_g", "--out", path("untold"), "--model", modelKnowing("old.pt", {})});
-        QCOMPARE(countIn(ended.err, "these weights do not tell"), 1);
+        QCOMPARE(countIn(ended.err, "the weights do not state"), 1);
         const auto saved = readJson(path("untold/render.json"))["photographs"]["F01"];
         QVERIFY(saved["distance"].is_null() && !saved["why"]["distance"].get<std::string>().empty());
         const auto none = mustRun({"render", m_fabrics, "--condition", "v_grey,h", "--out", path("none")});
@@ -97,17 +97,18 @@ private Q_SLOTS:
             const auto made =
                 mustRun({"study", "new", path(study), "--dataset", m_fabrics, "--seed", "3", "--key-seed", "4", "--model", model,
                          "--images", path("images"), "--allow-training-samples", "--participants", "2"});
-            QVERIFY2(countIn(made.err, "is unlike every photograph") >= 6, qPrintable(made.err));
+            QVERIFY2(countIn(made.err, "differs from all training photographs") >= 6, qPrintable(made.err));
             mustRun({"study", "status", path(study), "--json", path(study + ".json")});
             QString stamps;
             const auto status = readJson(path(study + ".json"));
             for (const auto& stamp : status["stamps"]) stamps += QString::fromStdString(stamp.get<std::string>()) + "\n";
-            QVERIFY2(countIn(stamps, "is unlike every photograph that the model was trained on") >= 6, qPrintable(stamps));
+            QVERIFY2(countIn(stamps, "differs from all training photographs that the model was trained on") >= 6,
+                     qPrintable(stamps));
         }
         mustRun({"simulate", path("study"), "--participants", "2", "--dataset", m_fabrics});
         mustRun({"report", path("study"), "--out", path("report")});
         const QString html = QString::fromStdString(protocols::readWholeFile(path("report/index.html").toStdString()));
-        QVERIFY(html.contains("is unlike every photograph that the model was trained on (distance "));
+        QVERIFY(html.contains("differs from all training photographs (distance "));
     }
 };
 

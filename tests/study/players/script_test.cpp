@@ -60,7 +60,7 @@ private Q_SLOTS:
         const QString good = R"({"question":"Q2","condition":"v_grey","fabric":"F03","answer":5.5,"seconds":3.1})";
         QTest::newRow("doubled") << "[" + good + "," + good + "]"
                                  << "[]"
-                                 << "doubled answer to Q2 for v_grey, F03";
+                                 << "two answers to Q2 for v_grey, F03";
         QTest::newRow("unknown condition") << R"([{"question":"Q2","condition":"w","fabric":"F03","answer":5}])"
                                            << "[]"
                                            << "h_g&f_g";

@@ -106,8 +106,8 @@ private Q_SLOTS:
         mustRun({"report", study, "--out", path("report")});
         const auto results = readJson(path("report/results.json"));
         QCOMPARE(results["conditions"], nlohmann::ordered_json({"h", "gradient"}));
-        QCOMPARE(results["Q1"]["gradient"]["trials"].get<int>(), 6);
-        QVERIFY(results["Q2"]["gradient"]["mean"].is_number());
+        QCOMPARE(results["questions"]["Q1"]["gradient"]["trials"].get<int>(), 6);
+        QVERIFY(results["questions"]["Q2"]["gradient"]["mean"].is_number());
         QVERIFY(results["comparisons"][0].value("planned", false));
     }
 

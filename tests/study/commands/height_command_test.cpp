@@ -197,7 +197,7 @@ private Q_SLOTS:
                                          << "--pitch";
         QTest::newRow("folder as calibration")
             << QStringList{"height", m_presses + "/press_1.png", "--calibration", m_presses, "--out", m_folder.filePath("x")}
-            << "calibration";
+            << "cannot be read";
         QTest::newRow("one name twice")
             << QStringList{"height", m_presses + "/press_1.png", m_presses + "/press_1.png", "--calibration", m_sensor,
                            "--out",  m_folder.filePath("x")}

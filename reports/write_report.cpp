@@ -22,7 +22,7 @@ void write(const fs::path& file, const std::string& text) { protocols::writeWhol
 void writeAll(const StudyAnalysis& analysis, const protocols::FolderDraft& draft)
 {
     // A study may have no figure. The folder is then empty, and replaces that of an earlier report.
-    for (const char* folder : {"tables", "figures"}) fs::create_directories(draft.path() / folder);
+    for (const char* folder : {"tables", "figures"}) protocols::makeFolders(draft.path() / folder, protocols::Sync::Later);
     write(draft.file("results.json"), resultsText(analysis));
     write(draft.file("statistics.json"), statisticsText(analysis));
     const std::vector<ReportTable> tables = reportTables(analysis);

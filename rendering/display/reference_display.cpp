@@ -97,7 +97,8 @@ private:
         send({{"type", "cleared"}, {"id", id}, {"at_s", nowS()}});
     }
 
-    /// Call the interface of your device here. This one renames a file, so that nobody reads half an image.
+    /// Call the interface of your device here. This example writes a file and renames it, so that nobody reads half an image.
+    /// It uses nothing of the program, because it is meant to be copied.
     void output(int width, int height, const std::string& image) const
     {
         const bool isClear = image.empty();

@@ -1,5 +1,7 @@
 #include "rendering/models/model_card_fields.h"
 
+#include <nlohmann/json.hpp>
+
 #include "protocols/files/errors.h"
 #include "protocols/files/sha256.h"
 #include "protocols/files/whole_file.h"
@@ -107,7 +109,7 @@ std::string cardText(const ModelCardFields& card)
               {"training_minutes", card.trainingMinutes},
               {"held_out", card.heldOut},
               {"architecture", architectureJson(card.architecture)},
-              {"validation", card.validation}};
+              {"validation", Json::parse(card.validationJson)}};
     if (card.photographs) json["photographs"] = familiarityJson(*card.photographs);
     if (card.frictionByTexture) json["friction_by_texture"] = frictionPriorJson(*card.frictionByTexture);
     json["training_sample_hashes"] = card.summary.trainingSampleHashes;
@@ -144,7 +146,7 @@ ModelCardFields readModelCardFields(const std::filesystem::path& model)
         if (json.at("architecture").at("kind").get<std::string>() != architectureKind)
             throw notUsable(file, "its networks differ from those of this program");
         card.architecture = architectureFrom(json.at("architecture"));
-        card.validation = json.at("validation");
+        card.validationJson = json.at("validation").dump();
         if (json.contains("photographs")) card.photographs = blockOf(json.at("photographs"), file, familiarityFrom);
         if (json.contains("friction_by_texture"))
             card.frictionByTexture = blockOf(json.at("friction_by_texture"), file, frictionPriorFrom);

@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,7 +26,7 @@ struct ModelCardFields {
     std::string split = "location";     ///< training_data.h
     std::vector<std::string> heldOut;
     std::string datasetName, datasetHash;
-    nlohmann::ordered_json validation;               ///< figures before and after training
+    std::string validationJson = "null";             ///< a JSON object: figures before and after training
     std::optional<Familiarity> photographs;          ///< of the training photographs
     std::optional<FrictionPrior> frictionByTexture;  ///< if absent, the networks predict the friction of unfamiliar photographs
 };

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <map>
+#include <nlohmann/json.hpp>
 
 #include "reports/json/model_json.h"
 #include "reports/text/plain_words.h"

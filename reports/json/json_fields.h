@@ -1,7 +1,7 @@
 // Numbers of the statistics as fields of JSON. What does not exist is null, with its reason in the object's "why".
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "stats/kernels/value.h"

@@ -1,5 +1,7 @@
 #include "reports/json/model_json.h"
 
+#include <nlohmann/json.hpp>
+
 namespace reports {
 namespace {
 

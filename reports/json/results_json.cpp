@@ -1,7 +1,8 @@
 #include "reports/json/results_json.h"
 
-#include <fstream>
+#include <nlohmann/json.hpp>
 
+#include "protocols/files/whole_file.h"
 #include "reports/json/json_fields.h"
 #include "reports/json/signals_json.h"
 
@@ -168,8 +169,7 @@ std::string resultsText(const StudyAnalysis& analysis) { return resultsJson(anal
 
 bool isResultsFile(const std::filesystem::path& file)
 {
-    std::ifstream stream(file);
-    const Json results = Json::parse(stream, nullptr, false);
+    const Json results = Json::parse(protocols::readIfPossible(file).value_or(""), nullptr, false);
     return results.is_object() && results.contains("schema") && results["schema"].is_string() &&
            results["schema"].get<std::string>().starts_with(schemaName);
 }

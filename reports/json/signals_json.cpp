@@ -1,5 +1,7 @@
 #include "reports/json/signals_json.h"
 
+#include <nlohmann/json.hpp>
+
 #include "protocols/files/errors.h"
 #include "reports/json/json_fields.h"
 

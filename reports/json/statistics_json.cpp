@@ -1,6 +1,7 @@
 #include "reports/json/statistics_json.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 

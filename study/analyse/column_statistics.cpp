@@ -1,6 +1,7 @@
 #include "study/analyse/column_statistics.h"
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "stats/kernels/descriptive.h"
 #include "stats/tests/equivalence.h"

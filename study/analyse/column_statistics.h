@@ -2,7 +2,7 @@
 // that does not exist is null, with its reason in "why".
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <utility>
 #include <vector>
 

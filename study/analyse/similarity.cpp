@@ -1,5 +1,6 @@
 #include "study/analyse/similarity.h"
 
+#include <nlohmann/json.hpp>
 #include <opencv2/core/mat.hpp>
 #include <span>
 

@@ -70,8 +70,9 @@ void ProgressLines::validated(int number, const nlohmann::ordered_json& figures,
 void ProgressLines::finished(const ModelCardFields& card)
 {
     print("trained " + std::to_string(card.steps) + " steps in " + figure(card.trainingMinutes) + " min");
-    if (!card.validation.at("after").is_null())
-        print("validation before " + card.validation.at("before").dump() + " after " + card.validation.at("after").dump());
+    const auto validation = nlohmann::ordered_json::parse(card.validationJson);
+    if (!validation.at("after").is_null())
+        print("validation before " + validation.at("before").dump() + " after " + validation.at("after").dump());
 }
 
 void ProgressLines::bar(double fraction, const std::string& text)

@@ -253,7 +253,7 @@ private:
         card.datasetHash = m_datasetHash;
         const nlohmann::ordered_json validation{{"before", nlohmann::ordered_json::parse(state.validationBefore)},
                                                 {"after", figures(best)}};
-        card.validation = validation;
+        card.validationJson = validation.dump();
         writeModel(m_options.out, best, card);
         m_lines.finished(card);
     }

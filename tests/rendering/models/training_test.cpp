@@ -115,7 +115,7 @@ private Q_SLOTS:
         QVERIFY(outcome.output.contains("left"));
         const models::ModelCardFields card = models::readModelCardFields(at("model.pt"));
         QCOMPARE(card.steps, 160);
-        const auto validation = card.validation;
+        const auto validation = nlohmann::ordered_json::parse(card.validationJson);
         const std::map<const char*, double> shares{
             {"distance", 0.8}, {"mean_friction_relative_error", 0.8}, {"height_l1_mm", 0.95}, {"log_ratio_l1", 0.95}};
         for (const auto& [figure, share] : shares) {

@@ -81,7 +81,7 @@ private Q_SLOTS:
         QVERIFY(std::ranges::is_sorted(card.summary.trainingSampleHashes));
         for (const std::string& hash : card.summary.trainingSampleHashes) QCOMPARE(hash.size(), std::size_t{64});
         QVERIFY(card.photographs && card.photographs->fabricRings.size() == 15 && card.frictionByTexture);
-        const auto validation = card.validation;
+        const auto validation = nlohmann::ordered_json::parse(card.validationJson);
         const auto& after = validation.at("after");
         QVERIFY(after.at("mean_friction_relative_error").at("generated").get<double>() < 0.1);
     }

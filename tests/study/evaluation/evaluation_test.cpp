@@ -224,7 +224,7 @@ private:
         fields.summary.name = name;
         fields.splitSeed = 1;
         fields.heldOut = heldOut;
-        fields.validation = nlohmann::ordered_json::object();
+        fields.validationJson = "{}";
         const fs::path model = m_root / (name + ".pt");
         write(rendering::models::cardOf(model), rendering::models::cardText(fields));
         return model;

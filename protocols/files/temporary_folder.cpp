@@ -17,8 +17,8 @@ TemporaryFolder::TemporaryFolder()
     if (fault) parent = "/tmp";
     std::string name = (parent / "vis2hap-XXXXXX").string();
     if (::mkdtemp(name.data()) == nullptr)
-        throw protocols::environmentFault({std::string("a temporary folder cannot be created: ") + std::strerror(errno),
-                                           parent.string(), "a writable folder with free space", "free space or set TMPDIR"});
+        throw environmentFault({std::string("a temporary folder cannot be created: ") + std::strerror(errno), parent.string(),
+                                "a writable folder with free space", "free space or set TMPDIR"});
     m_path = name;
 }
 

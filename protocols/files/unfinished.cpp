@@ -3,6 +3,7 @@
 #include <signal.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <charconv>
 #include <string>
@@ -15,7 +16,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string beginningOf(const fs::path& place) { return "." + place.filename().string() + ".unfinished-"; }
+std::string nameOfComputer()
+{
+    std::array<char, 65> name{};
+    return ::gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "";
+}
+
+std::string beginningOf(const fs::path& place)
+{
+    return "." + place.filename().string() + ".unfinished-" + nameOfComputer() + "-";
+}
 
 bool isOfADeadProcess(std::string_view digits)
 {

@@ -68,7 +68,10 @@ class WholeFileTest : public QObject {
 
     fs::path folder() const { return m_folder->path().toStdString(); }
     fs::path file() const { return folder() / "answers.csv"; }
-    fs::path unfinished() const { return folder() / (".answers.csv.unfinished-" + std::to_string(::getpid())); }
+    fs::path unfinished(const std::string& computer = QSysInfo::machineHostName().toStdString(), pid_t process = ::getpid()) const
+    {
+        return folder() / (".answers.csv.unfinished-" + computer + "-" + std::to_string(process));
+    }
 
 private Q_SLOTS:
     void init() { m_folder = std::make_unique<QTemporaryDir>(); }
@@ -147,12 +150,18 @@ private Q_SLOTS:
         QCOMPARE(namesIn(folder()), (std::vector<std::string>{"answers.csv", "other.csv"}));
     }
 
-    void unfinishedFileOfALivingProcessStays()
+    void unfinishedFilesOfLivingProcessesAndOtherComputersStay()
     {
-        const fs::path ofParent = folder() / (".answers.csv.unfinished-" + std::to_string(::getppid()));
-        writeWholeFile(ofParent, "being written", Sync::Later);
+        const std::string here = QSysInfo::machineHostName().toStdString();
+        const pid_t dead = ::fork();
+        if (dead == 0) ::_exit(0);
+        ::waitpid(dead, nullptr, 0);
+        for (const fs::path& other : {unfinished(here, ::getppid()), unfinished("elsewhere", dead), unfinished(here, dead)})
+            writeWholeFile(other, "being written", Sync::Later);
         writeWholeFile(file(), "finished");
-        QVERIFY(fs::exists(ofParent));
+        QVERIFY(fs::exists(unfinished(here, ::getppid())));
+        QVERIFY(fs::exists(unfinished("elsewhere", dead)));
+        QVERIFY(!fs::exists(unfinished(here, dead)));
     }
 
     void everyFailureIsAnEnvironmentFaultThatLeavesTheOldFile()

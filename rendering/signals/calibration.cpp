@@ -195,7 +195,9 @@ Calibration calibrationFromJson(std::string_view text, const std::string& where)
 
 Calibration readCalibration(const std::filesystem::path& file)
 {
-    return calibrationFromJson(protocols::readWholeFile(file), file.string());
+    const std::optional<std::string> text = protocols::readIfPossible(file);
+    if (!text) throw malformed(file.string(), "the calibration cannot be read", "a file made by vis2hap calibrate");
+    return calibrationFromJson(*text, file.string());
 }
 
 std::string toJson(const Calibration& calibration)

@@ -96,7 +96,7 @@ FormulaNumber constant(double x)
                                                      : FormulaNumber::ofReal(x);
 }
 
-long long wholeOf(const std::string& formula, const FormulaScope& scope)
+long long wholeEndOf(const std::string& formula, const FormulaScope& scope)
 {
     std::string remark;
     const FormulaNumber number = Formula(formula, scope.names, &remark).evaluate(scope.values);
@@ -111,9 +111,9 @@ struct IndexRange {
 
 IndexRange rangeOf(const Recipe& recipe, const FormulaScope& scope, const std::map<std::string, double>& constants)
 {
-    IndexRange range{wholeOf(recipe.first, scope), 0};
+    IndexRange range{wholeEndOf(recipe.first, scope), 0};
     if (!recipe.last.empty())
-        range.count = wholeOf(recipe.last, scope) - range.first + 1;
+        range.count = wholeEndOf(recipe.last, scope) - range.first + 1;
     else if (recipe.rows > 0)
         range.count = static_cast<long long>(recipe.rows * recipe.columns);
     else if (constants.count("n") != 0)

@@ -5,8 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "protocols/protocol_json.h"
-#include "stats/power/calibration.h"
-#include "stats/power/power_plan.h"
+#include "study/analyse/planned_power.h"
 #include "study/analyse/power_report.h"
 #include "study/commands/command_line.h"
 #include "study/commands/json_output.h"
@@ -26,44 +25,6 @@ struct PowerCall {
     std::uint64_t seed = 1;
     JsonTarget target;
 };
-
-// The defaults of stats::RatingTruth hold for a scale of this length. Other scales are stretched to it.
-constexpr double hapticScale = 10;
-
-void putScale(stats::RatingTruth& truth, const protocols::RatingScale& scale)
-{
-    truth.scaleMin = scale.min.inScaleUnits();
-    truth.scaleMax = scale.max.inScaleUnits();
-    truth.scaleStep = scale.step.inScaleUnits();
-    const double stretch = (truth.scaleMax - truth.scaleMin) / hapticScale;
-    truth.centre = truth.scaleMin + stretch * truth.centre;
-    for (double* variance :
-         {&truth.participant, &truth.fabric, &truth.participantCondition, &truth.fabricCondition, &truth.residual})
-        *variance *= stretch * stretch;
-}
-
-stats::PowerOptions optionsFor(const protocols::Protocol& protocol, const PowerCall& call)
-{
-    stats::PowerOptions options;
-    options.design.participants = static_cast<std::size_t>(call.participants.value_or(protocol.participants));
-    options.design.fabrics = static_cast<std::size_t>(protocol.fabricCount);
-    options.design.conditions = protocol.conditions.size();
-    options.equivalenceBounds = protocol.equivalenceBounds;
-    options.simulation.studies = call.studies;
-    options.simulation.seed = call.seed;
-    options.hasChoices = options.hasRatings = false;
-    for (const auto& phase : protocol.phases) {
-        if (const auto* choice = std::get_if<protocols::ForcedChoice>(&phase.task); choice && !options.hasChoices) {
-            options.hasChoices = true;
-            options.design.alternatives = choice->alternatives;
-        }
-        if (const auto* rating = std::get_if<protocols::Rating>(&phase.task); rating && !options.hasRatings) {
-            options.hasRatings = true;
-            putScale(options.ratings, rating->scale);
-        }
-    }
-    return options;
-}
 
 stats::SimulationOptions withProgress(stats::SimulationOptions simulation, Progress& progress, std::size_t all)
 {
@@ -85,13 +46,7 @@ std::vector<stats::CalibrationRow> calibrated(const stats::PowerOptions& options
 {
     if (studies == 0) return {};
     Progress progress("studies without a difference");
-    stats::CalibrationOptions calibration;
-    calibration.design = options.design;
-    calibration.ratings = options.ratings;
-    calibration.choices = options.choices;
-    calibration.mixedModelStudies = studies;
-    calibration.simulation.studies = studies;
-    calibration.simulation.seed = options.simulation.seed;
+    auto calibration = analyse::calibrationOptionsOf(options, studies);
     calibration.simulation = withProgress(calibration.simulation, progress, stats::calibrationStudies(calibration));
     return stats::calibration(calibration);
 }
@@ -101,7 +56,10 @@ int power(const PowerCall& call)
     const auto protocol = call.protocol.empty()
                               ? protocols::protocolFromJson(protocols::paperProtocolJson(), "the paper's protocol")
                               : protocols::readProtocol(call.protocol);
-    const auto options = optionsFor(protocol, call);
+    auto options = analyse::powerOptionsOf(protocol);
+    if (call.participants) options.design.participants = static_cast<std::size_t>(*call.participants);
+    options.simulation.studies = call.studies;
+    options.simulation.seed = call.seed;
     const auto tests = planned(options);
     const auto calibration = calibrated(options, call.calibrate);
     if (!call.target) {

@@ -1,0 +1,17 @@
+// Power of a planned study: from its protocol to the options of the simulations.
+#pragma once
+
+#include "protocols/protocol.h"
+#include "stats/power/calibration.h"
+#include "stats/power/power_plan.h"
+
+namespace study::analyse {
+
+/// The design of the protocol, and for its first rating the default variances, stretched to its scale. The caller sets
+/// the number of participants, where it differs from the protocol's, and the simulation.
+stats::PowerOptions powerOptionsOf(const protocols::Protocol& protocol);
+
+/// The same design and variances without any difference between conditions, over `studies` simulated studies.
+stats::CalibrationOptions calibrationOptionsOf(const stats::PowerOptions& power, std::size_t studies);
+
+}  // namespace study::analyse

@@ -1,21 +1,25 @@
-// Speed and error of every signal stage that has a choice of quality, on surfaces and traces whose true values are known.
+// The stages of `vis2hap bench`, by name.
 #pragma once
 
+#include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
+#include "study/bench/bench_row.h"
+
 namespace study::bench {
 
-struct BenchRow {
-    std::string stage;        ///< "integration 480x640"
-    std::string quality;      ///< "full", "fast"
-    double milliseconds = 0;  ///< median of several runs
-    double error = 0;
-    std::string errorUnit;  ///< meaning of `error`: "% of Sq"
-    std::string note;
+struct BenchOptions {
+    bool peers = false;                                    ///< also times other programs on the same work
+    std::filesystem::path recordings;                      ///< folder for the stage "signals"; empty: no recordings
+    std::function<void(const std::string& line)> skipped;  ///< gets each part that the folder lacks
 };
 
-/// Takes a few seconds on one thread.
-std::vector<BenchRow> benchSignals();
+/// "signals", "statistics", "session" and "generators", in the order of a whole run.
+const std::vector<std::string>& benchStages();
+
+/// The rows of one stage. "session" needs a QApplication. Throws badInput for a missing folder of recordings.
+std::vector<BenchRow> benchStage(const std::string& stage, const BenchOptions& options);
 
 }  // namespace study::bench

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "study/bench/bench.h"
+#include "study/bench/bench_row.h"
 
 namespace study::bench {
 

@@ -54,7 +54,7 @@ std::vector<fs::path> filesIn(const fs::path& folder, const std::string& pattern
 }
 
 /// Subtracts the mean of the finite values. Other values become 0.
-cv::Mat centred(const cv::Mat& values)
+cv::Mat centredWhereFinite(const cv::Mat& values)
 {
     cv::Mat result;
     values.convertTo(result, CV_64F);
@@ -69,7 +69,7 @@ double rmsOf(const cv::Mat& centredValues, const cv::Mat& like)
     return cv::norm(centredValues) / std::sqrt(std::max(1.0, static_cast<double>(cv::countNonZero(like - like == 0))));
 }
 
-double sqOf(const cv::Mat& values) { return rmsOf(centred(values), values); }
+double sqOf(const cv::Mat& values) { return rmsOf(centredWhereFinite(values), values); }
 
 /// Root mean square of the differences without their mean, over the places where the surface is known.
 double rms(const cv::Mat& found, const cv::Mat& known)
@@ -78,12 +78,12 @@ double rms(const cv::Mat& found, const cv::Mat& known)
     found.convertTo(a, CV_64F);
     known.convertTo(b, CV_64F);
     const cv::Mat difference = a - b;
-    return rmsOf(centred(difference), difference);
+    return rmsOf(centredWhereFinite(difference), difference);
 }
 
-double correlation(const cv::Mat& a, const cv::Mat& b)
+double correlationWhereFinite(const cv::Mat& a, const cv::Mat& b)
 {
-    const cv::Mat x = centred(a), y = centred(b);
+    const cv::Mat x = centredWhereFinite(a), y = centredWhereFinite(b);
     return x.dot(y) / (cv::norm(x) * cv::norm(y));
 }
 
@@ -185,7 +185,7 @@ void addShading(std::vector<BenchRow>& rows, const fs::path& file, const cv::Mat
         options.method = method;
         cv::Mat relief;
         const double time = millisecondsOf([&] { relief = signals::shapeFromShading(photograph, options); });
-        const double r = correlation(inBand(relief), inBand(heightMm));
+        const double r = correlationWhereFinite(inBand(relief), inBand(heightMm));
         rows.push_back({"shading " + file.stem().string(), method == signals::ShadingMethod::Linear ? "linear" : "bumps", time,
                         std::abs(r), "|r| with the height",
                         text("between Gaussians of 1.5 and 40 px; light estimated at %.0f deg; at least 0.6, aim 0.75 (linear)",

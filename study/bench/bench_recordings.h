@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "rendering/signals/press_folder.h"
-#include "study/bench/bench.h"
+#include "study/bench/bench_row.h"
 
 namespace study::bench {
 

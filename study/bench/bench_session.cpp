@@ -114,12 +114,6 @@ double megabytesInUse()
     return static_cast<double>(resident) * static_cast<double>(::sysconf(_SC_PAGESIZE)) / 1e6;
 }
 
-ordered_json row(const std::string& what, const std::string& quality, double ms, double figure, const std::string& figureIs,
-                 const std::string& note)
-{
-    return {{"stage", what}, {"quality", quality}, {"ms", ms}, {"error", figure}, {"error_is", figureIs}, {"note", note}};
-}
-
 struct Session {
     Session(const database::StudyFolder& folder, const std::string& participant)
         : store(folder, database::StudyStore::Access::Write),
@@ -190,20 +184,20 @@ WindowTimes playThroughWindow(const database::StudyFolder& folder)
 
 }  // namespace
 
-ordered_json sessionRows()
+std::vector<BenchRow> benchSession()
 {
     const QTemporaryDir place;
     const std::filesystem::path path = place.path().toStdString();
-    ordered_json rows = ordered_json::array();
+    std::vector<BenchRow> rows;
 
     const auto paper = makeStudy(path / "paper", std::string(protocols::paperProtocolJson()), balancedDesign,
                                  cv::Mat(rendering::displayHeightPx, rendering::displayWidthPx, CV_8UC1, cv::Scalar(128)));
     const WindowTimes window = playThroughWindow(paper);
-    rows.push_back(row("window with a study", "", window.untilShownMs, 0, "-", "from its creation to its first picture"));
-    rows.push_back(row("answer typed, stored, next drawn", "median", percentile(window.keyToDrawnMs, 0.5), 0, "-",
-                       "keys, sync and painting"));
-    rows.push_back(row("answer typed, stored, next drawn", "99th", percentile(window.keyToDrawnMs, 0.99), 0, "-", ""));
-    rows.push_back(row("252 answers through the window", "", window.sessionMs, 0, "-", ""));
+    rows.push_back({"window with a study", "", window.untilShownMs, 0, "-", "from its creation to its first picture"});
+    rows.push_back(
+        {"answer typed, stored, next drawn", "median", percentile(window.keyToDrawnMs, 0.5), 0, "-", "keys, sync and painting"});
+    rows.push_back({"answer typed, stored, next drawn", "99th", percentile(window.keyToDrawnMs, 0.99), 0, "-", ""});
+    rows.push_back({"252 answers through the window", "", window.sessionMs, 0, "-", ""});
 
     const int presentations = 63, phases = 160;
     const auto large = makeStudy(path / "large", longProtocol(phases), plainDesign, cv::Mat(1, 1, CV_8UC1, cv::Scalar(128)));
@@ -212,9 +206,9 @@ ordered_json sessionRows()
     const double before = megabytesInUse();
     const auto ms = playThroughEngine(session, phases * presentations);
     const std::string trials = std::to_string(session.driver.state().paceNs.size());
-    rows.push_back(row("answer stored by the engine", "median", percentile(ms, 0.5), 0, "-", trials + " trials in one session"));
-    rows.push_back(row("answer stored by the engine", "99th", percentile(ms, 0.99), megabytesInUse() - before,
-                       "MB more in use after " + trials + " trials than after 63", ""));
+    rows.push_back({"answer stored by the engine", "median", percentile(ms, 0.5), 0, "-", trials + " trials in one session"});
+    rows.push_back({"answer stored by the engine", "99th", percentile(ms, 0.99), megabytesInUse() - before,
+                    "MB more in use after " + trials + " trials than after 63", ""});
     return rows;
 }
 

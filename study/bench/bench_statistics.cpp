@@ -1,11 +1,8 @@
 #include "study/bench/bench_statistics.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
-#include <functional>
 #include <nlohmann/json.hpp>
 #include <vector>
 
@@ -21,8 +18,6 @@
 namespace study::bench {
 
 namespace {
-
-using nlohmann::ordered_json;
 
 /// ((i * multiplier + increment) mod 2^32) / 2^32.
 std::vector<double> sequence(std::size_t n, std::uint64_t multiplier, std::uint64_t increment)
@@ -45,25 +40,22 @@ long double pairedT(const std::vector<double>& x, const std::vector<double>& y)
     return sum / n / std::sqrt(squares / (n - 1) / n);
 }
 
-struct Stage {
-    std::string name;
-    std::string key;  ///< in the times of the peers
-    std::string quality;
-    double milliseconds = 0;
-    double error = 0;
-    std::string errorIs;
-    std::string note;
+/// A row, and the name of its work in the times of the peers.
+struct StatisticsRow {
+    BenchRow row;
+    std::string peerStage;
 };
 
-Stage pairedTStage()
+StatisticsRow pairedTStage()
 {
     const auto x = sequence(1000000, 2654435761U, 12345);
     const auto y = sequence(1000000, 3266489917U, 99);
     double t = 0;
     const double time = medianMilliseconds(15, [&] { t = *stats::pairedTTest(x, y).t; });
     const auto exact = pairedT(x, y);
-    return {"paired t, 1000000 pairs",   "paired t", "double", time, static_cast<double>(std::fabs((t - exact) / exact)),
-            "relative, of t in 80 bits", "goal 3 ms"};
+    return {{"paired t, 1000000 pairs", "double", time, static_cast<double>(std::fabs((t - exact) / exact)),
+             "relative, of t in 80 bits", "goal 3 ms"},
+            "paired t"};
 }
 
 /// Differences of ratings: whole tenths about 0.3.
@@ -74,22 +66,18 @@ std::vector<double> ratingDifferences(std::size_t n)
     return differences;
 }
 
-Stage bootstrapStage()
+StatisticsRow bootstrapStage()
 {
     const auto x = ratingDifferences(70);
     double low = 0;
     const double time = medianMilliseconds(15, [&] { low = *stats::bcaBootstrapOfMean(x).ci.low; });
     const auto many = stats::bcaBootstrapOfMean(x, {.resamples = 1000000, .seed = 2});
-    return {"BCa bootstrap, 10000 x 70",
-            "bca",
-            "1 thread",
-            time,
-            std::fabs(low - *many.ci.low) / *many.standardError,
-            "SE, of the lower end by 1000000 resamples",
-            "goal 3 ms"};
+    return {{"BCa bootstrap, 10000 x 70", "1 thread", time, std::fabs(low - *many.ci.low) / *many.standardError,
+             "SE, of the lower end by 1000000 resamples", "goal 3 ms"},
+            "bca"};
 }
 
-Stage signFlipStage()
+StatisticsRow signFlipStage()
 {
     const auto x = ratingDifferences(70);
     const double time = medianMilliseconds(15, [&] { stats::signFlipTest(x, {}); });
@@ -97,32 +85,33 @@ Stage signFlipStage()
     auto few = ratingDifferences(16);
     const double exact = *stats::signFlipTest(few, {}).p;
     for (double& difference : few) difference /= 3;
-    return {
-        "sign flips, exact, 70 on tenths",         "",         "double", time, std::fabs(exact - *stats::signFlipTest(few, {}).p),
-        "p, of all 65536 signs of 16 differences", "goal 1 ms"};
+    return {{"sign flips, exact, 70 on tenths", "double", time, std::fabs(exact - *stats::signFlipTest(few, {}).p),
+             "p, of all 65536 signs of 16 differences", "goal 1 ms"},
+            ""};
 }
 
-constexpr std::size_t width = 1280;
-constexpr std::size_t height = 800;
+constexpr std::size_t ssimWidth = 1280;
+constexpr std::size_t ssimHeight = 800;
 // SSIM of these two images in 80-bit arithmetic, window by window.
 constexpr double trueSsim = 0.9528596586430464;
 
-std::pair<Stage, Stage> ssimStages()
+std::pair<StatisticsRow, StatisticsRow> ssimStages()
 {
-    const auto a = sequence(width * height, 2654435761U, 12345);
-    auto b = sequence(width * height, 3266489917U, 99);
+    const auto a = sequence(ssimWidth * ssimHeight, 2654435761U, 12345);
+    auto b = sequence(ssimWidth * ssimHeight, 3266489917U, 99);
     for (std::size_t i = 0; i < b.size(); ++i) b[i] = 0.8 * a[i] + 0.2 * b[i];
     const std::vector<float> floatA(a.begin(), a.end());
     const std::vector<float> floatB(b.begin(), b.end());
     double found = 0, floatFound = 0;
     const double time = medianMilliseconds(15, [&] {
-        found = *stats::ssim(stats::ImageView{a, width, height}, {b, width, height}, 1).mean;
+        found = *stats::ssim(stats::ImageView{a, ssimWidth, ssimHeight}, {b, ssimWidth, ssimHeight}, 1).mean;
     });
     const double floatTime = medianMilliseconds(15, [&] {
-        floatFound = *stats::ssim(stats::FloatImageView{floatA, width, height}, {floatB, width, height}, 1).mean;
+        floatFound = *stats::ssim(stats::FloatImageView{floatA, ssimWidth, ssimHeight}, {floatB, ssimWidth, ssimHeight}, 1).mean;
     });
-    return {{"SSIM 1280x800", "ssim", "double", time, std::fabs(found - trueSsim), "SSIM, of 80-bit arithmetic", "goal 30 ms"},
-            {"SSIM 1280x800", "ssim float", "float", floatTime, std::fabs(floatFound - found), "SSIM, of double", "goal 12 ms"}};
+    return {
+        {{"SSIM 1280x800", "double", time, std::fabs(found - trueSsim), "SSIM, of 80-bit arithmetic", "goal 30 ms"}, "ssim"},
+        {{"SSIM 1280x800", "float", floatTime, std::fabs(floatFound - found), "SSIM, of double", "goal 12 ms"}, "ssim float"}};
 }
 
 /// The paper's study, answered by a formula: 10 x 7 x 9, one choice and three ratings each.
@@ -152,7 +141,7 @@ reports::StudyData wholeStudy()
     return data;
 }
 
-Stage reportStage()
+StatisticsRow reportStage()
 {
     const auto data = wholeStudy();
     std::size_t size = 0;
@@ -160,47 +149,23 @@ Stage reportStage()
         const reports::StudyAnalysis analysis = reports::analyse(data);
         size = reports::resultsJson(analysis).size() + reports::statisticsJson(analysis).size();
     });
-    return {"the whole default report",
-            "report",
-            "",
-            time,
-            0,
-            "-",
-            "all tests and models of " + std::to_string(data.responses.size()) + " answers in " + std::to_string(size) +
-                " parts; goal 100 ms"};
-}
-
-ordered_json rowOf(const Stage& stage)
-{
-    return {{"stage", stage.name},  {"quality", stage.quality},  {"ms", stage.milliseconds},
-            {"error", stage.error}, {"error_is", stage.errorIs}, {"note", stage.note}};
-}
-
-/// Adds the times to "peers" and, in words, to the note of the row.
-void addPeers(ordered_json& row, const std::map<std::string, std::optional<double>>& peers)
-{
-    std::string note = row["note"].get<std::string>();
-    row["peers"] = ordered_json::object();
-    for (const auto& [peer, milliseconds] : peers) {
-        row["peers"][peer] = milliseconds ? ordered_json(*milliseconds) : ordered_json();
-        char text[60];
-        std::snprintf(text, sizeof text, "%.1f ms", milliseconds.value_or(0));
-        note += ", " + peer + " " + (milliseconds ? text : "not installed");
-    }
-    row["note"] = note;
+    return {{"the whole default report", "", time, 0, "-",
+             "all tests and models of " + std::to_string(data.responses.size()) + " answers in " + std::to_string(size) +
+                 " parts; goal 100 ms"},
+            "report"};
 }
 
 }  // namespace
 
-ordered_json statisticsRows(bool peers)
+std::vector<BenchRow> benchStatistics(bool peers)
 {
-    auto [ssimDouble, ssimFloat] = ssimStages();
+    const auto [ssimDouble, ssimFloat] = ssimStages();
     const PeerTimes times = peers ? peerTimes() : PeerTimes();
-    ordered_json rows = ordered_json::array();
-    for (const Stage& stage : {pairedTStage(), bootstrapStage(), signFlipStage(), ssimDouble, ssimFloat, reportStage()}) {
-        ordered_json row = rowOf(stage);
-        if (const auto found = times.find(stage.key); found != times.end()) addPeers(row, found->second);
+    std::vector<BenchRow> rows;
+    for (const auto& [row, peerStage] :
+         {pairedTStage(), bootstrapStage(), signFlipStage(), ssimDouble, ssimFloat, reportStage()}) {
         rows.push_back(row);
+        if (const auto found = times.find(peerStage); found != times.end()) rows.back().peers = found->second;
     }
     return rows;
 }

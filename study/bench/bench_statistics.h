@@ -2,12 +2,13 @@
 // work on this machine.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
+#include <vector>
+
+#include "study/bench/bench_row.h"
 
 namespace study::bench {
 
-/// One row a stage: {"stage", "quality", "ms", "error", "error_is", "note"}, and with `peers`
-/// {"peers": {"scipy": ms | null, ...}}, null where a peer is not installed.
-nlohmann::ordered_json statisticsRows(bool peers);
+/// With `peers` also their times.
+std::vector<BenchRow> benchStatistics(bool peers);
 
 }  // namespace study::bench

@@ -14,7 +14,7 @@ namespace study::commands {
 
 namespace {
 
-struct Call {
+struct AppCall {
     std::string study;
     std::string display = "none";
     bool monitor = false;
@@ -51,7 +51,7 @@ std::vector<app::MonitorFlag> flagsOf(const database::StudyStore& store)
     return flags;
 }
 
-app::AppOptions optionsOf(const Call& call)
+app::AppOptions optionsOf(const AppCall& call)
 {
     app::AppOptions options;
     if (!call.study.empty()) options.study = call.study;
@@ -63,7 +63,7 @@ app::AppOptions optionsOf(const Call& call)
     return options;
 }
 
-int runWindow(const Call& call)
+int runWindow(const AppCall& call)
 {
     if (call.monitor && call.study.empty())
         throw protocols::badInput({"no study is named", "--monitor", "vis2hap --monitor STUDY", "name the folder of the study"});
@@ -77,7 +77,7 @@ int runWindow(const Call& call)
 
 void addApp(CLI::App& app, Action& action)
 {
-    auto call = std::make_shared<Call>();
+    auto call = std::make_shared<AppCall>();
     app.add_option("STUDY", call->study, "open this study in the window");
     app.add_option("--display", call->display,
                    "haptic display: none; folder:DIR (writes DIR/current.pgm); exec:COMMAND (starts a driver); "

@@ -33,7 +33,7 @@ void printTimes(const char* what, std::vector<double> milliseconds)
                 milliseconds.back());
 }
 
-int check(const CheckCall& call)
+int checkDriver(const CheckCall& call)
 {
     const auto address = rendering::driverAddressFrom(call.specification);
     if (!address)
@@ -58,14 +58,13 @@ void addDisplay(CLI::App& app, Action& action)
 {
     auto* display = app.add_subcommand("display", "check the driver of a haptic display");
     display->require_subcommand(1);
-    auto* checkDriver = display->add_subcommand(
+    auto* command = display->add_subcommand(
         "check", "test every demand of the driver protocol: pass or FAIL; the display shows images meanwhile");
     auto call = std::make_shared<CheckCall>();
-    checkDriver->add_option("SPEC", call->specification, "exec:COMMAND or tcp:HOST:PORT, as for vis2hap --display")->required();
-    checkDriver
-        ->add_option("--touch", call->touchSeconds, "seconds to wait for a finger, to check that the driver reports touches")
+    command->add_option("SPEC", call->specification, "exec:COMMAND or tcp:HOST:PORT, as for vis2hap --display")->required();
+    command->add_option("--touch", call->touchSeconds, "seconds to wait for a finger, to check that the driver reports touches")
         ->check(finiteIn(0, 600));
-    checkDriver->callback([call, &action] { action.work = [call] { return check(*call); }; });
+    command->callback([call, &action] { action.work = [call] { return checkDriver(*call); }; });
 }
 
 }  // namespace study::commands

@@ -30,7 +30,7 @@ int make(const MakeCall& call)
     return 0;
 }
 
-int check(const std::string& folder)
+int checkDataset(const std::string& folder)
 {
     const auto faults = rendering::fabrics::faultsOfDataset(folder);
     for (const auto& fault : faults) std::printf("%s\n", fault.c_str());
@@ -65,7 +65,7 @@ void addFabrics(CLI::App& app, Action& action)
     auto* checkSet = fabrics->add_subcommand("check", "list every fault of a data set with its file");
     auto folder = std::make_shared<std::string>();
     checkSet->add_option("DIR", *folder, "the data set")->required();
-    checkSet->callback([folder, &action] { action.work = [folder] { return check(*folder); }; });
+    checkSet->callback([folder, &action] { action.work = [folder] { return checkDataset(*folder); }; });
 }
 
 }  // namespace study::commands

@@ -37,7 +37,7 @@ struct HeightCall {
     double cutoffMm = 0;
 };
 
-measuring::HeightOptions optionsOf(const HeightCall& call)
+measuring::HeightOptions heightOptionsOf(const HeightCall& call)
 {
     measuring::HeightOptions options;
     if (call.cutoffMm > 0) options.cutoffMm = call.cutoffMm;
@@ -103,7 +103,7 @@ int height(const HeightCall& call)
     if (call.contact != "auto" && call.contact != "whole" && call.contact != "part" && !fs::exists(call.contact))
         throw protocols::badInput({"\"" + call.contact + "\" is neither a kind of contact nor an image", "--contact",
                                    "auto, whole, part, or a mask image", ""});
-    const auto options = optionsOf(call);
+    const auto options = heightOptionsOf(call);
     if (!call.gradients.empty())
         write(call, measuring::fromGradients(call.gradients[0], call.gradients[1], samplingOf(call), options));
     else if (!call.normals.empty())

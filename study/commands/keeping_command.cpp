@@ -93,12 +93,12 @@ int backup(const std::string& study, const std::string& out)
 
 void addErase(CLI::App& app, Action& action)
 {
-    struct Call {
+    struct EraseCall {
         std::string study, participant, who, why;
         bool answers = false;
     };
     auto* command = app.add_subcommand("erase", "erase personal data of a participant; who and why are recorded");
-    auto call = std::make_shared<Call>();
+    auto call = std::make_shared<EraseCall>();
     command->add_option("STUDY", call->study, "the study")->required();
     command->add_option("--participant", call->participant, "the participant")->required();
     command->add_option("--who", call->who, "your name")->required();
@@ -114,11 +114,11 @@ void addErase(CLI::App& app, Action& action)
 
 void addBackup(CLI::App& app, Action& action)
 {
-    struct Call {
+    struct BackupCall {
         std::string study, out;
     };
     auto* command = app.add_subcommand("backup", "copy the whole study into one tar file, also while a session runs");
-    auto call = std::make_shared<Call>();
+    auto call = std::make_shared<BackupCall>();
     command->add_option("STUDY", call->study, "the study")->required();
     command->add_option("--out", call->out, "file to write")->required();
     command->callback([call, &action] {

@@ -147,13 +147,13 @@ int replay(const std::string& study, const std::vector<std::string>& files, bool
 
 void addReplay(CLI::App& app, Action& action)
 {
-    struct Call {
+    struct ReplayCall {
         std::string study;
         std::vector<std::string> scripts;
         bool gui = false;
     };
     auto* command = app.add_subcommand("replay", "let scripted participants answer; resumes where it stopped");
-    auto call = std::make_shared<Call>();
+    auto call = std::make_shared<ReplayCall>();
     command->add_option("STUDY", call->study, "the study")->required();
     command->add_option("SCRIPT", call->scripts, "scripts, one for each participant")->required();
     command->add_flag("--gui", call->gui, "press the keys of the window, with or without a screen");

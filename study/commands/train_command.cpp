@@ -42,12 +42,12 @@ std::vector<PassedOption> passedOptions()
 
 void addTrain(CLI::App& app, Action& action)
 {
-    struct Call {
+    struct TrainCall {
         std::string dataset, out, steps, minutes;
         std::vector<PassedOption> passed = passedOptions();
         bool reference = false, l1Only = false, resume = false;
     };
-    auto call = std::make_shared<Call>();
+    auto call = std::make_shared<TrainCall>();
     auto* command = app.add_subcommand("train", "train the generators on a data set (uses libtorch)");
     command->add_option("DATASET", call->dataset, "the data set")->required();
     command->add_option("--out", call->out, "weights file to write, with MODEL.json and the folder MODEL.log beside it")

@@ -76,11 +76,11 @@ void addVerify(CLI::App& app, Action& action)
 
 void addUnblind(CLI::App& app, Action& action)
 {
-    struct Call {
+    struct UnblindCall {
         std::string study, who, why;
     };
     auto* command = app.add_subcommand("unblind", "reveal the conditions of a study; who and why are recorded");
-    auto call = std::make_shared<Call>();
+    auto call = std::make_shared<UnblindCall>();
     command->add_option("STUDY", call->study, "the study")->required();
     command->add_option("--who", call->who, "your name")->required()->check(nonEmpty);
     command->add_option("--why", call->why, "the reason")->required()->check(nonEmpty);

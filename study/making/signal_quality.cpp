@@ -23,7 +23,7 @@ using rendering::Signal;
 
 constexpr double equivalenceShare = 0.10;  // of the measured mean
 
-struct Pairs {
+struct FabricMeans {
     std::vector<double> generated, measured;
 };
 
@@ -56,7 +56,7 @@ HeightPair commonCrop(const FabricSignals& signals, const cv::Mat& generated, co
 
 std::span<const double> pixels(const cv::Mat& map) { return {map.ptr<double>(), map.total()}; }
 
-ordered_json tTest(const std::string& signal, const Pairs& pairs)
+ordered_json tTest(const std::string& signal, const FabricMeans& pairs)
 {
     ordered_json json{{"signal", signal}, {"unit", "fabric"}, {"n", pairs.measured.size()}};
     const auto test = stats::pairedTTest(pairs.generated, pairs.measured);
@@ -90,7 +90,7 @@ ordered_json tTest(const std::string& signal, const Pairs& pairs)
 void addFriction(const std::map<protocols::FabricId, FabricSignals>& signals, ordered_json& json, ordered_json& tests)
 {
     std::vector<double> generated, measured;
-    Pairs means;
+    FabricMeans means;
     for (const auto& [fabric, of] : signals) {
         const auto g = of.traces.find(Signal::GeneratedTrace), m = of.traces.find(Signal::MeasuredTrace);
         if (g == of.traces.end() || m == of.traces.end() || !of.generatedMeanFriction || !of.measuredMeanFriction) continue;
@@ -116,7 +116,7 @@ void addFriction(const std::map<protocols::FabricId, FabricSignals>& signals, or
 void addHeight(const std::map<protocols::FabricId, FabricSignals>& signals, ordered_json& json, ordered_json& tests)
 {
     std::vector<HeightPair> maps;
-    Pairs means;
+    FabricMeans means;
     double lowest = 0, highest = 0;
     for (const auto& [fabric, of] : signals) {
         const auto* generated = imageOf(of, Signal::GeneratedHeight);

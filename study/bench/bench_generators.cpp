@@ -1,0 +1,75 @@
+#include "study/bench/bench_generators.h"
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "protocols/files/number_text.h"
+#include "rendering/models/second_program.h"
+#include "study/bench/generator_peer.h"
+
+namespace study::bench {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+std::string text(const char* format, auto... values)
+{
+    char buffer[160];
+    std::snprintf(buffer, sizeof buffer, format, values...);
+    return buffer;
+}
+
+/// The peer's row. Our time from the same turns is in the note.
+BenchRow peerRow(const char* stage, const PeerComparison& peer, const std::optional<double>& ours,
+                 const std::optional<double>& theirs, const std::optional<double>& ratio)
+{
+    const std::string note = ratio ? text("ours in the same turns: %.2f ms; median of ten pairs", ours.value_or(0)) : peer.whyNot;
+    return {stage, peer.peer, theirs, ratio, ratio ? "ours over theirs" : "", note};
+}
+
+void addPeers(std::vector<BenchRow>& rows)
+{
+    for (const PeerComparison& peer : compareGeneratorPeers()) {
+        rows.push_back(peerRow("training step, 8 of 128x128", peer, peer.oursTrainMs, peer.theirsTrainMs, peer.trainRatio));
+        rows.push_back(peerRow("networks alone, 1 of 128x128", peer, peer.oursInferMs, peer.theirsInferMs, peer.inferRatio));
+        if (peer.answersApart)
+            rows.back().note += "; with the same parameters the outputs differ by " + protocols::shortest(*peer.answersApart);
+    }
+}
+
+BenchRow qualityRow(const ordered_json& quality)
+{
+    return {"photograph to height and friction",
+            quality["quality"].get<std::string>(),
+            quality["ms_per_photograph"].get<double>(),
+            100 * quality["mean_friction_relative_error"].get<double>(),
+            "% of mean friction, generated against measured",
+            text("heights off by %.3f mm from accurate, photographs of 256x256; %.1f ms of 128x128",
+                 quality["height_deviation_from_accurate_mm"].get<double>(), quality["ms_at_128"].get<double>())};
+}
+
+BenchRow memoryRow(const ordered_json& bench, const char* field, const char* photograph)
+{
+    return {"memory of the generators",
+            "",
+            {},
+            bench[field].get<double>(),
+            "MB held at most",
+            std::string("after a photograph of ") + photograph};
+}
+
+}  // namespace
+
+std::vector<BenchRow> benchGenerators(bool peers)
+{
+    const auto bench = ordered_json::parse(rendering::models::outputOfSecondProgram({"bench", "--json"}));
+    std::vector<BenchRow> rows;
+    for (const auto& quality : bench["qualities"]) rows.push_back(qualityRow(quality));
+    rows.push_back(memoryRow(bench, "peak_mb_at_128", "128x128"));
+    rows.push_back(memoryRow(bench, "peak_mb_at_largest", "the largest, 2048x2048"));
+    if (peers) addPeers(rows);
+    return rows;
+}
+
+}  // namespace study::bench

@@ -1,0 +1,13 @@
+// Speed and error of every signal stage that has a choice of quality, on surfaces and traces whose true values are known.
+#pragma once
+
+#include <vector>
+
+#include "study/bench/bench_row.h"
+
+namespace study::bench {
+
+/// Takes a few seconds on one thread.
+std::vector<BenchRow> benchSignals();
+
+}  // namespace study::bench

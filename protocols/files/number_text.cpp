@@ -12,6 +12,15 @@ std::string shortest(double value)
     return std::string(buffer, problem == std::errc{} ? end : buffer);
 }
 
+std::string fixed(double value, int decimals)
+{
+    char buffer[512];  // the largest double has 309 digits before the point
+    const auto end = std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::fixed, decimals).ptr;
+    std::string text(buffer, end);
+    if (text.starts_with('-') && text.find_first_not_of("-0.") == std::string::npos) text.erase(0, 1);
+    return text;
+}
+
 std::optional<double> numberIn(std::string_view text)
 {
     text = withoutBlanks(text);

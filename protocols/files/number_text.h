@@ -10,6 +10,9 @@ namespace protocols {
 /// The shortest text that reads back exactly.
 std::string shortest(double value);
 
+/// `decimals` digits after the point; a negative zero loses its sign.
+std::string fixed(double value, int decimals);
+
 /// The finite number that the whole text states; blanks around it and a leading plus are allowed.
 std::optional<double> numberIn(std::string_view text);
 

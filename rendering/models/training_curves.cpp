@@ -7,13 +7,21 @@
 #include <optional>
 
 #include "protocols/files/markup_text.h"
+#include "protocols/files/svg_drawing.h"
 #include "rendering/models/training_table.h"
 
 namespace rendering::models {
 
 namespace {
 
+using protocols::SvgAnchor;
+using protocols::SvgDrawing;
+using protocols::SvgPoint;
+using protocols::SvgText;
+
 constexpr int panelWidth = 440, panelHeight = 190, left = 62, right = 16, top = 30, bottom = 30, mostPoints = 220;
+constexpr std::size_t mostMarked = 40;  ///< longer curves have no marks at their points
+constexpr const char* curveColour = "#0b4f8a";
 constexpr double logarithmicFrom = 30;  ///< ratio of the greatest to the least value
 
 struct CurvePoint {
@@ -51,12 +59,6 @@ std::string threeDigits(double value)
     std::snprintf(text, sizeof text, "%.3g", value);
     std::replace(text, text + sizeof text, ',', '.');
     return text;
-}
-
-std::string at(double pixel)
-{
-    const long tenths = std::lround(pixel * 10);
-    return (tenths < 0 ? "-" : "") + std::to_string(std::labs(tenths) / 10) + "." + std::to_string(std::labs(tenths) % 10);
 }
 
 struct CurveScale {
@@ -101,41 +103,42 @@ std::vector<double> ticksOf(const CurveScale& scale)
     return ticks;
 }
 
-std::string text(double x, double y, const std::string& words, const char* anchor, const char* kind)
+SvgText tickStyle(SvgAnchor anchor) { return {.size = 11, .anchor = anchor, .colour = "#555"}; }
+
+void drawCurve(SvgDrawing& drawing, const std::vector<CurvePoint>& points, const auto& x, const auto& y)
 {
-    return "<text x=\"" + at(x) + "\" y=\"" + at(y) + "\" text-anchor=\"" + anchor + "\" class=\"" + kind + "\">" + words +
-           "</text>\n";
+    std::vector<SvgPoint> band, mean;
+    for (const CurvePoint& point : points) {
+        band.push_back({x(point.step), y(point.high)});
+        mean.push_back({x(point.step), y(point.mean)});
+    }
+    for (auto point = points.rbegin(); point != points.rend(); ++point) band.push_back({x(point->step), y(point->low)});
+    drawing.polygon(band, "#9cc3e6", "none", 0.6);
+    drawing.polyline(mean, curveColour, 1.6);
+    if (points.size() > mostMarked) return;
+    for (const SvgPoint& point : mean) drawing.circle(point, 2.2, curveColour, "none");
 }
 
-std::string line(double x1, double y1, double x2, double y2)
-{
-    return "<path class=\"grid\" d=\"M" + at(x1) + " " + at(y1) + "L" + at(x2) + " " + at(y2) + "\"/>\n";
-}
-
-std::string panel(const std::string& title, const std::vector<CurvePoint>& points, double lastStep, int number)
+/// Panel `number`, two in a row.
+void drawPanel(SvgDrawing& drawing, const std::string& title, const std::vector<CurvePoint>& points, double lastStep, int number)
 {
     const double x0 = (number % 2) * panelWidth, y0 = (number / 2) * panelHeight;
-    std::string svg = text(x0 + left, y0 + 18, protocols::escapedMarkup(title), "start", "title");
-    if (points.empty()) return svg + text(x0 + left, y0 + 50, "no finite values", "start", "tick");
+    drawing.text({x0 + left, y0 + 18}, protocols::escapedMarkup(title),
+                 {.size = 13, .anchor = SvgAnchor::Start, .colour = "#000", .bold = true});
+    if (points.empty()) return drawing.text({x0 + left, y0 + 50}, "no finite values", tickStyle(SvgAnchor::Start));
     const CurveScale scale = scaleFor(points);
     const auto x = [&](double step) { return x0 + left + step / std::max(1.0, lastStep) * (panelWidth - left - right); };
     const auto y = [&](double value) { return y0 + panelHeight - bottom - scale.placed(value) * (panelHeight - top - bottom); };
-    svg += text(x0 + panelWidth - right, y0 + 18,
-                "last " + threeDigits(points.back().mean) + (scale.logarithmic ? ", logarithmic" : ""), "end", "tick");
-    for (const double tick : ticksOf(scale))
-        svg += line(x(0), y(tick), x(lastStep), y(tick)) + text(x(0) - 6, y(tick) + 4, threeDigits(tick), "end", "tick");
-    for (const double tick : ticksOf({0, std::max(1.0, lastStep), false}))
-        svg += text(x(tick), y0 + panelHeight - bottom + 16, threeDigits(tick), "middle", "tick");
-    std::string band, back, mean;
-    for (const CurvePoint& point : points) {
-        band += (band.empty() ? "M" : "L") + at(x(point.step)) + " " + at(y(point.high));
-        back = "L" + at(x(point.step)) + " " + at(y(point.low)) + back;
-        mean += (mean.empty() ? "M" : "L") + at(x(point.step)) + " " + at(y(point.mean));
+    drawing.text({x0 + panelWidth - right, y0 + 18},
+                 "last " + threeDigits(points.back().mean) + (scale.logarithmic ? ", logarithmic" : ""),
+                 tickStyle(SvgAnchor::End));
+    for (const double tick : ticksOf(scale)) {
+        drawing.line({x(0), y(tick)}, {x(lastStep), y(tick)}, "#ddd", 1);
+        drawing.text({x(0) - 6, y(tick) + 4}, threeDigits(tick), tickStyle(SvgAnchor::End));
     }
-    svg += "<path class=\"band\" d=\"" + band + back + "Z\"/>\n<path class=\"mean\" d=\"" + mean + "\"/>\n";
-    for (const CurvePoint& point : points)
-        if (points.size() <= 40) svg += "<circle cx=\"" + at(x(point.step)) + "\" cy=\"" + at(y(point.mean)) + "\" r=\"2.2\"/>\n";
-    return svg;
+    for (const double tick : ticksOf({0, std::max(1.0, lastStep), false}))
+        drawing.text({x(tick), y0 + panelHeight - bottom + 16}, threeDigits(tick), tickStyle(SvgAnchor::Middle));
+    drawCurve(drawing, points, x, y);
 }
 
 }  // namespace
@@ -144,21 +147,16 @@ std::string curvesSvg(const TrainingTable& losses, const TrainingTable& validati
 {
     const auto lastOf = [](const TrainingTable& table) { return table.rows.empty() ? 0 : table.rows.rbegin()->first; };
     const double last = std::max(lastOf(losses), lastOf(validation));
-    std::string panels;
+    const auto panels = static_cast<int>(losses.names.size() + validation.names.size());
+    const double width = 2 * panelWidth, height = (panels + 1) / 2 * panelHeight + 24;
+    SvgDrawing drawing(width, height, "Training curves", "Losses and validation figures over the training steps.");
+    drawing.rectangle({0, 0}, width, height, "#fff");
     int number = 0;
-    for (const std::string& name : losses.names) panels += panel("loss: " + name, pointsOf(losses, name), last, number++);
+    for (const std::string& name : losses.names) drawPanel(drawing, "loss: " + name, pointsOf(losses, name), last, number++);
     for (const std::string& name : validation.names)
-        panels += panel("validation: " + name, pointsOf(validation, name), last, number++);
-    const std::string width = std::to_string(2 * panelWidth), height = std::to_string((number + 1) / 2 * panelHeight + 24);
-    const std::string middle = std::to_string(panelWidth);
-    return "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + width + " " + height + "\" width=\"" + width +
-           "\" height=\"" + height +
-           "\">\n<style>text{font-family:sans-serif}.title{font-size:13px;font-weight:bold}.tick{font-size:11px;fill:#555}"
-           ".grid{stroke:#ddd}.band{fill:#9cc3e6;fill-opacity:.6}.mean{fill:none;stroke:#0b4f8a;stroke-width:1.6}circle{fill:#"
-           "0b4f8a}"
-           "</style>\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n" +
-           panels + "<text x=\"" + middle + "\" y=\"" + std::to_string((number + 1) / 2 * panelHeight + 14) +
-           "\" text-anchor=\"middle\" class=\"tick\">step</text>\n</svg>\n";
+        drawPanel(drawing, "validation: " + name, pointsOf(validation, name), last, number++);
+    drawing.text({width / 2, height - 10}, "step", tickStyle(SvgAnchor::Middle));
+    return drawing.finished();
 }
 
 }  // namespace rendering::models

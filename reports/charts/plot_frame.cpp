@@ -9,6 +9,8 @@
 #include "reports/text/number_text.h"
 
 namespace reports {
+
+using protocols::SvgAnchor;
 namespace {
 
 constexpr double narrowestPlot = 800;
@@ -63,7 +65,8 @@ void PlotFrame::drawFrame(const std::string& axisTitle)
         const bool isBottom = value == m_low;
         m_drawing.line({left(), y(value)}, {rightEdge(), y(value)}, isBottom ? ChartColours::ink : ChartColours::faint,
                        isBottom ? 1.5 : 1);
-        m_drawing.text({left() - 10, y(value) + 5}, protocols::shortest(std::round(value * 1e6) / 1e6), {.anchor = Anchor::End});
+        m_drawing.text({left() - 10, y(value) + 5}, protocols::shortest(std::round(value * 1e6) / 1e6),
+                       {.anchor = SvgAnchor::End});
     }
     m_drawing.line({left(), top}, {left(), top + height}, ChartColours::ink, 1.5);
     m_drawing.text({left() - 56, top + height / 2}, axisTitle, {.size = 15, .rotation = -90});
@@ -78,7 +81,7 @@ void PlotFrame::drawRightAxis(double wholeValue, const std::string& axisTitle)
         const double at = y(wholeValue * percent / 100);
         m_drawing.line({rightEdge(), at}, {rightEdge() + 5, at}, ChartColours::ink, 1.5);
         m_drawing.text({rightEdge() + 10, at + 5}, std::to_string(percent) + " %",
-                       {.size = 13, .anchor = Anchor::Start, .colour = ChartColours::grey});
+                       {.size = 13, .anchor = SvgAnchor::Start, .colour = ChartColours::grey});
     }
     m_drawing.line({rightEdge(), top}, {rightEdge(), top + height}, ChartColours::ink, 1.5);
     m_drawing.text({rightEdge() + right - 8, top + height / 2}, axisTitle, {.colour = ChartColours::grey, .rotation = -90});
@@ -94,9 +97,9 @@ void PlotFrame::drawErrorBar(double x, const stats::Interval& interval, const st
     m_drawing.line({x - 5, high}, {x + 5, high}, colour, 1.8);
 }
 
-void PlotFrame::drawLegendText(double x, Anchor anchor, const std::string& escapedText)
+void PlotFrame::drawLegendText(double x, SvgAnchor anchor, const std::string& escapedText)
 {
-    const bool isRemark = anchor == Anchor::End;
+    const bool isRemark = anchor == SvgAnchor::End;
     m_drawing.text(
         {x, legendY + 5}, escapedText,
         {.size = isRemark ? 13.0 : 15.0, .anchor = anchor, .colour = isRemark ? ChartColours::grey : ChartColours::ink});
@@ -106,7 +109,8 @@ void PlotFrame::drawLabel(std::size_t condition)
 {
     const std::string label = svgLabel(m_conditions.names[condition]);
     if (m_isCrowded)
-        m_drawing.text({centre(condition) + 6, top + height + 22}, label, {.size = 15, .anchor = Anchor::End, .rotation = -35});
+        m_drawing.text({centre(condition) + 6, top + height + 22}, label,
+                       {.size = 15, .anchor = SvgAnchor::End, .rotation = -35});
     else
         m_drawing.text({centre(condition), top + height + 24}, label, {.size = 17});
 }

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "reports/charts/svg_drawing.h"
+#include "protocols/files/svg_drawing.h"
 #include "stats/kernels/value.h"
 
 namespace reports {
@@ -24,7 +24,7 @@ public:
     PlotFrame(const PlotConditions& conditions, double low, double high, const std::string& title,
               const std::string& description);
 
-    SvgDrawing& drawing() { return m_drawing; }
+    protocols::SvgDrawing& drawing() { return m_drawing; }
     const std::vector<std::string>& conditions() const { return m_conditions.names; }
 
     double left() const;
@@ -40,7 +40,7 @@ public:
     /// Cut at the ends of the axis; nothing where the interval does not exist.
     void drawErrorBar(double x, const stats::Interval& interval, const std::string& colour);
     /// A line of text above the plot, on its left or its right.
-    void drawLegendText(double x, Anchor anchor, const std::string& escapedText);
+    void drawLegendText(double x, protocols::SvgAnchor anchor, const std::string& escapedText);
 
     static constexpr double right = 84;
     static constexpr double top = 62;
@@ -58,7 +58,7 @@ private:
     double m_high;
     double m_slot;
     bool m_isCrowded;  ///< labels slant
-    SvgDrawing m_drawing;
+    protocols::SvgDrawing m_drawing;
 };
 
 }  // namespace reports

@@ -21,7 +21,7 @@ stats::Interval inMatches(const stats::Interval& share, double participants)
 void drawBar(PlotFrame& plot, std::size_t i, const ConditionChoices& choices, double participants, const std::string& colour)
 {
     const stats::Value& matches = choices.matchesPerRendering;
-    const SvgPoint foot{plot.centre(i), plot.y(0) - 8};
+    const protocols::SvgPoint foot{plot.centre(i), plot.y(0) - 8};
     if (!matches.exists()) {
         plot.drawing().text(foot, "no data", {.size = 13, .colour = ChartColours::grey});
         return;
@@ -39,7 +39,7 @@ void drawChanceLine(PlotFrame& plot, double chance, const std::string& people)
     plot.drawing().line({plot.left(), plot.y(chance)}, {plot.rightEdge(), plot.y(chance)}, ChartColours::vermilion, 2, dashes);
     plot.drawing().line({plot.left(), PlotFrame::legendY}, {plot.left() + 34, PlotFrame::legendY}, ChartColours::vermilion, 2,
                         dashes);
-    plot.drawLegendText(plot.left() + 42, Anchor::Start, "chance: " + fixed(chance, 1) + " of " + people);
+    plot.drawLegendText(plot.left() + 42, protocols::SvgAnchor::Start, "chance: " + fixed(chance, 1) + " of " + people);
 }
 
 Figure matchesFigure(const StudyAnalysis& analysis, const std::string& id, const ChoiceAnalysis& choices)
@@ -64,7 +64,7 @@ Figure matchesFigure(const StudyAnalysis& analysis, const std::string& id, const
         drawBar(plot, i, choices.conditions[i], participants,
                 conditions.hasGroups() ? groupColour(*groupOf(conditions.names[i])) : plainColour());
     drawChanceLine(plot, participants / choices.alternatives, std::to_string(people));
-    plot.drawLegendText(plot.rightEdge(), Anchor::End, "whiskers: 95 % interval (Wilson)");
+    plot.drawLegendText(plot.rightEdge(), protocols::SvgAnchor::End, "whiskers: 95 % interval (Wilson)");
     figure.svg = plot.drawing().finished();
     return figure;
 }

@@ -34,7 +34,7 @@ std::vector<std::vector<RatingQuestion>> figureGroups(const StudyAnalysis& analy
 }
 
 /// Circle, square, diamond, triangle.
-void drawMarker(SvgDrawing& drawing, std::size_t k, SvgPoint at)
+void drawMarker(protocols::SvgDrawing& drawing, std::size_t k, protocols::SvgPoint at)
 {
     const std::string& colour = seriesColour(k);
     constexpr double r = 6;
@@ -63,10 +63,10 @@ void drawLegend(PlotFrame& plot, const std::vector<RatingQuestion>& questions)
     double x = plot.left();
     for (std::size_t k = 0; k < questions.size(); ++k) {
         drawMarker(plot.drawing(), k, {x + 8, PlotFrame::legendY});
-        plot.drawLegendText(x + 22, Anchor::Start, protocols::escapedMarkup(questions[k].id()));
+        plot.drawLegendText(x + 22, protocols::SvgAnchor::Start, protocols::escapedMarkup(questions[k].id()));
         x += legendWidth(questions[k].id());
     }
-    plot.drawLegendText(plot.rightEdge(), Anchor::End, "mean, with 95 % interval over participants");
+    plot.drawLegendText(plot.rightEdge(), protocols::SvgAnchor::End, "mean, with 95 % interval over participants");
 }
 
 void drawMeans(PlotFrame& plot, const std::vector<RatingQuestion>& questions)

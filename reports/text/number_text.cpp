@@ -1,19 +1,8 @@
 #include "reports/text/number_text.h"
 
-#include <array>
-#include <charconv>
 #include <numbers>
 
 namespace reports {
-
-std::string fixed(double number, int decimals)
-{
-    std::array<char, 512> buffer;  // the largest double has 309 digits before the point
-    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number, std::chars_format::fixed, decimals).ptr;
-    std::string text(buffer.data(), end);
-    if (text.starts_with('-') && text.find_first_not_of("-0.") == std::string::npos) text.erase(0, 1);
-    return text;
-}
 
 std::string pText(double p)
 {

@@ -3,12 +3,12 @@
 
 #include <string>
 
+#include "protocols/files/number_text.h"
 #include "stats/kernels/value.h"
 
 namespace reports {
 
-/// `decimals` digits after the point; a negative zero loses its sign.
-std::string fixed(double number, int decimals);
+using protocols::fixed;
 
 /// A probability as papers print it: ".032", "< .001", "1.00".
 std::string pText(double p);

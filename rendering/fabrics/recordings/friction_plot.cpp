@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <vector>
 
 #include "protocols/files/markup_text.h"
+#include "protocols/files/svg_drawing.h"
 #include "rendering/fabrics/recordings/friction_report.h"
 #include "rendering/fabrics/recordings/record_text.h"
 
@@ -12,19 +13,15 @@ namespace rendering::fabrics {
 
 namespace {
 
+using protocols::SvgAnchor;
+using protocols::SvgDrawing;
+using protocols::SvgPoint;
+
 constexpr double left = 70, width = 800, right = left + width;
 
-/// Pixels with one decimal.
-std::string px(double value)
+void writeText(SvgDrawing& drawing, double x, double y, const std::string& words, SvgAnchor anchor = SvgAnchor::Start)
 {
-    const auto tenths = std::lround(value * 10);
-    return (tenths < 0 ? "-" : "") + std::to_string(std::abs(tenths) / 10) + "." + std::to_string(std::abs(tenths) % 10);
-}
-
-std::string textAt(double x, double y, const std::string& words, const char* anchor = "start", const char* colour = "#333")
-{
-    return "<text x=\"" + px(x) + "\" y=\"" + px(y) + "\" text-anchor=\"" + anchor + "\" fill=\"" + colour + "\">" +
-           protocols::escapedMarkup(readable(words)) + "</text>\n";
+    drawing.text({x, y}, protocols::escapedMarkup(readable(words)), {.size = 12, .anchor = anchor, .colour = "#333"});
 }
 
 /// Frame with time along x and values along y.
@@ -34,32 +31,30 @@ struct PlotPanel {
     double x(double timeS) const { return left + width * (timeS - fromS) / std::max(toS - fromS, 1e-300); }
     double y(double value) const { return top + height * (1 - (value - low) / (high - low)); }
 
-    std::string frame(const std::string& unit) const
+    void drawFrame(SvgDrawing& drawing, const std::string& unit) const
     {
-        std::string svg = "<rect x=\"" + px(left) + "\" y=\"" + px(top) + "\" width=\"" + px(width) + "\" height=\"" +
-                          px(height) + "\" fill=\"none\" stroke=\"#888\"/>\n";
+        drawing.rectangle({left, top}, width, height, "none", 1, "#888");
         for (const double share : {0.0, 0.5, 1.0}) {
             const double value = low + share * (high - low);
-            svg += textAt(left - 6, y(value) + 4, fourFigures(value), "end");
-            svg += textAt(left + share * width, top + height + 16, fourFigures(fromS + share * (toS - fromS)) + " s",
-                          share == 0   ? "start"
-                          : share == 1 ? "end"
-                                       : "middle");
+            writeText(drawing, left - 6, y(value) + 4, fourFigures(value), SvgAnchor::End);
+            writeText(drawing, left + share * width, top + height + 16, fourFigures(fromS + share * (toS - fromS)) + " s",
+                      share == 0   ? SvgAnchor::Start
+                      : share == 1 ? SvgAnchor::End
+                                   : SvgAnchor::Middle);
         }
-        return svg + textAt(left, top - 6, unit);
+        writeText(drawing, left, top - 6, unit);
     }
 
-    std::string band(double from, double to, const char* colour) const
+    void drawBand(SvgDrawing& drawing, double from, double to, const char* colour) const
     {
         const double a = std::clamp(x(from), left, right), b = std::clamp(x(to), left, right);
-        return "<rect x=\"" + px(a) + "\" y=\"" + px(top) + "\" width=\"" + px(std::max(b - a, 0.5)) + "\" height=\"" +
-               px(height) + "\" fill=\"" + colour + "\"/>\n";
+        drawing.rectangle({a, top}, std::max(b - a, 0.5), height, colour);
     }
 
     /// Line of at most about 800 columns, each drawn from its least to its greatest value.
-    std::string line(std::size_t count, const auto& timeAt, const auto& valueAt, const char* colour) const
+    void drawLine(SvgDrawing& drawing, std::size_t count, const auto& timeAt, const auto& valueAt, const char* colour) const
     {
-        std::string points;
+        std::vector<SvgPoint> points;
         const std::size_t together = std::max<std::size_t>(count / 800, 1);
         for (std::size_t i = 0; i < count; i += together) {
             double least = valueAt(i), most = least;
@@ -67,11 +62,10 @@ struct PlotPanel {
                 least = std::min(least, valueAt(k));
                 most = std::max(most, valueAt(k));
             }
-            const std::string at = px(x(timeAt(i))) + ",";
-            points += at + px(y(least)) + " ";
-            if (together > 1) points += at + px(y(most)) + " ";
+            points.push_back({x(timeAt(i)), y(least)});
+            if (together > 1) points.push_back({x(timeAt(i)), y(most)});
         }
-        return "<polyline points=\"" + points + "\" fill=\"none\" stroke=\"" + colour + "\" stroke-width=\"1\"/>\n";
+        drawing.polyline(points, colour, 1);
     }
 };
 
@@ -81,7 +75,7 @@ PlotPanel panelFor(double top, double height, double fromS, double toS, double l
     return {top, height, fromS, toS, low - margin, high + margin};
 }
 
-std::string recorded(const RawRecord& record, const PreparedRecord& prepared)
+void drawRecorded(SvgDrawing& drawing, const RawRecord& record, const PreparedRecord& prepared)
 {
     double low = 0, high = 0;  // The axis of forces includes 0.
     if (prepared.normalN.empty()) low = high = prepared.tangentialN.front();
@@ -93,22 +87,22 @@ std::string recorded(const RawRecord& record, const PreparedRecord& prepared)
     const auto& time = prepared.timeS;
     const PlotPanel panel = panelFor(60, 200, time.front(), time.back(), low, high);
     const RowRange steady = prepared.slide.steady;
-    std::string svg = panel.band(time[steady.begin], time[steady.end - 1], "#dcefdc");
-    if (prepared.zeroRows) svg += panel.band(time[prepared.zeroRows->begin], time[prepared.zeroRows->end - 1], "#dce6f5");
+    panel.drawBand(drawing, time[steady.begin], time[steady.end - 1], "#dcefdc");
+    if (prepared.zeroRows) panel.drawBand(drawing, time[prepared.zeroRows->begin], time[prepared.zeroRows->end - 1], "#dce6f5");
     const auto timeAt = [&](std::size_t i) { return time[i]; };
-    svg += panel.line(
-        time.size(), timeAt, [&](std::size_t i) { return prepared.tangentialN[i]; }, "#b3401f");
+    panel.drawLine(
+        drawing, time.size(), timeAt, [&](std::size_t i) { return prepared.tangentialN[i]; }, "#b3401f");
     if (!prepared.normalN.empty())
-        svg += panel.line(
-            time.size(), timeAt, [&](std::size_t i) { return prepared.normalN[i]; }, "#1f4fb3");
-    svg +=
-        panel.frame(prepared.normalN.empty() ? "recorded: " + record.quantity : "recorded, N: normal (blue), tangential (red)");
-    return svg + textAt(right, 54,
-                        std::string("green: steady slide, kept") + (prepared.zeroRows ? "; pale blue: unloaded, zero" : ""),
-                        "end");
+        panel.drawLine(
+            drawing, time.size(), timeAt, [&](std::size_t i) { return prepared.normalN[i]; }, "#1f4fb3");
+    panel.drawFrame(drawing,
+                    prepared.normalN.empty() ? "recorded: " + record.quantity : "recorded, N: normal (blue), tangential (red)");
+    writeText(drawing, right, 54,
+              std::string("green: steady slide, kept") + (prepared.zeroRows ? "; pale blue: unloaded, zero" : ""),
+              SvgAnchor::End);
 }
 
-std::string kept(const RawRecord& record, const PreparedRecord& prepared)
+void drawKept(SvgDrawing& drawing, const RawRecord& record, const PreparedRecord& prepared)
 {
     const auto valueAt = [&](std::size_t i) {
         return prepared.evenNormalN.empty() ? prepared.values[i] : prepared.values[i] / prepared.evenNormalN[i];
@@ -121,34 +115,38 @@ std::string kept(const RawRecord& record, const PreparedRecord& prepared)
     const double from = prepared.timeS[prepared.slide.steady.begin];
     const auto timeAt = [&](std::size_t i) { return from + double(i) * prepared.stepS; };
     const PlotPanel panel = panelFor(330, 180, from, timeAt(prepared.values.size() - 1), low, high);
-    std::string svg = panel.line(prepared.values.size(), timeAt, valueAt, "#333");
-    svg += "<line x1=\"" + px(left) + "\" x2=\"" + px(right) + "\" y1=\"" + px(panel.y(prepared.mean)) + "\" y2=\"" +
-           px(panel.y(prepared.mean)) + "\" stroke=\"#b38f1f\" stroke-dasharray=\"6 4\"/>\n";
-    svg += panel.frame("kept: " + (prepared.evenNormalN.empty() ? record.quantity : std::string("coefficient of friction")) +
-                       ", " + std::to_string(prepared.values.size()) + " samples at " + fourFigures(1 / prepared.stepS) + " Hz");
-    return svg + textAt(right, 324, "mean " + fourFigures(prepared.mean) + " (dashed), sd " + fourFigures(prepared.sd), "end");
+    panel.drawLine(drawing, prepared.values.size(), timeAt, valueAt, "#333");
+    drawing.line({left, panel.y(prepared.mean)}, {right, panel.y(prepared.mean)}, "#b38f1f", 1, "6 4");
+    panel.drawFrame(drawing,
+                    "kept: " + (prepared.evenNormalN.empty() ? record.quantity : std::string("coefficient of friction")) + ", " +
+                        std::to_string(prepared.values.size()) + " samples at " + fourFigures(1 / prepared.stepS) + " Hz");
+    writeText(drawing, right, 324, "mean " + fourFigures(prepared.mean) + " (dashed), sd " + fourFigures(prepared.sd),
+              SvgAnchor::End);
 }
 
 /// The processing in words, broken into lines of 120 characters; wide letters need 7 px.
-std::string footnote(const PreparedRecord& prepared)
+void drawFootnote(SvgDrawing& drawing, const PreparedRecord& prepared)
 {
-    std::string words = describeCuts(prepared).substr(2), svg;
+    std::string words = describeCuts(prepared).substr(2);
     for (double y = 550; !words.empty(); y += 16) {
         std::size_t end = words.size();
         if (end > 120) end = std::min(words.rfind(' ', 120), end);
-        svg += textAt(left, y, words.substr(0, end));
+        writeText(drawing, left, y, words.substr(0, end));
         words.erase(0, end + 1);
     }
-    return svg;
 }
 
 }  // namespace
 
 std::string frictionPlot(const std::string& title, const RawRecord& record, const PreparedRecord& prepared)
 {
-    return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"900\" height=\"600\" font-family=\"sans-serif\" font-size=\"12\">\n"
-           "<rect width=\"900\" height=\"600\" fill=\"#fff\"/>\n" +
-           textAt(left, 24, title) + recorded(record, prepared) + kept(record, prepared) + footnote(prepared) + "</svg>\n";
+    SvgDrawing drawing(900, 600, readable(title), "The recorded stroke, and the part of it that was kept.");
+    drawing.rectangle({0, 0}, 900, 600, "#fff");
+    writeText(drawing, left, 24, title);
+    drawRecorded(drawing, record, prepared);
+    drawKept(drawing, record, prepared);
+    drawFootnote(drawing, prepared);
+    return drawing.finished();
 }
 
 }  // namespace rendering::fabrics

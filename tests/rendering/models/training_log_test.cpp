@@ -137,7 +137,7 @@ private Q_SLOTS:
         bool saysLogarithmic = false;
         while (!reader.atEnd())
             if (reader.readNext() == QXmlStreamReader::StartElement && reader.name() == QLatin1String("text")) {
-                const bool title = reader.attributes().value("class") == QLatin1String("title");
+                const bool title = reader.attributes().value("font-weight") == QLatin1String("600");
                 const QString words = reader.readElementText();
                 saysLogarithmic = saysLogarithmic || words.contains("logarithmic");
                 if (title) titles << words;

@@ -4,18 +4,18 @@
 #include <string>
 #include <vector>
 
-namespace reports {
+namespace protocols {
 
 struct SvgPoint {
     double x = 0;
     double y = 0;
 };
 
-enum class Anchor { Start, Middle, End };
+enum class SvgAnchor { Start, Middle, End };
 
 struct SvgText {
     double size = 14;  ///< px
-    Anchor anchor = Anchor::Middle;
+    SvgAnchor anchor = SvgAnchor::Middle;
     std::string colour = "#22303a";
     bool bold = false;
     double rotation = 0;  ///< degrees, about the anchor
@@ -28,10 +28,11 @@ public:
     SvgDrawing(double width, double height, const std::string& title, const std::string& description);
 
     void line(SvgPoint from, SvgPoint to, const std::string& colour, double width, const std::string& dashes = {});
+    void polyline(const std::vector<SvgPoint>& points, const std::string& colour, double width);
     /// `hint` is plain text that appears under the pointer.
     void rectangle(SvgPoint corner, double width, double height, const std::string& fill, double opacity = 1,
                    const std::string& stroke = "none", const std::string& hint = {});
-    void polygon(const std::vector<SvgPoint>& points, const std::string& fill, const std::string& stroke);
+    void polygon(const std::vector<SvgPoint>& points, const std::string& fill, const std::string& stroke, double opacity = 1);
     void circle(SvgPoint centre, double radius, const std::string& fill, const std::string& stroke);
     /// `content` is already escaped, and may hold tspans.
     void text(SvgPoint at, const std::string& content, const SvgText& style = {});
@@ -47,4 +48,4 @@ private:
     std::string m_description;
 };
 
-}  // namespace reports
+}  // namespace protocols

@@ -1,11 +1,13 @@
-#include "reports/charts/svg_drawing.h"
+#include "protocols/files/svg_drawing.h"
 
 #include "protocols/files/markup_text.h"
-#include "reports/text/number_text.h"
+#include "protocols/files/number_text.h"
 
-namespace reports {
+namespace protocols {
+
 namespace {
 
+/// Rounded to tenths of a pixel.
 std::string length(double value)
 {
     std::string text = fixed(value, 1);
@@ -17,14 +19,28 @@ std::string attribute(const std::string& name, const std::string& value) { retur
 
 std::string attribute(const std::string& name, double value) { return attribute(name, length(value)); }
 
-std::string anchorName(Anchor anchor)
+std::string listOf(const std::vector<SvgPoint>& points)
+{
+    std::string list;
+    for (const SvgPoint& point : points) list += (list.empty() ? "" : " ") + length(point.x) + "," + length(point.y);
+    return list;
+}
+
+std::string opacityOf(double opacity) { return opacity < 1 ? attribute("fill-opacity", fixed(opacity, 2)) : ""; }
+
+std::string outline(const std::string& stroke)
+{
+    return stroke == "none" ? "" : attribute("stroke", stroke) + attribute("stroke-width", 1.5);
+}
+
+std::string anchorName(SvgAnchor anchor)
 {
     switch (anchor) {
-        case Anchor::Start:
+        case SvgAnchor::Start:
             return "start";
-        case Anchor::Middle:
+        case SvgAnchor::Middle:
             return "middle";
-        case Anchor::End:
+        case SvgAnchor::End:
             return "end";
     }
     return {};
@@ -44,22 +60,24 @@ void SvgDrawing::line(SvgPoint from, SvgPoint to, const std::string& colour, dou
                  (dashes.empty() ? "" : attribute("stroke-dasharray", dashes)) + "/>\n";
 }
 
+void SvgDrawing::polyline(const std::vector<SvgPoint>& points, const std::string& colour, double width)
+{
+    m_content += "<polyline" + attribute("points", listOf(points)) + attribute("fill", std::string("none")) +
+                 attribute("stroke", colour) + attribute("stroke-width", width) + "/>\n";
+}
+
 void SvgDrawing::rectangle(SvgPoint corner, double width, double height, const std::string& fill, double opacity,
                            const std::string& stroke, const std::string& hint)
 {
     m_content += "<rect" + attribute("x", corner.x) + attribute("y", corner.y) + attribute("width", width) +
-                 attribute("height", height) + attribute("fill", fill) +
-                 (opacity < 1 ? attribute("fill-opacity", fixed(opacity, 2)) : "") +
-                 (stroke == "none" ? "" : attribute("stroke", stroke) + attribute("stroke-width", 1.5));
-    m_content += hint.empty() ? "/>\n" : "><title>" + protocols::escapedMarkup(hint) + "</title></rect>\n";
+                 attribute("height", height) + attribute("fill", fill) + opacityOf(opacity) + outline(stroke);
+    m_content += hint.empty() ? "/>\n" : "><title>" + escapedMarkup(hint) + "</title></rect>\n";
 }
 
-void SvgDrawing::polygon(const std::vector<SvgPoint>& points, const std::string& fill, const std::string& stroke)
+void SvgDrawing::polygon(const std::vector<SvgPoint>& points, const std::string& fill, const std::string& stroke, double opacity)
 {
-    std::string list;
-    for (const SvgPoint& point : points) list += (list.empty() ? "" : " ") + length(point.x) + "," + length(point.y);
-    m_content += "<polygon" + attribute("points", list) + attribute("fill", fill) + attribute("stroke", stroke) +
-                 attribute("stroke-width", 1.5) + "/>\n";
+    m_content += "<polygon" + attribute("points", listOf(points)) + attribute("fill", fill) + opacityOf(opacity) +
+                 attribute("stroke", stroke) + attribute("stroke-width", 1.5) + "/>\n";
 }
 
 void SvgDrawing::circle(SvgPoint centre, double radius, const std::string& fill, const std::string& stroke)
@@ -85,8 +103,7 @@ std::string SvgDrawing::finished() const
     return "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" viewBox=\"0 0 " + length(m_width) + " " + length(m_height) +
            "\" width=\"" + length(m_width) + "\" height=\"" + length(m_height) +
            "\" font-family=\"'Source Sans 3','Segoe UI','Helvetica Neue','Liberation Sans',Arial,sans-serif\">\n<title>" +
-           protocols::escapedMarkup(m_title) + "</title>\n<desc>" + protocols::escapedMarkup(m_description) + "</desc>\n" +
-           m_content + "</svg>\n";
+           escapedMarkup(m_title) + "</title>\n<desc>" + escapedMarkup(m_description) + "</desc>\n" + m_content + "</svg>\n";
 }
 
-}  // namespace reports
+}  // namespace protocols

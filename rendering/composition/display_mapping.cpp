@@ -99,7 +99,7 @@ double shareOutside(const ScaledMap& map, const MapRange& range)
     const auto outside = [&](int comparison, double bound) {
         return cv::countNonZero(comparison == cv::CMP_LT ? map.values < bound : map.values > bound);
     };
-    // Compared in the map's own 32 bits, because the range's least value is the map's least value, rounded alike.
+    // Compare in the 32 bits of the map, because the range may begin at the map's least value, rounded in the same way.
     return static_cast<double>(outside(cv::CMP_LT, range.min) + outside(cv::CMP_GT, range.max)) /
            static_cast<double>(map.values.total());
 }

@@ -8,11 +8,11 @@ namespace rendering {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using nlohmann::ordered_json;
 using Names = std::set<std::string>;
 
 /// Strings of an array; throws nlohmann's exceptions for anything else.
-Names namesIn(const Json& condition, const char* field)
+Names namesIn(const ordered_json& condition, const char* field)
 {
     Names names;
     if (condition.contains(field))
@@ -34,14 +34,14 @@ Names without(const Names& names, const Names& others)
     return rest;
 }
 
-std::string rangeText(const Json& condition)
+std::string rangeText(const ordered_json& condition)
 {
-    const Json& range = condition.at("range");
+    const ordered_json& range = condition.at("range");
     return range.at("min").dump() + " to " + range.at("max").dump();
 }
 
 /// Differences between two renderings of a condition, in words; empty where their images can be compared.
-std::string difference(const Json& now, const Json& before)
+std::string difference(const ordered_json& now, const ordered_json& before)
 {
     const Names over = namesIn(now, "range_over"), wasOver = namesIn(before, "range_over");
     const Names added = without(over, wasOver), gone = without(wasOver, over);
@@ -49,23 +49,23 @@ std::string difference(const Json& now, const Json& before)
     const auto add = [&](const std::string& what) { text += (text.empty() ? "" : "; ") + what; };
     if (!added.empty()) add("its range now includes " + listed(added));
     if (!gone.empty()) add("its range no longer includes " + listed(gone));
-    if (now.at("range") != before.at("range") || now.value("ranges", Json()) != before.value("ranges", Json()))
+    if (now.at("range") != before.at("range") || now.value("ranges", ordered_json()) != before.value("ranges", ordered_json()))
         add("the range was " + rangeText(before) + " and is now " + rangeText(now));
-    if (now.at("mapping") != before.value("mapping", Json()))
-        add("the mapping was " + before.value("mapping", Json()).dump() + " and is now " + now.at("mapping").dump());
+    if (now.at("mapping") != before.value("mapping", ordered_json()))
+        add("the mapping was " + before.value("mapping", ordered_json()).dump() + " and is now " + now.at("mapping").dump());
     return text;
 }
 
 /// Copies the facts on fabrics whose images are not rendered again.
-void keepFacts(Json& now, const Json& before, const Names& fabrics)
+void keepFacts(ordered_json& now, const ordered_json& before, const Names& fabrics)
 {
     for (const char* field : {"extension", "agreement", "variance_lost", "outside_range"})
         for (const auto& fabric : fabrics)
             if (before.contains(field) && before.at(field).contains(fabric)) now[field][fabric] = before.at(field).at(fabric);
 }
 
-void joinCondition(const std::string& id, Json& now, const Json& before, const std::string& otherData, const std::string& where,
-                   std::vector<std::string>& warnings)
+void joinCondition(const std::string& id, ordered_json& now, const ordered_json& before, const std::string& otherData,
+                   const std::string& where, std::vector<std::string>& warnings)
 {
     const Names images = namesIn(now, "images");
     const Names kept = without(namesIn(before, "images"), images);
@@ -86,8 +86,8 @@ void joinCondition(const std::string& id, Json& now, const Json& before, const s
 
 JoinedRender joinedOrThrow(const std::string& json, std::string_view earlier, const std::string& where)
 {
-    Json now = Json::parse(json);
-    const Json before = Json::parse(earlier);
+    ordered_json now = ordered_json::parse(json);
+    const ordered_json before = ordered_json::parse(earlier);
     JoinedRender result;
     const std::string data = before.at("dataset").get<std::string>();
     const std::string otherData =

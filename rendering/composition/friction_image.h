@@ -2,15 +2,12 @@
 // the levels of the display.
 #pragma once
 
-#include <cstdint>
-#include <map>
 #include <opencv2/core/mat.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "protocols/condition.h"
-#include "protocols/ids.h"
 #include "rendering/composition/screen_extension.h"
 
 namespace rendering {

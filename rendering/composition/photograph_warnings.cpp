@@ -1,7 +1,6 @@
 #include "rendering/composition/photograph_warnings.h"
 
 #include <cmath>
-#include <cstdio>
 
 namespace rendering {
 

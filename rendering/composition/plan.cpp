@@ -1,7 +1,6 @@
 #include "rendering/composition/plan.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 
 namespace rendering {

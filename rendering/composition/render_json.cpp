@@ -9,31 +9,32 @@ namespace rendering {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using nlohmann::ordered_json;
 
 /// Rounded to microseconds.
 double rounded(double milliseconds) { return std::round(milliseconds * 1000) / 1000; }
 
-Json jsonOf(const MapRange& range) { return {{"min", range.min}, {"max", range.max}, {"constant", range.constant()}}; }
+ordered_json jsonOf(const MapRange& range) { return {{"min", range.min}, {"max", range.max}, {"constant", range.constant()}}; }
 
 const char* nameOf(DisplayScale scale) { return scale == DisplayScale::Pixels ? "pixels" : "physical"; }
 const char* nameOf(Extension extension) { return extension == Extension::Tile ? "tile" : "mirror"; }
 
 /// Everything besides the range that determines how a value becomes a level.
-Json mappingOf(const RenderRequest& request)
+ordered_json mappingOf(const RenderRequest& request)
 {
-    Json json{{"scale", nameOf(request.scale)},
-              {"extension", nameOf(request.extension)},
-              {"percentiles", {request.percentiles.low, request.percentiles.high}},
-              {"bits", request.mapping.bits},
-              {"dither", request.mapping.dither}};
+    ordered_json json{{"scale", nameOf(request.scale)},
+                      {"extension", nameOf(request.extension)},
+                      {"percentiles", {request.percentiles.low, request.percentiles.high}},
+                      {"bits", request.mapping.bits},
+                      {"dither", request.mapping.dither}};
     if (request.mapping.dither) json["dither_seed"] = request.mapping.seed;
     return json;
 }
 
-Json jsonOf(const RenderedCondition& rendered, const RenderRequest& request)
+ordered_json jsonOf(const RenderedCondition& rendered, const RenderRequest& request)
 {
-    Json json{{"range", jsonOf(rendered.range)}, {"range_over", Json::array()}, {"signals", Json::array()}};
+    ordered_json json{
+        {"range", jsonOf(rendered.range)}, {"range_over", ordered_json::array()}, {"signals", ordered_json::array()}};
     for (const auto& fabric : rendered.rangeOver) json["range_over"].push_back(fabric.value);
     if (rendered.ranges.size() > 1)
         for (const auto& [quantity, range] : rendered.ranges) json["ranges"][quantity] = jsonOf(range);
@@ -41,12 +42,12 @@ Json jsonOf(const RenderedCondition& rendered, const RenderRequest& request)
         json["signals"].push_back(nameOf(signal));
     json["mapping"] = mappingOf(request);
     json["stroke_axis"] = std::string(1, strokeAxis);
-    json["images"] = Json::array();
+    json["images"] = ordered_json::array();
     for (const auto& [fabric, facts] : rendered.maps) {
         json["images"].push_back(fabric.value);
         json["extension"][fabric.value] = facts.extension;
         json["agreement"][fabric.value] = facts.agreement;
-        json["variance_lost"][fabric.value] = facts.varianceLost ? Json(*facts.varianceLost) : Json();
+        json["variance_lost"][fabric.value] = facts.varianceLost ? ordered_json(*facts.varianceLost) : ordered_json();
         if (!facts.varianceLost) json["why"]["variance_lost"] = "a constant source has no variance";
         if (!request.percentiles.whole()) json["outside_range"][fabric.value] = facts.outsideRange;
     }
@@ -55,12 +56,12 @@ Json jsonOf(const RenderedCondition& rendered, const RenderRequest& request)
 }
 
 /// Comparison with the training photographs; see rendering/models/familiarity.h.
-Json jsonOf(const models::PhotographFacts& photograph)
+ordered_json jsonOf(const models::PhotographFacts& photograph)
 {
-    Json json{{"distance", nullptr},
-              {"usual_distance", nullptr},
-              {"unfamiliar", photograph.unfamiliar()},
-              {"middle_only", photograph.middleOnly}};
+    ordered_json json{{"distance", nullptr},
+                      {"usual_distance", nullptr},
+                      {"unfamiliar", photograph.unfamiliar()},
+                      {"middle_only", photograph.middleOnly}};
     if (photograph.assumedMmPerPixel) json["assumed_mm_per_pixel"] = *photograph.assumedMmPerPixel;
     if (photograph.distance) {
         json["distance"] = *photograph.distance;
@@ -73,9 +74,9 @@ Json jsonOf(const models::PhotographFacts& photograph)
 }
 
 /// Sample indices of the signals that the fabric's images use.
-Json samplesOf(const SampleChoice& samples, const RenderedFabrics& rendering)
+ordered_json samplesOf(const SampleChoice& samples, const RenderedFabrics& rendering)
 {
-    Json json = Json::object();
+    ordered_json json = ordered_json::object();
     if (rendering.computed.contains(Signal::Photograph)) json["visual"] = samples.visual;
     if (rendering.computed.contains(Signal::TactileFrame)) json["tactile"] = samples.tactile;
     if (rendering.computed.contains(Signal::FrictionRecord)) json["friction"] = samples.friction;
@@ -151,10 +152,14 @@ std::vector<std::string> shadingWarnings(const RenderedFabrics& rendering)
 
 std::string renderJson(const fabrics::Dataset& dataset, const RenderRequest& request, const RenderedFabrics& rendering)
 {
-    Json json{{"schema", "vis2hap.render/1"},       {"dataset", dataset.name},
-              {"scale", nameOf(request.scale)},     {"quality", nameOf(request.generation.quality)},
-              {"conditions", Json::object()},       {"samples", Json::object()},
-              {"signals_computed", Json::object()}, {"signals_ms", Json::object()}};
+    ordered_json json{{"schema", "vis2hap.render/1"},
+                      {"dataset", dataset.name},
+                      {"scale", nameOf(request.scale)},
+                      {"quality", nameOf(request.generation.quality)},
+                      {"conditions", ordered_json::object()},
+                      {"samples", ordered_json::object()},
+                      {"signals_computed", ordered_json::object()},
+                      {"signals_ms", ordered_json::object()}};
     for (const auto& rendered : rendering.conditions) json["conditions"][rendered.condition.value] = jsonOf(rendered, request);
     for (const auto& [fabric, samples] : rendering.samples) json["samples"][fabric.value] = samplesOf(samples, rendering);
     for (const auto& [signal, count] : rendering.computed) json["signals_computed"][nameOf(signal)] = count;

@@ -1,7 +1,6 @@
 #include "rendering/composition/screen_extension.h"
 
 #include <algorithm>
-#include <cmath>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 #include <optional>

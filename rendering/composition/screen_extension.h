@@ -1,8 +1,8 @@
 // Extension of a patch over the whole screen. `tile` lays copies of its texture side by side, shifted so that they
 // match, and blends the strips where they overlap. The low-frequency parts (folds, shade, contrast of the texture) are
 // mirrored. `mirror` reflects the whole patch at its borders, which changes the direction of a twill in every second
-// field. `mirror` moves 28 % of a texture's power to other directions or periods, `tile` 6 %: means over heights and
-// photographs of 15 procedural fabrics at both scales; `tile` was better in every case.
+// field. `mirror` moves 28 % of a texture's power to other directions or periods, `tile` 6 %. These are means over heights
+// and photographs of 15 procedural fabrics at both scales. `tile` was better in every case.
 #pragma once
 
 #include <opencv2/core/mat.hpp>

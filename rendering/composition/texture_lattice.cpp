@@ -27,18 +27,18 @@ cv::Mat ramps(int length, int strip)
 }
 
 /// Overlap of a patch and a canvas, as rectangles in both; empty where there is none.
-struct Overlap {
+struct PatchOverlap {
     cv::Rect onCanvas, ofPatch;
 };
 
-Overlap overlapOf(cv::Size patch, cv::Point place, cv::Size canvas)
+PatchOverlap overlapOf(cv::Size patch, cv::Point place, cv::Size canvas)
 {
     const cv::Rect common = cv::Rect(place, patch) & cv::Rect(cv::Point(), canvas);
     return {common, common.empty() ? cv::Rect() : common - place};
 }
 
-/// Restores the variance of the blended sum. The mean of two patches has less variance, the less they agree. The result is
-/// limited to the patch's own range.
+/// Restores the variance of the blended sum. The mean of two patches that differ has less variance than each of them. The
+/// result is limited to the patch's own range.
 void restoreContrast(cv::Mat& sum, const cv::Mat& weight, const cv::Mat& squares, double agreement, float least, float most)
 {
     const auto correlation = static_cast<float>(std::clamp(agreement, 0.0, 1.0));
@@ -102,7 +102,7 @@ cv::Mat blended(const cv::Mat& patch, const TileStep& x, const TileStep& y, doub
     const cv::Mat window = ramps(patch.rows, y.strip) * ramps(patch.cols, x.strip).t();
     cv::Mat sum = cv::Mat::zeros(patch.size(), CV_32FC1), weight = sum.clone(), squares = sum.clone();
     for (const cv::Point place : lattice({}, patch.size(), patch.size(), x, y)) {
-        const Overlap overlap = overlapOf(patch.size(), place, patch.size());
+        const PatchOverlap overlap = overlapOf(patch.size(), place, patch.size());
         for (int i = 0; i < overlap.onCanvas.height; ++i) {
             const int row = overlap.onCanvas.y + i, from = overlap.ofPatch.y + i;
             const float *value = patch.ptr<float>(from) + overlap.ofPatch.x, *w = window.ptr<float>(from) + overlap.ofPatch.x;

@@ -25,8 +25,8 @@ std::optional<TileStep> stepAlongX(const cv::Mat& patch, bool mayShift);
 /// Positions of the patches on a lattice, with one patch at `first`, that reach into a canvas.
 std::vector<cv::Point> lattice(cv::Point first, cv::Size patch, cv::Size canvas, const TileStep& x, const TileStep& y);
 
-/// The patch blended with its neighbours. It is the same for every copy, so it is computed once. The mean of two patches has
-/// less variance, the less they agree; `agreement` restores it within the patch's own range.
+/// The patch blended with its neighbours. It is the same for every copy, so it is computed once. The mean of two patches
+/// that differ has less variance than each of them. `agreement` restores it within the patch's own range.
 cv::Mat blended(const cv::Mat& patch, const TileStep& x, const TileStep& y, double agreement);
 
 /// Row `row` of the copies of `laid` at `places`.

@@ -27,7 +27,7 @@ public:
     {
         const auto current = m_folder / "current.pgm";
         try {
-            writePgm(current, frictionImage, protocols::Sync::Later);  // nobody needs it after the session
+            writePgm(current, frictionImage, protocols::Sync::Later);  // The image is not needed after the session.
         } catch (const std::exception& fault) {
             throw protocols::workFailed(
                 {.what = std::string("the image cannot be written into the display's folder (") + fault.what() + ")",

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <chrono>
-#include <filesystem>
 #include <functional>
 #include <memory>
 #include <opencv2/core/mat.hpp>
@@ -38,9 +37,10 @@ public:
     virtual void processMessages() {}
 };
 
-/// "none"; "folder:DIR" (keeps DIR/current.pgm: the shown image, all 0 while cleared; replaced by rename, so that a reader
-/// never sees half an image); "exec:COMMAND" (a driver that is started and uses its standard streams); "tcp:HOST:PORT" (a
-/// driver that waits for a connection). Throws badInput for any other, workFailed for a driver that does not answer.
+/// "none", "folder:DIR", "exec:COMMAND" (a driver that is started and uses its standard streams) or "tcp:HOST:PORT" (a
+/// driver that waits for a connection). A folder holds the shown image in DIR/current.pgm, all 0 while cleared. The file is
+/// replaced by rename, so a reader never sees half an image. Throws badInput for any other, workFailed for a driver that
+/// does not answer.
 std::unique_ptr<HapticDisplay> openDisplay(const std::string& specification);
 
 }  // namespace rendering

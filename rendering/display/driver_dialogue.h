@@ -1,5 +1,5 @@
-// Dialogue with a driver for the check of a display: sends requests and keeps a record of open requests, the shown image
-// and the first unexpected message.
+// Dialogue with a driver for the check of a display. It sends requests and records the open requests, the shown image and
+// the first unexpected message.
 #pragma once
 
 #include <memory>

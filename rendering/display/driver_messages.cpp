@@ -7,7 +7,7 @@ namespace rendering {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using nlohmann::ordered_json;
 
 struct KindRow {
     MessageKind kind;
@@ -17,7 +17,7 @@ constexpr KindRow kinds[] = {{MessageKind::Hello, "hello"},     {MessageKind::Sh
                              {MessageKind::Cleared, "cleared"}, {MessageKind::Status, "status"},
                              {MessageKind::Touched, "touched"}, {MessageKind::Failed, "failed"}};
 
-std::optional<MessageKind> kindNamed(const Json& name)
+std::optional<MessageKind> kindNamed(const ordered_json& name)
 {
     for (const KindRow& row : kinds)
         if (name == row.name) return row.kind;
@@ -26,7 +26,7 @@ std::optional<MessageKind> kindNamed(const Json& name)
 
 /// Reads a field into `target`. A missing or null field leaves it; a field of the wrong type makes the message invalid.
 template <class Value>
-bool take(const Json& message, const char* field, bool (Json::*isRight)() const noexcept, Value& target)
+bool take(const ordered_json& message, const char* field, bool (ordered_json::*isRight)() const noexcept, Value& target)
 {
     const auto found = message.find(field);
     if (found == message.end() || found->is_null()) return true;
@@ -36,11 +36,11 @@ bool take(const Json& message, const char* field, bool (Json::*isRight)() const 
 }
 
 /// Reads a whole number. Drivers in languages without integers write 7.0.
-bool takeCount(const Json& message, const char* field, std::optional<std::int64_t>& target)
+bool takeCount(const ordered_json& message, const char* field, std::optional<std::int64_t>& target)
 {
     constexpr double most = 9e15;
     double value = -1;
-    if (!take(message, field, &Json::is_number, value)) return false;
+    if (!take(message, field, &ordered_json::is_number, value)) return false;
     const bool isThere = message.contains(field) && !message.at(field).is_null();
     if (!isThere) return true;
     if (!(value >= 0 && value <= most) || value != std::floor(value)) return false;
@@ -48,15 +48,17 @@ bool takeCount(const Json& message, const char* field, std::optional<std::int64_
     return true;
 }
 
-bool takeFields(const Json& message, DriverMessage& result)
+bool takeFields(const ordered_json& message, DriverMessage& result)
 {
     std::optional<std::int64_t> id, width, height;
     double deviceS = std::nan("");
-    const bool isWhole =
-        takeCount(message, "id", id) && takeCount(message, "width", width) && takeCount(message, "height", height) &&
-        takeCount(message, "showing", result.showing) && take(message, "at_s", &Json::is_number, deviceS) &&
-        take(message, "schema", &Json::is_string, result.schema) && take(message, "name", &Json::is_string, result.name) &&
-        take(message, "why", &Json::is_string, result.why) && take(message, "touches", &Json::is_boolean, result.touches);
+    const bool isWhole = takeCount(message, "id", id) && takeCount(message, "width", width) &&
+                         takeCount(message, "height", height) && takeCount(message, "showing", result.showing) &&
+                         take(message, "at_s", &ordered_json::is_number, deviceS) &&
+                         take(message, "schema", &ordered_json::is_string, result.schema) &&
+                         take(message, "name", &ordered_json::is_string, result.name) &&
+                         take(message, "why", &ordered_json::is_string, result.why) &&
+                         take(message, "touches", &ordered_json::is_boolean, result.touches);
     if (!isWhole || !id) return false;
     result.id = *id;
     constexpr std::int64_t widest = 1 << 14;
@@ -67,7 +69,7 @@ bool takeFields(const Json& message, DriverMessage& result)
     return true;
 }
 
-std::string lineOf(const Json& request) { return request.dump() + "\n"; }
+std::string lineOf(const ordered_json& request) { return request.dump() + "\n"; }
 
 }  // namespace
 
@@ -80,7 +82,7 @@ const char* nameOf(MessageKind kind)
 
 std::optional<DriverMessage> driverMessageFrom(std::string_view line)
 {
-    const Json message = Json::parse(line, nullptr, false);
+    const ordered_json message = ordered_json::parse(line, nullptr, false);
     if (!message.is_object() || !message.contains("type")) return std::nullopt;
     const auto kind = kindNamed(message.at("type"));
     DriverMessage result;

@@ -7,10 +7,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cerrno>
-#include <cstring>
 #include <opencv2/core.hpp>
 #include <thread>
-#include <utility>
 
 namespace rendering {
 

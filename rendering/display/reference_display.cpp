@@ -23,7 +23,7 @@
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using nlohmann::ordered_json;
 using std::chrono::steady_clock;
 
 constexpr const char* schema = "vis2hap.display/1";
@@ -45,15 +45,15 @@ public:
     void run()
     {
         output(0, 0, {});
-        while (const auto line = nextLine()) answer(Json::parse(*line, nullptr, false));
+        while (const auto line = nextLine()) answer(ordered_json::parse(*line, nullptr, false));
         output(0, 0, {});  // At end of file the computer is gone, so nothing may be felt.
     }
 
 private:
-    void answer(const Json& request)
+    void answer(const ordered_json& request)
     {
-        const Json id = request.is_object() ? request.value("id", Json(0)) : Json(0);
-        const std::string type = request.is_object() ? request.value("type", Json("")).dump() : "";
+        const ordered_json id = request.is_object() ? request.value("id", ordered_json(0)) : ordered_json(0);
+        const std::string type = request.is_object() ? request.value("type", ordered_json("")).dump() : "";
         std::this_thread::sleep_for(std::chrono::milliseconds(m_options.delayMs));
         if (type == "\"hello\"")
             send({{"type", "hello"},
@@ -73,7 +73,7 @@ private:
             send({{"type", "failed"}, {"id", id}, {"why", "unknown request"}});
     }
 
-    void show(const Json& request, const Json& id)
+    void show(const ordered_json& request, const ordered_json& id)
     {
         const int width = request.value("width", 0), height = request.value("height", 0);
         const auto bytes = request.value("bytes", std::size_t{0});
@@ -89,7 +89,7 @@ private:
         send({{"type", "shown"}, {"id", id}, {"at_s", nowS()}});
     }
 
-    void clear(const Json& id)
+    void clear(const ordered_json& id)
     {
         output(0, 0, {});
         m_showing = nullptr;
@@ -110,12 +110,12 @@ private:
         std::filesystem::rename(m_options.folder / "next.pgm.part", m_options.folder / "current.pgm");
     }
 
-    void send(const Json& message) const
+    void send(const ordered_json& message) const
     {
         const std::string line = message.dump() + "\n";
         for (std::size_t sent = 0; sent < line.size();) {
             const ssize_t now = ::write(m_out, line.data() + sent, line.size() - sent);
-            if (now <= 0) return;  // Nobody reads; the end of file follows.
+            if (now <= 0) return;  // The reader is gone; the end of file follows.
             sent += static_cast<std::size_t>(now);
         }
     }
@@ -159,7 +159,7 @@ private:
     const Options& m_options;
     int m_in, m_out;
     std::string m_buffer;
-    Json m_showing = nullptr;
+    ordered_json m_showing = nullptr;
     int m_images = 0;
     std::optional<steady_clock::time_point> m_touchDue;
 };

@@ -7,7 +7,8 @@
 #include "protocols/files/sha256.h"
 #include "protocols/files/whole_file.h"
 #include "rendering/fabrics/dataset_json.h"
-#include "rendering/images/image_io.h"
+#include "rendering/images/image_png.h"
+#include "rendering/images/image_tiff.h"
 
 namespace rendering::fabrics {
 

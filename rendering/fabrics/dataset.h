@@ -14,6 +14,7 @@
 namespace rendering::fabrics {
 
 enum class Modality { Visual, Tactile, Friction };
+inline constexpr Modality allModalities[] = {Modality::Visual, Modality::Tactile, Modality::Friction};
 enum class Pairing { Weak, Aligned };
 
 /// "visual", "tactile", "friction": folder names and column values.

@@ -14,15 +14,12 @@
 #include "rendering/fabrics/dataset_json.h"
 #include "rendering/fabrics/friction_record.h"
 #include "rendering/fabrics/sample_places.h"
-#include "rendering/images/image_io.h"
 
 namespace rendering::fabrics {
 
 namespace fs = std::filesystem;
 
 namespace {
-
-constexpr Modality modalities[] = {Modality::Visual, Modality::Tactile, Modality::Friction};
 
 std::string sizeText(cv::Size size) { return std::to_string(size.width) + " x " + std::to_string(size.height); }
 
@@ -44,7 +41,7 @@ public:
         if (m_dataset.fabrics.empty()) fault("dataset.json", "lists no fabrics");
         checkFolders();
         for (const FabricInfo& fabric : m_dataset.fabrics)
-            for (const Modality modality : modalities)
+            for (const Modality modality : allModalities)
                 m_samples += static_cast<int>(sampleIndices(m_dataset, fabric.id, modality).size());
         for (const FabricInfo& fabric : m_dataset.fabrics) checkSamples(fabric);
         checkSizes();
@@ -92,7 +89,7 @@ private:
         const std::string name = entry.path().filename().string();
         const fs::path relative = fs::path(fabric.id.value) / name;
         const bool signal =
-            std::any_of(std::begin(modalities), std::end(modalities), [&](Modality m) { return nameOf(m) == name; });
+            std::any_of(std::begin(allModalities), std::end(allModalities), [&](Modality m) { return nameOf(m) == name; });
         if (!entry.is_directory() || (!signal && name != "height")) {
             fault(relative, "is none of visual, tactile, friction and height");
             return;
@@ -108,7 +105,7 @@ private:
     std::set<std::string> filesOf(const FabricInfo& fabric, const std::string& folder) const
     {
         std::set<std::string> names;
-        for (const Modality modality : modalities)
+        for (const Modality modality : allModalities)
             for (const int index : sampleIndices(m_dataset, fabric.id, modality)) {
                 if (nameOf(modality) == folder)
                     names.insert(samplePath(m_dataset, fabric.id, modality, index).filename().string());
@@ -123,7 +120,7 @@ private:
     void checkSamples(const FabricInfo& fabric)
     {
         int samples = 0;
-        for (const Modality modality : modalities)
+        for (const Modality modality : allModalities)
             for (const int index : sampleIndices(m_dataset, fabric.id, modality)) {
                 ++samples;
                 if (m_progress) m_progress(m_done++, m_samples);

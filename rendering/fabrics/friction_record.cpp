@@ -11,9 +11,7 @@ namespace rendering::fabrics {
 
 namespace {
 
-constexpr double leastNormalN = 0.05;  // Below it the ratio of the forces is noise.
-
-std::string joined(const std::vector<std::string>& names)
+std::string headerLine(const std::vector<std::string>& names)
 {
     std::string line;
     for (const std::string& name : names) line += (line.empty() ? "" : ",") + name;
@@ -22,7 +20,7 @@ std::string joined(const std::vector<std::string>& names)
 
 protocols::Error unknownColumns(const protocols::CsvReader& reader)
 {
-    return protocols::badInput({"has the columns " + joined(reader.columns()), reader.where(),
+    return protocols::badInput({"has the columns " + headerLine(reader.columns()), reader.where(),
                                 "t_s,normal_n,tangential_n or t_s,mu or t_s and one named quantity", "rename the columns"});
 }
 

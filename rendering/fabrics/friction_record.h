@@ -17,8 +17,12 @@ struct FrictionRecord {
     std::vector<double> values;  ///< tangential over normal force, or the quantity
     bool isCoefficient() const { return quantity == "mu"; }
 };
+
+/// N; below it the ratio of the forces is noise.
+inline constexpr double leastNormalN = 0.05;
+
 /// Reads CSV with the columns t_s,normal_n,tangential_n, or t_s,mu, or t_s,<quantity>. Throws badInput, also where a row
-/// has a normal force of at most 0.05 N.
+/// has a normal force of at most `leastNormalN`.
 FrictionRecord readFriction(const Dataset& dataset, const protocols::FabricId& fabric, int index);
 
 }  // namespace rendering::fabrics

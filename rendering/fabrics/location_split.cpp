@@ -121,7 +121,7 @@ SampleCounts wantedOf(const Split& split, const std::vector<Cluster>& clusters)
     return wanted;
 }
 
-/// Puts whole clusters into `part` as long as they fit into the number of samples that it still wants.
+/// Puts whole clusters into `part` while they fit into the number of samples that it still needs.
 void fill(Split& split, const std::vector<Cluster>& clusters, Part part, SampleCounts wanted)
 {
     for (const Cluster& cluster : clusters) {
@@ -135,7 +135,7 @@ void fill(Split& split, const std::vector<Cluster>& clusters, Part part, SampleC
     }
 }
 
-/// Where no cluster was small enough, takes the smallest one, so that no wanted part stays empty.
+/// Puts the smallest cluster into a wanted part that is still empty, because no cluster was small enough for it.
 void fillEmpty(Split& split, const std::vector<Cluster>& clusters, Part part, const SampleCounts& wanted)
 {
     for (const auto& [modality, count] : wanted) {

@@ -18,14 +18,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr Modality sampledModalities[] = {Modality::Visual, Modality::Tactile, Modality::Friction};
 constexpr const char* header = "fabric,signal,index,x_mm,y_mm,rotation_deg,group";
 
 std::string cellOf(const std::optional<double>& value) { return value ? protocols::shortest(*value) : ""; }
 
 Modality modalityAt(const protocols::CsvTable& table, std::size_t row, std::size_t column)
 {
-    for (const Modality modality : sampledModalities)
+    for (const Modality modality : allModalities)
         if (table.rows[row][column] == nameOf(modality)) return modality;
     throw protocols::badInput({"\"" + table.rows[row][column] + "\" is not a signal",
                                protocols::rowName(table, row) + ", column signal", "visual, tactile or friction",
@@ -122,7 +121,7 @@ std::vector<std::pair<SamplePlace, Part>> splitBySample(const Dataset& dataset, 
     std::vector<std::pair<SamplePlace, Part>> split;
     PartOfGroup parts;
     for (const FabricInfo& fabric : dataset.fabrics)
-        for (const Modality modality : sampledModalities) {
+        for (const Modality modality : allModalities) {
             std::vector<std::string> groups;
             std::set<std::string> seen;
             for (const int index : sampleIndices(dataset, fabric.id, modality)) {

@@ -6,7 +6,6 @@
 #include <charconv>
 #include <cstdint>
 #include <cstring>
-#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -122,7 +121,7 @@ constexpr NpyType npyTypes[] = {
     {'u', 8, CV_64F, widen<std::uint64_t>},
 };
 
-const NpyType* typeOf(const NpyHeader& header)
+const NpyType* npyTypeOf(const NpyHeader& header)
 {
     const auto found = std::find_if(std::begin(npyTypes), std::end(npyTypes),
                                     [&](const NpyType& type) { return type.kind == header.kind && type.bytes == header.bytes; });
@@ -151,7 +150,7 @@ cv::Mat readNpy(const std::filesystem::path& file)
 {
     const std::string bytes = protocols::readWholeFile(file);
     const NpyHeader header = npyHeader(bytes, file);
-    const NpyType* type = typeOf(header);
+    const NpyType* type = npyTypeOf(header);
     if (!type)
         throw notReadable(file, ".npy array", std::string("elements of type ") + header.kind + std::to_string(header.bytes));
     const auto& shape = header.shape;

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <opencv2/core/mat.hpp>
 
+#include "protocols/files/whole_file.h"
 #include "rendering/images/image_png.h"
 #include "rendering/images/image_tiff.h"
 

@@ -17,7 +17,7 @@ namespace rendering {
 
 namespace {
 
-constexpr std::uint64_t largestPixelCount = 1ull << 28;
+constexpr std::uint64_t mostPngPixels = 1ull << 28;
 constexpr int compressionLevel = 3;  // Higher levels take several times as long for a few percent of the size.
 
 struct ByteSource {
@@ -114,7 +114,7 @@ bool encodeRows(png_structp png, png_infop info, const cv::Mat& image, Encoding&
     return true;
 }
 
-protocols::Error notReadable(const std::filesystem::path& file, const std::string& why)
+protocols::Error notAPng(const std::filesystem::path& file, const std::string& why)
 {
     return protocols::badInput({"is not a readable PNG (" + why + ")", file.string(), "a complete PNG image", "export it again"});
 }
@@ -150,26 +150,24 @@ cv::Mat readPng(const std::filesystem::path& file)
 {
     const std::string bytes = protocols::readWholeFile(file);
     if (bytes.size() < 8 || png_sig_cmp(reinterpret_cast<png_const_bytep>(bytes.data()), 0, 8) != 0)
-        throw notReadable(file, "no PNG signature");
+        throw notAPng(file, "no PNG signature");
     ReadHandle handle;
     Decoding& decoding = handle.decoding;
     if (!decoding.info)
         throw protocols::environmentFault(
             {"not enough memory to decode the image", file.string(), "", "close other programs and try again"});
     decoding.source = {reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size(), 0};
-    if (!readHeader(decoding)) throw notReadable(file, decoding.message);
+    if (!readHeader(decoding)) throw notAPng(file, decoding.message);
     const std::uint64_t pixels = std::uint64_t(decoding.width) * decoding.height;
-    if (pixels > largestPixelCount)
-        throw notReadable(file,
-                          std::to_string(decoding.width) + " x " + std::to_string(decoding.height) + " pixels are too many");
+    if (pixels > mostPngPixels)
+        throw notAPng(file, std::to_string(decoding.width) + " x " + std::to_string(decoding.height) + " pixels are too many");
     // Deflate shrinks data by at most about 1032:1. A header that promises more is false: refuse it before allocating.
-    if (pixels * unsigned(decoding.channels) > bytes.size() * 1100ull + (1u << 20))
-        throw notReadable(file, "the file is truncated");
+    if (pixels * unsigned(decoding.channels) > bytes.size() * 1100ull + (1u << 20)) throw notAPng(file, "the file is truncated");
     const int depth = decoding.bitDepth == 16 ? CV_16U : CV_8U;
     cv::Mat image(int(decoding.height), int(decoding.width), CV_MAKETYPE(depth, decoding.channels));
     std::vector<png_bytep> rows(decoding.height);
     for (int row = 0; row < image.rows; ++row) rows[std::size_t(row)] = image.ptr(row);
-    if (!readRows(decoding, rows.data())) throw notReadable(file, decoding.message);
+    if (!readRows(decoding, rows.data())) throw notAPng(file, decoding.message);
     return image;
 }
 
@@ -181,7 +179,8 @@ void writePng(const std::filesystem::path& file, const cv::Mat& image, protocols
     Encoding encoding{&bytes, {}};
     WriteHandle handle(encoding);
     if (!handle.info || !encodeRows(handle.png, handle.info, image, encoding))
-        throw protocols::environmentFault({std::string("cannot be encoded (") + encoding.message + ")", file.string(), "", ""});
+        throw protocols::environmentFault({std::string("cannot be encoded (") + encoding.message + ")", file.string(),
+                                           "enough memory", "close other programs and try again"});
     protocols::writeWholeFile(file, bytes, sync);
 }
 

@@ -12,7 +12,7 @@ namespace rendering {
 /// Throws badInput naming the file: missing, not a PNG, truncated, or larger than 2^28 pixels.
 cv::Mat readPng(const std::filesystem::path& file);
 
-/// Writes 8 or 16 bits, grey or RGB; leaves the whole file or what stood there before. Throws environmentFault.
+/// Writes 8 or 16 bits, grey or RGB, as a whole file. Throws environmentFault.
 void writePng(const std::filesystem::path& file, const cv::Mat& image, protocols::Sync sync = protocols::Sync::Now);
 
 }  // namespace rendering

@@ -19,7 +19,7 @@ namespace rendering {
 
 namespace {
 
-constexpr std::uint64_t largestTiffPixelCount = 1ull << 28;
+constexpr std::uint64_t mostTiffPixels = 1ull << 28;
 
 struct Memory {
     std::string bytes;
@@ -85,7 +85,7 @@ OpenTiff open(Memory& memory, const std::filesystem::path& file, const char* mod
                                       unmapNothing, options.get()));
 }
 
-protocols::Error tiffNotReadable(const std::filesystem::path& file, const std::string& why)
+protocols::Error notATiff(const std::filesystem::path& file, const std::string& why)
 {
     return protocols::badInput({"is not a readable TIFF (" + why + ")", file.string(),
                                 "one channel of 32-bit float, 16-bit or 8-bit samples in strips", "export it again"});
@@ -97,10 +97,10 @@ int typeOf(TIFF* tiff, const std::filesystem::path& file)
     TIFFGetFieldDefaulted(tiff, TIFFTAG_BITSPERSAMPLE, &bits);
     TIFFGetFieldDefaulted(tiff, TIFFTAG_SAMPLESPERPIXEL, &samples);
     TIFFGetFieldDefaulted(tiff, TIFFTAG_SAMPLEFORMAT, &format);
-    if (samples != 1) throw tiffNotReadable(file, std::to_string(samples) + " channels");
+    if (samples != 1) throw notATiff(file, std::to_string(samples) + " channels");
     if (format == SAMPLEFORMAT_IEEEFP && bits == 32) return CV_32FC1;
     if (format == SAMPLEFORMAT_UINT && (bits == 8 || bits == 16)) return bits == 8 ? CV_8UC1 : CV_16UC1;
-    throw tiffNotReadable(file, std::to_string(bits) + " bits of sample format " + std::to_string(format));
+    throw notATiff(file, std::to_string(bits) + " bits of sample format " + std::to_string(format));
 }
 
 }  // namespace
@@ -109,23 +109,22 @@ cv::Mat readTiff(const std::filesystem::path& file)
 {
     Memory memory{protocols::readWholeFile(file), 0, {}};
     const OpenTiff tiff = open(memory, file, "rm");
-    if (!tiff) throw tiffNotReadable(file, memory.message.empty() ? "no TIFF header" : memory.message);
+    if (!tiff) throw notATiff(file, memory.message.empty() ? "no TIFF header" : memory.message);
     std::uint32_t width = 0, height = 0;
     TIFFGetField(tiff.get(), TIFFTAG_IMAGEWIDTH, &width);
     TIFFGetField(tiff.get(), TIFFTAG_IMAGELENGTH, &height);
     const int type = typeOf(tiff.get(), file);
     const std::uint64_t pixels = std::uint64_t(width) * height;
-    if (pixels == 0 || pixels > largestTiffPixelCount)
-        throw tiffNotReadable(file, std::to_string(width) + " x " + std::to_string(height) + " pixels");
-    if (TIFFIsTiled(tiff.get())) throw tiffNotReadable(file, "tiled");
-    if (pixels * CV_ELEM_SIZE(type) > memory.bytes.size() * 1100ull + (1u << 20))
-        throw tiffNotReadable(file, "the file is truncated");
+    if (pixels == 0 || pixels > mostTiffPixels)
+        throw notATiff(file, std::to_string(width) + " x " + std::to_string(height) + " pixels");
+    if (TIFFIsTiled(tiff.get())) throw notATiff(file, "tiled");
+    if (pixels * CV_ELEM_SIZE(type) > memory.bytes.size() * 1100ull + (1u << 20)) throw notATiff(file, "the file is truncated");
     cv::Mat image(int(height), int(width), type);
     if (TIFFScanlineSize64(tiff.get()) != std::uint64_t(width) * CV_ELEM_SIZE(type))
-        throw tiffNotReadable(file, "the length of its rows does not match its width");
+        throw notATiff(file, "the length of its rows does not match its width");
     for (int row = 0; row < image.rows; ++row)
         if (TIFFReadScanline(tiff.get(), image.ptr(row), std::uint32_t(row)) < 0)
-            throw tiffNotReadable(file, memory.message.empty() ? "truncated" : memory.message);
+            throw notATiff(file, memory.message.empty() ? "truncated" : memory.message);
     return image;
 }
 
@@ -158,7 +157,9 @@ void writeTiff(const std::filesystem::path& file, const cv::Mat& image, protocol
         }
         good = good && TIFFFlush(tiff.get()) != 0;
     }
-    if (!good) throw protocols::environmentFault({"cannot be encoded (" + memory.message + ")", file.string(), "", ""});
+    if (!good)
+        throw protocols::environmentFault(
+            {"cannot be encoded (" + memory.message + ")", file.string(), "enough memory", "close other programs and try again"});
     protocols::writeWholeFile(file, memory.bytes, sync);
 }
 

@@ -21,7 +21,7 @@ constexpr std::size_t headerBytes = 32;
 constexpr std::uint64_t mostPoints = 1ull << 28;
 constexpr float missingBelow = -1e9F;  ///< mm; the file marks missing points with -1e10
 
-protocols::Error notReadable(const std::string& where, const std::string& why)
+protocols::Error notATrueMap(const std::string& where, const std::string& why)
 {
     return protocols::badInput({.what = "is not a readable TrueMap height map (" + why + ")",
                                 .where = where,
@@ -48,21 +48,21 @@ bool isHeader(std::string_view bytes)
 
 TrueMap trueMapFrom(std::string_view bytes, const std::string& where)
 {
-    if (!isHeader(bytes)) throw notReadable(where, "unknown header");
+    if (!isHeader(bytes)) throw notATrueMap(where, "unknown header");
     const std::size_t commentEnd = bytes.find('\0', headerBytes);
     if (commentEnd == std::string_view::npos || bytes.size() - commentEnd - 1 < 24)
-        throw notReadable(where, "truncated in its header");
+        throw notATrueMap(where, "truncated in its header");
     const std::size_t start = commentEnd + 1;
     const std::uint64_t columns = valueAt<std::uint32_t>(bytes, start), rows = valueAt<std::uint32_t>(bytes, start + 4);
-    if (columns == 0 || rows == 0) throw notReadable(where, "no points");
+    if (columns == 0 || rows == 0) throw notATrueMap(where, "no points");
     if (columns > mostPoints || rows > mostPoints || columns * rows > mostPoints)
-        throw notReadable(where, "more than 2^28 points");
+        throw notATrueMap(where, "more than 2^28 points");
     const double width = valueAt<float>(bytes, start + 8), height = valueAt<float>(bytes, start + 12);
     if (!(width > 0 && height > 0 && std::isfinite(width) && std::isfinite(height)))
-        throw notReadable(where, "its width or height in mm is not positive");
+        throw notATrueMap(where, "its width or height in mm is not positive");
     const std::size_t size = static_cast<std::size_t>(rows * columns) * sizeof(float);
     if (bytes.size() - start - 24 < size)
-        throw notReadable(where, "truncated after " + std::to_string((bytes.size() - start - 24) / sizeof(float)) + " of " +
+        throw notATrueMap(where, "truncated after " + std::to_string((bytes.size() - start - 24) / sizeof(float)) + " of " +
                                      std::to_string(rows * columns) + " heights");
     TrueMap map{cv::Mat(static_cast<int>(rows), static_cast<int>(columns), CV_32FC1), width / static_cast<double>(columns),
                 height / static_cast<double>(rows), std::string(bytes.substr(headerBytes, commentEnd - headerBytes))};

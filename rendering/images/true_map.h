@@ -14,10 +14,10 @@ struct TrueMap {
     std::string comment;
 };
 
-/// Reads a height map from the bytes of a file. Little endian throughout: a header of 32 bytes, a comment that ends with
-/// a zero byte, columns and rows (uint32), extent and offset in x and y (float32, mm), then the heights row by row
-/// (float32, mm). Throws badInput naming `where`: unknown header, truncated, no points, more than 2^28 points, or an
-/// extent that is not positive.
+/// Reads a height map from the bytes of a file. All numbers are little endian. A header of 32 bytes and a comment that ends
+/// with a zero byte come first. Then follow columns and rows (uint32), extent and offset in x and y (float32, mm), and the
+/// heights row by row (float32, mm). Throws badInput naming `where`: unknown header, truncated, no points, more than 2^28
+/// points, or an extent that is not positive.
 TrueMap trueMapFrom(std::string_view bytes, const std::string& where);
 TrueMap readTrueMap(const std::filesystem::path& file);
 

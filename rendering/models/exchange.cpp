@@ -11,7 +11,7 @@ namespace rendering::models {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
 constexpr const char* requestSchema = "vis2hap.generate/1";
@@ -19,14 +19,16 @@ constexpr const char* answerSchema = "vis2hap.generated/1";
 constexpr std::pair<Quality, const char*> qualities[] = {
     {Quality::Fast, "fast"}, {Quality::Balanced, "balanced"}, {Quality::Accurate, "accurate"}};
 
-Json written(const fs::path& folder, const std::string& name, const cv::Mat& array)
+ordered_json written(const fs::path& folder, const std::string& name, const cv::Mat& array)
 {
     if (array.empty()) return nullptr;
     writeNpy(folder / name, array, protocols::Sync::Later);
     return name;
 }
 
-cv::Mat readBack(const fs::path& folder, const Json& name)
+ordered_json numberOrNull(const std::optional<double>& number) { return number ? ordered_json(*number) : ordered_json(nullptr); }
+
+cv::Mat readBack(const fs::path& folder, const ordered_json& name)
 {
     return name.is_null() ? cv::Mat() : readNpy(folder / name.get<std::string>());
 }
@@ -58,14 +60,17 @@ void RequestWriter::add(const InputPhotograph& photograph)
     const std::string name = "photo" + std::to_string(m_photographs.size()) + ".npy";
     const cv::Mat whole = photograph.photograph.isContinuous() ? photograph.photograph : photograph.photograph.clone();
     writeNpy(m_folder / name, whole.reshape(1), protocols::Sync::Later);
-    m_photographs.push_back(
-        {{"file", name}, {"mm_per_pixel", photograph.mmPerPixel ? Json(*photograph.mmPerPixel) : Json(nullptr)}});
+    m_photographs.push_back({name, photograph.mmPerPixel});
 }
 
 void RequestWriter::finish() const
 {
-    const Json json{{"schema", requestSchema},    {"model", m_options.model.string()}, {"quality", nameOf(m_options.quality)},
-                    {"height", m_options.height}, {"friction", m_options.friction},    {"photographs", m_photographs}};
+    ordered_json photographs = ordered_json::array();
+    for (const auto& [file, mmPerPixel] : m_photographs)
+        photographs.push_back({{"file", file.string()}, {"mm_per_pixel", numberOrNull(mmPerPixel)}});
+    const ordered_json json{
+        {"schema", requestSchema},    {"model", m_options.model.string()}, {"quality", nameOf(m_options.quality)},
+        {"height", m_options.height}, {"friction", m_options.friction},    {"photographs", photographs}};
     protocols::writeWholeFile(m_folder / "request.json", json.dump() + "\n", protocols::Sync::Later);
 }
 
@@ -75,7 +80,7 @@ GenerationRequest readRequest(const fs::path& folder)
     const std::string text = protocols::readWholeFile(file);
     GenerationRequest request;
     try {
-        const Json json = Json::parse(text);
+        const ordered_json json = ordered_json::parse(text);
         if (json.at("schema").get<std::string>() != requestSchema)
             throw protocols::badInput({"has another schema", file.string(), requestSchema, "build both executables again"});
         const std::string model = json.at("model").get<std::string>();
@@ -83,12 +88,12 @@ GenerationRequest readRequest(const fs::path& folder)
         request.options.quality = qualityNamed(json.at("quality").get<std::string>());
         request.options.height = json.at("height").get<bool>();
         request.options.friction = json.at("friction").get<bool>();
-        for (const Json& item : json.at("photographs")) {
-            const Json& pitch = item.at("mm_per_pixel");
+        for (const ordered_json& item : json.at("photographs")) {
+            const ordered_json& pitch = item.at("mm_per_pixel");
             request.photographs.push_back({folder / item.at("file").get<std::string>(),
                                            pitch.is_null() ? std::nullopt : std::optional(pitch.get<double>())});
         }
-    } catch (const Json::exception& fault) {
+    } catch (const ordered_json::exception& fault) {
         throw protocols::badInput({fault.what(), file.string(), requestSchema, "build both executables again"});
     }
     return request;
@@ -110,25 +115,28 @@ void AnswerWriter::add(const GeneratedSignals& answer)
     const std::string number = std::to_string(m_signals.size());
     const cv::Mat trace = answer.trace.empty() ? cv::Mat() : cv::Mat(answer.trace, true).reshape(1, 1);
     const auto& parameters = answer.spectrogramParameters;
-    m_signals.push_back({{"height", written(m_folder, "height" + number + ".npy", answer.heightMm)},
-                         {"height_mm_per_pixel", answer.heightMmPerPixel},
-                         {"spectrogram", written(m_folder, "spectrogram" + number + ".npy", answer.spectrogram)},
-                         {"spectrogram_parameters",
-                          {{"window", parameters.windowLength},
-                           {"hop", parameters.hop},
-                           {"fft", parameters.fftSize},
-                           {"samples_per_mm", parameters.sampleRateHz}}},
-                         {"trace", written(m_folder, "trace" + number + ".npy", trace)},
-                         {"trace_mm_per_sample", answer.traceMmPerSample},
-                         {"mean_friction", answer.meanFriction},
-                         {"distance", answer.photograph.distance ? Json(*answer.photograph.distance) : Json(nullptr)},
-                         {"usual_distance", answer.photograph.usualDistance}});
+    const ordered_json signals{{"height", written(m_folder, "height" + number + ".npy", answer.heightMm)},
+                               {"height_mm_per_pixel", answer.heightMmPerPixel},
+                               {"spectrogram", written(m_folder, "spectrogram" + number + ".npy", answer.spectrogram)},
+                               {"spectrogram_parameters",
+                                {{"window", parameters.windowLength},
+                                 {"hop", parameters.hop},
+                                 {"fft", parameters.fftSize},
+                                 {"samples_per_mm", parameters.sampleRateHz}}},
+                               {"trace", written(m_folder, "trace" + number + ".npy", trace)},
+                               {"trace_mm_per_sample", answer.traceMmPerSample},
+                               {"mean_friction", answer.meanFriction},
+                               {"distance", numberOrNull(answer.photograph.distance)},
+                               {"usual_distance", answer.photograph.usualDistance}};
+    m_signals.push_back(signals.dump());
 }
 
 void AnswerWriter::finish() const
 {
-    protocols::writeWholeFile(m_folder / "answer.json", Json{{"schema", answerSchema}, {"signals", m_signals}}.dump() + "\n",
-                              protocols::Sync::Later);
+    ordered_json signals = ordered_json::array();
+    for (const std::string& object : m_signals) signals.push_back(ordered_json::parse(object));
+    protocols::writeWholeFile(m_folder / "answer.json",
+                              ordered_json{{"schema", answerSchema}, {"signals", signals}}.dump() + "\n", protocols::Sync::Later);
 }
 
 std::vector<GeneratedSignals> readAnswers(const fs::path& folder)
@@ -136,20 +144,20 @@ std::vector<GeneratedSignals> readAnswers(const fs::path& folder)
     const fs::path file = folder / "answer.json";
     std::vector<GeneratedSignals> answers;
     try {
-        const Json json = Json::parse(protocols::readWholeFile(file));
-        for (const Json& item : json.at("signals")) {
+        const ordered_json json = ordered_json::parse(protocols::readWholeFile(file));
+        for (const ordered_json& item : json.at("signals")) {
             GeneratedSignals answer;
             answer.heightMm = readBack(folder, item.at("height"));
             answer.heightMmPerPixel = item.at("height_mm_per_pixel").get<double>();
             answer.spectrogram = readBack(folder, item.at("spectrogram"));
-            const Json& parameters = item.at("spectrogram_parameters");
+            const ordered_json& parameters = item.at("spectrogram_parameters");
             answer.spectrogramParameters = {parameters.at("window").get<int>(), parameters.at("hop").get<int>(),
                                             parameters.at("fft").get<int>(), parameters.at("samples_per_mm").get<double>()};
             const cv::Mat trace = readBack(folder, item.at("trace"));
             if (!trace.empty()) answer.trace.assign(trace.ptr<double>(), trace.ptr<double>() + trace.total());
             answer.traceMmPerSample = item.at("trace_mm_per_sample").get<double>();
             answer.meanFriction = item.at("mean_friction").get<double>();
-            if (const Json& distance = item.at("distance"); !distance.is_null())
+            if (const ordered_json& distance = item.at("distance"); !distance.is_null())
                 answer.photograph.distance = distance.get<double>();
             answer.photograph.usualDistance = item.at("usual_distance").get<double>();
             answers.push_back(answer);

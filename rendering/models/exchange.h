@@ -1,5 +1,5 @@
-// Files between the program and vis2hap-nn: a folder with request.json and one .npy file for each photograph, to which
-// vis2hap-nn adds answer.json and its .npy files. Both sides use these functions and hold one photograph at a time.
+// Files between the program and vis2hap-nn. A folder holds request.json and one .npy file for each photograph; vis2hap-nn
+// adds answer.json and its .npy files. Both sides use these functions and hold one photograph at a time.
 //   request.json {"schema":"vis2hap.generate/1","model":FILE,"quality":"fast"|"balanced"|"accurate",
 //                 "height":bool,"friction":bool,"photographs":[{"file":"photo0.npy","mm_per_pixel":X|null}]}
 //   photoN.npy   uint8 [height x 3 width], R G B interleaved
@@ -10,7 +10,6 @@
 #pragma once
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -43,7 +42,7 @@ public:
 private:
     std::filesystem::path m_folder;
     GenerationOptions m_options;
-    nlohmann::ordered_json m_photographs = nlohmann::ordered_json::array();
+    std::vector<RequestedPhotograph> m_photographs;
 };
 
 GenerationRequest readRequest(const std::filesystem::path& folder);     ///< throws badInput
@@ -58,7 +57,7 @@ public:
 
 private:
     std::filesystem::path m_folder;
-    nlohmann::ordered_json m_signals = nlohmann::ordered_json::array();
+    std::vector<std::string> m_signals;  ///< JSON objects
 };
 
 std::vector<GeneratedSignals> readAnswers(const std::filesystem::path& folder);  ///< throws workFailed

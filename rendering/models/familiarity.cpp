@@ -15,7 +15,7 @@ namespace rendering::models {
 namespace {
 
 /// A feature that hardly varies in training must not make every other photograph appear unfamiliar.
-constexpr double leastDeviation = 0.02;
+constexpr double leastFeatureDeviation = 0.02;
 /// Without it, a single fabric with a few photographs would have a threshold of nearly 0.
 constexpr double leastThreshold = 1;
 
@@ -98,7 +98,7 @@ void fitScale(Familiarity& familiarity, std::span<const std::vector<float>> trai
         const double mean = sum / count;
         for (const std::vector<float>& features : training) squares += std::pow(static_cast<double>(features[i]) - mean, 2);
         familiarity.mean.push_back(fourDigits(mean));
-        familiarity.deviation.push_back(fourDigits(std::max(leastDeviation, std::sqrt(squares / count))));
+        familiarity.deviation.push_back(fourDigits(std::max(leastFeatureDeviation, std::sqrt(squares / count))));
     }
 }
 

@@ -1,6 +1,6 @@
-// Comparison of a photograph with the training photographs: its distance to the nearest of a few hundred of them, and
-// the distance below which nearly all photographs of known fabrics lie. Also the radial spectra of the known fabrics.
-// The model card stores these numbers; no libtorch is needed.
+// Comparison of a photograph with the training photographs: its distance to the nearest of a few hundred of them. The
+// threshold is the distance below which nearly all photographs of known fabrics lie. The radial spectra of the known
+// fabrics are stored, too. The model card stores these numbers; no libtorch is needed.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

@@ -17,8 +17,8 @@ namespace {
 
 /// Share of the weights that is added to each sum of squares, because the coefficients of a few fabrics are correlated.
 constexpr double ridge = 0.01;
-constexpr double textureLeastDeviation = 0.02;
-constexpr double mostDeviations = 2.5;  ///< limit of a textureStandardised coefficient; training photographs lie within
+constexpr double leastCoefficientDeviation = 0.02;
+constexpr double mostDeviations = 2.5;  ///< limit of a standardised coefficient; training photographs lie within
 constexpr double leastBrightness = 5;   ///< grey levels; the noise of the camera dominates below
 constexpr double noisePower = 1e-4;     ///< of brightness over its mean; the rounding of a dim photograph to 8 bits
 
@@ -30,7 +30,7 @@ double totalWeight(std::span<const KnownTexture> textures)
                            [](double sum, const KnownTexture& texture) { return sum + texture.weight; });
 }
 
-void textureFitScale(FrictionPrior& prior, std::span<const KnownTexture> textures)
+void fitScale(FrictionPrior& prior, std::span<const KnownTexture> textures)
 {
     const double all = totalWeight(textures);
     prior.mean.assign(coefficientCount, 0);
@@ -40,10 +40,10 @@ void textureFitScale(FrictionPrior& prior, std::span<const KnownTexture> texture
     for (const KnownTexture& texture : textures)
         for (std::size_t i = 0; i < coefficientCount; ++i)
             prior.deviation[i] += texture.weight / all * std::pow(texture.coefficients[i] - prior.mean[i], 2);
-    for (double& deviation : prior.deviation) deviation = std::max(textureLeastDeviation, std::sqrt(deviation));
+    for (double& deviation : prior.deviation) deviation = std::max(leastCoefficientDeviation, std::sqrt(deviation));
 }
 
-std::vector<double> textureStandardised(const FrictionPrior& prior, const std::vector<double>& coefficients)
+std::vector<double> standardised(const FrictionPrior& prior, const std::vector<double>& coefficients)
 {
     std::vector<double> result;
     for (std::size_t i = 0; i < coefficientCount; ++i) result.push_back((coefficients[i] - prior.mean[i]) / prior.deviation[i]);
@@ -57,7 +57,7 @@ void fitSlope(FrictionPrior& prior, std::span<const KnownTexture> textures)
     cv::Mat left = cv::Mat::eye(textureCoefficientCount, textureCoefficientCount, CV_64F) * ridge;
     cv::Mat right = cv::Mat::zeros(textureCoefficientCount, 1, CV_64F), slope;
     for (const KnownTexture& texture : textures) {
-        const cv::Mat row(textureStandardised(prior, texture.coefficients), true);
+        const cv::Mat row(standardised(prior, texture.coefficients), true);
         left += row * row.t() * (texture.weight / all);
         right += row * ((texture.logFriction - prior.logFriction) * texture.weight / all);
     }
@@ -65,7 +65,7 @@ void fitSlope(FrictionPrior& prior, std::span<const KnownTexture> textures)
     prior.slope.assign(slope.begin<double>(), slope.end<double>());
 }
 
-bool textureSensible(const FrictionPrior& prior)
+bool sensible(const FrictionPrior& prior)
 {
     const auto sound = [](const std::vector<double>& numbers) {
         return numbers.size() == coefficientCount &&
@@ -101,7 +101,7 @@ FrictionPrior fitFrictionPrior(std::span<const KnownTexture> textures)
         throw protocols::badInput(
             {"there are no training photographs", "friction by texture", "at least one", "add photographs"});
     FrictionPrior prior;
-    textureFitScale(prior, textures);
+    fitScale(prior, textures);
     prior.lowest = prior.highest = textures.front().logFriction;
     for (const KnownTexture& texture : textures) {
         prior.logFriction += texture.weight / totalWeight(textures) * texture.logFriction;
@@ -117,7 +117,7 @@ double regressionWeight(double distance, double usualDistance) { return std::cla
 double expectedFriction(const FrictionPrior& prior, const std::vector<double>& coefficients, double weight)
 {
     double logFriction = prior.logFriction;
-    const std::vector<double> point = textureStandardised(prior, coefficients);
+    const std::vector<double> point = standardised(prior, coefficients);
     for (std::size_t i = 0; i < coefficientCount; ++i)
         logFriction += weight * prior.slope[i] * std::clamp(point[i], -mostDeviations, mostDeviations);
     return std::exp(std::clamp(logFriction, prior.lowest, prior.highest));
@@ -142,7 +142,7 @@ FrictionPrior frictionPriorFrom(const nlohmann::ordered_json& json)
     prior.logFriction = json.at("log_friction").get<double>();
     prior.lowest = json.at("lowest").get<double>();
     prior.highest = json.at("highest").get<double>();
-    if (!textureSensible(prior))
+    if (!sensible(prior))
         throw protocols::badInput({"the numbers on friction by texture are impossible", "friction_by_texture",
                                    std::to_string(textureCoefficientCount) + " finite coefficients",
                                    "copy the card again, or train again"});

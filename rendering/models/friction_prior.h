@@ -33,7 +33,7 @@ struct FrictionPrior {
 /// Fits the regression. Throws badInput for no texture.
 FrictionPrior fitFrictionPrior(std::span<const KnownTexture> textures);
 
-/// Weight of the regression, 1 to 0: 1 up to four times the usual distance to known photographs, then falling linearly to 0
+/// Weight of the regression: 1 up to four times the usual distance to known photographs. From there it falls linearly to 0
 /// at six times.
 double regressionWeight(double distance, double usualDistance);
 

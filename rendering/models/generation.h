@@ -1,12 +1,11 @@
 // Height maps and friction spectrograms from photographs by the trained generators, without linking libtorch. A second
-// executable, vis2hap-nn, does the work; it starts only when a generated signal is asked for.
+// executable, vis2hap-nn, does the work; it starts only when a generated signal is needed.
 #pragma once
 
 #include <filesystem>
 #include <opencv2/core/mat.hpp>
 #include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "rendering/models/model_card.h"

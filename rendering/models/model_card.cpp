@@ -1,3 +1,5 @@
+#include "rendering/models/model_card.h"
+
 #include "rendering/models/model_card_fields.h"
 
 namespace rendering::models {

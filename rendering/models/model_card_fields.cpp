@@ -10,13 +10,13 @@ namespace rendering::models {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using nlohmann::ordered_json;
 
 constexpr const char* schema = "vis2hap.model/2";
 /// Changes whenever networks.cpp or the meaning of the networks' inputs and outputs changes.
 constexpr const char* architectureKind = "unet+summary/3";
 
-Json architectureJson(const Architecture& a)
+ordered_json architectureJson(const Architecture& a)
 {
     return {{"kind", architectureKind},
             {"base_channels", a.baseChannels},
@@ -35,7 +35,7 @@ Json architectureJson(const Architecture& a)
               {"mm_per_sample", a.traceMmPerSample}}}};
 }
 
-Architecture architectureFrom(const Json& json)
+Architecture architectureFrom(const ordered_json& json)
 {
     Architecture a;
     a.baseChannels = json.at("base_channels").get<int>();
@@ -45,7 +45,7 @@ Architecture architectureFrom(const Json& json)
     a.imposesSpectrum = json.at("imposes_spectrum").get<bool>();
     a.zeroPercentile = json.at("zero_percentile").get<double>();
     a.meanFrictionScale = json.at("mean_friction_scale").get<double>();
-    const Json& spectrogram = json.at("spectrogram");
+    const ordered_json& spectrogram = json.at("spectrogram");
     a.window = spectrogram.at("window").get<int>();
     a.hop = spectrogram.at("hop").get<int>();
     a.traceSamples = spectrogram.at("samples").get<int>();
@@ -74,7 +74,7 @@ protocols::Error notUsable(const std::filesystem::path& card, const std::string&
 
 /// Reads a block of the card; its faults become faults of the card.
 template <class Read>
-auto blockOf(const Json& json, const std::filesystem::path& card, Read read)
+auto blockOf(const ordered_json& json, const std::filesystem::path& card, Read read)
 {
     try {
         return read(json);
@@ -94,22 +94,22 @@ std::filesystem::path cardOf(const std::filesystem::path& model)
 
 std::string cardText(const ModelCardFields& card)
 {
-    Json json{{"schema", schema},
-              {"name", card.summary.name},
-              {"sha256", card.summary.sha256},
-              {"training_command", card.summary.trainingCommand},
-              {"procedural", card.summary.trainedOnProceduralSet},
-              {"dataset", {{"name", card.datasetName}, {"sha256", card.datasetHash}}},
-              {"losses", card.objective},
-              {"split", card.split},
-              {"seed", card.seed},
-              {"split_seed", card.splitSeed},
-              {"steps", card.steps},
-              {"best_step", card.bestStep},
-              {"training_minutes", card.trainingMinutes},
-              {"held_out", card.heldOut},
-              {"architecture", architectureJson(card.architecture)},
-              {"validation", Json::parse(card.validationJson)}};
+    ordered_json json{{"schema", schema},
+                      {"name", card.summary.name},
+                      {"sha256", card.summary.sha256},
+                      {"training_command", card.summary.trainingCommand},
+                      {"procedural", card.summary.trainedOnProceduralSet},
+                      {"dataset", {{"name", card.datasetName}, {"sha256", card.datasetHash}}},
+                      {"losses", card.objective},
+                      {"split", card.split},
+                      {"seed", card.seed},
+                      {"split_seed", card.splitSeed},
+                      {"steps", card.steps},
+                      {"best_step", card.bestStep},
+                      {"training_minutes", card.trainingMinutes},
+                      {"held_out", card.heldOut},
+                      {"architecture", architectureJson(card.architecture)},
+                      {"validation", ordered_json::parse(card.validationJson)}};
     if (card.photographs) json["photographs"] = familiarityJson(*card.photographs);
     if (card.frictionByTexture) json["friction_by_texture"] = frictionPriorJson(*card.frictionByTexture);
     json["training_sample_hashes"] = card.summary.trainingSampleHashes;
@@ -125,7 +125,7 @@ ModelCardFields readModelCardFields(const std::filesystem::path& model)
                                    "the .json that `vis2hap train` writes beside the weights", "copy it beside the weights"});
     ModelCardFields card;
     try {
-        const Json json = Json::parse(*text);
+        const ordered_json json = ordered_json::parse(*text);
         if (json.at("schema").get<std::string>() != schema)
             throw notUsable(file, "its schema is " + json.at("schema").get<std::string>());
         card.summary.name = json.at("name").get<std::string>();
@@ -150,7 +150,7 @@ ModelCardFields readModelCardFields(const std::filesystem::path& model)
         if (json.contains("photographs")) card.photographs = blockOf(json.at("photographs"), file, familiarityFrom);
         if (json.contains("friction_by_texture"))
             card.frictionByTexture = blockOf(json.at("friction_by_texture"), file, frictionPriorFrom);
-    } catch (const Json::exception& fault) {
+    } catch (const ordered_json::exception& fault) {
         throw notUsable(file, fault.what());
     }
     if (!sensible(card.architecture)) throw notUsable(file, "its architecture has sizes out of range");

@@ -15,9 +15,9 @@ namespace {
 constexpr int tileSide = 128;
 constexpr int tilesAcross = 4;
 constexpr int bands = 12;
-constexpr double lowestFrequency = 1.0 / 32;  ///< cycles per pixel; the highest, 1/2, lies twelve third octaves above
-constexpr double leastDeviation = 0.003;      ///< of grey over illumination; left by rounding to 8 bits
-constexpr double leastShare = 1e-3;           ///< of the power; the noise of the camera dominates below
+constexpr double lowestFrequency = 1.0 / 32;     ///< cycles per pixel; the highest, 1/2, lies twelve third octaves above
+constexpr double leastTextureDeviation = 0.003;  ///< of grey over illumination; left by rounding to 8 bits
+constexpr double leastShare = 1e-3;              ///< of the power; the noise of the camera dominates below
 
 /// Weights of the features in a distance. They are large for features that differ between fabrics and agree within one.
 /// The spectrum characterises a weave best; dye and lamp characterise it little.
@@ -75,7 +75,7 @@ cv::Mat powerOf(const cv::Mat& texture)
 /// Coherence (l1 - l2) / (l1 + l2) of a structure tensor; 0 where there are no slopes.
 double coherence(double xx, double yy, double xy)
 {
-    const double least = leastDeviation * leastDeviation / 4;
+    const double least = leastTextureDeviation * leastTextureDeviation / 4;
     return std::hypot(xx - yy, 2 * xy) / (xx + yy + least);
 }
 
@@ -139,7 +139,7 @@ void appendSpectrum(const TileSums& sums, std::vector<float>& features)
                 bins.push_back(power);
                 total += power;
             }
-    const double floor = leastShare * total + leastDeviation * leastDeviation * tileSide * tileSide * sums.tiles;
+    const double floor = leastShare * total + leastTextureDeviation * leastTextureDeviation * tileSide * tileSide * sums.tiles;
     for (const double power : inBand)
         features.push_back(bandWeight * static_cast<float>(std::log((power + floor) / (total + bands * floor))));
     const auto strongest = static_cast<std::ptrdiff_t>(bins.size() / 100);
@@ -153,7 +153,7 @@ std::vector<float> featuresOf(const TileSums& sums)
 {
     const double tiles = sums.tiles;
     const cv::Scalar colour = sums.colour / (255 * tiles);
-    const double deviation = std::sqrt(sums.variance / tiles) + leastDeviation;
+    const double deviation = std::sqrt(sums.variance / tiles) + leastTextureDeviation;
     std::vector<float> features{colourWeight * static_cast<float>((colour[0] + colour[1] + colour[2]) / 3),
                                 colourWeight * static_cast<float>(colour[0] - colour[1]),
                                 colourWeight * static_cast<float>((colour[0] + colour[1]) / 2 - colour[2]),

@@ -10,11 +10,11 @@ namespace rendering::models {
 
 inline constexpr int photographFeatureCount = 22;
 
-/// Features, in order: mean colour (brightness, red - green, yellow - blue), contrast and skewness of the grey picture over
-/// its illumination, the logarithms of twelve shares of power in third octaves from 1/32 to 1/2 cycles per pixel, one of
-/// regularity, and four of direction at two scales (without the angle).
-/// `rgb`: CV_8UC3 of any size from 1 x 1. At most 16 tiles of 128 px of a large picture are used; a small one is mirrored.
-/// Always finite and scaled for Euclidean distances. Throws badInput for another type.
+/// Features, in order: mean colour (brightness, red - green, yellow - blue), then contrast and skewness of the grey picture
+/// over its illumination. Then follow the logarithms of twelve shares of power in third octaves, from 1/32 to 1/2 cycles
+/// per pixel. The last five describe regularity (one) and direction at two scales (four, without the angle). `rgb`: CV_8UC3
+/// of any size from 1 x 1. At most 16 tiles of 128 px of a large picture are used; a small one is mirrored. Always finite
+/// and scaled for Euclidean distances. Throws badInput for another type.
 std::vector<float> photographFeatures(const cv::Mat& rgb);
 
 }  // namespace rendering::models

@@ -15,20 +15,20 @@ inline constexpr int ringCount = 24;
 /// Added to every power before its logarithm, near the noise of the sensor. For brightness over its mean, the same number.
 inline constexpr double ringFloorMm2 = 1e-6;
 
-/// Position of a frequency (cycles per pixel) among the rings: 0 at one cycle in `side` px or below, ringCount - 1 at half a
-/// cycle per pixel or above. Nearly linear for long waves and logarithmic for short ones, so that the narrowest ring is about
-/// as wide as the resolution of a window of `side` px. Rings are triangular weights that reach to the middles of their
-/// neighbours, so that a line of the spectrum never jumps between rings.
+/// Position of a frequency (cycles per pixel) among the rings. It is 0 up to one cycle in `side` px and ringCount - 1 from
+/// half a cycle per pixel. It is nearly linear for long waves and logarithmic for short ones. So the narrowest ring is
+/// about as wide as the resolution of a window of `side` px. Rings are triangular weights that reach to the middles of
+/// their neighbours, so that a line of the spectrum never jumps between rings.
 double ringPlace(double frequency, int side);
 
 /// Rows [ringCount][width x width] that average the powers of a window's frequencies (in the order of a complex transform)
 /// into rings. A narrow ring without a frequency has the row of its neighbour.
 cv::Mat ringAverages(int width, int side);
 
-/// Natural logarithm of the mean power of each ring, in mm^2 or the square of the map's unit; white noise with standard
-/// deviation s has power s^2. Welch's method: Hann windows without their mean, half overlapping, as wide as the map allows
-/// from `side` to twice `side` px, because few long waves fit into a narrow window. A map smaller than `side` px is mirrored.
-/// `heightMm`: CV_32FC1, finite.
+/// Natural logarithm of the mean power of each ring, in mm^2 or the square of the map's unit. White noise with standard
+/// deviation s has power s^2. Welch's method is used with half overlapping Hann windows without their mean. Their width is
+/// `side` to twice `side` px, as large as the map allows, because few long waves fit into a narrow window. A map smaller
+/// than `side` px is mirrored. `heightMm`: CV_32FC1, finite.
 std::vector<float> ringPowers(const cv::Mat& heightMm, int side);
 
 /// Parameters of the filter to a wanted spectrum.

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <optional>
 
 #include "protocols/files/markup_text.h"
 #include "protocols/files/svg_drawing.h"

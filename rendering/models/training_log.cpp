@@ -6,7 +6,7 @@
 
 #include "protocols/files/folder_draft.h"
 #include "protocols/files/whole_file.h"
-#include "rendering/images/image_io.h"
+#include "rendering/images/image_png.h"
 #include "rendering/models/training_curves.h"
 
 namespace rendering::models {

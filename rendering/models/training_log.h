@@ -1,6 +1,6 @@
-// Folder with the record of a training run: losses.csv and validation.csv (one row for each step), curves.svg (plots of
-// both), samples-STEP.png (photographs with measured and generated heights). Every file is written whole or not at all. A
-// resumed run ends with the same folder as an uninterrupted one.
+// Folder with the record of a training run. losses.csv and validation.csv have one row for each step; curves.svg plots
+// both. samples-STEP.png shows photographs with measured and generated heights. Every file is written whole or not at all.
+// A resumed run ends with the same folder as an uninterrupted one.
 #pragma once
 
 #include <filesystem>

@@ -25,7 +25,7 @@ bool numberFrom(const std::string& cell, Number& value)
     return read.ec == std::errc() && read.ptr == cell.data() + cell.size();
 }
 
-protocols::Error unreadable(const std::string& place)
+protocols::Error notReadable(const std::string& place)
 {
     return protocols::badInput({"is not a row of a training log", place, "a step and its numbers",
                                 "move the folder away; then the run continues without its earlier log"});
@@ -34,10 +34,10 @@ protocols::Error unreadable(const std::string& place)
 void readRow(TrainingTable& table, const std::vector<std::string>& cells, const std::string& place)
 {
     int step = 0;
-    if (!numberFrom(cells.front(), step)) throw unreadable(place);
+    if (!numberFrom(cells.front(), step)) throw notReadable(place);
     std::vector<double> values(table.names.size(), none);
     for (std::size_t i = 0; i < values.size(); ++i)
-        if (!cells[i + 1].empty() && !numberFrom(cells[i + 1], values[i])) throw unreadable(place);
+        if (!cells[i + 1].empty() && !numberFrom(cells[i + 1], values[i])) throw notReadable(place);
     table.rows[step] = values;
 }
 
@@ -87,7 +87,7 @@ TrainingTable readTrainingTable(const std::filesystem::path& file)
     const std::string text = protocols::readWholeFile(file);
     protocols::CsvReader reader(text, file.string());
     table.names = reader.columns();
-    if (table.names.front() != "step") throw unreadable(file.string() + ", line 1");
+    if (table.names.front() != "step") throw notReadable(file.string() + ", line 1");
     table.names.erase(table.names.begin());
     while (reader.next()) readRow(table, reader.cells(), reader.rowName());
     return table;

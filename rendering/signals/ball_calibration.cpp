@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <opencv2/core.hpp>
 
 #include "rendering/signals/photometric_stereo.h"
+#include "rendering/signals/upper_median.h"
 
 namespace rendering::signals {
 
@@ -40,14 +40,6 @@ cv::Mat farPlaces(const BallPresses& presses, const ContactCircle& circle)
     return placesWhere(presses.background.size(), [&](int x, int y) { return distance(circle, x, y) > far; });
 }
 
-double medianOf(std::vector<double> values)
-{
-    if (values.empty()) return 0;
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
-
 /// Angles in degrees between the normals of two surfaces at the chosen places.
 std::vector<double> normalErrors(const Slopes& found, const Slopes& known, const cv::Mat& places)
 {
@@ -78,7 +70,7 @@ void appendScore(CalibrationScore& all, std::vector<double>& errors, const Calib
     const auto here = normalErrors(slopes, ballSlopes(presses, circle), contactPlaces(presses, circle, 1));
     const cv::Mat contact = contactPlaces(presses, circle, 0), known = ballHeight(presses, circle);
     const cv::Mat height = heightInContact(slopes, contact, pitch);
-    PressScore score{name, circle, medianOf(here), 0, 0, 0};
+    PressScore score{name, circle, upperMedian(here), 0, 0, 0};
     score.depthErrorMm = cv::norm(height, known, cv::NORM_L2, contact) / std::sqrt(std::max(1, cv::countNonZero(contact)));
     score.peakMm = highest(height, contact);
     const cv::Mat gel = withoutTilt(integrate(slopes, pitch), farPlaces(presses, circle));
@@ -89,7 +81,7 @@ void appendScore(CalibrationScore& all, std::vector<double>& errors, const Calib
 
 CalibrationScore withTotals(CalibrationScore score, const std::vector<double>& errors, const BallPresses& presses)
 {
-    score.normalErrorDeg = medianOf(errors);
+    score.normalErrorDeg = upperMedian(errors);
     if (score.presses.empty()) return score;
     score.lowestPeakMm = score.presses.front().peakMm;
     const double count = static_cast<double>(score.presses.size());

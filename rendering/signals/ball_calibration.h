@@ -18,8 +18,8 @@ Slopes ballSlopes(const BallPresses& presses, const ContactCircle& circle);
 /// Height of the ball above the edge of its contact, mm; 0 outside. CV_32FC1.
 cv::Mat ballHeight(const BallPresses& presses, const ContactCircle& circle);
 
-/// Fits the map from light to slope to the presses `chosen` (indices): the ball's slopes inside the contacts, and 0 far from
-/// them, where the gel is untouched. Throws badInput where there are too few pixels.
+/// Fits the map from light to slope to the presses `chosen` (indices). Its targets are the ball's slopes inside the
+/// contacts and 0 far from them, where the gel is untouched. Throws badInput where there are too few pixels.
 Calibration calibrationFrom(const BallPresses& presses, const std::vector<ContactCircle>& circles,
                             const std::vector<std::size_t>& chosen, MapQuality quality);
 

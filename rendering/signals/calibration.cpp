@@ -14,7 +14,7 @@ namespace {
 using nlohmann::json;
 using nlohmann::ordered_json;
 
-protocols::Error malformed(const std::string& where, const std::string& what, const std::string& expected)
+protocols::Error notACalibration(const std::string& where, const std::string& what, const std::string& expected)
 {
     return protocols::badInput(
         {.what = what, .where = where, .expected = expected, .nextStep = "make the file with vis2hap calibrate"});
@@ -28,7 +28,7 @@ public:
     const json& member(const char* name) const
     {
         if (!m_object.contains(name))
-            throw malformed(m_where, std::string("the calibration has no \"") + name + "\"", "this field");
+            throw notACalibration(m_where, std::string("the calibration has no \"") + name + "\"", "this field");
         return m_object.at(name);
     }
     bool has(const char* name) const { return m_object.contains(name) && !m_object.at(name).is_null(); }
@@ -39,14 +39,14 @@ public:
     {
         const double value = number(name);
         if (value != std::floor(value) || value < least || value > most)
-            throw malformed(m_where, std::string(name) + " is " + member(name).dump(),
-                            "a whole number from " + std::to_string(least) + " to " + std::to_string(most));
+            throw notACalibration(m_where, std::string(name) + " is " + member(name).dump(),
+                                  "a whole number from " + std::to_string(least) + " to " + std::to_string(most));
         return static_cast<int>(value);
     }
     bool yes(const char* name) const
     {
         if (!member(name).is_boolean())
-            throw malformed(m_where, std::string(name) + " is " + member(name).dump(), "true or false");
+            throw notACalibration(m_where, std::string(name) + " is " + member(name).dump(), "true or false");
         return member(name).get<bool>();
     }
     std::vector<double> numbers(const char* name, std::size_t count) const { return numbersIn(member(name), name, count); }
@@ -54,28 +54,29 @@ public:
     {
         const json& rows = member(name);
         if (!rows.is_array() || rows.size() != 2)
-            throw malformed(m_where, std::string(name) + " is " + rows.dump(),
-                            "two rows of " + std::to_string(count) + " numbers");
+            throw notACalibration(m_where, std::string(name) + " is " + rows.dump(),
+                                  "two rows of " + std::to_string(count) + " numbers");
         return {numbersIn(rows[0], name, count), numbersIn(rows[1], name, count)};
     }
     std::vector<double> numbersIn(const json& value, const char* name, std::size_t count) const
     {
         if (!value.is_array() || value.size() != count)
-            throw malformed(m_where, std::string(name) + " is " + value.dump().substr(0, 80), std::to_string(count) + " numbers");
+            throw notACalibration(m_where, std::string(name) + " is " + value.dump().substr(0, 80),
+                                  std::to_string(count) + " numbers");
         std::vector<double> result;
         for (const auto& item : value) result.push_back(numberIn(item, name));
         return result;
     }
     protocols::Error fault(const char* name, const std::string& expected) const
     {
-        return malformed(m_where, std::string(name) + " is " + member(name).dump().substr(0, 80), expected);
+        return notACalibration(m_where, std::string(name) + " is " + member(name).dump().substr(0, 80), expected);
     }
 
 private:
     double numberIn(const json& value, const char* name) const
     {
         if (!value.is_number() || !std::isfinite(value.get<double>()))
-            throw malformed(m_where, std::string(name) + " is " + value.dump().substr(0, 80), "a number");
+            throw notACalibration(m_where, std::string(name) + " is " + value.dump().substr(0, 80), "a number");
         return value.get<double>();
     }
 
@@ -143,11 +144,12 @@ std::optional<SensorAppearance> sensorFrom(const CalibrationFields& reading, int
 
 void requireSound(const Calibration& calibration, const std::string& where)
 {
-    if (!(calibration.mmPerPixel > 0)) throw malformed(where, "mm_per_pixel is not above 0", "the pitch of the tactile frames");
+    if (!(calibration.mmPerPixel > 0))
+        throw notACalibration(where, "mm_per_pixel is not above 0", "the pitch of the tactile frames");
     if (calibration.highPassCutoffMm && !(*calibration.highPassCutoffMm > 0))
-        throw malformed(where, "high_pass_cutoff_mm is not above 0", "a wavelength in mm, or null");
+        throw notACalibration(where, "high_pass_cutoff_mm is not above 0", "a wavelength in mm, or null");
     if (!(calibration.zeroPercentile >= 0 && calibration.zeroPercentile <= 50))
-        throw malformed(where, "zero_percentile is not from 0 to 50", "a low percentile, such as 2");
+        throw notACalibration(where, "zero_percentile is not from 0 to 50", "a low percentile, such as 2");
 }
 
 struct MapWriter {
@@ -178,7 +180,7 @@ struct MapWriter {
 Calibration calibrationFromJson(std::string_view text, const std::string& where)
 {
     const auto object = protocols::parseStrictJson(text, where);
-    if (!object.is_object()) throw malformed(where, "is not a calibration", "a JSON object");
+    if (!object.is_object()) throw notACalibration(where, "is not a calibration", "a JSON object");
     const CalibrationFields reading(object, where);
     if (reading.member("schema") != "vis2hap.calibration/1") throw reading.fault("schema", "\"vis2hap.calibration/1\"");
     Calibration calibration;

@@ -1,13 +1,13 @@
 #include "rendering/signals/frame_light.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "protocols/files/errors.h"
+#include "rendering/signals/upper_median.h"
 
 namespace rendering::signals {
 
@@ -31,13 +31,6 @@ cv::Vec<double, cubicTerms> cubic(double u, double v)
 }
 
 double placeOf(double index, int length) { return length > 1 ? 2 * index / (length - 1) - 1 : 0; }
-
-double medianOfLights(std::vector<double> values)
-{
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
 
 double meanDifference(const SensorAppearance& a, const SensorAppearance& b, const std::vector<std::size_t>& channelOrder)
 {
@@ -74,7 +67,7 @@ cv::Mat logIllumination(const cv::Mat& channel)
         cv::solve(normal, right, surface, cv::DECOMP_CHOLESKY);
         std::vector<double> deviations(levels.size());
         for (std::size_t s = 0; s < levels.size(); ++s) deviations[s] = std::abs(levels[s] - terms[s].dot(surface));
-        const double spread = std::max(1e-6, 2 * 1.4826 * medianOfLights(deviations));
+        const double spread = std::max(1e-6, 2 * 1.4826 * upperMedian(deviations));
         for (std::size_t s = 0; s < levels.size(); ++s) weights[s] = 1 / (1 + deviations[s] * deviations[s] / (spread * spread));
     }
     cv::Mat result(channel.size(), CV_32FC1);

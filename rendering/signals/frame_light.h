@@ -1,5 +1,5 @@
-// Light of a tactile frame, before it is converted to slope: the difference from the untouched sensor or, where no
-// frame of the untouched sensor exists, from the frame's own smooth illumination.
+// Light of a tactile frame, before it is converted to slope. It is the difference from a frame of the untouched sensor.
+// Where no such frame exists, it is the difference from the frame's own smooth illumination.
 #pragma once
 
 #include <opencv2/core/mat.hpp>

@@ -11,6 +11,7 @@
 
 #include "protocols/files/errors.h"
 #include "rendering/signals/frame_light.h"
+#include "rendering/signals/upper_median.h"
 
 namespace rendering::signals {
 
@@ -20,9 +21,9 @@ constexpr int degree = 3;
 constexpr int rounds = 4;
 constexpr double windowRadii = 1.65;  ///< in ball radii; the model is fitted within this distance of the centre
 constexpr int mostWindowPixels = 1500;
-constexpr double ringPx = 0.5;             ///< distance between the rings of a profile
-constexpr double equalDepthPx = 0.75;      ///< smaller differences of the radii are noise; the presses have one depth
-constexpr double otherSensorAbove = 0.08;  ///< median change of light far from the ball; the gel itself causes about 0.02
+constexpr double ringPx = 0.5;            ///< distance between the rings of a profile
+constexpr double equalDepthPx = 0.75;     ///< smaller differences of the radii are noise; the presses have one depth
+constexpr double gelDiffersAbove = 0.08;  ///< median change of light far from the ball; the gel itself causes about 0.02
 
 /// Model terms of a pixel: all monomials p^i q^j, 1 <= i + j <= degree, each times 1, u and v.
 constexpr int slopeTerms = 9;
@@ -302,7 +303,7 @@ void requireOwnBackground(const BallPresses& presses, const PressLocator& locato
         if (change > 0.03 && medianChange(press.frame, swapped, centre, locator.ballPx()) < 0.5 * change)
             throw fault(press.name + " and the background have red and blue swapped", "one order of channels in all frames",
                         "save all frames as RGB");
-        if (change > otherSensorAbove)
+        if (change > gelDiffersAbove)
             throw fault("far from the ball " + press.name + " differs from the background by " +
                             std::to_string(std::lround(100 * change)) + " % of full scale",
                         "a background of the same sensor under the same light",
@@ -337,13 +338,6 @@ double peakOf(const std::vector<double>& profile, double ballPx)
     return std::min((static_cast<double>(best) + between) * ringPx, 0.98 * ballPx);
 }
 
-double medianOf(std::vector<double> values)
-{
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
-
 /// Sets the radius of each press and returns the common radius. Presses of equal depth get the common one: `knownUsual`, or
 /// the one of all presses together.
 double setRadii(const PressLocator& locator, const PressModel& model, std::vector<ContactCircle>& circles,
@@ -359,7 +353,7 @@ double setRadii(const PressLocator& locator, const PressModel& model, std::vecto
     const double usual = knownUsual.value_or(peakOf(together, locator.ballPx()));
     std::vector<double> deviations(own.size());
     std::transform(own.begin(), own.end(), deviations.begin(), [usual](double radius) { return std::abs(radius - usual); });
-    const bool equal = 1.4826 * medianOf(deviations) < equalDepthPx;
+    const bool equal = 1.4826 * upperMedian(deviations) < equalDepthPx;
     for (std::size_t i = 0; i < circles.size(); ++i) {
         circles[i].radiusPx = equal ? usual : own[i];
         circles[i].explained = locator.explainedByOwn(i, circles[i], model);

@@ -1,7 +1,7 @@
 // Presses of a ball of known radius into a GelSight sensor. locate() finds the centre of each ball and the radius of its
-// contact from the frames alone, without annotations. One model of the light (a cubic in the slope whose coefficients
-// vary linearly over the frame) must explain all presses at once; this determines the centres. The light changes most
-// at the edge of contact, where the gel is steepest; this determines the radii.
+// contact from the frames alone, without annotations. One model of the light must explain all presses at once; this
+// determines the centres. The model is a cubic in the slope whose coefficients vary linearly over the frame. The light
+// changes most at the edge of contact, where the gel is steepest; this determines the radii.
 #pragma once
 
 #include <opencv2/core/mat.hpp>
@@ -45,9 +45,9 @@ struct LocatedPresses {
 inline constexpr std::size_t fewestPresses = 5;
 inline constexpr double leastExplained = 0.5;  ///< below this ContactCircle::explained there is no ball
 
-/// Finds all presses. Throws badInput for fewer than fewestPresses, frames of different size, a ball smaller than a few
-/// pixels, presses without a ball (all are named), and a background of another sensor or with swapped channels. The
-/// background is compared with the frames far from the ball.
+/// Finds all presses. Throws badInput for fewer than fewestPresses, frames of different size, and a ball smaller than a few
+/// pixels. Throws badInput, too, for presses without a ball (all are named), and for a background of another sensor or with
+/// swapped channels. The background is compared with the frames far from the ball.
 LocatedPresses locate(const BallPresses& presses);
 /// Finds further presses of the same sensor and ball with the model of `known`. Throws badInput as above.
 std::vector<ContactCircle> locate(const BallPresses& presses, const LocatedPresses& known);

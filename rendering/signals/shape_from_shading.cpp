@@ -109,8 +109,9 @@ constexpr int bumpSpacingPx = 2;  ///< distance between the centres of bumps, an
 constexpr int outerSteps = 3, innerSteps = 25;
 constexpr double bumpRidge = 1e-4;  ///< ridge on the heights, for bumps that the light does not determine
 
-/// Surface as a sum of Gaussian bumps, its Lambertian image at a slant of 45 degrees (relative to a level place, minus 1) and
-/// the derivative of this image. Heights are given at the centres of bumps (every bumpSpacingPx-th pixel) and 0 elsewhere.
+/// Surface as a sum of Gaussian bumps, its Lambertian image and the derivative of this image. The light has a slant of 45
+/// degrees; the image is relative to a level place, minus 1. Heights are given at the centres of bumps (every
+/// bumpSpacingPx-th pixel) and 0 elsewhere.
 class Bumps {
 public:
     Bumps(cv::Size size, double azimuthDeg) : m_size(size)
@@ -225,7 +226,8 @@ double colourVariation(const cv::Mat& photograph, double highPassPx)
     std::vector<cv::Mat> channels;
     cv::split(photograph, channels);
     for (auto& channel : channels) channel = shadingOf(channel, highPassPx);
-    // If the three channels are alike, their mean contains everything; the rest of each channel is colour.
+    // The mean of the channels contains the shading, because shading changes them equally. The rest of each channel is
+    // colour.
     const cv::Mat brightness = (channels[0] + channels[1] + channels[2]) / 3;
     double colour = 0;
     for (const auto& channel : channels) {

@@ -2,7 +2,7 @@
 //   Linear         Pentland's linear method ("Linear shape from shading", 1990), regularised: one division for each
 //                  frequency. Exact for shallow relief of one reflectance under one distant light. The better one.
 //   GaussianBumps  the principle of the paper's reference (Wang et al., "Electrostatic tactile rendering of image based
-//                  on shape from shading", 2014): the surface is a sum of Gaussian bumps, whose heights are fitted by
+//                  on shape from shading", 2014). The surface is a sum of Gaussian bumps. Their heights are fitted by
 //                  Gauss-Newton so that its Lambertian image equals the photograph. Slower; handles steep slopes.
 // A photograph contains no information on slopes across the light, and bumps under light from above look like dents under
 // light from below. Like human vision, the methods assume light from above, unless the options state light from below.
@@ -39,7 +39,7 @@ struct Light {
 Light estimateLight(const cv::Mat& photograph, double highPassPx = 200);
 
 /// RMS of the high-passed differences between the channels over the RMS of the brightness; 0 for a grey surface. Shading
-/// changes all channels alike. Above coloursSpoilShading the pattern is dyed or woven in colours, and apparent relief may
+/// changes all channels equally. Above coloursSpoilShading the pattern is dyed or woven in colours, and apparent relief may
 /// be dye.
 double colourVariation(const cv::Mat& photograph, double highPassPx = 200);
 inline constexpr double coloursSpoilShading = 0.35;

@@ -14,8 +14,8 @@ namespace {
 
 constexpr int slopesAround = 6;  ///< number of point slopes that the polynomial interpolates
 
-/// Integral from node 0 to node 1 of the polynomial through the nodes first to first + count - 1, as weights of the values at
-/// these nodes.
+/// Integral from node 0 to node 1 of the polynomial through `count` nodes from `first`, as weights of the values at these
+/// nodes.
 std::array<double, slopesAround> integralWeights(int first, int count)
 {
     cv::Mat powers(count, count, CV_64FC1), integrals(count, 1, CV_64FC1), weights;

@@ -19,8 +19,8 @@ struct LinearMap {
     bool operator==(const LinearMap&) const = default;
 };
 
-/// All monomials up to `degree` of the inputs: the light times lightScale and, if byPlace, the place (u to the right and v
-/// downwards, both -1 to 1 over the frame). Their order is that of monomials().
+/// All monomials up to `degree` of the inputs: the light times lightScale and, if byPlace, the place. The place is u (to
+/// the right) and v (downwards), both -1 to 1 over the frame. Their order is that of monomials().
 struct PolynomialMap {
     int degree = 3;
     bool byPlace = true;

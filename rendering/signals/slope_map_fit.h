@@ -36,7 +36,7 @@ struct FitOptions {
 };
 
 /// Fits a map by least squares. Its slope is 0 where the light is that of the untouched sensor. Light is measured with
-/// noise, so plain regression of slope on light is too small by the unexplained share of the variance; the fit is corrected
+/// noise, so plain regression of slope on light is too small by the unexplained share of the variance. The fit is corrected
 /// for this attenuation. Throws badInput for fewer samples than ten times the number of unknowns.
 SlopeMap fitSlopeMap(const SlopeSamples& samples, const FitOptions& options = {});
 

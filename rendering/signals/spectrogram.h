@@ -40,12 +40,12 @@ struct MagnitudeSpectrogram {
 /// frequency 0 would weight some samples more than others.
 void requireConstantOverlap(const SpectrogramParameters& parameters);
 
-/// Throws badInput where the transform cannot be inverted: a sample without a window (hop too long), a window longer than
-/// the transform, or a window shorter than 2.
+/// Throws badInput where the transform cannot be inverted. Reasons: a sample without a window (hop too long), a window
+/// longer than the transform, a window shorter than 2.
 void requireInvertible(const SpectrogramParameters& parameters);
 
-/// Where a window reaches beyond the trace, the trace is mirrored about its first or last sample. Throws badInput for fewer
-/// than two samples, a value that is not finite, or parameters that cannot be inverted.
+/// Short-time Fourier transform. The trace is mirrored about its first and last sample where a window reaches beyond it.
+/// Throws badInput for fewer than two samples, a value that is not finite, or parameters that cannot be inverted.
 Spectrogram stft(std::span<const double> trace, const SpectrogramParameters& parameters = {});
 
 /// Overlap-add weighted by the window and divided by the sum of the squared windows. Exact for the spectrogram of a trace;

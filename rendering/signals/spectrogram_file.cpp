@@ -14,10 +14,10 @@ namespace rendering {
 namespace {
 
 namespace fs = std::filesystem;
+using nlohmann::ordered_json;
 using signals::MagnitudeSpectrogram;
 using signals::Spectrogram;
 using signals::SpectrogramParameters;
-using Json = nlohmann::ordered_json;
 
 constexpr const char* schema = "vis2hap.spectrogram/1";
 
@@ -31,23 +31,23 @@ template <class AnySpectrogram>
 void write(const fs::path& file, const AnySpectrogram& spectrogram, const char* kind, const cv::Mat& values, protocols::Sync sync)
 {
     const auto& parameters = spectrogram.parameters;
-    const Json json{{"schema", schema},
-                    {"kind", kind},
-                    {"values", valuesBeside(file).filename().string()},
-                    {"window", "hann, periodic"},
-                    {"window_length", parameters.windowLength},
-                    {"hop", parameters.hop},
-                    {"fft_size", parameters.fftSize},
-                    {"sample_rate_hz", parameters.sampleRateHz},
-                    {"frames", "centred on every hop, the trace mirrored about its end samples"},
-                    {"scaling", "none"},
-                    {"trace_length", spectrogram.traceLength},
-                    {"mean", spectrogram.mean}};
+    const ordered_json json{{"schema", schema},
+                            {"kind", kind},
+                            {"values", valuesBeside(file).filename().string()},
+                            {"window", "hann, periodic"},
+                            {"window_length", parameters.windowLength},
+                            {"hop", parameters.hop},
+                            {"fft_size", parameters.fftSize},
+                            {"sample_rate_hz", parameters.sampleRateHz},
+                            {"frames", "centred on every hop, the trace mirrored about its end samples"},
+                            {"scaling", "none"},
+                            {"trace_length", spectrogram.traceLength},
+                            {"mean", spectrogram.mean}};
     writeNpy(valuesBeside(file), values, sync);
-    protocols::writeWholeFile(file, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n", sync);
+    protocols::writeWholeFile(file, json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n", sync);
 }
 
-protocols::Error malformed(const fs::path& file, const std::string& what, const std::string& expected)
+protocols::Error notASpectrogram(const fs::path& file, const std::string& what, const std::string& expected)
 {
     return protocols::badInput({.what = what, .where = file.string(), .expected = expected, .nextStep = "write the file again"});
 }
@@ -65,12 +65,13 @@ SpectrogramHeader headerIn(const fs::path& file)
     try {
         const nlohmann::json json = protocols::parseStrictJson(protocols::readWholeFile(file), file.string());
         if (json.at("schema") != schema)
-            throw malformed(file, "is not a spectrogram", std::string("\"schema\": \"") + schema + "\"");
+            throw notASpectrogram(file, "is not a spectrogram", std::string("\"schema\": \"") + schema + "\"");
         const auto whole = [&](const char* name) {
             if (!json.at(name).is_number_integer())
-                throw malformed(file, std::string(name) + " is not a whole number", "1 or more");
+                throw notASpectrogram(file, std::string(name) + " is not a whole number", "1 or more");
             const auto value = json.at(name).get<std::int64_t>();
-            if (value < 0 || value > 1'000'000'000) throw malformed(file, std::string(name) + " is out of range", "up to 10^9");
+            if (value < 0 || value > 1'000'000'000)
+                throw notASpectrogram(file, std::string(name) + " is out of range", "up to 10^9");
             return static_cast<int>(value);
         };
         SpectrogramHeader result{
@@ -79,10 +80,11 @@ SpectrogramHeader headerIn(const fs::path& file)
             whole("trace_length"),
             json.at("mean").get<double>()};
         // Longer transforms than any trace would allocate tables of any size.
-        if (result.parameters.fftSize > (1 << 24)) throw malformed(file, "fft_size is out of range", "up to 2^24");
+        if (result.parameters.fftSize > (1 << 24)) throw notASpectrogram(file, "fft_size is out of range", "up to 2^24");
         return result;
     } catch (const nlohmann::json::exception& fault) {
-        throw malformed(file, "is not a spectrogram (" + std::string(fault.what()) + ")", "the fields of " + std::string(schema));
+        throw notASpectrogram(file, "is not a spectrogram (" + std::string(fault.what()) + ")",
+                              "the fields of " + std::string(schema));
     }
 }
 
@@ -92,11 +94,12 @@ void requireFit(const fs::path& file, const SpectrogramHeader& header, const cv:
     const int frequencies = header.parameters.frequencies();
     const auto frames = static_cast<std::int64_t>(header.parameters.frames(header.traceLength));
     if (header.traceLength < 2 || values.channels() != 1 || values.rows != frequencies || values.cols != frames * columns)
-        throw malformed(file, "holds " + std::to_string(values.rows) + " x " + std::to_string(values.cols) + " values",
-                        std::to_string(frequencies) + " x " + std::to_string(frames * columns) + " values, by its parameters");
+        throw notASpectrogram(
+            file, "holds " + std::to_string(values.rows) + " x " + std::to_string(values.cols) + " values",
+            std::to_string(frequencies) + " x " + std::to_string(frames * columns) + " values, by its parameters");
     // Sums and squares of larger values would overflow.
     if (!cv::checkRange(values, true, nullptr, -1e100, 1e100) || !(std::abs(header.mean) < 1e100))
-        throw malformed(file, "holds values that are not finite or exceed 1e100", "finite numbers");
+        throw notASpectrogram(file, "holds values that are not finite or exceed 1e100", "finite numbers");
 }
 
 }  // namespace
@@ -122,11 +125,11 @@ std::variant<Spectrogram, MagnitudeSpectrogram> readSpectrogram(const fs::path& 
         requireFit(valuesBeside(file), header, values, 2);
         return Spectrogram{header.parameters, header.traceLength, header.mean, values.reshape(2)};
     }
-    if (header.kind != "magnitude") throw malformed(file, "has the kind \"" + header.kind + "\"", "complex or magnitude");
+    if (header.kind != "magnitude") throw notASpectrogram(file, "has the kind \"" + header.kind + "\"", "complex or magnitude");
     requireFit(valuesBeside(file), header, values, 1);
     double least = 0;
     cv::minMaxLoc(values, &least);
-    if (least < 0) throw malformed(valuesBeside(file), "holds negative magnitudes", "magnitudes >= 0");
+    if (least < 0) throw notASpectrogram(valuesBeside(file), "holds negative magnitudes", "magnitudes >= 0");
     return MagnitudeSpectrogram{header.parameters, header.traceLength, header.mean, values};
 }
 

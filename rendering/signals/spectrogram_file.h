@@ -17,8 +17,8 @@ void writeSpectrogram(const std::filesystem::path& file, const signals::Spectrog
 void writeSpectrogram(const std::filesystem::path& file, const signals::MagnitudeSpectrogram& spectrogram,
                       protocols::Sync sync = protocols::Sync::Now);
 
-/// Throws badInput naming the file: missing, malformed, parameters that cannot be inverted, values whose size does not match
-/// the parameters, values that are not finite, or a negative magnitude.
+/// Throws badInput naming the file: missing, malformed, or with parameters that cannot be inverted. Other faults: values
+/// whose size does not match the parameters, values that are not finite, a negative magnitude.
 std::variant<signals::Spectrogram, signals::MagnitudeSpectrogram> readSpectrogram(const std::filesystem::path& file);
 
 }  // namespace rendering

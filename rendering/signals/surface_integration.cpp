@@ -1,7 +1,6 @@
 #include "rendering/signals/surface_integration.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <opencv2/core.hpp>
 #include <string>

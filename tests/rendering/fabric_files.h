@@ -16,7 +16,8 @@
 #include "rendering/fabrics/dataset.h"
 #include "rendering/fabrics/friction_record.h"
 #include "rendering/fabrics/sample_places.h"
-#include "rendering/images/image_io.h"
+#include "rendering/images/image_png.h"
+#include "rendering/images/image_tiff.h"
 
 namespace fabric_files {
 

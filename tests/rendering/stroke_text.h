@@ -22,11 +22,11 @@ struct Stroke {
     double unit = 1;                    ///< factor from newtons to the written numbers
 };
 
-struct StrokeSample {
+struct WrittenSample {
     double timeS, normalN, tangentialN;
 };
 
-inline StrokeSample sampleAt(const Stroke& stroke, double t, protocols::Random& random)
+inline WrittenSample sampleAt(const Stroke& stroke, double t, protocols::Random& random)
 {
     double normal = t < 0.5 || t >= 8.2 ? 0 : t < 0.8 ? (t - 0.5) / 0.3 : t < 8.0 ? 1 : (8.2 - t) / 0.2;
     double mu = 0;
@@ -40,7 +40,7 @@ inline StrokeSample sampleAt(const Stroke& stroke, double t, protocols::Random& 
             mu * normal + stroke.zeroTangential + stroke.noise * random.normal()};
 }
 
-/// Text of `header` and one line for each sample, made by `line(StrokeSample)`.
+/// Text of `header` and one line for each sample, made by `line(WrittenSample)`.
 template <class Line>
 std::string written(const Stroke& stroke, const std::string& header, const Line& line)
 {
@@ -60,7 +60,7 @@ inline std::string number(double value)
 
 inline std::string twoForces(const Stroke& stroke = {}, const std::string& header = "t_s,fn,ft")
 {
-    return written(stroke, header, [&](const StrokeSample& s) {
+    return written(stroke, header, [&](const WrittenSample& s) {
         return number(s.timeS) + "," + number(stroke.unit * s.normalN) + "," + number(stroke.unit * s.tangentialN);
     });
 }

@@ -100,7 +100,7 @@ void answer(const Json& request)
     if (type == "clear") reply("cleared", request["id"]);
     if (type == "clear" && is("dies after clearing")) std::raise(SIGKILL);
     if (type == "clear") return;
-    if (type == "status" && is("status tells nothing")) return reply("status", request["id"]);
+    if (type == "status" && is("status is empty")) return reply("status", request["id"]);
     if (type == "status") return reply("status", request["id"], {{"showing", showing}});
     if (is("ends at the unknown")) std::exit(0);
     if (!is("silent at the unknown")) reply("failed", request.value("id", Json(0)), {{"why", "unknown"}});
@@ -112,6 +112,6 @@ int main(int argc, char** argv)
 {
     fault = argc > 1 ? argv[1] : "";
     for (std::string line; std::getline(std::cin, line);) answer(Json::parse(line, nullptr, false));
-    if (is("goes on without input")) hang();
+    if (is("continues without input")) hang();
     return 0;
 }

@@ -11,7 +11,8 @@
 #include "rendering/fabrics/procedural/surface.h"
 #include "rendering/fabrics/procedural/tactile_press.h"
 #include "rendering/fabrics/sample_places.h"
-#include "rendering/images/image_io.h"
+#include "rendering/images/image_png.h"
+#include "rendering/images/image_tiff.h"
 #include "stats/kernels/threads.h"
 
 namespace rendering::fabrics {
@@ -101,10 +102,8 @@ void makeSample(const Dataset& dataset, const Cloth& cloth, Modality modality, i
     }
 }
 
-constexpr Modality modalities[] = {Modality::Visual, Modality::Tactile, Modality::Friction};
-
-/// Makes every sample of every fabric. Each sample has its own stream of random numbers, so the order of the work changes
-/// nothing.
+/// Makes every sample of every fabric. Each sample has its own stream of random numbers, so the order of the work does not
+/// change the result.
 void makeAllSamples(const Dataset& dataset, const std::vector<Cloth>& cloths, const ProceduralOptions& options,
                     const std::function<void(int, int)>& progress)
 {
@@ -114,7 +113,7 @@ void makeAllSamples(const Dataset& dataset, const std::vector<Cloth>& cloths, co
         static_cast<std::size_t>(total), options.threads,
         [&](std::size_t number) {
             const int job = static_cast<int>(number);
-            makeSample(dataset, cloths[std::size_t(job / perFabric)], modalities[job % 3], job % perFabric / 3, options);
+            makeSample(dataset, cloths[std::size_t(job / perFabric)], allModalities[job % 3], job % perFabric / 3, options);
         },
         [&](std::size_t done) {
             if (progress) progress(static_cast<int>(done), total);
@@ -125,7 +124,7 @@ std::vector<SamplePlace> placesOf(const std::vector<Cloth>& cloths, const Proced
 {
     std::vector<SamplePlace> places;
     for (const Cloth& cloth : cloths)
-        for (const Modality modality : modalities)
+        for (const Modality modality : allModalities)
             for (int index = 0; index < options.samples; ++index) {
                 const FabricPlace place = placeOf(cloth, modality, index, options);
                 const std::string group = cloth.info.id.value + "/" +

@@ -15,8 +15,8 @@ struct ProceduralOptions {
     int fabrics = 15;   ///< 1 to 15
     int samples = 225;  ///< number for each signal of each fabric
     std::uint64_t seed = 1;
-    Pairing pairing = Pairing::Weak;  ///< weak: photo, press and stroke at different places
-    unsigned threads = 0;             ///< 0: as many as the machine has; changes no bit of the result
+    Pairing pairing = Pairing::Weak;  ///< weak: photograph, press and stroke lie at different places
+    unsigned threads = 0;             ///< 0: one for each processor; does not change the result
 };
 
 /// Writes the data set into a temporary folder beside `folder`, then renames it. Throws badInput where `folder` exists and

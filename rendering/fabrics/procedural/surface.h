@@ -5,9 +5,9 @@
 // The axis passes smoothly between crossings and bows slightly along floats. The surface is the upper envelope of
 // all yarns. Fibres are oblique ridges at the twist angle, hairiness is fine roughness. Lattice noise varies the
 // position and thickness of yarns.
-// Knitted: the loop curve x = w t/2pi + a sin 2t, y = h cos t, z = -d cos 2t with a circular section, drawn once
-// per repeat. Face wales show their legs, back wales of a rib their heads.
-// Corduroy: a plain ground with pile ribs. Waffle and crepe add cells that are larger than a yarn.
+// Knitted: the loop curve x = w t/2pi + a sin 2t, y = h cos t, z = -d cos 2t. Its section is circular; it is drawn once per
+// repeat. Face wales show their legs, back wales of a rib their heads. Corduroy: a plain ground with pile ribs. Waffle and
+// crepe add cells that are larger than a yarn.
 #pragma once
 
 #include <cstdint>

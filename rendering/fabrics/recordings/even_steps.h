@@ -15,11 +15,11 @@ struct TimeBase {
 /// Throws badInput for fewer than two stamps, and where time does not increase, naming the row (from 1).
 TimeBase timeBaseOf(const std::vector<double>& timeS, const std::string& where);
 
-/// Values at 0, step, 2 step and so on after the first stamp. Linear between neighbours; no value lies after the last stamp.
+/// Values at multiples of `stepS` after the first stamp. Linear between neighbours; no value lies after the last stamp.
 std::vector<double> atEvenSteps(const std::vector<double>& timeS, const std::vector<double>& values, double stepS);
 
-/// Means of the samples within half a step of 0, step, 2 step and so on; linear between neighbours where there are none.
-/// For steps longer than those of the record, because the means suppress aliasing.
+/// Means of the samples within half a step of the multiples of `stepS`, linear between neighbours where a step has no
+/// sample. Use it for steps longer than those of the record, because the means suppress aliasing.
 std::vector<double> meansAtEvenSteps(const std::vector<double>& timeS, const std::vector<double>& values, double stepS);
 
 }  // namespace rendering::fabrics

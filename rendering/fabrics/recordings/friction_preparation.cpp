@@ -6,12 +6,12 @@
 #include <numeric>
 
 #include "protocols/files/errors.h"
+#include "rendering/fabrics/friction_record.h"
 
 namespace rendering::fabrics {
 
 namespace {
 
-constexpr double leastNormalN = 0.05;   ///< readFriction() refuses less
 constexpr double mostNormalN = 1000;    ///< a probe that strokes a fabric does not press as hard as a person weighs
 constexpr double mostCoefficient = 10;  ///< above it the two forces have different units
 constexpr double oddCoefficient = 2, tinyCoefficient = 0.005;

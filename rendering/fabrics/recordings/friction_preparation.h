@@ -35,10 +35,10 @@ struct PreparedRecord {
     std::vector<std::string> warnings;
 };
 
-/// Prepares a record. Throws badInput naming its file and, where one row is at fault, that row. Faults: time that does not
-/// increase; no contact; forces or a coefficient that are implausible in every unit; an interval without samples; a gap too
-/// long to fill; lost contact, where more than 1 % of the slide's samples lie below leastShareOfLoad of the median normal
-/// force or below 0.05 N.
+/// Prepares a record. Throws badInput naming its file and, where one row is at fault, that row. Faults of the time: time
+/// that does not increase, an interval without samples, a gap too long to fill. Faults of the forces: forces or a
+/// coefficient that are implausible in every unit, no contact, lost contact. Contact is lost where more than 1 % of the
+/// slide's samples have too small a normal force: below leastShareOfLoad of the median, or below leastNormalN.
 PreparedRecord prepare(const RawRecord& record, const FrictionOptions& options);
 
 /// Text with four significant figures.

@@ -1,13 +1,12 @@
 #include "rendering/fabrics/recordings/friction_report.h"
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 namespace rendering::fabrics {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using nlohmann::ordered_json;
 
 /// Time at the beginning of row `row`; the end of the record after its last row.
 double timeAt(const PreparedRecord& prepared, std::size_t row)
@@ -30,14 +29,14 @@ std::vector<Cut> cutsOf(const PreparedRecord& prepared)
             {"after contact", {contact.end, prepared.timeS.size()}}};
 }
 
-Json jsonOf(const PreparedRecord& prepared, RowRange rows)
+ordered_json jsonOf(const PreparedRecord& prepared, RowRange rows)
 {
     return {{"from_s", timeAt(prepared, rows.begin)}, {"to_s", timeAt(prepared, rows.end)}, {"samples", rows.count()}};
 }
 
-Json jsonOf(const std::optional<ForceAxis>& axis)
+ordered_json jsonOf(const std::optional<ForceAxis>& axis)
 {
-    return axis ? Json((axis->sign < 0 ? "-" : "") + axis->column) : Json("found by name");
+    return axis ? ordered_json((axis->sign < 0 ? "-" : "") + axis->column) : ordered_json("found by name");
 }
 
 }  // namespace
@@ -67,19 +66,19 @@ std::string describeCuts(const PreparedRecord& prepared)
 
 std::string preparationJson(const RawRecord& record, const FrictionOptions& options, const PreparedRecord& prepared)
 {
-    Json json{{"schema", "vis2hap.friction-import/1"},
-              {"from", record.where},
-              {"instrument", record.instrument},
-              {"rows", record.timeS.size()},
-              {"quantity", record.normalN.empty() ? record.quantity : "mu"},
-              {"meaning", record.meaning}};
+    ordered_json json{{"schema", "vis2hap.friction-import/1"},
+                      {"from", record.where},
+                      {"instrument", record.instrument},
+                      {"rows", record.timeS.size()},
+                      {"quantity", record.normalN.empty() ? record.quantity : "mu"},
+                      {"meaning", record.meaning}};
     if (!record.normalN.empty()) {
-        json["axes"] = {{"normal", jsonOf(options.normal)}, {"tangential", Json::array()}};
+        json["axes"] = {{"normal", jsonOf(options.normal)}, {"tangential", ordered_json::array()}};
         for (const auto& axis : options.tangential) json["axes"]["tangential"].push_back(jsonOf(std::optional(axis)));
         if (options.tangential.empty()) json["axes"]["tangential"] = "found by name";
         json["axes"]["normal_turned"] = prepared.normalReversed;
         json["axes"]["joined"] = !record.secondTangentialN.empty();
-        json["zero"] = prepared.zeroRows ? jsonOf(prepared, *prepared.zeroRows) : Json();
+        json["zero"] = prepared.zeroRows ? jsonOf(prepared, *prepared.zeroRows) : ordered_json();
         if (prepared.zeroRows) {
             json["zero"]["normal_n"] = prepared.zeroNormalN;
             json["zero"]["tangential_n"] = prepared.zeroTangentialN;
@@ -88,7 +87,7 @@ std::string preparationJson(const RawRecord& record, const FrictionOptions& opti
         }
     }
     json["slide"] = jsonOf(prepared, prepared.slide.steady);
-    json["cut"] = Json::object();
+    json["cut"] = ordered_json::object();
     for (const auto& [name, rows] : cutsOf(prepared))
         if (rows.count() > 0) json["cut"][name] = jsonOf(prepared, rows);
     if (json["cut"].empty() && !prepared.slide.why.empty()) json["why"]["cut"] = prepared.slide.why;
@@ -102,7 +101,8 @@ std::string preparationJson(const RawRecord& record, const FrictionOptions& opti
     json["mean"] = prepared.mean;
     json["sd"] = prepared.sd;
     json["warnings"] = prepared.warnings;
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";  // File names may hold bytes that are not UTF-8.
+    return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) +
+           "\n";  // File names may hold bytes that are not UTF-8.
 }
 
 }  // namespace rendering::fabrics

@@ -1,7 +1,6 @@
 #include "rendering/fabrics/recordings/friction_tables.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include "protocols/files/csv_table.h"

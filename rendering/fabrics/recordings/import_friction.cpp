@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "protocols/files/csv_table.h"
-#include "protocols/files/errors.h"
 #include "protocols/files/number_text.h"
 #include "protocols/files/whole_file.h"
 #include "rendering/fabrics/recordings/friction_plot.h"

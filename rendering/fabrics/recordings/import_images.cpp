@@ -8,7 +8,7 @@
 #include "protocols/files/number_text.h"
 #include "protocols/files/whole_file.h"
 #include "rendering/fabrics/recordings/import_sources.h"
-#include "rendering/images/image_io.h"
+#include "rendering/images/image_png.h"
 
 namespace rendering::fabrics {
 
@@ -52,9 +52,9 @@ struct SampleCount {
     int samples = 0, first = 0, last = 0;
     std::string size;
 };
-using FabricCounts = std::map<protocols::FabricId, SampleCount>;
+using ImportCounts = std::map<protocols::FabricId, SampleCount>;
 
-void countSample(FabricCounts& counts, const protocols::FabricId& fabric, int index, const cv::Mat& image)
+void countSample(ImportCounts& counts, const protocols::FabricId& fabric, int index, const cv::Mat& image)
 {
     SampleCount& count = counts[fabric];
     if (count.samples++ == 0) {
@@ -66,7 +66,7 @@ void countSample(FabricCounts& counts, const protocols::FabricId& fabric, int in
     count.last = index;
 }
 
-std::vector<std::string> linesFor(const FabricCounts& counts, const Dataset& dataset, const std::string& what,
+std::vector<std::string> linesFor(const ImportCounts& counts, const Dataset& dataset, const std::string& what,
                                   const std::string& remark)
 {
     std::vector<std::string> lines;
@@ -146,7 +146,7 @@ std::vector<std::string> importPhotos(const ImportRequest& request, ImportStage&
 {
     Dataset& dataset = stage.dataset();
     const auto files = sourceFiles(request.from, imageEndings, FabricNaming::FolderOrFile);
-    FabricCounts counts;
+    ImportCounts counts;
     for (const SourceFile& source : files) {
         const cv::Mat picture = readPicture(source.file, request);
         const auto fabric = stage.fabricFor(source.fabricName, request.fabric);
@@ -174,7 +174,7 @@ std::vector<std::string> importGelsight(const ImportRequest& request, ImportStag
         throw protocols::badInput({"already holds tactile frames but no reference frame", dataset.folder.string(),
                                    "a reference frame of the same sensor", "import into a new data set"});
     cv::Size size = reference.size();
-    FabricCounts counts;
+    ImportCounts counts;
     for (const SourceFile& source : files) {
         if (isReference(source.file)) continue;
         const cv::Mat frame = readPicture(source.file, request);

@@ -20,8 +20,8 @@ enum class FabricNaming {
     BeforeForce,   ///< the file name up to "_F" and a digit (sliding records)
 };
 
-/// The given files and, from folders and their sub-folders, the files with one of `endings` (lower case, with the dot), in
-/// order of fabric name and path. Throws badInput for a missing path and for a folder without such a file.
+/// The given files, and the files in given folders and their sub-folders that have one of `endings` (lower case, with the
+/// dot). Ordered by fabric name and path. Throws badInput for a missing path and for a folder without such a file.
 std::vector<SourceFile> sourceFiles(std::span<const std::filesystem::path> from, std::span<const std::string_view> endings,
                                     FabricNaming naming);
 

@@ -1,5 +1,5 @@
-// An import that becomes visible only as a whole: its files are written into a draft and moved into the data set by
-// commit(). Without it they vanish. All files are written with Sync::Later.
+// An import that becomes visible only as a whole. Files are written into a draft with Sync::Later. commit() moves them
+// into the data set; without it they are deleted.
 #pragma once
 
 #include <filesystem>
@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "protocols/files/folder_draft.h"
-#include "rendering/fabrics/dataset.h"
 #include "rendering/fabrics/sample_places.h"
 
 namespace rendering::fabrics {

@@ -28,7 +28,7 @@ std::string withoutUnit(const std::string& header) { return header.substr(0, hea
 
 std::string lineName(const std::string& where, std::size_t line) { return where + ", line " + std::to_string(line + 1); }
 
-/// Table of one step of a tribometer profile, kept as text until a column is asked for.
+/// Table of one step of a tribometer profile, kept as text until a column is read.
 class StepTable {
 public:
     StepTable(const std::string& where, std::string_view header) : m_where(where), m_columns(splitAt(header, '\t')) {}

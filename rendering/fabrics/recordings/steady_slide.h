@@ -6,7 +6,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <vector>
 
 namespace rendering::fabrics {
 
@@ -26,7 +25,7 @@ inline constexpr std::size_t fewestToAnalyse = 50;
 /// Median of the loaded samples, which lie above half the 95th percentile of |force|.
 double loadedLevel(std::span<const double> normalN);
 
-/// At least ten samples at the beginning or end of a record, whichever is longer, without load: their normal force stays
+/// At least ten samples without load at the beginning or the end of a record, whichever is longer. Their normal force stays
 /// within a tenth of the way from rest to load. The tenth of them next to the contact is left out. Returns nullopt where
 /// there are none, or where the force at rest exceeds a quarter of the load, which is not rest.
 std::optional<RowRange> unloadedRows(std::span<const double> normalN);
@@ -40,9 +39,9 @@ struct Slide {
 /// unknown, contact is the whole record.
 /// The steady part begins where coefficient and normal force stay within a band for a twentieth of the contact. It ends by
 /// the same rule, read backwards. The band lies about the line through the middle half. Its half width is 1.25 times the
-/// 99th percentile of the deviations there, and at least a tenth (coefficient) or a fifth (force) of the level.
-/// Nothing is cut from a record of fewer than fewestToAnalyse samples, nor where the beginning or the end would lose more
-/// than 40 % of the contact.
+/// 99th percentile of the deviations there. It is at least a tenth (coefficient) or a fifth (force) of the level. Nothing
+/// is cut from a record of fewer than fewestToAnalyse samples. Nothing is cut either where the beginning or the end would
+/// lose more than 40 % of the contact.
 Slide steadySlide(std::span<const double> normalN, std::span<const double> tangentialN);
 
 }  // namespace rendering::fabrics

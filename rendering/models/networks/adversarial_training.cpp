@@ -21,13 +21,6 @@ torch::optim::Adam adam(std::vector<torch::Tensor> parameters, double learningRa
     return torch::optim::Adam(std::move(parameters), torch::optim::AdamOptions(learningRate).betas(std::make_tuple(0.5, 0.999)));
 }
 
-std::vector<torch::Tensor> parametersOf(const Generators& generators)
-{
-    std::vector<torch::Tensor> all = generators.height->parameters();
-    for (const torch::Tensor& parameter : generators.friction->parameters()) all.push_back(parameter);
-    return all;
-}
-
 /// Parameters and running statistics in a fixed order.
 std::vector<torch::Tensor> stateOf(const Generators& generators)
 {

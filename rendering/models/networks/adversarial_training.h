@@ -1,5 +1,5 @@
-// Adversarial training of generators and discriminator: one step of both, and the exponential moving average of the
-// generators' weights, which is the result of a default training. Only the torch sources of this folder include it.
+// Adversarial training of generators and discriminator, one step of both at a time. The result of a default training is the
+// exponential moving average of the generators' weights. Only the torch sources of this folder include it.
 #pragma once
 
 #include <future>

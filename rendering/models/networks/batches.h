@@ -25,9 +25,10 @@ struct Batch {
 
 struct BatchOptions {
     int size = 8;
-    /// True (training): crops are rotated (photograph and height by one angle), flipped jointly, and some are zoomed jointly
-    /// (heights too, so that slopes stay: a finer or coarser fabric of the same make). Photographs vary in brightness and
-    /// colour, have Gaussian noise, and some are grey. False (validation): the photograph stays, the height is rotated to match.
+    /// True (training): photograph and height are rotated by one angle and flipped jointly. Some pairs are zoomed jointly,
+    /// with their heights, so that slopes stay: this is a finer or coarser fabric of the same make. Photographs vary in
+    /// brightness and colour, have Gaussian noise, and some are grey. False (validation): the photograph stays, the height
+    /// is rotated to match.
     bool augment = true;
     int margin = 0;       ///< px; 0 in an aligned data set
     bool heights = true;  ///< false: photographs and strokes only

@@ -1,7 +1,6 @@
 #include "rendering/models/networks/friction_target.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <opencv2/core.hpp>
 

@@ -1,6 +1,6 @@
-// Conversion between a friction trace and G_s's outputs: the logarithm of the ratio of the spectrogram's magnitudes to
-// those of the mean alone, and the mean friction as a number of its own. So slipperiness and texture are learnt
-// separately, and an inverse transform cannot change the mean.
+// Conversion between a friction trace and the two outputs of G_s. One is the mean friction. The other is the logarithm of
+// the spectrogram's magnitudes over those of the mean alone. So slipperiness and texture are learnt separately, and an
+// inverse transform cannot change the mean.
 #pragma once
 
 #include <opencv2/core/mat.hpp>

@@ -151,7 +151,7 @@ struct LoadedModel::Parts {
         return withRingPowers(relief, wantedRings(rgb, recognition, quality), ringFilter(architecture, passesOf(quality)));
     }
 
-    /// Spectrum of similar known fabrics. The less familiar the photograph is, the more G_h's prediction replaces it.
+    /// Spectrum of similar known fabrics. G_h's prediction replaces it gradually as the photograph becomes less familiar.
     std::vector<float> wantedRings(const cv::Mat& rgb, const std::optional<Recognised>& recognition, Quality quality) const
     {
         if (!recognition || recognition->rings.empty()) return predictedRings(rgb, quality);

@@ -1,8 +1,5 @@
 #include "rendering/models/networks/losses.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "rendering/models/networks/ring_tensors.h"
 
 namespace rendering::models {

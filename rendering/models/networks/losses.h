@@ -49,8 +49,8 @@ struct DistanceScales {
 torch::Tensor distance(const BatchSignals& generated, const BatchSignals& measured, const LossWeights& weights,
                        const DistanceScales& scales);
 
-/// Part [N, 1, side, side] of each window [N, 1, side + 2 r, side + 2 r] with the highest correlation with the map
-/// [N, 1, side, side]. Without gradient.
+/// Part of each window [N, 1, side + 2 r, side + 2 r] that correlates best with the map [N, 1, side, side]. Without
+/// gradient.
 struct Registered {
     torch::Tensor maps;
     torch::Tensor correlation;  ///< [N], -1 to 1

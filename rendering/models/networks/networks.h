@@ -1,6 +1,6 @@
-// The three networks of the paper's section III as torch modules: the generators G_h (photograph -> height map) and
-// G_s (photograph -> spectrogram of the friction coefficient), and the discriminator D(x, s, h) of photograph,
-// spectrogram and height map together. Only the torch sources of this folder include it.
+// The three networks of the paper's section III as torch modules. The generator G_h turns a photograph into a height map,
+// G_s into a spectrogram of the friction coefficient. The discriminator D(x, s, h) takes photograph, spectrogram and height
+// map together. Only the torch sources of this folder include it.
 #pragma once
 
 #include <torch/torch.h>
@@ -28,7 +28,7 @@ private:
 };
 TORCH_MODULE(TextureSummary);
 
-/// U-Net, fully convolutional. Photograph [N, 3, H, W] in 0 to 1 with sides that are multiples of 16 -> height
+/// U-Net, fully convolutional. Input: photograph [N, 3, H, W], 0 to 1, with sides that are multiples of 16. Output: height
 /// [N, 1, H, W] >= 0 in units of Architecture::heightScaleMm.
 class HeightGeneratorImpl : public torch::nn::Module {
 public:

@@ -98,10 +98,10 @@ void offerGeneration(CLI::App& app)
 
 void offerBench(CLI::App& app)
 {
-    struct BenchCall {
+    struct GeneratorBenchCall {
         std::string dataset, model, json;
     };
-    auto call = std::make_shared<BenchCall>();
+    auto call = std::make_shared<GeneratorBenchCall>();
     CLI::App* bench = app.add_subcommand("bench", "speed and error of every quality");
     bench->add_option("DATASET", call->dataset, "default: a small procedural set");
     bench->add_option("--model", call->model, "default: the weights of the program");

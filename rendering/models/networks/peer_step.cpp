@@ -41,13 +41,6 @@ private:
     double m_discriminatorLoss = 0, m_generatorLoss = 0;
 };
 
-std::vector<torch::Tensor> parametersOf(const Generators& generators)
-{
-    std::vector<torch::Tensor> all = generators.height->parameters();
-    for (const torch::Tensor& parameter : generators.friction->parameters()) all.push_back(parameter);
-    return all;
-}
-
 torch::optim::AdamOptions rates(double rate) { return torch::optim::AdamOptions(rate).betas(std::make_tuple(0.5, 0.999)); }
 
 PeerStep::PeerStep()

@@ -52,9 +52,9 @@ struct TrainingOptions {
 std::filesystem::path logOf(const std::filesystem::path& model);
 
 /// Trains and writes the networks of the best validation; with the reference's losses, those of the last step. Reports to
-/// `log`: a bar with the remaining time where `terminal`, else plain lines. Throws badInput (data set, options, a checkpoint
-/// of other settings), workFailed where the loss is no longer finite (the last good checkpoint stays), environmentFault where
-/// nothing can be written.
+/// `log`: a bar with the remaining time where `terminal`, else plain lines. Throws badInput (data set, options, a
+/// checkpoint of other settings) and environmentFault where nothing can be written. Throws workFailed where the loss stops
+/// being finite; the last good checkpoint stays.
 void train(const fabrics::Dataset& dataset, const TrainingOptions& options, std::ostream& log, bool terminal);
 
 }  // namespace rendering::models

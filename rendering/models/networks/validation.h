@@ -14,11 +14,12 @@
 namespace rendering::models {
 
 /// Figures over `pairs` photographs and measured signals, drawn as in training, fabrics in turn. Measured maps are registered
-/// (losses.h) where pairing is weak. Each figure is an object. Its "generated" compares generated with measured signals; its
-/// "measured" compares two measured signals of one fabric, which is the best possible value for weakly paired data. Figures:
-/// distance (the weighted sum that training minimises, without "measured"), height_l1_mm, height_ssim, height_correlation,
-/// height_radial_spectrum_db (mean absolute difference of ring powers), height_sq_ratio (geometric mean over fabrics of the
-/// larger divided by the smaller), log_ratio_l1, mean_friction_relative_error.
+/// (losses.h) where pairing is weak. Each figure is an object. Its "generated" compares generated with measured signals.
+/// Its "measured" compares two measured signals of one fabric; this is the best possible value for weakly paired data.
+/// Figures: distance, height_l1_mm, height_ssim, height_correlation, height_radial_spectrum_db, height_sq_ratio,
+/// log_ratio_l1, mean_friction_relative_error. The distance is the weighted sum that training minimises; it has no
+/// "measured". height_radial_spectrum_db is the mean absolute difference of ring powers. height_sq_ratio is the larger Sq
+/// over the smaller, as a geometric mean over fabrics.
 nlohmann::ordered_json validationFigures(const TrainingData& data, Generators& generators, const LossWeights& weights, int pairs,
                                          protocols::Random& random);
 

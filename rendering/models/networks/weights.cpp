@@ -33,6 +33,13 @@ void eachTensor(Generators& generators, Visit visit)
 
 }  // namespace
 
+std::vector<torch::Tensor> parametersOf(const Generators& generators)
+{
+    std::vector<torch::Tensor> all = generators.height->parameters();
+    for (const torch::Tensor& parameter : generators.friction->parameters()) all.push_back(parameter);
+    return all;
+}
+
 Generators makeGenerators(const Architecture& architecture)
 {
     Generators generators{HeightGenerator(architecture), FrictionGenerator(architecture)};

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
 
 #include "rendering/models/model_card_fields.h"
 #include "rendering/models/networks/networks.h"
@@ -16,6 +15,9 @@ struct Generators {
 };
 
 Generators makeGenerators(const Architecture& architecture);
+
+/// Trainable parameters of both generators.
+std::vector<torch::Tensor> parametersOf(const Generators& generators);
 
 /// Rounds the parameters to half precision, which the file stores.
 void roundToHalf(Generators& generators);

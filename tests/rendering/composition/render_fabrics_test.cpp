@@ -14,7 +14,8 @@
 
 #include "rendering/composition/photograph_warnings.h"
 #include "rendering/composition/render_json.h"
-#include "rendering/images/image_io.h"
+#include "rendering/images/image_png.h"
+#include "rendering/images/image_tiff.h"
 #include "rendering/signals/photometric_stereo.h"
 #include "tests/rendering/refusal.h"
 

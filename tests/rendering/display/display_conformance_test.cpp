@@ -116,7 +116,7 @@ private Q_SLOTS:
         QTest::newRow("babbles") << "sends only messages"
                                  << "Engine 2.1 is ready";
         QTest::newRow("answers twice") << "sends only messages"
-                                       << "was already answered";
+                                       << "already answered";
         QTest::newRow("touched elsewhere") << "sends only messages"
                                            << "image 999999";
         QTest::newRow("echoes the schema") << "newer schema"
@@ -135,8 +135,8 @@ private Q_SLOTS:
                                            << "request 1,";
         QTest::newRow("reads images as lines") << "does not interpret"
                                                << "";
-        QTest::newRow("status tells nothing") << "in its status"
-                                              << "showing nothing";
+        QTest::newRow("status is empty") << "in its status"
+                                         << "showing nothing";
         QTest::newRow("never clears") << "clears in time"
                                       << "showing";
         QTest::newRow("hangs at clearing") << "clears in time"
@@ -145,8 +145,8 @@ private Q_SLOTS:
                                                << "no reply in time";
         QTest::newRow("ends at the unknown") << "unknown request"
                                              << "ended with exit code 0";
-        QTest::newRow("goes on without input") << "input ends"
-                                               << "continued after";
+        QTest::newRow("continues without input") << "input ends"
+                                                 << "it continued";
     }
     void brokenDriversAreRecognised()
     {

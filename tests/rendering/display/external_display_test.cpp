@@ -32,7 +32,7 @@ DriverAddress broken(const std::string& fault) { return program(std::string(VIS2
 
 constexpr DriverPatience impatient{.reply = 300ms, .start = 500ms, .tries = 3};
 
-/// A port where nobody listens: the system assigned it, and it was released.
+/// A port without a listener: the system assigned it, and it was released.
 int freePort()
 {
     const int server = ::socket(AF_INET, SOCK_STREAM, 0);

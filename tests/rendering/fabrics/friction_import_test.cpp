@@ -15,7 +15,7 @@ using namespace rendering;
 using namespace rendering::fabrics;
 using stroke_text::number;
 using stroke_text::Stroke;
-using stroke_text::StrokeSample;
+using stroke_text::WrittenSample;
 
 namespace {
 
@@ -93,7 +93,7 @@ private Q_SLOTS:
 
     void twoAxesAreJoinedAndOneKeepsItsSign()
     {
-        const auto across = [](const StrokeSample& s) {
+        const auto across = [](const WrittenSample& s) {
             return number(s.timeS) + "," + number(0.8 * (s.tangentialN + 0.08) + 0.03) + "," +
                    number(0.6 * (s.tangentialN + 0.08) - 0.05) + "," + number(-s.normalN);
         };

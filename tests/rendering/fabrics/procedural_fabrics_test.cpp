@@ -1,5 +1,5 @@
-// The procedural data set: the same bytes from the same seed for any number of threads, fabrics that differ, and a
-// simulated sensor and rig that follow the models in their headers.
+// The procedural data set. One seed gives the same bytes for any number of threads, and the fabrics differ. The simulated
+// sensor and rig follow the models in their headers.
 #include "rendering/fabrics/procedural/procedural_fabrics.h"
 
 #include <cmath>

@@ -11,7 +11,7 @@
 #include "protocols/files/errors.h"
 #include "rendering/fabrics/dataset.h"
 #include "rendering/fabrics/procedural/procedural_fabrics.h"
-#include "rendering/images/image_io.h"
+#include "rendering/images/image_png.h"
 #include "rendering/models/photograph_features.h"
 #include "rendering/models/ring_spectrum.h"
 #include "tests/rendering/shared_data.h"

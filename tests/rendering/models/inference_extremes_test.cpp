@@ -11,7 +11,7 @@
 #include "rendering/fabrics/dataset.h"
 #include "rendering/fabrics/procedural/procedural_fabrics.h"
 #include "rendering/fabrics/recordings/import.h"
-#include "rendering/images/image_io.h"
+#include "rendering/images/image_png.h"
 #include "rendering/models/generation.h"
 #include "rendering/models/model_card_fields.h"
 #include "rendering/models/photograph_at_pitch.h"

@@ -12,7 +12,7 @@
 
 #include "protocols/files/errors.h"
 #include "protocols/files/whole_file.h"
-#include "rendering/images/image_io.h"
+#include "rendering/images/image_png.h"
 #include "rendering/models/training_curves.h"
 
 using namespace rendering;

@@ -1,5 +1,5 @@
-// A sensor calibrated by pressing a ball: the circles are found in the pictures, faults of the recording are named, and
-// the calibration is accurate on other presses.
+// A sensor calibrated by pressing a ball. The circles are found in the pictures and faults of the recording are named. The
+// calibration is accurate on other presses.
 #include <QTest>
 #include <numeric>
 #include <opencv2/core.hpp>

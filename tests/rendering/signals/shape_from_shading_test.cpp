@@ -7,7 +7,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "protocols/random.h"
-#include "rendering/images/image_io.h"
+#include "rendering/images/image_png.h"
 #include "rendering/images/true_map.h"
 #include "rendering/signals/surface_integration.h"
 #include "tests/rendering/refusal.h"

@@ -73,7 +73,7 @@ std::string nameOfEntry(const EventRecord& event)
 
 nlohmann::json payloadOf(const LogEntry& entry) { return nlohmann::json::parse(entry.event.payloadJson, nullptr, false); }
 
-/// The entries that a recorded act has emptied: those of a participant before it.
+/// Whether a recorded erasure emptied this entry: one of the participant's entries before it.
 bool isErased(const LogEntry& entry, const std::map<std::string, std::int64_t>& erasedBefore)
 {
     const auto act = erasedBefore.find(entry.event.participant.value);
@@ -102,7 +102,7 @@ std::vector<std::string> faultsOfChain(const Log& log, const std::map<std::int64
     for (const auto& [sequence, entry] : log) {
         const auto stored = hashes.find(sequence);
         if (stored == hashes.end()) {
-            faults.push_back("log entry " + std::to_string(sequence) + " is missing, its answers or notes are there");
+            faults.push_back("log entry " + std::to_string(sequence) + " is missing, but its answers or notes are there");
             continue;
         }
         if (sequence != expected)
@@ -111,7 +111,7 @@ std::vector<std::string> faultsOfChain(const Log& log, const std::map<std::int64
         if (stored->second.previous != previous)
             faults.push_back(nameOfEntry(entry.event) + ": does not follow the entry before it");
         if (!isErased(entry, erasedBefore) && chainHash(stored->second.previous, entry) != stored->second.own)
-            faults.push_back(nameOfEntry(entry.event) + ": it or what it stored was altered");
+            faults.push_back(nameOfEntry(entry.event) + ": the entry or its rows were altered");
         previous = stored->second.own;
         expected = sequence + 1;
     }
@@ -131,7 +131,7 @@ void checkFixedTables(const SqliteConnection& sqlite, const Log& log, std::vecto
 {
     const auto first = log.find(1);
     if (first == log.end() || first->second.event.kind != "created") {
-        faults.push_back("the log does not begin with the making of the study");
+        faults.push_back("the log does not begin with the creation of the study");
         return;
     }
     const nlohmann::json payload = payloadOf(first->second);
@@ -141,7 +141,7 @@ void checkFixedTables(const SqliteConnection& sqlite, const Log& log, std::vecto
             "study facts, fabrics, stimulus hashes, trial lists or swatch codes were altered after the study was made");
 }
 
-/// The texts that were taken over later are the ones that the log committed to.
+/// Compares the later versions of the protocol with their hashes in the log.
 void checkProtocols(const SqliteConnection& sqlite, const Log& log, std::vector<std::string>& faults)
 {
     QSqlQuery row = sqlite.run(QStringLiteral("SELECT version, event, json FROM protocol_versions"));
@@ -153,7 +153,7 @@ void checkProtocols(const SqliteConnection& sqlite, const Log& log, std::vector<
     }
 }
 
-/// Withdrawn by the table is withdrawn by the log, and the other way round.
+/// The table and the log must name the same participants as withdrawn.
 void checkStates(const SqliteConnection& sqlite, const Log& log, std::vector<std::string>& faults)
 {
     std::set<std::string> withdrawn;
@@ -167,12 +167,12 @@ void checkStates(const SqliteConnection& sqlite, const Log& log, std::vector<std
     while (row.next()) {
         const std::string id = fromQt(row.value(0));
         if ((fromQt(row.value(1)) == "withdrawn") != withdrawn.contains(id))
-            faults.push_back("participant " + id + " is " + fromQt(row.value(1)) + " by the table and " +
-                             (withdrawn.contains(id) ? "withdrawn" : "not withdrawn") + " by the log");
+            faults.push_back("participant " + id + " is " + fromQt(row.value(1)) + " in the table and " +
+                             (withdrawn.contains(id) ? "withdrawn" : "not withdrawn") + " in the log");
     }
 }
 
-/// "P01 in slot 1 (human)" of every participant, by the log and by the table.
+/// Compares "P01 in slot 1 (human)" of every participant in the log and in the table.
 void checkPlaces(const SqliteConnection& sqlite, const Log& log, std::vector<std::string>& faults)
 {
     std::set<std::string> logged, stored;
@@ -191,7 +191,7 @@ void checkPlaces(const SqliteConnection& sqlite, const Log& log, std::vector<std
     for (const std::string& one : stored)
         if (!logged.contains(one)) faults.push_back("participant " + one + " is not in the log");
     for (const std::string& one : logged)
-        if (!stored.contains(one)) faults.push_back("participant " + one + " was enrolled and is missing");
+        if (!stored.contains(one)) faults.push_back("participant " + one + " is in the log but not in the table");
 }
 
 std::vector<std::string> faultsOfLog(const SqliteConnection& sqlite)
@@ -222,7 +222,7 @@ std::vector<std::string> faultsOfDatabase(const SqliteConnection& sqlite)
         faults.push_back("study.db: table " + fromQt(row.value(0)) + ", row " + fromQt(row.value(1)) +
                          " refers to a missing row of " + fromQt(row.value(2)));
     row.finish();
-    // One snapshot for the whole chain, whatever a writer does meanwhile.
+    // One snapshot for the whole chain, because a writer may add entries meanwhile.
     const ReadSnapshot snapshot(sqlite);
     for (std::string& fault : faultsOfLog(sqlite)) faults.push_back(std::move(fault));
     return faults;

@@ -29,14 +29,14 @@ void eraseFrom(const SqliteConnection& sqlite, const Erasure& erasure)
 {
     const std::string folder = sqlite.file().parent_path().string();
     if (erasure.who.empty() || erasure.why.empty())
-        throw protocols::badInput({"an erasure needs a name and a reason", folder, "--who NAME --why TEXT", ""});
+        throw protocols::badInput({"an erasure needs a name and a reason", folder, "--who NAME --why TEXT", "add both"});
     const std::string& id = erasure.participant.value;
-    // Freed pages are overwritten, so that nothing of it stays in the file.
+    // SQLite overwrites freed pages then, so that the file keeps none of the data.
     sqlite.run(QStringLiteral("PRAGMA secure_delete = ON"));
     {
         Transaction transaction(sqlite);
         if (sqlite.value(QStringLiteral("SELECT COUNT(*) FROM participants WHERE id = ?"), {toQt(id)}).toInt() == 0)
-            throw protocols::badInput({"no participant " + id, folder, "one who is enrolled", "see vis2hap study status"});
+            throw protocols::badInput({"unknown participant " + id, folder, "an enrolled participant", "see vis2hap study status"});
         sqlite.run(QStringLiteral("DELETE FROM participant_facts WHERE participant = ?"), {toQt(id)});
         if (erasure.answersToo) removeAnswers(sqlite, id);
         const std::string wallTime = wallTimeNow();

@@ -9,7 +9,7 @@ namespace database {
 
 namespace {
 
-// Columns by name: a later schema may add some, and the hash of an older study must stay.
+// Columns by name, so that a column of a later schema does not change the hash of an older study.
 constexpr const char* fixedRows[] = {
     "SELECT name, protocol_json, protocol_sha256, design_seed, key_sha256, masked_key_sha256, dataset_path, dataset_sha256, "
     "dataset_procedural, model_sha256, stamps, signals_json, created_at, program_version FROM study",

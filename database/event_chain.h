@@ -1,5 +1,5 @@
-// The hash chain of the log: each entry's hash is the SHA-256 of the hash before it and of everything
-// stored with it. Changing, removing or inserting a row breaks the chain from there on.
+// The hash chain of the log: the hash of an entry is the SHA-256 of the hash before it and of everything stored with the entry.
+// A changed, removed or inserted row breaks the chain from there on.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -28,7 +28,7 @@ struct NoteRow {
     bool isFlag = false;
 };
 
-/// An event and all that its transaction stores.
+/// An event and all rows that its transaction stores.
 struct LogEntry {
     EventRecord event;
     std::vector<ResponseRow> responses;
@@ -37,18 +37,17 @@ struct LogEntry {
     std::optional<UnblindingRecord> unblinding;
 };
 
-/// Lower-case hexadecimal; `previous` is empty for the first entry.
+/// The entry's hash in lower-case hexadecimal. `previous`: the hash before it; empty for the first entry.
 std::string chainHash(const std::string& previous, const LogEntry& entry);
 
-/// An act on the study itself, by nobody's session.
+/// An entry for an act on the study itself, outside any session.
 LogEntry actOnStudy(const std::string& kind, const nlohmann::ordered_json& payload, const std::string& wallTime);
 
-/// Gives the entry the next sequence number, which it returns, and writes all its rows, in the caller's
-/// transaction.
+/// Writes the entry with the next sequence number and all its rows, in the caller's transaction. Returns the number.
 std::int64_t store(const SqliteConnection& connection, LogEntry entry);
 
-/// SHA-256 over the rows that are fixed when a study is made: facts, fabrics, stimuli, trials and, from
-/// version 2 of the schema, swatch codes and familiarisation. `version`: the schema's when it was made.
+/// SHA-256 over the rows that never change: facts, fabrics, stimuli, trials and, from schema version 2, swatch codes and
+/// familiarisation. `version`: the schema version that made the study.
 std::string hashOfFixedTables(const SqliteConnection& connection, int version);
 
 }  // namespace database

@@ -13,16 +13,16 @@ namespace database {
 
 namespace {
 
-/// The bytes of a key file that is the committed one. Throws workFailed else.
+/// The bytes of a key file. Throws workFailed if their hash is not the committed one.
 std::string committedText(const std::filesystem::path& file, const std::string& commitment)
 {
     const std::optional<std::string> text = protocols::readIfPossible(file);
     if (!text)
         throw protocols::workFailed(
-            {"the key cannot be read", file.string(), "the file that was made with the study", "bring it back from a backup"});
+            {"the key cannot be read", file.string(), "the file that was made with the study", "restore it from a backup"});
     if (protocols::sha256(*text) != commitment)
         throw protocols::workFailed({"the key is not the one committed in the database", file.string(), "SHA-256 " + commitment,
-                                     "bring it back from a backup"});
+                                     "restore it from a backup"});
     return *text;
 }
 
@@ -57,9 +57,9 @@ protocols::MaskedKey readMaskedKey(const StudyStore& store)
 protocols::AllocationKey readAllocationKeyForTestDriver(const StudyStore& store, ParticipantKind kind)
 {
     if (kind == ParticipantKind::Human)
-        throw protocols::workFailed({"the allocation key stays closed while a human takes part",
+        throw protocols::workFailed({"the allocation key must not be read for a human participant",
                                      store.folder().allocationKey().string(), "a scripted or simulated participant",
-                                     "unblind the study when it is over"});
+                                     "unblind the study after its last session"});
     return readKey(store);
 }
 
@@ -90,7 +90,7 @@ std::vector<std::string> faultsOfKeys(const StudyStore& store)
     }
     struct stat status {};
     if (::stat(store.folder().allocationKey().c_str(), &status) == 0 && (status.st_mode & 0077) != 0)
-        faults.push_back(store.folder().allocationKey().string() + ": others may read the allocation key; expected mode 0600");
+        faults.push_back(store.folder().allocationKey().string() + ": other users may read the allocation key (expected mode 0600): run chmod 600 on it");
     return faults;
 }
 

@@ -1,5 +1,5 @@
-// Who may read which key (see "Who may know what" in the README). Session and app include neither
-// this nor the key types' readers; tests/layering_test guards it.
+// Reads and writes the keys, and says who may read which one ("Who may know what" in the README). The session and the app do not
+// include this header; tests/layering_test.cpp checks it.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace database {
 
-/// Proof that a study's unblinding is recorded; results with condition names ask for one.
+/// Proof that the unblinding of a study is recorded. Results with condition names require it.
 class Unblinded {
 public:
     const UnblindingRecord& record() const { return m_record; }
@@ -21,15 +21,15 @@ private:
     UnblindingRecord m_record;
 };
 
-/// Records the act (who, why, when), then lets names be read. `wallTime` ISO 8601.
+/// Records the unblinding (who, why, when) and permits reading condition names. `wallTime`: ISO 8601.
 Unblinded unblind(StudyStore& store, const std::string& who, const std::string& why, const std::string& wallTime);
 std::optional<Unblinded> recordedUnblinding(const StudyStore& store);
 
-/// Both keys are checked against the commitment in the database; workFailed where they differ.
+/// Both check the key against its hash in the database. They throw workFailed if it differs.
 protocols::AllocationKey readAllocationKey(const StudyStore& store, const Unblinded& permission);
 protocols::MaskedKey readMaskedKey(const StudyStore& store);
 
-/// For scripted and simulated participants alone: drivers of tests, which must know what is shown.
+/// For scripted and simulated participants only, which must know what is shown. Throws workFailed for a human.
 protocols::AllocationKey readAllocationKeyForTestDriver(const StudyStore& store, ParticipantKind kind);
 
 /// Writes allocation-key.json (mode 0600) and masked-key.json into a new study folder, which is synced as a whole. Returns
@@ -39,7 +39,7 @@ struct KeyHashes {
 };
 KeyHashes writeKeys(const StudyFolder& folder, const protocols::AllocationKey& key);
 
-/// verify: fault lines of both key files against the commitment.
+/// One line for each fault of the two key files: unreadable, altered, readable by others.
 std::vector<std::string> faultsOfKeys(const StudyStore& store);
 
 }  // namespace database

@@ -10,10 +10,10 @@ namespace database {
 
 namespace {
 
-// Version 1. Whatever is fixed or logged refuses UPDATE and DELETE by trigger (see appendOnlyTables);
-// only participants.state moves, and every move is in the log as well.
+// Version 1. Fixed and logged tables refuse UPDATE and DELETE by trigger (see appendOnlyTables). Only participants.state changes,
+// and the log records every change.
 constexpr const char* firstTables[] = {
-    // The study's fixed facts: one row. design_seed is text because SQLite has no unsigned 64 bits.
+    // The facts that never change: one row. design_seed is text because SQLite has no unsigned 64-bit integers.
     R"(CREATE TABLE study(
         id INTEGER PRIMARY KEY CHECK (id = 1), name TEXT NOT NULL,
         protocol_json TEXT NOT NULL, protocol_sha256 TEXT NOT NULL, design_seed TEXT NOT NULL,
@@ -23,7 +23,7 @@ constexpr const char* firstTables[] = {
         created_at TEXT NOT NULL, program_version TEXT NOT NULL) STRICT)",
     "CREATE TABLE fabrics(position INTEGER PRIMARY KEY, id TEXT NOT NULL UNIQUE, name TEXT NOT NULL) STRICT",
     "CREATE TABLE stimuli(file_code TEXT PRIMARY KEY, sha256 TEXT NOT NULL) STRICT",
-    // A slot is a place in the design with its own running order; a participant takes one.
+    // A slot is one running order of the design; a participant takes one slot.
     "CREATE TABLE slots(number INTEGER PRIMARY KEY CHECK (number >= 1)) STRICT",
     R"(CREATE TABLE trials(
         slot INTEGER NOT NULL REFERENCES slots(number), number INTEGER NOT NULL CHECK (number >= 1),
@@ -40,18 +40,18 @@ constexpr const char* firstTables[] = {
         kind TEXT NOT NULL, payload TEXT NOT NULL, at_ns INTEGER NOT NULL, wall_time TEXT NOT NULL,
         previous_hash TEXT NOT NULL, hash TEXT NOT NULL UNIQUE) STRICT)",
     "CREATE INDEX events_of_participant ON events(participant, sequence)",
-    // Every answer ever given. attempt counts a trial's presentations from 1; a void starts the next. The columns are listed in
-    // response_columns.cpp.
+    // Every answer ever given. attempt counts the presentations of a trial from 1; a void starts the next one. The columns stand
+    // in response_columns.cpp.
     R"(CREATE TABLE responses(
         id INTEGER PRIMARY KEY, event INTEGER NOT NULL REFERENCES events(sequence), %1,
         CHECK ((choice IS NULL) <> (rating_tenths IS NULL))) STRICT)",
     "CREATE INDEX responses_of_question ON responses(participant, trial, attempt, question, id)",
-    // The promise that an answer is stored once: one first answer to a question of one attempt.
+    // Guarantees that an answer is stored once: one first answer to a question in one attempt.
     "CREATE UNIQUE INDEX one_first_answer ON responses(participant, trial, attempt, question) WHERE is_correction = 0",
     R"(CREATE TABLE voids(
         event INTEGER NOT NULL REFERENCES events(sequence), participant TEXT NOT NULL REFERENCES participants(id),
         trial INTEGER NOT NULL, attempt INTEGER NOT NULL, PRIMARY KEY (participant, trial, attempt)) STRICT)",
-    // question is null where the note is on the whole presentation.
+    // question is null if the note concerns the whole presentation.
     R"(CREATE TABLE notes(
         id INTEGER PRIMARY KEY, event INTEGER NOT NULL REFERENCES events(sequence),
         participant TEXT NOT NULL REFERENCES participants(id), trial INTEGER NOT NULL, attempt INTEGER NOT NULL,
@@ -63,8 +63,8 @@ constexpr const char* firstTables[] = {
 };
 
 constexpr const char* views[] = {
-    // The latest response to each question of each attempt; the stamps are those of the first, because
-    // a correction changes what was answered, not when.
+    // The latest answer to each question of each attempt, with the time stamps of the first: a correction changes the answer, not
+    // its time.
     R"(CREATE VIEW current_responses AS SELECT
         p.slot AS slot, first.id AS first_id, first.event AS event, %1,
         (SELECT COUNT(*) FROM responses r WHERE r.participant = first.participant AND r.trial = first.trial
@@ -81,15 +81,15 @@ constexpr const char* views[] = {
             AND r.trial = first.trial AND r.attempt = first.attempt AND r.question = first.question)
       JOIN events e ON e.sequence = latest.event
       WHERE first.is_correction = 0)",
-    // The documented view for everybody's SQL; its columns are promised.
+    // The documented view for the SQL of users; its columns must not change.
     R"(CREATE VIEW answers AS SELECT participant, trial, question, file_code, alternatives, choice AS answer,
         rating_tenths / 10.0 AS rating, ready_at, touched_at, answered_at, stored_at,
         (answered_at - COALESCE(touched_at, ready_at)) / 1e9 AS seconds, corrections, voided, wall_time, note
       FROM current_responses ORDER BY slot, trial, first_id)",
 };
 
-// Version 2. A slot is taken anew when its participant withdraws; facts about people lie apart from the
-// log, so that they can be erased; fabric pieces carry codes; a protocol's words may change in mid-study.
+// Version 2. A slot becomes free when its participant withdraws. Facts about people stand outside the log, so that they can be
+// erased. Fabric pieces have codes. The texts of a protocol may change in mid-study.
 constexpr const char* secondTables[] = {
     "DROP VIEW IF EXISTS answers",
     "DROP VIEW IF EXISTS current_responses",
@@ -112,7 +112,7 @@ constexpr const char* secondTables[] = {
         PRIMARY KEY (slot, fabric)) STRICT, WITHOUT ROWID)",
     R"(CREATE TABLE familiarisation(
         position INTEGER PRIMARY KEY, name TEXT NOT NULL, file_code TEXT NOT NULL REFERENCES stimuli(file_code)) STRICT)",
-    // Later texts of the protocol; version 1 is the one in table study.
+    // Later versions of the protocol; version 1 is in the table study.
     R"(CREATE TABLE protocol_versions(
         version INTEGER PRIMARY KEY CHECK (version >= 2), event INTEGER NOT NULL REFERENCES events(sequence),
         json TEXT NOT NULL, sha256 TEXT NOT NULL, who TEXT NOT NULL, why TEXT NOT NULL, wall_time TEXT NOT NULL) STRICT)",
@@ -145,7 +145,7 @@ void makeSecondVersion(const SqliteConnection& connection)
     for (const char* table : laterAppendOnlyTables) guardAgainstChanges(connection, table);
 }
 
-/// Step i leads from version i to version i + 1.
+/// Step i migrates from version i to version i + 1.
 using MigrationStep = void (*)(const SqliteConnection&);
 constexpr MigrationStep steps[] = {makeFirstVersion, makeSecondVersion};
 static_assert(std::size(steps) == schemaVersion);
@@ -181,10 +181,10 @@ int checkedVersion(const SqliteConnection& connection)
     const int version = versionOf(connection);
     if (connection.value(QStringLiteral("PRAGMA application_id")).toInt() != applicationId || version < 1)
         throw protocols::badInput(
-            {"this database is not a study's", connection.file().string(), "the study.db of a study folder", "check the path"});
+            {"this database belongs to another program", connection.file().string(), "the study.db of a study folder", "check the path"});
     if (version > schemaVersion)
         throw protocols::badInput(
-            {"the study was made by a newer version of this program (schema " + std::to_string(version) + ")",
+            {"a newer version of this program made the study (schema " + std::to_string(version) + ")",
              connection.file().string(), "schema " + std::to_string(schemaVersion) + " or older", "update this program"});
     return version;
 }

@@ -36,26 +36,26 @@ protocols::Error faultOf(const QSqlError& error, const std::string& file)
     switch (primaryCode(error)) {
         case Full:
             return protocols::environmentFault(
-                {"the disk is full; nothing of this step was stored", file, "", "free some space and try again"});
+                {"the disk is full; this step was not stored", file, "", "free some space and do it again"});
         case ReadOnly:
         case Permission:
             return protocols::environmentFault({"the database cannot be written (" + detail + ")", file,
                                                 "a folder that may be written", "check its permissions and its file system"});
         case InputOutput:
             return protocols::environmentFault(
-                {"the disk reported an error (" + detail + "); nothing of this step was stored", file, "", "check the disk"});
+                {"the disk reported an error (" + detail + "); this step was not stored", file, "", "check the disk"});
         case Busy:
         case Locked:
             return protocols::environmentFault(
-                {"another program holds the database (" + detail + ")", file, "", "close that program and try again"});
+                {"another program uses the database (" + detail + ")", file, "", "close that program and do it again"});
         case CannotOpen:
             return protocols::environmentFault(
                 {"the database cannot be opened (" + detail + ")", file, "a readable file",
-                 "check its permissions; a study that was not closed needs its study.db-wal beside it"});
+                 "check its permissions; if the study was not closed, keep study.db-wal beside it"});
         case NotADatabase:
             return protocols::badInput({"this is no SQLite database", file, "the study.db of a study folder", "check the path"});
         case Corrupt:
-            return protocols::workFailed({"the database is damaged (" + detail + ")", file, "", "go back to a backup"});
+            return protocols::workFailed({"the database is damaged (" + detail + ")", file, "", "restore it from a backup"});
         default:
             return protocols::workFailed({"the database refused a step: " + detail, file, "", "run vis2hap verify on the study"});
     }
@@ -63,7 +63,7 @@ protocols::Error faultOf(const QSqlError& error, const std::string& file)
 
 QString nextConnectionName()
 {
-    static std::atomic<int> count = 0;  // Qt keeps connections by process-wide names
+    static std::atomic<int> count = 0;  // Qt identifies connections by names in the whole process
     return QStringLiteral("vis2hap-%1").arg(++count);
 }
 
@@ -105,8 +105,8 @@ void SqliteConnection::open(const QString& name, const QString& options)
     if (!m_connection.open()) fail(m_connection.lastError());
 }
 
-/// A WAL database needs its -shm file even to be read. Where the folder cannot be written and no log
-/// waits to be read, the file is whole by itself and is opened as immutable.
+/// Reading a WAL database needs its -shm file. If the folder is read-only and the log is empty, the file is complete by itself, so
+/// it is opened as immutable.
 void SqliteConnection::openForReading()
 {
     const QString plain = toQt(m_file.string());
@@ -127,13 +127,13 @@ void SqliteConnection::openForReading()
 void SqliteConnection::applyPragmas(Mode mode)
 {
     if (mode != Mode::Read && fromQt(value(QStringLiteral("PRAGMA journal_mode = WAL"))) != "wal")
-        throw protocols::environmentFault({"the file system does not let SQLite keep a write-ahead log", m_file.string(),
+        throw protocols::environmentFault({"the file system does not support the write-ahead log of SQLite", m_file.string(),
                                            "a local disk", "move the study there"});
     run(QStringLiteral("PRAGMA synchronous = FULL"));
     run(QStringLiteral("PRAGMA foreign_keys = ON"));
     if (value(QStringLiteral("PRAGMA synchronous")).toInt() != 2 || value(QStringLiteral("PRAGMA foreign_keys")).toInt() != 1)
         throw protocols::environmentFault(
-            {"this SQLite does not keep synchronous FULL and foreign keys", m_file.string(), "", "use Debian's libsqlite3-0"});
+            {"this SQLite does not support synchronous FULL and foreign keys", m_file.string(), "", "use Debian's libsqlite3-0"});
 }
 
 QSqlQuery SqliteConnection::run(const QString& sql, const QVariantList& values) const
@@ -165,7 +165,7 @@ Transaction::~Transaction()
     try {
         m_connection.run(QStringLiteral("ROLLBACK"));
     } catch (const protocols::Error&) {
-        // After a full disk SQLite has already rolled back by itself; the first error is the one to tell.
+        // On a full disk SQLite has rolled back already. Keep the first error.
     }
 }
 
@@ -185,7 +185,7 @@ ReadSnapshot::~ReadSnapshot()
     try {
         m_connection.run(QStringLiteral("ROLLBACK"));
     } catch (const protocols::Error&) {
-        // A snapshot that SQLite ended by itself needs no end.
+        // SQLite has ended the snapshot already.
     }
 }
 

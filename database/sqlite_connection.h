@@ -1,8 +1,6 @@
-// One connection to a SQLite file through Qt SQL, set up as this project needs it: WAL, synchronous
-// FULL, foreign keys on. Every failing statement throws a named protocols::Error.
-// Qt loads its SQLite driver as a plug-in and finds it through QCoreApplication's library paths, so
-// one must exist before the first connection is made; whoever owns main() makes it. A connection
-// belongs to the thread that made it.
+// One connection to a SQLite file through Qt SQL with WAL, synchronous FULL and foreign keys. A failing statement throws a
+// protocols::Error. Qt loads its SQLite driver as a plug-in by the library paths of QCoreApplication, so main() must make one
+// before the first connection. A connection belongs to the thread that made it.
 #pragma once
 
 #include <QSqlDatabase>
@@ -17,21 +15,21 @@ namespace database {
 class SqliteConnection {
 public:
     enum class Mode {
-        Create,  ///< the file is made
+        Create,  ///< makes the file
         Write,
-        Read,  ///< also on a folder that cannot be written
+        Read,  ///< works in a read-only folder, too
     };
 
-    /// Throws environmentFault where it cannot be opened, badInput where it is no SQLite database.
+    /// Throws environmentFault if it cannot be opened, badInput if it is no SQLite database.
     SqliteConnection(std::filesystem::path file, Mode mode);
     ~SqliteConnection();
     SqliteConnection(const SqliteConnection&) = delete;
     SqliteConnection& operator=(const SqliteConnection&) = delete;
 
-    /// The statement, executed with its values bound in order.
+    /// Executes the statement with its values bound in order.
     QSqlQuery run(const QString& sql, const QVariantList& values = {}) const;
 
-    /// The one value of a one-row statement; invalid where there is no row.
+    /// The first value of the first row; invalid if there is no row.
     QVariant value(const QString& sql, const QVariantList& values = {}) const;
 
     const std::filesystem::path& file() const { return m_file; }
@@ -47,7 +45,7 @@ private:
     QSqlDatabase m_connection;
 };
 
-/// BEGIN IMMEDIATE; rolled back unless committed.
+/// BEGIN IMMEDIATE; rolls back unless commit() was called.
 class Transaction {
 public:
     explicit Transaction(const SqliteConnection& connection);
@@ -55,7 +53,7 @@ public:
     Transaction(const Transaction&) = delete;
     Transaction& operator=(const Transaction&) = delete;
 
-    /// Returns when the transaction is synced.
+    /// Returns after the transaction is synced to the disk.
     void commit();
 
 private:
@@ -63,7 +61,7 @@ private:
     bool m_committed = false;
 };
 
-/// Several statements that read one state of the database, whatever a writer does meanwhile.
+/// Lets several statements read one state of the database while a writer may change it.
 class ReadSnapshot {
 public:
     explicit ReadSnapshot(const SqliteConnection& connection);

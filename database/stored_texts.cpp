@@ -15,7 +15,7 @@ Enum namedValue(const std::string& name, std::initializer_list<Enum> values)
     for (const Enum value : values)
         if (nameOf(value) == name) return value;
     throw protocols::workFailed(
-        {"unknown name \"" + name + "\" in the database", "study.db", "", "run vis2hap verify on the study"});
+        {"the database holds an unknown name, \"" + name + "\"", "study.db", "", "run vis2hap verify on the study"});
 }
 
 }  // namespace

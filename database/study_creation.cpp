@@ -67,7 +67,7 @@ void recordCreation(const SqliteConnection& sqlite, const StudyFacts& facts)
     store(sqlite, entry);
 }
 
-/// Under another name until it is whole, so that a study.db is never half a study.
+/// The database under another name until it is complete, so that study.db is never half a study.
 class DraftDatabase {
 public:
     explicit DraftDatabase(const StudyFolder& folder) : m_final(folder.database()), m_draft(folder.folder / "study.db.partial")

@@ -1,4 +1,4 @@
-// The files of a study folder, by name.
+// The names of the files in a study folder.
 #pragma once
 
 #include <filesystem>

@@ -67,7 +67,7 @@ StudyFacts factsIn(const SqliteConnection& sqlite)
         "dataset_sha256, dataset_procedural, model_sha256, stamps, signals_json, created_at, program_version FROM study"));
     if (!row.next())
         throw protocols::workFailed(
-            {"the study's facts are missing", sqlite.file().string(), "one row in table study", "go back to a backup"});
+            {"the study's facts are missing", sqlite.file().string(), "one row in the table study", "restore it from a backup"});
     int column = 0;
     for (std::string* text : {&facts.name, &facts.protocolJson, &facts.protocolSha256}) *text = fromQt(row.value(column++));
     facts.designSeed = seedOf(fromQt(row.value(column++)));

@@ -56,7 +56,7 @@ void StudyStore::create(const StudyFolder& folder, const StudyFacts& facts,
 {
     if (std::filesystem::exists(folder.database()))
         throw protocols::badInput(
-            {"there is a study here already", folder.folder.string(), "a new folder", "choose another name"});
+            {"the folder holds a study already", folder.folder.string(), "a new folder", "choose another name"});
     const WriteLock lock(folder);
     createDatabase(folder, facts, slots, stimulusHashes);
 }
@@ -65,7 +65,7 @@ StudyStore::StudyStore(const StudyFolder& folder, Access access)
 {
     std::error_code unreadable;
     if (!std::filesystem::is_regular_file(folder.database(), unreadable))
-        throw protocols::badInput({"this is no study folder (no study.db in it)", folder.folder.string(),
+        throw protocols::badInput({"this is no study folder (it has no study.db)", folder.folder.string(),
                                    "a folder made by vis2hap study new", "check the path"});
     const bool writes = access == Access::Write;
     auto lock = writes ? std::make_unique<WriteLock>(folder) : nullptr;
@@ -74,8 +74,8 @@ StudyStore::StudyStore(const StudyFolder& folder, Access access)
     const SqliteConnection& sqlite = m_connection->sqlite;
     if (checkedVersion(sqlite) == schemaVersion) return;
     if (!writes)
-        throw protocols::badInput({"the study was made by an older version of this program", folder.folder.string(), "",
-                                   "open it once in the app, which brings it up to date"});
+        throw protocols::badInput({"an older version of this program made the study", folder.folder.string(), "",
+                                   "open it once in the app, which updates it"});
     sqlite.run(QStringLiteral("PRAGMA foreign_keys = OFF"));
     {
         Transaction transaction(sqlite);
@@ -149,7 +149,7 @@ std::vector<Erasure> StudyStore::erasures() const { return erasuresIn(m_connecti
 void StudyStore::copyTo(const std::filesystem::path& file) const
 {
     if (std::filesystem::exists(file))
-        throw protocols::badInput({"the file exists", file.string(), "a new file", "choose another name"});
+        throw protocols::badInput({"the file exists already", file.string(), "a new file", "choose another name"});
     m_connection->sqlite.run(QStringLiteral("VACUUM INTO ?"), {toQt(file.string())});
 }
 

@@ -24,7 +24,7 @@ void checkId(const protocols::ParticipantId& participant)
             {"\"" + id + "\" cannot name a participant", "", "1 to 64 printable characters", "choose another id"});
 }
 
-/// Presentations of this trial so far: the one now on is the void ones' successor.
+/// Number of the present attempt at a trial: one more than its voids.
 int attemptOf(const SqliteConnection& sqlite, const std::string& participant, int trial)
 {
     return 1 + sqlite
@@ -47,7 +47,7 @@ bool hasAnswer(const SqliteConnection& sqlite, const ResponseRow& row)
                .toInt() > 0;
 }
 
-/// A correction changes what was answered, not when.
+/// A correction changes the answer, not its time.
 void takeStampsOfFirst(const SqliteConnection& sqlite, ResponseRow& row)
 {
     QSqlQuery query =
@@ -109,11 +109,11 @@ LogEntry logEntryOf(const SqliteConnection& sqlite, const StudyStore::Append& en
 void moveState(const SqliteConnection& sqlite, const protocols::ParticipantId& participant, SlotState state)
 {
     if (state == SlotState::Free)
-        throw protocols::workFailed({"a slot that was taken does not become free again", participant.value, "", ""});
+        throw protocols::workFailed({"a slot that was taken cannot become free again", participant.value, "", ""});
     QSqlQuery changed = sqlite.run(QStringLiteral("UPDATE participants SET state = ? WHERE id = ?"),
                                    {toQt(nameOf(state)), toQt(participant.value)});
     if (changed.numRowsAffected() != 1)
-        throw protocols::badInput({"no such participant", participant.value, "one who is enrolled", "enrol them first"});
+        throw protocols::badInput({"unknown participant", participant.value, "an enrolled participant", "enrol the participant first"});
 }
 
 }  // namespace
@@ -124,7 +124,7 @@ Slot enrolIn(const SqliteConnection& sqlite, const protocols::ParticipantId& par
     Transaction transaction(sqlite);
     for (const Erasure& erasure : erasuresIn(sqlite))
         if (erasure.participant == participant && erasure.answersToo)
-            throw protocols::badInput({"participant " + participant.value + " was erased", folderOf(sqlite), "another id", ""});
+            throw protocols::badInput({"participant " + participant.value + " was erased", folderOf(sqlite), "another id", "choose another id"});
     for (const Enrolment& known : enrolmentsIn(sqlite)) {
         if (known.participant != participant) continue;
         if (known.kind != kind)
@@ -136,7 +136,7 @@ Slot enrolIn(const SqliteConnection& sqlite, const protocols::ParticipantId& par
     for (const Slot& slot : slotsIn(sqlite))
         if (!free && slot.state == SlotState::Free) free = slot;
     if (!free)
-        throw protocols::workFailed({"every slot of the study is taken", folderOf(sqlite), "a free slot for " + participant.value,
+        throw protocols::workFailed({"all slots of the study are taken", folderOf(sqlite), "a free slot for " + participant.value,
                                      "make a study with more participants"});
     *free = {free->number, SlotState::Started, participant, kind};
     const int version = protocolVersionsIn(sqlite).back().version;
@@ -172,7 +172,7 @@ void takeProtocolInto(const SqliteConnection& sqlite, const std::string& json, c
 {
     if (who.empty() || why.empty())
         throw protocols::badInput(
-            {"a change of the protocol needs a name and a reason", folderOf(sqlite), "--who NAME --why TEXT", ""});
+            {"a change of the protocol needs a name and a reason", folderOf(sqlite), "--who NAME --why TEXT", "add both"});
     Transaction transaction(sqlite);
     const int version = protocolVersionsIn(sqlite).back().version + 1;
     const std::string hash = protocols::sha256(json), wallTime = wallTimeNow();
@@ -187,7 +187,7 @@ void takeProtocolInto(const SqliteConnection& sqlite, const std::string& json, c
 void recordUnblindingIn(const SqliteConnection& sqlite, const UnblindingRecord& record)
 {
     if (record.who.empty() || record.why.empty())
-        throw protocols::badInput({"an unblinding needs a name and a reason", folderOf(sqlite), "--who NAME --why TEXT", ""});
+        throw protocols::badInput({"an unblinding needs a name and a reason", folderOf(sqlite), "--who NAME --why TEXT", "add both"});
     Transaction transaction(sqlite);
     LogEntry entry = actOnStudy("unblinded", {{"who", record.who}, {"why", record.why}}, record.wallTime);
     entry.unblinding = record;

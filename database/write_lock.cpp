@@ -15,7 +15,7 @@ namespace database {
 
 namespace {
 
-/// The process that wrote itself into the lock file; empty where nothing can be read.
+/// The number of the process that holds the lock, from the lock file; empty if it cannot be read.
 std::string holderOf(int descriptor)
 {
     std::array<char, 32> text{};
@@ -29,8 +29,8 @@ protocols::Error heldByAnother(const StudyFolder& folder, int descriptor)
 {
     const std::string holder = holderOf(descriptor);
     return protocols::environmentFault(
-        {"the study is open for writing elsewhere" + (holder.empty() ? std::string() : " (process " + holder + ")"),
-         folder.folder.string(), "one writer at a time", "close it there first"});
+        {"another program has the study open for writing" + (holder.empty() ? std::string() : " (process " + holder + ")"),
+         folder.folder.string(), "one writer at a time", "close the study there first"});
 }
 
 }  // namespace
@@ -47,10 +47,10 @@ WriteLock::WriteLock(const StudyFolder& folder)
         const protocols::Error held = heldByAnother(folder, m_descriptor);
         ::close(m_descriptor);
         if (reason == EWOULDBLOCK) throw held;
-        throw protocols::environmentFault({std::string("the file system gives no lock: ") + std::strerror(reason),
+        throw protocols::environmentFault({std::string("the file system cannot lock a file: ") + std::strerror(reason),
                                            folder.lock().string(), "a file system with file locks", "use a local disk"});
     }
-    // The number only serves the message to a second writer; the lock itself is the open file.
+    // The number is only for the message to a second writer. The open file is the lock.
     const std::string process = std::to_string(::getpid()) + "\n";
     if (::ftruncate(m_descriptor, 0) == 0) {
         [[maybe_unused]] const ssize_t written = ::pwrite(m_descriptor, process.data(), process.size(), 0);

@@ -1,5 +1,5 @@
-// The lock of the one writer of a study folder. It is a flock(2) on an open file, so the system
-// releases it when its process ends, however it ends; nothing stale is ever left behind.
+// The lock of the only writer of a study folder: a flock(2) on an open file. The system releases it when the process ends in any
+// way, so that no stale lock remains.
 #pragma once
 
 #include "database/study_folder.h"
@@ -8,8 +8,7 @@ namespace database {
 
 class WriteLock {
 public:
-    /// Throws environmentFault where another writer holds it (naming its process) or the folder cannot
-    /// be written.
+    /// Throws environmentFault if another writer holds the lock (naming its process) or the folder cannot be written.
     explicit WriteLock(const StudyFolder& folder);
     ~WriteLock();
     WriteLock(const WriteLock&) = delete;

@@ -13,7 +13,7 @@ namespace protocols {
 
 namespace {
 
-// Neither alphabet has characters that are read or heard for one another.
+// Neither alphabet has two characters that people confuse when they read or hear them.
 constexpr std::string_view fileCodeLetters = "abcdefghjkmnpqrstuvwxyz23456789";
 constexpr std::string_view presentationLetters = "ACEFHJKLMNPRTUVWXY3479";
 constexpr int fileCodeLength = 8;
@@ -42,7 +42,7 @@ std::vector<std::size_t> permutation(std::size_t count, Random random)
     return order;
 }
 
-/// [label][fabric]. Drawn label by label, of which only the secret knows what they stand for.
+/// [label][fabric]. Only the secret seed decides which condition a label is.
 std::vector<std::vector<FileCode>> drawFileCodes(std::size_t labels, std::size_t fabrics, std::uint64_t secretSeed)
 {
     Random random = Random::stream(secretSeed, "allocation/file codes");
@@ -81,7 +81,7 @@ std::vector<FileCode> drawMoreFileCodes(const AllocationKey& key, int count, std
     return codes;
 }
 
-/// Three digits each, all different within the study while there are enough.
+/// Three digits each, all different within the study as long as there are enough.
 std::vector<SwatchLabels> drawSwatches(const Protocol& protocol, const std::vector<FabricId>& fabrics, std::size_t slots,
                                        std::uint64_t secretSeed)
 {
@@ -105,7 +105,7 @@ std::vector<SwatchLabels> drawSwatches(const Protocol& protocol, const std::vect
     return drawn;
 }
 
-/// Unique in the study as long as codes are plenty, in any case within the participant.
+/// Draws presentation codes: unique in the study if there are enough codes, always unique within a participant.
 class PresentationCodes {
 public:
     PresentationCodes(const Design& design, std::uint64_t secretSeed)
@@ -123,7 +123,7 @@ public:
 
     PresentationCode next()
     {
-        // A participant's own trials may outnumber the four-character codes; longer ones follow then.
+        // One participant may have more trials than there are codes of this length: continue with longer codes.
         if (m_used.size() >= presentationCodes / 2) {
             ++m_length;
             m_used.clear();

@@ -1,6 +1,5 @@
-// From a design over abstract labels to what a study folder holds: blinded trial lists (file codes
-// and presentation codes), the allocation key that says what each file code is, and the masked key
-// that says only its fabric and K-label.
+// Turns a design over abstract labels into what a study folder holds: blinded trial lists (file codes and presentation codes),
+// the allocation key (the fabric and condition of each file code) and the masked key (its fabric and K-label only).
 #pragma once
 
 #include <cstdint>
@@ -14,18 +13,17 @@
 
 namespace protocols {
 
-/// One presentation as session and app know it.
+/// One presentation as the session and the app know it.
 struct BlindedTrial {
     TrialNumber number;
     int phase = 0;  ///< index into Protocol::phases
     FileCode fileCode;
     PresentationCode presentationCode;
-    std::vector<FabricId> alternatives;  ///< on the tray, in slot order; the one fabric in rating phases
+    std::vector<FabricId> alternatives;  ///< on the tray, in slot order; one fabric in rating phases
     bool operator==(const BlindedTrial&) const = default;
 };
 
-/// File code -> condition and fabric. Only scripted and simulated participants and the recorded act
-/// of unblinding may read it.
+/// File code -> condition and fabric. Only scripted and simulated participants and the recorded unblinding may read it.
 struct AllocationKey {
     struct Entry {
         FabricId fabric;
@@ -37,7 +35,7 @@ struct AllocationKey {
     bool operator==(const AllocationKey&) const = default;
 };
 
-/// File code -> fabric and K-label: what report, status and export may read.
+/// File code -> fabric and K-label. Report, status and export may read it.
 struct MaskedKey {
     struct Entry {
         FabricId fabric;
@@ -53,19 +51,19 @@ using SwatchLabels = std::map<FabricId, std::string>;
 
 struct Allocation {
     std::vector<std::vector<BlindedTrial>> participants;  ///< [slot][presentation]
-    AllocationKey key;                                    ///< catch trials among them, labelled "catch"
+    AllocationKey key;                                    ///< with the catch trials, labelled "catch"
     std::vector<SwatchLabels> swatches;                   ///< [slot]
-    std::vector<FileCode> familiarisation;                ///< of images that no trial shows
+    std::vector<FileCode> familiarisation;                ///< images that no trial shows
 };
 
-/// `fabrics`: the study's, in the order of the design's numbers. `secretSeed` draws which condition
-/// each label is, the file codes, the K-labels and the presentation codes; it comes from
-/// drawSecretSeed() except in tests. `familiarisation`: how many images for getting to know the display.
+/// `fabrics`: those of the study, in the order of the design's numbers. `secretSeed` draws the condition of each label, the file
+/// codes, the K-labels and the presentation codes; outside tests it comes from drawSecretSeed(). `familiarisation`: number of
+/// images that let the participant get to know the display.
 Allocation allocate(const Protocol& protocol, const Design& design, const std::vector<FabricId>& fabrics,
                     std::uint64_t secretSeed, int familiarisation = 0);
 
-/// The code of a presentation that is given again after a void: of the same form, other than every code
-/// of the list, and the same whenever it is asked for. `attempt` counts from 1, whose code is the trial's.
+/// The code of a presentation that is repeated after a void. It has the same form, differs from every code of the list, and is
+/// the same in every call. `attempt` counts from 1; the first attempt has the trial's own code.
 PresentationCode codeOfAttempt(const std::vector<BlindedTrial>& list, std::size_t index, int attempt);
 
 MaskedKey masked(const AllocationKey& key);

@@ -1,7 +1,6 @@
-// Simulated annealing in integers alone, so that a search ends in the same state on every machine.
-// A search offers: excess() - how far its cost lies above what is known to be the best possible, 0 when
-// nothing is left to gain; applyRandomMove(random) - changes the state and returns the change of cost;
-// undoMove() - takes exactly that change back.
+// Simulated annealing with integers only, so that a search ends in the same state on every machine. A search has three members:
+// excess() returns its cost minus the lowest possible cost (0: nothing left to gain); applyRandomMove(random) changes the state
+// and returns the change of cost; undoMove() reverses exactly that change.
 #pragma once
 
 #include <algorithm>
@@ -14,17 +13,16 @@
 namespace protocols {
 
 struct AnnealingSchedule {
-    std::int64_t moves = 0;  ///< at most; the search ends earlier when nothing is left to gain
-    std::int64_t hot = 8;    ///< cost units that are accepted with probability one half at the start
+    std::int64_t moves = 0;  ///< at most; the search ends earlier when the excess is 0
+    std::int64_t hot = 8;    ///< increase of cost that is accepted with probability 1/2 at the start
 };
 
-/// The temperature falls linearly to 0 over the first seven eighths of the moves. An increase of cost
-/// is accepted with probability 2^-k, k the temperatures it is high: the run of zeros at the end of a
-/// random word has just that distribution.
+/// The temperature falls linearly to 0 over the first 7/8 of the moves. An increase of cost by k temperatures is accepted with
+/// probability 2^-k, because the number of trailing zeros of a random word has that distribution.
 template <class Search>
 void anneal(Search& search, Random& random, const AnnealingSchedule& schedule)
 {
-    constexpr std::int64_t fine = 1024;  // parts of a cost unit in which the temperature is counted
+    constexpr std::int64_t fine = 1024;  // the temperature is counted in 1/1024 of a cost unit
     const std::int64_t cooling = std::max<std::int64_t>(1, schedule.moves - schedule.moves / 8);
     for (std::int64_t move = 0; move < schedule.moves && search.excess() > 0; ++move) {
         const std::int64_t temperature = schedule.hot * fine * std::max<std::int64_t>(0, cooling - move) / cooling;
@@ -35,14 +33,14 @@ void anneal(Search& search, Random& random, const AnnealingSchedule& schedule)
     }
 }
 
-/// Warms up again, a few times, where the first cooling ended short of the best.
+/// Anneals up to four times, as long as the excess is not 0.
 template <class Search>
 void annealAgain(Search& search, Random& random, const AnnealingSchedule& schedule)
 {
     for (int round = 0; round < 4 && search.excess() > 0; ++round) anneal(search, random, schedule);
 }
 
-/// Counts whose sum of squares is kept low: it is least when the counts are as equal as can be.
+/// Counts with the change of their sum of squares. The sum is least when the counts are as equal as possible.
 class SquaredCounts {
 public:
     explicit SquaredCounts(std::size_t cells) : m_counts(cells, 0) {}

@@ -1,6 +1,6 @@
-// The nine input conditions of the paper (section "Baselines of haptic rendering"), as a table, and
-// others that must be asked for by name. Which signals must be computed follows from a row's two
-// sources (rendering/plan.h); another condition is one more row.
+// The nine input conditions of the paper (section "Baselines of haptic rendering") as a table, and further ones that must be
+// named. The two sources in a row decide which signals are computed (rendering/composition/plan.h). A new condition is one more
+// row.
 #pragma once
 
 #include <span>
@@ -34,10 +34,10 @@ struct Condition {
     ConditionId conditionId() const { return ConditionId(std::string(id)); }
 };
 
-/// What keys call the blank glass of a catch trial; no condition, so in no list of conditions.
+/// The name of the blank glass of a catch trial in the keys. It is no condition and stands in no list of conditions.
 ConditionId catchTrialId();
 
-/// The nine in the order of the paper, which is the order of every table and file, then the others.
+/// The nine in the order of the paper, then the others. Every table and file has this order.
 std::span<const Condition> allConditions();
 
 /// Accepts "h_g&f_g" and its file-name spelling "h_g+f_g". Throws badInput naming the known ids.

@@ -11,7 +11,7 @@ namespace protocols {
 
 namespace {
 
-/// A design needs the counts alone; what else is wrong with a protocol is not its business.
+/// Checks the counts only: a design needs nothing else of a protocol.
 void refuseWithoutCounts(const Protocol& protocol)
 {
     const auto refuse = [](const std::string& what, const std::string& expected) {

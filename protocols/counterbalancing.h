@@ -1,7 +1,6 @@
-// Running orders of a whole study over abstract labels: which label and fabric each participant
-// meets when, beside which foils, in which tray slot. Labels are numbers without meaning; which
-// condition each one is, is drawn elsewhere and secretly (allocation.h), so the seed of a design
-// tells nobody a condition.
+// Draws the running orders of a whole study over abstract labels: for each presentation of each participant the label, the
+// fabric, the foils and the tray slots. A label is a number without meaning. allocation.h draws in secret which condition it
+// is, so the seed of a design does not reveal a condition.
 #pragma once
 
 #include <cstdint>
@@ -12,13 +11,13 @@
 
 namespace protocols {
 
-/// The label of a catch trial, whose glass stays blank; balance is not asked of it.
+/// The label of a catch trial (blank glass). Catch trials are not balanced.
 constexpr int catchTrialLabel = -1;
 
 /// One presentation of the design. All numbers count from 0.
 struct DesignTrial {
     int phase = 0;
-    int label = 0;                  ///< stands for a condition, or is catchTrialLabel
+    int label = 0;                  ///< of a condition, or catchTrialLabel
     int fabric = 0;                 ///< the true fabric
     std::vector<int> alternatives;  ///< fabrics in tray-slot order A, B, C ...; one entry in rating phases
     bool operator==(const DesignTrial&) const = default;
@@ -30,11 +29,10 @@ struct Design {
     bool operator==(const Design&) const = default;
 };
 
-/// Balanced over the whole study, per phase: each ordered pair of labels and of fabrics follows one
-/// another equally often (counts differ by at most one where that can be had), no immediate repeat,
-/// foil pairs equally often per true fabric, none repeated within participant x true fabric, true
-/// slots balanced per participant x fabric and per label. Integer arithmetic only: the same seed
-/// gives the same design on every machine. Takes the counts from the protocol.
+/// A design that is balanced over the whole study, phase by phase. Ordered pairs of labels and of fabrics follow one another
+/// equally often (counts differ by at most one where possible). Nothing repeats immediately. Foil pairs are equally frequent
+/// per true fabric and do not repeat within participant x true fabric. True slots are balanced per participant x fabric and per
+/// label. Integer arithmetic only: the same seed gives the same design on every machine.
 Design drawDesign(const Protocol& protocol, std::uint64_t seed);
 
 }  // namespace protocols

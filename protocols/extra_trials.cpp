@@ -15,7 +15,7 @@ std::vector<int> shuffledNumbers(int count, Random& random)
     return numbers;
 }
 
-/// Deals the other fabrics out in shuffled rounds, so that each comes up equally often.
+/// Deals the other fabrics in shuffled rounds, so that each is used equally often.
 class OtherFabrics {
 public:
     OtherFabrics(int fabrics, Random& random) : m_fabrics(fabrics), m_random(random), m_left(static_cast<std::size_t>(fabrics)) {}
@@ -38,7 +38,7 @@ private:
     std::vector<std::vector<int>> m_left;
 };
 
-/// The true fabric and drawn foils in a drawn order; as many as the phase lays on the tray.
+/// The true fabric and random foils in random order, as many pieces as the phase lays on the tray.
 Tray trayOf(const Phase& phase, int fabric, int fabrics, Random& random)
 {
     Tray tray = shuffledNumbers(fabrics, random);
@@ -54,7 +54,7 @@ Tray trayOf(const Phase& phase, int fabric, int fabrics, Random& random)
 std::vector<std::vector<Tray>> drawSameDifferentTrays(const std::vector<std::vector<Rendering>>& orders, const StudySize& size,
                                                       Random& random)
 {
-    // The parity of three shuffled numberings halves every margin at once.
+    // The parity of the sum of three shuffled numbers halves every margin at once.
     const auto people = shuffledNumbers(size.participants, random);
     const auto labels = shuffledNumbers(size.labels, random);
     const auto fabrics = shuffledNumbers(size.fabrics, random);
@@ -76,7 +76,7 @@ std::vector<DesignTrial> withCatchTrials(const std::vector<DesignTrial>& trials,
 {
     std::vector<DesignTrial> all = trials;
     const auto rounds = shuffledNumbers(fabrics, random);
-    // From the end, so that the places before stay what they were.
+    // From the end, so that earlier places keep their numbers.
     for (int stretch = count; stretch > 0; --stretch) {
         const std::size_t begin = trials.size() * static_cast<std::size_t>(stretch - 1) / static_cast<std::size_t>(count);
         const std::size_t end = trials.size() * static_cast<std::size_t>(stretch) / static_cast<std::size_t>(count);

@@ -1,5 +1,4 @@
-// Presentations beyond a choice among fabrics: the one fabric of a same/different phase, and catch
-// trials, whose glass stays blank.
+// Draws the one fabric on the tray of a same/different phase, and the places of catch trials (blank glass).
 #pragma once
 
 #include <vector>
@@ -10,14 +9,14 @@
 
 namespace protocols {
 
-/// The one fabric that lies on the tray, [participant][position]: the rendering's own in half of the
-/// presentations (per label x fabric over participants, per participant x label and per participant x
-/// fabric; counts that do not divide differ by at most one), else another, each other one equally often.
+/// The fabric on the tray, [participant][position]. It is the rendering's own in half of the presentations: per label x fabric
+/// over participants, per participant x label, and per participant x fabric; odd counts differ by at most one. Otherwise it is
+/// another fabric, each equally often.
 std::vector<std::vector<Tray>> drawSameDifferentTrays(const std::vector<std::vector<Rendering>>& orders, const StudySize& size,
                                                       Random& random);
 
-/// Puts `count` catch trials into one participant's list of one phase: one at a drawn place of each of
-/// `count` equal stretches, never first, and never of a fabric that is the true one next to it.
+/// Inserts `count` catch trials into one participant's list of one phase: one at a random place in each of `count` equal
+/// stretches, never first, and never with a fabric that is the true one before or after it.
 std::vector<DesignTrial> withCatchTrials(const std::vector<DesignTrial>& trials, const Phase& phase, int fabrics, int count,
                                          Random& random);
 

@@ -11,7 +11,7 @@ namespace protocols {
 
 namespace {
 
-/// Up to here the sets of a true fabric are all listed; beyond, as many are drawn.
+/// Up to this number all sets of a true fabric are listed; if there are more, this number is drawn.
 constexpr std::int64_t longestPool = 5000;
 
 using Pools = std::vector<std::vector<FoilSet>>;                  // [true fabric][set]
@@ -47,7 +47,7 @@ Pools poolsOf(const StudySize& size, int foils, Random& random)
     return pools;
 }
 
-/// Each participant takes the sets that were used least so far, which keeps the uses within one.
+/// Each participant takes the least used sets, so that the numbers of uses differ by at most one.
 Deal leastUsedFirst(const StudySize& size, const Pools& pools, Random& random)
 {
     const auto labels = static_cast<std::size_t>(size.labels);
@@ -70,8 +70,8 @@ Deal leastUsedFirst(const StudySize& size, const Pools& pools, Random& random)
     return deal;
 }
 
-/// The deal with its counts; two participants exchanging a set, or one of them taking another set that
-/// is used once less, as its move. Neither changes how evenly the sets are used.
+/// State of the search: the deal with its counts. A move lets two participants exchange a set, or one participant take a set that
+/// is used once less. Both keep the numbers of uses even.
 class FoilSearch {
 public:
     FoilSearch(const StudySize& size, int foils, const Pools& pools, Deal deal)
@@ -136,7 +136,7 @@ private:
                timesDealt(m_taker, m_given) < timesDealt(m_taker, m_taken);
     }
 
-    /// The giver's `from` becomes `to`; the taker's `to` becomes `from`.
+    /// Replaces the giver's set `from` by `to`, and the taker's `to` by `from`.
     void replace(std::size_t from, std::size_t to)
     {
         exchange(m_giver, m_givenAt, from, to);

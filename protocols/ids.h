@@ -1,5 +1,5 @@
-// Distinct types for the names that a study deals in, so that a fabric is never passed where a
-// condition belongs. They are plain values; the text is what files and tables show.
+// Distinct types for the names in a study, so that nobody can pass a fabric where a condition is expected. They are plain
+// values; files and tables show their text.
 #pragma once
 
 #include <string>  // brings <compare>, over which Qt's moc stumbles where that header comes first
@@ -21,11 +21,11 @@ using ParticipantId = Id<struct ParticipantTag>;      ///< "P01"; scripted ones 
 using FabricId = Id<struct FabricTag>;                ///< "F01"
 using ConditionId = Id<struct ConditionTag>;          ///< "h_g&f_g"
 using QuestionId = Id<struct QuestionTag>;            ///< "Q1"
-using FileCode = Id<struct FileCodeTag>;              ///< opaque name of a stimulus in the study folder
+using FileCode = Id<struct FileCodeTag>;              ///< opaque name of a stimulus file in the study folder
 using ConditionLabel = Id<struct ConditionLabelTag>;  ///< "K3": a condition's masked name
-using PresentationCode = Id<struct PresentationTag>;  ///< what the console shows; fresh per participant and trial
+using PresentationCode = Id<struct PresentationTag>;  ///< shown on the console; new for each participant and trial
 
-/// Place of a presentation in a participant's list, from 1.
+/// Number of a presentation in a participant's list, from 1.
 struct TrialNumber {
     int value = 0;
     auto operator<=>(const TrialNumber&) const = default;

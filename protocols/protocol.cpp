@@ -56,17 +56,17 @@ void checkConditions(const Protocol& p, Faults& faults)
     }
 }
 
-/// A task with a right answer leaves room for one question; what is rated may be asked about several times.
+/// A task with a right answer takes one question; ratings take several.
 void checkTask(const Protocol& p, const Phase& phase, const std::string& place, Faults& faults)
 {
     for (const std::string& fault : faultsOf(phase.task, p.fabricCount, place)) faults.push_back(fault);
     if (phase.catchTrials < 0 || phase.catchTrials > p.presentationsPerPhase())
         faults.push_back(place + ".catch_trials: " + std::to_string(phase.catchTrials) +
-                         ", expected at most as many as there are presentations");
+                         ", expected at most the number of presentations in the phase");
     const auto scored = std::ranges::count_if(phase.questions, [](const Question& q) { return alternativesOf(q.kind) > 0; });
     if (alternativesOf(phase.task) > 0 && scored != 1)
         faults.push_back(place + ".questions: " + std::to_string(scored) +
-                         " questions over one choice, expected one (and any number answered in words)");
+                         " questions with a right answer, expected one (and any number in free_text)");
 }
 
 void checkQuestions(const Phase& phase, const std::string& place, std::set<QuestionId>& seen, Faults& faults)
@@ -76,7 +76,7 @@ void checkQuestions(const Phase& phase, const std::string& place, std::set<Quest
         const Question& question = phase.questions[i];
         const std::string its = element(place + ".questions", i) + ": '" + question.id.value + "'";
         if (!seen.insert(question.id).second) faults.push_back(its + " is asked twice, expected each question once");
-        if (question.text.empty()) faults.push_back(its + " has no words, expected them in question_texts");
+        if (question.text.empty()) faults.push_back(its + " has no text, expected one in question_texts");
     }
 }
 

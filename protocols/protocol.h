@@ -1,6 +1,5 @@
-// What a study asks and of whom, as a value: phases, questions, scales, conditions, breaks, the
-// equivalence bounds and planned contrasts. Reading it from JSON is protocol_json; drawing the
-// running orders is allocation.
+// The protocol of a study as a value: participants, fabrics, conditions, phases with their questions, breaks, equivalence bounds,
+// planned contrasts. protocol_json.h reads it from a file; counterbalancing.h draws the running orders.
 #pragma once
 
 #include <optional>
@@ -36,40 +35,40 @@ struct PlannedContrast {
     bool operator==(const PlannedContrast&) const = default;
 };
 
-/// The neutral codes that the fabric pieces carry, so that no name suggests an answer.
+/// The neutral codes on the fabric pieces. They keep names from suggesting an answer.
 enum class SwatchCodes {
-    Once,            ///< labelled once for the whole study
-    PerParticipant,  ///< labelled anew for each participant, by the preparation sheet
+    Once,            ///< the same labels for the whole study
+    PerParticipant,  ///< new labels for each participant, by the preparation sheet
 };
 
 struct Protocol {
     std::string name;
     int participants = 10;
     int fabricCount = 7;
-    std::vector<FabricId> fabrics;  ///< named ones; empty: fabricCount are drawn by seed
+    std::vector<FabricId> fabrics;  ///< by name; empty: fabricCount of them are drawn by seed
     std::vector<ConditionId> conditions;
     std::vector<Phase> phases;
     std::pair<double, double> equivalenceBounds{-0.5, 0.5};  ///< scale points
     std::vector<PlannedContrast> planned;
     double secondsPerPresentation = 25;
     int breakAfterPresentations = 21;      ///< a block: the presentations between two breaks
-    std::optional<int> breakAfterMinutes;  ///< a break also after so long without one
+    std::optional<int> breakAfterMinutes;  ///< a break is also due after this time without one
     int sittingMinutes = 60;
-    std::vector<std::string> checklist;  ///< read out and ticked before a sitting
+    std::vector<std::string> checklist;  ///< the operator reads and ticks these lines before a sitting
     std::vector<std::string> readings;   ///< measured with the checklist: "temperature in °C", ...
-    std::vector<std::string> facts;      ///< asked about a participant, each optional: age, gender, ...
-    std::string consent;                 ///< what the experimenter confirms when the participant has agreed
-    std::string strokeWords;             ///< how to stroke, said the same for glass and cloth
+    std::vector<std::string> facts;      ///< about the participant, each optional: age, gender, ...
+    std::string consent;                 ///< the operator confirms it when the participant has agreed
+    std::string strokeWords;             ///< the operator says how to stroke glass and fabric
     SwatchCodes swatchCodes = SwatchCodes::Once;
-    int familiarisationFabrics = 0;  ///< at most so many, outside the study's own; fewer where the data set has fewer
-    bool secondEntry = false;        ///< every answer is entered twice and must agree
+    int familiarisationFabrics = 0;  ///< at most; not among those of the study; fewer if the data set has fewer
+    bool secondEntry = false;        ///< the operator enters every answer twice; both must agree
 
-    /// Condition x fabric; catch trials not counted.
+    /// Conditions x fabrics, without catch trials.
     int presentationsPerPhase() const { return fabricCount * static_cast<int>(conditions.size()); }
-    /// Of one participant, catch trials counted.
+    /// Presentations for one participant, with catch trials.
     int presentations() const;
     int answersPerParticipant() const;
-    /// By secondsPerPresentation, breaks not counted.
+    /// Planned time without breaks.
     double minutesPerParticipant() const { return presentations() * secondsPerPresentation / 60; }
     /// At least one.
     int sittingsPerParticipant() const;
@@ -82,11 +81,11 @@ const Question* questionWith(const Protocol& protocol, const QuestionId& id);
 /// The scale that the participants memorise: that of the first phase with ratings; null where nothing is rated.
 const RatingScale* memorisedScaleOf(const Protocol& protocol);
 
-/// What `changed` may not change once participants have trials by `kept`: "phases", "conditions" ...;
-/// empty where only words, times, bounds, contrasts, checklist and facts differ.
+/// The parts that `changed` changes although participants have trials that follow `kept`: "phases", "conditions", ... Empty if
+/// only texts, times, bounds, contrasts, checklist and facts differ.
 std::vector<std::string> fixedPartsChanged(const Protocol& kept, const Protocol& changed);
 
-/// Every fault at once, each "place: what is wrong, what was expected"; empty when the protocol can run.
+/// All faults, each "place: what is wrong, what was expected"; empty if a study can follow the protocol.
 std::vector<std::string> faultsOf(const Protocol& protocol);
 
 }  // namespace protocols

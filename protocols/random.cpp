@@ -45,8 +45,7 @@ Random::Random(std::uint64_t seed) : m_state{}
 
 Random Random::stream(std::uint64_t seed, std::string_view purpose)
 {
-    // The seed is mixed before it meets the purpose, so that neighbouring seeds and similar purposes
-    // cannot cancel each other.
+    // Mix the seed first, so that neighbouring seeds and similar purposes cannot cancel each other.
     const std::uint64_t mixedSeed = splitmix64(seed);
     std::uint64_t joined = mixedSeed ^ rotatedLeft(fnv1a(purpose), 23);
     return Random(splitmix64(joined));
@@ -70,7 +69,7 @@ std::uint64_t Random::below(std::uint64_t bound)
     assert(bound >= 1 && "a draw needs at least one possible outcome");
     std::uint64_t value = next();
     if (value < bound) {
-        // Values under the threshold would make the small remainders more frequent; they are drawn again.
+        // Values below the threshold would make small remainders more frequent, so draw again.
         const std::uint64_t threshold = (0 - bound) % bound;
         while (value < threshold) value = next();
     }
@@ -109,10 +108,10 @@ std::uint64_t drawSecretSeed()
         got = getrandom(&seed, sizeof seed, 0);
     } while (got < 0 && errno == EINTR);
     if (got != static_cast<ssize_t>(sizeof seed))
-        throw environmentFault({.what = std::string("no secret can be drawn: ") + std::strerror(errno),
+        throw environmentFault({.what = std::string("the system gives no random numbers: ") + std::strerror(errno),
                                 .where = "getrandom",
                                 .expected = "a working random source of the system",
-                                .nextStep = "try again"});
+                                .nextStep = "run the command again"});
     return seed;
 }
 

@@ -1,5 +1,5 @@
-// The one seeded generator of the project and its own portable draws: the same seed gives the same
-// integers on every compiler, library and build type (std::shuffle and the std distributions do not).
+// The project's seeded random generator with portable draws: the same seed gives the same integers with every compiler, library
+// and build type. std::shuffle and the distributions of the standard library do not.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@ class Random {
 public:
     explicit Random(std::uint64_t seed);
 
-    /// An independent stream for a named purpose, so that adding a draw in one place moves no other:
+    /// An independent stream for a named purpose, so that a new draw in one place changes no other draw:
     /// Random::stream(seed, "photo/F03/17").
     static Random stream(std::uint64_t seed, std::string_view purpose);
 
@@ -45,7 +45,7 @@ private:
     bool m_hasSpare = false;
 };
 
-/// 64 bits from the system's source of secrets (getrandom). Throws environmentFault where there is none.
+/// 64 bits from the random source of the system (getrandom). Throws environmentFault if it fails.
 std::uint64_t drawSecretSeed();
 
 }  // namespace protocols

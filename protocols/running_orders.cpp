@@ -11,7 +11,7 @@ namespace {
 
 using Orders = std::vector<std::vector<Rendering>>;
 
-// Weights of the cost: even pairs are worth more than even stretches.
+// Even pairs count more than even stretches.
 constexpr std::int64_t pairWeight = 8;
 
 Orders shuffledOrders(const StudySize& size, Random& random)
@@ -29,8 +29,7 @@ std::int64_t transitionsOf(const StudySize& size)
     return std::int64_t{size.participants} * (std::int64_t{size.labels} * size.fabrics - 1);
 }
 
-/// Worse than the transition that would stand in a repeat's place, by more than any unevenness that
-/// avoiding the repeat can cause.
+/// Cost of an immediate repeat: more than any unevenness that avoiding it can cause.
 std::int64_t repeatPenalty(const StudySize& size, std::int64_t kinds)
 {
     if (kinds == 1) return 0;
@@ -43,7 +42,7 @@ std::int64_t leastPairCost(const StudySize& size)
     return pairWeight * (pairs(size.labels) + pairs(size.fabrics));
 }
 
-/// Each label then stands once a participant in each stretch of labels, each fabric in each of fabrics.
+/// The cost when each participant has each label once in each stretch of labels, and each fabric once in each of fabrics.
 std::int64_t leastStretchCost(const StudySize& size)
 {
     return std::int64_t{2} * size.labels * size.fabrics * size.participants * size.participants;
@@ -99,7 +98,7 @@ private:
         return excess() - before;
     }
 
-    /// The two places and the up to four transitions that touch them, each once.
+    /// Counts the two places and their transitions (four at most), each once.
     void countAround(const std::vector<Rendering>& order, bool adding)
     {
         const std::size_t low = std::min(m_first, m_second);
@@ -119,7 +118,7 @@ private:
 
     std::int64_t countPair(SquaredCounts& pairs, std::int64_t repeat, int kinds, int a, int b, bool adding) const
     {
-        // With a single kind every transition repeats it; the demand is dropped.
+        // With a single kind every transition is a repeat, so repeats cost nothing.
         if (kinds == 1) return 0;
         if (a == b) return adding ? repeat : -repeat;
         return pairWeight * count(pairs, static_cast<std::size_t>(a * kinds + b), adding);
@@ -171,7 +170,7 @@ Orders drawRunningOrders(const StudySize& size, Random& random)
             best = search.orders();
             bestExcess = search.excess();
         }
-        // What then remains uneven are a few stretches by one; another round would gain little.
+        // Only a few stretches are still uneven, by one; another round would gain little.
         if (search.pairsAreEven()) return search.orders();
     }
     return best;

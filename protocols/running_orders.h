@@ -1,4 +1,4 @@
-// The order in which each participant of a study meets the renderings of one phase.
+// Draws the order in which each participant gets the renderings of one phase.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace protocols {
 
-/// A label (stands for a condition) on a fabric; both count from 0.
+/// A label (an unnamed condition) and a fabric; both count from 0.
 struct Rendering {
     int label = 0;
     int fabric = 0;
@@ -20,11 +20,10 @@ struct StudySize {
     int fabrics = 1;
 };
 
-/// [participant][position]: each rendering once a participant. Over the study each ordered pair of
-/// different labels, and of different fabrics, follows one another equally often; neither repeats
-/// immediately; each label is equally often in each stretch of `labels` positions and each fabric in
-/// each stretch of `fabrics` positions (practice and fatigue). Where a demand cannot be met, as near
-/// to it as a bounded search comes.
+/// [participant][position]: each rendering once per participant. Over the study, ordered pairs of different labels and of
+/// different fabrics follow one another equally often, and none repeats immediately. Each label is equally frequent in each
+/// stretch of `labels` positions, each fabric in each stretch of `fabrics` positions, against practice and fatigue. Where this
+/// is impossible, a bounded search comes as close as it can.
 std::vector<std::vector<Rendering>> drawRunningOrders(const StudySize& size, Random& random);
 
 }  // namespace protocols

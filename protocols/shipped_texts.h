@@ -1,4 +1,4 @@
-// The JSON files of this folder as they are built into the program.
+// The JSON files of this folder, built into the program.
 #pragma once
 
 #include <string_view>

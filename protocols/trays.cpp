@@ -15,7 +15,7 @@ using Orders = std::vector<std::vector<Rendering>>;
 using Trays = std::vector<std::vector<Tray>>;
 using Places = std::vector<std::size_t>;
 
-/// [participant][true fabric]: where in the order it is presented.
+/// [participant][true fabric]: its places in the order.
 std::vector<std::vector<Places>> placesOf(const Orders& orders, const StudySize& size)
 {
     std::vector<std::vector<Places>> places;
@@ -40,9 +40,9 @@ PlacePair randomPair(const std::vector<std::vector<Places>>& places, Random& ran
     return {participant, own[random.below(own.size())], own[random.below(own.size())]};
 }
 
-/// The true fabric never repeats at once, so a fabric that lies on two trays running is more often a
-/// foil if the foils are placed blindly. This search places them so that, among trays that look alike
-/// in what they share with their neighbours, each fabric on them is equally often the true one.
+/// The true fabric never repeats immediately. With foils in random places, a fabric on two trays in a row would therefore more
+/// often be a foil. This search places the foils so that each fabric is equally often the true one, among trays that share the
+/// same number of fabrics with the trays before and after.
 class NeighbourSearch {
 public:
     NeighbourSearch(const Orders& orders, const StudySize& size, int alternatives, Trays sets)
@@ -73,8 +73,8 @@ public:
 
 private:
     using Members = std::bitset<128>;
-    static constexpr std::size_t patterns = 4;  // lay on the tray before: 1; lies on the one after: 2
-    static constexpr int mostForClasses = 5;    // with more alternatives trays hardly ever look alike
+    static constexpr std::size_t patterns = 4;  // 1: also on the tray before; 2: also on the tray after
+    static constexpr int mostForClasses = 5;    // with more alternatives two trays hardly ever look alike
 
     static std::size_t surplusCells(int alternatives)
     {
@@ -100,7 +100,7 @@ private:
         return m_excess - before;
     }
 
-    /// The two trays and their neighbours, each once.
+    /// Counts the two trays and their neighbours, each once.
     void countAround(std::int64_t sign)
     {
         const std::size_t low = std::min(m_pair.first, m_pair.second);
@@ -112,8 +112,8 @@ private:
             count(m_pair.participant, at, sign);
     }
 
-    /// Adds a tray to the surplus of its class: alternatives x (the true one shows the pattern) - fabrics
-    /// that show it. Zero in sum where the pattern tells nothing.
+    /// Adds a tray to the surplus of its class: alternatives x (1 if the true fabric shows the pattern) minus the number of
+    /// fabrics that show it. The sum is 0 if the pattern reveals nothing.
     void count(std::size_t participant, std::size_t at, std::int64_t sign)
     {
         const auto& members = m_members[participant];
@@ -149,8 +149,8 @@ private:
     PlacePair m_pair;
 };
 
-/// Trays with the true fabric in its slot; exchanging the true slots of two presentations of one fabric,
-/// or two foils of one tray, as its move. Both keep the true slots per participant x fabric.
+/// State of the search: trays with the true fabric in its slot. A move exchanges the true slots of two presentations of one
+/// fabric, or two foils on one tray. Both keep the true slots per participant x fabric.
 class SlotSearch {
 public:
     SlotSearch(const Orders& orders, const StudySize& size, int alternatives, Trays trays)
@@ -243,7 +243,7 @@ private:
     bool m_moves = false;
 };
 
-/// The true fabric first, then its foils.
+/// Trays with the true fabric first, then its foils.
 Trays setsInOrder(const Orders& orders, const StudySize& size, int alternatives, Random& random)
 {
     const auto foilSets = drawFoilSets(size, alternatives - 1, random);
@@ -262,8 +262,8 @@ Trays setsInOrder(const Orders& orders, const StudySize& size, int alternatives,
     return trays;
 }
 
-/// True slots for one participant x fabric: each equally often; what is left over goes to the slots that
-/// the participant, then the study, has had least.
+/// True slots for one participant x fabric, each equally often. A remainder goes to the slots that the participant has used least,
+/// then the study.
 std::vector<std::size_t> evenSlots(std::size_t count, std::vector<int>& own, std::vector<int>& study, Random& random)
 {
     std::vector<std::size_t> slots(own.size());
@@ -281,7 +281,7 @@ std::vector<std::size_t> evenSlots(std::size_t count, std::vector<int>& own, std
     return drawn;
 }
 
-/// Puts the true fabric (first so far) into its slot, the foils in random order into the others.
+/// Moves the true fabric from the first place into its slot and the foils in random order into the others.
 void layOut(Trays& trays, const Orders& orders, const StudySize& size, int alternatives, Random& random)
 {
     const auto places = placesOf(orders, size);

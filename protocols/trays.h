@@ -1,4 +1,4 @@
-// Which fabrics lie beside the true one in each presentation of a choice phase, and in which slot.
+// Draws the foils and the tray slots for each presentation of a choice phase.
 #pragma once
 
 #include <vector>
@@ -11,12 +11,11 @@ namespace protocols {
 /// Fabrics in slot order A, B, C ...
 using Tray = std::vector<int>;
 
-/// [participant][position] for the given running orders. Foil sets: equally often per true fabric, none
-/// repeated within participant x true fabric, each foil equally often there. Slots: the true one equally
-/// often per participant x fabric and per label, each foil equally often per participant. What can be
-/// seen of the trays (a fabric also lay in the tray before or after, how often it appears, where it
-/// lies) is as frequent among foils as among true fabrics, so that it does not name the true slot.
-/// Where a demand cannot be met, as near to it as a bounded search comes.
+/// [participant][position] for the given running orders. Foil sets are equally frequent per true fabric and do not repeat within
+/// participant x true fabric; each foil is equally frequent there. True slots are equally frequent per participant x fabric and
+/// per label, slots of each foil per participant. Anything that a participant can notice about the trays (a fabric that also lay
+/// on the tray before or after, its number of appearances, its slot) is as frequent for foils as for true fabrics, so that it
+/// does not reveal the true slot. Where this is impossible, a bounded search comes as close as it can.
 std::vector<std::vector<Tray>> drawTrays(const std::vector<std::vector<Rendering>>& orders, const StudySize& size,
                                          int alternatives, Random& random);
 

@@ -10,14 +10,14 @@ namespace protocols {
 
 namespace {
 
-/// Beyond so many possible foil sets most are never used, and a count of each says nothing.
+/// With more possible foil sets most are never used, and counting each of them is pointless.
 constexpr std::int64_t mostFoilSets = 5000;
 
 using Key = std::vector<int>;
 using Counts = std::map<Key, int>;
 using Range = BalanceCertificate::Range;
 
-/// A phase of the design: each participant's trials in it.
+/// The trials of one phase, by participant.
 using PhaseTrials = std::vector<std::vector<DesignTrial>>;
 
 PhaseTrials trialsOf(const Design& design, int phase)
@@ -49,7 +49,7 @@ Range rangeOf(std::string what, const Counts& counts)
     return range;
 }
 
-/// Every cell of the given sizes at 0, so that what never occurs counts as 0.
+/// Every cell of the given sizes at 0, so that combinations that never occur count as 0.
 Counts emptyTable(const std::vector<int>& sizes)
 {
     std::vector<Key> keys{{}};
@@ -79,7 +79,7 @@ Counts orderedPairs(const PhaseTrials& trials, int kinds, int DesignTrial::*memb
     return counts;
 }
 
-/// How often each kind stands in each stretch of as many positions as there are kinds.
+/// Counts of each kind in each stretch of `kinds` positions.
 Counts perStretch(const PhaseTrials& trials, int kinds, int stretches, int DesignTrial::*member)
 {
     Counts counts = emptyTable({stretches, kinds});

@@ -24,14 +24,14 @@ Error malformed(const std::string& what, const std::string& where, const std::st
     return badInput({.what = what, .where = where, .expected = expected, .nextStep = "restore the file from a backup"});
 }
 
-/// The object of entries below the right schema name.
+/// The entries of a key file with this schema.
 json entriesOf(std::string_view text, const std::string& where, const std::string& schema)
 {
     const json document = parseStrictJson(text, where);
     if (!document.is_object() || !document.contains("schema") || document.at("schema") != schema)
         throw malformed("not a key of this kind", where, "\"schema\": \"" + schema + "\"");
     if (!document.contains("entries") || !document.at("entries").is_object())
-        throw malformed("entries are missing", where, "an object from file code to what it is");
+        throw malformed("entries are missing", where, "an object from file codes to their meaning");
     return document.at("entries");
 }
 

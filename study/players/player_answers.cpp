@@ -23,7 +23,7 @@ FabricId scriptedChoice(const std::string& text, const ScriptedPresentation& pre
     if (std::ranges::find(presentation.tray, FabricId(text)) != presentation.tray.end()) return FabricId(text);
     throw protocols::badInput({"answer \"" + text + "\" is not on the tray", presentation.name,
                                "correct, foil:1 .. foil:" + std::to_string(foils.size()) + " or a fabric of the tray",
-                               "mend the script and run the same command again; what was answered before is stored"});
+                               "correct the script and run the same command again; earlier answers are stored"});
 }
 
 GivenAnswer scriptedSameness(const std::string& text, const ScriptedPresentation& presentation)
@@ -33,7 +33,7 @@ GivenAnswer scriptedSameness(const std::string& text, const ScriptedPresentation
     if (text == "correct" || text == "wrong") return session::Sameness{isSame == (text == "correct")};
     throw protocols::badInput({"answer \"" + text + "\" is neither same nor different", presentation.name,
                                "same, different, correct or wrong",
-                               "mend the script and run the same command again; what was answered before is stored"});
+                               "correct the script and run the same command again; earlier answers are stored"});
 }
 
 }  // namespace

@@ -11,7 +11,7 @@
 
 namespace study::players {
 
-/// The presentation that a scripted answer belongs to.
+/// The presentation of a scripted answer.
 struct ScriptedPresentation {
     const std::vector<protocols::FabricId>& tray;  ///< in slot order
     const protocols::FabricId& truth;              ///< the fabric of the rendering

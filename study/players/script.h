@@ -14,11 +14,11 @@
 
 namespace study::players {
 
-/// "correct", "foil:1", a fabric id, "same", "different", or words, as the question asks; or a rating.
+/// "correct", "foil:1", a fabric id, "same", "different" or words, by the question; or a rating.
 using ScriptedResponse = std::variant<std::string, protocols::Tenths>;
 
 struct ScriptedPlace {
-    std::optional<protocols::TrialNumber> trial;  ///< by number, else by rendering
+    std::optional<protocols::TrialNumber> trial;  ///< empty: the place is given by condition and fabric
     protocols::ConditionId condition;             ///< "catch" for the blank glass of a catch trial
     protocols::FabricId fabric;
     std::optional<int> attempt = std::nullopt;  ///< counts presentations of the same trial from 1; later ones follow a void
@@ -29,16 +29,16 @@ struct ScriptedAnswer {
     protocols::QuestionId question;
     ScriptedPlace place;
     ScriptedResponse response;
-    double seconds = 0;                  ///< > 0; from the touch, where one is scripted, else from the question
+    double seconds = 0;                  ///< more than 0; from the touch, or from the question if no touch is scripted
     std::optional<double> touchSeconds;  ///< from the question to the first touch
     bool touchedByDisplay = false;
 };
 
 /// The state that the session must be in when the event comes. Fields without a value are not checked.
 struct ScriptedExpectation {
-    std::optional<std::string> stage;     ///< as session::nameOf() names it: "Presenting", "OnBreak", "PlacingTray (paused)"
-    std::optional<std::string> question;  ///< the one that is asked
-    std::optional<int> presentation;      ///< how far in the order, from 1
+    std::optional<std::string> stage;     ///< a name of session::nameOf(): "Presenting", "PlacingTray (paused)"
+    std::optional<std::string> question;  ///< id of the question that is asked
+    std::optional<int> presentation;      ///< place in the order, from 1
     std::optional<int> trial;
 };
 
@@ -49,9 +49,9 @@ struct ScriptedEvent {
     bool beforeAnswer = false;    ///< while the next question is asked; else right after the last answer
     protocols::QuestionId question;
     std::optional<ScriptedResponse> response;
-    std::string text;       ///< why, or the note
+    std::string text;       ///< the reason, or the note
     bool isFlag = false;    ///< of a note
-    bool mustFail = false;  ///< the session must refuse it ...
+    bool mustFail = false;  ///< the session must refuse it
     std::string refusal;    ///< ... with a reason that contains this text
     ScriptedExpectation expectation;
 };
@@ -66,7 +66,7 @@ struct Script {
     const ScriptedAnswer* answerTo(const protocols::QuestionId& question, const ScriptedPlace& place) const;
 };
 
-/// Throws badInput naming file and entry.
+/// Throws badInput, naming the file and the entry.
 Script scriptFromJson(std::string_view json, const std::string& where, const protocols::Protocol& protocol);
 
 }  // namespace study::players

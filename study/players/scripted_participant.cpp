@@ -17,7 +17,7 @@ namespace {
 using namespace session;
 using What = ScriptedEvent::What;
 
-/// The kind under which an event of the script is found in the log.
+/// The kind of an event of the script in the log; empty for events that leave no record.
 std::string loggedKind(What what)
 {
     switch (what) {
@@ -38,7 +38,7 @@ std::string loggedKind(What what)
         case What::Touch:
             return kindOf(Touched{});
         case What::Answer:
-            return {};  // always one that must fail
+            return {};  // is always refused
         case What::Expect:
             return {};
     }
@@ -89,7 +89,7 @@ void Player::skipPassed(const std::vector<database::EventRecord>& logged)
     for (std::size_t i = 0; i < m_script.events.size(); ++i) {
         const auto& event = m_script.events[i];
         int& left = happened[{event.mustFail ? std::string() : loggedKind(event.what), event.answersStoredBefore}];
-        // A session that ended at a crash's place has had its crash, whatever ended it.
+        // A session that ended at the place of a crash has had this crash, no matter what ended it.
         const bool crashed = event.what == What::Crash && !logged.empty() && event.answersStoredBefore == stored;
         m_passed[i] = event.answersStoredBefore < stored || left > 0 || crashed;
         left -= left > 0;
@@ -143,8 +143,8 @@ void Player::act(const EventBody& event)
     if (const auto refusal = m_hands.perform(event))
         throw protocols::badInput({"the session refuses \"" + kindOf(event) + "\" after " +
                                        std::to_string(m_hands.state().answersStored) + " answers: " + refusal->reason,
-                                   m_script.where, "a script that a session can follow",
-                                   "mend the script; what was answered before is stored"});
+                                   m_script.where, "a script that the session can follow",
+                                   "correct the script; earlier answers are stored"});
 }
 
 GivenAnswer Player::answerFor(const ScriptedResponse& scripted, int index, const protocols::Question& question) const
@@ -164,8 +164,8 @@ Corrected Player::correctionOf(const ScriptedEvent& event) const
         if (question.id == event.question)
             return {event.question, answerFor(*event.response, latest->index, question), event.text};
     }
-    throw protocols::badInput({"a correction of " + event.question.value + " before it was answered", m_script.where,
-                               "an answer to correct", "mend the script"});
+    throw protocols::badInput({"a correction of " + event.question.value + " comes before its answer", m_script.where,
+                               "an answer to correct", "correct the script"});
 }
 
 EventBody Player::bodyOf(const ScriptedEvent& event) const
@@ -213,7 +213,7 @@ bool Player::performDueEvent()
     for (std::size_t i = 0; i < m_script.events.size(); ++i) {
         const auto& event = m_script.events[i];
         if (m_passed[i] || event.answersStoredBefore != state.answersStored) continue;
-        // "Before the answer" means while the rendering is on the display; a resume follows its pause at once.
+        // "Before the answer" means during the presentation. A resume follows its pause immediately.
         if (event.beforeAnswer && !state.paused && !std::holds_alternative<Presenting>(state.stage)) return false;
         m_passed[i] = true;
         perform(event);
@@ -234,7 +234,7 @@ void Player::answer(const Presenting& presenting)
     if (!scripted)
         throw protocols::badInput({"no answer", m_script.where + ": " + placeName(presenting.index, question.id),
                                    "an answer to every question and rendering of the protocol",
-                                   "add it and run the same command again; what was answered before is stored"});
+                                   "add it and run the same command again; earlier answers are stored"});
     const GivenAnswer response = answerFor(scripted->response, presenting.index, question);
     if (scripted->touchSeconds && !presenting.touchedAtNs) {
         m_clock.advanceSeconds(*scripted->touchSeconds);

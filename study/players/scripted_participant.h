@@ -1,4 +1,4 @@
-// Plays a script through a session, from wherever the session is to its end.
+// Plays a script through a session, from the session's present state to its end.
 #pragma once
 
 #include <functional>
@@ -11,16 +11,15 @@
 
 namespace study::players {
 
-/// The trials of the participant's slot and what their file codes are.
+/// The trials of the participant's slot and the meaning of their file codes.
 struct ScriptedTrials {
     std::vector<protocols::BlindedTrial> trials;
     protocols::AllocationKey key;
     protocols::Protocol protocol;
 };
 
-/// `logged`: what the session's log already holds, so that events passed before a crash are not
-/// repeated. `progress(answers stored)`. A missing or impossible answer throws badInput naming the
-/// trial; what was answered before is stored.
+/// `logged`: the events in the session's log, so that events before a crash are not repeated. `progress` gets the number of stored
+/// answers. Throws badInput for a missing or impossible answer, naming the trial; earlier answers remain stored.
 void playScript(const Script& script, const ScriptedTrials& trials, const std::vector<database::EventRecord>& logged,
                 Hands& hands, session::VirtualClock& clock, const std::function<void(int)>& progress = {});
 

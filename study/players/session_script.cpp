@@ -24,7 +24,7 @@ ordered_json jsonOf(const GivenAnswer& answer)
                       scriptedFormOf(answer));
 }
 
-/// Follows one log through the engine and writes down what a script needs to do the same again.
+/// Follows one log through the session and writes the script that repeats it.
 class Recorder {
 public:
     Recorder(const Plan& plan, const records::Naming& naming, ordered_json& script, bool hasVoids)
@@ -65,7 +65,7 @@ private:
             add({{"do", "withdraw"}, {"why", withdrawn->why}}, true);
     }
 
-    /// `orDuring`: where a question is being asked it is done then, else right after the last answer.
+    /// `orDuring`: during a presentation the event belongs before the next answer, else right after the last one.
     void add(const ordered_json& what, bool orDuring)
     {
         const bool isAsking = orDuring && std::holds_alternative<Presenting>(m_state.stage);

@@ -77,7 +77,7 @@ SimulatedParticipant::Judgement SimulatedParticipant::compare(const protocols::B
 {
     const double noisy = distance(trial.fileCode, trial.alternatives.front(), m_model.slipperinessWeight) +
                          m_model.sensoryNoise * m_random.normal();
-    // "Same" where a rating of the likeness would lie in the upper half.
+    // "Same" if a rating of the similarity would lie in the upper half of the scale.
     const bool same = std::exp(-std::max(0.0, noisy) / m_model.ratingFall) >= 0.5;
     const bool lapses = m_random.uniform() < m_model.lapseRate;
     return {Sameness{lapses ? m_random.below(2) == 1 : same}, 4.0 * std::exp(0.3 * m_random.normal())};
@@ -89,7 +89,7 @@ void playSimulated(SimulatedParticipant& participant, const Plan& plan, Hands& h
     const auto act = [&](const EventBody& event) {
         if (const auto refusal = hands.perform(event))
             throw protocols::workFailed({"the session refuses \"" + kindOf(event) + "\": " + refusal->reason,
-                                         "simulated participant", "", "report this with the study folder"});
+                                         "simulated participant", "", "report this fault with the study folder"});
     };
     const auto answer = [&](const Presenting& presenting) {
         const auto& trial = plan.trials[presenting.index];

@@ -26,7 +26,7 @@ std::string isoLocal(std::int64_t msSinceEpoch)
     return text.data();
 }
 
-/// Virtual sessions begin at this instant, 2000-01-01T00:00:00Z, so that nobody takes them for real ones.
+/// Virtual sessions begin at 2000-01-01T00:00:00Z, so that nobody mistakes them for real ones.
 constexpr std::int64_t virtualStartMs = 946684800000;
 
 std::string isoUtc(std::int64_t msSinceEpoch)

@@ -1,5 +1,5 @@
-// Time as a session sees it: a monotonic clock for response times and the wall clock for the record.
-// Injected, so that scripted time is virtual and a stepped system clock changes nothing.
+// The clocks of a session: a monotonic clock for response times and the wall clock for the record. The session gets them from
+// outside, so that scripted sessions have virtual time and a change of the system clock has no effect.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@ public:
     std::string wallTime() const override;
 };
 
-/// Stands still until it is moved; wall time goes along from a fixed start.
+/// Stands still until it is advanced. Its wall time starts at a fixed instant.
 class VirtualClock final : public Clock {
 public:
     std::int64_t monotonicNs() const override { return m_nowNs; }

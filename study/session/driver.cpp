@@ -69,7 +69,7 @@ AnswerRecord correction(const Plan& plan, const State& next, const Corrected& ev
     return record;
 }
 
-/// The trial whose answers a void removed: the one that `order` grew by.
+/// The trial that was voided: the one that was added to `order`.
 int voidedTrial(const State& before, const State& next)
 {
     std::size_t place = 0;
@@ -77,7 +77,7 @@ int voidedTrial(const State& before, const State& next)
     return next.order[place].index;
 }
 
-/// What a remark made now is about: the presentation that is on, or the one answered last.
+/// The trial that a remark concerns now: the one being presented, or the one answered last.
 std::optional<int> trialNotedOn(const State& state)
 {
     if (const auto* presenting = std::get_if<Presenting>(&state.stage)) return presenting->index;
@@ -124,7 +124,7 @@ Plan readPlan(const StudyStore& store, const protocols::ParticipantId& participa
 {
     for (const database::Enrolment& enrolment : store.enrolments())
         if (enrolment.participant == participant) return planOf(store, enrolment);
-    throw protocols::badInput({"no participant " + participant.value, store.folder().folder.string(), "one who is enrolled", ""});
+    throw protocols::badInput({"unknown participant " + participant.value, store.folder().folder.string(), "an enrolled participant", ""});
 }
 
 void requireKeptProtocol(const StudyStore& store)
@@ -134,9 +134,9 @@ void requireKeptProtocol(const StudyStore& store)
     const std::optional<std::string> text = protocols::readIfPossible(file);
     if (text && protocols::sha256(*text) == store.protocolVersions().back().sha256) return;
     throw protocols::badInput({text ? "the protocol was changed after the study was made" : "the protocol cannot be read",
-                               file.string(), "the text that the study keeps",
-                               "take the change over with `vis2hap study amend " + study +
-                                   " --who NAME --why TEXT`, or put the kept text back with `vis2hap study amend " + study +
+                               file.string(), "the text in the database",
+                               "accept the change with `vis2hap study amend " + study +
+                                   " --who NAME --why TEXT`, or restore the text with `vis2hap study amend " + study +
                                    " --undo`"});
 }
 
@@ -148,7 +148,7 @@ void Driver::replayLog()
         auto outcome = apply(m_plan, m_state, {eventFromRecord(record.kind, record.payloadJson), record.atNs});
         if (const auto* refusal = std::get_if<Refusal>(&outcome))
             throw protocols::workFailed(
-                {"the stored log does not hold together: " + refusal->reason,
+                {"the stored log is inconsistent: " + refusal->reason,
                  m_store.folder().database().string() + ", event " + std::to_string(record.sequence) + " (" + record.kind + ")",
                  "", "run vis2hap verify on the study"});
         m_state = std::move(std::get<SessionStep>(outcome).next);
@@ -176,8 +176,8 @@ void Driver::commit(const EventBody& body, std::int64_t atNs, SessionStep step)
     m_state = std::move(step.next);
 }
 
-/// Runs only what is already on the disk. A display that fails leaves a paused session, so that the
-/// presentation begins anew once the display works.
+/// Performs effects of events that are on the disk. If the display fails, the session is paused, so that the presentation begins
+/// again when the display works.
 void Driver::letOut(const std::vector<Effect>& effects)
 {
     try {
@@ -203,7 +203,7 @@ void Driver::prefetchIfPossible(const protocols::FileCode& code)
     try {
         m_bank.prefetch(code);
     } catch (const protocols::Error&) {
-        // Reading ahead saves time only; a missing or altered stimulus is told when it is to be shown.
+        // Reading ahead only saves time. A missing or altered stimulus is reported when it is shown.
     }
 }
 
@@ -213,12 +213,12 @@ void Driver::pauseAfterFault()
     const std::int64_t atNs = m_clock.monotonicNs();
     auto outcome = apply(m_plan, m_state, {Paused{}, atNs});
     auto* step = std::get_if<SessionStep>(&outcome);
-    if (!step) return;  // the session was over
+    if (!step) return;  // the session is over
     commit(Paused{}, atNs, std::move(*step));
     try {
         m_display.clear();
     } catch (const protocols::Error&) {
-        // The display's first fault is the one that is told.
+        // Report the first fault of the display; later ones are consequences.
     }
 }
 

@@ -1,6 +1,6 @@
-// The one way into a session for window, script and simulation: commits an accepted event with its
-// answers in one transaction and only then lets the effects out. Opening it replays the log, so a
-// session goes on where the last acknowledged event left it.
+// The only way into a session, for the window, scripts and simulations. The driver stores an accepted event with its answers in
+// one transaction and performs the effects after that. It replays the log when it is opened, so the session continues after the
+// last stored event.
 #pragma once
 
 #include <optional>
@@ -16,23 +16,23 @@
 
 namespace study::session {
 
-/// Under which fact the debriefing is kept.
+/// The fact that holds the debriefing.
 inline constexpr const char* debriefingFact = "debriefing";
 
-/// What an enrolled participant's session follows. Throws badInput for an unknown participant.
+/// The plan of an enrolled participant's session. Throws badInput for an unknown participant.
 Plan readPlan(const database::StudyStore& store, const protocols::ParticipantId& participant);
 
-/// Throws badInput where protocol.json is not the latest text that the study keeps.
+/// Throws badInput if protocol.json differs from the latest version in the database.
 void requireKeptProtocol(const database::StudyStore& store);
 
 class Driver {
 public:
-    /// Enrols the participant, or finds where they were. `store` must be open for writing.
+    /// Enrols the participant, or continues their session. `store` must be open for writing.
     Driver(database::StudyStore& store, const protocols::ParticipantId& participant, database::ParticipantKind kind,
            rendering::StimulusBank& bank, rendering::HapticDisplay& display, Clock& clock);
 
-    /// Empty when accepted and on the disk; else why not (nothing has changed then). A display or disk
-    /// that fails throws protocols::Error; after a display fault the session is paused, nothing lost.
+    /// Empty if the event was accepted and is on the disk; else the reason, and nothing has changed. Throws protocols::Error if
+    /// the display or the disk fails. After a fault of the display the session is paused, and no answer is lost.
     std::optional<Refusal> send(const EventBody& event);
 
     const State& state() const { return m_state; }

@@ -32,7 +32,7 @@ const char* whatIsGiven(const GivenAnswer& answer)
                       answer);
 }
 
-/// Checks one answer against a question of each kind.
+/// Checks one answer against questions of each kind.
 struct Check {
     const GivenAnswer& answer;
     const protocols::Question& question;

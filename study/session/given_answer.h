@@ -1,5 +1,5 @@
-// The answer that a participant gives, as a variant, and what the session does with each kind: check it against the question,
-// write it into the log and read it back, store it.
+// The answer of a participant as a variant, and everything that the session does with it: check it against the question, write it
+// into the log and read it back, store it.
 #pragma once
 
 #include <map>
@@ -18,11 +18,11 @@ struct AnswerRecord;
 
 namespace study::session {
 
-/// What the console calls the fabric pieces: their codes. A fabric without a code goes by its id.
+/// The names of the fabric pieces on the console: their codes. A fabric without a code has its id as its name.
 using PieceNames = std::map<protocols::FabricId, std::string>;
 std::string nameIn(const PieceNames& names, const protocols::FabricId& fabric);
 
-/// Whether the fabric on the tray is the one that the rendering renders.
+/// Whether the fabric on the tray is the fabric of the rendering.
 struct Sameness {
     bool same = false;
     bool operator==(const Sameness&) const = default;
@@ -33,7 +33,7 @@ struct Words {
 };
 using GivenAnswer = std::variant<protocols::FabricId, protocols::Tenths, Sameness, Words>;
 
-/// What the view `answers` and exports show for it: a fabric id, "same", "different", words; a rating "5.5".
+/// The answer in the view `answers` and in exports: a fabric id, "same", "different", words, or a rating like "5.5".
 std::string textOf(const GivenAnswer& answer);
 
 /// Why this answer cannot be stored for the question, as a sentence for the operator; empty where it can. `tray`: the fabrics

@@ -1,4 +1,4 @@
-// The way of a willing participant around the trials, for whoever plays a session without a person.
+// The events outside the trials of a participant who agrees to everything. Scripted and simulated participants send them.
 #pragma once
 
 #include <optional>
@@ -7,7 +7,7 @@
 
 namespace study::session {
 
-/// Agrees, tells no facts, ticks every line of the checklist, ends breaks. Empty in the stages of a trial and
+/// The next event: gives consent but no facts, ticks every line of the checklist, ends breaks. Empty in the stages of a trial and
 /// at the end.
 std::optional<EventBody> nextOfPreparation(const protocols::Protocol& protocol, const Stage& stage);
 

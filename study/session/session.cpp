@@ -1,4 +1,4 @@
-// The transition table. Rows: stages; columns: events; an empty cell is refused with a reason.
+// The transition table. Rows: stages; columns: events; an event in an empty cell is refused with a reason.
 //
 //                 | Begun | Con-   | Facts | Famil. | Famil. | Scale  | Scale  | Check- | Sitting
 //                 |       | sented | Given | Shown  | Done   | Placed | T.Done | list   | Prepared
@@ -24,18 +24,17 @@
 // Withdrawn       |       |         |           |      |       |           |       |
 // any, paused     |       |         |           |      |       |           |       | -p
 //
-// prep. = the next stage of the preparation for which the protocol has something, at last PlacingTray.
-// next  = after the last question or a void: OnBreak when a block or phase ends or time is up, PlacingTray
-//         of the next presentation, Debriefing after the last.
-// (a)   = voids the presentation just completed (or the interrupted one, where it has answers already)
-//         and stays (from Debriefing: PlacingTray); the tray may then be another one.
-// In every cell of their columns, so not drawn: SittingStarted (Presenting i -> PlacingTray i; the pause
-// stays), Noted, WithdrawnEvent (not twice) -> Withdrawn, Corrected (not once withdrawn, and only where
-// there is an answer to correct).
+// prep. = the next stage of the preparation that the protocol needs; PlacingTray after the last of them.
+// next  = after the last question or a void: OnBreak at the end of a block or phase or when time is up, else PlacingTray of the
+//         next presentation, or Debriefing after the last one.
+// (a)   = voids the presentation that was just completed (or the interrupted one, if it has answers already) and stays in the
+//         stage (from Debriefing: PlacingTray); the next tray may then be another one.
+// Not drawn, because every stage takes them: SittingStarted (Presenting i -> PlacingTray i; a pause remains), Noted,
+// WithdrawnEvent -> Withdrawn (only once), Corrected (not after a withdrawal, and only if there is an answer to correct).
 //
-// Kept in every state: `order` holds each trial once and once more for each void, phases together, blocks
-// ascending; Presenting and PlacingTray are of trial order[position]; `answers` holds no two answers to the
-// same question of the same trial and none of a voided presentation.
+// True in every state: `order` holds each trial once and once more for each void, the trials of a phase together, blocks
+// ascending. Presenting and PlacingTray concern trial order[position]. `answers` holds at most one answer to a question of a
+// trial and none of a voided presentation.
 #include <algorithm>
 
 #include "study/session/session_moves.h"
@@ -46,7 +45,7 @@ namespace {
 
 using Outcome = std::variant<SessionStep, Refusal>;
 
-/// What one event does in one stage; the general template is the empty cell of the table.
+/// The effect of one event in one stage. The general template is the empty cell of the table.
 struct Transition {
     const Plan& plan;
     const State& state;
@@ -64,7 +63,7 @@ struct Transition {
     Outcome operator()(const Familiarising&, const FamiliarisationShown& shown) const
     {
         if (shown.item < 0 || shown.item >= static_cast<int>(plan.familiarisation.size()))
-            return Refusal{"There is no such fabric to get to know."};
+            return Refusal{"There is no such fabric for getting to know the display."};
         SessionStep step = moved(Familiarising{shown.item});
         step.effects.emplace_back(ShowStimulus{plan.familiarisation[static_cast<std::size_t>(shown.item)].fileCode});
         return step;
@@ -78,9 +77,9 @@ struct Transition {
     Outcome operator()(const ScaleTraining& training, const ScalePlaced& placed) const
     {
         const auto places = placesToName(plan, state);
-        if (training.placed >= static_cast<int>(places.size())) return Refusal{"Every place has been named already."};
+        if (training.placed >= static_cast<int>(places.size())) return Refusal{"The participant has said a number for every place already."};
         if (placed.shown != places[static_cast<std::size_t>(training.placed)])
-            return Refusal{"This is not the place that is shown."};
+            return Refusal{"This is not the place on the line that is shown."};
         return moved(ScaleTraining{training.isRefresher, training.placed + 1});
     }
     Outcome operator()(const ScaleTraining&, const ScaleTrainingDone&) const { return preparedOn(); }
@@ -106,9 +105,9 @@ struct Transition {
 
     Outcome operator()(const Presenting& presenting, const Touched& touch) const
     {
-        if (presenting.touchedAtNs) return Refusal{"The first touch is stamped already."};
+        if (presenting.touchedAtNs) return Refusal{"The time of the first touch is stored already."};
         Presenting touched = presenting;
-        // Never before the image was asked for, whatever a device tells.
+        // A display may report any age. A touch before the question was shown cannot belong to it.
         touched.touchedAtNs = std::clamp(atNs - touch.agoNs, presenting.readyAtNs, atNs);
         touched.touchedBy = touch.by;
         return moved(touched);
@@ -168,17 +167,17 @@ private:
         SessionStep step{state, {}};
         step.next.paused = false;
         step.next.restedAtNs = atNs;
-        // Where nothing is rated there is no scale to refresh.
+        // The refresher comes after familiarisation; a study without ratings has none.
         step.next.stage = Familiarising{};
         prepareOn(plan, step, atNs);
         if (auto* training = std::get_if<ScaleTraining>(&step.next.stage)) training->isRefresher = true;
         return step;
     }
 
-    /// The presentation before this one turns out to have been invalid.
+    /// Voids the presentation before the present one.
     Outcome voidedBefore() const
     {
-        if (state.position == 0) return Refusal{"No presentation has been given yet."};
+        if (state.position == 0) return Refusal{"There has been no presentation yet."};
         const int before = state.order[static_cast<std::size_t>(state.position - 1)].index;
         if (answersTo(state, before) == 0) return Refusal{"The presentation before this one is void already."};
         SessionStep step{state, {}};
@@ -195,7 +194,7 @@ private:
 Outcome pause(const State& state)
 {
     if (std::holds_alternative<Finished>(state.stage) || std::holds_alternative<Withdrawn>(state.stage))
-        return Refusal{"The session is over; there is nothing to pause."};
+        return Refusal{"The session is over. There is nothing to pause."};
     SessionStep step{state, {ClearDisplay{}}};
     interrupt(step.next);
     step.next.paused = true;
@@ -212,7 +211,7 @@ Outcome resume(const Plan& plan, const State& state, std::int64_t atNs)
     return step;
 }
 
-/// Its clock need not go on from the one before: what is measured from stamps begins anew.
+/// The clock may start again at any value, so all times that are measured from stamps begin anew.
 Outcome startSitting(const State& state, std::int64_t atNs)
 {
     SessionStep step{state, {ClearDisplay{}}};
@@ -235,7 +234,7 @@ Outcome withdraw(const State& state, const WithdrawnEvent& event)
 Outcome correct(const Plan& plan, const State& state, const Corrected& event)
 {
     if (std::holds_alternative<Withdrawn>(state.stage))
-        return Refusal{"The participant has withdrawn; answers stay as they are."};
+        return Refusal{"The participant has withdrawn. Answers cannot be changed."};
     const auto place = latestAnswerTo(plan, state, event.question);
     if (!place) return Refusal{"There is no answer to " + event.question.value + " yet."};
     SessionStep step{state, {}};
@@ -253,7 +252,7 @@ Outcome note(const State& state, const Noted& event)
     return SessionStep{state, {}};
 }
 
-/// The list's own order, until voids lengthen it.
+/// The state with the order of the participant's list, until a void adds to it.
 State withOrder(const Plan& plan, State state)
 {
     if (state.order.empty()) state.order = orderOf(plan);
@@ -262,14 +261,14 @@ State withOrder(const Plan& plan, State state)
 
 Outcome applyTo(const Plan& plan, const State& state, const Event& event)
 {
-    // The events that every stage takes, paused or not.
+    // Every stage takes these events, paused or not.
     if (std::holds_alternative<SittingStarted>(event.body)) return startSitting(state, event.atNs);
     if (std::holds_alternative<Resumed>(event.body)) return resume(plan, state, event.atNs);
     if (const auto* withdrawn = std::get_if<WithdrawnEvent>(&event.body)) return withdraw(state, *withdrawn);
     if (const auto* corrected = std::get_if<Corrected>(&event.body)) return correct(plan, state, *corrected);
     if (const auto* noted = std::get_if<Noted>(&event.body)) return note(state, *noted);
     if (state.paused && !std::holds_alternative<SittingPrepared>(event.body))
-        return Refusal{"The session is paused; resume it first."};
+        return Refusal{"The session is paused. Resume it first."};
     if (std::holds_alternative<Paused>(event.body)) return pause(state);
     return std::visit(Transition{plan, state, event.atNs}, state.stage, event.body);
 }

@@ -1,17 +1,17 @@
-// One participant's session as a state machine of values: state + event -> next state and effects, or
-// a refusal with its reason. It does no I/O and reads no clock; the driver (driver.h) does both.
+// The session of one participant as a state machine of values: a state and an event give the next state with effects, or a
+// refusal with its reason. The driver (driver.h) does all input, output and clock readings.
 //
 //   Enrolled -> Consenting -> AskingFacts -> Familiarising -> ScaleTraining -> CheckingList -.
-//      (a stage of which the protocol asks nothing is passed over)                           |
+//      (a stage that the protocol does not need is skipped)                                  |
 //       .------------------------------------------------------------------------------------'
 //       v
 //   PlacingTray -> Presenting -> ... -> Debriefing -> Finished
 //       ^  (answers; last question) |
 //       +-----------<---------------+
 //       +--- OnBreak (by count, by time, between phases, at the end of a sitting)
-//   Pause keeps where it was; Resume presents the interrupted trial again from PlacingTray. A later
-//   sitting may begin with the scale's refresher and the checklist (SittingPrepared).
-//   Withdraw ends from any state. Quit is a pause at which the window closes.
+//   A pause keeps the place; after it the interrupted trial is presented again from PlacingTray. A later sitting may begin with a
+//   refresher of the scale and the checklist (SittingPrepared). A participant can withdraw in any state. Quit is a pause that
+//   closes the window.
 #pragma once
 
 #include <cstdint>
@@ -29,13 +29,13 @@
 
 namespace study::session {
 
-/// A fabric outside the study's with its friction image, for getting to know the display.
+/// A fabric outside the study with its friction image. It lets the participant get to know the display.
 struct FamiliarisationImage {
     std::string name;
     protocols::FileCode fileCode;
 };
 
-/// What is fixed for one participant's session.
+/// The fixed parts of one participant's session.
 struct Plan {
     protocols::Protocol protocol;
     std::vector<protocols::BlindedTrial> trials;
@@ -43,7 +43,7 @@ struct Plan {
     std::vector<FamiliarisationImage> familiarisation;
 };
 
-// ---- states; each holds only what is true in it. `index` counts trials from 0.
+// ---- states; each holds only what is true in it. `index` is the number of a trial, from 0.
 struct Enrolled {
     bool operator==(const Enrolled&) const = default;
 };
@@ -53,12 +53,12 @@ struct Consenting {
 struct AskingFacts {
     bool operator==(const AskingFacts&) const = default;
 };
-/// `shown`: the item of the plan's familiarisation that is on the display.
+/// `shown`: the number of the plan's familiarisation image on the display.
 struct Familiarising {
     std::optional<int> shown;
     bool operator==(const Familiarising&) const = default;
 };
-/// `placed`: values shown on the line and spoken back so far.
+/// `placed`: number of places on the line for which the participant has said a number.
 struct ScaleTraining {
     bool isRefresher = false;
     int placed = 0;
@@ -67,17 +67,17 @@ struct ScaleTraining {
 struct CheckingList {
     bool operator==(const CheckingList&) const = default;
 };
-/// The operator puts the fabrics of the trial into the tray; the display is clear.
+/// The operator puts the fabrics of the trial on the tray; the display is clear.
 struct PlacingTray {
     int index = 0;
     bool operator==(const PlacingTray&) const = default;
 };
 enum class TouchSource { Operator, Display };
-/// The friction image is on the display and question `question` is asked.
+/// The friction image is on the display, and the operator asks question number `question` (from 0).
 struct Presenting {
     int index = 0;
     int question = 0;
-    std::int64_t readyAtNs = 0;  ///< this question was shown
+    std::int64_t readyAtNs = 0;  ///< time when this question was shown
     std::optional<std::int64_t> touchedAtNs;
     TouchSource touchedBy = TouchSource::Operator;
     bool operator==(const Presenting&) const = default;
@@ -101,7 +101,7 @@ struct Withdrawn {
 using Stage = std::variant<Enrolled, Consenting, AskingFacts, Familiarising, ScaleTraining, CheckingList, PlacingTray, Presenting,
                            OnBreak, Debriefing, Finished, Withdrawn>;
 
-/// An answer that is stored and may still be corrected.
+/// A stored answer that may still be corrected.
 struct StoredAnswer {
     int index = 0;
     int question = 0;
@@ -109,8 +109,8 @@ struct StoredAnswer {
     bool operator==(const StoredAnswer&) const = default;
 };
 
-/// A presentation in the order that is followed. Blocks are the stretches between breaks, counted from 0
-/// over all phases; a voided trial comes again at the end of a block.
+/// A presentation in the order of the session. A block is a stretch between two breaks, counted from 0 over all phases. A voided
+/// trial is presented again at the end of a block.
 struct PlaceInOrder {
     int index = 0;
     int block = 0;
@@ -120,25 +120,25 @@ struct PlaceInOrder {
 struct State {
     Stage stage = Enrolled{};
     bool paused = false;
-    std::vector<StoredAnswer> answers;  ///< current ones, in order of storing; voided presentations' removed
-    int answersStored = 0;              ///< ever, corrections not counted
-    std::vector<PlaceInOrder> order;    ///< in the order of presentation; grows by voids
-    int position = 0;                   ///< into order
+    std::vector<StoredAnswer> answers;  ///< the current ones in order of storing, without those of voided presentations
+    int answersStored = 0;              ///< all ever stored, without corrections
+    std::vector<PlaceInOrder> order;    ///< in the order of presentation; a void adds one
+    int position = 0;                   ///< in `order`
     int sitting = 0;
-    int preparedSitting = 0;  ///< the one whose checklist was gone through last
+    int preparedSitting = 0;  ///< the sitting whose checklist was completed last
     bool sittingOverTold = false;
     std::int64_t sittingBeganAtNs = 0;
-    std::int64_t restedAtNs = 0;                       ///< the last break, pause or start of a sitting ended
-    std::int64_t trayAskedAtNs = 0;                    ///< the present presentation began with its tray
-    std::vector<std::pair<int, std::int64_t>> paceNs;  ///< phase and duration of each presentation done
+    std::int64_t restedAtNs = 0;                       ///< end of the last break or pause, or start of the sitting
+    std::int64_t trayAskedAtNs = 0;                    ///< start of the present presentation, with its tray
+    std::vector<std::pair<int, std::int64_t>> paceNs;  ///< phase and duration of each finished presentation
     bool operator==(const State&) const = default;
 };
 
-// ---- events; time comes in with them.
-struct SittingStarted {};  ///< the engine was opened (again) for this participant
+// ---- events; each brings its time.
+struct SittingStarted {};  ///< the session was opened, or opened again
 struct Begun {};           ///< leaves Enrolled
-struct Consented {};       ///< the participant has agreed, as the protocol words it
-/// Fact and value; what was not told is left out. Values never reach the log, only which were given.
+struct Consented {};       ///< the participant has agreed to the protocol's consent text
+/// Facts that the participant gave, with their values. The log keeps the names of the facts, never the values.
 struct FactsGiven {
     std::map<std::string, std::string> facts;
 };
@@ -148,16 +148,16 @@ struct FamiliarisationShown {
 struct FamiliarisationDone {};
 struct ScalePlaced {
     protocols::Tenths shown, spoken;
-};  ///< a place pointed at, and the number said for it
+};  ///< the place on the line and the number that the participant said
 struct ScaleTrainingDone {};
-/// Lines that were ticked and readings by name, as the protocol lists them.
+/// The ticked lines and the readings by name, as in the protocol.
 struct ChecklistDone {
     std::vector<std::string> ticked;
     std::map<std::string, std::string> readings;
 };
-struct SittingPrepared {};  ///< paused in a later sitting -> the scale's refresher
-struct TrayReady {};        ///< the tray is confirmed: show the stimulus, ask the first question
-/// First touch of the display; it came `agoNs` before the event, where a device tells so.
+struct SittingPrepared {};  ///< the operator begins the preparation of a later sitting
+struct TrayReady {};        ///< the tray is complete: show the stimulus, ask the first question
+/// First touch of the display. `agoNs`: its age at the event, if the display reports it.
 struct Touched {
     TouchSource by = TouchSource::Operator;
     std::int64_t agoNs = 0;
@@ -165,14 +165,16 @@ struct Touched {
 struct Answered {
     GivenAnswer response;
 };
-struct Corrected {  ///< changes the latest answer to `question`
+/// Changes the latest answer to `question`.
+struct Corrected {
     protocols::QuestionId question;
     GivenAnswer response;
     std::string why;
 };
+/// The presentation was invalid. It is kept but not analysed, and the trial is presented again.
 struct Voided {
     std::string why;
-};  ///< the presentation was invalid: kept, not analysed, presented again
+};
 struct BreakEnded {};
 struct Paused {};
 struct Resumed {};
@@ -181,11 +183,12 @@ struct WithdrawnEvent {
 };
 struct Noted {
     std::string text;
-    bool isFlag = false;  ///< the presentation is to be looked at; the text may be empty then
+    bool isFlag = false;  ///< marks the presentation for a later check; the text may then be empty
 };
+/// The participant's comment at the end. It can be erased, so the log does not hold it.
 struct Debriefed {
     std::string text;
-};  ///< what the participant says at the end; erasable, so not in the log
+};
 using EventBody = std::variant<SittingStarted, Begun, Consented, FactsGiven, FamiliarisationShown, FamiliarisationDone,
                                ScalePlaced, ScaleTrainingDone, ChecklistDone, SittingPrepared, TrayReady, Touched, Answered,
                                Corrected, Voided, BreakEnded, Paused, Resumed, WithdrawnEvent, Noted, Debriefed>;
@@ -194,7 +197,7 @@ struct Event {
     std::int64_t atNs = 0;
 };
 
-// ---- what the driver is asked to do, after the event is on the disk.
+// ---- effects; the driver performs them after the event is on the disk.
 struct ShowStimulus {
     protocols::FileCode code;
     bool operator==(const ShowStimulus&) const = default;
@@ -218,7 +221,7 @@ struct Refusal {
 
 std::variant<SessionStep, Refusal> apply(const Plan& plan, const State& state, const Event& event);
 
-/// The names for tests' printed grid: "PlacingTray", "PlacingTray (paused)".
+/// "PlacingTray", "PlacingTray (paused)".
 std::string nameOf(const State& state);
 
 }  // namespace study::session

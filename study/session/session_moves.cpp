@@ -124,7 +124,7 @@ std::string refusalOf(const State& state, const EventBody& body)
     if (std::holds_alternative<Withdrawn>(state.stage)) return "The participant has withdrawn.";
     if (std::holds_alternative<Answered>(body) || std::holds_alternative<Touched>(body)) return "No question is being asked now.";
     if (std::holds_alternative<Voided>(body)) return "There is no presentation to void yet.";
-    return "\"" + kindOf(body) + "\" has no place here (" + nameOf(state) + ").";
+    return "\"" + kindOf(body) + "\" is not possible now (" + nameOf(state) + ").";
 }
 
 void interrupt(State& state)
@@ -157,7 +157,7 @@ void placeTray(const Plan& plan, SessionStep& step, std::int64_t atNs)
 {
     step.next.stage = PlacingTray{placeAt(step.next, step.next.position).index};
     step.next.trayAskedAtNs = atNs;
-    // Read while the tray is filled, so that showing it takes no time then.
+    // Read the image while the operator fills the tray, so that it can be shown at once.
     step.effects.emplace_back(Prefetch{*fileCodeAt(plan, step.next, step.next.position)});
 }
 
@@ -182,7 +182,7 @@ void presentAgain(const Plan& plan, State& state, int index, int fromPosition)
     std::erase_if(state.answers, [&](const StoredAnswer& answer) { return answer.index == index; });
     const int size = static_cast<int>(state.order.size()), phase = phaseIndexAt(plan, state, fromPosition);
     const int next = fromPosition + 1;
-    // Voided afterwards, when its break has come: the block then beginning takes it, if it is of the same phase.
+    // If its block has ended, the next block takes the trial, provided that it belongs to the same phase.
     const bool blockIsOver =
         fromPosition < state.position && blockEndsBefore(state, next) && phaseIndexAt(plan, state, next) == phase;
     const int block = placeAt(state, blockIsOver ? next : fromPosition).block;

@@ -46,7 +46,7 @@ int answersInAll(const Plan& plan, const State& state)
     return answers;
 }
 
-/// Presentations from the present one on, until the session stops for a break or its end.
+/// Number of presentations from the present one to the next break or the end.
 int presentationsToBreak(const State& state)
 {
     const int end = static_cast<int>(state.order.size());
@@ -62,7 +62,7 @@ double median(std::vector<double> values)
     return *middle;
 }
 
-/// Seconds a presentation of this phase takes: this participant's median, once it is known.
+/// Seconds for a presentation of this phase: the participant's median, or the protocol's value for the first ones.
 double paceOf(const Plan& plan, const State& state, int phase)
 {
     std::vector<double> seconds;

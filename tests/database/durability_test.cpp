@@ -1,5 +1,5 @@
-// What "stored" means: synced before the next prompt, and nothing at all where the disk fails.
-// kill -9 alone could not show it, because the page cache outlives a process.
+// An answer is synced to the disk before the next prompt, and a failing disk stores nothing. kill -9 alone cannot test this,
+// because the page cache survives the process.
 #include <QTemporaryDir>
 #include <QtTest>
 
@@ -16,7 +16,7 @@ namespace {
 
 constexpr int synchronousFull = 2;
 
-/// The session is at its first question.
+/// A session at its first question.
 struct AskedSession {
     QTemporaryDir place;
     database::StudyFolder folder = buildStudy(place.filePath("study").toStdString());

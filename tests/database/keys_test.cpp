@@ -1,4 +1,4 @@
-// Who may read which key, and that a key which was not committed is refused.
+// Who may read which key; a key without its committed hash is refused.
 #include "database/keys.h"
 
 #include <sys/stat.h>

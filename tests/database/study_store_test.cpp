@@ -1,4 +1,4 @@
-// The study database: what can be opened, by how many, what the view shows, and what verify finds.
+// The study database: who can open it, what the view shows, what verify finds.
 #include "database/study_store.h"
 
 #include <sys/stat.h>
@@ -104,13 +104,13 @@ private Q_SLOTS:
         QTest::addColumn<QString>("said");
         QTest::newRow("no study.db") << QString() << QString() << "no study folder";
         QTest::newRow("a text") << "not a database, but long enough to be looked at" << QString() << "no SQLite database";
-        QTest::newRow("an empty file") << "" << QString() << "not a study's";
+        QTest::newRow("an empty file") << "" << QString() << "belongs to another program";
         QTest::newRow("another program's") << "study"
                                            << "PRAGMA application_id = 7"
-                                           << "not a study's";
+                                           << "belongs to another program";
         QTest::newRow("a newer study") << "study"
                                        << "PRAGMA user_version = 99"
-                                       << "newer version of this program (schema 99)";
+                                       << "newer version of this program made the study (schema 99)";
     }
 
     void whatIsNoStudyIsRefused()
@@ -292,7 +292,7 @@ private Q_SLOTS:
         QFile stored(QString::fromStdString(folder.database().string()));
         QVERIFY(stored.open(QIODevice::ReadOnly));
         QVERIFY(!stored.readAll().contains("unmistakable"));
-        // Emptying an entry without the recorded act is found.
+        // An entry that is emptied without a recorded erasure is a fault.
         RawSqlite raw(folder.database());
         raw.dropTriggers();
         QCOMPARE(raw.run("DELETE FROM erasures"), std::string());
@@ -428,15 +428,15 @@ private Q_SLOTS:
         QTest::addColumn<QString>("sql");
         QTest::addColumn<QString>("said");
         QTest::newRow("a rating") << "UPDATE responses SET rating_tenths = 99 WHERE trial = 8 AND question = 'Q3'"
-                                  << "(answered of S01): it or what it stored was altered";
+                                  << "(answered of S01): the entry or its rows were altered";
         QTest::newRow("a time") << "UPDATE responses SET answered_at = answered_at + 1 WHERE id = 3"
-                                << "was altered";
+                                << "were altered";
         QTest::newRow("an answer taken out") << "DELETE FROM responses WHERE id = 5"
-                                             << "was altered";
+                                             << "were altered";
         QTest::newRow("an answer put in")
             << "INSERT INTO responses SELECT 999, event, participant, 77, attempt, question, file_code, alternatives, choice, "
                "rating_tenths, ready_at, touched_at, answered_at, stored_at, 0, touched_by FROM responses WHERE id = 4"
-            << "was altered";
+            << "were altered";
         QTest::newRow("an event's payload") << "UPDATE events SET payload = '{\"fabric\":\"F99\"}' WHERE sequence = 9"
                                             << "log entry 9 (";
         QTest::newRow("an event taken out") << "PRAGMA foreign_keys = 0; DELETE FROM events WHERE sequence = 4"
@@ -454,7 +454,7 @@ private Q_SLOTS:
         QTest::newRow("a participant's place") << "UPDATE participants SET kind = 'human'"
                                                << "S01 in slot 1 (human) is not in the log";
         QTest::newRow("a void put in") << "INSERT INTO voids VALUES (12, 'S01', 1, 1)"
-                                       << "was altered";
+                                       << "were altered";
     }
 
     void meddlingIsFound()

@@ -55,10 +55,10 @@ bool liesOn(const std::vector<DesignTrial>& list, std::size_t at, std::ptrdiff_t
     return std::ranges::find(tray, fabric) != tray.end();
 }
 
-/// Scores a fabric on a tray from what can be seen of a participant's list; the guesser takes the highest.
+/// Score of a fabric on a tray, from the visible part of a participant's list. The guesser takes the highest.
 using Rule = std::function<int(const std::vector<DesignTrial>& list, std::size_t at, int fabric)>;
 
-/// Expected number of true slots that a guesser by `rule` names, ties shared.
+/// Expected number of true slots that a guesser by `rule` finds, ties shared.
 double hitsBy(const Rule& rule, const Design& design)
 {
     double hits = 0;
@@ -88,7 +88,7 @@ int appearancesInSlot(const std::vector<DesignTrial>& list, std::size_t at, int 
         list, [&](const DesignTrial& t) { return t.alternatives[static_cast<std::size_t>(slot)] == fabric; }));
 }
 
-/// Presentations until the fabric lies on a tray again (or since it did).
+/// Number of presentations until the fabric is on a tray again, or since it was.
 int distance(const std::vector<DesignTrial>& list, std::size_t at, int fabric, int direction)
 {
     for (int away = 1; away < 10; ++away)

@@ -1,4 +1,4 @@
-// Same/different trays and catch trials: balance, and that neither disturbs the rest of a design.
+// Same/different trays and catch trials are balanced and leave the rest of a design unchanged.
 #include "protocols/extra_trials.h"
 
 #include <QtTest>

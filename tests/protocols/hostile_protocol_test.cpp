@@ -39,7 +39,7 @@ QString withoutPlace(QString fault)
     return place.match(fault).hasMatch() ? fault.remove(place) : "without a place: " + fault;
 }
 
-/// The faults of a text, in order; empty where it was taken.
+/// The faults of a text, in order; empty if it is accepted.
 QStringList faultsIn(const std::string& json)
 {
     try {
@@ -144,7 +144,7 @@ private Q_SLOTS:
         for (const DesignTrial& trial : design.participants[0]) QCOMPARE(trial.alternatives, std::vector<int>{trial.fabric});
         QCOMPARE(
             faultsIn(protocolWith(R"({"questions": ["W1"], "free_text": ["W1"], "alternatives": 3})", {"W1"})),
-            QStringList{"phases[0].questions: 0 questions over one choice, expected one (and any number answered in words)"});
+            QStringList{"phases[0].questions: 0 questions with a right answer, expected one (and any number in free_text)"});
     }
 
     void aStudyMayAskOnlyForSameOrDifferent()
@@ -154,7 +154,7 @@ private Q_SLOTS:
         QVERIFY(protocol.phases[0].questions[0].kind == AnswerKind(SameDifferent{}));
         QCOMPARE(
             faultsIn(protocolWith(R"({"questions": ["S1", "S2"], "same_different": true})", {"S1", "S2"})),
-            QStringList{"phases[0].questions: 2 questions over one choice, expected one (and any number answered in words)"});
+            QStringList{"phases[0].questions: 2 questions with a right answer, expected one (and any number in free_text)"});
     }
 
     void faultsOfEveryStageStandInOneList()
@@ -177,14 +177,14 @@ private Q_SLOTS:
             "conditions[1]: unknown condition 'velvet', expected one of v_grey, v_shape, f_g, h_g, h_g&f_g, t_grey, f, h, h&f, "
             "gradient",
             "phases[0].alternatives: 4 of 3 fabrics, expected no more alternatives than fabrics",
-            "phases[2].questions[0]: 'Q9' has no words, expected them in question_texts",
+            "phases[2].questions[0]: 'Q9' has no text, expected one in question_texts",
             "equivalence_bounds: the lower is not below the upper, expected [lower, upper]",
             "phases[1].questions[0]: 'q1' differs from 'Q1' in case only, expected different ids"};
         for (const QString& fault : expected) QVERIFY2(found.contains(fault), qPrintable(fault + "\n" + found.join("\n")));
         QCOMPARE(found.size(), expected.size());
     }
 
-    /// What cannot be read breaks no other rule: its faults are all there are.
+    /// An unreadable value breaks no other rule: the file has no further faults.
     void anUnreadableValueHasNoConsequences_data()
     {
         QTest::addColumn<QString>("json");

@@ -11,7 +11,7 @@ namespace {
 
 Protocol paper() { return protocolFromJson(paperProtocolJson(), "vis2hap.json"); }
 
-/// The refusal of a text; empty when it was taken.
+/// The refusal of a text; empty if it is accepted.
 QString refusalOf(const QString& json)
 {
     try {
@@ -153,7 +153,7 @@ private Q_SLOTS:
         row("two kinds of answers", "\"alternatives\": 3", "\"alternatives\": 3, \"scale\": {\"min\": 0, \"max\": 1}",
             "phases[0]: has more than one of");
         row("question asked twice", "\"Q2\"", "\"Q1\"", "phases[1].questions[0]: 'Q1' is asked twice");
-        row("question without words", "\"Q2\"", "\"Q9\"", "'Q9' has no words");
+        row("question without words", "\"Q2\"", "\"Q9\"", "'Q9' has no text");
         row("words without question", "\"name\"", "\"question_texts\": {\"Q7\": \"Is it warm?\"}, \"name\"",
             "'Q7' is asked in no phase");
         row("scale upside down", "\"max\": 10", "\"max\": -1", "phases[1].scale: max is not above min");

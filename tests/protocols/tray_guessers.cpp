@@ -18,7 +18,7 @@ int fabricsIn(const SeenTrays& trays)
     return most + 1;
 }
 
-/// A number for each (true fabric, its foils) that occurs.
+/// A number for each combination of a true fabric and its foils.
 class Sets {
 public:
     std::size_t idOf(const std::vector<int>& tray, std::size_t slot)
@@ -44,7 +44,7 @@ Belief evenBelief(const SeenTrays& trays)
     return belief;
 }
 
-/// Weights of what a count is kept of, with the counts expected under them.
+/// The weights of counted events, with the counts that are expected under them.
 struct Scaled {
     std::vector<double> weight;
     std::vector<double> expected;
@@ -179,7 +179,7 @@ private:
     Scaled m_set;    ///< [true fabric and foils]
 };
 
-/// Which slot is true everywhere, with the cost of what the design demands of it.
+/// A true slot for every presentation, with its cost under the rules of the design.
 class Assignment {
 public:
     Assignment(const SeenTrays& trays, Random& random)
@@ -215,7 +215,7 @@ public:
     double cost() const { return m_cost; }
     std::size_t chosen(std::size_t participant, std::size_t at) const { return m_chosen[participant][at]; }
 
-    /// Another slot for one presentation, or for two such that each fabric stays true as often as it was.
+    /// Changes the slot of one presentation, or of two so that each fabric stays equally often true.
     void propose(Random& random)
     {
         m_participant = random.below(m_trays.size());

@@ -1,5 +1,5 @@
-// Guessers who see every tray of a choice phase, know how designs are drawn, and name the true slot.
-// They are as strong as we could make them: the test that they stay at chance is worth no more than they.
+// Guessers who see every tray of a choice phase, know how designs are drawn, and guess the true slot. They are as strong as we
+// could make them. The test that they stay at chance is only as strong as they are.
 #pragma once
 
 #include <vector>
@@ -9,25 +9,25 @@
 
 namespace tray_guessers {
 
-/// All that an operator can join over a study: fabrics by [participant][presentation][slot].
+/// Everything that an operator can collect over a study: fabrics by [participant][presentation][slot].
 using SeenTrays = std::vector<std::vector<std::vector<int>>>;
 
-/// [participant][presentation][slot]: the higher, the likelier the true one. Of equals none is preferred.
+/// [participant][presentation][slot]: a higher value is more likely the true slot. Ties are shared.
 using Belief = std::vector<std::vector<std::vector<double>>>;
 
-/// The first phase of a design, which must be a choice, without what is true in it.
+/// The first phase of a design, which must be a choice, without the true fabrics.
 SeenTrays seenOf(const protocols::Design& design);
 
-/// Expected number of true slots that are named by taking the likeliest, ties shared.
+/// Expected number of true slots found by taking the likeliest, ties shared.
 double hitsOf(const Belief& belief, const protocols::Design& design);
 
-/// Knows that a fabric is never true twice running, how often each is true per participant and slot,
-/// each foil set per true fabric and each ordered pair over the study: exact marginals of a chain
-/// (forward-backward), its weights fitted until the expected counts are those (iterative scaling).
+/// Knows that a fabric is never true twice in a row, and the counts of true fabrics per participant and slot, of foil sets per true
+/// fabric and of ordered pairs over the study. Exact marginals of a chain (forward-backward); iterative scaling fits its weights
+/// until the expected counts are these.
 Belief beliefOfChain(const SeenTrays& trays);
 
-/// Knows all that the design balances: draws whole assignments that fulfil it as well as the true one
-/// does (Metropolis), and counts how often each slot is true in them.
+/// Knows everything that the design balances: draws whole assignments that are as well balanced as the true one (Metropolis) and
+/// counts how often each slot is true in them.
 Belief beliefOfSampler(const SeenTrays& trays, std::int64_t moves, protocols::Random& random);
 
 }  // namespace tray_guessers

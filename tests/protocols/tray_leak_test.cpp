@@ -1,5 +1,5 @@
-// Whoever joins all that is visible of a choice phase, over all participants and presentations, names the
-// true slot no more often than by chance.
+// A guesser who collects everything visible in a choice phase, over all participants and presentations, finds the true slot only
+// by chance.
 #include <QtTest>
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,7 @@ namespace {
 
 constexpr int presentations = 10 * 63;
 
-/// Share of true slots that a guesser names, over fresh designs of the paper's study.
+/// Proportion of true slots that a guesser finds, over new designs of the paper's study.
 struct Share {
     double hits = 0;
     int trials = 0;
@@ -28,7 +28,7 @@ bool isAtChance(const Share& share, double most)
     return share.standardErrors() < most;
 }
 
-/// Of the fabrics that lie in two trays running: how often each was true in the earlier, and in the later one.
+/// Fabrics on two trays in a row: how often they were true on the earlier and on the later one.
 struct Repeated {
     Share earlierTrue, laterTrue;
     Repeated& operator+=(const Repeated& more)
@@ -81,13 +81,13 @@ private Q_SLOTS:
     {
         Repeated all;
         for (quint64 seed = 1; seed <= designs(); ++seed) all += repeatedIn(drawDesign(paper(), seed));
-        // Either way from chance: seldom true tells as much as often true.
+        // Both directions from chance: "seldom true" reveals as much as "often true".
         QVERIFY(isAtChance(all.laterTrue, 3) && all.laterTrue.standardErrors() > -3);
         QVERIFY(isAtChance(all.earlierTrue, 3) && all.earlierTrue.standardErrors() > -3);
     }
 
-    /// Without care for what repeats, the true fabric of one tray would lie among the foils of the next: then
-    /// this very measure tells it.
+    /// Foils drawn without regard to the trays before and after would often include the true fabric of the tray before. This
+    /// measure then finds it.
     void foilsDrawnCarelesslyAreSeenThrough()
     {
         Design design = drawDesign(paper(), 1);

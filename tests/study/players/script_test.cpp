@@ -1,4 +1,4 @@
-// What a scripted participant's file may say, and what is found wrong before anything is stored.
+// The file of a scripted participant: its contents, and the faults that are found before anything is stored.
 #include "study/players/script.h"
 
 #include <QtTest>

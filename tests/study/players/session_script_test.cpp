@@ -20,7 +20,7 @@ using protocols::Tenths;
 
 namespace {
 
-/// Everything that a view row tells but its instants.
+/// A row of the view without its times.
 std::vector<std::string> rowsOf(const database::StudyStore& store)
 {
     std::vector<std::string> rows;
@@ -38,7 +38,7 @@ std::vector<std::string> rowsOf(const database::StudyStore& store)
     return rows;
 }
 
-/// With all that an operator may do on the way.
+/// A session with everything that an operator may do.
 void playEventfully(OpenSession& session)
 {
     session.playUntilAnswers(1);

@@ -1,4 +1,4 @@
-// The driver: what it stores, what it lets out when, and where a session goes on.
+// The driver: what it stores, when it performs effects, where a session continues.
 #include <QTemporaryDir>
 #include <QtTest>
 #include <algorithm>
@@ -21,7 +21,7 @@ using protocols::Tenths;
 
 namespace {
 
-/// Everything of an answer but its times.
+/// An answer without its times.
 std::string withoutTimes(const CurrentAnswer& answer)
 {
     const auto& record = answer.record;
@@ -355,7 +355,7 @@ private Q_SLOTS:
             QFAIL("a broken log cannot be resumed");
         } catch (const protocols::Error& fault) {
             QCOMPARE(fault.exitCode(), protocols::ExitCode::WorkFailed);
-            QVERIFY2(QString(fault.what()).contains("does not hold together"), fault.what());
+            QVERIFY2(QString(fault.what()).contains("is inconsistent"), fault.what());
         }
     }
 };

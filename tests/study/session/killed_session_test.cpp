@@ -1,5 +1,5 @@
-// kill -9 at drawn instants of a session in a process of its own: what was acknowledged is there, once,
-// and the session goes on at the right trial.
+// kill -9 at random instants of a session in its own process: every acknowledged answer is stored once, and the session continues
+// at the right trial.
 #include <QElapsedTimer>
 #include <QProcess>
 #include <QTemporaryDir>
@@ -31,10 +31,10 @@ std::vector<std::string> linesOf(const database::StudyStore& store)
     return lines;
 }
 
-/// The trial (from 0) whose answer comes next after so many.
+/// The trial (from 0) of the next answer.
 int trialAfter(int answers) { return answers < 6 ? answers : 6 + (answers - 6) / 3; }
 
-/// Acknowledged answers, by the lines that the child could still write.
+/// Number of acknowledged answers, from the lines that the child wrote.
 int acknowledged(QProcess& child, int before)
 {
     int answers = before;
@@ -43,7 +43,7 @@ int acknowledged(QProcess& child, int before)
     return answers;
 }
 
-/// Kills the child `wait` after it acknowledged `answers`, or lets it end; returns what it acknowledged.
+/// Kills the child a time `wait` after it acknowledged `answers`, or lets it end. Returns the number of acknowledged answers.
 int playAndKill(const database::StudyFolder& folder, int answers, int waitUs)
 {
     QProcess child;

@@ -1,4 +1,4 @@
-// The state machine alone: values in, values out.
+// The state machine by itself: values in, values out.
 #include <QtTest>
 #include <iomanip>
 #include <iostream>
@@ -40,7 +40,7 @@ Plan smallPlan()
     return plan;
 }
 
-/// The same with everything that a protocol may ask before the first trial.
+/// The same plan with every stage of the preparation.
 Plan fullPlan()
 {
     Plan plan = smallPlan();
@@ -146,7 +146,7 @@ std::vector<std::pair<std::string, Session>> gridStates()
     return states;
 }
 
-/// Two letters of the stage reached, p where paused; . where refused.
+/// The first two letters of the next stage, p if paused; "." if refused.
 std::string cell(const Session& session, EventBody body)
 {
     const Plan& plan = session.plan();

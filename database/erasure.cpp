@@ -36,7 +36,8 @@ void eraseFrom(const SqliteConnection& sqlite, const Erasure& erasure)
     {
         Transaction transaction(sqlite);
         if (sqlite.value(QStringLiteral("SELECT COUNT(*) FROM participants WHERE id = ?"), {toQt(id)}).toInt() == 0)
-            throw protocols::badInput({"unknown participant " + id, folder, "an enrolled participant", "see vis2hap study status"});
+            throw protocols::badInput(
+                {"unknown participant " + id, folder, "an enrolled participant", "see vis2hap study status"});
         sqlite.run(QStringLiteral("DELETE FROM participant_facts WHERE participant = ?"), {toQt(id)});
         if (erasure.answersToo) removeAnswers(sqlite, id);
         const std::string wallTime = wallTimeNow();

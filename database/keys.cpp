@@ -90,7 +90,8 @@ std::vector<std::string> faultsOfKeys(const StudyStore& store)
     }
     struct stat status {};
     if (::stat(store.folder().allocationKey().c_str(), &status) == 0 && (status.st_mode & 0077) != 0)
-        faults.push_back(store.folder().allocationKey().string() + ": other users may read the allocation key (expected mode 0600): run chmod 600 on it");
+        faults.push_back(store.folder().allocationKey().string() +
+                         ": other users may read the allocation key (expected mode 0600): run chmod 600 on it");
     return faults;
 }
 

@@ -180,12 +180,12 @@ int checkedVersion(const SqliteConnection& connection)
 {
     const int version = versionOf(connection);
     if (connection.value(QStringLiteral("PRAGMA application_id")).toInt() != applicationId || version < 1)
-        throw protocols::badInput(
-            {"this database belongs to another program", connection.file().string(), "the study.db of a study folder", "check the path"});
+        throw protocols::badInput({"this database belongs to another program", connection.file().string(),
+                                   "the study.db of a study folder", "check the path"});
     if (version > schemaVersion)
-        throw protocols::badInput(
-            {"a newer version of this program made the study (schema " + std::to_string(version) + ")",
-             connection.file().string(), "schema " + std::to_string(schemaVersion) + " or older", "update this program"});
+        throw protocols::badInput({"a newer version of this program made the study (schema " + std::to_string(version) + ")",
+                                   connection.file().string(), "schema " + std::to_string(schemaVersion) + " or older",
+                                   "update this program"});
     return version;
 }
 

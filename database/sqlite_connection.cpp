@@ -105,8 +105,8 @@ void SqliteConnection::open(const QString& name, const QString& options)
     if (!m_connection.open()) fail(m_connection.lastError());
 }
 
-/// Reading a WAL database needs its -shm file. If the folder is read-only and the log is empty, the file is complete by itself, so
-/// it is opened as immutable.
+/// Reading a WAL database needs its -shm file. If the folder is read-only and the log is empty, the file is complete by itself,
+/// so it is opened as immutable.
 void SqliteConnection::openForReading()
 {
     const QString plain = toQt(m_file.string());

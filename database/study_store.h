@@ -1,7 +1,7 @@
-// study.db: the fixed facts of a study, the slots of its participants, their blinded trial lists, and an append-only, hash-chained
-// log of all events. SQLite in WAL mode with synchronous FULL: when append() returns, the event and its answers are on the disk.
-// A QCoreApplication must exist first, because Qt loads its SQLite driver as a plug-in. One writer at a time, by a lock on the
-// folder that ends with its process; any number of readers.
+// study.db: the fixed facts of a study, the slots of its participants, their blinded trial lists, and an append-only,
+// hash-chained log of all events. SQLite in WAL mode with synchronous FULL: when append() returns, the event and its answers are
+// on the disk. A QCoreApplication must exist first, because Qt loads its SQLite driver as a plug-in. One writer at a time, by a
+// lock on the folder that ends with its process; any number of readers.
 #pragma once
 
 #include <cstdint>
@@ -88,8 +88,8 @@ struct EventRecord {
     std::string wallTime;   ///< ISO 8601
 };
 
-/// The answer to one question, or a correction of it. The corrected answer stays in the table. A correction has the time stamps of
-/// the first answer, because it changes the answer, not its time.
+/// The answer to one question, or a correction of it. The corrected answer stays in the table. A correction has the time stamps
+/// of the first answer, because it changes the answer, not its time.
 struct AnswerRecord {
     protocols::TrialNumber trial;
     protocols::QuestionId question;

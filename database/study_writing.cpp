@@ -113,7 +113,8 @@ void moveState(const SqliteConnection& sqlite, const protocols::ParticipantId& p
     QSqlQuery changed = sqlite.run(QStringLiteral("UPDATE participants SET state = ? WHERE id = ?"),
                                    {toQt(nameOf(state)), toQt(participant.value)});
     if (changed.numRowsAffected() != 1)
-        throw protocols::badInput({"unknown participant", participant.value, "an enrolled participant", "enrol the participant first"});
+        throw protocols::badInput(
+            {"unknown participant", participant.value, "an enrolled participant", "enrol the participant first"});
 }
 
 }  // namespace
@@ -124,7 +125,8 @@ Slot enrolIn(const SqliteConnection& sqlite, const protocols::ParticipantId& par
     Transaction transaction(sqlite);
     for (const Erasure& erasure : erasuresIn(sqlite))
         if (erasure.participant == participant && erasure.answersToo)
-            throw protocols::badInput({"participant " + participant.value + " was erased", folderOf(sqlite), "another id", "choose another id"});
+            throw protocols::badInput(
+                {"participant " + participant.value + " was erased", folderOf(sqlite), "another id", "choose another id"});
     for (const Enrolment& known : enrolmentsIn(sqlite)) {
         if (known.participant != participant) continue;
         if (known.kind != kind)
@@ -187,7 +189,8 @@ void takeProtocolInto(const SqliteConnection& sqlite, const std::string& json, c
 void recordUnblindingIn(const SqliteConnection& sqlite, const UnblindingRecord& record)
 {
     if (record.who.empty() || record.why.empty())
-        throw protocols::badInput({"an unblinding needs a name and a reason", folderOf(sqlite), "--who NAME --why TEXT", "add both"});
+        throw protocols::badInput(
+            {"an unblinding needs a name and a reason", folderOf(sqlite), "--who NAME --why TEXT", "add both"});
     Transaction transaction(sqlite);
     LogEntry entry = actOnStudy("unblinded", {{"who", record.who}, {"why", record.why}}, record.wallTime);
     entry.unblinding = record;

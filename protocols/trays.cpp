@@ -262,8 +262,8 @@ Trays setsInOrder(const Orders& orders, const StudySize& size, int alternatives,
     return trays;
 }
 
-/// True slots for one participant x fabric, each equally often. A remainder goes to the slots that the participant has used least,
-/// then the study.
+/// True slots for one participant x fabric, each equally often. A remainder goes to the slots that the participant has used
+/// least, then the study.
 std::vector<std::size_t> evenSlots(std::size_t count, std::vector<int>& own, std::vector<int>& study, Random& random)
 {
     std::vector<std::size_t> slots(own.size());

@@ -58,7 +58,8 @@ void flagFast(const Examination& one)
 {
     std::vector<double> seconds;
     for (const QuestionInfo& question : one.data.questions)
-        for (const double s : secondsOf(one.answers(question))) seconds.push_back(s);
+        if (hasNumbers(question))
+            for (const double s : secondsOf(one.answers(question))) seconds.push_back(s);
     const auto fast = static_cast<std::size_t>(
         std::count_if(seconds.begin(), seconds.end(), [&](double s) { return s < one.rules.tooFastSeconds; }));
     const auto n = static_cast<double>(seconds.size());
@@ -206,7 +207,7 @@ std::vector<std::string> ruleSentences(const QualityRules& rules)
     const auto percentOf = [](double share) { return percentText(share, 1); };
     return {
         "missing_answers: the participant gave fewer answers than the design asks for.",
-        "too_fast: more than " + percentOf(rules.tooFastShare) + " of the timed answers came within " +
+        "too_fast: more than " + percentOf(rules.tooFastShare) + " of the timed choices and ratings came within " +
             protocols::shortest(rules.tooFastSeconds) + " s of the first touch.",
         "straight_lining: at least " + percentOf(rules.sameRatingShare) + " of the ratings of one question are the same number.",
         "same_across_questions: at least " + percentOf(rules.sameAcrossShare) +

@@ -12,7 +12,7 @@ namespace reports {
 /// The limits of the flags. The report prints them beside the flags.
 struct QualityRules {
     double tooFastSeconds = 0.5;         ///< an answer below this after the touch ...
-    double tooFastShare = 0.05;          ///< ... in more than this share of a participant's timed answers
+    double tooFastShare = 0.05;          ///< ... in more than this share of a participant's timed choices and ratings
     double sameRatingShare = 0.5;        ///< one rating in at least this share of a question's answers
     double sameAcrossShare = 0.8;        ///< the same number to all rating questions of a presentation
     std::size_t fewestAnswers = 10;      ///< no share is judged below this number of answers

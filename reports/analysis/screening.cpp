@@ -51,7 +51,7 @@ Screening screenParticipants(const StudyData& data, const AnswerCells& cells, co
     }
     const AnswerCells after(rest);
     for (const QuestionInfo& question : data.questions) {
-        if (std::holds_alternative<OpenWords>(scoringOf(question.kind))) continue;
+        if (!hasNumbers(question)) continue;
         screening.questions.push_back({question.id, {}});
         for (const std::string& condition : data.conditions)
             screening.questions.back().conditions.push_back({stats::meanOf(cells.participantMeans(question.id, condition)),

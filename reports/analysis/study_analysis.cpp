@@ -39,7 +39,7 @@ QuestionAnalysis analyseQuestion(const StudyData& data, const AnswerCells& cells
     for (const std::string& condition : data.conditions) {
         const auto responses = cells.of(question.id, condition);
         analysis.missing.push_back(whole > responses.size() ? whole - responses.size() : 0);
-        analysis.times.push_back(stats::responseTimes(secondsOf(responses)));
+        if (hasNumbers(question)) analysis.times.push_back(stats::responseTimes(secondsOf(responses)));
     }
     return analysis;
 }

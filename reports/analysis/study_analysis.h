@@ -22,7 +22,7 @@ struct QuestionAnalysis {
     QuestionInfo question;
     QuestionFindings findings;
     std::vector<std::size_t> missing;         ///< answers, by condition
-    std::vector<stats::ResponseTimes> times;  ///< by condition
+    std::vector<stats::ResponseTimes> times;  ///< by condition; empty for words, which take as long as one likes
 };
 
 /// Answers that a complete study would hold, and those that there are.

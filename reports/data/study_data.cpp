@@ -15,6 +15,8 @@ Scoring scoringOf(const protocols::AnswerKind& kind)
                       kind);
 }
 
+bool hasNumbers(const QuestionInfo& question) { return !std::holds_alternative<OpenWords>(scoringOf(question.kind)); }
+
 int firstAlternatives(const StudyData& data)
 {
     for (const QuestionInfo& question : data.questions)

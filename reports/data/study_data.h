@@ -87,6 +87,9 @@ struct StudyData {
     std::optional<SignalComparison> signals;    ///< none while blinded
 };
 
+/// Whether the answers are numbers, or right and wrong; words are neither.
+bool hasNumbers(const QuestionInfo& question);
+
 /// Number of alternatives of the first question with right and wrong answers; the paper's 3 without such a question.
 int firstAlternatives(const StudyData& data);
 

@@ -101,7 +101,7 @@ Json responseTimesPart(const StudyAnalysis& analysis)
 {
     Json part = Json::object();
     for (const QuestionAnalysis& question : analysis.questions)
-        for (std::size_t i = 0; i < analysis.data.conditions.size(); ++i) {
+        for (std::size_t i = 0; i < question.times.size(); ++i) {
             const stats::ResponseTimes& times = question.times[i];
             Json row{{"n", times.n}};
             put(row, "median_seconds", times.median);

@@ -62,10 +62,11 @@ std::string signalsLead(const StudyData& data)
 std::string qualityLead(const StudyAnalysis& analysis)
 {
     const Completeness& completeness = analysis.completeness;
+    const std::size_t missing = completeness.missing(), voided = analysis.data.voided;
     const std::string counts = std::to_string(completeness.present) + " of " + counted(completeness.expected, "expected answer") +
-                               " are analysed, " + std::to_string(completeness.missing()) + " are missing. " +
-                               counted(analysis.data.voided, "presentation") + (analysis.data.voided == 1 ? " was" : " were") +
-                               " voided.";
+                               (completeness.present == 1 ? " is" : " are") + " analysed, " + std::to_string(missing) +
+                               (missing == 1 ? " is" : " are") + " missing. " + counted(voided, "presentation") +
+                               (voided == 1 ? " was" : " were") + " voided.";
     return paragraph(counts) + (analysis.flags.empty() ? paragraph("Nothing is flagged.") : std::string());
 }
 

@@ -108,8 +108,8 @@ private Q_SLOTS:
 
     void seedOfTheDesignDoesNotTellTheConditions()
     {
-        // The same design with many secrets: a label must get many conditions. Neither the order of the file codes nor the K-labels
-        // may follow the conditions.
+        // The same design with many secrets: a label must get many conditions. Neither the order of the file codes nor the
+        // K-labels may follow the conditions.
         std::set<ConditionId> meanings;
         std::set<ConditionLabel> masks;
         std::set<ConditionId> firstInOrder;

@@ -142,9 +142,8 @@ private Q_SLOTS:
         for (const Question& question : protocol.phases[0].questions) QVERIFY(question.kind == AnswerKind(FreeText{}));
         const Design design = drawDesign(protocol, 1);
         for (const DesignTrial& trial : design.participants[0]) QCOMPARE(trial.alternatives, std::vector<int>{trial.fabric});
-        QCOMPARE(
-            faultsIn(protocolWith(R"({"questions": ["W1"], "free_text": ["W1"], "alternatives": 3})", {"W1"})),
-            QStringList{"phases[0].questions: 0 questions with a right answer, expected one (and any number in free_text)"});
+        QCOMPARE(faultsIn(protocolWith(R"({"questions": ["W1"], "free_text": ["W1"], "alternatives": 3})", {"W1"})),
+                 QStringList{"phases[0].questions: 0 questions with a right answer, expected one (and any number in free_text)"});
     }
 
     void aStudyMayAskOnlyForSameOrDifferent()
@@ -152,9 +151,8 @@ private Q_SLOTS:
         const Protocol protocol =
             protocolFromJson(protocolWith(R"({"questions": ["S1"], "same_different": true})", {"S1"}), "study.json");
         QVERIFY(protocol.phases[0].questions[0].kind == AnswerKind(SameDifferent{}));
-        QCOMPARE(
-            faultsIn(protocolWith(R"({"questions": ["S1", "S2"], "same_different": true})", {"S1", "S2"})),
-            QStringList{"phases[0].questions: 2 questions with a right answer, expected one (and any number in free_text)"});
+        QCOMPARE(faultsIn(protocolWith(R"({"questions": ["S1", "S2"], "same_different": true})", {"S1", "S2"})),
+                 QStringList{"phases[0].questions: 2 questions with a right answer, expected one (and any number in free_text)"});
     }
 
     void faultsOfEveryStageStandInOneList()

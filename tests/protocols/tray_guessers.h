@@ -21,9 +21,9 @@ SeenTrays seenOf(const protocols::Design& design);
 /// Expected number of true slots found by taking the likeliest, ties shared.
 double hitsOf(const Belief& belief, const protocols::Design& design);
 
-/// Knows that a fabric is never true twice in a row, and the counts of true fabrics per participant and slot, of foil sets per true
-/// fabric and of ordered pairs over the study. Exact marginals of a chain (forward-backward); iterative scaling fits its weights
-/// until the expected counts are these.
+/// Knows that a fabric is never true twice in a row, and the counts of true fabrics per participant and slot, of foil sets per
+/// true fabric and of ordered pairs over the study. Exact marginals of a chain (forward-backward); iterative scaling fits its
+/// weights until the expected counts are these.
 Belief beliefOfChain(const SeenTrays& trays);
 
 /// Knows everything that the design balances: draws whole assignments that are as well balanced as the true one (Metropolis) and

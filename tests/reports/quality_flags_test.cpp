@@ -14,7 +14,7 @@ const std::vector<std::string> oneCondition{"f"};
 /// Participant P01 gives these ratings to Q2, one a fabric.
 StudyData ratingsOf(const std::vector<double>& ratings)
 {
-    StudyData data = builders::emptyStudy(1, static_cast<int>(ratings.size()), oneCondition, {{"Q2", "", builders::rating}});
+    StudyData data = builders::emptyStudy(1, static_cast<int>(ratings.size()), oneCondition, {{"Q2", "", builders::onScale}});
     for (std::size_t i = 0; i < ratings.size(); ++i)
         data.responses.push_back(builders::rated("P01", data.fabrics[i], "f", "Q2", ratings[i]));
     return data;
@@ -92,6 +92,17 @@ private Q_SLOTS:
         QCOMPARE(flagged(data), flags);
     }
 
+    void wordsMayBeQuick()
+    {
+        StudyData data = ratingsOf(different(12));
+        data.questions.push_back({"Why", "", protocols::FreeText{}});
+        for (const std::string& fabric : data.fabrics) {
+            data.responses.push_back(builders::worded("P01", fabric, "f", "Why", "soft"));
+            data.responses.back().seconds = 0.1;
+        }
+        QCOMPARE(flagged(data), QStringList());
+    }
+
     // At least half of the ratings are one number, of at least ten ratings.
     void equalRatings_data()
     {
@@ -130,7 +141,7 @@ private Q_SLOTS:
         QFETCH(int, presentations);
         QFETCH(QStringList, flags);
         StudyData data = ratingsOf(different(static_cast<std::size_t>(presentations)));
-        data.questions.push_back({"Q3", "", builders::rating});
+        data.questions.push_back({"Q3", "", builders::onScale});
         for (int i = 0; i < presentations; ++i) {
             StudyResponse other = data.responses[static_cast<std::size_t>(i)];
             other.question = "Q3";
@@ -213,9 +224,10 @@ private Q_SLOTS:
             return std::any_of(sentences.begin(), sentences.end(),
                                [&](const std::string& one) { return one.find(text) != std::string::npos; });
         };
-        for (const char* text : {"more than 5 % of the timed answers came within 0.5 s", "at least 50 % of the ratings",
-                                 "at least 80 % of the presentations", "at least 3 ratings of blank glass",
-                                 "p times the number of slots below 0.01", "from 10 answers on"})
+        for (const char* text :
+             {"more than 5 % of the timed choices and ratings came within 0.5 s", "at least 50 % of the ratings",
+              "at least 80 % of the presentations", "at least 3 ratings of blank glass", "p times the number of slots below 0.01",
+              "from 10 answers on"})
             QVERIFY2(says(text), text);
     }
 };

@@ -26,8 +26,8 @@ struct Answers {
     std::function<double(int participant, int fabric, int condition, int question)> rating;
 };
 
-inline const protocols::AnswerKind choice = protocols::ForcedChoice{};
-inline const protocols::AnswerKind rating = protocols::Rating{};
+inline const protocols::AnswerKind amongThree = protocols::ForcedChoice{};
+inline const protocols::AnswerKind onScale = protocols::Rating{};
 
 inline reports::StudyResponse right(const std::string& participant, const std::string& fabric, const std::string& condition,
                                     const std::string& question, bool isRight)
@@ -65,8 +65,9 @@ inline reports::StudyData emptyStudy(int participants, int fabrics, const std::v
 /// A complete study of the given size with Q1 and Q2 to Q4, unblinded, without times.
 inline reports::StudyData study(int participants, int fabrics, const std::vector<std::string>& conditions, const Answers& answers)
 {
-    reports::StudyData data = emptyStudy(participants, fabrics, conditions,
-                                         {{"Q1", "Which?", choice}, {"Q2", "", rating}, {"Q3", "", rating}, {"Q4", "", rating}});
+    reports::StudyData data =
+        emptyStudy(participants, fabrics, conditions,
+                   {{"Q1", "Which?", amongThree}, {"Q2", "", onScale}, {"Q3", "", onScale}, {"Q4", "", onScale}});
     for (int p = 0; p < participants; ++p)
         for (int f = 0; f < fabrics; ++f)
             for (int c = 0; c < static_cast<int>(conditions.size()); ++c) {

@@ -36,7 +36,7 @@ std::filesystem::path fileOf(int descriptor)
     return length > 0 ? std::filesystem::path(std::string(name.data(), static_cast<std::size_t>(length))) : "";
 }
 
-/// Returns the reason with which the step fails, or 0.
+/// Records an operation and returns the error number with which it must fail, or 0.
 int step(DiskCall call, const std::filesystem::path& file)
 {
     if (isLooking) return 0;
@@ -65,7 +65,7 @@ int failed(int reason)
 
 }  // namespace
 
-// The linker takes these definitions before the C library's.
+// The linker prefers these definitions to those of the C library.
 extern "C" {
 
 int fsync(int descriptor)

@@ -1,6 +1,6 @@
-// What this process asks of the disk: writes, syncs and renames in their order, each with its file. A test can also let
-// the process die at one of them, or let writes and syncs fail. It works by defining the C library's functions in the
-// test's own program, so that the product needs no seam.
+// Observer of the disk operations of this process: writes, syncs and renames in their order, each with its file. A test can also
+// end the process at one of them, or let writes and syncs fail. The test program defines these functions of the C library itself,
+// so the product needs no interface for tests.
 #pragma once
 
 #include <filesystem>
@@ -11,13 +11,14 @@ namespace tests::support {
 
 enum class DiskCall { Write, Sync, SyncAll, Rename, Exchange };
 
+/// One disk operation.
 struct DiskStep {
     DiskCall call;
-    std::filesystem::path file;  ///< of a rename: the new name
+    std::filesystem::path file;  ///< for a rename, the new name
     bool operator==(const DiskStep&) const = default;
 };
 
-/// While one exists, every step that lies below `folder` is kept.
+/// Records every disk operation below `folder` during its lifetime.
 class ObservedDisk {
 public:
     explicit ObservedDisk(std::filesystem::path folder);
@@ -28,9 +29,9 @@ public:
     std::vector<DiskStep> steps() const;
     std::size_t count(DiskCall call) const;
 
-    /// The process ends before it takes the step of this number, from 0.
+    /// Ends the process before the operation of this number, from 0.
     void dieBefore(std::size_t step);
-    /// The step of this number fails with an error number of the C library.
+    /// Lets the operation of this number fail with an error number of the C library.
     void failAt(std::size_t step, int reason);
 };
 

@@ -202,7 +202,7 @@ void AppOperatorTest::enterStoresNothingBeforeAChoice()
     open.enrolAndBegin();
     open.playTo("Presenting", "Q1");
     pressKey(open, Qt::Key_Return);
-    QVERIFY(open.message().contains("Choose first"));
+    QVERIFY(open.message().contains("No answer is chosen"));
     QVERIFY(answersIn(folder).empty());
     pressKey(open, Qt::Key_B);
     QVERIFY(open.widget<QLabel>("readBack").text().contains("B"));

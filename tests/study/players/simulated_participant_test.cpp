@@ -1,5 +1,5 @@
-// The order of the conditions follows from the signals, not from a table. With constant friction images Q1 is at chance and ratings
-// do not differ; with the real images h&f beats v_grey.
+// The order of the conditions follows from the signals, not from a table. With constant friction images Q1 is at chance and
+// ratings do not differ; with the real images h&f beats v_grey.
 #include "study/players/simulated_participant.h"
 
 #include <QTemporaryDir>

@@ -372,16 +372,26 @@ Withdrawn Q1  | 1 of 9 | 0 of 11 | left 0 sitting 0.25 break in 0 | -
     {
         QTest::addColumn<QString>("payload");
         QTest::addColumn<QString>("text");
-        QTest::newRow("fabric") << R"({"fabric":"F02"})" << "F02";
-        QTest::newRow("same") << R"({"same":true})" << "same";
-        QTest::newRow("different") << R"({"same":false})" << "different";
-        QTest::newRow("words") << R"({"words":"like felt"})" << "like felt";
-        QTest::newRow("no words") << R"({"words":""})" << "";
-        QTest::newRow("0.0") << R"({"tenths":0})" << "0.0";
-        QTest::newRow("0.7") << R"({"tenths":7})" << "0.7";
-        QTest::newRow("10.0") << R"({"tenths":100})" << "10.0";
-        QTest::newRow("-0.3") << R"({"tenths":-3})" << "-0.3";
-        QTest::newRow("-12.5") << R"({"tenths":-125})" << "-12.5";
+        QTest::newRow("fabric") << R"({"fabric":"F02"})"
+                                << "F02";
+        QTest::newRow("same") << R"({"same":true})"
+                              << "same";
+        QTest::newRow("different") << R"({"same":false})"
+                                   << "different";
+        QTest::newRow("words") << R"({"words":"like felt"})"
+                               << "like felt";
+        QTest::newRow("no words") << R"({"words":""})"
+                                  << "";
+        QTest::newRow("0.0") << R"({"tenths":0})"
+                             << "0.0";
+        QTest::newRow("0.7") << R"({"tenths":7})"
+                             << "0.7";
+        QTest::newRow("10.0") << R"({"tenths":100})"
+                              << "10.0";
+        QTest::newRow("-0.3") << R"({"tenths":-3})"
+                              << "-0.3";
+        QTest::newRow("-12.5") << R"({"tenths":-125})"
+                               << "-12.5";
     }
 
     void everyAnswerIsWrittenExactly()

@@ -1,0 +1,274 @@
+// Studies with unusual questions: ids that are also keys of the files, many questions, only words, only same/different, several
+// scales. Nothing of them may vanish.
+#include <QtTest>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "protocols/files/csv_table.h"
+#include "protocols/files/errors.h"
+#include "protocols/files/whole_file.h"
+#include "reports/data/answers_csv.h"
+#include "reports/figures/report_figures.h"
+#include "reports/json/results_json.h"
+#include "reports/json/statistics_json.h"
+#include "reports/tables/overview_tables.h"
+#include "reports/tables/report_tables.h"
+#include "reports/text/plain_words.h"
+#include "reports/write_report.h"
+#include "tests/reports/study_builder.h"
+
+using Json = nlohmann::ordered_json;
+using namespace reports;
+namespace fs = std::filesystem;
+
+namespace {
+
+const std::vector<std::string> conditions{"v_grey", "f", "h&f"};
+
+/// Five participants answer every question about four fabrics under three conditions.
+StudyData studyOf(const std::vector<QuestionInfo>& questions)
+{
+    StudyData data = builders::emptyStudy(5, 4, conditions, questions);
+    int i = 0;
+    for (const std::string& participant : data.participants)
+        for (const std::string& fabric : data.fabrics)
+            for (const std::string& condition : conditions)
+                for (const QuestionInfo& question : questions) {
+                    const Scoring scoring = scoringOf(question.kind);
+                    const int draw = i++ * 37 % 101;
+                    if (std::holds_alternative<RightOrWrong>(scoring))
+                        data.responses.push_back(builders::right(participant, fabric, condition, question.id, draw < 60));
+                    else if (const auto* scale = std::get_if<NumberOnScale>(&scoring))
+                        data.responses.push_back(builders::rated(participant, fabric, condition, question.id,
+                                                                 scale->min + (scale->max - scale->min) * draw / 101));
+                    else
+                        data.responses.push_back(builders::worded(participant, fabric, condition, question.id,
+                                                                  "<b>warm</b>, \"soft\" " + std::to_string(draw)));
+                }
+    return data;
+}
+
+protocols::AnswerKind scale(int min, int max)
+{
+    protocols::Rating rating;
+    rating.scale.min = protocols::Tenths{min};
+    rating.scale.max = protocols::Tenths{max};
+    return rating;
+}
+
+std::size_t countOf(const std::string& text, const std::string& part)
+{
+    std::size_t count = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+    return count;
+}
+
+}  // namespace
+
+class HostileQuestionsTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { m_folder = std::make_unique<QTemporaryDir>(); }
+
+    void idsOfOtherKeysLoseNothing_data()
+    {
+        QTest::addColumn<QString>("id");
+        for (const char* id : {"data", "schema", "questions", "screening", "response_times", "why", "quality", "conditions",
+                               "condition", "comparisons", "equivalence", "study", "signals", "planned", "ratings", "q1_cochran",
+                               "q1_glmm", "Overview", "missing"})
+            QTest::newRow(id) << id;
+    }
+
+    void idsOfOtherKeysLoseNothing()
+    {
+        QFETCH(QString, id);
+        const std::string hostile = id.toStdString();
+        const StudyData odd = studyOf({{"Q1", "Which?", builders::amongThree}, {hostile, "How?", builders::onScale}});
+        StudyData plain = studyOf({{"Q1", "Which?", builders::amongThree}, {"Q2", "How?", builders::onScale}});
+        plain.planned = {{"f", "h&f"}};
+        StudyData planned = odd;
+        planned.planned = plain.planned;
+        const StudyAnalysis analysis = analyse(planned), usual = analyse(plain);
+
+        const Json results = resultsJson(analysis), usualResults = resultsJson(usual);
+        QCOMPARE(results["questions"][hostile], usualResults["questions"]["Q2"]);
+        QCOMPARE(results["questions"]["Q1"], usualResults["questions"]["Q1"]);
+        for (const char* part : {"conditions", "speed_accuracy", "study"}) QCOMPARE(results[part], usualResults[part]);
+        QCOMPARE(results["comparisons"].size(), usualResults["comparisons"].size());
+
+        const Json statistics = statisticsJson(analysis), usualStatistics = statisticsJson(usual);
+        const Json& ratings = statistics.contains("questions") && statistics["questions"].contains(hostile)
+                                  ? statistics["questions"][hostile]
+                                  : statistics[hostile];
+        QCOMPARE(ratings, usualStatistics["Q2"]);
+        for (const char* part : {"q1_cochran", "q1_glmm", "q1_per_condition"}) QCOMPARE(statistics[part], usualStatistics[part]);
+        QCOMPARE(statistics["schema"], "vis2hap.statistics/1");
+        QCOMPARE(statistics["data"]["responses"], 120);
+        QCOMPARE(statistics["response_times"].size(), std::size_t(2));
+
+        std::set<std::string> names;
+        for (const ReportTable& one : reportTables(analysis)) {
+            QVERIFY2(names.insert(lowerCase(one.table.name)).second, one.table.name.c_str());
+            std::set<std::string> columns;
+            for (std::size_t i = 0; i < one.table.columns.size(); ++i)
+                if (one.table.isInCsv(i))
+                    QVERIFY2(columns.insert(lowerCase(one.table.columns[i].name)).second, one.table.name.c_str());
+        }
+        QCOMPARE(names.size(), reportTables(usual).size());
+    }
+
+    void usualIdsKeepTheirPlace()
+    {
+        const Json statistics =
+            statisticsJson(analyse(studyOf({{"Q1", "", builders::amongThree}, {"Q2", "", builders::onScale}})));
+        QVERIFY(statistics.contains("Q2") && !statistics.contains("questions"));
+    }
+
+    // A study of an earlier version may hold ids that are refused today.
+    void idsOfEarlierStudiesMakeWholeFiles()
+    {
+        const StudyData data = studyOf({{"Real", "", builders::amongThree},
+                                        {"real", "", builders::amongThree},
+                                        {"soft/hard", "", builders::onScale},
+                                        {"<i>", "", builders::onScale}});
+        const fs::path report = path("report");
+        writeReport(analyse(data), report);
+        for (const char* name : {"tables/real_matches.csv", "tables/real_matches-2.csv", "tables/soft_hard_ratings.csv",
+                                 "tables/_i__ratings.csv", "figures/matches_Real.svg", "figures/matches_real-2.svg"})
+            QVERIFY2(fs::exists(report / name), name);
+        const Json statistics = Json::parse(protocols::readWholeFile(report / "statistics.json"));
+        QVERIFY(statistics.contains("real_glmm") && statistics["questions"]["real"].contains("real_glmm"));
+        QVERIFY(statistics["questions"]["real"]["real_matches_by_rendering"] != statistics["real_matches_by_rendering"]);
+        QVERIFY(protocols::readWholeFile(report / "index.html").find("<i>:") == std::string::npos);
+    }
+
+    void manyQuestionsAreAllReported()
+    {
+        std::vector<QuestionInfo> questions;
+        for (char letter = 'A'; letter <= 'Z'; ++letter)
+            questions.push_back(
+                {std::string("Question_") + letter, "How?", letter < 'E' ? builders::amongThree : builders::onScale});
+        const StudyAnalysis analysis = analyse(studyOf(questions));
+        QCOMPARE(resultsJson(analysis)["questions"].size(), std::size_t(26));
+        std::string drawn;
+        std::size_t ratingFigures = 0;
+        for (const Figure& figure : reportFigures(analysis)) {
+            drawn += figure.svg;
+            ratingFigures += figure.section == PageSection::Ratings ? 1 : 0;
+        }
+        for (const QuestionInfo& question : questions)
+            QVERIFY2(drawn.find(question.id) != std::string::npos, question.id.c_str());
+        QCOMPARE(ratingFigures, std::size_t(8));  // three names of ten letters fit into a legend
+        writeReport(analysis, path("report"));
+        for (char letter = 'e'; letter <= 'z'; ++letter)
+            QVERIFY(fs::exists(path("report") / "tables" / (std::string("question_") + letter + "_ratings.csv")));
+        QVERIFY(fs::exists(path("report") / "figures" / "ratings_8.svg"));
+    }
+
+    void studyOfWordsAlone()
+    {
+        StudyData data = studyOf({{"Feel", "What does it feel like?", protocols::FreeText{}}});
+        data.responses.pop_back();
+        const StudyAnalysis analysis = analyse(data);
+        const Json results = resultsJson(analysis);
+        QCOMPARE(results["questions"]["Feel"]["v_grey"], (Json{{"answers", 20}, {"participants", 5}}));
+        QCOMPARE(results["questions"]["Feel"]["h&f"], (Json{{"answers", 19}, {"participants", 5}}));
+        QVERIFY(results["comparisons"].empty() && results["equivalence"].empty());
+        QCOMPARE(results["quality"][0]["why"], "answers missing: Feel: 1 of 12");
+        const Json described = statisticsJson(analysis)["data"];
+        QCOMPARE(described["responses"], 59);
+        QCOMPARE(described["missing_responses"], 1);
+        QCOMPARE(described["missing_by_condition"]["Feel"]["h&f"], 1);
+        QCOMPARE(described["questions"][0]["kind"], "words");
+
+        writeReport(analysis, path("report"));
+        const auto table = protocols::readCsvTable(path("report") / "tables" / "worded_answers.csv");
+        QCOMPARE(table.columns, (std::vector<std::string>{"participant", "fabric", "condition", "question", "words"}));
+        QCOMPARE(table.rows.size(), std::size_t(59));
+        QCOMPARE(table.rows[1], (std::vector<std::string>{"P01", "F02", "v_grey", "Feel", "<b>warm</b>, \"soft\" 10"}));
+        const std::string page = protocols::readWholeFile(path("report") / "index.html");
+        QCOMPARE(countOf(page, "&lt;b&gt;warm&lt;/b&gt;, &quot;soft&quot;"), std::size_t(59));
+        QVERIFY(page.find("Feel: 5 participants gave 59 answers in words.") != std::string::npos);
+        QVERIFY(page.find("<b>Feel</b> \u201CWhat does it feel like?\u201D") != std::string::npos);
+        QVERIFY(page.find("59 of 60 expected answers are analysed, 1 is missing.") != std::string::npos);
+        for (const char* absent : {"Paired t tests", "Balanced integration", "Unit of analysis", "<figure>"})
+            QVERIFY2(page.find(absent) == std::string::npos, absent);
+        QVERIFY(overviewText(analysis).find("Feel answers") != std::string::npos);
+        QVERIFY(fs::is_directory(path("report") / "figures"));
+    }
+
+    void wordsStandUnderMaskedConditions()
+    {
+        StudyData data = studyOf({{"Q1", "", builders::amongThree}, {"Feel", "", protocols::FreeText{}}});
+        data.blinded = true;
+        const std::map<std::string, std::string> masks{{"v_grey", "K3"}, {"f", "K1"}, {"h&f", "K2"}};
+        data.conditions = {"K1", "K2", "K3"};
+        for (StudyResponse& response : data.responses) response.condition = masks.at(response.condition);
+        writeReport(analyse(data), path("report"));
+        const auto table = protocols::readCsvTable(path("report") / "tables" / "worded_answers.csv");
+        QCOMPARE(table.rows[0][2], std::string("K1"));
+        QVERIFY(protocols::readWholeFile(path("report") / "index.html").find("v_grey") == std::string::npos);
+    }
+
+    void studyOfSameAndDifferentAlone()
+    {
+        const StudyAnalysis analysis = analyse(studyOf({{"Same", "Is it the same?", protocols::SameDifferent{}}}));
+        const Json statistics = statisticsJson(analysis);
+        QCOMPARE(statistics["data"]["alternatives"], 2);
+        QVERIFY(statistics["same_per_condition"][0].contains("p_exact_greater_one_half"));
+        QCOMPARE(statistics["data"]["questions"][0]["kind"], "choice");
+        writeReport(analysis, path("report"));
+        const std::string page = protocols::readWholeFile(path("report") / "index.html");
+        QVERIFY(page.find("Chance is 1/2.") != std::string::npos);
+        QVERIFY(page.find("two one-sided tests") == std::string::npos);
+    }
+
+    void everyQuestionKeepsItsOwnScale()
+    {
+        const StudyAnalysis analysis = analyse(studyOf({{"Q2", "", builders::onScale},
+                                                        {"Warm", "", scale(-30, 30)},
+                                                        {"Cold", "", scale(-30, 30)},
+                                                        {"Q3", "", scale(10, 70)}}));
+        const auto ratings = questionsWith<RatingAnalysis>(analysis);
+        QCOMPARE(ratings[0].findings.scale.max, 10.0);
+        QCOMPARE(ratings[1].findings.scale.min, -3.0);
+        QCOMPARE(ratings[3].findings.scale.max, 7.0);
+        const Json described = statisticsJson(analysis)["data"];
+        QCOMPARE(described["scale"], (Json{-3.0, 10.0}));
+        QCOMPARE(described["questions"][1]["scale"], (Json{-3.0, 3.0}));
+        const auto figures = reportFigures(analysis);
+        QCOMPARE(figures.size(), std::size_t(3));
+        QCOMPARE(figures[0].name, std::string("ratings"));
+        QCOMPARE(figures[1].name, std::string("ratings_2"));
+        QVERIFY(figures[1].caption.find("(Warm and Cold)") != std::string::npos);
+    }
+
+    void choicesAmongDifferentNumbersHaveTheirOwnChance()
+    {
+        const StudyAnalysis analysis =
+            analyse(studyOf({{"Q1", "", protocols::ForcedChoice{4}}, {"Same", "", protocols::SameDifferent{}}}));
+        const Json statistics = statisticsJson(analysis);
+        QVERIFY(statistics["q1_per_condition"][0].contains("p_exact_greater_one_quarter"));
+        QVERIFY(statistics["same_per_condition"][0].contains("p_exact_greater_one_half"));
+        writeReport(analysis, path("report"));
+        QVERIFY(protocols::readWholeFile(path("report") / "index.html")
+                    .find("Chance is 1/m, where m is the number of answers to choose from: 4 for Q1 and 2 for Same.") !=
+                std::string::npos);
+    }
+
+    void answersOfAnotherKindAreAFault()
+    {
+        StudyData data = studyOf({{"Q2", "", builders::onScale}});
+        data.responses.front().content = WordedAnswer{"soft"};
+        QVERIFY_EXCEPTION_THROWN(analyse(data), protocols::Error);
+    }
+
+private:
+    fs::path path(const char* name) const { return fs::path(m_folder->path().toStdString()) / name; }
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+};
+
+QTEST_GUILESS_MAIN(HostileQuestionsTest)
+#include "hostile_questions_test.moc"

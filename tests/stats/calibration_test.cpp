@@ -1,5 +1,5 @@
-// How often the tests of the report reject where there is nothing to find. Short by default;
-// VIS2HAP_ALL_SEEDS=1 takes the 10,000 studies that the report's methods quote.
+// How often the tests of the report reject a true null hypothesis. Short by default; VIS2HAP_ALL_SEEDS=1 draws the
+// 10,000 studies that the report's methods quote.
 #include "stats/power/calibration.h"
 
 #include <QtTest>
@@ -7,6 +7,7 @@
 #include <string>
 
 #include "stats/power/measured_size.h"
+#include "tests/stats/exact_numbers.h"
 
 class CalibrationTest : public QObject {
     Q_OBJECT
@@ -27,12 +28,12 @@ private Q_SLOTS:
             QVERIFY2(row.kept(), row.test.c_str());
             QCOMPARE(row.result.undefined, std::size_t(0));
             if (row.attainableSize.exists()) QVERIFY(*row.attainableSize <= 0.05 && *row.attainableSize > 0);
-            // The report's own tests; what it does not use for the purpose may be as wrong as it is.
+            // Tests that the report does not use for this purpose (Shown) may be anti-conservative.
             if (whole && row.promise != stats::Promise::Shown) QVERIFY2(!row.antiConservative(), row.test.c_str());
         }
         if (!whole) {
-            // Counted by this program on the day when all its tests agreed with R; ratings lie on a grid, so that another
-            // machine's last bit turns no study.
+            // Counted by this program when all its tests agreed with R. Ratings lie on a grid, so that the last bit of
+            // another machine changes no count.
             const std::vector<std::size_t> rejected{25, 21, 25, 7, 17, 24, 28, 17, 19, 25, 11,
                                                     11, 23, 33, 5, 2,  3,  8,  7,  7,  3,  5};
             QCOMPARE(rows.size(), rejected.size());
@@ -47,7 +48,7 @@ private Q_SLOTS:
         for (std::size_t i = 0; i < rows.size(); ++i) {
             QCOMPARE(rows[i].test, std::string(measured[i].test));
             QCOMPARE(rows[i].truth, std::string(measured[i].truth));
-            // Another machine's logarithm may turn a study that lies on the edge.
+            // A logarithm that differs in the last bit may change a study that lies on the edge.
             if (whole) QVERIFY(std::abs(static_cast<int>(rows[i].result.rejected) - static_cast<int>(measured[i].rejected)) <= 3);
         }
         QCOMPARE(stats::calibrationStudies(options), 3 * options.simulation.studies + 2 * options.mixedModelStudies);
@@ -62,10 +63,25 @@ private Q_SLOTS:
         }
     }
 
+    // `vis2hap power --calibrate 10000 --json`, counted once: the report's methods quote these numbers.
+    void theMeasuredSizesAreThoseCounted()
+    {
+        const std::vector<std::size_t> rejected{532, 486, 506, 141, 412, 397, 485, 427, 454, 495, 368,
+                                                254, 506, 489, 509, 520, 778, 566, 481, 457, 327, 473};
+        const auto sizes = stats::measuredSizes();
+        QCOMPARE(sizes.size(), rejected.size());
+        for (std::size_t i = 0; i < sizes.size(); ++i) {
+            QCOMPARE(sizes[i].rejected, rejected[i]);
+            QCOMPARE(sizes[i].rate(), static_cast<double>(rejected[i]) / 10000);
+            // 50/1024 of the exact tests on 10 differences; 31 or more of 70 at 1/3.
+            QCOMPARE(sizes[i].attainableSize, i == 1 || i == 2 ? 50.0 / 1024 : i == 10 ? 0.03662005650131001 : 0.0);
+        }
+    }
+
     void theTestOnTheWrongUnitIsFlagged()
     {
-        // Participants' means take the fabrics for all there are; where each fabric has its own differences
-        // the t test rejects too often, which is why the mixed model stands beside it.
+        // The t test of participants' means treats these fabrics as the only ones. Where each fabric has its own
+        // differences it rejects too often; the report therefore has a mixed model as well.
         stats::CalibrationOptions options;
         options.simulation.studies = 1;
         options.mixedModelStudies = 300;
@@ -96,6 +112,33 @@ private Q_SLOTS:
         QVERIFY(row.kept() && !row.antiConservative());
         row.result.rejected = 601;
         QCOMPARE(row.verdict(), std::string("anti-conservative"));
+    }
+
+    // The interval of alpha is 4.2 standard errors wide, at least 0.9 points: 591 and 409 of 10000, 9 of 100 ... 14 of 100.
+    void promisesEndAtTheirLimits()
+    {
+        const auto kept = [](stats::Promise promise, std::size_t studies, std::size_t rejected) {
+            return stats::CalibrationRow{"t", "", promise, {studies, rejected, 0}, stats::Value::undefined("")}.kept();
+        };
+        using enum stats::Promise;
+        QVERIFY(kept(Exact, 10000, 591) && !kept(Exact, 10000, 592) && kept(Exact, 10000, 409) && !kept(Exact, 10000, 408));
+        QVERIFY(kept(AtMost, 10000, 0) && kept(AtMost, 10000, 591) && !kept(AtMost, 10000, 592));
+        QVERIFY(kept(Exact, 100, 14) && !kept(Exact, 100, 15) && kept(Exact, 1000000, 58999) && !kept(Exact, 1000000, 59001));
+        QVERIFY(kept(Printed, 100, 100) && kept(Shown, 100, 100));
+        const auto verdict = [](stats::Promise promise, std::size_t rejected) {
+            return stats::CalibrationRow{"t", "", promise, {10000, rejected, 0}, stats::Value::undefined("")}.verdict();
+        };
+        QCOMPARE(verdict(Exact, 500), std::string("kept"));
+        QCOMPARE(verdict(AtMost, 500), std::string("kept"));
+        QCOMPARE(verdict(AtMost, 700), std::string("broken"));
+        QCOMPARE(verdict(Printed, 600), std::string());
+        QCOMPARE(verdict(Shown, 601), std::string("anti-conservative"));
+        // 7 of 100 is above 6 %, but its interval reaches below 5 %.
+        QVERIFY(!(stats::CalibrationRow{"t", "", Printed, {100, 7, 0}, stats::Value::undefined("")}.antiConservative()));
+        compareNumbers({{"rate", stats::Rejections{200, 7, 1}.rate(), 0.035},
+                        {"rate of nothing", stats::Rejections{}.rate(), 0},
+                        {"low", stats::Rejections{5, 2, 0}.interval().low, 0.117620774232648},
+                        {"high", stats::Rejections{5, 2, 0}.interval().high, 0.769275718723987}});
     }
 };
 

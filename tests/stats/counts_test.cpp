@@ -1,4 +1,4 @@
-// Binomial tails, d', McNemar: numbers that come from somewhere else.
+// Binomial tests and intervals, d' and McNemar's test against R and by hand.
 #include <QtTest>
 #include <cmath>
 #include <numbers>
@@ -46,7 +46,7 @@ private Q_SLOTS:
         QCOMPARE(*below.dPrime, 0.0);
         QCOMPARE(*below.discriminators, 0.0);
         QVERIFY(!below.seDPrime.exists());
-        const auto atChance = stats::forcedChoice(23, 69, 3);  // 1/3, which no double is
+        const auto atChance = stats::forcedChoice(23, 69, 3);  // no double is 1/3
         QVERIFY(*atChance.dPrime == 0.0 && atChance.seDPrime.exists());
         const auto perfect = stats::forcedChoice(70, 70, 3);
         QVERIFY(std::isinf(*perfect.dPrime) && !perfect.seDPrime.why().empty());
@@ -114,7 +114,8 @@ private Q_SLOTS:
                         {"Wilson high", test.wilson.high, expected[7]}});
     }
 
-    // All or none: the ends at 0 and 1 are exact, the others (outside)^(1/n) and z^2/(n + z^2).
+    // No success or only successes: one end is exactly 0 or 1, the other (1 - confidence)/2 to the power 1/n, or
+    // z^2/(n + z^2).
     void intervalsAtTheirEnds()
     {
         const auto none = stats::binomialTest(0, 12, 0.25);
@@ -153,9 +154,20 @@ private Q_SLOTS:
                             {"its logarithm", test.logPMid, std::log(0.0962524414062501)}});
         QCOMPARE(stats::mcnemarTest(12, 5).b, 12LL);
         QCOMPARE(stats::mcnemarTest(12, 5).c, 5LL);
-        // Equally many: |b - c| - 1 would be negative.
+        // With b = c, |b - c| - 1 is negative and counts as 0.
         compareNumbers({{"corrected chi-squared of equals", stats::mcnemarTest(4, 4).chiSquaredCorrected, 0},
                         {"mid p of equals", stats::mcnemarTest(4, 4).pMid, 1}});
+    }
+
+    // Rscript tests/stats/reference/counts.R
+    void twoSidedTailsOfManyKinds()
+    {
+        compareNumbers({{"7 of 20 at 0.2", stats::binomialTest(7, 20, 0.2).pTwoSided, 0.0982217286134687},
+                        {"0 of 10 at 0.3", stats::binomialTest(0, 10, 0.3).pTwoSided, 0.0388396033},
+                        {"50 of 100 at 0.5", stats::binomialTest(50, 100, 0.5).pTwoSided, 1.0},
+                        {"10 of 30 at 0.5", stats::binomialTest(10, 30, 0.5).pTwoSided, 0.0987371467053889},
+                        {"9 of 12 at 0.6", stats::binomialTest(9, 12, 0.6).pTwoSided, 0.383549575168},
+                        {"20 of 21 at 0.9", stats::binomialTest(20, 21, 0.9).pTwoSided, 0.716321139288672}});
     }
 };
 

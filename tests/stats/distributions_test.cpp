@@ -92,7 +92,7 @@ private Q_SLOTS:
                         {"chi-squared, central", stats::noncentralChiSquaredUpper(7.5, 3, 0), 0.057558451972636407}});
     }
 
-    // exp(-400 ln 10 + ln 4.2) and its like; the mantissa that rounds up to 10 is written as 1.
+    // exp(ln 4.2 - 400 ln 10) and others; a mantissa that rounds up to 10 is written as 1.
     void decimalsOfLogarithms()
     {
         using std::numbers::ln10;
@@ -141,6 +141,16 @@ private Q_SLOTS:
         compareReasons({{"one value", stats::jzsBayesFactor(2, 1).bf10, "at least 2 values"},
                         {"no t", stats::jzsBayesFactor(std::nan(""), 5).logBf10, "finite"},
                         {"no width", stats::jzsBayesFactor(2, 5, 0).bf10, "width"}});
+    }
+
+    void largeNoncentralitiesAsTheirApproximations()
+    {
+        compareNumbers({{"chi-squared", stats::noncentralChiSquaredUpper(10000, 8, 10001), 0.51529143961316789, 1e-11},
+                        {"F", stats::noncentralFisherUpper(1200, 8, 72, 10001), 0.61960148227264044, 1e-11},
+                        {"t", stats::noncentralStudentUpper(3100, 9, 3001), 0.50896444031362158, 1e-11},
+                        {"t below 0", stats::noncentralStudentUpper(-3100, 9, -3001), 1 - 0.50896444031362158, 1e-11},
+                        {"t of the other sign", stats::noncentralStudentUpper(-3100, 9, 3001), 1, 0},
+                        {"t of the other sign", stats::noncentralStudentUpper(3100, 9, -3001), 0, 0}});
     }
 };
 

@@ -30,7 +30,7 @@ inline void compareNumbers(std::initializer_list<ExactNumber> numbers)
     QVERIFY2(differences.isEmpty(), qPrintable(differences));
 }
 
-/// Undefined values with the words that their reason must contain.
+/// An undefined value, and words that its reason must contain.
 struct MissingNumber {
     const char* name;
     stats::Value found;

@@ -1,5 +1,5 @@
-// Where others fail: tiny and huge scales, offsets, long samples, nothing at all, and probabilities below
-// the smallest double. The source of each expected value stands above it.
+// Extreme data, for which other programs fail: tiny and huge scales, offsets, long samples, empty samples, and
+// probabilities below the smallest double. The source of each expected value stands above it.
 #include <QtTest>
 #include <limits>
 #include <numbers>
@@ -53,7 +53,7 @@ private Q_SLOTS:
         QVERIFY(near(*error.maeOverMean, 1, 1e-15));
     }
 
-    // The same three numbers over 1e308: t does not change, and what no double holds is a decimal.
+    // Three numbers near 1e308: t is that of the scaled numbers; an end beyond the range of double is a decimal.
     void sumsBeyondTheLargestDouble()
     {
         const Numbers x{1e308, 1.2e308, 1.5e308};
@@ -125,7 +125,7 @@ private Q_SLOTS:
         QVERIFY(near(*stats::exponential(2), std::exp(2.0), 1e-15));
     }
 
-    // Near t = 0, p = 1 - 2 f(0) t, f(0) = 1/pi of Cauchy's distribution: log p must not lose that.
+    // Near t = 0, p = 1 - 2 f(0) t with the Cauchy density f(0) = 1/pi: log p must keep these digits.
     void logarithmOfPNearOne()
     {
         const auto tail = stats::studentTwoSided(1e-9, 1);
@@ -142,7 +142,7 @@ private Q_SLOTS:
         }
         QVERIFY(!stats::wilcoxonSignedRank(Numbers{}, {}).why.empty());
         QVERIFY(!stats::signFlipTest(Numbers{}, {}).why.empty());
-        // Two equally likely signs: everything is as far from 0 as what was seen.
+        // Of two equally likely signs, both are as far from 0 as the observed one.
         QCOMPARE(*stats::signFlipTest(Numbers{3}, {}).p, 1.0);
         QCOMPARE(*stats::wilcoxonSignedRank(Numbers{3}, {}).pExact, 1.0);
         QVERIFY(!stats::oneWayAnova({}).why.empty() && !stats::oneWayAnova({{1}, {2}}).why.empty());
@@ -173,7 +173,7 @@ private Q_SLOTS:
         QCOMPARE(stats::describe(Numbers{1, notANumber, 3}).missing, std::size_t{1});
     }
 
-    // {2^600, 2 * 2^600, ...}: repeated measures see no scale either.
+    // A power of two as a scale changes no bit of a repeated-measures analysis.
     void tablesAtEveryScale()
     {
         const std::vector<std::vector<double>> rows{{1, 2, 4}, {2, 2, 3}, {1, 3, 5}, {3, 3, 4}};

@@ -1,4 +1,4 @@
-// SSIM and its variants against long-double truth and scikit-image, and its invariants.
+// SSIM and its variants against long double and scikit-image, its invariants, and registration.
 #include "stats/metrics/image_metrics.h"
 
 #include <QtTest>
@@ -46,7 +46,7 @@ Image patch(std::size_t width, std::size_t height, double offset, double scale, 
     return image;
 }
 
-/// The definition, window by window in two passes of long double: slow and plain.
+/// SSIM by its definition, window by window, in two passes of long double.
 double directSsim(const Image& a, const Image& b, double range)
 {
     std::array<long double, 11> w{};
@@ -85,7 +85,7 @@ class ImageMetricsTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    // Truth: every window by itself in numpy's longdouble.
+    // Reference: every window by itself in numpy's longdouble.
     void speedImageAgreesWithItsTruth()
     {
         const auto [a, b] = recipe();
@@ -134,7 +134,7 @@ private Q_SLOTS:
         QVERIFY(*stats::ssim(large.view(), largeToo.view(), 1024).mean == *stats::ssim(a.view(), b.view(), 1).mean);
     }
 
-    // A ramp many ranges high under a small texture: moments about one common shift would lose it.
+    // A small texture on a ramp many ranges high: moments about one common shift would lose its digits.
     void steepRampCostsNoDigits()
     {
         Image a = patch(80, 45, 0, 1, 1);
@@ -215,7 +215,7 @@ private Q_SLOTS:
         }
     }
 
-    // Of constant images (c1 and c2 of range 1): (2 a b + c1)/(a^2 + b^2 + c1), whatever their size.
+    // Constant images (c1 and c2 of range 1) have (2 a b + c1)/(a^2 + b^2 + c1), whatever their size.
     void constantImagesDifferByTheirMeansAlone()
     {
         const Image a{std::vector<double>(13 * 11, 0.25), 13, 11};
@@ -233,7 +233,7 @@ private Q_SLOTS:
                 for (std::size_t x = 0; x < 60; ++x) part.values.push_back(whole.values[(top + y) * whole.width + left + x]);
             return part;
         };
-        // What lies at x in b lies at x + 4 in the whole, and at x in a it lies at x: b lies 4 pixels left of a.
+        // a shows the whole from (7, 9), b from (11, 6): a point of b lies 4 pixels left of and 3 below the same point of a.
         const Image a = cut(7, 9), b = cut(11, 6);
         const auto found = stats::registeredSsim(a.view(), b.view(), 1, 6);
         QCOMPARE(found.right, -4);

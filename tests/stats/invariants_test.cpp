@@ -1,5 +1,5 @@
-// What must hold for all data: scales of two, the order of participants, the number of threads, and tests
-// that are the same test.
+// Properties that hold for all data: scaling by powers of two, the order of participants, the number of threads, and
+// tests that are equivalent.
 #include <QtTest>
 
 #include "stats/tests/bootstrap.h"
@@ -49,7 +49,7 @@ class InvariantsTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    // Small samples are summed exactly, large ones in blocks: both must not see the scale.
+    // Small samples are summed exactly, large ones in blocks. Neither may depend on the scale.
     void powersOfTwoChangeNoBitOfAnyTTest_data()
     {
         QTest::addColumn<int>("n");
@@ -102,7 +102,7 @@ private Q_SLOTS:
             QCOMPARE(isInside, *test.p < alpha);
             inside += isInside ? 1 : 0;
         }
-        QVERIFY(inside > 100 && inside < 900);  // both were seen
+        QVERIFY(inside > 100 && inside < 900);  // both outcomes occurred
     }
 
     void orderOfThePairsChangesNoBit()

@@ -1,4 +1,4 @@
-// Sums, moments, grids, ranks, tables and matrices: numbers by hand, or in exact fractions.
+// Sums, moments, grids, ranks, tables and matrices: numbers computed by hand, many as exact fractions.
 #include <QtTest>
 #include <cmath>
 #include <limits>
@@ -49,8 +49,8 @@ class KernelsTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    // k + 1/4, 0 <= k < n: mean (n - 1)/2 + 1/4, sum of squares n (n^2 - 1)/12. Sizes on both sides of 4096, where sums go in
-    // blocks, and of whole blocks of 1024.
+    // k + 1/4, 0 <= k < n: mean (n - 1)/2 + 1/4, sum of squares n (n^2 - 1)/12. Samples above 4096 values are summed in
+    // blocks of 1024; the sizes lie on both sides of these limits.
     void momentsOfAnArithmeticSeries_data()
     {
         QTest::addColumn<int>("n");
@@ -74,7 +74,7 @@ private Q_SLOTS:
                         {"smallest", moments.smallest, offset + 0.25, 0},
                         {"largest", moments.largest, offset + 0.25 + count - 1, 0}});
         if (n > 1) compareNumbers({{"variance", moments.variance(), squares / (count - 1), 1e-13}});
-        // Differences: 1/4 + k less offset + 1/4 + k.
+        // The differences are all equal to the offset.
         const Numbers y = quarters(x.size(), 0);
         const auto pairs = stats::pairedMomentsOf(x, y);
         compareNumbers({{"mean of y", pairs.y.mean(), 0.25 + (count - 1) / 2, 1e-15},
@@ -86,7 +86,7 @@ private Q_SLOTS:
         QCOMPARE(stats::isConstant(moments), n == 1);
     }
 
-    // 11 numbers: one step of eight lanes, then three more.
+    // 11 numbers: eight in vector registers, then three more.
     void sumsOfABlock()
     {
         const Numbers x{4, -2, 7, 0.5, 3, 9, -6, 1, 2.5, 8, -5};
@@ -103,7 +103,7 @@ private Q_SLOTS:
         QCOMPARE(differences, (Numbers{3.5, -2.5, 6.5, 0, 2.5, 8.5, -6.5, 0.5, 2, 7.5, -5.5}));
     }
 
-    // The first additions lose 1; its error term brings it back.
+    // The first addition loses the 1; its error term restores it.
     void sumsKeepTheirRoundingErrors()
     {
         const Numbers x{1e16, 1, -1e16, 3, 1e17, 0.5, -1e17};
@@ -134,7 +134,7 @@ private Q_SLOTS:
         QCOMPARE(tiny.exponent(), -400);
         QCOMPARE(*tiny.unscaledSquare(1), std::ldexp(1, -800));
         QCOMPARE(stats::ScaledSamples({zeros}).exponent(), 0);
-        // Within 2^+-200 nothing is copied.
+        // Samples between 2^-200 and 2^200 are not scaled.
         const Numbers edge{std::ldexp(1.5, 200)}, beyond{std::ldexp(1, 201)}, low{std::ldexp(1, -200)},
             lower{std::ldexp(1, -201)};
         QCOMPARE(stats::ScaledSamples({edge}).exponent(), 0);
@@ -215,7 +215,7 @@ private Q_SLOTS:
         const Matrix a = matrixOf(3, 3, {4, 2, 2, 2, 5, 3, 2, 3, 6});
         Matrix upper = a;
         QCOMPARE(stats::factorise(upper), std::size_t{3});
-        compareMatrix(upper, 3, 3, {2, 1, 1, 2, 2, 1, 2, 3, 2});  // below the diagonal as it was
+        compareMatrix(upper, 3, 3, {2, 1, 1, 2, 2, 1, 2, 3, 2});  // the part below the diagonal is unchanged
         const Matrix lower = stats::inverseOfTransposed(upper, 3);
         compareMatrix(lower, 3, 3, {0.5, 0, 0, -0.25, 0.5, 0, -0.125, -0.25, 0.5});
         // adj(a)/64
@@ -255,7 +255,7 @@ private Q_SLOTS:
         }
     }
 
-    // Rosenbrock's function has its minimum 0 at (1, 1); (x - 1)^4 + ... would be flat.
+    // A function of Rosenbrock's kind, whose minimum 3 is at (1, 1).
     void minimumOfACurvedValley()
     {
         const auto valley = [](std::span<const double> x) {

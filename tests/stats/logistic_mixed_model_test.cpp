@@ -1,4 +1,4 @@
-// The logistic mixed model against R, closed forms, and where the likelihood has no maximum.
+// The logistic mixed model against a second program, closed forms and R, and where the likelihood has no maximum.
 #include "stats/models/logistic_mixed_model.h"
 
 #include <QtTest>
@@ -23,7 +23,7 @@ void compare(const stats::Value& value, double expected, double relative, const 
              qPrintable(QString("%1: %2, expected %3").arg(what.c_str()).arg(*value, 0, 'g', 12).arg(expected, 0, 'g', 12)));
 }
 
-/// Levels 1 to `levels`, each `each` times in a row, over `rows` rows.
+/// A factor with the levels 1 to `levels`, each repeated `each` times, over `rows` rows.
 stats::Factor cycled(const std::string& name, std::size_t levels, std::size_t each, std::size_t rows)
 {
     std::vector<std::string> values;
@@ -54,10 +54,10 @@ class LogisticMixedModelTest : public QObject {
 private Q_SLOTS:
     void peopleAlikeLeaveAPlainTable()
     {
-        // Everyone answers alike, so nothing is left for the groups: log odds of 12/20, 8/20 and 15/20, and
+        // All people answer alike, so that the groups have no variance: log odds of 12/20, 8/20 and 15/20, and
         // the likelihood ratio is the G test of the table (R: 2*sum(O*log(O/E)) = 5.3086...).
         stats::LogisticData data{{}, cycled("c", 3, 1, 60), {cycled("p", 4, 15, 60)}};
-        // Of every five answers of a person under a condition 3, 2 and 3.75 are right: shared out by turns.
+        // Right answers of each person among five under each condition.
         const int right[4][3] = {{3, 2, 4}, {3, 2, 4}, {3, 2, 4}, {3, 2, 3}};
         for (int p = 0; p < 4; ++p)
             for (int i = 0; i < 5; ++i)
@@ -84,7 +84,7 @@ private Q_SLOTS:
         QVERIFY(model.why.empty() && model.fixed[1].p.exists());
         QVERIFY(!model.fixed[2].estimate.exists() && !model.fixed[2].p.exists());
         QVERIFY(model.fixed[2].p.why().find("3 (always right)") != std::string::npos);
-        // What is left is the study without that condition; the likelihood tends to its own.
+        // The likelihood tends to that of the study without this condition.
         stats::LogisticData two{{}, {"c", {"1", "2"}, {}}, {{"p", data.groups[0].levels, {}}, {"f", data.groups[1].levels, {}}}};
         for (std::size_t row = 0; row < data.right.size(); ++row) {
             if (data.condition.of[row] == 2) continue;
@@ -156,7 +156,7 @@ private Q_SLOTS:
         if (kind == "one") data.condition = cycled("c", 1, 1, 60);
         if (kind == "person") data.groups[0] = cycled("p", 1, 1, 60);
         if (kind == "by person") {
-            // Who it is decides every choice, but for one slip.
+            // The person determines every choice, with two exceptions.
             for (std::size_t row = 0; row < data.right.size(); ++row) data.right[row] = data.groups[0].of[row] < 2 ? 1 : 0;
             answerAll(data, 2, 0);
             data.right[2] = data.right[14] = 1;
@@ -201,7 +201,7 @@ private Q_SLOTS:
             QVERIFY(*fit.chiSquared >= 0 && *fit.p >= 0 && *fit.p <= 1);
             singular += fit.singular ? 1 : 0;
         }
-        QVERIFY(singular > 10 && singular < 190);  // both kinds were met
+        QVERIFY(singular > 10 && singular < 190);  // both kinds occurred
     }
 
     void sharedStudiesAgreeWithR_data()
@@ -223,7 +223,7 @@ private Q_SLOTS:
         }
         compare(model.random[0].sd, expected["sd_participant"], 1e-3, "participants");
         compare(model.random[1].sd, expected["sd_fabric"], 1e-3, "fabrics");
-        // glmer stops a step before the mode, and so below the likelihood that Laplace's approximation has.
+        // glmer stops one step before the mode, and therefore below the maximum of Laplace's approximation.
         compare(model.logLikelihood, expected["logLik"], 1e-7, "log likelihood");
         QVERIFY(*model.logLikelihood >= expected["logLik"].get<double>() - 1e-9);
         compare(model.chiSquared, expected["lrt_chi2"], 1e-3, "chi-squared");
@@ -262,7 +262,7 @@ private Q_SLOTS:
         data.groups.resize(static_cast<std::size_t>(groups));
         const auto model = stats::fitLogisticMixedModel(data, 0.9);
         QCOMPARE(model.rows, std::size_t{60});
-        // The covariance is that of the last step but one, 1e-5 away.
+        // The covariance is computed before the last Newton step, at a distance of about 1e-5.
         for (std::size_t g = 0; g < sds.size(); ++g) compareNumbers({{"sd", model.random[g].sd, sds[g], 1e-6}});
         const double z = 1.64485362695147;  // R: qnorm(.95)
         for (std::size_t i = 0; i < 3; ++i) {
@@ -283,6 +283,29 @@ private Q_SLOTS:
                         {"df", model.df, 2},
                         {"p", model.p, test[3], 1e-10},
                         {"log p", model.logP, std::log(test[3]), 1e-10}});
+    }
+
+    // No groups: the proportions of the conditions, 1200 choices. Sum of k log p + (n - k) log(1 - p).
+    void withoutGroupsItIsATableOfProportions()
+    {
+        stats::LogisticData data{{}, cycled("c", 2, 1, 1200), {}};
+        for (std::size_t i = 0; i < 600; ++i) {
+            data.right.push_back(i % 4 == 0 ? 0 : 1);  // 450 of 600
+            data.right.push_back(i % 3 == 0 ? 1 : 0);  // 200 of 600
+        }
+        const auto model = stats::fitLogisticMixedModel(data);
+        const auto part = [](double k, double n) { return k * std::log(k / n) + (n - k) * std::log(1 - k / n); };
+        const double se = std::sqrt(1.0 / 450 + 1.0 / 150),
+                     seOfDifference = std::sqrt(1.0 / 450 + 1.0 / 150 + 1.0 / 200 + 1.0 / 400);
+        compareNumbers({{"intercept", model.fixed[0].estimate, std::log(3.0), 1e-9},
+                        {"its se", model.fixed[0].se, se, 1e-7},
+                        {"difference", model.fixed[1].estimate, std::log(0.5) - std::log(3.0), 1e-9},
+                        {"its se", model.fixed[1].se, seOfDifference, 1e-7},
+                        {"covariance", model.covariance(0, 1), -se * se, 1e-7},
+                        {"covariance", model.covariance(1, 0), -se * se, 1e-7},
+                        {"log likelihood", model.logLikelihood, part(450, 600) + part(200, 600)},
+                        {"without condition", model.logLikelihoodNull, part(650, 1200)}});
+        QVERIFY(model.evaluations > 0 && !model.singular && model.random.empty());
     }
 };
 

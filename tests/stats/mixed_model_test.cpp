@@ -1,4 +1,4 @@
-// The linear mixed model against closed forms of balanced data, against R, and at its edges.
+// The linear mixed model against closed forms of balanced data, a second program and R, and at its limits.
 #include "stats/models/mixed_model.h"
 
 #include <QtTest>
@@ -256,7 +256,7 @@ private Q_SLOTS:
 
     void allVariancesZeroIsLeastSquares()
     {
-        // Group means exactly equal: nothing is left for the groups, and the df are those of the residual.
+        // The group means are equal: the variance of the groups is 0, and the df are those of the residual.
         stats::MixedModelData data{
             {1, 2, 3, 3, 2, 1, 2, 1, 3}, stats::interceptOnly(9), {{factor("g", {1, 1, 1, 2, 2, 2, 3, 3, 3}), {}, ""}}};
         const auto model = stats::fitMixedModel(data);
@@ -428,8 +428,8 @@ private Q_SLOTS:
                 compare(fixed.test.estimate, expected["fixef"][fixed.name], 1e-5, fixed.name);
                 compare(fixed.test.se, expected["se"][fixed.name], 1e-4, "se of " + fixed.name);
             }
-            // lme4's optimiser stops up to 5e-8 above the least criterion; there its variances are up to
-            // 1.4e-4 away from those of the closed forms that balanced data have (study_a, Q2).
+            // lme4's optimiser stops up to 5e-8 above the minimum of the criterion. Its variances then differ by up to
+            // 1.4e-4 from the closed forms of balanced data (study_a, Q2).
             for (const auto& random : rating.model.random)
                 compare(random.variance, expected["var"][random.name], 2e-4, random.name);
             compare(rating.model.residualVariance, expected["var"]["Residual"], 1e-4, "residual");
@@ -587,7 +587,7 @@ private Q_SLOTS:
         compareContrast(fitted.fixed[1].test, effects[1]);
         QCOMPARE(fitted.random[0].slopeName, std::string("day"));
         QVERIFY(!fitted.singular && !fitted.random[0].zero);
-        // A covariate of another unit changes the unit of its variance only.
+        // Another unit of the covariate only changes the unit of the slopes.
         auto hours = data;
         for (double& day : hours.random[0].slope) day *= 24;
         const auto inHours = stats::fitMixedModel(hours, {.reml = reml});
@@ -627,6 +627,76 @@ private Q_SLOTS:
                         ContrastNumbers{-0.310809409208049, 0.356530469356655, 9.34551578412714, -0.87176114223531,
                                         0.405177595000774, -1.11281478576196, 0.491195967345863});
         QCOMPARE(rating.model.fixed[2].name, std::string("conditionc2"));
+    }
+
+    // /usr/bin/python3 tests/stats/reference/mixed_models.py: two fabrics leave about two degrees of freedom.
+    void fewDegreesOfFreedom_data()
+    {
+        QTest::addColumn<int>("missing");
+        QTest::addColumn<std::vector<double>>("variances");
+        QTest::addColumn<ContrastNumbers>("effect");
+        QTest::addColumn<std::vector<double>>("f");
+        QTest::newRow("rating 7 is missing")
+            << 7 << std::vector<double>{0.0552704848190948, 7.1057642034766, 0.812654805946176}
+            << ContrastNumbers{-0.501297726905337, 0.912853681565933, 2.00269227670731, -0.5491545217251,
+                               0.637956731232547,  -4.42393456440541, 3.42133911059473}
+            << std::vector<double>{0.463646796515053, 2.0, 0.683224943600466};
+        QTest::newRow("rating 8 is missing")
+            << 8 << std::vector<double>{0.0559737454268198, 7.22102507886029, 0.671969667344058}
+            << ContrastNumbers{-0.575000000000003, 0.832826932029422, 1.98480205412312, -0.690419555235624,
+                               0.561764789389679,  -4.18478791380554, 3.03478791380554}
+            << std::vector<double>{0.518295672240798, 2.0, 0.658633241392394};
+    }
+
+    void fewDegreesOfFreedom()
+    {
+        QFETCH(int, missing);
+        QFETCH(std::vector<double>, variances);
+        QFETCH(ContrastNumbers, effect);
+        QFETCH(std::vector<double>, f);
+        stats::MixedModelData data;
+        std::vector<int> person, fabric, pair, condition;
+        for (int i = 0; i < 24; ++i) {
+            if (i == missing) continue;
+            const int p = i / 6, g = i / 3 % 2, c = i % 3;
+            const double rating = 5 + 0.3 * std::sin(3 * p + 1) + 5 * g + 1.2 * std::sin(4 * g + 5 * c + 2) +
+                                  0.4 * std::sin(17 * p + 23 * g + 31 * c);
+            data.y.push_back(std::round(10 * rating) / 10);
+            person.push_back(p);
+            fabric.push_back(g);
+            pair.push_back(3 * g + c);
+            condition.push_back(c);
+        }
+        data.fixed = stats::treatmentCoded(factor("condition", condition));
+        data.random = {{factor("person", person), {}, ""}, {factor("fabric", fabric), {}, ""}, {factor("pair", pair), {}, ""}};
+        const auto model = stats::fitMixedModel(data);
+        compareNumbers({{"people", model.random[0].variance, variances[0], 1e-7},
+                        {"fabrics", model.random[1].variance, variances[1], 1e-7},
+                        {"pairs", model.random[2].variance, variances[2], 1e-7}});
+        compareContrast(model.fixed[1].test, effect);
+        const auto test = stats::effectTest(model);
+        compareNumbers({{"F", test.f, f[0], 1e-8}, {"df2", test.df2, f[1], 1e-6}, {"p", test.p, f[2], 1e-6}});
+    }
+
+    void everyReasonForLeavingOutIsNamed()
+    {
+        const auto reasons = [](const stats::CrossedStudy& study) {
+            std::string text;
+            for (const auto& one : stats::fitRatings(study).leftOut) text += one.name + " " + one.why + "; ";
+            return text;
+        };
+        QCOMPARE(reasons(drawnStudy({8, 1, 4, 3}, 5)),
+                 std::string("fabric has one level only; fabric:condition fabric was left out; "
+                             "participant:condition has a level for every value, as the residual; "));
+        QCOMPARE(reasons(drawnStudy({8, 3, 1, 3}, 5)), std::string("participant:condition there is one condition only; "
+                                                                   "fabric:condition there is one condition only; "));
+        QCOMPARE(reasons(drawnStudy({5, 4, 3, 3}, 5)), std::string());
+        auto choices = drawnStudy({6, 1, 2, 3}, 5);
+        for (std::size_t i = 0; i < choices.values.size(); ++i) choices.values[i] = i % 3 == 0 ? 1 : 0;
+        const auto model = stats::fitChoices(choices);
+        QCOMPARE(model.formula, std::string("correct~condition+(1|participant)"));
+        QCOMPARE(model.leftOut.size(), std::size_t{1});
+        QCOMPARE(model.conditions.size(), std::size_t{2});
     }
 };
 

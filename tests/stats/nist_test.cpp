@@ -1,6 +1,6 @@
 // NIST's Statistical Reference Datasets: certified mean, standard deviation and lag-1 autocorrelation of one
-// sample, and one-way analyses of variance. What has a recipe is made here from it (NumAcc, PiDigits, SmLs);
-// the others are read where the shared oracle is present.
+// sample, and one-way analyses of variance. Data sets with a recipe are generated here (NumAcc, PiDigits, SmLs); the
+// others are read where the shared reference cases are present.
 #include <QtTest>
 #include <algorithm>
 
@@ -42,7 +42,7 @@ std::vector<double> piDigits(std::size_t n)
     return result;
 }
 
-/// SmLs: nine treatments; the first value is offset + c, then come offset + c - 0.1 and offset + c + 0.1 in turn.
+/// SmLs: nine treatments; the first value is offset + c, then offset + c - 0.1 and offset + c + 0.1 alternate.
 /// Whole tenths divided by ten are the doubles nearest to the decimals.
 std::vector<std::vector<double>> simonLesage(double offset, int replicates)
 {
@@ -87,7 +87,7 @@ std::vector<double> readSample(const std::filesystem::path& file)
     return x;
 }
 
-/// Treatment and response a row.
+/// Groups of a file with a treatment and a response in each row.
 std::vector<std::vector<double>> readGroups(const std::filesystem::path& file)
 {
     std::map<double, std::vector<double>> groups;
@@ -129,7 +129,7 @@ class NistTest : public QObject {
 
 private Q_SLOTS:
     // Certified values: https://www.itl.nist.gov/div898/strd/univ/homepage.html. A double cannot hold the
-    // decimals of NumAcc3 and 4: digits are what is attainable, less 0.3.
+    // decimals of NumAcc3 and 4: the digits required are those attainable, less 0.3.
     void recipesReachTheAttainableDigits_data()
     {
         QTest::addColumn<double>("first");
@@ -170,7 +170,7 @@ private Q_SLOTS:
     }
 
     // Certified: https://www.itl.nist.gov/div898/strd/anova/anova.html. F = 2.1, 20.1 and 200.1 times ten by the number of
-    // replicates. Digits are what is attainable with doubles, less 0.3; R reaches 1.9 of 4.17 for SmLs09.
+    // replicates. The digits required are those attainable with doubles, less 0.3; R reaches 1.9 of 4.17 for SmLs09.
     void constantLeadingDigitsCostNoMoreThanTheyMust_data()
     {
         QTest::addColumn<double>("offset");

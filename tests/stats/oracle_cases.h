@@ -1,4 +1,4 @@
-// Reads the reference cases of the shared oracle (see its README) and judges answers as its scorer does.
+// Reads the shared reference cases (see their README) and compares answers in the same way as their scorer.
 // Not a test by itself.
 #pragma once
 
@@ -37,7 +37,7 @@ inline double number(const Json& value)
     double result = 0;
     const auto parsed = std::from_chars(text.data(), text.data() + text.size(), result);
     if (parsed.ec != std::errc::result_out_of_range) return result;
-    // a decimal beyond the doubles
+    // a decimal beyond the range of double
     if (text.find("e-") != std::string::npos) return 0;
     return text.front() == '-' ? -infinity : infinity;
 }
@@ -64,8 +64,7 @@ inline QString listFault(const std::string& field, const Json& answer, const Jso
     return {};
 }
 
-/// What is wrong with one field, or empty. A field that the case names neither digits nor a tolerance for
-/// is not compared.
+/// The fault of one field, or empty. A field without required digits and without a tolerance is not compared.
 inline QString fieldFault(const Json& one, const std::string& field, const Json& answer)
 {
     const Json& expected = one["expected"][field];

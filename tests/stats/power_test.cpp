@@ -1,4 +1,4 @@
-// Power by formula against R, and the simulation that stands beside it.
+// Power by formula against R and numerical integration, and simulated studies.
 #include "stats/power/power.h"
 
 #include <QtTest>
@@ -63,7 +63,7 @@ private Q_SLOTS:
             compare(stats::noncentralFisherUpper(2, 8, 72, noncentrality), 1, 1e-12);
             compare(stats::noncentralChiSquaredUpper(15, 8, noncentrality), 1, 1e-12);
         }
-        // The approximations take over without a step.
+        // The approximations for large noncentrality continue the exact values.
         // pf(1200, 8, 72, 9999), pchisq(10000, 8, 9999), both upper: 0.6191428, 0.511967
         compare(stats::noncentralFisherUpper(1200, 8, 72, 9999), 0.6191428, 1e-6);
         compare(stats::noncentralFisherUpper(1200, 8, 72, 10001), 0.6191428, 1e-3);
@@ -87,7 +87,7 @@ private Q_SLOTS:
         const stats::EquivalencePlan plan{10, 0.743, -0.5, 0.5, 0.05};
         compare(stats::equivalencePower(plan, 0), 0.292377992216, 1e-8);
         QCOMPARE(stats::equivalencePower(plan, 0.2), stats::equivalencePower(plan, -0.2));
-        // At a bound, the other being far away, the size is alpha; and no sample shows what is not so.
+        // At a bound, with the other far away, the size is alpha; beyond it, the power vanishes.
         compare(stats::equivalencePower({10, 0.1, -0.5, 0.5, 0.05}, 0.5), 0.05, 1e-6);
         QVERIFY(stats::equivalencePower({10, 0.1, -0.5, 0.5, 0.05}, 1.0) < 1e-6);
         QVERIFY(stats::equivalencePower({200, 0.743, -0.5, 0.5, 0.05}, 0) > 0.999);
@@ -406,6 +406,37 @@ private Q_SLOTS:
         stats::Draws again(11, 5);
         stats::drawRatings(study, truth, Numbers{-6, 0.5, 0}, again);
         QCOMPARE(study.values, (Numbers{1, 7, 6.5, 1, 7, 5.5, 1, 6, 6.5, 1, 7, 5.5}));
+    }
+
+    // The paper's design and the default assumptions, which `vis2hap power` prints.
+    void defaultsOfAPlan()
+    {
+        const stats::StudyDesign design;
+        QCOMPARE((std::vector<std::size_t>{design.participants, design.fabrics, design.conditions, design.answers()}),
+                 (std::vector<std::size_t>{10, 7, 9, 630}));
+        QCOMPARE(design.alternatives, 3);
+        const stats::RatingTruth truth;
+        QCOMPARE((Numbers{truth.centre, truth.participant, truth.fabric, truth.participantCondition, truth.fabricCondition,
+                          truth.residual, truth.scaleMin, truth.scaleMax, truth.scaleStep}),
+                 (Numbers{5.5, 0.5, 0.2, 0.15, 0.05, 0.85, 0, 10, 0.1}));
+        const stats::ChoiceTruth choices;
+        QCOMPARE((Numbers{choices.participantSd, choices.fabricSd}), (Numbers{0.5, 0.4}));
+        const stats::SimulationOptions simulation;
+        QCOMPARE(simulation.studies, std::size_t{10000});
+        QCOMPARE(simulation.seed, std::uint64_t{1});
+        QCOMPARE(simulation.alpha, 0.05);
+        const stats::PowerOptions options;
+        QCOMPARE(options.simulation.studies, std::size_t{1000});
+        QCOMPARE(options.equivalenceBounds, (std::pair{-0.5, 0.5}));
+        QVERIFY(options.hasRatings && options.hasChoices);
+        QCOMPARE(stats::plannedStudies(options), std::size_t{24000});
+        const stats::EquivalencePlan equivalence;
+        QCOMPARE((Numbers{equivalence.n, equivalence.sd, equivalence.low, equivalence.high, equivalence.alpha}),
+                 (Numbers{10, 1, -0.5, 0.5, 0.05}));
+        const stats::BinomialPlan binomial;
+        QCOMPARE(binomial.trials, 70LL);
+        QCOMPARE((Numbers{binomial.chance, binomial.alpha}), (Numbers{1.0 / 3, 0.05}));
+        compareReasons({{"participants", stats::participantsNeeded([](double n) { return n / 2000; }), "more than 1000"}});
     }
 };
 

@@ -1,4 +1,4 @@
-// Published studies, small enough to stand here, come out as published.
+// Small published data sets give the published results.
 #include <QtTest>
 
 #include "stats/tests/rank_tests.h"

@@ -95,7 +95,7 @@ private Q_SLOTS:
         compareNumbers({{"binary Hodges-Lehmann", binary.hodgesLehmann, 0.25}});
     }
 
-    // Symmetric signs: no excess, and so nothing to correct.
+    // The rank sums are equal, so that there is no excess to correct.
     void noExcessIsNotCorrected()
     {
         const auto test = stats::wilcoxonSignedRank(std::vector<double>{1, -1, 2, -2}, {});
@@ -105,7 +105,7 @@ private Q_SLOTS:
                         {"exact p", test.pExact, 1}});
     }
 
-    // 1001 differences: the exact distribution is left to the normal one. 1000 alike: p = 2 / 2^1000.
+    // The exact p exists for up to 1000 differences. For 1000 equal ones it is 2 / 2^1000.
     void longSamplesKeepTheNormalApproximation()
     {
         compareReasons({{"exact p", stats::wilcoxonSignedRank(std::vector<double>(1001, 1.0), {}).pExact, "more than 1000"}});
@@ -130,7 +130,7 @@ private Q_SLOTS:
         QCOMPARE(stats::signFlipTest(differences, {}).n, std::size_t{12});
     }
 
-    // Sevenths lie on no decimal grid: the same signs, one by one.
+    // Sevenths lie on no decimal grid: the test then enumerates all signs.
     void signFlipsWithoutAGridAreTheSame()
     {
         auto sevenths = negative;
@@ -146,7 +146,7 @@ private Q_SLOTS:
         auto shifted = sevenths;
         for (double& value : shifted) value += 1;
         compareNumbers({{"pairs", stats::signFlipTest(shifted, ones).p, 0.15625}});
-        // 22 are gone through, 23 are too many.
+        // The signs of up to 22 differences are enumerated.
         std::vector<double> thirds(22, 1.0 / 3);
         compareNumbers({{"22 alike", stats::signFlipTest(thirds, {}).p, std::ldexp(1, -21)}});
         thirds.push_back(1.0 / 3);
@@ -169,7 +169,7 @@ private Q_SLOTS:
         QCOMPARE(test.blocks, std::size_t{6});
     }
 
-    // Three blocks that agree: Q = n (k - 1), W = 1, and F has no value.
+    // Three blocks that agree: Q = n (k - 1), W = 1, and F is infinite.
     void perfectAgreementHasNoF()
     {
         const auto test = stats::friedmanTest(stats::blockTableOf({{1, 2, 3}, {2, 4, 5}, {0, 1, 9}}).table);

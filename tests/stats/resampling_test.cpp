@@ -1,4 +1,4 @@
-// Sign flips, the BCa bootstrap and the JZS Bayes factor against independent numbers.
+// Sign flips, the BCa bootstrap and random draws against programs written a second time.
 #include <QtTest>
 #include <cmath>
 #include <numbers>
@@ -31,7 +31,7 @@ private Q_SLOTS:
         QVERIFY(less > 1 - 0.0537109375 && less < 1);
     }
 
-    // Thirds lie on no decimal grid; all signs are gone through one by one there, with the same result.
+    // Thirds lie on no decimal grid; the test then enumerates all signs, with the same result.
     void offTheGridSignsAreEnumerated()
     {
         auto thirds = tenths;
@@ -40,14 +40,14 @@ private Q_SLOTS:
         QVERIFY(QString::fromStdString(stats::signFlipTest(Stream(1).numbers(40), {}).why).contains("no decimal grid"));
     }
 
-    // A scale of half points has the test of a scale of points.
+    // Half points and whole points give the same test.
     void stepOfTheScaleDoesNotMatter()
     {
         const std::vector<double> points{1, 2, -1, 3, 3, -2}, halves{.5, 1, -.5, 1.5, 1.5, -1};
         QCOMPARE(*stats::signFlipTest(halves, {}).p, *stats::signFlipTest(points, {}).p);
     }
 
-    // All 70 differences positive: only all signs together are as far out.
+    // All 70 differences are equal and positive: only two of 2^70 sums are as far from 0.
     void tailOfAllSigns()
     {
         const std::vector<double> x(70, 0.1);
@@ -84,7 +84,7 @@ private Q_SLOTS:
     {
         const auto result = stats::bcaBootstrapOfMean(std::vector<double>{1, 2, 3, 4, 5}, {.resamples = 200000});
         QVERIFY(std::fabs(*result.acceleration) < 1e-15);
-        QVERIFY(std::fabs(*result.bias) < 0.01);  // ties count half: 5 values tie often
+        QVERIFY(std::fabs(*result.bias) < 0.01);  // ties count half; 5 values have many
         QVERIFY(!stats::bcaBootstrapOfMean(std::vector<double>{1, 2}, {.resamples = 0}).why.empty());
         QVERIFY(!stats::bcaBootstrapOfMean(std::vector<double>{1, 2}, {.confidence = 1}).why.empty());
     }

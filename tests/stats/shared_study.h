@@ -1,4 +1,4 @@
-// The shared simulated studies with the report that R made of them. Not a test by itself.
+// Reads the shared simulated studies and R's analyses of them. Not a test by itself.
 #pragma once
 
 #include <QByteArray>

@@ -1,4 +1,4 @@
-// The spectrum distance of traces, and conditional accuracy.
+// Spectrum distance and errors of traces, and conditional accuracy.
 #include <QtTest>
 #include <cmath>
 #include <limits>

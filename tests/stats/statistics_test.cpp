@@ -1,4 +1,4 @@
-// What must hold for all data, the extremes, and the functions that no reference family covers.
+// Properties that hold for all data, extreme data, descriptions, and measures of speed and accuracy.
 #include <QtTest>
 #include <algorithm>
 #include <cmath>
@@ -41,7 +41,7 @@ private Q_SLOTS:
         for (auto* sample : {&x, &y})
             for (double& value : *sample) value = std::ldexp(value, exponent);
         const auto scaled = stats::pairedTTest(x, y);
-        // QCOMPARE would forgive the last bits.
+        // QCOMPARE would allow differences in the last bits.
         QVERIFY(*scaled.t == *plain.t);
         QVERIFY(*scaled.p == *plain.p);
         QVERIFY(*stats::welchTTest(x, y).t == *welch.t);
@@ -74,7 +74,7 @@ private Q_SLOTS:
             QCOMPARE(inside, test.equivalent);
             equivalent += test.equivalent ? 1 : 0;
         }
-        QVERIFY(equivalent > 50 && equivalent < 350);  // both outcomes were seen
+        QVERIFY(equivalent > 50 && equivalent < 350);  // both outcomes occurred
     }
 
     void correctedIsNeverBelowRawAndKeepsTheOrder()
@@ -169,7 +169,7 @@ private Q_SLOTS:
 
     void extremeScalesKeepTheirDigits()
     {
-        // Mean and SD of {1, 2} are 1.5 and sqrt(1/2), whatever the power of two they carry.
+        // Mean and SD of {1, 2} are 1.5 and sqrt(1/2) at every power of two.
         for (const int exponent : {-1070, -600, 600, 1021}) {
             const std::vector<double> x{std::ldexp(1, exponent), std::ldexp(2, exponent)};
             const auto description = stats::describe(x);
@@ -224,7 +224,7 @@ private Q_SLOTS:
 
     void tiesOfDecimalsAreTies()
     {
-        // All four differences are 0.1 in size; binary arithmetic makes them three sizes and p = 1.
+        // All four differences have the size 0.1; as doubles they have three sizes, which gives p = 1.
         const std::vector<double> x{0.3, 0.5, 0.9, 0.7};
         const std::vector<double> y{0.2, 0.4, 0.8, 0.8};
         QCOMPARE(*stats::wilcoxonSignedRank(x, y).pExact, 0.625);

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-/// A Weyl sequence, mixed.
+/// SplitMix64, a mixed Weyl sequence.
 class Stream {
 public:
     explicit Stream(std::uint64_t seed) : m_state(seed) {}
@@ -29,7 +29,7 @@ public:
         return result;
     }
 
-    /// Whole tenths within 2 of the centre.
+    /// Ratings in tenths, at most 2 from the centre.
     std::vector<double> ratings(std::size_t n, double centre)
     {
         std::vector<double> result(n);

@@ -1,4 +1,4 @@
-// Every number of the t tests and of the equivalence tests, against R.
+// Every number of the t tests and of the equivalence tests against R.
 #include "stats/tests/t_tests.h"
 
 #include <QtTest>
@@ -136,7 +136,7 @@ private Q_SLOTS:
                         {"dZ", welch.dZ, "not an effect size"},
                         {"dS", paired.dS, "not an effect size"},
                         {"dAv", student.dAvLakens, "not an effect size"}});
-        // One degree of freedom: the mean of 1 and 3 has t = 2, but no corrected effect size.
+        // With one degree of freedom t exists (2 for 1 and 3), but no corrected effect size.
         const auto two = stats::oneSampleTTest(std::vector<double>{1, 3});
         compareNumbers({{"t", two.t, 2}, {"dZ", two.dZ, std::sqrt(2)}});
         compareReasons({{"gZ", two.hedgesGz, "at least 2 degrees of freedom"}});

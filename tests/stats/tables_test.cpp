@@ -55,7 +55,7 @@ private Q_SLOTS:
         QVERIFY(near(*anova.pHf, 0.9651654320407442, 1e-12));
     }
 
-    // R leaves an uncorrected p in the table where sphericity cannot be tested; here it says so.
+    // Where sphericity cannot be tested, R prints an uncorrected p; here the reason is returned.
     void sphericityIsOnlyTestedWhereItIsDefined()
     {
         Stream stream(1);
@@ -94,7 +94,7 @@ private Q_SLOTS:
     {
         const auto perfect = stats::intraclassCorrelations(tableOf({{1, 1}, {2, 2}, {5, 5}}));
         QVERIFY(near(*perfect.icc2, 1, 1e-14) && near(*perfect.icc3k, 1, 1e-14));
-        // The second rater is always one higher: consistent, not in agreement.
+        // The second rater is always one higher: the raters are consistent but do not agree.
         const auto shifted = stats::intraclassCorrelations(tableOf({{1, 2}, {2, 3}, {3, 4}}));
         QVERIFY(near(*shifted.icc3, 1, 1e-14) && *shifted.icc2 < 0.9);
         QVERIFY(!stats::intraclassCorrelations(tableOf({{2, 2}, {2, 2}})).why.empty());
@@ -113,8 +113,8 @@ private Q_SLOTS:
         QVERIFY(*stats::exactFriedman(six).p > *stats::exactFriedman(sixAndHalf).p);
     }
 
-    // Ties: each block's own mid-ranks are permuted. Two blocks {1, 1, 2} and {1, 2, 2}: of their 9 pairs
-    // of orders, the 3 in which largest and smallest meet make equal rank sums, the other 6 what was seen.
+    // Ties: the mid-ranks of each block are permuted. The blocks {1, 1, 2} and {1, 2, 2} have 9 pairs of orders: 3 give
+    // equal rank sums, the other 6 give the observed statistic.
     void exactFriedmanKnowsTies()
     {
         const auto far = tableOf({{1, 1, 2}, {1, 2, 2}});
@@ -201,7 +201,7 @@ private Q_SLOTS:
                         {"residual SD", anova.residualSd, 0.520327532176359}});
     }
 
-    // Two conditions are spherical: epsilon 1 whatever the data. Few blocks: Huynh and Feldt's has no value.
+    // Two conditions are always spherical, with epsilon 1. For few blocks Huynh and Feldt's epsilon is undefined.
     void epsilonAtItsEnds()
     {
         const auto two = stats::repeatedMeasuresAnova(tableOf({{1, 2}, {2, 5}, {3, 4}}));

@@ -1,4 +1,4 @@
-// An undefined value is never read as a number, and the invariants of the product are checked in this build.
+// Reading an undefined value throws, and assertions are on in this build.
 #include "stats/kernels/value.h"
 
 #include <fcntl.h>
@@ -57,7 +57,7 @@ private Q_SLOTS:
 #endif
     }
 
-    // The library as well: a contrast with too few weights ends the child process.
+    // The library is compiled with assertions as well: a contrast with too few weights aborts the child process.
     void theLibraryChecksItsInvariants()
     {
         stats::MixedModel model;

@@ -16,6 +16,9 @@ binomial("b27", 27, 70, 1 / 3, 0.95)
 binomial("b15", 15, 70, 1 / 3, 0.99)
 binomial("b3", 3, 7, 0.5, 0.9)
 
+for (case in list(c(7, 20, 0.2), c(0, 10, 0.3), c(50, 100, 0.5), c(10, 30, 0.5), c(9, 12, 0.6), c(20, 21, 0.9)))
+  show(sprintf("two.%d.%d", case[1], case[2]), binom.test(case[1], case[2], case[3])$p.value)
+
 # --- McNemar's test.
 mcnemar <- function(name, b, c) {
   m <- matrix(c(10, c, b, 20), 2)

@@ -87,6 +87,12 @@ show('ncf.b', poisson('3.25', lambda j: beta(mpf(11) / 2, mpf(3) / 2 + j, 11 / (
 show('ncchi.a', poisson(10, lambda j: gammainc(mpf(8) / 2 + j, mpf('15.507') / 2, inf, regularized=True)))
 show('ncchi.b', poisson('2.5', lambda j: gammainc(mpf(3) / 2 + j, mpf(4) / 2, inf, regularized=True)))
 
+# Beyond the series: Patnaik (1949) for chi-squared and F, the chi-squared variable alone for t.
+lam = mpf(10001)
+show('large.chi', chi(10000 * (8 + lam) / (8 + 2 * lam), (8 + lam)**2 / (8 + 2 * lam)))
+show('large.f', fisher(1200 * 8 / (8 + lam), (8 + lam)**2 / (8 + 2 * lam), 72))
+show('large.t', 1 - chi(9 * (mpf(3001) / 3100)**2, 9))
+
 # d' of an m-alternative forced choice (Green and Swets 1966), its standard error by the delta method.
 
 

@@ -80,6 +80,8 @@ class Model:
         nu = np.array([self.df(q) for q in Q])
         if nu.max() - nu.min() < 1e-8:
             df2 = nu[0]
+        elif nu.min() <= 2:
+            df2 = 2
         else:
             e = sum(nu / (nu - 2))
             df2 = 2 * e / (e - len(nu))
@@ -156,3 +158,19 @@ for k in range(3):
     m.contrast('study.%d' % k, np.eye(3)[k])
 m.contrast('study.21', [0, -1, 1])
 m.effect('study')
+
+# --- Two fabrics: a contrast with 2 or fewer degrees of freedom gives F 2 of them.
+rows = [(p, f, c) for p in range(4) for f in range(2) for c in range(3)]
+y = [round(10 * (5 + 0.3 * np.sin(3 * p + 1) + 5 * f + 1.2 * np.sin(4 * f + 5 * c + 2) + 0.4 * np.sin(17 * p + 23 * f + 31 * c))) / 10
+     for p, f, c in rows]
+for missing in (7, 8):
+    name = 'few%d' % missing
+    kept = [i for i in range(24) if i != missing]
+    person, fabric, pair, condition = ([rows[i][0] for i in kept], [rows[i][1] for i in kept], [rows[i][1:] for i in kept],
+                                       [rows[i][2] for i in kept])
+    m = Model([y[i] for i in kept], treatment(condition), [intercepts(person), intercepts(fabric), intercepts(pair)], [0.1, 2.0, 2.0, 0.1])
+    show(name + '.people', m.phi[0])
+    show(name + '.fabrics', m.phi[1])
+    show(name + '.pairs', m.phi[2])
+    m.contrast(name + '.1', [0, 1, 0])
+    m.effect(name)

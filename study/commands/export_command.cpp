@@ -11,6 +11,7 @@
 #include "protocols/files/number_text.h"
 #include "protocols/files/whole_file.h"
 #include "protocols/question_ids.h"
+#include "reports/text/plain_words.h"
 #include "study/commands/command_line.h"
 #include "study/commands/json_output.h"
 #include "study/players/session_script.h"
@@ -32,7 +33,7 @@ struct Export {
     fs::path out;  ///< a draft, which is synced as a whole
 };
 
-/// One answer with everything that may be told of it; absent values are null.
+/// One answer, blinded where the study is. A value that does not exist is null.
 ordered_json rowOf(const Export& job, const CurrentAnswer& answer)
 {
     const auto& record = answer.record;
@@ -64,6 +65,7 @@ ordered_json rowOf(const Export& job, const CurrentAnswer& answer)
     return row;
 }
 
+/// The text of a CSV cell, not yet quoted.
 std::string cell(const ordered_json& value)
 {
     if (value.is_null()) return "";
@@ -131,7 +133,7 @@ int exportStudy(const std::string& study, const std::string& out, const std::str
     else
         players::writeScripts(job.store, job.naming, job.out);
     draft.putInPlace();
-    std::printf("%s: %zu answers as %s%s\n", out.c_str(), store.answers().size(), format.c_str(),
+    std::printf("%s: %s as %s%s\n", out.c_str(), reports::counted(store.answers().size(), "answer").c_str(), format.c_str(),
                 job.naming.blinded ? ", blinded (conditions as K-labels)" : "");
     return 0;
 }

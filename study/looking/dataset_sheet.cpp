@@ -56,9 +56,9 @@ SeenSignal computedHeight(const Dataset& dataset, const protocols::FabricId& fab
 {
     requireNotOfOpenStudy(samplePath(dataset, fabric, Modality::Tactile, index));
     rendering::RenderedFabrics counts;
-    rendering::SignalComputation workshop(dataset, rendering::models::Quality::Accurate);
-    const auto signals =
-        workshop.measured(fabric, {0, index, 0}, {rendering::Signal::TactileFrame, rendering::Signal::PhotometricHeight}, counts);
+    rendering::SignalComputation computation(dataset, rendering::models::Quality::Accurate);
+    const auto signals = computation.measured(fabric, {0, index, 0},
+                                              {rendering::Signal::TactileFrame, rendering::Signal::PhotometricHeight}, counts);
     return seenHeight(
         signals.images.at(rendering::Signal::PhotometricHeight), dataset.tactileMmPerPixel,
         fabric.value + " height of tactile " + samplePath(dataset, fabric, Modality::Tactile, index).filename().string(),

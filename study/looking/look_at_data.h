@@ -1,10 +1,11 @@
-// The functions behind the page of the window that shows a data set.
+// Functions that supply the app's page for a data set.
 #pragma once
 
 #include "study/app/state/data_look.h"
 
 namespace study::looking {
 
+/// The functions that read overview, sheet and faults of a data set.
 app::LookAtData lookAtData();
 
 }  // namespace study::looking

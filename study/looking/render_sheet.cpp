@@ -96,13 +96,13 @@ ContactSheet contactSheetOf(const rendering::fabrics::Dataset& dataset, const re
     });
     rendering::RenderedFabrics made;
     if (!render.fabrics.empty()) made = renderFabrics(dataset, render, progress);
-    rendering::SignalComputation workshop(dataset, request.generation.quality);
+    rendering::SignalComputation computation(dataset, request.generation.quality);
     for (const FabricId& fabric : request.fabrics) {
         ContactRow row;
         row.id = fabric.value;
         row.name = dataset.fabric(fabric).name;
         const auto samples = samplesOf(dataset, request, fabric);
-        addMeasured(row, workshop.measured(fabric, samples, measuredOnes(dataset, fabric, samples), made));
+        addMeasured(row, computation.measured(fabric, samples, measuredOnes(dataset, fabric, samples), made));
         if (std::find(render.fabrics.begin(), render.fabrics.end(), fabric) != render.fabrics.end())
             addGenerated(row, made.signals.at(fabric));
         for (std::size_t i = 0; i < sheet.frictionColumns.size(); ++i) {

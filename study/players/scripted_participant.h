@@ -18,8 +18,8 @@ struct ScriptedTrials {
     protocols::Protocol protocol;
 };
 
-/// `logged`: the events in the session's log, so that events before a crash are not repeated. `progress` gets the number of stored
-/// answers. Throws badInput for a missing or impossible answer, naming the trial; earlier answers remain stored.
+/// `logged`: the events in the session's log, so that events before a crash are not repeated. `progress` gets the number of
+/// stored answers. Throws badInput for a missing or impossible answer, naming the trial; earlier answers remain stored.
 void playScript(const Script& script, const ScriptedTrials& trials, const std::vector<database::EventRecord>& logged,
                 Hands& hands, session::VirtualClock& clock, const std::function<void(int)>& progress = {});
 

@@ -124,7 +124,8 @@ Plan readPlan(const StudyStore& store, const protocols::ParticipantId& participa
 {
     for (const database::Enrolment& enrolment : store.enrolments())
         if (enrolment.participant == participant) return planOf(store, enrolment);
-    throw protocols::badInput({"unknown participant " + participant.value, store.folder().folder.string(), "an enrolled participant", ""});
+    throw protocols::badInput(
+        {"unknown participant " + participant.value, store.folder().folder.string(), "an enrolled participant", ""});
 }
 
 void requireKeptProtocol(const StudyStore& store)

@@ -77,7 +77,8 @@ struct Transition {
     Outcome operator()(const ScaleTraining& training, const ScalePlaced& placed) const
     {
         const auto places = placesToName(plan, state);
-        if (training.placed >= static_cast<int>(places.size())) return Refusal{"The participant has said a number for every place already."};
+        if (training.placed >= static_cast<int>(places.size()))
+            return Refusal{"The participant has said a number for every place already."};
         if (placed.shown != places[static_cast<std::size_t>(training.placed)])
             return Refusal{"This is not the place on the line that is shown."};
         return moved(ScaleTraining{training.isRefresher, training.placed + 1});

@@ -1,4 +1,4 @@
-// The controls to enter an answer of any kind: shows those that the question needs.
+// Controls to enter an answer of any kind. Shows the controls that the current form needs.
 #pragma once
 
 #include "study/app/pieces/entry_controls.h"
@@ -10,7 +10,7 @@ class AnswerEntry : public QWidget {
 public:
     explicit AnswerEntry(QWidget* parent);
 
-    /// Blank, for an answer of this form.
+    /// Clears the entry and shows the controls for this form.
     void ask(const AnswerForm& form);
     const AnswerForm& form() const { return m_form; }
 

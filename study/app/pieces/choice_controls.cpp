@@ -11,7 +11,7 @@ ChoiceControls::ChoiceControls(QWidget* parent) : EntryControls(parent), m_colum
 {
     setObjectName("choiceControls");
     setFocusPolicy(Qt::StrongFocus);
-    setAccessibleName(tr("Answers to choose from, by letter"));
+    setAccessibleName(tr("Answers to choose by letter"));
     m_column->setContentsMargins(0, 0, 0, 0);
     m_column->setSpacing(8);
 }
@@ -28,7 +28,7 @@ void ChoiceControls::ask(const AnswerForm& form)
         made->setChecked(false);
         made->show();
     }
-    // Kept for the next tray: making a button takes longer than showing one.
+    // Buttons are reused for the next tray, because making a button takes longer than showing one.
     for (std::size_t place = m_options.size(); place < m_buttons.size(); ++place) {
         m_buttons[place]->setObjectName("answerLeftOver");
         m_buttons[place]->hide();
@@ -60,7 +60,7 @@ void ChoiceControls::choose(std::size_t place)
 std::variant<session::GivenAnswer, NoAnswer> ChoiceControls::give()
 {
     if (m_chosen) return m_options[*m_chosen].response;
-    return NoAnswer{tr("Choose first: press the letter of the answer that the participant gives.")};
+    return NoAnswer{tr("No answer is chosen. Press the letter that the participant says.")};
 }
 
 ReadBack ChoiceControls::readBack() const

@@ -1,4 +1,4 @@
-// A choice among a few options, by letter, digit or click: the slots of the tray, or same and different.
+// Controls for a choice among a few options by letter, digit or click: the slots of the tray, or same and different.
 #pragma once
 
 #include "study/app/pieces/entry_controls.h"
@@ -25,7 +25,7 @@ private:
 
     std::vector<AnswerOption> m_options;
     QVBoxLayout* m_column;
-    std::vector<QPushButton*> m_buttons;  ///< at least one an option; those left over are hidden
+    std::vector<QPushButton*> m_buttons;  ///< at least one for each option; unused buttons are hidden
     std::optional<std::size_t> m_chosen;
 };
 

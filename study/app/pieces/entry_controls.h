@@ -1,5 +1,5 @@
-// Controls to enter one answer of one kind: options to choose from, a number on the scale, words. They hold what is
-// being entered and store nothing.
+// Controls to enter one answer of one kind: a choice, a number on the scale, or words. They keep the entry and store nothing in
+// the study.
 #pragma once
 
 #include <QWidget>
@@ -9,15 +9,15 @@
 
 namespace study::app {
 
-/// Why nothing can be stored yet, as a sentence for the operator.
+/// Sentence for the operator: the reason why no answer can be stored yet.
 struct NoAnswer {
     QString why;
 };
 
-/// The line below the controls.
+/// Text of the line below the controls.
 struct ReadBack {
-    QString text;             ///< what to say to the participant, or what to do next
-    bool isComplete = false;  ///< Enter can store it
+    QString text;             ///< words to say to the participant, or the next step
+    bool isComplete = false;  ///< true if Enter can store the answer
 };
 
 class EntryControls : public QWidget {
@@ -25,12 +25,12 @@ class EntryControls : public QWidget {
 public:
     using QWidget::QWidget;
 
-    /// Blank, for an answer of this form, which must be the one that these controls are for.
+    /// Clears the controls for an answer of this form, which must suit these controls.
     virtual void ask(const AnswerForm& form) = 0;
-    /// What Enter gives: the answer, or what is still missing.
+    /// The entered answer, or the reason why there is none yet.
     virtual std::variant<session::GivenAnswer, NoAnswer> give() = 0;
     virtual ReadBack readBack() const = 0;
-    /// A key that no control took; true where it chose something.
+    /// Handles a key that no control used; returns whether it chose an answer.
     virtual bool pressKey(int key) = 0;
     virtual QWidget& firstFocus() = 0;
 

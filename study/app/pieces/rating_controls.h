@@ -1,4 +1,4 @@
-// A rating on the scale: the spoken number is typed, or the line is clicked. A Likert scale's words stand below.
+// Controls for a rating: type the spoken number or click on the line. The words of a Likert scale are below the line.
 #pragma once
 
 #include "study/app/pieces/entry_controls.h"

@@ -7,7 +7,7 @@
 namespace study::app {
 
 WordsControls::WordsControls(QWidget* parent)
-    : EntryControls(parent), m_words(new WordsField("wordsField", tr("What the participant says, in words"), this))
+    : EntryControls(parent), m_words(new WordsField("wordsField", tr("Answer of the participant in words"), this))
 {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -29,12 +29,12 @@ std::variant<session::GivenAnswer, NoAnswer> WordsControls::give()
 {
     if (!m_words->words().isEmpty() || m_isAskedAgain) return session::Words{m_words->words().toStdString()};
     m_isAskedAgain = true;
-    return NoAnswer{tr("Nothing is written. Enter once more stores an answer without words.")};
+    return NoAnswer{tr("The answer is empty. Press Enter again to store an answer without words.")};
 }
 
 ReadBack WordsControls::readBack() const
 {
-    return {tr("Write what the participant says; Shift and Enter begin a new line."), true};
+    return {tr("Write the words of the participant. Press Shift and Enter for a new line."), true};
 }
 
 QWidget& WordsControls::firstFocus() { return *m_words; }

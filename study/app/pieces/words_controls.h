@@ -1,4 +1,4 @@
-// An answer in the participant's own words. They may say nothing: a second Enter stores that.
+// Controls for an answer in the participant's own words. A second Enter stores an answer without words.
 #pragma once
 
 #include "study/app/pieces/entry_controls.h"
@@ -20,7 +20,7 @@ public:
 
 private:
     WordsField* m_words;
-    bool m_isAskedAgain = false;  ///< whether there are no words; Enter then says so
+    bool m_isAskedAgain = false;  ///< true after the hint about missing words
 };
 
 }  // namespace study::app

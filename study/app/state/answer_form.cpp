@@ -10,7 +10,7 @@ using session::GivenAnswer;
 
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("study::app::AnswerForm", text); }
+QString answerTr(const char* text) { return QCoreApplication::translate("study::app::AnswerForm", text); }
 
 OptionsForm optionsOfTray(const std::vector<protocols::FabricId>& tray, const std::vector<std::string>& pieces)
 {
@@ -18,17 +18,17 @@ OptionsForm optionsOfTray(const std::vector<protocols::FabricId>& tray, const st
     for (std::size_t place = 0; place < tray.size(); ++place) {
         const QString letter = slotLetter(place), name = nameOfPiece(pieces.at(place));
         form.options.push_back(
-            {tray[place], letter, name, QStringLiteral("%1    %2").arg(letter, name), tr("“%1.” (%2)").arg(letter, name)});
+            {tray[place], letter, name, QStringLiteral("%1    %2").arg(letter, name), answerTr("“%1.” (%2)").arg(letter, name)});
     }
     return form;
 }
 
 OptionsForm sameOrDifferent()
 {
-    const QString same = tr("Same"), different = tr("Different");
-    // The keys stay S and D in every language, as the other keys of the program do.
-    return {{{session::Sameness{true}, QStringLiteral("S"), same, same, tr("“same.”")},
-             {session::Sameness{false}, QStringLiteral("D"), different, different, tr("“different.”")}}};
+    const QString same = answerTr("Same"), different = answerTr("Different");
+    // The keys are S and D in every language, like all keys of the program.
+    return {{{session::Sameness{true}, QStringLiteral("S"), same, same, answerTr("“same.”")},
+             {session::Sameness{false}, QStringLiteral("D"), different, different, answerTr("“different.”")}}};
 }
 
 QString wordsOf(const GivenAnswer& response) { return QString::fromStdString(std::get<session::Words>(response).text); }
@@ -66,12 +66,12 @@ QString textOf(const AnswerForm& form, const GivenAnswer& response)
     return QString::fromStdString(session::textOf(response));
 }
 
-QString nameOfPiece(const std::string& code) { return tr("Piece %1").arg(QString::fromStdString(code)); }
+QString nameOfPiece(const std::string& code) { return answerTr("Piece %1").arg(QString::fromStdString(code)); }
 
 QString disagreement(const AnswerForm& form, const GivenAnswer& first, const GivenAnswer& second)
 {
     if (agree(first, second)) return {};
-    return tr("The two entries differ: “%1” and “%2”. Ask the participant again; both entries start over.")
+    return answerTr("The two entries differ: “%1” and “%2”. Ask the participant again, then enter the answer twice.")
         .arg(textOf(form, first).simplified(), textOf(form, second).simplified());
 }
 

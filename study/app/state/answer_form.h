@@ -1,5 +1,5 @@
-// What the pages offer to enter an answer of one kind, as a value: for the question that is asked and for a stored answer that
-// is to be corrected. The one place of the app that treats the kinds of questions differently.
+// Form of an answer as a value: the input that the pages offer for one kind of question. Used for the current question and for
+// the correction of a stored answer. Only this place of the app treats the kinds of questions differently.
 #pragma once
 
 #include <QString>
@@ -12,42 +12,44 @@
 
 namespace study::app {
 
-/// "A", "B", ... for tray slots from 0.
+/// Letter of a tray slot: "A" for slot 0, "B" for slot 1, …
 inline QString slotLetter(std::size_t place) { return QString(QChar(static_cast<char16_t>(u'A' + place))); }
 
 /// One of several answers to choose from.
 struct AnswerOption {
     session::GivenAnswer response;
-    QString letter;    ///< the key that chooses it, "A"
+    QString letter;    ///< key that chooses it, such as "A"
     QString name;      ///< "Piece 427", "Same"
-    QString shown;     ///< the answer once it is stored: "A    Piece 427", "Same"
-    QString readBack;  ///< what the operator says again: "“A.” (Piece 427)", "“same.”"
+    QString shown;     ///< text of the stored answer: "A    Piece 427", "Same"
+    QString readBack;  ///< words that the operator repeats: "“A.” (Piece 427)", "“same.”"
 };
 
+/// A choice: the slots of the tray, or same and different.
 struct OptionsForm {
     std::vector<AnswerOption> options;
 };
+/// A rating on a scale.
 struct ScaleForm {
     protocols::RatingScale scale;
 };
+/// An answer in words.
 struct WordsForm {};
 using AnswerForm = std::variant<OptionsForm, ScaleForm, WordsForm>;
 
-/// The form for the question that `view` asks; options without any where it asks none.
+/// The form for the question of `view`; a choice without options if there is no question.
 AnswerForm formOf(const session::View& view);
 
-/// `pieces`: the codes on the fabric pieces of `tray`, both in slot order.
+/// The form for a kind of question. `pieces`: codes of the pieces of fabric on `tray`, both in slot order.
 AnswerForm formOf(const protocols::AnswerKind& kind, const std::vector<protocols::FabricId>& tray,
                   const std::vector<std::string>& pieces);
 
-/// The stored answer: "B    Piece 427", "5.5", "Same", the words themselves.
+/// Text of a stored answer: "B    Piece 427", "5.5", "Same", or the words.
 QString textOf(const AnswerForm& form, const session::GivenAnswer& response);
 
-/// The name of a fabric piece: "Piece 427".
+/// Name of a piece of fabric, such as "Piece 427".
 QString nameOfPiece(const std::string& code);
 
-/// Why two entries of one answer disagree, as a sentence for the operator; empty where they agree. Words that differ in
-/// spaces only agree.
+/// Sentence for the operator if two entries of one answer disagree; empty if they agree. Texts that differ only in spaces agree.
 QString disagreement(const AnswerForm& form, const session::GivenAnswer& first, const session::GivenAnswer& second);
 
 }  // namespace study::app

@@ -1,4 +1,4 @@
-// Reads a study's flags in the background, because that takes as long as half a report.
+// Reads the flags of a study on a worker thread, because this takes as long as half a report.
 #pragma once
 
 #include <QObject>
@@ -12,10 +12,10 @@ namespace study::app {
 class FlagReading : public QObject {
     Q_OBJECT
 public:
-    /// Its end waits for a reading that is under way.
+    /// The destructor waits for a running reading.
     FlagReading(ReadFlags read, std::filesystem::path study, QObject* parent);
 
-    /// Does nothing while a reading is under way.
+    /// Starts a reading; does nothing while one is running.
     void begin();
     bool isUnderWay() const { return m_work.isBusy(); }
 

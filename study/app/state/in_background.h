@@ -1,4 +1,4 @@
-// Work on a thread of its own, so that the window stays alive. Its result or its fault comes back to the window's thread.
+// Runs work on a worker thread, so that the window stays responsive. Its result or its fault arrives on the window's thread.
 #pragma once
 
 #include <QObject>
@@ -13,7 +13,7 @@ class InBackground : public QObject {
 public:
     /// Handles the result, on the window's thread.
     using Then = std::function<void()>;
-    /// The work. Long work reads `isStopping` now and then and throws once it is true.
+    /// The work. Long work must check `isStopping` regularly and throw when it is true.
     using Work = std::function<Then(const std::atomic<bool>& isStopping)>;
     /// Handles an exception of the work, on the window's thread.
     using Failed = std::function<void(const QString& why)>;
@@ -21,7 +21,7 @@ public:
     explicit InBackground(QObject* parent = nullptr) : QObject(parent) {}
     ~InBackground() override { stop(); }
 
-    /// Stops the work that is under way, then begins this one.
+    /// Stops the current work, then starts the new one.
     void run(Work work, Failed failed);
     /// Asks the work to end early. Its result or fault still comes.
     void askToStop() { m_isStopping = true; }

@@ -23,10 +23,10 @@ void StudyMaking::make(const std::atomic<bool>& isStopping)
 {
     m_make(m_request, [&](double fraction, const std::string& what) {
         if (isStopping)
-            throw protocols::workFailed({.what = "the making of the study was stopped",
+            throw protocols::workFailed({.what = "creating the study was stopped",
                                          .where = m_request.study.string(),
                                          .expected = {},
-                                         .nextStep = "make it again whenever you like; nothing was kept"});
+                                         .nextStep = "nothing was kept; create the study again when you are ready"});
         Q_EMIT progressed(fraction, QString::fromStdString(what));
     });
 }

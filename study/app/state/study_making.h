@@ -1,4 +1,4 @@
-// Makes a study in the background and reports its progress to the window.
+// Makes a study on a worker thread and reports the progress to the window.
 #pragma once
 
 #include <QObject>
@@ -12,7 +12,7 @@ namespace study::app {
 class StudyMaking : public QObject {
     Q_OBJECT
 public:
-    /// Its end stops the work and waits for it.
+    /// The destructor stops the work and waits for its end.
     StudyMaking(MakeStudy make, NewStudyRequest request, QObject* parent);
 
     void begin();
@@ -21,7 +21,7 @@ public:
     const NewStudyRequest& request() const { return m_request; }
 
 Q_SIGNALS:
-    void progressed(double fraction, const QString& what);  ///< sent from the thread of the work
+    void progressed(double fraction, const QString& what);  ///< emitted on the worker thread
     void done();
     void failed(const QString& why);
 

@@ -52,8 +52,8 @@ QVariantList valuesOf(const ResponseRow& row);
 /// The row that a query on namesOf(columns) stands on. `first`: the place of the first of these columns in the query.
 ResponseRow rowFrom(const QSqlQuery& query, ResponseColumns columns, int first);
 
-/// Adds the row to the bytes that are hashed. A column of a later version is added with its name, and only where it has a
-/// value, so that the hashes of older rows stay.
+/// Adds the row to the bytes that are hashed. A column of a later version is added with its name, and only if it has a value.
+/// So the hashes of older rows stay.
 void addTo(CanonicalBytes& bytes, const ResponseRow& row);
 
 }  // namespace database

@@ -96,7 +96,7 @@ struct AnswerRecord {
     protocols::FileCode fileCode;
     std::vector<protocols::FabricId> alternatives;
     std::optional<std::string> answer;        ///< a fabric id, "same", "different", or words
-    std::optional<protocols::Tenths> rating;  ///< of rating questions
+    std::optional<protocols::Tenths> rating;  ///< rating questions only
     std::int64_t readyAtNs = 0;
     std::optional<std::int64_t> touchedAtNs;
     std::string touchedBy;  ///< "display" or "operator"; empty without a touch
@@ -109,7 +109,7 @@ struct AnswerRecord {
 struct CurrentAnswer {
     protocols::ParticipantId participant;
     AnswerRecord record;
-    std::int64_t event = 0;  ///< of the log, with the first answer
+    std::int64_t event = 0;  ///< entry of the log with the first answer
     int attempt = 1;         ///< number of this presentation of the trial, from 1; a void starts the next
     std::int64_t storedAtNs = 0;
     double seconds = 0;  ///< answered - touched; answered - ready if there was no touch
@@ -193,7 +193,7 @@ public:
     std::vector<Flag> flags() const;
 
     std::vector<EventRecord> events(const protocols::ParticipantId& participant) const;
-    std::vector<CurrentAnswer> answers() const;  ///< of all participants, by slot, trial and question
+    std::vector<CurrentAnswer> answers() const;  ///< answers of all participants, by slot, trial and question
 
     /// Facts about participants that were given and not erased.
     std::map<protocols::ParticipantId, std::map<std::string, std::string>> personalFacts() const;

@@ -1,5 +1,5 @@
-// Turns a design over abstract labels into what a study folder holds: blinded trial lists (file codes and presentation codes),
-// the allocation key (the fabric and condition of each file code) and the masked key (its fabric and K-label only).
+// Turns a design over abstract labels into the contents of a study folder. Blinded trial lists hold file codes and presentation
+// codes. The allocation key holds the fabric and condition of each file code; the masked key its fabric and K-label only.
 #pragma once
 
 #include <cstdint>

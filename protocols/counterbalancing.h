@@ -17,7 +17,7 @@ constexpr int catchTrialLabel = -1;
 /// One presentation of the design. All numbers count from 0.
 struct DesignTrial {
     int phase = 0;
-    int label = 0;                  ///< of a condition, or catchTrialLabel
+    int label = 0;                  ///< label of a condition, or catchTrialLabel
     int fabric = 0;                 ///< the true fabric
     std::vector<int> alternatives;  ///< fabrics in tray-slot order A, B, C ...; one entry in rating phases
     bool operator==(const DesignTrial&) const = default;

@@ -15,8 +15,8 @@ namespace protocols {
 std::vector<std::vector<Tray>> drawSameDifferentTrays(const std::vector<std::vector<Rendering>>& orders, const StudySize& size,
                                                       Random& random);
 
-/// Inserts `count` catch trials into one participant's list of one phase: one at a random place in each of `count` equal
-/// stretches, never first, and never with a fabric that is the true one before or after it.
+/// Inserts `count` catch trials into one participant's list of one phase. Each of `count` equal stretches gets one at a random
+/// place. A catch trial is never first, and its fabric is never the true one before or after it.
 std::vector<DesignTrial> withCatchTrials(const std::vector<DesignTrial>& trials, const Phase& phase, int fabrics, int count,
                                          Random& random);
 

@@ -1,5 +1,5 @@
-// The rules and usual texts that a protocol follows. A study keeps those of the program version that made it, so that nothing
-// that a participant hears changes in mid-study when the program is updated.
+// The rules and usual texts that a protocol follows. A study keeps those of the program version that made it.
+// So an update of the program never changes in mid-study what a participant hears.
 #pragma once
 
 #include <string_view>

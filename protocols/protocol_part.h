@@ -1,5 +1,5 @@
-// A JSON object of a protocol file with its place in it, read by key. A value that the schema refuses reads as the fallback,
-// so that the rules beyond the schema are checked in the same run and all faults stand in one list.
+// A JSON object of a protocol file with its place in it, read by key. A value that the schema refuses reads as the fallback.
+// So the rules beyond the schema are checked in the same run, and all faults stand in one list.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

@@ -41,8 +41,8 @@ PlacePair randomPair(const std::vector<std::vector<Places>>& places, Random& ran
 }
 
 /// The true fabric never repeats immediately. With foils in random places, a fabric on two trays in a row would therefore more
-/// often be a foil. This search places the foils so that each fabric is equally often the true one, among trays that share the
-/// same number of fabrics with the trays before and after.
+/// often be a foil. This search compares trays that share the same number of fabrics with the trays before and after.
+/// Among these it makes each fabric equally often the true one.
 class NeighbourSearch {
 public:
     NeighbourSearch(const Orders& orders, const StudySize& size, int alternatives, Trays sets)

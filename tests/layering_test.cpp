@@ -2,6 +2,7 @@
 #include <QDirIterator>
 #include <QFile>
 #include <QRegularExpression>
+#include <QSet>
 #include <QtTest>
 
 namespace {
@@ -162,6 +163,30 @@ QStringList includeFaults(const QString& file, const QString& text)
     return faults;
 }
 
+/// The folders that include each other in a circle; empty if there is none. Folders that include nothing are taken away until
+/// none is left.
+QStringList foldersInCircles(const QMap<QString, QString>& sources)
+{
+    static const QRegularExpression quoted("^\\s*#\\s*include\\s*[\"]([^\"]+)/[^\"/]+[\"]", QRegularExpression::MultilineOption);
+    QMap<QString, QSet<QString>> includes;
+    for (auto it = sources.begin(); it != sources.end(); ++it) {
+        const QString folder = it.key().section('/', 0, -2);
+        auto& below = includes[folder];
+        for (auto match = quoted.globalMatch(it.value()); match.hasNext();) below << match.next().captured(1);
+        below.remove(folder);
+    }
+    for (bool goesOn = true; goesOn;) {
+        goesOn = false;
+        for (const QString& folder : includes.keys()) {
+            const auto isLeft = [&](const QString& other) { return includes.contains(other); };
+            if (std::any_of(includes[folder].begin(), includes[folder].end(), isLeft)) continue;
+            includes.remove(folder);
+            goesOn = true;
+        }
+    }
+    return includes.keys();
+}
+
 /// Session and app may not even name what tells a condition.
 QStringList blindingFaults(const QString& file, const QString& text)
 {
@@ -211,6 +236,14 @@ private Q_SLOTS:
         QStringList faults;
         for (auto it = m_sources.begin(); it != m_sources.end(); ++it) faults << includeFaults(it.key(), it.value());
         QVERIFY2(faults.isEmpty(), qPrintable(faults.join("; ")));
+    }
+
+    void noFoldersIncludeEachOther()
+    {
+        QCOMPARE(foldersInCircles(m_sources), QStringList());
+        const QMap<QString, QString> circle{
+            {"a/x.cpp", "#include \"b/y.h\"\n"}, {"b/y.h", "#include \"a/c/z.h\"\n"}, {"a/c/z.h", "#include \"a/x.h\"\n"}};
+        QCOMPARE(foldersInCircles(circle), (QStringList{"a", "a/c", "b"}));
     }
 
     void contributingShowsThisTable()

@@ -21,8 +21,8 @@ public:
     const std::vector<std::string>& columns() const { return m_columns; }
     std::optional<std::size_t> column(std::string_view name) const;
 
-    /// Reads the next row that is not empty; false at the end. Throws badInput for another number of cells than the header
-    /// has, for a quote that is never closed and for one inside a cell without quotes.
+    /// Reads the next row that is not empty; false at the end. Throws badInput if the number of cells differs from the header's.
+    /// Throws badInput, too, for a quote that is never closed and for one inside a cell without quotes.
     bool next();
     const std::vector<std::string>& cells() const { return m_cells; }
     std::size_t rows() const { return m_rows; }  ///< number of rows read so far, without the header
@@ -55,7 +55,7 @@ struct CsvTable {
     std::string where;  ///< the file, for faults
     std::vector<std::string> columns;
     std::vector<std::vector<std::string>> rows;  ///< each as long as `columns`
-    std::vector<std::size_t> lines;              ///< of the text, one a row, from 1
+    std::vector<std::size_t> lines;              ///< line of each row in the text, from 1
 
     std::optional<std::size_t> column(std::string_view name) const;
 };

@@ -1,5 +1,5 @@
-// Names of files and folders that are still being made: hidden, beside their place, with the computer and the number of
-// the process, so that two programs never write into one, not even on a shared disk.
+// Names of files and folders that are still being made. They are hidden, beside their place, and hold the computer's name and
+// the number of the process. So two programs never write into the same one, not even on a shared disk.
 #pragma once
 
 #include <filesystem>

@@ -36,7 +36,7 @@ struct RenderRequest {
     std::map<protocols::FabricId, SampleChoice> samples;  ///< for missing fabrics the first sample of each signal
     DisplayScale scale = DisplayScale::Pixels;
     Extension extension = Extension::Tile;
-    Percentiles percentiles;  ///< of the pixels of all fabrics together; 0 and 100 are the least and greatest value
+    Percentiles percentiles;  ///< taken over the pixels of all fabrics together; 0 and 100 are the least and greatest value
     DisplayMapping mapping;
     signals::ShadingOptions shading;       ///< for v_shape; its quality follows from generation.quality
     models::GenerationOptions generation;  ///< model and quality; the conditions determine which signals are generated
@@ -53,7 +53,7 @@ struct FabricSignals {
     std::map<Signal, std::vector<double>> traces;
     std::optional<double> measuredMeanFriction, generatedMeanFriction;
     std::optional<signals::Light> light;                ///< light that shape from shading used
-    std::optional<double> colourVariation;              ///< of the photograph that shape from shading used
+    std::optional<double> colourVariation;              ///< measured on the photograph that shape from shading used
     std::optional<models::PhotographFacts> photograph;  ///< set where signals were generated from it
     std::string measuredQuantity = "mu";                ///< quantity of the measured trace; "mu" for a coefficient
     std::optional<double> photographMmPerPixel, tactileMmPerPixel, generatedMmPerPixel, traceMmPerSample,

@@ -75,7 +75,7 @@ struct TextureParts {
 
 TextureParts partsOf(const cv::Mat& normal)
 {
-    constexpr double leastContrast = 0.05;  // Of the deviation of the whole; a flatter area has no texture to extend.
+    constexpr double leastContrast = 0.05;  // Share of the whole deviation; a flatter area has no texture to extend.
     TextureParts parts{lowFrequencyPart(normal, 6), {}, {}};
     parts.texture = normal - parts.slow;
     cv::multiply(parts.texture, parts.texture, parts.contrast);

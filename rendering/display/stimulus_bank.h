@@ -35,7 +35,7 @@ private:
     std::filesystem::path m_stimuli;
     std::map<protocols::FileCode, std::string> m_hashes;
     std::map<protocols::FileCode, cv::Mat> m_ready;
-    std::vector<protocols::FileCode> m_order;  ///< of m_ready, oldest use first
+    std::vector<protocols::FileCode> m_order;  ///< codes in m_ready, oldest use first
 };
 
 }  // namespace rendering

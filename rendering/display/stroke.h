@@ -24,7 +24,7 @@ struct StrokeOptions {
 /// One sample of a stroke.
 struct StrokeSample {
     double timeS = 0;
-    double positionMm = 0;  ///< of the finger's centre, from the centre of the first pixel
+    double positionMm = 0;  ///< centre of the finger, from the centre of the first pixel
     double normalN = 0;
     double tangentialN = 0;
     bool operator==(const StrokeSample&) const = default;

@@ -30,7 +30,7 @@ struct FabricInfo {
 struct FrictionRecording {
     double sampleRateHz = 60;
     double speedMmPerS = 5;
-    double lengthMm = 40;  ///< of a stroke
+    double lengthMm = 40;  ///< length of a stroke
 };
 
 struct Dataset {

@@ -11,7 +11,7 @@ namespace rendering::models {
 
 /// Every vector has photographFeatureCount numbers, with four significant digits as in the card.
 struct Familiarity {
-    std::vector<double> mean, deviation;           ///< of each feature over the training photographs
+    std::vector<double> mean, deviation;           ///< each feature's mean and standard deviation over the training photographs
     std::vector<std::vector<double>> nearest;      ///< kept training photographs, standardised
     double threshold = 0;                          ///< 99 % of the validation photographs lie below this distance
     std::vector<int> fabricOf;                     ///< fabric of each of `nearest`, from 0; empty if no spectra are stored

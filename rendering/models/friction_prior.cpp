@@ -20,7 +20,7 @@ constexpr double ridge = 0.01;
 constexpr double leastCoefficientDeviation = 0.02;
 constexpr double mostDeviations = 2.5;  ///< limit of a standardised coefficient; training photographs lie within
 constexpr double leastBrightness = 5;   ///< grey levels; the noise of the camera dominates below
-constexpr double noisePower = 1e-4;     ///< of brightness over its mean; the rounding of a dim photograph to 8 bits
+constexpr double noisePower = 1e-4;     ///< relative to the mean brightness; the rounding of a dim photograph to 8 bits
 
 constexpr auto coefficientCount = static_cast<std::size_t>(textureCoefficientCount);
 

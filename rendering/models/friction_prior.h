@@ -24,7 +24,7 @@ struct KnownTexture {
 };
 
 struct FrictionPrior {
-    std::vector<double> mean, deviation;  ///< of the coefficients over the training photographs
+    std::vector<double> mean, deviation;  ///< each coefficient's mean and standard deviation over the training photographs
     std::vector<double> slope;            ///< change of the logarithm of friction per standard deviation
     double logFriction = 0;               ///< logarithm of friction at the mean
     double lowest = 0, highest = 0;       ///< range of the logarithm of friction in training; limits every prediction

@@ -27,7 +27,7 @@ struct ModelCardFields {
     std::vector<std::string> heldOut;
     std::string datasetName, datasetHash;
     std::string validationJson = "null";             ///< a JSON object: figures before and after training
-    std::optional<Familiarity> photographs;          ///< of the training photographs
+    std::optional<Familiarity> photographs;          ///< features of the training photographs
     std::optional<FrictionPrior> frictionByTexture;  ///< if absent, the networks predict the friction of unfamiliar photographs
 };
 

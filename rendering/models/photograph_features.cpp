@@ -16,8 +16,8 @@ constexpr int tileSide = 128;
 constexpr int tilesAcross = 4;
 constexpr int bands = 12;
 constexpr double lowestFrequency = 1.0 / 32;     ///< cycles per pixel; the highest, 1/2, lies twelve third octaves above
-constexpr double leastTextureDeviation = 0.003;  ///< of grey over illumination; left by rounding to 8 bits
-constexpr double leastShare = 1e-3;              ///< of the power; the noise of the camera dominates below
+constexpr double leastTextureDeviation = 0.003;  ///< standard deviation of grey over illumination; left by rounding to 8 bits
+constexpr double leastShare = 1e-3;              ///< share of the power; the noise of the camera dominates below
 
 /// Weights of the features in a distance. They are large for features that differ between fabrics and agree within one.
 /// The spectrum characterises a weave best; dye and lamp characterise it little.

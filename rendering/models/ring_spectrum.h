@@ -33,7 +33,7 @@ std::vector<float> ringPowers(const cv::Mat& heightMm, int side);
 
 /// Parameters of the filter to a wanted spectrum.
 struct RingFilter {
-    int side = 128;       ///< of the rings, px
+    int side = 128;       ///< side of the map that the rings refer to, px
     double mostGain = 8;  ///< largest gain at any frequency; its inverse is the smallest
     int passes = 1;       ///< further passes reduce the deviation that smooth gains and clipping at 0 leave
     double zeroPercentile = signals::Calibration{}.zeroPercentile;  ///< percent of the result at or below 0, as in measured maps

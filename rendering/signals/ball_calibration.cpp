@@ -15,7 +15,7 @@ constexpr double farRadii = 1.9;  ///< in ball radii; at this distance the gel i
 constexpr int farSamplesPerPress = 600;
 constexpr int pressDegree = 4;        ///< a cubic without slopes at rest has an error that is 0.4 degrees larger
 constexpr double pressRidge = 1e-3;   ///< a smaller ridge leaves the map too free between few presses
-constexpr double cutoffShare = 0.25;  ///< of the frame's shorter side; frames of full contact lose longer waves
+constexpr double cutoffShare = 0.25;  ///< share of the frame's shorter side; frames of full contact lose longer waves
 
 double distance(const ContactCircle& circle, int x, int y) { return std::hypot(x - circle.centrePx.x, y - circle.centrePx.y); }
 

@@ -35,7 +35,7 @@ struct NetworkMap {
     bool byPlace = true;
     double lightScale = 4;
     std::vector<int> sizes;                    ///< units of each layer, from the inputs to the 2 outputs
-    std::vector<std::vector<double>> weights;  ///< of layer i + 1: sizes[i + 1] x (sizes[i] + 1)
+    std::vector<std::vector<double>> weights;  ///< [i]: weights of layer i + 1, sizes[i + 1] x (sizes[i] + 1)
     bool operator==(const NetworkMap&) const = default;
 };
 

@@ -11,7 +11,7 @@ namespace rendering::signals {
 
 namespace {
 
-constexpr double weightDecay = 4e-5;  ///< of the network; regularises it between distant presses
+constexpr double weightDecay = 4e-5;  ///< regularises the network between distant presses
 
 int inputCount(const SlopeSamples& samples, bool byPlace) { return samples.channels + (byPlace ? 2 : 0); }
 
@@ -121,7 +121,7 @@ SlopeMap polynomialFit(const SlopeSamples& samples, const FitOptions& options)
 struct Layer {
     cv::Mat weights;     ///< [units x (inputs + 1)]
     cv::Mat steps;       ///< step size of each weight
-    cv::Mat gradient;    ///< of the previous step
+    cv::Mat gradient;    ///< gradient in the previous step
     cv::Mat activation;  ///< [samples x units]
 };
 

@@ -30,7 +30,7 @@ struct FitOptions {
     int degree = 3;
     double lightScale = 4;
     double ridge = 1e-6;        ///< for each sample; inputs are about 1
-    std::uint64_t seed = 1;     ///< of the initial weights of the network
+    std::uint64_t seed = 1;     ///< seed for the initial weights of the network
     int networkSamples = 6000;  ///< maximum number of samples, evenly drawn
     int networkSteps = 300;
 };

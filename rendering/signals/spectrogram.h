@@ -61,7 +61,7 @@ double meanFromMagnitude(const cv::Mat& values, const SpectrogramParameters& par
 enum class InversionQuality { Fast, Accurate };
 
 struct GriffinLimOptions {
-    std::uint64_t seed = 1;  ///< of the initial phases
+    std::uint64_t seed = 1;  ///< seed for the initial phases
     int iterations = 32;
     double momentum = 0.99;  ///< Perraudin, Balazs & Sondergaard 2013; 0 gives the plain algorithm
 

@@ -13,7 +13,7 @@ struct KnownSurfaceFrame {
     cv::Mat frame;      ///< as lightOf() takes it
     cv::Mat reference;  ///< frame of the untouched sensor; if empty, light is measured against the frame's own illumination
     cv::Mat heightMm;   ///< CV_32FC1 or CV_64FC1, size of the frame; NaN where unknown
-    Pitch pitch;        ///< of the height map; x and y must be equal within 1 %
+    Pitch pitch;        ///< pitch of the height map; x and y must be equal within 1 %
 };
 
 /// Fits a map to the rows first to last - 1 only. Throws badInput where sizes differ or too few heights are known.

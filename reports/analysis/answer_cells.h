@@ -17,8 +17,8 @@ namespace reports {
 /// Keeps a reference to the data, which must outlive it.
 class AnswerCells {
 public:
-    /// Throws workFailed for an answer of something that the study does not list, for an answer that does not fit its
-    /// question's kind, and for a second answer in the same place.
+    /// Throws workFailed for an answer that names something unknown to the study or does not fit its question's kind, and for
+    /// a second answer in the same place.
     explicit AnswerCells(const StudyData& data);
 
     /// Answers to a question under a condition. Participants and fabrics stand in the order of their names, so that no

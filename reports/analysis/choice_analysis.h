@@ -25,7 +25,7 @@ struct ConditionChoices {
     CountCorrect count;
     stats::Value matchesPerRendering;        ///< share correct x number of participants, as the paper reports it
     stats::BinomialTest againstChance;       ///< over trials, one-sided against 1/m; its Wilson and Clopper-Pearson intervals
-    stats::Value pHolm;                      ///< of that test, Holm's correction over the conditions
+    stats::Value pHolm;                      ///< p of that test after Holm's correction over the conditions
     stats::TTest participantsAgainstChance;  ///< the participants' shares against 1/m, two-sided
     stats::Value dPrime;                     ///< does not depend on m
     stats::Value dPrimeSe;

@@ -19,7 +19,7 @@ struct ConditionRatings {
     stats::Value mean;  ///< over ratings
     stats::Value sd;    ///< over ratings
     std::size_t participants = 0;
-    stats::Interval ci95;          ///< of the participants' means, Student's t
+    stats::Interval ci95;          ///< interval for the mean of the participants' means, Student's t
     stats::Value withinHalfWidth;  ///< within-subject interval (Morey 2008), complete participants
 };
 

@@ -13,7 +13,7 @@ namespace reports {
 
 struct AnswersCsvOptions {
     std::optional<protocols::Protocol> protocol;  ///< bounds, planned contrasts, kinds and sentences of the questions
-    std::string protocolSha256;                   ///< of the protocol's file
+    std::string protocolSha256;                   ///< hash of the protocol's file
     int alternatives = 3;                         ///< m of choices that the protocol does not describe
 };
 

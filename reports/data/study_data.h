@@ -83,7 +83,7 @@ struct StudyData {
     std::vector<std::string> withdrawn;         ///< participants who withdrew; their answers are not analysed
     std::string participantsSentence;           ///< who took part, by the facts they gave; empty: none were asked
     std::size_t voided = 0;                     ///< presentations that are kept but not analysed
-    std::size_t expectedResponses = 0;          ///< of a complete study; 0: unknown
+    std::size_t expectedResponses = 0;          ///< number in a complete study; 0: unknown
     std::optional<SignalComparison> signals;    ///< none while blinded
 };
 

@@ -9,7 +9,7 @@
 namespace reports {
 
 struct Figure {
-    std::string name;     ///< of its file, "matches_Q1"
+    std::string name;     ///< name of its file, "matches_Q1"
     std::string caption;  ///< plain text
     std::string svg = {};
     PageSection section = PageSection::Summary;

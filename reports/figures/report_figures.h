@@ -1,5 +1,5 @@
-// The one list of the report's figures. The page shows them and the files in figures/ are written from it, so that a figure
-// that is added to its family below appears in both.
+// The one list of the report's figures. The page and the files in figures/ are made from it. So a figure that is added to its
+// family below appears in both.
 #pragma once
 
 #include <vector>

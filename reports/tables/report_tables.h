@@ -1,5 +1,5 @@
-// The one list of the report's tables. The page shows them and the files in tables/ are written from it, so that a table
-// that is added to its family below appears in both.
+// The one list of the report's tables. The page and the files in tables/ are made from it. So a table that is added to its
+// family below appears in both.
 #pragma once
 
 #include <vector>

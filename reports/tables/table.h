@@ -28,7 +28,7 @@ struct TableColumn {
 };
 
 struct Table {
-    std::string name;  ///< of its files, "q1_matches"
+    std::string name;  ///< name of its files, "q1_matches"
     std::string caption;
     std::vector<TableColumn> columns;
     std::vector<std::vector<TableCell>> rows;  ///< one cell a column

@@ -9,8 +9,9 @@ namespace {
 
 constexpr int mostSearchSteps = 300;
 constexpr double smallestDecrease = 1e-9;  // expected further decrease
-constexpr double longestStep = 1;     // of a parameter: a poor guess of the curvature must not leave the valley of the minimum
-constexpr double hessianStep = 1e-4;  // of a parameter, for the Hessian
+constexpr double longestStep =
+    1;  // change of a parameter: a poor guess of the curvature must not leave the valley of the minimum
+constexpr double hessianStep = 1e-4;  // change of a parameter for the Hessian
 
 /// The BFGS update of the inverse Hessian after one step.
 void update(Matrix& inverse, std::span<const double> step, std::span<const double> change)

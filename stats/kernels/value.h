@@ -1,5 +1,5 @@
 // A number, or the sentence that says why there is none. Every quantity of this module that can be
-// undefined is returned as a Value, so that no NaN, p = 0 or p = 1 stands in for "undefined".
+// undefined is returned as a Value. So no NaN, p = 0 or p = 1 stands in for "undefined".
 #pragma once
 
 #include <stdexcept>

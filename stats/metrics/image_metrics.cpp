@@ -13,7 +13,7 @@ namespace stats {
 namespace {
 
 // Size of a tile in windows. The value at the centre of a tile is subtracted from its pixels before they are
-// squared, so that neither an offset nor a slope over the image costs digits.
+// squared. So neither an offset nor a slope over the image costs digits.
 constexpr std::size_t tileWidth = ssimTileWidth;
 constexpr std::size_t tileHeight = 64;
 

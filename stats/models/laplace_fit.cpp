@@ -11,7 +11,7 @@ namespace {
 
 constexpr double startSd = 0.5;
 constexpr double zeroSd = 1e-3;
-constexpr double largestSd = 50;  // of log odds; beyond, the likelihood has no maximum
+constexpr double largestSd = 50;  // log odds; beyond, the likelihood has no maximum
 
 /// First guess of the inverse Hessian: about the information in the choices of each cell.
 Matrix guessedInverse(const LaplaceCriterion& criterion, const std::vector<double>& right, const Factor& cells)

@@ -9,7 +9,7 @@ namespace {
 constexpr int mostFitSteps = 200;
 constexpr double largestTheta = 1e5;         // beyond, no residual variation is left
 constexpr double negligibleDecrease = 1e-9;  // expected further decrease; the step taken then squares the error
-constexpr double smallestFraction = 0.1;     // of a standard deviation that one step may leave,
+constexpr double smallestFraction = 0.1;     // share of a standard deviation that one step may leave,
 constexpr double small = 0.02;               // unless it was small already: then it may go to the floor
 
 std::vector<bool> diagonalOf(const MixedModelEquations& equations)

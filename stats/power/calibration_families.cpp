@@ -19,7 +19,7 @@ namespace {
 
 constexpr double lowBound = -0.5;
 constexpr double highBound = 0.5;
-constexpr double narrowSd = 0.3;  // of differences; the bounds are far apart for it
+constexpr double narrowSd = 0.3;  // standard deviation of differences; the bounds are far apart for it
 
 CalibrationRow row(std::string test, Promise promise, Value attainable = Value::undefined("not an exact test"))
 {

@@ -10,8 +10,8 @@
 
 namespace stats {
 
-/// Power of the two-sided t test of n >= 2 differences (or values) whose mean lies `effect` standard deviations from
-/// the hypothesis, from the noncentral t distribution.
+/// Power of the two-sided t test of n >= 2 differences (or values), from the noncentral t distribution. Their mean lies
+/// `effect` standard deviations from the hypothesis.
 double tTestPower(double n, double effect, double alpha = 0.05);
 
 /// Two one-sided tests of n >= 2 differences, sd > 0, low < high. Their power is the probability that the 1 - 2 alpha

@@ -22,7 +22,7 @@ struct StudyDesign {
     std::size_t answers() const { return participants * fabrics * conditions; }
 };
 
-/// Rating = centre + mean of the condition + normal deviations with these variances (scale points squared), rounded to
+/// Rating = centre + mean of the condition + normal deviations with these variances (scale points squared). It is rounded to
 /// the step of the scale and limited to its ends.
 struct RatingTruth {
     double centre = 5.5;

@@ -16,7 +16,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr double alpha = 0.05;  ///< of the verdict "equivalent"
+constexpr double alpha = 0.05;  ///< level of the verdict "equivalent"
 
 const char* nameOf(ColumnTest test)
 {

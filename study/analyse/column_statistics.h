@@ -17,7 +17,7 @@ enum class ColumnTest { Paired, Welch, Student, Equivalence, Wilcoxon };
 
 struct ColumnComparison {
     ColumnTest test = ColumnTest::Paired;
-    stats::Tail tail = stats::Tail::TwoSided;     ///< of a - b; equivalence tests have none
+    stats::Tail tail = stats::Tail::TwoSided;     ///< tail of a - b; equivalence tests have none
     std::pair<double, double> bounds{-0.5, 0.5};  ///< for equivalence
 };
 

@@ -84,8 +84,8 @@ cv::Mat spectrumOf(const cv::Mat& values)
     return sum / cv::sum(sum)[0];
 }
 
-/// Share of the texture's power, in percent, that has another direction or period on the whole screen than in its middle,
-/// which shows the source unchanged.
+/// Share of the texture's power, in percent, that has another direction or period on the whole screen than in its middle.
+/// The middle shows the source unchanged.
 double powerMoved(const cv::Mat& screen, cv::Size source)
 {
     const cv::Rect middle((screen.cols - source.width) / 2, (screen.rows - source.height) / 2, source.width, source.height);

@@ -1,5 +1,5 @@
-// Speed and error of the statistics that must be fast, on one core, beside the times of R and packages of Python for the same
-// work on this machine.
+// Speed and error of the statistics that must be fast. R and packages of Python do the same work on the same machine, on one
+// core.
 #pragma once
 
 #include <vector>

@@ -1,5 +1,5 @@
-// The program `vis2hap`: parses the command line, makes the Qt application that the command needs, runs the command, and
-// turns every fault into one line and an exit code.
+// The program `vis2hap`: parses the command line, makes the Qt application that the command needs and runs the command. Every
+// fault becomes one line and an exit code.
 #include <CLI/CLI.hpp>
 #include <QApplication>
 #include <QCoreApplication>

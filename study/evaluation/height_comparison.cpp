@@ -65,8 +65,8 @@ cv::Mat powerDensity(const cv::Mat& square, double pitchMm)
     return (parts[0].mul(parts[0]) + parts[1].mul(parts[1])) * (pitchMm * pitchMm / cv::sum(window.mul(window))[0]);
 }
 
-/// Mean power of each band. Bands are triangles over the logarithm of the frequency and overlap by half, so that a spectral line
-/// moves smoothly from one band to the next.
+/// Mean power of each band. Bands are triangles over the logarithm of the frequency and overlap by half. So a spectral line moves
+/// smoothly from one band to the next.
 std::vector<double> bandPowersOf(const cv::Mat& square, double pitchMm)
 {
     const int side = square.cols;

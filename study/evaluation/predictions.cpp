@@ -84,8 +84,8 @@ Prediction predictBySamples(const EvaluationContext& context, const std::optiona
     return prediction;
 }
 
-/// Prediction by the retrieved press and stroke. Retrieval does not know the rotation of the fabric in the test photograph, so
-/// the retrieved map keeps the angle between the two photographs as an error.
+/// Prediction by the retrieved press and stroke. Retrieval does not know the rotation of the fabric in the test photograph.
+/// So the retrieved map keeps the angle between the two photographs as an error.
 Prediction predictByNeighbour(const EvaluationContext& context, const PlannedSample& tested, const RetrievedSamples& found)
 {
     Prediction prediction =

@@ -11,7 +11,7 @@ namespace study::looking {
 
 namespace {
 
-constexpr double foreshortening = 0.62;  // of the ground, viewed from about 40 degrees above
+constexpr double foreshortening = 0.62;  // height of the ground over its depth, viewed from about 40 degrees above
 constexpr double heightShare = 0.11;     // share of the picture's height for the relief
 constexpr double outlierShare = 0.005;   // ignored at each end, so that one spike does not flatten the rest
 

@@ -21,7 +21,7 @@ using nlohmann::ordered_json;
 using rendering::FabricSignals;
 using rendering::Signal;
 
-constexpr double equivalenceShare = 0.10;  // of the measured mean
+constexpr double equivalenceShare = 0.10;  // share of the measured mean
 
 struct FabricMeans {
     std::vector<double> generated, measured;

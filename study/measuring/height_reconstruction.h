@@ -36,7 +36,7 @@ struct ContactChoice {
 };
 
 struct Reconstruction {
-    std::string name;  ///< of the measurement: the file's name without its ending
+    std::string name;  ///< name of the measurement: the file's name without its ending
     rendering::signals::Slopes slopes;
     cv::Mat heightMm;              ///< CV_32FC1, at least 0
     nlohmann::ordered_json facts;  ///< what was done, and the figures; for the file beside the height

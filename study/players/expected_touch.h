@@ -9,8 +9,8 @@
 
 namespace study::players {
 
-/// Friction x relief of each of the study's fabrics from its own presses and strokes, averaged over up to four places that
-/// are spread over the data set's samples. Warns on standard error about a data set that the study was not made from. Throws
+/// Friction x relief of each of the study's fabrics from its own presses and strokes. It is the average over up to four places
+/// that are spread over the data set's samples. Warns on standard error about a data set that the study was not made from. Throws
 /// badInput for a data set without tactile or friction signal.
 std::map<protocols::FabricId, Percept> expectedTouch(const database::StudyFacts& facts, const std::filesystem::path& dataset);
 

@@ -50,7 +50,7 @@ struct ScriptedEvent {
     protocols::QuestionId question;
     std::optional<ScriptedResponse> response;
     std::string text;       ///< the reason, or the note
-    bool isFlag = false;    ///< of a note
+    bool isFlag = false;    ///< notes only
     bool mustFail = false;  ///< the session must refuse it
     std::string refusal;    ///< ... with a reason that contains this text
     ScriptedExpectation expectation;

@@ -2,8 +2,8 @@
 // image that the session shows and compares it with the percept that it expects for the fabric.
 //
 // Expectation (expected_touch.h): the measured relief and friction of the fabric at several places. Friction grows with height
-// (the paper's account of ploughing, section III.B), is scaled by the mean coefficient, and is mapped to the display with the
-// range of the study's fabrics. A participant who knows the display learns to expect this touch. The model presupposes the
+// (the paper's account of ploughing, section III.B) and is scaled by the mean coefficient. The range of the study's fabrics maps
+// it to the display. A participant who knows the display learns to expect this touch. The model presupposes the
 // paper's account, so simulated results are no evidence for it.
 //
 // Judgement: distances in just-noticeable differences plus sensory noise. Q1 takes the nearest fabric on the tray, with lapses

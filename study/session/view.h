@@ -14,7 +14,7 @@ struct View {
     State state;
     std::string participant;
     std::string phaseName;             ///< "Q1", "Q2-Q4"
-    protocols::PresentationCode code;  ///< of the presentation; empty between presentations
+    protocols::PresentationCode code;  ///< code of the presentation; empty between presentations
     std::vector<std::string> tray;     ///< the codes on the fabric pieces in slots A, B, C
     std::vector<protocols::FabricId> trayIds;
     std::optional<protocols::Question> question;  ///< the one now asked, or asked next in PlacingTray

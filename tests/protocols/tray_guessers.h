@@ -21,8 +21,8 @@ SeenTrays seenOf(const protocols::Design& design);
 /// Expected number of true slots found by taking the likeliest, ties shared.
 double hitsOf(const Belief& belief, const protocols::Design& design);
 
-/// Knows that a fabric is never true twice in a row, and the counts of true fabrics per participant and slot, of foil sets per
-/// true fabric and of ordered pairs over the study. Exact marginals of a chain (forward-backward); iterative scaling fits its
+/// Knows that a fabric is never true twice in a row. Knows the counts of true fabrics per participant and slot, of foil sets
+/// per true fabric and of ordered pairs over the study. Exact marginals of a chain (forward-backward); iterative scaling fits its
 /// weights until the expected counts are these.
 Belief beliefOfChain(const SeenTrays& trays);
 

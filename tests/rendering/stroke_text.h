@@ -14,7 +14,7 @@ namespace stroke_text {
 /// Seconds: rest to 0.5, load to 0.8, sticking to 1.2, breakaway to 1.3, slide to 7.5, stop to 7.8, lift 8.0 to 8.2, rest to 9.
 struct Stroke {
     double rateHz = 500;
-    double jitter = 0;                                           ///< of each step, as a share of it
+    double jitter = 0;                                           ///< standard deviation of each step, as a share of it
     double load = 2, zeroNormal = 0.12, zeroTangential = -0.08;  ///< N
     double mu = 0.5, texture = 0.05;
     double noise = 0.004;               ///< N

@@ -142,7 +142,7 @@ private Q_SLOTS:
         }
         QVERIFY(!stats::wilcoxonSignedRank(Numbers{}, {}).why.empty());
         QVERIFY(!stats::signFlipTest(Numbers{}, {}).why.empty());
-        // Of two equally likely signs, both are as far from 0 as the observed one.
+        // Two signs are equally likely; both are as far from 0 as the observed one.
         QCOMPARE(*stats::signFlipTest(Numbers{3}, {}).p, 1.0);
         QCOMPARE(*stats::wilcoxonSignedRank(Numbers{3}, {}).pExact, 1.0);
         QVERIFY(!stats::oneWayAnova({}).why.empty() && !stats::oneWayAnova({{1}, {2}}).why.empty());

@@ -44,8 +44,8 @@ struct Structure {
     std::string_view name;
     std::string_view structure;
     Construction construction = Construction::Woven;
-    Draft draft;                   ///< of woven fabrics, and of the ground of a corduroy
-    Yarns warp, weft;              ///< of a knit: spacing of wales and courses; the warp's diameter is the loop yarn's
+    Draft draft;                   ///< woven fabrics, and the ground of a corduroy
+    Yarns warp, weft;              ///< knits: spacing of wales and courses; the warp's diameter is the loop yarn's
     double crimpShare = 0.5;       ///< share of the crimp that the warp takes; the weft takes the rest
     double displacementMm = 0.03;  ///< irregularity of the yarns' positions
     double leno = 0;               ///< shift of a warp towards its pair, as a share of the spacing

@@ -26,11 +26,11 @@ struct PreparedRecord {
     std::size_t leftOut = 0;  ///< samples of the steady part with too little normal force
 
     // The kept part.
-    TimeBase base;           ///< of the stamps of the steady part
+    TimeBase base;           ///< time base of the steady part's stamps
     std::string resampling;  ///< "none", "linear between neighbours", "mean over each period"
     double stepS = 0;
     std::vector<double> values, evenNormalN;  ///< at even steps
-    double mean = 0;                          ///< of the coefficient or the quantity
+    double mean = 0;                          ///< mean coefficient, or mean of the quantity
     double sd = 0;
     std::vector<std::string> warnings;
 };

@@ -17,7 +17,7 @@ struct GeneratorBenchRow {
     double heightDeviationFromAccurateMm = 0;  ///< mean absolute deviation
     double frictionDeviationFromAccurate = 0;  ///< relative deviation of the mean friction
     double meanFrictionRelativeError = 0;      ///< against the measured mean of the fabric
-    double heightSpreadRelativeError = 0;      ///< of the standard deviation, against the measured one of the fabric
+    double heightSpreadRelativeError = 0;      ///< error of the standard deviation, against the measured one of the fabric
 };
 
 struct BenchTable {

@@ -39,7 +39,7 @@ struct TrainingOptions {
     int batch = 8;
     int crop = 128;  ///< px, multiple of 16
     int baseChannels = 16;
-    double learningRate = 1e-3;  ///< of the generators; it falls to a fiftieth along a cosine
+    double learningRate = 1e-3;  ///< rate for the generators; it falls to a fiftieth along a cosine
     int checkpointEvery = 100;   ///< steps
     int validateEvery = 250;     ///< steps
     int patience = 12;           ///< number of validations without a better one after which training stops

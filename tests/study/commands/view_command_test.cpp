@@ -4,6 +4,7 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
+#include "rendering/images/image_io.h"
 #include "tests/rendering/fabric_files.h"
 #include "tests/support/program.h"
 #include "tests/support/study_builder.h"

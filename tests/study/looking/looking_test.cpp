@@ -6,6 +6,7 @@
 
 #include "database/study_store.h"
 #include "rendering/fabrics/procedural/procedural_fabrics.h"
+#include "rendering/images/image_io.h"
 #include "study/looking/dataset_sheet.h"
 #include "study/looking/open_study.h"
 #include "study/looking/read_signal.h"

@@ -7,7 +7,7 @@
 
 #include "protocols/files/errors.h"
 #include "rendering/composition/render_fabrics.h"
-#include "rendering/signals/photometric_stereo.h"
+#include "rendering/signals/tactile/photometric_stereo.h"
 
 namespace rendering {
 

@@ -8,7 +8,7 @@
 #include <opencv2/core.hpp>
 #include <optional>
 
-#include "rendering/signals/photometric_stereo.h"
+#include "rendering/signals/tactile/photometric_stereo.h"
 
 namespace rendering::models {
 

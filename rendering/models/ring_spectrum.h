@@ -7,7 +7,7 @@
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
-#include "rendering/signals/calibration.h"
+#include "rendering/signals/tactile/calibration.h"
 
 namespace rendering::models {
 

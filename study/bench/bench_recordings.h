@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "rendering/signals/press_folder.h"
+#include "rendering/signals/tactile/press_folder.h"
 #include "study/bench/bench_row.h"
 
 namespace study::bench {

@@ -9,11 +9,11 @@
 
 #include "protocols/random.h"
 #include "rendering/signals/cosine_transform.h"
-#include "rendering/signals/photometric_stereo.h"
 #include "rendering/signals/shape_from_shading.h"
-#include "rendering/signals/slope_map_fit.h"
 #include "rendering/signals/spectrogram.h"
 #include "rendering/signals/surface_integration.h"
+#include "rendering/signals/tactile/photometric_stereo.h"
+#include "rendering/signals/tactile/slope_map_fit.h"
 #include "study/bench/bench_composition.h"
 #include "study/bench/median_time.h"
 

@@ -7,7 +7,7 @@
 
 #include "rendering/fabrics/dataset.h"
 #include "rendering/signals/friction_trace.h"
-#include "rendering/signals/photometric_stereo.h"
+#include "rendering/signals/tactile/photometric_stereo.h"
 
 namespace study::evaluation {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "rendering/signals/ball_calibration.h"
+#include "rendering/signals/tactile/ball_calibration.h"
 
 namespace study::measuring {
 

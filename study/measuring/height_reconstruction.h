@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "rendering/signals/photometric_stereo.h"
-#include "rendering/signals/press_folder.h"
+#include "rendering/signals/tactile/photometric_stereo.h"
+#include "rendering/signals/tactile/press_folder.h"
 
 namespace study::measuring {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "protocols/random.h"
-#include "rendering/signals/ball_calibration.h"
+#include "rendering/signals/tactile/ball_calibration.h"
 
 namespace tests {
 

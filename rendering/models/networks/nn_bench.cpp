@@ -19,7 +19,7 @@
 #include "rendering/models/networks/inference.h"
 #include "rendering/models/photograph_at_pitch.h"
 #include "rendering/signals/friction_trace.h"
-#include "rendering/signals/photometric_stereo.h"
+#include "rendering/signals/tactile/photometric_stereo.h"
 
 namespace rendering::models {
 

@@ -13,7 +13,7 @@
 #include "rendering/fabrics/location_split.h"
 #include "rendering/models/ring_spectrum.h"
 #include "rendering/signals/friction_trace.h"
-#include "rendering/signals/photometric_stereo.h"
+#include "rendering/signals/tactile/photometric_stereo.h"
 
 namespace rendering::models {
 

@@ -16,7 +16,7 @@
 #include "rendering/composition/render_json.h"
 #include "rendering/images/image_png.h"
 #include "rendering/images/image_tiff.h"
-#include "rendering/signals/photometric_stereo.h"
+#include "rendering/signals/tactile/photometric_stereo.h"
 #include "tests/rendering/refusal.h"
 
 using namespace rendering;

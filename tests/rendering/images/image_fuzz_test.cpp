@@ -14,7 +14,7 @@
 #include "protocols/random.h"
 #include "rendering/images/image_io.h"
 #include "rendering/images/true_map.h"
-#include "rendering/signals/calibration.h"
+#include "rendering/signals/tactile/calibration.h"
 #include "tests/support/mutated_files.h"
 
 namespace {

@@ -20,7 +20,7 @@
 #include "rendering/fabrics/procedural/procedural_fabrics.h"
 #include "rendering/models/child_process.h"
 #include "rendering/models/model_card_fields.h"
-#include "rendering/signals/calibration.h"
+#include "rendering/signals/tactile/calibration.h"
 #include "tests/rendering/spoilt_archive.h"
 
 using namespace rendering;

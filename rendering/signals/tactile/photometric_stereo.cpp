@@ -1,4 +1,4 @@
-#include "rendering/signals/photometric_stereo.h"
+#include "rendering/signals/tactile/photometric_stereo.h"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // locate() alternates between fitting the model of the light and refining the circles (a bundle adjustment).
-#include "rendering/signals/press_location.h"
+#include "rendering/signals/tactile/press_location.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,8 +10,8 @@
 #include <optional>
 
 #include "protocols/files/errors.h"
-#include "rendering/signals/frame_light.h"
-#include "rendering/signals/upper_median.h"
+#include "rendering/signals/tactile/frame_light.h"
+#include "rendering/signals/tactile/upper_median.h"
 
 namespace rendering::signals {
 

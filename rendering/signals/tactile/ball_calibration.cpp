@@ -1,11 +1,11 @@
-#include "rendering/signals/ball_calibration.h"
+#include "rendering/signals/tactile/ball_calibration.h"
 
 #include <algorithm>
 #include <cmath>
 #include <opencv2/core.hpp>
 
-#include "rendering/signals/photometric_stereo.h"
-#include "rendering/signals/upper_median.h"
+#include "rendering/signals/tactile/photometric_stereo.h"
+#include "rendering/signals/tactile/upper_median.h"
 
 namespace rendering::signals {
 

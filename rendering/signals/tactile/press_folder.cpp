@@ -1,4 +1,4 @@
-#include "rendering/signals/press_folder.h"
+#include "rendering/signals/tactile/press_folder.h"
 
 #include <algorithm>
 #include <array>

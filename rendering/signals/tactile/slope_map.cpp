@@ -1,4 +1,4 @@
-#include "rendering/signals/slope_map.h"
+#include "rendering/signals/tactile/slope_map.h"
 
 #include <algorithm>
 #include <cmath>

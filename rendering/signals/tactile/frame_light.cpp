@@ -1,4 +1,4 @@
-#include "rendering/signals/frame_light.h"
+#include "rendering/signals/tactile/frame_light.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "protocols/files/errors.h"
-#include "rendering/signals/upper_median.h"
+#include "rendering/signals/tactile/upper_median.h"
 
 namespace rendering::signals {
 

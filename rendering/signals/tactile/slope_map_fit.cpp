@@ -1,4 +1,4 @@
-#include "rendering/signals/slope_map_fit.h"
+#include "rendering/signals/tactile/slope_map_fit.h"
 
 #include <algorithm>
 #include <cmath>

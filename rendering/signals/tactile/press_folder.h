@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <functional>
 
-#include "rendering/signals/press_location.h"
+#include "rendering/signals/tactile/press_location.h"
 
 namespace rendering {
 

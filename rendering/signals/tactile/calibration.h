@@ -8,8 +8,8 @@
 #include <string>
 #include <string_view>
 
-#include "rendering/signals/frame_light.h"
-#include "rendering/signals/slope_map.h"
+#include "rendering/signals/tactile/frame_light.h"
+#include "rendering/signals/tactile/slope_map.h"
 
 namespace rendering::signals {
 

@@ -5,9 +5,9 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "rendering/signals/ball_calibration.h"
-#include "rendering/signals/photometric_stereo.h"
-#include "rendering/signals/press_folder.h"
+#include "rendering/signals/tactile/ball_calibration.h"
+#include "rendering/signals/tactile/photometric_stereo.h"
+#include "rendering/signals/tactile/press_folder.h"
 #include "tests/rendering/refusal.h"
 #include "tests/rendering/shared_data.h"
 #include "tests/rendering/simulated_presses.h"

@@ -6,9 +6,9 @@
 #include <opencv2/core.hpp>
 
 #include "protocols/random.h"
-#include "rendering/signals/calibration.h"
-#include "rendering/signals/photometric_stereo.h"
-#include "rendering/signals/surface_calibration.h"
+#include "rendering/signals/tactile/calibration.h"
+#include "rendering/signals/tactile/photometric_stereo.h"
+#include "rendering/signals/tactile/surface_calibration.h"
 #include "tests/rendering/refusal.h"
 
 using namespace rendering::signals;

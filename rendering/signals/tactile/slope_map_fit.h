@@ -6,8 +6,8 @@
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
-#include "rendering/signals/slope_map.h"
 #include "rendering/signals/surface_integration.h"
+#include "rendering/signals/tactile/slope_map.h"
 
 namespace rendering::signals {
 

@@ -4,8 +4,8 @@
 
 #include <opencv2/core/mat.hpp>
 
-#include "rendering/signals/calibration.h"
-#include "rendering/signals/slope_map_fit.h"
+#include "rendering/signals/tactile/calibration.h"
+#include "rendering/signals/tactile/slope_map_fit.h"
 
 namespace rendering::signals {
 

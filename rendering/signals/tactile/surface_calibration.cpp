@@ -1,11 +1,11 @@
-#include "rendering/signals/surface_calibration.h"
+#include "rendering/signals/tactile/surface_calibration.h"
 
 #include <algorithm>
 #include <cmath>
 #include <opencv2/core.hpp>
 
 #include "protocols/files/errors.h"
-#include "rendering/signals/photometric_stereo.h"
+#include "rendering/signals/tactile/photometric_stereo.h"
 
 namespace rendering::signals {
 

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "rendering/signals/calibration.h"
-#include "rendering/signals/press_location.h"
-#include "rendering/signals/slope_map_fit.h"
 #include "rendering/signals/surface_integration.h"
+#include "rendering/signals/tactile/calibration.h"
+#include "rendering/signals/tactile/press_location.h"
+#include "rendering/signals/tactile/slope_map_fit.h"
 
 namespace rendering::signals {
 

@@ -5,8 +5,8 @@
 #include <opencv2/core/mat.hpp>
 #include <optional>
 
-#include "rendering/signals/calibration.h"
 #include "rendering/signals/surface_integration.h"
+#include "rendering/signals/tactile/calibration.h"
 
 namespace rendering::signals {
 

@@ -1,4 +1,4 @@
-#include "rendering/signals/calibration.h"
+#include "rendering/signals/tactile/calibration.h"
 
 #include <cmath>
 #include <nlohmann/json.hpp>

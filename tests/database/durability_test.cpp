@@ -80,7 +80,7 @@ private Q_SLOTS:
         QTest::addColumn<int>("writeFault");
         QTest::addColumn<int>("syncFault");
         QTest::addColumn<QString>("said");
-        QTest::newRow("disk full") << SQLITE_FULL << SQLITE_OK << "the disk is full; nothing of this step was stored";
+        QTest::newRow("disk full") << SQLITE_FULL << SQLITE_OK << "the disk is full; this step was not stored";
         QTest::newRow("write error") << SQLITE_IOERR_WRITE << SQLITE_OK << "the disk reported an error";
         QTest::newRow("sync error") << SQLITE_OK << SQLITE_IOERR_FSYNC << "the disk reported an error";
     }

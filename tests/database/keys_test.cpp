@@ -64,7 +64,9 @@ private Q_SLOTS:
     void theFullKeyStaysClosedWhileAHumanTakesPart()
     {
         const StudyStore store(newStudy(), StudyStore::Access::Read);
-        QVERIFY(errorOf([&] { readAllocationKeyForTestDriver(store, ParticipantKind::Human); }).contains("stays closed"));
+        QVERIFY(errorOf([&] {
+                    readAllocationKeyForTestDriver(store, ParticipantKind::Human);
+                }).contains("must not be read for a human participant"));
         QVERIFY(readAllocationKeyForTestDriver(store, ParticipantKind::Simulated).entries.size() == 6);
     }
 

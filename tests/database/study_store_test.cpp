@@ -199,7 +199,9 @@ private Q_SLOTS:
         QCOMPARE(store.enrol(s01, ParticipantKind::Scripted).number, 2);
         QVERIFY(errorOf([&] { store.enrol(s01, ParticipantKind::Human); }).startsWith("2:"));
         QVERIFY(errorOf([&] { store.enrol(protocols::ParticipantId(), ParticipantKind::Human); }).startsWith("2:"));
-        QVERIFY(errorOf([&] { store.enrol(protocols::ParticipantId("S02"), ParticipantKind::Scripted); }).contains("every slot"));
+        QVERIFY(errorOf([&] {
+                    store.enrol(protocols::ParticipantId("S02"), ParticipantKind::Scripted);
+                }).contains("all slots of the study are taken"));
         store.setSlotState(s01, SlotState::Finished);
         QCOMPARE(store.slots()[1].state, SlotState::Finished);
         QVERIFY(errorOf([&] { store.setSlotState(protocols::ParticipantId("nobody"), SlotState::Finished); }).startsWith("2:"));
@@ -232,7 +234,7 @@ private Q_SLOTS:
         QCOMPARE(RawSqlite(folder.database()).run("UPDATE participants SET state = 'withdrawn'"), std::string());
         const auto faults = StudyStore(folder, Access::Read).faults();
         QCOMPARE(faults.size(), 1u);
-        QCOMPARE(faults[0], std::string("participant S01 is withdrawn by the table and not withdrawn by the log"));
+        QCOMPARE(faults[0], std::string("participant S01 is withdrawn in the table and not withdrawn in the log"));
     }
 
     void aChangedProtocolHoldsForParticipantsToCome()

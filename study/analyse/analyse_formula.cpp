@@ -199,7 +199,7 @@ private:
             node->number = FormulaNumber::ofReal(real);
             m_at += static_cast<std::size_t>(asReal.ptr - begin);
         }
-        // ".8a" stands for ".8*a".
+        // ".8a" means ".8*a".
         const bool isFactor = m_at < m_text.size() && std::isalpha(byte()) != 0 && !m_text.substr(m_at).starts_with("mod");
         return isFactor ? operation('*', std::move(node), named()) : std::move(node);
     }

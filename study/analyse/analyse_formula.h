@@ -25,8 +25,8 @@ struct FormulaNumber {
 
 class Formula {
 public:
-    /// Reads the formula at the start of `text`; `rest` gets the text behind it, for instance a remark. `names` are the
-    /// numbers that it may use, in the order in which evaluate() gets them. Throws RequestFault.
+    /// Reads the formula at the start of `text`; `rest` gets the text after it, for instance a remark. `names` are the
+    /// numbers that it may use, in the order of the values that evaluate() receives. Throws RequestFault.
     Formula(std::string_view text, const std::vector<std::string>& names, std::string* rest = nullptr);
     ~Formula();
     Formula(Formula&&) noexcept;

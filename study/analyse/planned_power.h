@@ -7,8 +7,8 @@
 
 namespace study::analyse {
 
-/// The design of the protocol, and for its first rating the default variances, stretched to its scale. The caller sets
-/// the number of participants, where it differs from the protocol's, and the simulation.
+/// The design of the protocol, and for its first rating the default variances, stretched to its scale. The caller sets the
+/// simulation, and the number of participants if it differs from the protocol's.
 stats::PowerOptions powerOptionsOf(const protocols::Protocol& protocol);
 
 /// The same design and variances without any difference between conditions, over `studies` simulated studies.

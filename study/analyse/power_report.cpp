@@ -116,8 +116,10 @@ void printDesign(const std::string& protocol, const stats::PowerOptions& options
     if (options.hasChoices)
         std::printf("assumed log odds of choices among %d: SD %.2g between participants and %.2g between fabrics\n",
                     design.alternatives, options.choices.participantSd, options.choices.fabricSd);
-    std::printf("The results depend on these assumptions. Each row rests on %zu simulated studies: rates within +-%.1f points.\n",
-                options.simulation.studies, 196 * std::sqrt(0.25 / static_cast<double>(options.simulation.studies)));
+    std::printf(
+        "The results depend on these assumptions. Each row uses %zu simulated studies: rates are within +-%.1f percentage "
+        "points.\n",
+        options.simulation.studies, 196 * std::sqrt(0.25 / static_cast<double>(options.simulation.studies)));
 }
 
 void printTests(const std::vector<stats::PlannedTest>& tests)

@@ -30,8 +30,8 @@ std::vector<double> readOneColumn(const std::filesystem::path& file)
 {
     const auto table = protocols::readCsvTable(file);
     if (table.columns.size() != 1)
-        throw protocols::badInput(
-            {"has " + std::to_string(table.columns.size()) + " columns", file.string(), "a trace of one column", ""});
+        throw protocols::badInput({"has " + std::to_string(table.columns.size()) + " columns", file.string(),
+                                   "a trace of one column", "write the trace as one column"});
     return readColumn(file, table.columns.front());
 }
 
@@ -69,7 +69,8 @@ ordered_json ofTraces(const std::filesystem::path& a, const std::filesystem::pat
 {
     const auto x = readOneColumn(a), y = readOneColumn(b);
     if (x.size() != y.size())
-        throw protocols::badInput({"the traces differ in length", bothNames(a, b), "equal numbers of rows", ""});
+        throw protocols::badInput(
+            {"the traces differ in length", bothNames(a, b), "equal numbers of rows", "cut both traces to one length"});
     auto json = errorJson(x, y);
     put(json, "ssim", stats::Value::undefined("SSIM is defined for images"));
     return json;
@@ -84,7 +85,7 @@ ordered_json ofImages(const std::filesystem::path& a, const std::filesystem::pat
     const auto range = wantedRange ? wantedRange : second.range;
     if (!range)
         throw protocols::badInput(
-            {"the image has floating-point values", b.string(), "--range L, the dynamic range that SSIM needs", ""});
+            {"the image has floating-point values", b.string(), "--range L, the dynamic range that SSIM needs", "add --range"});
     const std::span<const double> x(first.values.ptr<double>(), first.values.total());
     const std::span<const double> y(second.values.ptr<double>(), second.values.total());
     auto json = errorJson(x, y);
@@ -99,7 +100,8 @@ ordered_json ofImages(const std::filesystem::path& a, const std::filesystem::pat
 ordered_json similarityOf(const std::filesystem::path& a, const std::filesystem::path& b, std::optional<double> range)
 {
     if (isTrace(a) != isTrace(b))
-        throw protocols::badInput({"a trace and an image cannot be compared", bothNames(a, b), "two traces or two images", ""});
+        throw protocols::badInput({"a trace and an image cannot be compared", bothNames(a, b), "two traces or two images",
+                                   "check the names of both files"});
     return isTrace(a) ? ofTraces(a, b) : ofImages(a, b, range);
 }
 

@@ -25,7 +25,8 @@ void addRecordings(std::vector<BenchRow>& rows, const BenchOptions& options)
 {
     if (!std::filesystem::is_directory(options.recordings))
         throw protocols::badInput({"there is no folder of recordings", options.recordings.string(),
-                                   "the folders that README describes under \"Bench on recordings\"", ""});
+                                   "the folders that README describes under \"Bench on recordings\"",
+                                   "check the path of --data"});
     auto recordings = benchRecordings(options.recordings, looking::decodeByQt);
     if (options.skipped)
         for (const auto& line : recordings.skipped) options.skipped(line);
@@ -71,7 +72,8 @@ std::vector<BenchRow> benchStage(const std::string& stage, const BenchOptions& o
 {
     for (const auto& one : stages())
         if (one.name == stage) return one.run(options);
-    throw protocols::badInput({"there is no stage " + stage, "bench", "signals, statistics, session or generators", ""});
+    throw protocols::badInput(
+        {"there is no stage " + stage, "bench", "signals, statistics, session or generators", "check the spelling"});
 }
 
 }  // namespace study::bench

@@ -45,7 +45,7 @@ BenchRow qualityRow(const ordered_json& quality)
             quality["ms_per_photograph"].get<double>(),
             100 * quality["mean_friction_relative_error"].get<double>(),
             "% of mean friction, generated against measured",
-            text("heights off by %.3f mm from accurate, photographs of 256x256; %.1f ms of 128x128",
+            text("heights differ by %.3f mm from accurate; photographs of 256x256 px; 128x128 px take %.1f ms",
                  quality["height_deviation_from_accurate_mm"].get<double>(), quality["ms_at_128"].get<double>())};
 }
 

@@ -135,8 +135,8 @@ void addIntegration(std::vector<BenchRow>& rows, const fs::path& file)
     const std::string stage = "integrate " + file.stem().string();
     cv::Mat height;
     const double time = millisecondsOf([&] { height = integrated(map.slopes, map.pitch, signals::SlopeKind::Central); });
-    const std::string size =
-        text("%d x %d, central differences integrated as such; at least 1, aim 0.1", map.heightMm.cols, map.heightMm.rows);
+    const std::string size = text("%d x %d, central differences integrated as such; required at most 1, aim 0.1",
+                                  map.heightMm.cols, map.heightMm.rows);
     rows.push_back({stage, "full", time, 100 * rms(height, map.heightMm) / sqOf(map.heightMm), "% of Sq", size});
     protocols::Random random(1);
     const signals::Slopes rough{noisy(map.slopes.x, 0.02, random), noisy(map.slopes.y, 0.02, random)};
@@ -145,7 +145,7 @@ void addIntegration(std::vector<BenchRow>& rows, const fs::path& file)
                     "noise of 2 % of the slopes' RMS on each"});
     height = integrated(map.slopes, map.pitch, signals::SlopeKind::Point);
     rows.push_back({stage, "as point", time, 100 * rms(height, map.heightMm) / sqOf(map.heightMm), "% of Sq",
-                    "the same differences taken for point slopes: the cost of a wrong kind"});
+                    "the same differences treated as point slopes: the error of a wrong kind"});
 }
 
 void addMaps(RecordingsBench& bench, const fs::path& folder)
@@ -188,7 +188,7 @@ void addShading(std::vector<BenchRow>& rows, const fs::path& file, const cv::Mat
         const double r = correlationWhereFinite(inBand(relief), inBand(heightMm));
         rows.push_back({"shading " + file.stem().string(), method == signals::ShadingMethod::Linear ? "linear" : "bumps", time,
                         std::abs(r), "|r| with the height",
-                        text("between Gaussians of 1.5 and 40 px; light estimated at %.0f deg; at least 0.6, aim 0.75 (linear)",
+                        text("between Gaussians of 1.5 and 40 px; light estimated at %.0f deg; required 0.6, aim 0.75 (linear)",
                              light.azimuthDeg)});
     }
 }
@@ -208,7 +208,7 @@ void addGroove(RecordingsBench& bench, const fs::path& folder, const Decode& dec
         const double time = millisecondsOf([&] { height = signals::integrate(differences.slopes, differences.pitch, kind); });
         bench.rows.push_back({"integrate groove", kind == signals::SlopeKind::Central ? "central" : "point", time,
                               1000 * rms(height, differences.heightMm), "um RMSE",
-                              "differences of the vendor's map; at least 0.3"});
+                              "differences of the vendor's map; required at most 0.3"});
     }
     if (photographs.size() < 3) {
         bench.skipped.push_back(scan.string() + ": fewer than three photographs");
@@ -221,10 +221,11 @@ void addGroove(RecordingsBench& bench, const fs::path& folder, const Decode& dec
         const double time = millisecondsOf([&] {
             score = signals::scoreOf(signals::calibrationFrom(surface, 0, half, quality), surface, half, map.heightMm.rows);
         });
-        bench.rows.push_back({"groove from photographs", measuring::nameOf(quality), time, 1000 * score.heightErrorMm, "um RMSE",
-                              text("fitted on the top half, tested on the bottom half, without a quadratic; slopes %.4f off; at "
-                                   "least 12.5, aim 8 (balanced)",
-                                   score.slopeError)});
+        bench.rows.push_back(
+            {"groove from photographs", measuring::nameOf(quality), time, 1000 * score.heightErrorMm, "um RMSE",
+             text("fitted on the top half, tested on the bottom half, without a quadratic; slopes differ by %.4f; "
+                  "required at most 12.5, aim 8 (balanced)",
+                  score.slopeError)});
     }
     for (const auto& photograph : photographs) addShading(bench.rows, photograph, map.heightMm, decodeOther);
 }
@@ -244,12 +245,12 @@ void addPresses(RecordingsBench& bench, const fs::path& folder, const Decode& de
         const std::string note = text("%zu presses, cross-validated; contact found at %.1f px; fitted in %.2f s",
                                       presses.presses.size(), located.contactPx, trade.fitSeconds);
         bench.rows.push_back({"ball presses, normals", measuring::nameOf(quality), trade.millisecondsAFrame, score.normalErrorDeg,
-                              "deg, median", note + "; at least 7, aim 6 (balanced)"});
+                              "deg, median", note + "; required at most 7, aim 6 (balanced)"});
         bench.rows.push_back({"ball presses, depth", measuring::nameOf(quality), trade.millisecondsAFrame, score.depthErrorMm,
-                              "mm in contact", "at least 0.095, aim 0.07 (balanced)"});
+                              "mm in contact", "required at most 0.095, aim 0.07 (balanced)"});
         bench.rows.push_back({"ball presses, peak", measuring::nameOf(quality), trade.millisecondsAFrame, score.peakMm,
                               "mm (1.0 pressed)",
-                              text("%.2f to %.2f; with the gel's bridge around contact %.2f; 1.0 +- 0.2, aim 0.15",
+                              text("%.2f to %.2f; with the gel's bridge around contact %.2f; required 1.0 +- 0.2, aim 0.15",
                                    score.lowestPeakMm, score.highestPeakMm, score.peakOverGelMm)});
     }
 }

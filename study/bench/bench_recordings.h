@@ -17,9 +17,8 @@ struct RecordingsBench {
 };
 
 /// truemap_heightmaps/*.tmd       integration from central differences, without and with 2 % noise
-/// gsmatlab_groove/               heightmap.tmd and imageNN.png: groove integrated; slopes from the lamps, learned on the top
-/// half and read on
-///                                the bottom half; shape from shading of each photograph, its light not told
+/// gsmatlab_groove/               heightmap.tmd and imageNN.png: groove integrated; slopes from the lamps, fitted on the top
+///                                half and tested on the bottom half; shape from shading with an unknown direction of light
 /// taxim_gelsight/                background.png and press_NN.png: ball of 2.0 mm, 0.1245 mm per pixel; cross-validated
 /// gelsight_wear_surfaces/*S<grit>*normalmap.*   grain order: the coarser paper (lower grit) has the longer autocorrelation
 RecordingsBench benchRecordings(const std::filesystem::path& folder, const rendering::Decode& decodeOther);

@@ -56,7 +56,7 @@ database::StudyFolder makeStudy(const std::filesystem::path& path, const std::st
 
 protocols::Design balancedDesign(const protocols::Protocol& protocol) { return drawDesign(protocol, 1); }
 
-/// One participant and every rendering in turn. So long a session cannot be balanced.
+/// One participant and every rendering in turn. A session of this length cannot be balanced.
 protocols::Design plainDesign(const protocols::Protocol& protocol)
 {
     protocols::Design design;

@@ -7,8 +7,8 @@
 
 namespace study::bench {
 
-/// Rows for `vis2hap bench session`: an answer stored by the engine, the time from a key press until the next question is
-/// drawn, a whole session through the window, and the memory that 10,000 trials take. Plays scripted participants in a
+/// Rows for `vis2hap bench session`: the time to store an answer in the engine, from a key press until the next question is
+/// drawn, and of a whole session through the window. Also the memory that 10,000 trials take. Plays scripted participants in a
 /// temporary study. Needs a QApplication.
 std::vector<BenchRow> benchSession();
 

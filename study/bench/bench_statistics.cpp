@@ -54,7 +54,7 @@ StatisticsRow pairedTStage()
     const double time = medianMilliseconds(15, [&] { t = *stats::pairedTTest(x, y).t; });
     const auto exact = pairedT(x, y);
     return {{"paired t, 1000000 pairs", "double", time, static_cast<double>(std::fabs((t - exact) / exact)),
-             "relative, of t in 80 bits", "goal 3 ms"},
+             "relative, from t in 80 bits", "goal 3 ms"},
             "paired t"};
 }
 
@@ -73,7 +73,7 @@ StatisticsRow bootstrapStage()
     const double time = medianMilliseconds(15, [&] { low = *stats::bcaBootstrapOfMean(x).ci.low; });
     const auto many = stats::bcaBootstrapOfMean(x, {.resamples = 1000000, .seed = 2});
     return {{"BCa bootstrap, 10000 x 70", "1 thread", time, std::fabs(low - *many.ci.low) / *many.standardError,
-             "SE, of the lower end by 1000000 resamples", "goal 3 ms"},
+             "SE, from the lower end by 1000000 resamples", "goal 3 ms"},
             "bca"};
 }
 
@@ -86,7 +86,7 @@ StatisticsRow signFlipStage()
     const double exact = *stats::signFlipTest(few, {}).p;
     for (double& difference : few) difference /= 3;
     return {{"sign flips, exact, 70 on tenths", "double", time, std::fabs(exact - *stats::signFlipTest(few, {}).p),
-             "p, of all 65536 signs of 16 differences", "goal 1 ms"},
+             "p, from all 65536 signs of 16 differences", "goal 1 ms"},
             ""};
 }
 
@@ -110,8 +110,8 @@ std::pair<StatisticsRow, StatisticsRow> ssimStages()
         floatFound = *stats::ssim(stats::FloatImageView{floatA, ssimWidth, ssimHeight}, {floatB, ssimWidth, ssimHeight}, 1).mean;
     });
     return {
-        {{"SSIM 1280x800", "double", time, std::fabs(found - trueSsim), "SSIM, of 80-bit arithmetic", "goal 30 ms"}, "ssim"},
-        {{"SSIM 1280x800", "float", floatTime, std::fabs(floatFound - found), "SSIM, of double", "goal 12 ms"}, "ssim float"}};
+        {{"SSIM 1280x800", "double", time, std::fabs(found - trueSsim), "SSIM, from 80-bit arithmetic", "goal 30 ms"}, "ssim"},
+        {{"SSIM 1280x800", "float", floatTime, std::fabs(floatFound - found), "SSIM, from double", "goal 12 ms"}, "ssim float"}};
 }
 
 /// The paper's study, answered by a formula: 10 x 7 x 9, one choice and three ratings each.

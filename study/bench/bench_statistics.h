@@ -8,7 +8,7 @@
 
 namespace study::bench {
 
-/// With `peers` also their times.
+/// With `peers`, the rows also have the times of these programs.
 std::vector<BenchRow> benchStatistics(bool peers);
 
 }  // namespace study::bench

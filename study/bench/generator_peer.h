@@ -1,4 +1,4 @@
-// The networks of the generators, timed in turns with the same networks in Python's torch (python3-torch) and with ours on the
+// Times of the generators' networks, in turns with the same networks in Python's torch (python3-torch) and with ours on the
 // reference BLAS. Neither is needed by the program.
 #pragma once
 

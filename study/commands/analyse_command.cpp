@@ -32,7 +32,7 @@ json readRequests(const std::string& file)
     return document;
 }
 
-/// The ids of all cases. Each occurs once, because an answer stands under its id.
+/// The ids of all cases. Each id must be unique, because the answers are stored by id.
 std::vector<std::string> idsOf(const json& cases, const std::string& file)
 {
     std::vector<std::string> ids;
@@ -62,7 +62,7 @@ int analyse(const std::string& requests, const std::string& answers)
 
 void addAnalyse(CLI::App& app, Action& action)
 {
-    auto* command = app.add_subcommand("analyse", "answer requests for statistical analyses, in batch");
+    auto* command = app.add_subcommand("analyse", "answer a file of requests for statistical analyses");
     auto requests = std::make_shared<std::string>();
     auto answers = std::make_shared<std::string>();
     command->add_option("REQUESTS", *requests, "JSON file with the requests")->required();

@@ -33,14 +33,14 @@ void makeForApp(const app::NewStudyRequest& form, const app::MakingProgress& pro
         request, [&](int done, int total, const std::string& what) { progress(total > 0 ? 1.0 * done / total : 0.0, what); });
 }
 
-/// What a reader of the flag must know before believing it.
+/// A harmless explanation of a flag on equal ratings; empty for other flags.
 const char* weaknessOf(reports::FlagKind kind)
 {
     const bool isOnEqualRatings = kind == reports::FlagKind::StraightLining || kind == reports::FlagKind::SameAcrossQuestions;
-    return isOnEqualRatings ? "; a participant to whom all renderings feel alike also answers so" : "";
+    return isOnEqualRatings ? "; a participant who feels no difference also gives such ratings" : "";
 }
 
-/// The report's flags and no scores, because the study still runs. The monitor has columns of its own for missing answers and
+/// The report's flags without scores, because the study still runs. The monitor has columns of its own for missing answers and
 /// voided presentations.
 std::vector<app::MonitorFlag> flagsOf(const database::StudyStore& store)
 {

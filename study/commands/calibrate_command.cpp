@@ -39,7 +39,7 @@ struct CalibrateCall {
     JsonTarget json;
 };
 
-/// A file beside --out, with its name and another ending.
+/// Path of a file in the folder of --out, with its name and another ending.
 fs::path besideOut(const CalibrateCall& call, const std::string& ending)
 {
     return fs::path(call.out).parent_path() / (fs::path(call.out).stem().string() + ending);
@@ -54,8 +54,8 @@ void writePictures(const CalibrateCall& call, const cv::Mat& reference, const cv
 void printScore(const char* of, const rendering::signals::CalibrationScore& score)
 {
     std::printf(
-        "%-28s median error of normals %.2f deg, error of depth in contact %.4f mm, peak %.2f mm (%.2f to %.2f) where the "
-        "circles give %.2f\n",
+        "%-28s median error of normals %.2f deg, error of depth in contact %.4f mm, peak %.2f mm (%.2f to %.2f); the circles "
+        "give %.2f mm\n",
         of, score.normalErrorDeg, score.depthErrorMm, score.peakMm, score.lowestPeakMm, score.highestPeakMm, score.ballPeakMm);
 }
 

@@ -1,5 +1,5 @@
-// The commands of the program, one file each. A command adds itself to the command line. When the line calls it, it puts its
-// work into `Action`, and main() runs that work after the whole line is parsed.
+// The commands of the program, one file each. A command adds itself to the command line. If the line names the
+// command, it puts its work into `Action`, and main() runs this work after the whole line is parsed.
 #pragma once
 
 #include <functional>

@@ -6,6 +6,7 @@
 
 #include "protocols/files/errors.h"
 #include "rendering/display/display_check.h"
+#include "reports/text/plain_words.h"
 #include "study/commands/command_line.h"
 #include "study/commands/number_checks.h"
 
@@ -37,8 +38,8 @@ int checkDriver(const CheckCall& call)
 {
     const auto address = rendering::driverAddressFrom(call.specification);
     if (!address)
-        throw protocols::badInput(
-            {"display '" + call.specification + "' has no driver to check", "SPEC", "exec:COMMAND or tcp:HOST:PORT", ""});
+        throw protocols::badInput({"display '" + call.specification + "' has no driver to check", "SPEC",
+                                   "exec:COMMAND or tcp:HOST:PORT", "name the driver of the display"});
     rendering::DisplayCheckOptions options;
     options.touchWithin = std::chrono::milliseconds(static_cast<long>(1000 * call.touchSeconds));
     if (call.touchSeconds > 0)
@@ -48,7 +49,8 @@ int checkDriver(const CheckCall& call)
     printTimes("clear the display", result.clearMs);
     const std::string name = result.name.empty() ? call.specification : result.name;
     const int faults = result.faults();
-    std::printf("%s: %s\n", name.c_str(), faults == 0 ? "meets every demand" : (std::to_string(faults) + " faults").c_str());
+    std::printf("%s: %s\n", name.c_str(),
+                faults == 0 ? "meets every requirement" : reports::counted(static_cast<std::size_t>(faults), "fault").c_str());
     return static_cast<int>(faults == 0 ? protocols::ExitCode::Done : protocols::ExitCode::WorkFailed);
 }
 
@@ -59,7 +61,7 @@ void addDisplay(CLI::App& app, Action& action)
     auto* display = app.add_subcommand("display", "check the driver of a haptic display");
     display->require_subcommand(1);
     auto* command = display->add_subcommand(
-        "check", "test every demand of the driver protocol: pass or FAIL; the display shows images meanwhile");
+        "check", "test every requirement of the driver protocol: pass or FAIL; the display shows images meanwhile");
     auto call = std::make_shared<CheckCall>();
     command->add_option("SPEC", call->specification, "exec:COMMAND or tcp:HOST:PORT, as for vis2hap --display")->required();
     command->add_option("--touch", call->touchSeconds, "seconds to wait for a finger, to check that the driver reports touches")

@@ -21,7 +21,7 @@ namespace {
 
 namespace evaluation = study::evaluation;
 
-constexpr unsigned mostThreads = 16;  ///< each holds maps and spectra of its own
+constexpr unsigned mostThreads = 16;  ///< each thread holds its own maps and spectra
 
 struct EvaluateCall {
     std::string dataset, model, split = "sample", quality = "balanced";
@@ -101,10 +101,9 @@ void addEvaluate(CLI::App& app, Action& action)
     command->add_option("--model", call->model, "weights (default: the shipped ones)");
     command->add_option("--against", call->against, "further weights to evaluate on the same test samples");
     command
-        ->add_option(
-            "--split", call->split,
-            "sample: the paper's split; location: no place in training and test; fabric: fabrics held out from training; "
-            "augmented: copies of a sample in every part")
+        ->add_option("--split", call->split,
+                     "sample: the paper's split; location: no place occurs in both training and test; "
+                     "fabric: fabrics held out from training; augmented: copies of a sample in every part")
         ->check(CLI::IsMember({"sample", "location", "fabric", "augmented"}))
         ->capture_default_str();
     command->add_option("--split-seed", call->splitSeed, "seed of the split (default: that of the model)");

@@ -92,8 +92,9 @@ int height(const HeightCall& call)
 {
     const int sources = !call.frames.empty() + !call.gradients.empty() + !call.normals.empty();
     if (sources != 1 || (!call.frames.empty() && call.calibration.empty()))
-        throw protocols::badInput({sources == 1 ? "frames need a calibration" : "there must be one source of heights", "",
-                                   "frames with --calibration, or --gradients, or --normals", ""});
+        throw protocols::badInput(
+            {sources == 1 ? "frames need a calibration" : std::to_string(sources) + " sources of heights are named", "",
+             "frames with --calibration, or --gradients, or --normals", "name one of these"});
     if (!call.frames.empty() && (!call.mask.empty() || !call.pitch.empty() || call.kind != "point"))
         throw protocols::badInput({"--mask, --pitch and --kind apply to --gradients and --normals only, not to frames",
                                    call.frames.front(), "frames and --calibration",
@@ -102,7 +103,7 @@ int height(const HeightCall& call)
         throw protocols::badInput({"--contact and --calibration apply to frames only", "", "frames", "leave them out"});
     if (call.contact != "auto" && call.contact != "whole" && call.contact != "part" && !fs::exists(call.contact))
         throw protocols::badInput({"\"" + call.contact + "\" is neither a kind of contact nor an image", "--contact",
-                                   "auto, whole, part, or a mask image", ""});
+                                   "auto, whole, part, or a mask image", "check the spelling or the path"});
     const auto options = heightOptionsOf(call);
     if (!call.gradients.empty())
         write(call, measuring::fromGradients(call.gradients[0], call.gradients[1], samplingOf(call), options));
@@ -132,7 +133,7 @@ void addHeight(CLI::App& app, Action& action)
     command->add_option("--normals", call->normals, "normal map, (n + 1) / 2 as RGB");
     command
         ->add_option("--normals-y", call->normalsY,
-                     "direction of y in the normal map: up, down, or auto (the one that is a surface)")
+                     "direction of y in the normal map: up, down, or auto (the one whose slopes fit a surface)")
         ->check(CLI::IsMember({"auto", "up", "down"}));
     command->add_option("--pitch", call->pitch, "mm between pixels along x,y (one number: both directions; default 1)")
         ->delimiter(',')

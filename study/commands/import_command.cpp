@@ -38,8 +38,8 @@ rendering::fabrics::FrictionOptions frictionOptions(const ImportCall& call)
     options.tangential = axesFrom(call.tangential, "--tangential", 2);
     options.forceUnit = call.forceUnit;
     if (!call.forceUnit.empty() && !newtonsIn(call.forceUnit))
-        throw protocols::badInput(
-            {"\"" + call.forceUnit + "\" is not a known unit of force", "--force-unit", std::string(knownForceUnits), ""});
+        throw protocols::badInput({"\"" + call.forceUnit + "\" is not a known unit of force", "--force-unit",
+                                   std::string(knownForceUnits), "check the spelling"});
     options.zero = selectionFrom(call.zero, "--zero", options.zeroInterval);
     options.trim = selectionFrom(call.trim, "--trim", options.trimInterval);
     options.rateHz = call.rate;
@@ -106,7 +106,7 @@ int import(const ImportCall& call)
         request.sensor = sensorFrom(call.calibration);
     }
     request.plots = call.plots;
-    if (!call.plots.empty()) protocols::makeFolders(call.plots);  // before the import, so that a fault leaves no half of it
+    if (!call.plots.empty()) protocols::makeFolders(call.plots);  // before the import, which a fault here must not interrupt
     for (const auto& line : rendering::fabrics::importRecordings(request)) std::printf("%s\n", line.c_str());
     if (!call.plots.empty() && std::filesystem::exists(call.plots)) writeSpectrograms(call.out, call.plots);
     return 0;

@@ -69,7 +69,7 @@ int backup(const std::string& study, const std::string& out)
         throw protocols::badInput({"the file exists", out, "the name of a new file", "choose another name; nothing was written"});
     const auto store = records::openStudy(study);
     const std::string name = nameOfFolder(study);
-    // The files of the backup lie together in a folder beside it that is never put in place.
+    // Collect the files of the backup in a temporary folder beside it.
     const protocols::FolderDraft staging(out, protocols::Earlier::Refused);
     try {
         fs::permissions(staging.path(), fs::perms::owner_all);

@@ -24,7 +24,7 @@ bool screenIsThere()
            std::getenv("QT_QPA_PLATFORM") != nullptr;
 }
 
-/// The offscreen platform warns about what it cannot do. Nobody sees that window, so only faults are printed.
+/// Prints only faults: the offscreen platform also warns about functions that it lacks, but nobody sees that window.
 void printFaultsOnly(QtMsgType type, const QMessageLogContext&, const QString& text)
 {
     if (type == QtCriticalMsg || type == QtFatalMsg) std::fprintf(stderr, "vis2hap: %s\n", qPrintable(text));

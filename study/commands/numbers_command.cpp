@@ -1,4 +1,4 @@
-// vis2hap describe, compare and metrics: single numbers for scripts and for a look.
+// vis2hap describe, compare and metrics: single numbers for scripts and quick checks.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <map>
@@ -66,8 +66,8 @@ std::pair<double, double> boundsFrom(const std::string& text)
     const auto low = comma == std::string::npos ? std::nullopt : protocols::numberIn(text.substr(0, comma));
     const auto high = comma == std::string::npos ? std::nullopt : protocols::numberIn(text.substr(comma + 1));
     if (!low || !high || !(*low < *high))
-        throw protocols::badInput(
-            {"bounds \"" + text + "\"", "--bounds", "LOW,HIGH with LOW below HIGH, e.g. --bounds=-0.5,0.5", ""});
+        throw protocols::badInput({"\"" + text + "\" does not give two bounds", "--bounds",
+                                   "LOW,HIGH with LOW below HIGH, e.g. --bounds=-0.5,0.5", "correct the bounds"});
     return {*low, *high};
 }
 
@@ -130,7 +130,7 @@ void addMetrics(CLI::App& app, Action& action)
     command->add_option("--range", call->range, "dynamic range L of SSIM")->check(aboveZero());
     addJsonOption(*command, call->target);
     command->callback([call, &action] {
-        action.surroundings = Surroundings::Core;  // the database tells whether a stimulus belongs to an open study
+        action.surroundings = Surroundings::Core;  // Qt SQL checks whether a stimulus belongs to an open study
         action.work = [call] { return metrics(*call); };
     });
 }

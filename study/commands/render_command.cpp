@@ -45,7 +45,8 @@ std::vector<protocols::FabricId> fabricList(const rendering::fabrics::Dataset& d
     }
     std::istringstream parts(text);
     for (std::string part; std::getline(parts, part, ',');) ids.push_back(dataset.fabric(protocols::FabricId(part)).id);
-    if (ids.empty()) throw protocols::badInput({"no fabric is named", "--fabric", "ids, comma-separated, or all", ""});
+    if (ids.empty())
+        throw protocols::badInput({"no fabric is named", "--fabric", "ids, comma-separated, or all", "name at least one fabric"});
     return ids;
 }
 
@@ -67,8 +68,8 @@ rendering::Percentiles percentilesFrom(const std::string& text)
     const auto low = protocols::numberIn(text.substr(0, comma));
     const auto high = comma == std::string::npos ? std::nullopt : protocols::numberIn(text.substr(comma + 1));
     if (!low || !high)
-        throw protocols::badInput(
-            {"\"" + text + "\" does not give two percentiles", "--range-percentiles", "LO,HI, e.g. 0.1,99.9", ""});
+        throw protocols::badInput({"\"" + text + "\" does not give two percentiles", "--range-percentiles",
+                                   "LO,HI, e.g. 0.1,99.9", "correct the percentiles"});
     return {*low, *high};
 }
 
@@ -83,7 +84,7 @@ void writeRendering(const fs::path& out, const rendering::RenderedFabrics& rende
     draft.putInPlace({"render.json"});
 }
 
-/// Joins the JSON with the one that an earlier call left in the folder.
+/// Merges the JSON with that of an earlier call in the same folder.
 rendering::JoinedRender savedJson(const fs::path& out, const std::string& json)
 {
     const auto file = out / "render.json";
@@ -143,7 +144,7 @@ void addRender(CLI::App& app, Action& action)
     auto call = std::make_shared<RenderCall>();
     command->add_option("DATASET", call->dataset, "the data set")->required();
     command->add_option("--fabric", call->fabric, "ids, comma-separated, or all")->capture_default_str();
-    command->add_option("--condition", call->condition, "ids, comma-separated, or all; h_g+f_g stands for h_g&f_g")
+    command->add_option("--condition", call->condition, "ids, comma-separated, or all; h_g+f_g means h_g&f_g")
         ->capture_default_str();
     command->add_option("--out", call->out, "folder to write DIR/F01/h_g+f_g.png and DIR/render.json to")->required();
     command->add_option("--sample", call->sample, "sample index for every signal (default: the first one)");

@@ -1,5 +1,5 @@
-// vis2hap simulate STUDY: simulated participants feel the friction images and answer through the session engine, as people
-// do.
+// vis2hap simulate STUDY: simulated participants feel the friction images and answer through the same session engine
+// as human participants.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
@@ -10,6 +10,7 @@
 #include "protocols/files/sha256.h"
 #include "rendering/display/display.h"
 #include "rendering/display/stimulus_bank.h"
+#include "reports/text/plain_words.h"
 #include "study/commands/command_line.h"
 #include "study/commands/progress.h"
 #include "study/players/expected_touch.h"
@@ -30,7 +31,7 @@ struct SimulateCall {
     std::uint64_t seed = 1;
 };
 
-/// Sessions that have begun come first, then free slots, `wanted` of them or all.
+/// The participants of started sessions, then new ones for `wanted` free slots, or for all free slots.
 std::vector<protocols::ParticipantId> participantsToPlay(const StudyStore& store, std::optional<int> wanted)
 {
     std::vector<protocols::ParticipantId> participants;
@@ -42,8 +43,9 @@ std::vector<protocols::ParticipantId> participantsToPlay(const StudyStore& store
         if (slot.state == SlotState::Started) participants.push_back(slot.participant);
     }
     if (wanted && *wanted > free)
-        throw protocols::badInput({"only " + std::to_string(free) + " slots are free", store.folder().folder.string(),
-                                   "--participants " + std::to_string(free) + " or less", "make a study with more participants"});
+        throw protocols::badInput({"the study has only " + reports::counted(static_cast<std::size_t>(free), "free slot"),
+                                   store.folder().folder.string(), "--participants " + std::to_string(free) + " or fewer",
+                                   "make a study with more participants"});
     for (int i = 0; i < wanted.value_or(free); ++i) {
         std::string number = std::to_string(known + i + 1);
         participants.emplace_back("SIM" + std::string(number.size() < 2 ? 1 : 0, '0') + number);

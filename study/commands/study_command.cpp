@@ -87,7 +87,7 @@ std::string listed(const std::vector<std::string>& items)
     return text;
 }
 
-/// Takes an edited protocol.json over for later participants, or restores the stored one.
+/// Uses an edited protocol.json for later participants, or restores the stored one.
 int amend(const Amendment& call)
 {
     database::StudyStore store({call.study}, database::StudyStore::Access::Write);

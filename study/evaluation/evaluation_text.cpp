@@ -62,7 +62,7 @@ struct TitledSection {
 constexpr TitledSection sections[] = {
     {Section::Friction, "Friction"},
     {Section::Height, "Height"},
-    {Section::Roughness, "Roughness, generated over measured: 1 is right"},
+    {Section::Roughness, "Roughness, generated divided by measured: 1 means equal"},
     {Section::Identification, "Fabrics recognised from their signals"},
 };
 

@@ -9,7 +9,7 @@ namespace signals = rendering::signals;
 
 namespace {
 
-/// Reason why the data set gives no coefficient of friction, judged by its first record; empty if it does.
+/// Reason why the data set gives no coefficient of friction, as seen in its first record; empty if it does.
 std::string whyNoFrictionIn(const fabrics::Dataset& dataset)
 {
     for (const auto& fabric : dataset.fabrics)

@@ -125,7 +125,7 @@ std::vector<std::string> warningsOf(const SeenSignal& signal, const SignalFacts&
     std::vector<std::string> warnings;
     const double clipped = facts.clippedLowShare.value_or(0) + facts.clippedHighShare.value_or(0);
     if (!facts.min)
-        warnings.emplace_back("The signal has no number.");
+        warnings.emplace_back("The signal contains no numbers.");
     else if (*facts.min == *facts.max)
         warnings.emplace_back("All values are equal.");
     else if (map && map->storedRange && *facts.sq < flatContrast * map->storedRange->highest / 255)

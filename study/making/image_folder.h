@@ -1,5 +1,5 @@
-// The folder of `vis2hap study new --images`: the friction images of a study under their names, to look at and to reuse. They
-// are reused only if all their inputs and every file's hash are the same.
+// The folder of `vis2hap study new --images`: the named friction images of a study, for inspection and reuse. They are reused
+// only if all their inputs and the hash of every file are unchanged.
 #pragma once
 
 #include <filesystem>

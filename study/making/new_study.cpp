@@ -41,7 +41,7 @@ void requireFreePlace(const NewStudy& request)
                                    "move the folder or choose another name"});
 }
 
-/// All that is known before the images are made.
+/// The facts that are known before the images are made.
 database::StudyFacts factsOf(const NewStudy& request, const StudyMaterial& material)
 {
     database::StudyFacts facts;

@@ -24,7 +24,7 @@ struct NewStudy {
     std::optional<std::uint64_t> keySeed;  ///< for tests; otherwise a secret of the system
     bool allowTrainingSamples = false;
     std::string programVersion;     ///< stored with the study, e.g. "vis2hap 0.5.0"
-    std::filesystem::path images;   ///< folder for the friction images under their names; reused if they fit
+    std::filesystem::path images;   ///< folder for the friction images under their names; reused if their inputs are the same
     bool replaceSimulated = false;  ///< replaces a study in which no human took part
 };
 

@@ -19,7 +19,7 @@ using rendering::Signal;
 using rendering::fabrics::Dataset;
 using rendering::fabrics::Modality;
 
-/// With a capital letter and a full stop, for the report.
+/// The line as a sentence of the report, with a capital letter and a full stop.
 std::string sentence(std::string line)
 {
     line[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(line[0])));
@@ -67,7 +67,7 @@ FamiliarisationImages familiarisationFor(const NewStudy& request, const StudyMat
 {
     const Dataset& dataset = material.dataset;
     rendering::RenderRequest render;
-    // The last condition of the protocol is the richest. One image a fabric is enough to get to know the display.
+    // The last condition of the protocol is the richest. One image of each fabric is enough for familiarisation.
     render.conditions = {material.protocol.conditions.back()};
     render.generation.model = request.model;
     const auto signals = rendering::signalsFor(std::span<const protocols::ConditionId>(render.conditions));

@@ -1,4 +1,4 @@
-// The friction images of a new study: those of its conditions, and those for getting to know the display.
+// The friction images of a new study: for its conditions, and for familiarisation with the display.
 #pragma once
 
 #include <map>
@@ -18,7 +18,7 @@ struct StudyImages {
     std::vector<std::string> warnings;  ///< about photographs; empty where images are reused
 };
 
-/// Reads the images from `request.images` where they were made from the same material, else renders and keeps them there.
+/// Reads the images from `request.images` if they were made from the same material; otherwise renders them and stores them there.
 StudyImages imagesFor(const NewStudy& request, const StudyMaterial& material, const database::StudyFacts& facts,
                       const StepProgress& progress);
 

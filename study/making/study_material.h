@@ -1,5 +1,5 @@
-// What a study is made from: protocol, data set, fabrics, samples and model. All of it is read or drawn before anything is
-// rendered, so that a request that cannot be met is refused at once.
+// The inputs of a new study: protocol, data set, fabrics, samples and model. All are read or drawn before rendering, so that an
+// impossible request is refused at once.
 #pragma once
 
 #include <optional>

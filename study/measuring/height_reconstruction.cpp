@@ -20,14 +20,14 @@ constexpr int trialSidePx = 1024;   ///< part of a normal map that decides which
 
 std::string sizeText(cv::Size size) { return std::to_string(size.width) + " x " + std::to_string(size.height); }
 
-/// Not 0 where the mask allows.
+/// Mask from an image, CV_8UC1: 255 where the pixel is not 0.
 cv::Mat maskOf(const fs::path& file, cv::Size size)
 {
     const cv::Mat mask = rendering::readImage(file);
     if (mask.size() != size || mask.channels() != 1)
         throw protocols::badInput(
             {"the mask has " + sizeText(mask.size()) + " pixels and " + std::to_string(mask.channels()) + " channels",
-             file.string(), sizeText(size) + " grey pixels, 0 where nothing was measured", ""});
+             file.string(), sizeText(size) + " grey pixels, 0 where nothing was measured", "use a mask of this size"});
     return mask != 0;
 }
 
@@ -140,7 +140,7 @@ public:
                    std::to_string(8 * image.elemSize1()) + " bits";
         };
         throw protocols::badInput({"the calibrated sensor cannot have taken this frame (" + kind(frame) + ")", file.string(),
-                                   kind(m_background) + ", as its background", ""});
+                                   kind(m_background) + ", as its background", "name frames of this sensor"});
     }
 
     Reconstruction heightOf(const std::string& name, const cv::Mat& frame) const
@@ -184,7 +184,8 @@ Reconstruction fromGradients(const fs::path& alongX, const fs::path& alongY, con
         if (slope->depth() != CV_32F && slope->depth() != CV_64F) slope->convertTo(*slope, CV_64F);
     if (result.slopes.x.size() != result.slopes.y.size())
         throw protocols::badInput({"the slopes along x and y differ in size", alongY.string(),
-                                   sizeText(result.slopes.x.size()) + " numbers, as along x", ""});
+                                   sizeText(result.slopes.x.size()) + " numbers, as along x",
+                                   "name the slopes of one measurement"});
     const char* const kinds[] = {"point", "central", "forward"};
     result.facts = {{"from", "gradients"}, {"kind", kinds[static_cast<int>(sampling.kind)]}};
     integrateAll(result, sampling, options);
@@ -229,7 +230,8 @@ std::vector<Reconstruction> fromFrames(const FramesRequest& request, const Heigh
     }
     if (!lamps.empty())
         throw protocols::badInput({std::to_string(lamps.size()) + " frames are left over", request.frames.back().string(),
-                                   std::to_string(reader.channels()) + " frames a measurement, one for each lamp", ""});
+                                   std::to_string(reader.channels()) + " frames a measurement, one for each lamp",
+                                   "add the missing frames, or leave these out"});
     return results;
 }
 

@@ -1,4 +1,4 @@
-// Heights in mm from tactile frames, from gradients or from a normal map, with the figures by which each is judged.
+// Heights in mm from tactile frames, from gradients or from a normal map, each with its quality figures.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// A friction image as a simulated finger feels it: its slipperiness, and the variation of its friction from place to place.
+// The percept of a friction image by a simulated finger: its slipperiness, and the variation of its friction from place to place.
 // Computed from strokes (rendering/display/stroke.h) along both axes of the image.
 #pragma once
 

@@ -19,15 +19,15 @@ struct ScriptedPresentation {
 };
 
 /// "correct", "foil:1" or a fabric id for a choice; "same", "different", "correct" or "wrong" for same/different; words for
-/// free text; a number for a rating. A number for another kind is left to the session to refuse. Throws badInput for a text
+/// free text; a number for a rating. The session refuses a number for another kind of question. Throws badInput for a text
 /// that answers no question of this kind on this tray.
 session::GivenAnswer scriptedAnswer(const ScriptedResponse& scripted, const protocols::AnswerKind& kind,
                                     const ScriptedPresentation& presentation);
 
-/// The answer as a script holds it: a rating as a number in scale units, anything else as text.
+/// The answer in the form of a script: a rating as a number in scale units, any other answer as text.
 ScriptedResponse scriptedFormOf(const session::GivenAnswer& answer);
 
-/// What the simulated participant answers; empty words where the question asks for free text.
+/// The answer of the simulated participant; empty words if the question asks for free text.
 SimulatedParticipant::Judgement simulatedAnswer(SimulatedParticipant& participant, const protocols::BlindedTrial& trial,
                                                 const protocols::Question& question);
 

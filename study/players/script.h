@@ -34,7 +34,7 @@ struct ScriptedAnswer {
     bool touchedByDisplay = false;
 };
 
-/// The state that the session must be in when the event comes. Fields without a value are not checked.
+/// The state that the session must have when the event happens. Fields without a value are not checked.
 struct ScriptedExpectation {
     std::optional<std::string> stage;     ///< a name of session::nameOf(): "Presenting", "PlacingTray (paused)"
     std::optional<std::string> question;  ///< id of the question that is asked

@@ -89,7 +89,7 @@ void Player::skipPassed(const std::vector<database::EventRecord>& logged)
     for (std::size_t i = 0; i < m_script.events.size(); ++i) {
         const auto& event = m_script.events[i];
         int& left = happened[{event.mustFail ? std::string() : loggedKind(event.what), event.answersStoredBefore}];
-        // A session that ended at the place of a crash has had this crash, no matter what ended it.
+        // A session that ended at the place of a crash counts as crashed there, whatever ended it.
         const bool crashed = event.what == What::Crash && !logged.empty() && event.answersStoredBefore == stored;
         m_passed[i] = event.answersStoredBefore < stored || left > 0 || crashed;
         left -= left > 0;

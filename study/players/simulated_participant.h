@@ -3,12 +3,12 @@
 //
 // Expectation (expected_touch.h): the measured relief and friction of the fabric at several places. Friction grows with height
 // (the paper's account of ploughing, section III.B) and is scaled by the mean coefficient. The range of the study's fabrics maps
-// it to the display. A participant who knows the display learns to expect this touch. The model presupposes the
+// it to the display. A participant who knows the display learns to expect this touch. The model assumes the
 // paper's account, so simulated results are no evidence for it.
 //
-// Judgement: distances in just-noticeable differences plus sensory noise. Q1 takes the nearest fabric on the tray, with lapses
-// that guess. Ratings fall with the distance, with a shift and a spread that belong to the person. Response times grow when the
-// alternatives are close together.
+// Judgement: distances in just-noticeable differences plus sensory noise. Q1 chooses the nearest fabric on the tray; in a lapse
+// the participant guesses. Ratings fall with the distance. Each person has a shift and a spread of the ratings. Response times
+// grow when the alternatives are close together.
 #pragma once
 
 #include <cstdint>

@@ -31,7 +31,7 @@ void describeParticipants(const database::StudyStore& store, reports::StudyData&
     data.participantsSentence = participantsSentence(store);
 }
 
-/// A rating, a choice where an answer of this kind is right or wrong, else words.
+/// A rating, a choice if answers of this kind are right or wrong, otherwise words.
 reports::AnswerContent contentOf(const database::AnswerRecord& record, const protocols::FabricId& truth,
                                  const protocols::AnswerKind& kind)
 {
@@ -53,7 +53,7 @@ reports::StudyResponse responseOf(const database::CurrentAnswer& answer, const N
             answer.seconds};
 }
 
-/// Sorts current answers into those that are analysed, those to blank glass, and voided presentations.
+/// Sorts the current answers into analysed answers, answers to blank glass, and a count of voided presentations.
 void readAnswers(const database::StudyStore& store, const protocols::Protocol& protocol, const Naming& naming,
                  reports::StudyData& data)
 {

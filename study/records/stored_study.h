@@ -1,4 +1,4 @@
-// A stored study as reports, status and export see it: with K-labels while it is blinded, with the names of the conditions once
+// A stored study as reports, status and export read it: with K-labels while it is blinded, with the names of the conditions after
 // its unblinding is recorded.
 #pragma once
 
@@ -31,7 +31,7 @@ Naming namingOf(const database::StudyStore& store, const protocols::Protocol& pr
 
 protocols::Protocol protocolOf(const database::StudyFacts& facts);
 
-/// What the report is made from; throws badInput and workFailed where the stored study cannot be read.
+/// The data of the report. Throws badInput or workFailed if the stored study cannot be read.
 reports::StudyData studyData(const database::StudyStore& store);
 
 }  // namespace study::records

@@ -24,7 +24,7 @@ QByteArray bytesOf(const QString& file)
 
 Json jsonOf(const QString& file) { return Json::parse(bytesOf(file).toStdString()); }
 
-/// Every number of `old` is in `now`; `now` may hold more, as worded questions are since 0.6.0.
+/// Whether every number of `old` is in `now`. `now` may contain more numbers, such as those of worded questions since 0.6.0.
 bool holds(const Json& now, const Json& old)
 {
     if (!old.is_object()) return now == old;

@@ -8,7 +8,7 @@ void ReasonPanel::askForNote()
 {
     m_event = [](const std::string& text) { return EventBody(session::Noted{text, false}); };
     open({.title = tr("Note"),
-          .explanation = tr("Write what should be known about this moment. The program stores the note with its time."),
+          .explanation = tr("Describe the event in a few words. The program stores the note with its time."),
           .caption = tr("Note"),
           .action = tr("Store the note (Enter)"),
           .hintWhenEmpty = tr("The note is empty. Write a few words, or press Esc to go back."),
@@ -41,12 +41,13 @@ void ReasonPanel::askWhyVoid(const QString& presentation)
 void ReasonPanel::askWhyWithdrawn()
 {
     m_event = [](const std::string& text) { return EventBody(session::WithdrawnEvent{text}); };
-    open({.title = tr("The participant withdraws"),
-          .explanation = tr("This ends the session for good. The answers so far are kept, and another participant can take the "
-                            "place. Which reason did the participant give?"),
-          .caption = tr("Reason"),
-          .action = tr("End the session (Enter)"),
-          .hintWhenEmpty = tr("The participant need not give a reason. Press Enter again to end the session, Esc to go back.")});
+    open(
+        {.title = tr("The participant withdraws"),
+         .explanation = tr("This ends the session permanently. The answers so far are kept, and another participant can take the "
+                           "place. Which reason did the participant give?"),
+         .caption = tr("Reason"),
+         .action = tr("End the session (Enter)"),
+         .hintWhenEmpty = tr("The participant need not give a reason. Press Enter again to end the session, Esc to go back.")});
 }
 
 }  // namespace study::app

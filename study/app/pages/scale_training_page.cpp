@@ -100,7 +100,7 @@ void ScaleTrainingPage::showInstruction(bool isRefresher)
 void ScaleTrainingPage::showAnchors()
 {
     const QString low = wordedText(m_scale.min, m_scale), high = wordedText(m_scale.max, m_scale);
-    if (!m_scale.labels.empty()) {  // the scale has words of its own for its ends
+    if (!m_scale.labels.empty()) {  // the scale has its own words for its ends
         m_lowAnchor->setText(low);
         m_highAnchor->setText(high);
         return;

@@ -1,4 +1,4 @@
-// Check box that grows with the text and is visible in both themes. Its text is a label beside it.
+// Check box that grows with the text and is visible in both themes. Its text is a label next to the box.
 #pragma once
 
 #include <QCheckBox>

@@ -1,4 +1,4 @@
-// Everything that the window needs from outside, as one value: study, display, clock, settings, and the function that makes
+// Inputs of the window as one value: study, display, clock, settings, and the function that makes
 // a study. main and the tests fill it; nothing is global.
 #pragma once
 
@@ -29,8 +29,8 @@ struct NewStudyRequest {
     bool operator==(const NewStudyRequest&) const = default;
 };
 
-/// Reports the share done (0..1) and the current step. It throws to stop the work when the experimenter asks for it, so the
-/// maker must leave no half-made study behind when an exception passes.
+/// Reports the share done (0..1) and the current step. Throws if the experimenter stops the work; the maker must then leave no
+/// unfinished study behind.
 using MakingProgress = std::function<void(double fraction, const std::string& what)>;
 
 /// Makes the study or throws protocols::Error. Called on a worker thread.

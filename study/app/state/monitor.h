@@ -41,7 +41,7 @@ struct MonitorOverview {
     };
     QString study;
     bool isBlinded = true;
-    std::vector<ParticipantRow> rows;  ///< by place; a participant who withdrew stands before the one who took over the place
+    std::vector<ParticipantRow> rows;  ///< by place; a withdrawn participant comes before the next one in this place
     int answers = 0;                   ///< valid answers, without participants who withdrew
     int answersInAll = 0;              ///< answers of the complete study
     bool operator==(const MonitorOverview&) const = default;

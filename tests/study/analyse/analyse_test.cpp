@@ -95,7 +95,7 @@ private Q_SLOTS:
     void recipesThatCannotBeReadSayWhere()
     {
         QVERIFY_EXCEPTION_THROWN(arraysOfRecipe("nothing", {}), study::analyse::RequestFault);
-        QVERIFY_EXCEPTION_THROWN(arraysOfRecipe("x_i = i", {}), study::analyse::RequestFault);  // how many?
+        QVERIFY_EXCEPTION_THROWN(arraysOfRecipe("x_i = i", {}), study::analyse::RequestFault);  // number of entries missing
         QVERIFY_EXCEPTION_THROWN(arraysOfRecipe("x_i = j, i=0..3", {}), study::analyse::RequestFault);
         QVERIFY_EXCEPTION_THROWN(arraysOfRecipe("x_i = i, i=0..n-1", {{"n", 1e18}}), study::analyse::RequestFault);
         const auto answer = answerTo("t_test", {{"kind", "one_sample"}, {"x", {{"recipe", "x_i = rand(i)"}, {"n", 5}}}});

@@ -42,7 +42,7 @@ private Q_SLOTS:
     void familyAgreesWithItsReferenceCases()
     {
         QFETCH(QString, file);
-        if (file.isEmpty()) QSKIP("the shared reference cases are not here: nothing was compared");
+        if (file.isEmpty()) QSKIP("the shared reference cases are missing: nothing was compared (set VIS2HAP_SHARED)");
         const std::filesystem::path path = file.toStdString();
         std::ifstream stream(path);
         const oracle::Json document = oracle::Json::parse(stream);

@@ -282,11 +282,11 @@ void AppLooksTest::visitMonitor(OpenWindow& open, const Look& look)
         return std::vector<MonitorFlag>{
             {"P01", "too_fast", "9 of 42 answers (21 %) came within 0.5 s of the touch"},
             {"P02", "straight_lining",
-             "Q2: 12 of 18 ratings are 5; a participant to whom all renderings feel alike also answers so"}};
+             "Q2: 12 of 18 ratings are 5; a participant who feels no difference also gives such ratings"}};
     };
     MonitorWindow monitor(open.window().study()->store().folder().folder, options);
     monitor.show();
-    QTRY_VERIFY(monitor.findChild<QLabel*>("flags")->text().contains("also answers so"));
+    QTRY_VERIFY(monitor.findChild<QLabel*>("flags")->text().contains("also gives such ratings"));
     look(monitor, "monitor");
 }
 

@@ -1,4 +1,4 @@
-// The figures that `vis2hap bench signals` prints of friction images and records, but for their times.
+// The figures that `vis2hap bench signals` prints for friction images and records, except the times.
 #include "study/bench/bench_composition.h"
 
 #include <QTest>

@@ -1,5 +1,5 @@
 // The bench measures on known surfaces and traces, so that its errors have known bounds. Times are not
-// judged: they are the machine's.
+// checked, because they depend on the machine.
 #include "study/bench/bench.h"
 
 #include <QTest>

@@ -1,4 +1,4 @@
-// vis2hap evaluate with the shipped weights, as typed.
+// vis2hap evaluate with the shipped weights, run from the command line.
 #include <QDir>
 #include <QFile>
 #include <QTemporaryDir>

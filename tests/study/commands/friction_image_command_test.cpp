@@ -1,5 +1,5 @@
-// Friction images and friction records through the program, as users run it: both scales, a range that was saved, a
-// condition beside the paper's nine in a whole study, and strokes from a file.
+// Friction images and friction records through the program, as users run it: both scales, a saved range, strokes from a file,
+// and a whole study with a condition that is not one of the paper's nine.
 #include <QDir>
 #include <QImage>
 #include <QTemporaryDir>
@@ -88,7 +88,7 @@ private Q_SLOTS:
         QCOMPARE(first, QImage(path("b/F01/h.png")));
     }
 
-    /// A condition is one row: nothing between protocol and report needs to know of it.
+    /// A condition is one row of a table: a tenth one needs no other change from protocol to report.
     void aTenthConditionGoesThroughAWholeStudy()
     {
         writeText(path("protocol.json"), R"({"schema":"vis2hap.protocol/1","name":"ten","participants":2,"fabrics":3,

@@ -1,5 +1,5 @@
-// vis2hap calibrate and vis2hap height, as someone with a sensor types them: presses to a calibration and its report, frames,
-// gradients and normal maps to heights in mm; what is wrong is named, and nothing is left behind then.
+// vis2hap calibrate and vis2hap height, as a person with a sensor runs them: a calibration and its report from presses, heights
+// in mm from frames, gradients and normal maps. Faults are named and leave no files behind.
 #include <QDir>
 #include <QFile>
 #include <QTemporaryDir>
@@ -102,7 +102,7 @@ private Q_SLOTS:
         support::mustRun({"render", set, "--condition", "h", "--out", images});
         QVERIFY(QFile::exists(images + "/F01/h.png"));
 
-        // Another calibration for the same frames would read them as another sensor's.
+        // With another calibration, the data set would contain frames of two sensors.
         const auto refused = support::runProgram(
             {"import", "gelsight", m_folder.filePath("frames"), "--calibration", m_folder.filePath("tested.json"), "--out", set});
         QCOMPARE(refused.exitCode, 2);
@@ -157,7 +157,7 @@ private Q_SLOTS:
                 const double p = 0.3 * std::sin(0.3 * j + 0.2 * i), q = 0.2 * std::sin(0.3 * j + 0.2 * i),
                              length = std::sqrt(1 + p * p + q * q);
                 const auto stored = [&](double n) { return cv::saturate_cast<uchar>(255 * (n / length + 1) / 2); };
-                normals.at<cv::Vec3b>(i, j) = {stored(-p), stored(-q), stored(1)};  // y points down, which nobody has said
+                normals.at<cv::Vec3b>(i, j) = {stored(-p), stored(-q), stored(1)};  // y points down, but no option states it
             }
         const auto file = m_folder.filePath("normals.png"), out = m_folder.filePath("normal");
         rendering::writePng(file.toStdString(), normals);
@@ -172,7 +172,7 @@ private Q_SLOTS:
     {
         QTest::addColumn<QStringList>("arguments");
         QTest::addColumn<QString>("named");
-        QTest::newRow("no source") << QStringList{"height", "--out", "x"} << "one source";
+        QTest::newRow("no source") << QStringList{"height", "--out", "x"} << "0 sources of heights";
         QTest::newRow("no calibration") << QStringList{"height", "frame.png", "--out", "x"} << "calibration";
         QTest::newRow("no ball") << QStringList{"calibrate", "presses", "--out", "x.json"} << "--ball-radius";
         QTest::newRow("no folder") << QStringList{"calibrate",      "/nowhere", "--ball-radius", "2",

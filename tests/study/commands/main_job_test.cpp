@@ -73,7 +73,7 @@ private:
     std::vector<std::string> m_studyFabrics;
 };
 
-/// All studies of this test have the same seeds, so they differ in nothing but what is answered.
+/// All studies of this test have the same seeds, so they differ only in their answers.
 QString MainJobTest::newStudy(const QString& name)
 {
     mustRun({"study", "new", path(name), "--dataset", m_fabrics, "--seed", "3", "--key-seed", "4", "--images", path("images")});
@@ -128,7 +128,7 @@ void MainJobTest::theKeyIsPrivateAndStimuliLookAlike()
     QCOMPARE(key.permissions() & (QFile::ReadGroup | QFile::ReadOther), QFile::Permissions());
     std::set<qint64> sizes, times;
     const auto stimuli = QDir(m_study + "/stimuli").entryInfoList(QDir::Files);
-    QCOMPARE(stimuli.size(), 63 + 1);  // and one fabric of eight is left to get to know the display by
+    QCOMPARE(stimuli.size(), 63 + 1);  // one of the eight fabrics is for familiarisation
     for (const auto& file : stimuli) {
         sizes.insert(file.size());
         times.insert(file.lastModified().toMSecsSinceEpoch());
@@ -156,7 +156,7 @@ void MainJobTest::thePapersTotalsComeOutOfTheReport()
             QCOMPARE(rating["mean"].get<double>(), total.ratings[q]);
         }
     }
-    // As the paper prints them.
+    // The numbers that the paper prints.
     QCOMPARE(QString::number(results["questions"]["Q1"]["v_grey"]["matches_per_rendering"].get<double>(), 'f', 1),
              QString("3.9"));
     QCOMPARE(QString::number(results["questions"]["Q1"]["f_g"]["matches_per_rendering"].get<double>(), 'f', 1), QString("5.6"));

@@ -1,4 +1,4 @@
-// vis2hap power, asked by someone who plans a study.
+// vis2hap power, as a person who plans a study runs it.
 #include <QTemporaryDir>
 #include <QtTest>
 #include <nlohmann/json.hpp>
@@ -50,7 +50,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(t["detected_with_80_percent"].get<double>() - 0.733842) < 1e-5);
         QCOMPARE(t["points"].size(), std::size_t(3));
         QCOMPARE(t["points"][0]["participants_for_80_percent"].get<int>(), 20);
-        // No formula, so no number but a reason.
+        // This test has no formula, so the answer has a reason instead of a number.
         const auto q = testNamed(answer, "Cochran's Q");
         QVERIFY(q["points"][0]["power"].is_null() && q["points"][0]["why"]["power"].is_string());
         QVERIFY(q["points"][2]["power_simulated"].get<double>() > q["points"][0]["power_simulated"].get<double>());

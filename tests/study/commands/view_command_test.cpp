@@ -1,4 +1,4 @@
-// vis2hap view, stroke and display check, as they are typed.
+// vis2hap view, stroke and display check, run from the command line.
 #include <QImage>
 #include <QProcess>
 #include <QTemporaryDir>
@@ -97,7 +97,7 @@ private Q_SLOTS:
         QCOMPARE(stroked.exitCode, 2);
         QVERIFY(stroked.err.contains("not unblinded") && !QFile::exists(at("felt.csv")));
 
-        // Compared with a rendering of one's own it would tell its condition.
+        // A comparison with a rendering of known condition would reveal the condition of the stimulus.
         const ProgramResult compared = runProgram({"metrics", stimulus, stimulus});
         QCOMPARE(compared.exitCode, 2);
         QVERIFY2(compared.err.contains("not unblinded") && compared.out.isEmpty(), qPrintable(compared.err));
@@ -109,7 +109,7 @@ private Q_SLOTS:
         const ProgramResult ended = runProgram({"display", "check", driver + " --touch-after 20", "--touch", "5"});
         QVERIFY2(ended.exitCode == 0, qPrintable(ended.out + ended.err));
         QCOMPARE(ended.out.count("\npass  "), 17);
-        QVERIFY(ended.out.contains("reference display: meets every demand") && ended.out.contains(" ms of 10, longest "));
+        QVERIFY(ended.out.contains("reference display: meets every requirement") && ended.out.contains(" ms of 10, longest "));
         const ProgramResult dead = runProgram({"display", "check", driver + " --crash-at 1"});
         QCOMPARE(dead.exitCode, 1);
         QVERIFY2(dead.out.contains("FAIL  shows an image") && dead.out.contains("signal 9"), qPrintable(dead.out));

@@ -1,4 +1,4 @@
-// A new study is on the disk as a whole before it gets its name.
+// A new study is completely on the disk before it gets its name.
 #include "study/making/new_study.h"
 
 #include <QTemporaryDir>

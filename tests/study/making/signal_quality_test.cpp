@@ -1,4 +1,4 @@
-// The `signals` object of results.json: known errors come out, missing signals are said to be missing.
+// The `signals` object of results.json: known errors are found, and missing signals are reported.
 #include "study/making/signal_quality.h"
 
 #include <QtTest>

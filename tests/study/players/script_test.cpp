@@ -91,7 +91,7 @@ private Q_SLOTS:
         QFETCH(QString, named);
         try {
             parse(answers.toStdString(), events.toStdString());
-            QFAIL("accepted");
+            QFAIL("the faulty script was accepted");
         } catch (const protocols::Error& error) {
             QCOMPARE(error.exitCode(), protocols::ExitCode::BadInput);
             QVERIFY2(QString(error.what()).contains(named), error.what());

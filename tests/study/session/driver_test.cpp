@@ -75,7 +75,7 @@ private Q_SLOTS:
     {
         OpenSession session(newStudy(), "S01");
         session.playToEnd();
-        std::vector<std::string> expected{"clear", "clear"};  // the sitting began; the display was got to know
+        std::vector<std::string> expected{"clear", "clear"};  // at the start of the sitting, and for familiarisation
         for (const auto& trial : session.driver->plan().trials) {
             const int value = session.bank.image(trial.fileCode).at<unsigned char>(0, 0);
             expected.push_back("show " + std::to_string(value));
@@ -221,7 +221,7 @@ private Q_SLOTS:
         session.display.fault = "cable out";
         try {
             session.stepUntil("Presenting");
-            QFAIL("the fault must come through");
+            QFAIL("the fault did not reach the caller");
         } catch (const protocols::Error& fault) {
             QVERIFY(QString(fault.what()).contains("cable out"));
         }
@@ -288,7 +288,7 @@ private Q_SLOTS:
         std::ofstream(folder.protocol(), std::ios::binary) << changed;
         try {
             OpenSession session(folder, "S01");
-            QFAIL("a changed protocol cannot be followed unasked");
+            QFAIL("the session continued with a changed protocol");
         } catch (const protocols::Error& fault) {
             QCOMPARE(fault.exitCode(), protocols::ExitCode::BadInput);
             QVERIFY2(QString(fault.what()).contains("study amend"), fault.what());

@@ -25,7 +25,7 @@ using protocols::Tenths;
 
 namespace {
 
-/// Goes on by 7 ns whenever it is read, so that each reading is a number of its own.
+/// Advances by 7 ns at every reading, so that all readings differ.
 class TickingClock final : public Clock {
 public:
     std::int64_t monotonicNs() const override { return m_now += 7; }

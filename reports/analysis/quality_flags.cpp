@@ -212,7 +212,7 @@ std::vector<std::string> ruleSentences(const QualityRules& rules)
         "straight_lining: at least " + percentOf(rules.sameRatingShare) + " of the ratings of one question are the same number.",
         "same_across_questions: at least " + percentOf(rules.sameAcrossShare) +
             " of the presentations got the same number for every rating question.",
-        "Both flags on equal ratings have a known weakness: a participant to whom all renderings feel alike also answers so.",
+        "Both flags on equal ratings have a known weakness: a participant who feels no difference also gives such ratings.",
         "blank_glass_rated_high: the mean rating of blank glass (catch trials) is not below the mean of the other ratings. It "
         "needs "
         "at least " +

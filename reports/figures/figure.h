@@ -13,10 +13,10 @@ struct Figure {
     std::string caption;  ///< plain text
     std::string svg = {};
     PageSection section = PageSection::Summary;
-    std::string question = {};  ///< whose figure it is; empty: of several questions
+    std::string question = {};  ///< question of the figure; empty: several questions
 };
 
-/// The caption, with what a reader must know about the participants and the conditions.
+/// The caption, with notes on simulated participants and masked conditions.
 std::string stampedCaption(const StudyData& data, const std::string& caption);
 
 }  // namespace reports

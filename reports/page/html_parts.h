@@ -1,4 +1,4 @@
-// Pieces of HTML that the sections of the page are made of. Arguments called `html` are already escaped, others are not.
+// HTML elements of the page's sections. Arguments called `html` are already escaped; other arguments are not.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ std::string folded(const std::string& heading, const std::string& html);
 
 std::string bulletList(const std::vector<std::string>& html, const std::string& cssClass = {});
 
-/// A number in large type with what it counts.
+/// A number in large type with its caption.
 struct NumberTile {
     std::string value;
     std::string what;

@@ -25,7 +25,7 @@ std::string chanceText(const ChoiceQuestions& questions)
     return haveOneChance(questions) ? "1/" + std::to_string(questions.front().findings.alternatives) : "1/m";
 }
 
-/// "Chance is 1/3", or what m is for each question.
+/// "Chance is 1/3", or the value of m for each question.
 std::string chanceSentence(const ChoiceQuestions& questions)
 {
     std::string text = "Chance is " + chanceText(questions);
@@ -55,7 +55,7 @@ std::string matchesParagraph(const StudyData& data, const ChoiceQuestions& quest
     return "<b>Matches.</b> &ldquo;Matches per rendering&rdquo; is the share correct times the number of participants (" +
            std::to_string(data.participants.size()) + "). Intervals are Wilson's. " + chanceSentence(questions) +
            " The exact binomial test over trials is one-sided (better than chance). It ignores that the trials of one "
-           "participant belong together. Beside it stands the two-sided t test of the participants' shares against " +
+           "participant belong together. The table also gives the two-sided t test of the participants' shares against " +
            chanceText(questions) + ". Choices have no equivalence test, because the protocol states no bounds for them.";
 }
 
@@ -71,8 +71,8 @@ std::string equivalenceParagraph(const StudyData& data)
     return "<b>Different and equivalent are two questions.</b> A t test asks whether two means differ. A small p shows that they "
            "do. A large p shows only that no difference was found, which is common with few participants. Neither shows that two "
            "renderings, or generated and measured signals, are alike. Published work has read p &lt; 0.05 of a t test as "
-           "&ldquo;the averages are close&rdquo;, which reads the test backwards. Likeness is tested here by two one-sided tests "
-           "against bounds that were stated beforehand: " +
+           "&ldquo;the averages are close&rdquo;, which reverses the meaning of the test. Likeness is tested here by two "
+           "one-sided tests against bounds that were stated beforehand: " +
            boundsText(data) +
            " scale points. Both tests must reject at 5 %. They do so exactly when the 90 % interval lies inside the bounds. The "
            "verdict has two parts. The first is &ldquo;different&rdquo; (the corrected t test rejects) or &ldquo;not "
@@ -107,9 +107,9 @@ std::string omnibusParagraph(bool hasChoices, bool hasRatings)
 
 std::string measuredSizesParagraph()
 {
-    return "<b>Measured error rates.</b> The last table shows how often each test rejects when there is nothing to find. A test "
+    return "<b>Measured error rates.</b> The last table shows how often each test rejects when there is no true effect. A test "
            "above 6 % is marked as anti-conservative. Tests that treat the fabrics as fixed reject too often when fabrics differ "
-           "in how conditions suit them. The mixed model is then the one to read.";
+           "in how conditions suit them. Use the mixed model in this case.";
 }
 
 std::string speedParagraph(const ChoiceQuestions& questions)
@@ -141,9 +141,9 @@ std::string participantsParagraph(const StudyData& data)
 
 std::string missingParagraph()
 {
-    return "<b>Missing answers</b> are counted and left out. Each test uses the participants who have what it needs, and reports "
-           "its n. A value that does not exist (no variation, too few participants) is shown as &ndash; with its reason, never "
-           "as p = 0 or 1.";
+    return "<b>Missing answers</b> are counted and left out. Each test uses the participants who have the answers that it needs, "
+           "and reports its n. A value that does not exist (no variation, too few participants) is shown as &ndash; with its "
+           "reason, never as p = 0 or 1.";
 }
 
 std::string wordsParagraph()

@@ -11,7 +11,7 @@
 namespace reports {
 namespace {
 
-/// Stands at the head of every section, so that no part of the page can be quoted without it.
+/// Tags at the head of every section, so that no part of the page can be quoted without them.
 std::string tagsOf(const StudyData& data)
 {
     std::string html;
@@ -77,10 +77,10 @@ public:
     {
     }
 
-    /// Empty where the study has nothing for the section.
+    /// Empty if the study has no content for the section.
     std::string section(const SectionHeading& heading) const
     {
-        // What belongs to the whole study comes first, then question by question.
+        // The whole study comes first, then each question.
         std::string items = itemsOf(heading.section, "");
         for (const QuestionAnalysis& question : m_analysis.questions) items += itemsOf(heading.section, question.question.id);
         if (items.empty() && !standsAlone(heading.section)) return {};

@@ -26,7 +26,7 @@ std::string summaryLead(const StudyAnalysis& analysis)
            bulletList(findings(analysis), "findings");
 }
 
-/// The questions of one kind with the sentences that the participants heard.
+/// The questions of one kind with the sentences that were read to the participants.
 template <class Findings>
 std::string questionTexts(const StudyAnalysis& analysis)
 {
@@ -74,7 +74,7 @@ std::string flagRules()
 {
     std::vector<std::string> rules;
     for (const std::string& sentence : ruleSentences()) rules.push_back(protocols::escapedMarkup(sentence));
-    return folded("What is flagged", bulletList(rules));
+    return folded("Rules of the flags", bulletList(rules));
 }
 
 }  // namespace

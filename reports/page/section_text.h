@@ -1,4 +1,4 @@
-// What a section of the page says besides its figures and tables.
+// The text of a section, in addition to its figures and tables.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ namespace reports {
 /// HTML before the figures and tables.
 std::string sectionLead(PageSection section, const StudyAnalysis& analysis);
 
-/// HTML behind them.
+/// HTML after the figures and tables.
 std::string sectionEnd(PageSection section);
 
 /// Whether the section appears even without a figure or table.

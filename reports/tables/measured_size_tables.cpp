@@ -9,7 +9,7 @@ std::vector<ReportTable> measuredSizeTables(const StudyAnalysis&)
 {
     Table table{"measured_sizes",
                 "How often each test rejected at 5 % in " + std::to_string(stats::measuredStudies) +
-                    " simulated studies of the paper's size without anything to find",
+                    " simulated studies of the paper's size without a true effect",
                 {"test", "what was simulated", "rejected %", "attainable %", "remark"},
                 {}};
     for (const stats::MeasuredSize& size : stats::measuredSizes()) {

@@ -1,4 +1,4 @@
-// How often the tests of this report reject when there is nothing to find, as measured by simulation.
+// How often the tests of this report reject when there is no true effect, as measured by simulation.
 #pragma once
 
 #include <vector>

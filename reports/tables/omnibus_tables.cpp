@@ -18,7 +18,7 @@ TableCell effectCell(const std::string& name, const stats::Value& value)
     return textCell(value.exists() ? name + " " + fixed(*value, 2) : value.why());
 }
 
-/// What a reader of a mixed model must know beside its test.
+/// Remark on a mixed model: a singular fit, or random effects that were left out.
 std::string noteOn(bool isSingular, const std::vector<stats::LeftOut>& leftOut)
 {
     if (isSingular) return "singular: a random effect was estimated as zero";

@@ -11,8 +11,8 @@ namespace reports {
 struct ReportTable {
     Table table;
     PageSection section = PageSection::Summary;
-    std::string question = {};     ///< whose table it is; empty: the whole study's
-    std::string foldedUnder = {};  ///< heading of the fold that a reader opens to see it; empty: always open
+    std::string question = {};     ///< question of the table; empty: the whole study
+    std::string foldedUnder = {};  ///< heading that the reader opens to see the table; empty: always open
     bool onPage = true;            ///< false: the table is written to files only
 };
 

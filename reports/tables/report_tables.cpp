@@ -31,7 +31,7 @@ std::vector<ReportTable> reportTables(const StudyAnalysis& analysis)
         std::vector<ReportTable> some = family(analysis);
         std::move(some.begin(), some.end(), std::back_inserter(tables));
     }
-    // A question called "planned" wants the file name of the planned contrasts.
+    // A question called "planned" would get the file name of the planned contrasts.
     FileNames names;
     for (ReportTable& one : tables) one.table.name = names.unique(one.table.name);
     return tables;

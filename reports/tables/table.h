@@ -16,7 +16,7 @@ struct TableCell {
     bool isNumber = false;
 };
 
-/// Machines want the ends of an interval in two columns, readers want them in one.
+/// The CSV has the ends of an interval in two columns; documents have them in one.
 enum class ColumnUse { Everywhere, InCsv, InDocuments };
 
 struct TableColumn {

@@ -1,4 +1,4 @@
-// Cells for a table, by what they show.
+// Cells of a table, one function for each kind of content.
 #pragma once
 
 #include <cstddef>
@@ -21,7 +21,7 @@ TableCell pCell(const stats::Value& p);
 /// A p value too small for a double has no text.
 TableCell pCell(const stats::Value& p, const stats::Value& logP);
 TableCell intervalCell(const stats::Interval& interval, int decimals);
-/// "5.1 ± 1.9". The CSV has the mean alone; the SD has a column of its own there.
+/// "5.1 ± 1.9". The CSV has only the mean here; the SD has its own column.
 TableCell meanSdCell(const stats::Value& mean, const stats::Value& sd, int decimals);
 
 /// The name of a question's own column: its id, unless the column of conditions has that name.

@@ -6,7 +6,7 @@
 namespace reports {
 namespace {
 
-/// More rows than this would push the rest of the page out of sight.
+/// A longer table is folded, because it would push the rest of the page out of sight.
 constexpr std::size_t longestOpenTable = 40;
 
 Table wordedTable(const std::vector<AnalysedQuestion<WordedAnalysis>>& questions)

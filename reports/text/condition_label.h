@@ -1,5 +1,5 @@
-// How a condition is written: "h_g&f_g" as h and f with a subscript g. A name that is not among the
-// nine conditions of the paper is written as it is.
+// Typeset names of conditions: "h_g&f_g" is written as h and f with a subscript g. A name that is not among the nine conditions
+// of the paper is not changed.
 #pragma once
 
 #include <optional>

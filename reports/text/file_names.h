@@ -8,8 +8,9 @@ namespace reports {
 
 class FileNames {
 public:
-    /// The wanted name, made fit for any file system and different from all earlier ones without regard to case. Everything but
-    /// ASCII letters, digits, "-" and "_" becomes "_"; a name that is taken gets "-2", "-3" ... No question's id holds "-".
+    /// The wanted name, changed so that it is valid on any file system and differs from all earlier ones, ignoring case.
+    /// Characters other than ASCII letters, digits, "-" and "_" become "_". A name that exists gets "-2", "-3" ... No question's
+    /// id contains "-".
     std::string unique(const std::string& wanted);
 
 private:

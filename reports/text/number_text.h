@@ -1,4 +1,4 @@
-// Numbers as people and files read them, independent of the locale.
+// Numbers as text for people and files, independent of the locale.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// The sections of the report's page. Every table and every figure names the section in which it stands.
+// The sections of the report's page. Every table and every figure names its section.
 #pragma once
 
 #include <span>

@@ -1,4 +1,4 @@
-// Answers collected elsewhere: what is read, and what each fault says.
+// Answers collected elsewhere: the values that are read, and the message of each fault.
 #include "reports/data/answers_csv.h"
 
 #include <QtTest>
@@ -77,7 +77,7 @@ private Q_SLOTS:
         QTemporaryDir folder;
         try {
             reports::readAnswersCsv(written(folder, text.toStdString()));
-            QFAIL("was accepted");
+            QFAIL("the faulty table was accepted");
         } catch (const protocols::Error& error) {
             QCOMPARE(error.exitCode(), protocols::ExitCode::BadInput);
             for (const QString& part : parts) QVERIFY2(QString(error.what()).contains(part), error.what());

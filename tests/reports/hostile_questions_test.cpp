@@ -1,5 +1,5 @@
 // Studies with unusual questions: ids that are also keys of the files, many questions, only words, only same/different, several
-// scales. Nothing of them may vanish.
+// scales. The files must contain all of them.
 #include <QtTest>
 #include <nlohmann/json.hpp>
 #include <set>

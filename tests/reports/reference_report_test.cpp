@@ -1,4 +1,4 @@
-// The default report of the shared reference studies, computed with R, against ours to eight digits.
+// Our default report of the shared reference studies agrees with R to eight digits.
 #include <QtTest>
 #include <cmath>
 #include <fstream>
@@ -13,8 +13,8 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-/// Relative agreement that the reference asks for: mixed models are fitted, not computed. Variances hang on
-/// how far a fit went: where R's and ours differ by more than 1e-4 (Q2 of the complete study), R's REML
+/// Relative agreement that the reference asks for: mixed models are fitted, not computed. Variances depend on
+/// where the optimiser stops: where R's and ours differ by more than 1e-4 (Q2 of the complete study), R's REML
 /// criterion is 1835.8666862271 and ours, the lower, 1835.8666861769.
 double toleranceOf(const std::string& path)
 {
@@ -31,7 +31,7 @@ public:
     {
         if (expected.is_object()) {
             for (const auto& [key, value] : expected.items()) {
-                // The reference also holds analyses that this program does not do; they are top-level keys.
+                // The reference also contains analyses that this program does not compute; they are top-level keys.
                 const bool isWritten = answer.is_object() && answer.contains(key);
                 if (path.empty() && !isWritten) continue;
                 if (!isWritten)
@@ -85,7 +85,8 @@ private Q_SLOTS:
         QFETCH(QString, name);
         const auto folder = builders::sharedFolder() / "oracle" / "study" / "public";
         const auto csv = folder / (name.toStdString() + ".csv");
-        if (!std::filesystem::exists(csv)) QSKIP("the shared reference studies are not here: nothing was compared");
+        if (!std::filesystem::exists(csv))
+            QSKIP("the shared reference studies are missing: nothing was compared (set VIS2HAP_SHARED)");
         std::ifstream stream(folder / (name.toStdString() + "_expected.json"));
         const Json expected = Json::parse(stream);
         const reports::StudyData data = reports::readAnswersCsv(csv);
@@ -99,7 +100,8 @@ private Q_SLOTS:
     void resultsAndStatisticsTellTheSame()
     {
         const auto csv = builders::sharedFolder() / "oracle" / "study" / "public" / "study_missing_a.csv";
-        if (!std::filesystem::exists(csv)) QSKIP("the shared reference studies are not here: nothing was compared");
+        if (!std::filesystem::exists(csv))
+            QSKIP("the shared reference studies are missing: nothing was compared (set VIS2HAP_SHARED)");
         const reports::StudyData data = reports::readAnswersCsv(csv);
         const Json results = reports::resultsJson(reports::analyse(data));
         const Json statistics = reports::statisticsJson(reports::analyse(data));

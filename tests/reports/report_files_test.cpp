@@ -1,4 +1,4 @@
-// The files of a report: which there are, that they are well formed, and what they say.
+// The files of a report: their names, their form and their contents.
 #include <QXmlStreamReader>
 #include <QtTest>
 #include <fstream>
@@ -96,7 +96,7 @@ private Q_SLOTS:
         QCOMPARE(html.count("<span class=\"tag simulated\">SIMULATED participants</span>"), html.count("<section"));
         QVERIFY(html.count("<section") >= 9);
         QVERIFY(html.contains("The weights were trained on other fabrics."));
-        QVERIFY(html.contains("reads the test backwards"));
+        QVERIFY(html.contains("reverses the meaning of the test"));
         QVERIFY(html.contains("not shown equivalent"));
         QVERIFY(html.contains("no height maps"));
         QVERIFY(html.contains("chance: 3.3 of 10"));
@@ -174,7 +174,7 @@ private Q_SLOTS:
         std::ofstream(path("file")) << "x";
         try {
             writeReport(richStudy(), path("file") / "report");
-            QFAIL("was written");
+            QFAIL("the report was written");
         } catch (const protocols::Error& error) {
             QCOMPARE(error.exitCode(), protocols::ExitCode::Environment);
         }
@@ -182,7 +182,7 @@ private Q_SLOTS:
         QCOMPARE(textOf(path("file")), std::string("x"));
     }
 
-    // /dev/full-like: a file system of 64 kB cannot hold the report (needs the right to mount).
+    // A file system of 96 kB cannot hold the report. The test needs the right to mount it.
     void fullDiskLeavesTheEarlierReport()
     {
         const fs::path disk = path("disk");

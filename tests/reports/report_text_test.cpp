@@ -1,4 +1,4 @@
-// Numbers, words, escapes, labels and file names, as the report writes them.
+// Numbers, words, escapes, labels and file names in the form of the report.
 #include <QtTest>
 #include <limits>
 

@@ -1,4 +1,4 @@
-// results.json: what it holds, in which order, and what stands where a value does not exist.
+// results.json: its contents, their order, and the entry for a value that does not exist.
 #include <QtTest>
 #include <algorithm>
 #include <nlohmann/json.hpp>

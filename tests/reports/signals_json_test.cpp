@@ -14,7 +14,7 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-/// As `study new` writes it: one signal is close, one cannot be bounded, one number does not exist.
+/// The text that `study new` writes: one signal is equivalent, one has no bounds, and one number does not exist.
 const std::string stored =
     R"({"friction_mae":0.01374,"friction_mae_over_mean":0.0584,"height_ssim":null,"why":{"height_ssim":"no maps overlap"},)"
     R"("height_range_mm":0.273,"t_tests":[{"signal":"friction","unit":"fabric","n":7,"mean_difference":-0.00146,)"

@@ -118,7 +118,7 @@ private Q_SLOTS:
         Comparison comparison;
         comparison.compare(expected["statistics"], reports::statisticsJson(smallStudy()), "statistics");
         QCOMPARE(comparison.faults, QStringList());
-        // The data are described by the study itself; Q2 and Q3 carry no times.
+        // expected.json has no facts of the data and no response times of Q2 and Q3.
         comparison.additions.erase(std::remove_if(comparison.additions.begin(), comparison.additions.end(),
                                                   [](const QString& key) {
                                                       return key.startsWith("statistics.data.") ||
@@ -153,7 +153,7 @@ private Q_SLOTS:
         QCOMPARE(lines.size(), kept.size());
     }
 
-    /// What a reader sees rounded stands in the CSV with all digits.
+    /// The CSV has all digits of every number that the page rounds.
     void filesOfTablesHoldTheSameNumbers()
     {
         int compared = 0;

@@ -1,4 +1,4 @@
-// One table in its four formats, and the cells by what they show.
+// One table in its four formats, and the cells of each kind.
 #include "reports/tables/table_formats.h"
 
 #include <QtTest>
@@ -9,7 +9,7 @@ using namespace reports;
 
 namespace {
 
-/// Two columns are for readers, two for machines.
+/// The column sd is in the CSV only, the column 95 % CI in documents only.
 Table example()
 {
     return {"example",

@@ -1,4 +1,4 @@
-// The order of the house beyond its arrows (layering_test): small folders, a header for each source, names that mean one thing.
+// Rules of the source tree besides the permitted includes (layering_test): small folders, a header for each source, unique names.
 #include <QDirIterator>
 #include <QFile>
 #include <QRegularExpression>

@@ -1,4 +1,4 @@
-// Arrows run down only. The picture of the house as a table: a folder, and what its files may include.
+// Includes point downwards only. A table lists for each folder which files it may include.
 #include <QDirIterator>
 #include <QFile>
 #include <QRegularExpression>
@@ -7,7 +7,7 @@
 
 namespace {
 
-/// A folder, what lives in it, and the prefixes of our own files that it may include.
+/// A folder, its contents, and the prefixes of our own files that it may include.
 struct Room {
     QString folder;
     QString contents;
@@ -15,7 +15,7 @@ struct Room {
     bool qt = false;
 };
 
-/// The picture of the house. The longest folder that a file lies in decides. Files of one folder may include each other.
+/// The permitted includes. The longest matching folder applies to a file. Files of one folder may include each other.
 const QList<Room>& rooms()
 {
     static const QList<Room> table{
@@ -166,8 +166,8 @@ QStringList includeFaults(const QString& file, const QString& text)
     return faults;
 }
 
-/// The folders that include each other in a circle; empty if there is none. Folders that include nothing are taken away until
-/// none is left.
+/// The folders that include each other in a circle; empty if there is none. Folders that include no remaining folder are removed
+/// until none is left.
 QStringList foldersInCircles(const QMap<QString, QString>& sources)
 {
     static const QRegularExpression quoted("^\\s*#\\s*include\\s*[\"]([^\"]+)/[^\"/]+[\"]", QRegularExpression::MultilineOption);
@@ -190,7 +190,7 @@ QStringList foldersInCircles(const QMap<QString, QString>& sources)
     return includes.keys();
 }
 
-/// Session and app may not even name what tells a condition.
+/// Session, app and looking must not even name a type that reveals a condition.
 QStringList blindingFaults(const QString& file, const QString& text)
 {
     const bool isBlinded =

@@ -174,7 +174,7 @@ private Q_SLOTS:
         QFETCH(const QByteArray, text);
         try {
             allocationKeyFromJson(text.toStdString(), "allocation-key.json");
-            QFAIL("a malformed key was taken");
+            QFAIL("a malformed key was accepted");
         } catch (const Error& error) {
             QCOMPARE(error.exitCode(), ExitCode::BadInput);
             QVERIFY2(QString(error.what()).startsWith("allocation-key.json"), error.what());

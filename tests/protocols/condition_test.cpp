@@ -70,7 +70,7 @@ private Q_SLOTS:
         QFETCH(const QString, named);
         try {
             conditionList(list.toStdString());
-            QFAIL("a wrong list was taken");
+            QFAIL("a wrong list was accepted");
         } catch (const Error& error) {
             QCOMPARE(error.exitCode(), ExitCode::BadInput);
             QVERIFY2(QString(error.what()).contains(named), error.what());
@@ -81,7 +81,7 @@ private Q_SLOTS:
     {
         try {
             conditionNamed("silk");
-            QFAIL("silk is no condition");
+            QFAIL("the unknown condition silk was accepted");
         } catch (const Error& error) {
             for (const Condition& condition : allConditions())
                 QVERIFY(QString(error.what()).contains(QString::fromStdString(std::string(condition.id))));

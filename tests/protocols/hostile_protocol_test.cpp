@@ -1,4 +1,5 @@
-// Protocols that could break a study later: each is refused by name, or read whole. All faults of a file stand in one list.
+// Protocols that could break a study later: each is refused with its faults, or read completely. All faults of a file are in one
+// list.
 #include <QRegularExpression>
 #include <QtTest>
 #include <algorithm>
@@ -182,7 +183,7 @@ private Q_SLOTS:
         QCOMPARE(found.size(), expected.size());
     }
 
-    /// An unreadable value breaks no other rule: the file has no further faults.
+    /// An unreadable value causes no faults of other rules: the file has no further faults.
     void anUnreadableValueHasNoConsequences_data()
     {
         QTest::addColumn<QString>("json");

@@ -222,7 +222,7 @@ private Q_SLOTS:
         json.replace(json.find("small"), 1, "\xff");
         try {
             protocolFromJson(json, "study.json");
-            QFAIL("a name that is not UTF-8 was taken");
+            QFAIL("a name that is not UTF-8 was accepted");
         } catch (const Error& error) {
             QVERIFY2(QString(error.what()).contains("study.json, line 1, column 43: the text is not UTF-8"), error.what());
         }
@@ -235,7 +235,7 @@ private Q_SLOTS:
         for (const QString& path : {folder.filePath("none.json"), folder.path()}) {
             try {
                 readProtocol(path.toStdString());
-                QFAIL("a protocol was read from nowhere");
+                QFAIL("a path without a protocol file was read");
             } catch (const Error& error) {
                 QCOMPARE(error.exitCode(), ExitCode::BadInput);
                 QVERIFY2(QString(error.what()).startsWith(path), error.what());

@@ -1,8 +1,8 @@
 #!/bin/sh
-# check_oracle.sh [PROGRAM]: all reference cases of the shared oracle through `vis2hap analyse`, judged by the
-# oracle's own scorer; prints the percentage of every family. The oracle is looked for where VIS2HAP_SHARED
-# says, else in ../shared beside the repository; without it nothing is compared and the script says so.
-# Ends with 1 where a case is wrong.
+# check_oracle.sh [PROGRAM]: answers all reference cases of the shared oracle with `vis2hap analyse` and compares
+# them with the oracle's own scorer. Prints the percentage of every family. The folder of the oracle is in
+# VIS2HAP_SHARED, otherwise in ../shared beside the repository. If it is missing, the script prints this and
+# compares nothing. Exit code 1: a case is wrong.
 set -eu
 root=$(cd "$(dirname "$0")/../.." && pwd)
 program=${1:-$root/build/vis2hap}

@@ -1,4 +1,4 @@
-// Compares what a function returns with numbers from elsewhere, and names each that differs. Not a test by itself.
+// Compares the numbers that a function returns with reference numbers, and names each that differs. Not a test by itself.
 #pragma once
 
 #include <QtTest>

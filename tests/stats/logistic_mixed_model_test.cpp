@@ -214,7 +214,7 @@ private Q_SLOTS:
     {
         QFETCH(QString, name);
         const auto rows = shared::readCsv(shared::studyFolder() / (name + ".csv").toStdString());
-        if (rows.empty()) QSKIP("the shared studies are not here: nothing was compared with glmer");
+        if (rows.empty()) QSKIP("the shared studies are missing: nothing was compared with glmer (set VIS2HAP_SHARED)");
         const auto expected = shared::expected(name.toStdString())["q1_glmm"];
         const auto model = stats::fitChoices(shared::study(rows, 3)).model;
         for (const auto& effect : model.fixed) {

@@ -418,7 +418,8 @@ private Q_SLOTS:
     {
         QFETCH(QString, name);
         const auto rows = shared::readCsv(shared::studyFolder() / (name + ".csv").toStdString());
-        if (rows.empty()) QSKIP("the shared studies are not here: nothing was compared with lme4 and lmerTest");
+        if (rows.empty())
+            QSKIP("the shared studies are missing: nothing was compared with lme4 and lmerTest (set VIS2HAP_SHARED)");
         const auto report = shared::expected(name.toStdString());
         for (std::size_t column = 4; column < 7; ++column) {
             const std::string question = rows[0][column];
@@ -446,7 +447,7 @@ private Q_SLOTS:
     void sleepstudyAsPublished()
     {
         const auto rows = shared::readCsv(oracle::sharedFolder() / "oracle/datasets/sleepstudy.csv");
-        if (rows.empty()) QSKIP("sleepstudy is not here: the random slope was not compared");
+        if (rows.empty()) QSKIP("the data set sleepstudy is missing: the random slope was not compared (set VIS2HAP_SHARED)");
         auto fixed = stats::interceptOnly(rows.size() - 1);
         fixed.names.push_back("Days");
         fixed.columns.push_back(shared::numbers(rows, 1));
@@ -468,7 +469,7 @@ private Q_SLOTS:
     void wineAsPublished()
     {
         const auto rows = shared::readCsv(oracle::sharedFolder() / "oracle/datasets/wine.csv");
-        if (rows.empty()) QSKIP("the wine data are not here: two crossed fixed effects were not compared");
+        if (rows.empty()) QSKIP("the wine data are missing: two crossed fixed effects were not compared (set VIS2HAP_SHARED)");
         auto fixed = stats::interceptOnly(rows.size() - 1);
         std::vector<double> warm, contact, both;
         for (std::size_t i = 1; i < rows.size(); ++i) {

@@ -209,7 +209,7 @@ private Q_SLOTS:
     {
         const auto folder = oracle::sharedFolder() / "oracle" / "nist";
         if (!std::filesystem::exists(folder / "certified.json"))
-            QSKIP("the shared NIST files are not here: only the recipes were checked");
+            QSKIP("the shared NIST files are missing: only the recipes were checked (set VIS2HAP_SHARED)");
         std::ifstream stream(folder / "certified.json");
         const auto certified = oracle::Json::parse(stream);
         QString faults;

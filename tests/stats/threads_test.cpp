@@ -1,4 +1,4 @@
-// The one fan-out of the program: every item once, in one thread in order, faults to the caller.
+// Work on several threads: every item runs once, one thread keeps the order, and faults reach the caller.
 #include "stats/kernels/threads.h"
 
 #include <QTest>
@@ -71,7 +71,7 @@ private Q_SLOTS:
             stats::onThreads(20000, threads, [&](std::size_t i) {
                 ++begun;
                 if (i == 5) throw std::runtime_error("item 5");
-                if (i > 5) std::this_thread::sleep_for(std::chrono::milliseconds(1));  // the fault must win the race
+                if (i > 5) std::this_thread::sleep_for(std::chrono::milliseconds(1));  // so the fault comes before the end
             });
         };
         QVERIFY_EXCEPTION_THROWN(run(), std::runtime_error);

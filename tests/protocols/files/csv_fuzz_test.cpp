@@ -1,4 +1,5 @@
-// The reader of tables fed with spoilt files: a table or a named refusal. VIS2HAP_FUZZ_SECONDS for longer.
+// Feeds damaged files to the reader of tables. It must return a table or refuse the file by name. VIS2HAP_FUZZ_SECONDS makes
+// the run longer.
 #include <QElapsedTimer>
 #include <QTest>
 #include <cmath>
@@ -10,7 +11,7 @@
 
 namespace {
 
-/// What the writer makes of any table is the same table for the reader.
+/// The reader returns every table exactly as it was written.
 bool readsBack(const protocols::CsvTable& table)
 {
     std::string text = protocols::csvRow(table.columns);

@@ -1,4 +1,4 @@
-// Tables by RFC 4180. Its examples stand in section 2 of https://www.rfc-editor.org/rfc/rfc4180.
+// Tables as in RFC 4180. The examples are those of its section 2, https://www.rfc-editor.org/rfc/rfc4180.
 #include "protocols/files/csv_table.h"
 
 #include <QtTest>

@@ -1,4 +1,4 @@
-// A folder is there as a whole, old or new, whatever happens while it is filled.
+// A folder is always complete, either old or new, whatever happens while it is filled.
 #include "protocols/files/folder_draft.h"
 
 #include <sys/wait.h>

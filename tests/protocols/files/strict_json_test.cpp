@@ -45,7 +45,7 @@ void addPointers(const json& value, const std::string& pointer, std::vector<std:
         for (std::size_t i = 0; i < value.size(); ++i) addPointers(value[i], pointer + "/" + std::to_string(i), all);
 }
 
-/// The text from a place on, found without the document's help.
+/// The text from a place on, counted by this test itself.
 std::string textFrom(const std::string& text, const std::string& place)
 {
     std::size_t line = 0, column = 0;
@@ -59,7 +59,7 @@ std::string textFrom(const std::string& text, const std::string& place)
     return text.substr(at);
 }
 
-/// The first value in a text that goes on behind it.
+/// The first value of a text that continues after it.
 json firstValueOf(const std::string& text)
 {
     json first;

@@ -1,4 +1,4 @@
-// A file is there as a whole, old or new, whatever happens while it is written.
+// A file is always complete, either old or new, whatever happens while it is written.
 #include "protocols/files/whole_file.h"
 
 #include <sys/stat.h>
@@ -46,7 +46,7 @@ QString errorOf(Call call)
     return {};
 }
 
-/// The exit status of `call` in a process of its own.
+/// The exit status of `call` in a separate process.
 template <class Call>
 int statusOfChild(Call call)
 {

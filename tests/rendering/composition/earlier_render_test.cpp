@@ -65,7 +65,7 @@ private Q_SLOTS:
             QVERIFY2(warning.contains(part), qPrintable(warning));
         QCOMPARE(namesIn(conditionOf(result.json, "h")["mapped_otherwise"]), "F01 F02");
         QCOMPARE(namesIn(conditionOf(result.json, "h")["images"]), "F03");
-        // After another rendering they are like the others.
+        // After F01 and F02 are rendered again, all images have the same range.
         const auto again = joined(rendered("h", "F01 F02 F03", "F01 F02 F03", 2), result.json, "out/render.json");
         QVERIFY(again.warnings.empty());
         QVERIFY(!conditionOf(again.json, "h").contains("mapped_otherwise"));

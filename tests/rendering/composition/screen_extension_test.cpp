@@ -130,7 +130,7 @@ private Q_SLOTS:
     {
         const cv::Mat patch = twill(240, 320);
         const cv::Mat laid = extendToScreen(patch, Extension::Tile).values(middle(patch));
-        const cv::Rect heart(150, 110, 60, 40);  // Inside everything that is cut away or blended.
+        const cv::Rect heart(150, 110, 60, 40);  // Inside all parts that are cut away or blended.
         QCOMPARE(cv::norm(laid(heart), patch(heart), cv::NORM_INF), 0.0);
     }
 

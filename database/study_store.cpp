@@ -112,13 +112,18 @@ Slot StudyStore::enrol(const protocols::ParticipantId& participant, ParticipantK
     return enrolIn(m_connection->sqlite, participant, kind);
 }
 
-protocols::ParticipantId StudyStore::nextParticipantId() const
+protocols::ParticipantId StudyStore::nextParticipantId() const { return nextParticipantIds("P", 1).front(); }
+
+std::vector<protocols::ParticipantId> StudyStore::nextParticipantIds(const std::string& prefix, std::size_t count) const
 {
     const std::vector<Enrolment> taken = enrolments();
-    for (int number = 1;; ++number) {
-        const protocols::ParticipantId id((number < 10 ? "P0" : "P") + std::to_string(number));
-        if (std::none_of(taken.begin(), taken.end(), [&](const Enrolment& known) { return known.participant == id; })) return id;
+    std::vector<protocols::ParticipantId> ids;
+    for (int number = 1; ids.size() < count; ++number) {
+        const protocols::ParticipantId id(prefix + (number < 10 ? "0" : "") + std::to_string(number));
+        if (std::none_of(taken.begin(), taken.end(), [&](const Enrolment& known) { return known.participant == id; }))
+            ids.push_back(id);
     }
+    return ids;
 }
 
 void StudyStore::setSlotState(const protocols::ParticipantId& participant, SlotState state)

@@ -162,6 +162,9 @@ public:
     Slot enrol(const protocols::ParticipantId& participant, ParticipantKind kind);
     /// The next unused one of "P01", "P02", ...
     protocols::ParticipantId nextParticipantId() const;
+    /// The next `count` unused ids: the prefix with a number of at least two digits, "SIM01". The ids of withdrawn
+    /// participants count as used.
+    std::vector<protocols::ParticipantId> nextParticipantIds(const std::string& prefix, std::size_t count) const;
     void setSlotState(const protocols::ParticipantId& participant, SlotState state);
 
     /// A remark on one presentation. The view `answers` shows it with each answer.

@@ -30,8 +30,9 @@ void printTimes(const char* what, std::vector<double> milliseconds)
 {
     if (milliseconds.empty()) return;
     std::sort(milliseconds.begin(), milliseconds.end());
-    std::printf("%s: median %.1f ms of %zu, longest %.1f ms\n", what, milliseconds[milliseconds.size() / 2], milliseconds.size(),
-                milliseconds.back());
+    const std::size_t half = milliseconds.size() / 2;
+    const double median = milliseconds.size() % 2 == 1 ? milliseconds[half] : (milliseconds[half - 1] + milliseconds[half]) / 2;
+    std::printf("%s: median %.1f ms of %zu, longest %.1f ms\n", what, median, milliseconds.size(), milliseconds.back());
 }
 
 int checkDriver(const CheckCall& call)

@@ -35,21 +35,18 @@ struct SimulateCall {
 std::vector<protocols::ParticipantId> participantsToPlay(const StudyStore& store, std::optional<int> wanted)
 {
     std::vector<protocols::ParticipantId> participants;
-    int free = 0, known = 0;
+    int free = 0;
     for (const auto& slot : store.slots()) {
         free += slot.state == SlotState::Free;
         if (slot.state == SlotState::Free || slot.kind != ParticipantKind::Simulated) continue;
-        ++known;
         if (slot.state == SlotState::Started) participants.push_back(slot.participant);
     }
     if (wanted && *wanted > free)
         throw protocols::badInput({"the study has only " + reports::counted(static_cast<std::size_t>(free), "free slot"),
                                    store.folder().folder.string(), "--participants " + std::to_string(free) + " or fewer",
                                    "make a study with more participants"});
-    for (int i = 0; i < wanted.value_or(free); ++i) {
-        std::string number = std::to_string(known + i + 1);
-        participants.emplace_back("SIM" + std::string(number.size() < 2 ? 1 : 0, '0') + number);
-    }
+    const auto fresh = store.nextParticipantIds("SIM", static_cast<std::size_t>(std::max(0, wanted.value_or(free))));
+    participants.insert(participants.end(), fresh.begin(), fresh.end());
     return participants;
 }
 

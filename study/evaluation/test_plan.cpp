@@ -119,10 +119,10 @@ void requireSomethingLeft(const fabrics::Dataset& dataset, const TestPlan& plan,
 {
     if (!plan.pairs.empty()) return;
     const int trainedOn = sum(plan.leaks.trainedOn) + sum(plan.leaks.placeTrainedOn);
-    const std::string left = trainedOn > 0
-                                 ? "the model was trained on every photograph of the testing part, or on its place (" +
-                                       std::to_string(trainedOn) + " samples were left out)"
-                                 : "the testing part has no photograph, because fewer than three places cannot be split 8:1:1";
+    const std::string left =
+        trainedOn > 0 ? "the model was trained on every photograph of the testing part, or on its place (" +
+                            std::to_string(trainedOn) + " samples were left out)"
+                      : "the testing part of the split is empty (fewer than three places or samples cannot be split 8:1:1)";
     throw protocols::badInput(
         {"no test photograph is left: " + left, dataset.folder.string(), "photographs that the model was not trained on",
          request.split == SplitKind::Location ? "use the --split-seed of the model's training, or --split sample"

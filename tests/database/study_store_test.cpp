@@ -220,6 +220,8 @@ private Q_SLOTS:
         QCOMPARE(enrolments.size(), 2u);
         QCOMPARE(enrolments[0].state, SlotState::Withdrawn);
         QCOMPARE(enrolments[1].participant, s02);
+        using Ids = std::vector<protocols::ParticipantId>;
+        QVERIFY(store.nextParticipantIds("S", 2) == (Ids{protocols::ParticipantId("S03"), protocols::ParticipantId("S04")}));
         QCOMPARE(store.enrol(s01, ParticipantKind::Scripted).state, SlotState::Withdrawn);
         QVERIFY(store.faults().empty());
     }

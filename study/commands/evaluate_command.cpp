@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <map>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "rendering/models/exchange.h"
 #include "stats/kernels/threads.h"

@@ -42,7 +42,7 @@ cv::Mat autocorrelation(const cv::Mat& values)
     return result;
 }
 
-double at(const cv::Mat& correlation, int i, int j)
+double correlationAt(const cv::Mat& correlation, int i, int j)
 {
     return correlation.at<float>(i < 0 ? i + correlation.rows : i, j < 0 ? j + correlation.cols : j);
 }
@@ -53,8 +53,8 @@ double sample(const cv::Mat& correlation, cv::Size map, double x, double y)
     const int i = static_cast<int>(std::floor(y)), j = static_cast<int>(std::floor(x));
     const double v = y - i, u = x - j;
     const auto value = [&](int row, int column) {
-        return at(correlation, row, column) / ((1.0 - std::abs(row) / static_cast<double>(map.height)) *
-                                               (1.0 - std::abs(column) / static_cast<double>(map.width)));
+        return correlationAt(correlation, row, column) / ((1.0 - std::abs(row) / static_cast<double>(map.height)) *
+                                                          (1.0 - std::abs(column) / static_cast<double>(map.width)));
     };
     return (1 - v) * ((1 - u) * value(i, j) + u * value(i, j + 1)) + v * ((1 - u) * value(i + 1, j) + u * value(i + 1, j + 1));
 }
@@ -63,7 +63,7 @@ double sample(const cv::Mat& correlation, cv::Size map, double x, double y)
 /// does not fall.
 double fallLength(const cv::Mat& correlation, cv::Size map, const Pitch& pitch, double angle, double most)
 {
-    const double step = 0.5 * std::min(pitch.x, pitch.y), origin = at(correlation, 0, 0);
+    const double step = 0.5 * std::min(pitch.x, pitch.y), origin = correlationAt(correlation, 0, 0);
     double before = 1;
     for (double length = step; length < most; length += step) {
         const double now =
@@ -95,7 +95,7 @@ double autocorrelationLengthMm(const cv::Mat& heightMm, const Pitch& pitch)
     requireMap(heightMm);
     const cv::Mat values = centred(heightMm);
     const cv::Mat correlation = autocorrelation(values);
-    if (!(at(correlation, 0, 0) > 0)) return 0;
+    if (!(correlationAt(correlation, 0, 0) > 0)) return 0;
     const double most = 0.5 * std::min((values.cols - 1) * pitch.x, (values.rows - 1) * pitch.y);
     double shortest = std::max(most, 0.0);
     for (int k = 0; k < directions; ++k)

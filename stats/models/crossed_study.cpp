@@ -54,6 +54,14 @@ private:
     std::vector<Factor> m_kept;
 };
 
+/// Number of random effects of these groups.
+std::size_t levelsOf(const std::vector<Factor>& groups)
+{
+    std::size_t levels = 0;
+    for (const Factor& group : groups) levels += group.levels.size();
+    return levels;
+}
+
 std::string formulaOf(const std::string& response, const std::vector<Factor>& groups)
 {
     std::string formula = response + "~condition";
@@ -73,14 +81,10 @@ CrossedStudy named(CrossedStudy study)
             named(std::move(study.condition), "condition"), std::move(study.values)};
 }
 
-}  // namespace
-
-RatingModel fitRatings(const CrossedStudy& whole, const MixedModelOptions& options)
+/// Participant, fabric and their interactions with condition, as far as the data allow.
+void addCrossedGroups(Groups& groups, const CrossedStudy& study)
 {
-    RatingModel result;
-    const CrossedStudy study = named(present(whole, result.leftOut));
     const bool compared = study.condition.levels.size() > 1;
-    Groups groups(study.values.size(), result.leftOut);
     std::vector<Factor> interactions;
     for (const Factor& group : {study.participant, study.fabric}) {
         const std::string interaction = group.name + ":condition";
@@ -92,6 +96,16 @@ RatingModel fitRatings(const CrossedStudy& whole, const MixedModelOptions& optio
             interactions.push_back(interactionOf(group, study.condition));
     }
     for (const Factor& interaction : interactions) groups.add(interaction);
+}
+
+}  // namespace
+
+RatingModel fitRatings(const CrossedStudy& whole, const MixedModelOptions& options)
+{
+    RatingModel result;
+    const CrossedStudy study = named(present(whole, result.leftOut));
+    Groups groups(study.values.size(), result.leftOut);
+    addCrossedGroups(groups, study);
     result.formula = formulaOf("y", groups.kept());
     result.conditions = study.condition.levels;
     MixedModelData data{study.values, treatmentCoded(study.condition), {}};
@@ -102,16 +116,28 @@ RatingModel fitRatings(const CrossedStudy& whole, const MixedModelOptions& optio
     return result;
 }
 
-ChoiceModel fitChoices(const CrossedStudy& whole, double confidence)
+ChoiceModel fitChoices(const CrossedStudy& whole, ChoiceTerms terms, double confidence)
 {
     ChoiceModel result;
     const CrossedStudy study = named(present(whole, result.leftOut));
     Groups groups(study.values.size(), result.leftOut);
-    groups.add(study.participant);
-    groups.add(study.fabric);
+    if (terms == ChoiceTerms::WithInteractions)
+        addCrossedGroups(groups, study);
+    else {
+        groups.add(study.participant);
+        groups.add(study.fabric);
+    }
     result.formula = formulaOf("correct", groups.kept());
     result.conditions = study.condition.levels;
-    result.model = fitLogisticMixedModel({study.values, study.condition, groups.kept()}, confidence);
+    if (const std::size_t effects = levelsOf(groups.kept());
+        terms == ChoiceTerms::WithInteractions && effects > mostCrossedEffects) {
+        result.model.why = "the model has " + std::to_string(effects) + " random effects; at most " +
+                           std::to_string(mostCrossedEffects) + " are fitted";
+        return result;
+    }
+    result.model =
+        fitLogisticMixedModel({study.values, study.condition, groups.kept()},
+                              {confidence, terms == ChoiceTerms::WithInteractions ? Curvature::AtTheMode : Curvature::AtOneStep});
     result.model.missing = whole.values.size() - study.values.size();
     return result;
 }

@@ -44,7 +44,15 @@ struct ChoiceModel {
     std::vector<std::string> conditions;
 };
 
-/// Logistic mixed model with random intercepts of participant and fabric.
-ChoiceModel fitChoices(const CrossedStudy& study, double confidence = 0.95);
+enum class ChoiceTerms {
+    MainEffects,       ///< random intercepts of participant and fabric
+    WithInteractions,  ///< and of participant x condition and fabric x condition
+};
+
+/// The time of a logistic fit grows with the cube of the number of its random effects.
+inline constexpr std::size_t mostCrossedEffects = 500;
+
+/// Logistic mixed model. With interactions it is refused with a reason for more than mostCrossedEffects random effects.
+ChoiceModel fitChoices(const CrossedStudy& study, ChoiceTerms terms = ChoiceTerms::MainEffects, double confidence = 0.95);
 
 }  // namespace stats

@@ -56,7 +56,7 @@ struct Attempt {
 
 /// Fits, and ends with one Newton step, which squares the remaining error.
 Attempt attempted(const std::vector<double>& right, const Factor& cells, const std::vector<Factor>& groups,
-                  std::vector<std::size_t> kept, int& evaluations)
+                  std::vector<std::size_t> kept, Curvature curvature, int& evaluations)
 {
     Attempt attempt{std::move(kept), {}, {}};
     std::vector<Factor> present;
@@ -75,7 +75,7 @@ Attempt attempted(const std::vector<double>& right, const Factor& cells, const s
     if (!minimum.why.empty()) return attempt;
     function(minimum.place);
     criterion.holdMode(minimum.place);
-    attempt.covariance = covarianceFrom(hessianOf(oneStep, minimum.place));
+    attempt.covariance = covarianceFrom(hessianOf(curvature == Curvature::AtOneStep ? oneStep : function, minimum.place));
     if (attempt.covariance.rows() == 0) return attempt;
     auto place = minimum.place;
     const auto step = product(attempt.covariance, minimum.at.gradient);
@@ -86,14 +86,15 @@ Attempt attempted(const std::vector<double>& right, const Factor& cells, const s
 
 }  // namespace
 
-LaplaceFit laplaceFit(const std::vector<double>& right, const Factor& cells, const std::vector<Factor>& groups)
+LaplaceFit laplaceFit(const std::vector<double>& right, const Factor& cells, const std::vector<Factor>& groups,
+                      Curvature curvature)
 {
     LaplaceFit fit;
     fit.sd.assign(groups.size(), 0);
     std::vector<std::size_t> kept;
     for (std::size_t t = 0; t < groups.size(); ++t) kept.push_back(t);
     while (true) {
-        const Attempt attempt = attempted(right, cells, groups, kept, fit.evaluations);
+        const Attempt attempt = attempted(right, cells, groups, kept, curvature, fit.evaluations);
         fit.why = attempt.minimum.why;
         for (std::size_t i = 0; i < attempt.kept.size(); ++i)
             if (std::fabs(attempt.sds()[i]) > largestSd)

@@ -164,7 +164,7 @@ void refuse(LogisticMixedModel& model, const Prepared& data, const std::string& 
 
 /// Fits the conditions that are not separated. In the limit, the others contribute nothing to the log likelihood.
 /// `cellOf` receives the cell of each condition.
-LaplaceFit fitUnseparated(const Prepared& data, std::vector<std::size_t>& cellOf)
+LaplaceFit fitUnseparated(const Prepared& data, Curvature curvature, std::vector<std::size_t>& cellOf)
 {
     std::vector<std::size_t> rows;
     for (std::size_t row = 0; row < data.right.size(); ++row)
@@ -180,12 +180,12 @@ LaplaceFit fitUnseparated(const Prepared& data, std::vector<std::size_t>& cellOf
     for (const std::size_t row : rows) right.push_back(data.right[row]);
     std::vector<Factor> groups;
     for (const Factor& group : data.groups) groups.push_back(rowsOf(group, rows));
-    return laplaceFit(right, rowsOf(data.condition, rows), groups);
+    return laplaceFit(right, rowsOf(data.condition, rows), groups, curvature);
 }
 
 }  // namespace
 
-LogisticMixedModel fitLogisticMixedModel(const LogisticData& data, double confidence)
+LogisticMixedModel fitLogisticMixedModel(const LogisticData& data, const LogisticOptions& options)
 {
     const Prepared ready = prepared(data);
     LogisticMixedModel model;
@@ -197,15 +197,15 @@ LogisticMixedModel fitLogisticMixedModel(const LogisticData& data, double confid
     }
     putSeparation(model, ready);
     std::vector<std::size_t> cellOf;
-    const LaplaceFit full = fitUnseparated(ready, cellOf);
+    const LaplaceFit full = fitUnseparated(ready, options.curvature, cellOf);
     if (!full.why.empty()) {
         refuse(model, ready, full.why);
         return model;
     }
     const Factor together = factorOf("all", std::vector<std::string>(ready.right.size(), "all"));
-    const LaplaceFit null = laplaceFit(ready.right, together, ready.groups);
+    const LaplaceFit null = laplaceFit(ready.right, together, ready.groups, options.curvature);
     model.evaluations = full.evaluations + null.evaluations;
-    putFixed(model, ready, full, cellOf, confidence);
+    putFixed(model, ready, full, cellOf, options.confidence);
     for (std::size_t t = 0; t < ready.groups.size(); ++t) {
         const bool known = model.separation != Separation::Complete;
         model.random.push_back(

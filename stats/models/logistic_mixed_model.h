@@ -12,6 +12,7 @@
 #include "stats/kernels/matrix.h"
 #include "stats/kernels/value.h"
 #include "stats/models/factor.h"
+#include "stats/models/laplace_fit.h"
 
 namespace stats {
 
@@ -21,6 +22,11 @@ struct LogisticData {
     std::vector<double> right;
     Factor condition;
     std::vector<Factor> groups;
+};
+
+struct LogisticOptions {
+    double confidence = 0.95;
+    Curvature curvature = Curvature::AtOneStep;
 };
 
 enum class Separation {
@@ -67,6 +73,6 @@ struct LogisticMixedModel {
 
 /// Fits the model. Refused with a reason: no choices, all right or all wrong, a value that is neither, one condition,
 /// groups of one level.
-LogisticMixedModel fitLogisticMixedModel(const LogisticData& data, double confidence = 0.95);
+LogisticMixedModel fitLogisticMixedModel(const LogisticData& data, const LogisticOptions& options = {});
 
 }  // namespace stats

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "stats/power/calibration_families.h"
+#include "stats/power/claim_nulls.h"
 
 namespace stats {
 namespace {
@@ -19,6 +20,15 @@ void run(std::vector<CalibrationRow>& rows, CalibrationFamily family, const Cali
         family.tests[t].result = results[t];
         rows.push_back(std::move(family.tests[t]));
     }
+}
+
+std::vector<CalibrationFamily> claimFamiliesOf(const CalibrationOptions& options)
+{
+    const StudyDesign& design = options.design;
+    if (design.participants < 2 || design.fabrics < 2 || design.conditions < 2) return {};
+    std::vector<CalibrationFamily> families = claimFamilies(options);
+    for (CalibrationFamily& family : families) family.studies = options.simulation.studies;
+    return families;
 }
 
 /// Largest distance of a rate from 5 %: 0.9 points, or more where there are fewer than 10,000 studies.
@@ -51,10 +61,18 @@ std::vector<CalibrationRow> calibration(const CalibrationOptions& options)
     return rows;
 }
 
+std::vector<CalibrationRow> claimCalibration(const CalibrationOptions& options)
+{
+    std::vector<CalibrationRow> rows;
+    for (CalibrationFamily& family : claimFamiliesOf(options)) run(rows, std::move(family), options);
+    return rows;
+}
+
 std::size_t calibrationStudies(const CalibrationOptions& options)
 {
     std::size_t studies = 0;
     for (const CalibrationFamily& family : calibrationFamilies(options)) studies += family.studies;
+    for (const CalibrationFamily& family : claimFamiliesOf(options)) studies += family.studies;
     return studies;
 }
 

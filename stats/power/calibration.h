@@ -43,7 +43,11 @@ struct CalibrationOptions {
 
 std::vector<CalibrationRow> calibration(const CalibrationOptions& options = {});
 
-/// Number of simulated studies in all, for a progress display.
+/// The same for the claims of the report, under the nulls of claim_nulls.h, simulation.studies of each. Empty for a design with
+/// one participant, fabric or condition.
+std::vector<CalibrationRow> claimCalibration(const CalibrationOptions& options = {});
+
+/// Number of simulated studies of both in all, for a progress display.
 std::size_t calibrationStudies(const CalibrationOptions& options);
 
 }  // namespace stats

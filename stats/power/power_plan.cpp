@@ -20,15 +20,6 @@ Value participantsFor(const GroupedTest& test, StudyDesign design, double effect
         1000, wantedPower);
 }
 
-/// The narrowest bounds about 0 for which a true difference of 0 is shown equivalent with the power wanted.
-Value narrowestBounds(const PowerOptions& options)
-{
-    const auto n = static_cast<double>(options.design.participants);
-    const double sd = ofTheseFabrics(options.ratings).sdOfDifference(options.design);
-    const auto power = [&](double bound) { return bound > 0 ? equivalencePower({n, sd, -bound, bound, 0.05}, 0) : 0.0; };
-    return smallestDetectable(power, options.ratings.scaleMax - options.ratings.scaleMin, wantedPower);
-}
-
 Value detectableBy(const GroupedTest& test, const StudyDesign& design)
 {
     if (const Value here = test.formula(design, test.most); !here.exists()) return here;
@@ -58,6 +49,14 @@ void addTests(std::vector<PlannedTest>& planned, const PowerGroup& group, const 
 }
 
 }  // namespace
+
+Value narrowestBounds(const PowerOptions& options)
+{
+    const auto n = static_cast<double>(options.design.participants);
+    const double sd = ofTheseFabrics(options.ratings).sdOfDifference(options.design);
+    const auto power = [&](double bound) { return bound > 0 ? equivalencePower({n, sd, -bound, bound, 0.05}, 0) : 0.0; };
+    return smallestDetectable(power, options.ratings.scaleMax - options.ratings.scaleMin, wantedPower);
+}
 
 std::vector<PlannedTest> plannedTests(const PowerOptions& options)
 {

@@ -36,6 +36,10 @@ struct PlannedTest {
     std::vector<PowerPoint> points;
 };
 
+/// The narrowest bounds about 0 within which a true difference of 0 is shown equivalent in 80 % of studies, by TOST on
+/// participants' means for these fabrics.
+Value narrowestBounds(const PowerOptions& options);
+
 /// The tests that the design allows.
 std::vector<PlannedTest> plannedTests(const PowerOptions& options);
 

@@ -6,6 +6,8 @@
 #include <cstdlib>
 #include <string>
 
+#include "stats/power/claim_nulls.h"
+#include "stats/power/measured_claims.h"
 #include "stats/power/measured_size.h"
 #include "tests/stats/exact_numbers.h"
 
@@ -51,7 +53,7 @@ private Q_SLOTS:
             // A logarithm that differs in the last bit may change a study that lies on the edge.
             if (whole) QVERIFY(std::abs(static_cast<int>(rows[i].result.rejected) - static_cast<int>(measured[i].rejected)) <= 3);
         }
-        QCOMPARE(stats::calibrationStudies(options), 3 * options.simulation.studies + 2 * options.mixedModelStudies);
+        QCOMPARE(stats::calibrationStudies(options), (3 + 20) * options.simulation.studies + 2 * options.mixedModelStudies);
     }
 
     void theMeasuredSizesKeepTheirPromises()
@@ -76,6 +78,48 @@ private Q_SLOTS:
             // 50/1024 of the exact tests on 10 differences; 31 or more of 70 at 1/3.
             QCOMPARE(sizes[i].attainableSize, i == 1 || i == 2 ? 50.0 / 1024 : i == 10 ? 0.03662005650131001 : 0.0);
         }
+    }
+
+    // 10,000 studies under each of twenty nulls: 6 % and two standard errors of the count at most, 5.5 % on average.
+    void claimsKeepTheirLevelUnderEveryNull()
+    {
+        const auto sizes = stats::measuredClaims();
+        QCOMPARE(sizes.size(), std::size_t(90));
+        double sum = 0;
+        for (const auto& size : sizes) {
+            QVERIFY2(size.rate() <= 0.06 + 2 * std::sqrt(0.06 * 0.94 / 10000), std::string(size.truth).c_str());
+            sum += size.rate();
+        }
+        QVERIFY(sum / 90 <= 0.055);
+    }
+
+    // Two of these nulls again, 200 studies each; counted by this program when the claims agreed with the reference models.
+    void claimsUnderTwoNullsAreCountedAgain()
+    {
+        stats::CalibrationOptions options;
+        options.simulation.studies = 200;
+        const auto families = stats::claimFamilies(options);
+        QCOMPARE(families.size(), std::size_t(20));
+        const std::vector<std::pair<std::size_t, std::vector<std::size_t>>> counts{{1, {7, 13, 5, 11, 3}}, {14, {3, 4, 9, 5}}};
+        for (const auto& [place, rejected] : counts) {
+            const auto& family = families[place];
+            const auto results = stats::simulateTests(family.tests.size(), family.analysis, options.simulation);
+            QCOMPARE(results.size(), rejected.size());
+            for (std::size_t t = 0; t < results.size(); ++t) {
+                QVERIFY2(results[t].rejected == rejected[t], family.tests[t].test.c_str());
+                QCOMPARE(results[t].undefined, std::size_t(0));
+            }
+        }
+    }
+
+    void ratesBetweenTheNullsAreInterpolated()
+    {
+        const auto rate = [](double participants, double fabrics) {
+            return stats::falseClaimRate(stats::contrastOfFabricsLikeThese, {false, participants, fabrics, false});
+        };
+        QVERIFY(std::abs(rate(0, 0.25) - (rate(0, 0) + rate(0, 0.5)) / 2) < 1e-12);
+        QVERIFY(std::abs(rate(0.75, 1) - (rate(0.5, 1) + rate(1, 1)) / 2) < 1e-12);
+        QCOMPARE(rate(3, 3), rate(1, 1));
     }
 
     void theTestOnTheWrongUnitIsFlagged()

@@ -260,7 +260,7 @@ private Q_SLOTS:
         QFETCH(std::vector<double>, test);
         auto data = smallStudy();
         data.groups.resize(static_cast<std::size_t>(groups));
-        const auto model = stats::fitLogisticMixedModel(data, 0.9);
+        const auto model = stats::fitLogisticMixedModel(data, {.confidence = 0.9, .curvature = stats::Curvature::AtOneStep});
         QCOMPARE(model.rows, std::size_t{60});
         // The covariance is computed before the last Newton step, at a distance of about 1e-5.
         for (std::size_t g = 0; g < sds.size(); ++g) compareNumbers({{"sd", model.random[g].sd, sds[g], 1e-6}});

@@ -174,3 +174,11 @@ for missing in (7, 8):
     show(name + '.pairs', m.phi[2])
     m.contrast(name + '.1', [0, 1, 0])
     m.effect(name)
+
+# --- The mean of a participant x fabric table (tests/stats/crossed_mean_test.cpp). Complete: mean squares give the same.
+y = [1.2, 0.4, -0.3, 2.1, 1.9, 0.2, 0.3, 0.8, -1.1, 1.6, 0.1, 0.7]
+for name, kept in (('crossed', range(12)), ('crossedGap', [i for i in range(12) if i not in (4, 11)])):
+    m = Model([y[i] for i in kept], np.ones((len(kept), 1)), [intercepts([i // 3 for i in kept]), intercepts([i % 3 for i in kept])],
+              [0.3, 0.5, 0.4])
+    m.contrast(name, [1])
+    m.contrast(name, [1], 0.9)

@@ -1,0 +1,64 @@
+// The mean of values of participants crossed with fabrics: a contrast of two conditions, or the answers under one. It is
+// tested for two populations, because a mean over seven fabrics may hold for these fabrics only.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "stats/kernels/value.h"
+#include "stats/models/factor.h"
+#include "stats/models/satterthwaite.h"
+#include "stats/tests/t_tests.h"
+
+namespace stats {
+
+/// To whom and what a mean generalises.
+enum class Generalisation {
+    TheseFabrics,      ///< new participants, the same fabrics: participants vary
+    FabricsLikeThese,  ///< new participants and new fabrics: both vary
+};
+
+/// Values, one in each row; NaN is missing. Several rows of one participant and fabric are repetitions.
+struct CrossedValues {
+    Factor participant;
+    Factor fabric;
+    std::vector<double> values;
+};
+
+struct CrossedMean {
+    std::string why;  ///< empty when the mean can be tested
+    std::size_t values = 0;
+    std::size_t participants = 0;
+    std::size_t fabrics = 0;
+    Value estimate;  ///< TheseFabrics: the mean of the participants' means; FabricsLikeThese: the estimate of the model
+    Value se;
+    Value df;
+    Interval ci90;
+    Interval ci95;
+    bool singular = false;  ///< FabricsLikeThese: a variance was estimated as zero
+};
+
+/// TheseFabrics: Student's t on the participants' means over fabrics. FabricsLikeThese: linear mixed model with an intercept
+/// and crossed random intercepts of participant and fabric, by REML with Satterthwaite's degrees of freedom, at most
+/// 4/3 (participants + fabrics - 2). A group with a
+/// level for every value is left out, as it is the residual. Refused with a reason: fewer than two participants, fewer than
+/// two fabrics (FabricsLikeThese), values that are all equal or not finite.
+CrossedMean crossedMean(const CrossedValues& values, Generalisation generalisation);
+
+/// A contrast of a mixed model with its intervals.
+CrossedMean crossedMean(const ContrastTest& contrast);
+
+/// t test of the mean.
+struct MeanTest {
+    Value t;
+    Value p;
+    Value logP;  ///< natural logarithm
+};
+
+MeanTest testOfMean(const CrossedMean& mean, double mu, Tail tail);
+
+/// p of two one-sided tests against low < high: the larger of the two.
+MeanTest equivalenceOfMean(const CrossedMean& mean, double low, double high);
+
+}  // namespace stats

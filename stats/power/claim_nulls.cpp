@@ -1,0 +1,194 @@
+#include "stats/power/claim_nulls.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "stats/models/claims.h"
+
+namespace stats {
+namespace {
+
+constexpr double participantSd = 0.7, fabricSd = 0.45, residualSd = 0.92;  // of ratings, scale points
+constexpr double choiceParticipantSd = 0.5, choiceFabricSd = 0.4;          // log odds
+constexpr double contrastShare = 0.6;                                      // right, where contrasts of choices are tried
+constexpr double bound = 0.5;
+
+double sdUnder(const ClaimNull& null, double sd, std::size_t condition)
+{
+    if (!null.isUnequal) return sd;
+    return condition == 0 ? 1.2 : 0.3;
+}
+
+double logistic(double x) { return 1 / (1 + std::exp(-x)); }
+
+/// Mean of logistic(intercept + normal deviation), by the trapezoidal rule.
+double meanShare(double intercept, double sd)
+{
+    double sum = 0, weight = 0;
+    for (int k = -160; k <= 160; ++k) {
+        const double x = k / 20.0, density = std::exp(-x * x / 2);
+        sum += density * logistic(intercept + x * sd);
+        weight += density;
+    }
+    return sum / weight;
+}
+
+/// The intercept at which people and fabrics are right in this share on average.
+double interceptFor(double share, double sd)
+{
+    double low = -12, high = 12;
+    for (int i = 0; i < 60; ++i) {
+        const double middle = (low + high) / 2;
+        (meanShare(middle, sd) < share ? low : high) = middle;
+    }
+    return (low + high) / 2;
+}
+
+std::vector<double> deviationsOf(std::size_t count, double sd, Draws& draws)
+{
+    std::vector<double> values(count);
+    for (double& value : values) value = draws.normal(sd);
+    return values;
+}
+
+void centre(std::vector<double>& values)
+{
+    double mean = 0;
+    for (const double value : values) mean += value / static_cast<double>(values.size());
+    for (double& value : values) value -= mean;
+}
+
+/// A study as the sum of its effects; `cell` turns each sum into an answer.
+template <class Cell>
+AnswerCube drawn(const StudyDesign& design, const ClaimNull& null, double peopleSd, double fabricsSd, Generalisation truth,
+                 Draws& draws, const Cell& cell)
+{
+    AnswerCube cube(design.conditions, design.participants, design.fabrics);
+    const auto people = deviationsOf(design.participants, peopleSd, draws),
+               fabrics = deviationsOf(design.fabrics, fabricsSd, draws);
+    for (std::size_t c = 0; c < design.conditions; ++c) {
+        const auto ofPeople = deviationsOf(design.participants, sdUnder(null, null.participantSd, c), draws);
+        auto ofFabrics = deviationsOf(design.fabrics, sdUnder(null, null.fabricSd, c), draws);
+        // The null of these fabrics: no difference on average over the fabrics of the study.
+        if (truth == Generalisation::TheseFabrics) centre(ofFabrics);
+        for (std::size_t p = 0; p < design.participants; ++p)
+            for (std::size_t f = 0; f < design.fabrics; ++f)
+                cube.at(c, p, f) = cell(c, people[p] + fabrics[f] + ofPeople[p] + ofFabrics[f]);
+    }
+    return cube;
+}
+
+std::vector<Contrast> allPairs(std::size_t conditions)
+{
+    std::vector<Contrast> pairs;
+    for (std::size_t a = 0; a < conditions; ++a)
+        for (std::size_t b = a + 1; b < conditions; ++b) pairs.emplace_back(a, b);
+    return pairs;
+}
+
+Value least(const std::vector<ContrastClaim>& claims)
+{
+    Value smallest = Value::undefined("no contrast can be tested");
+    for (const ContrastClaim& claim : claims)
+        if (claim.pAdjusted.exists() && (!smallest.exists() || *claim.pAdjusted < *smallest)) smallest = claim.pAdjusted;
+    return smallest;
+}
+
+CalibrationRow row(const char* test) { return {test, {}, Promise::Printed, {}, Value::undefined("not an exact test")}; }
+
+CalibrationFamily ratingFamily(const CalibrationOptions& options, const ClaimNull& null)
+{
+    CalibrationFamily family;
+    family.truth = null.text();
+    family.tests = {row("contrast, these fabrics"), row("any contrast of all pairs, these fabrics"),
+                    row(contrastOfFabricsLikeThese), row(anyContrastOfFabricsLikeThese),
+                    row("equivalence at a bound, fabrics like these")};
+    family.analysis = [design = options.design, scale = options.ratings, null](Draws& draws, std::span<Value> p) {
+        const auto rating = [&](std::size_t, double effects) {
+            const double raw = scale.centre + effects + draws.normal(residualSd);
+            return std::clamp(std::round(raw / scale.scaleStep) * scale.scaleStep, scale.scaleMin, scale.scaleMax);
+        };
+        const std::vector<Contrast> pairs = allPairs(design.conditions);
+        for (const Generalisation truth : {Generalisation::TheseFabrics, Generalisation::FabricsLikeThese}) {
+            AnswerCube cube = drawn(design, null, participantSd, fabricSd, truth, draws, rating);
+            const auto claims = contrastClaims(cube, pairs, {}, truth);
+            const std::size_t at = truth == Generalisation::TheseFabrics ? 0 : 2;
+            p[at] = claims.front().difference.p;
+            p[at + 1] = least(claims);
+            if (at == 0) continue;
+            for (std::size_t k = 0; k < design.participants * design.fabrics; ++k)
+                cube.at(0, k / design.fabrics, k % design.fabrics) += bound;
+            p[4] = contrastClaims(cube, std::span(pairs).first(1), Bounds{-bound, bound}, truth).front().equivalence.p;
+        }
+    };
+    return family;
+}
+
+CalibrationFamily choiceFamily(const CalibrationOptions& options, const ClaimNull& null)
+{
+    CalibrationFamily family;
+    family.truth = null.text();
+    family.tests = {row(contrastOfFabricsLikeThese), row(anyContrastOfFabricsLikeThese),
+                    row("one condition above chance, fabrics like these"), row("any condition above chance, fabrics like these")};
+    const StudyDesign& design = options.design;
+    const double chance = 1.0 / design.alternatives;
+    std::vector<double> atShare, atChance;
+    for (std::size_t c = 0; c < design.conditions; ++c) {
+        const double sd =
+            std::sqrt(choiceParticipantSd * choiceParticipantSd + choiceFabricSd * choiceFabricSd +
+                      std::pow(sdUnder(null, null.participantSd, c), 2) + std::pow(sdUnder(null, null.fabricSd, c), 2));
+        atShare.push_back(interceptFor(contrastShare, sd));
+        atChance.push_back(interceptFor(chance, sd));
+    }
+    family.analysis = [=](Draws& draws, std::span<Value> p) {
+        const auto truth = Generalisation::FabricsLikeThese;
+        const auto draw = [&](const std::vector<double>& intercepts) {
+            return drawn(design, null, choiceParticipantSd, choiceFabricSd, truth, draws, [&](std::size_t c, double effects) {
+                return draws.happens(logistic(intercepts[c] + effects)) ? 1.0 : 0.0;
+            });
+        };
+        const auto claims = contrastClaims(draw(atShare), allPairs(design.conditions), {}, truth);
+        p[0] = claims.front().difference.p;
+        p[1] = least(claims);
+        const AnswerCube guesses = draw(atChance);
+        const auto above = chanceClaims(guesses, chance, truth);
+        p[2] = above.front().above.p;
+        p[3] = Value::undefined("no condition can be tested");
+        for (const ChanceClaim& claim : above)
+            if (claim.pAdjusted.exists() && (!p[3].exists() || *claim.pAdjusted < *p[3])) p[3] = claim.pAdjusted;
+    };
+    return family;
+}
+
+}  // namespace
+
+std::string ClaimNull::text() const
+{
+    const std::string what = isChoice ? "choices" : "ratings";
+    if (isUnequal) return what + ", interactions of SD 1.2 under one condition and 0.3 under the others";
+    char numbers[128];
+    std::snprintf(numbers, sizeof numbers, ", interactions of SD %g (participants) and %g (fabrics)", participantSd, fabricSd);
+    return what + numbers;
+}
+
+std::vector<ClaimNull> claimNulls()
+{
+    std::vector<ClaimNull> nulls;
+    for (const bool isChoice : {false, true}) {
+        for (const double participants : {0.0, 0.5, 1.0})
+            for (const double fabrics : {0.0, 0.5, 1.0}) nulls.push_back({isChoice, participants, fabrics, false});
+        nulls.push_back({isChoice, 0, 0, true});
+    }
+    return nulls;
+}
+
+std::vector<CalibrationFamily> claimFamilies(const CalibrationOptions& options)
+{
+    std::vector<CalibrationFamily> families;
+    for (const ClaimNull& null : claimNulls())
+        families.push_back(null.isChoice ? choiceFamily(options, null) : ratingFamily(options, null));
+    return families;
+}
+
+}  // namespace stats

@@ -1,0 +1,170 @@
+#include "stats/power/measured_claims.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+
+namespace stats {
+namespace {
+
+constexpr std::string_view contrastThese = "contrast, these fabrics";
+constexpr std::string_view anyContrastThese = "any contrast of all pairs, these fabrics";
+constexpr std::string_view contrastAlike = contrastOfFabricsLikeThese;
+constexpr std::string_view anyContrastAlike = anyContrastOfFabricsLikeThese;
+constexpr std::string_view equivalenceAlike = "equivalence at a bound, fabrics like these";
+constexpr std::string_view chanceAlike = "one condition above chance, fabrics like these";
+constexpr std::string_view anyChanceAlike = "any condition above chance, fabrics like these";
+
+constexpr std::string_view ratingsNoneNone = "ratings, interactions of SD 0 (participants) and 0 (fabrics)";
+constexpr std::string_view ratingsNoneHalf = "ratings, interactions of SD 0 (participants) and 0.5 (fabrics)";
+constexpr std::string_view ratingsNoneOne = "ratings, interactions of SD 0 (participants) and 1 (fabrics)";
+constexpr std::string_view ratingsHalfNone = "ratings, interactions of SD 0.5 (participants) and 0 (fabrics)";
+constexpr std::string_view ratingsHalfHalf = "ratings, interactions of SD 0.5 (participants) and 0.5 (fabrics)";
+constexpr std::string_view ratingsHalfOne = "ratings, interactions of SD 0.5 (participants) and 1 (fabrics)";
+constexpr std::string_view ratingsOneNone = "ratings, interactions of SD 1 (participants) and 0 (fabrics)";
+constexpr std::string_view ratingsOneHalf = "ratings, interactions of SD 1 (participants) and 0.5 (fabrics)";
+constexpr std::string_view ratingsOneOne = "ratings, interactions of SD 1 (participants) and 1 (fabrics)";
+constexpr std::string_view ratingsUnequal = "ratings, interactions of SD 1.2 under one condition and 0.3 under the others";
+constexpr std::string_view choicesNoneNone = "choices, interactions of SD 0 (participants) and 0 (fabrics)";
+constexpr std::string_view choicesNoneHalf = "choices, interactions of SD 0 (participants) and 0.5 (fabrics)";
+constexpr std::string_view choicesNoneOne = "choices, interactions of SD 0 (participants) and 1 (fabrics)";
+constexpr std::string_view choicesHalfNone = "choices, interactions of SD 0.5 (participants) and 0 (fabrics)";
+constexpr std::string_view choicesHalfHalf = "choices, interactions of SD 0.5 (participants) and 0.5 (fabrics)";
+constexpr std::string_view choicesHalfOne = "choices, interactions of SD 0.5 (participants) and 1 (fabrics)";
+constexpr std::string_view choicesOneNone = "choices, interactions of SD 1 (participants) and 0 (fabrics)";
+constexpr std::string_view choicesOneHalf = "choices, interactions of SD 1 (participants) and 0.5 (fabrics)";
+constexpr std::string_view choicesOneOne = "choices, interactions of SD 1 (participants) and 1 (fabrics)";
+constexpr std::string_view choicesUnequal = "choices, interactions of SD 1.2 under one condition and 0.3 under the others";
+
+// vis2hap power --calibrate 10000 --json
+constexpr std::array claimTable{
+    MeasuredSize{contrastThese, ratingsNoneNone, Promise::Printed, 485, 0},
+    MeasuredSize{anyContrastThese, ratingsNoneNone, Promise::Printed, 438, 0},
+    MeasuredSize{contrastAlike, ratingsNoneNone, Promise::Printed, 163, 0},
+    MeasuredSize{anyContrastAlike, ratingsNoneNone, Promise::Printed, 33, 0},
+    MeasuredSize{equivalenceAlike, ratingsNoneNone, Promise::Printed, 220, 0},
+    MeasuredSize{contrastThese, ratingsNoneHalf, Promise::Printed, 482, 0},
+    MeasuredSize{anyContrastThese, ratingsNoneHalf, Promise::Printed, 427, 0},
+    MeasuredSize{contrastAlike, ratingsNoneHalf, Promise::Printed, 438, 0},
+    MeasuredSize{anyContrastAlike, ratingsNoneHalf, Promise::Printed, 546, 0},
+    MeasuredSize{equivalenceAlike, ratingsNoneHalf, Promise::Printed, 194, 0},
+    MeasuredSize{contrastThese, ratingsNoneOne, Promise::Printed, 477, 0},
+    MeasuredSize{anyContrastThese, ratingsNoneOne, Promise::Printed, 447, 0},
+    MeasuredSize{contrastAlike, ratingsNoneOne, Promise::Printed, 484, 0},
+    MeasuredSize{anyContrastAlike, ratingsNoneOne, Promise::Printed, 418, 0},
+    MeasuredSize{equivalenceAlike, ratingsNoneOne, Promise::Printed, 16, 0},
+    MeasuredSize{contrastThese, ratingsHalfNone, Promise::Printed, 530, 0},
+    MeasuredSize{anyContrastThese, ratingsHalfNone, Promise::Printed, 482, 0},
+    MeasuredSize{contrastAlike, ratingsHalfNone, Promise::Printed, 404, 0},
+    MeasuredSize{anyContrastAlike, ratingsHalfNone, Promise::Printed, 292, 0},
+    MeasuredSize{equivalenceAlike, ratingsHalfNone, Promise::Printed, 264, 0},
+    MeasuredSize{contrastThese, ratingsHalfHalf, Promise::Printed, 522, 0},
+    MeasuredSize{anyContrastThese, ratingsHalfHalf, Promise::Printed, 487, 0},
+    MeasuredSize{contrastAlike, ratingsHalfHalf, Promise::Printed, 432, 0},
+    MeasuredSize{anyContrastAlike, ratingsHalfHalf, Promise::Printed, 235, 0},
+    MeasuredSize{equivalenceAlike, ratingsHalfHalf, Promise::Printed, 49, 0},
+    MeasuredSize{contrastThese, ratingsHalfOne, Promise::Printed, 530, 0},
+    MeasuredSize{anyContrastThese, ratingsHalfOne, Promise::Printed, 473, 0},
+    MeasuredSize{contrastAlike, ratingsHalfOne, Promise::Printed, 483, 0},
+    MeasuredSize{anyContrastAlike, ratingsHalfOne, Promise::Printed, 382, 0},
+    MeasuredSize{equivalenceAlike, ratingsHalfOne, Promise::Printed, 4, 0},
+    MeasuredSize{contrastThese, ratingsOneNone, Promise::Printed, 518, 0},
+    MeasuredSize{anyContrastThese, ratingsOneNone, Promise::Printed, 475, 0},
+    MeasuredSize{contrastAlike, ratingsOneNone, Promise::Printed, 484, 0},
+    MeasuredSize{anyContrastAlike, ratingsOneNone, Promise::Printed, 352, 0},
+    MeasuredSize{equivalenceAlike, ratingsOneNone, Promise::Printed, 18, 0},
+    MeasuredSize{contrastThese, ratingsOneHalf, Promise::Printed, 521, 0},
+    MeasuredSize{anyContrastThese, ratingsOneHalf, Promise::Printed, 477, 0},
+    MeasuredSize{contrastAlike, ratingsOneHalf, Promise::Printed, 463, 0},
+    MeasuredSize{anyContrastAlike, ratingsOneHalf, Promise::Printed, 259, 0},
+    MeasuredSize{equivalenceAlike, ratingsOneHalf, Promise::Printed, 3, 0},
+    MeasuredSize{contrastThese, ratingsOneOne, Promise::Printed, 522, 0},
+    MeasuredSize{anyContrastThese, ratingsOneOne, Promise::Printed, 480, 0},
+    MeasuredSize{contrastAlike, ratingsOneOne, Promise::Printed, 464, 0},
+    MeasuredSize{anyContrastAlike, ratingsOneOne, Promise::Printed, 340, 0},
+    MeasuredSize{equivalenceAlike, ratingsOneOne, Promise::Printed, 0, 0},
+    MeasuredSize{contrastThese, ratingsUnequal, Promise::Printed, 549, 0},
+    MeasuredSize{anyContrastThese, ratingsUnequal, Promise::Printed, 412, 0},
+    MeasuredSize{contrastAlike, ratingsUnequal, Promise::Printed, 468, 0},
+    MeasuredSize{anyContrastAlike, ratingsUnequal, Promise::Printed, 277, 0},
+    MeasuredSize{equivalenceAlike, ratingsUnequal, Promise::Printed, 0, 0},
+    MeasuredSize{contrastAlike, choicesNoneNone, Promise::Printed, 180, 0},
+    MeasuredSize{anyContrastAlike, choicesNoneNone, Promise::Printed, 49, 0},
+    MeasuredSize{chanceAlike, choicesNoneNone, Promise::Printed, 241, 0},
+    MeasuredSize{anyChanceAlike, choicesNoneNone, Promise::Printed, 107, 0},
+    MeasuredSize{contrastAlike, choicesNoneHalf, Promise::Printed, 285, 0},
+    MeasuredSize{anyContrastAlike, choicesNoneHalf, Promise::Printed, 211, 0},
+    MeasuredSize{chanceAlike, choicesNoneHalf, Promise::Printed, 288, 0},
+    MeasuredSize{anyChanceAlike, choicesNoneHalf, Promise::Printed, 138, 0},
+    MeasuredSize{contrastAlike, choicesNoneOne, Promise::Printed, 394, 0},
+    MeasuredSize{anyContrastAlike, choicesNoneOne, Promise::Printed, 501, 0},
+    MeasuredSize{chanceAlike, choicesNoneOne, Promise::Printed, 285, 0},
+    MeasuredSize{anyChanceAlike, choicesNoneOne, Promise::Printed, 158, 0},
+    MeasuredSize{contrastAlike, choicesHalfNone, Promise::Printed, 256, 0},
+    MeasuredSize{anyContrastAlike, choicesHalfNone, Promise::Printed, 137, 0},
+    MeasuredSize{chanceAlike, choicesHalfNone, Promise::Printed, 257, 0},
+    MeasuredSize{anyChanceAlike, choicesHalfNone, Promise::Printed, 116, 0},
+    MeasuredSize{contrastAlike, choicesHalfHalf, Promise::Printed, 314, 0},
+    MeasuredSize{anyContrastAlike, choicesHalfHalf, Promise::Printed, 269, 0},
+    MeasuredSize{chanceAlike, choicesHalfHalf, Promise::Printed, 287, 0},
+    MeasuredSize{anyChanceAlike, choicesHalfHalf, Promise::Printed, 150, 0},
+    MeasuredSize{contrastAlike, choicesHalfOne, Promise::Printed, 434, 0},
+    MeasuredSize{anyContrastAlike, choicesHalfOne, Promise::Printed, 445, 0},
+    MeasuredSize{chanceAlike, choicesHalfOne, Promise::Printed, 298, 0},
+    MeasuredSize{anyChanceAlike, choicesHalfOne, Promise::Printed, 150, 0},
+    MeasuredSize{contrastAlike, choicesOneNone, Promise::Printed, 358, 0},
+    MeasuredSize{anyContrastAlike, choicesOneNone, Promise::Printed, 279, 0},
+    MeasuredSize{chanceAlike, choicesOneNone, Promise::Printed, 283, 0},
+    MeasuredSize{anyChanceAlike, choicesOneNone, Promise::Printed, 121, 0},
+    MeasuredSize{contrastAlike, choicesOneHalf, Promise::Printed, 358, 0},
+    MeasuredSize{anyContrastAlike, choicesOneHalf, Promise::Printed, 266, 0},
+    MeasuredSize{chanceAlike, choicesOneHalf, Promise::Printed, 287, 0},
+    MeasuredSize{anyChanceAlike, choicesOneHalf, Promise::Printed, 156, 0},
+    MeasuredSize{contrastAlike, choicesOneOne, Promise::Printed, 421, 0},
+    MeasuredSize{anyContrastAlike, choicesOneOne, Promise::Printed, 320, 0},
+    MeasuredSize{chanceAlike, choicesOneOne, Promise::Printed, 289, 0},
+    MeasuredSize{anyChanceAlike, choicesOneOne, Promise::Printed, 163, 0},
+    MeasuredSize{contrastAlike, choicesUnequal, Promise::Printed, 401, 0},
+    MeasuredSize{anyContrastAlike, choicesUnequal, Promise::Printed, 186, 0},
+    MeasuredSize{chanceAlike, choicesUnequal, Promise::Printed, 271, 0},
+    MeasuredSize{anyChanceAlike, choicesUnequal, Promise::Printed, 132, 0},
+};
+
+double rateUnder(std::string_view test, const ClaimNull& null)
+{
+    const std::string truth = null.text();
+    const auto row = std::find_if(claimTable.begin(), claimTable.end(),
+                                  [&](const MeasuredSize& size) { return size.test == test && size.truth == truth; });
+    assert(row != claimTable.end() && "the test was measured under this null");
+    return row->rate();
+}
+
+/// The measured SD below, and the share of the way to the next one.
+struct GridPlace {
+    double low;
+    double part;
+};
+
+GridPlace placeOf(double sd)
+{
+    const double inside = std::clamp(sd, 0.0, 1.0);
+    return inside < 0.5 ? GridPlace{0, inside / 0.5} : GridPlace{0.5, (inside - 0.5) / 0.5};
+}
+
+}  // namespace
+
+std::span<const MeasuredSize> measuredClaims() { return claimTable; }
+
+double falseClaimRate(std::string_view test, const ClaimNull& null)
+{
+    const GridPlace people = placeOf(null.participantSd), fabrics = placeOf(null.fabricSd);
+    const auto at = [&](double participantSd, double fabricSd) {
+        return rateUnder(test, {null.isChoice, participantSd, fabricSd, false});
+    };
+    const auto along = [&](double participantSd) {
+        return (1 - fabrics.part) * at(participantSd, fabrics.low) + fabrics.part * at(participantSd, fabrics.low + 0.5);
+    };
+    return (1 - people.part) * along(people.low) + people.part * along(people.low + 0.5);
+}
+
+}  // namespace stats

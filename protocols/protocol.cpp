@@ -91,6 +91,13 @@ void checkPhases(const Protocol& p, Faults& faults)
     }
 }
 
+void checkPrimary(const Protocol& p, Faults& faults)
+{
+    if (!p.primary || std::ranges::find(p.planned, *p.primary) != p.planned.end()) return;
+    faults.push_back("primary: '" + p.primary->a.value + "' and '" + p.primary->b.value +
+                     "' are not a planned contrast in this order, expected a pair of planned");
+}
+
 void checkPlanned(const Protocol& p, Faults& faults)
 {
     std::set<std::pair<ConditionId, ConditionId>> seen;
@@ -154,6 +161,15 @@ int Protocol::sittingsPerParticipant() const
     return std::max(1, static_cast<int>(std::ceil(minutesPerParticipant() / sittingMinutes)));
 }
 
+std::vector<PlannedContrast> contrastsInOrder(const Protocol& protocol)
+{
+    std::vector<PlannedContrast> contrasts = protocol.planned;
+    if (const auto primary = std::ranges::find(contrasts, protocol.primary.value_or(PlannedContrast()));
+        primary != contrasts.end())
+        std::rotate(contrasts.begin(), primary, primary + 1);
+    return contrasts;
+}
+
 const Question* questionWith(const Protocol& protocol, const QuestionId& id)
 {
     for (const Phase& phase : protocol.phases)
@@ -188,6 +204,7 @@ std::vector<std::string> faultsOf(const Protocol& protocol)
     checkConditions(protocol, faults);
     checkPhases(protocol, faults);
     checkPlanned(protocol, faults);
+    checkPrimary(protocol, faults);
     checkNumbers(protocol, faults);
     return faults;
 }

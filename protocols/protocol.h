@@ -50,6 +50,7 @@ struct Protocol {
     std::vector<Phase> phases;
     std::pair<double, double> equivalenceBounds{-0.5, 0.5};  ///< scale points
     std::vector<PlannedContrast> planned;
+    std::optional<PlannedContrast> primary;  ///< one of the planned contrasts; missing: the first
     double secondsPerPresentation = 25;
     int breakAfterPresentations = 21;      ///< a block: the presentations between two breaks
     std::optional<int> breakAfterMinutes;  ///< a break is also due after this time without one
@@ -74,6 +75,9 @@ struct Protocol {
     int sittingsPerParticipant() const;
     bool operator==(const Protocol&) const = default;
 };
+
+/// The planned contrasts in their order, but the primary one first.
+std::vector<PlannedContrast> contrastsInOrder(const Protocol& protocol);
 
 /// The question with this id; null where the protocol asks no such question.
 const Question* questionWith(const Protocol& protocol, const QuestionId& id);

@@ -108,20 +108,24 @@ void readConditions(const ProtocolPart& document, Protocol& protocol)
     for (const Condition& condition : allConditions()) protocol.conditions.push_back(condition.conditionId());
 }
 
+PlannedContrast contrastFrom(const json& pair)
+{
+    const auto side = [&](std::size_t i) {
+        const bool isText = pair.is_array() && i < pair.size() && pair[i].is_string();
+        return conditionFrom(isText ? pair[i].get<std::string>() : "");
+    };
+    return {side(0), side(1)};
+}
+
 void readAnalysis(const ProtocolPart& document, Protocol& protocol)
 {
     const json& bounds = document.raw("equivalence_bounds");
     if (bounds.is_array() && !document.faults().isRefusedWithin("equivalence_bounds"))
         protocol.equivalenceBounds = bounds.get<std::pair<double, double>>();
     const json& planned = document.raw("planned");
-    if (!planned.is_array()) return;
-    for (const json& pair : planned) {
-        const auto side = [&](std::size_t i) {
-            const bool isText = pair.is_array() && i < pair.size() && pair[i].is_string();
-            return conditionFrom(isText ? pair[i].get<std::string>() : "");
-        };
-        protocol.planned.push_back({side(0), side(1)});
-    }
+    if (planned.is_array())
+        for (const json& pair : planned) protocol.planned.push_back(contrastFrom(pair));
+    if (document.has("primary")) protocol.primary = contrastFrom(document.raw("primary"));
 }
 
 void readCourse(const ProtocolPart& document, Protocol& protocol, ProtocolEdition edition)

@@ -97,9 +97,14 @@ ChoiceAnalysis analyseChoices(const StudyData& data, const AnswerCells& cells, c
     adjustForConditions(analysis.conditions);
     analysis.cochran = stats::cochranTest(cells.completeSuccesses(question));
     analyseParticipants(analysis, cells, question);
-    analysis.model = stats::fitChoices(crossedAnswers(data, cells, question));
+    const stats::CrossedStudy answers = crossedAnswers(data, cells, question);
+    analysis.model = stats::fitChoices(answers);
+    analysis.crossedModel = stats::fitChoices(answers, stats::ChoiceTerms::WithInteractions);
+    analysis.linearModel = stats::fitRatings(answers);
     analysis.confusion = confusionOf(data, cells, question);
     analysis.comparisons = comparePairs(data, cells, question);
+    analysis.claims = claimsOf(data, cells, question, alternatives,
+                               stats::repeatedMeasuresAnova(cells.completeBlocks(question).table), analysis.linearModel);
     return analysis;
 }
 

@@ -8,6 +8,7 @@
 
 #include "reports/analysis/answer_cells.h"
 #include "reports/analysis/pair_comparisons.h"
+#include "reports/analysis/question_claims.h"
 #include "stats/models/crossed_study.h"
 #include "stats/tests/binomial.h"
 #include "stats/tests/rank_tests.h"
@@ -51,9 +52,12 @@ struct ChoiceAnalysis {
     stats::CochranTest cochran;
     std::vector<ParticipantShare> participants;
     stats::TTest participantsAgainstChance;  ///< their shares against 1/m, two-sided
-    stats::ChoiceModel model;
+    stats::ChoiceModel model;                ///< random intercepts of participant and fabric
+    stats::ChoiceModel crossedModel;         ///< their interactions with condition, too
+    stats::RatingModel linearModel;          ///< linear mixed model of the answers as 0 and 1; decides the claims
     ChoiceConfusion confusion;
     std::vector<PairComparison> comparisons;
+    QuestionClaims claims;
 };
 
 ChoiceAnalysis analyseChoices(const StudyData& data, const AnswerCells& cells, const std::string& question, int alternatives);

@@ -49,9 +49,13 @@ RatingAnalysis analyseRatings(const StudyData& data, const AnswerCells& cells, c
         analysis.conditions.back().withinHalfWidth = analysis.anova.moreyHalfWidths[i];
     }
     analysis.friedman = stats::friedmanTest(blocks.table);
-    analysis.model = stats::fitRatings(crossedAnswers(data, cells, question));
+    const stats::CrossedStudy answers = crossedAnswers(data, cells, question);
+    analysis.model = stats::fitRatings(answers);
     analysis.comparisons = comparePairs(data, cells, question);
     analysis.equivalences = testEquivalence(data, cells, question, analysis.comparisons);
+    analysis.claims = claimsOf(data, cells, question, std::nullopt, analysis.anova, analysis.model);
+    analysis.modelContrasts = modelContrasts(analysis.model);
+    analysis.leaveOneFabricOut = leaveOneFabricOut(data, answers, analysis.model);
     return analysis;
 }
 

@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "reports/analysis/answer_cells.h"
+#include "reports/analysis/model_contrasts.h"
 #include "reports/analysis/pair_comparisons.h"
+#include "reports/analysis/question_claims.h"
 #include "stats/models/crossed_study.h"
 #include "stats/tests/rank_tests.h"
 #include "stats/tests/repeated_measures.h"
@@ -38,6 +40,9 @@ struct RatingAnalysis {
     stats::RatingModel model;
     std::vector<PairComparison> comparisons;
     std::vector<PairEquivalence> equivalences;
+    QuestionClaims claims;
+    std::vector<ModelContrast> modelContrasts;
+    LeaveOneFabricOut leaveOneFabricOut;
 };
 
 /// `scale` holds every rating of the question.

@@ -89,6 +89,17 @@ const std::vector<PairComparison>& comparisonsOf(const QuestionAnalysis& questio
                       question.findings);
 }
 
+const QuestionClaims* claimsOf(const QuestionAnalysis& question)
+{
+    using Claims = const QuestionClaims*;
+    return std::visit(protocols::Overloaded{
+                          [](const ChoiceAnalysis& choices) -> Claims { return &choices.claims; },
+                          [](const RatingAnalysis& ratings) -> Claims { return &ratings.claims; },
+                          [](const WordedAnalysis&) -> Claims { return nullptr; },
+                      },
+                      question.findings);
+}
+
 const std::vector<PairEquivalence>& equivalencesOf(const QuestionAnalysis& question)
 {
     static const std::vector<PairEquivalence> none;

@@ -66,5 +66,7 @@ std::vector<AnalysedQuestion<Findings>> questionsWith(const StudyAnalysis& analy
 /// Pairs of conditions of a question; none where its answers are words.
 const std::vector<PairComparison>& comparisonsOf(const QuestionAnalysis& question);
 const std::vector<PairEquivalence>& equivalencesOf(const QuestionAnalysis& question);
+/// Claims about a question; null where its answers are words.
+const QuestionClaims* claimsOf(const QuestionAnalysis& question);
 
 }  // namespace reports

@@ -74,7 +74,8 @@ private:
         if (!m_options.protocol) return;
         m_data.name = m_options.protocol->name;
         m_data.equivalenceBounds = m_options.protocol->equivalenceBounds;
-        for (const protocols::PlannedContrast& contrast : m_options.protocol->planned)
+        m_data.boundsStated = true;
+        for (const protocols::PlannedContrast& contrast : contrastsInOrder(*m_options.protocol))
             m_data.planned.emplace_back(contrast.a.value, contrast.b.value);
     }
 

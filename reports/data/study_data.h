@@ -77,7 +77,8 @@ struct StudyData {
     std::vector<std::string> conditions;  ///< in the order of every table
     std::vector<QuestionInfo> questions;
     std::pair<double, double> equivalenceBounds{-0.5, 0.5};
-    std::vector<std::pair<std::string, std::string>> planned;  ///< empty while blinded
+    bool boundsStated = false;  ///< a protocol stated them; false: they are the default of this program
+    std::vector<std::pair<std::string, std::string>> planned;  ///< the primary one first; empty while blinded
     std::vector<StudyResponse> responses;
     std::vector<StudyResponse> catchResponses;  ///< to blank glass; only quality flags use them
     std::vector<std::string> withdrawn;         ///< participants who withdrew; their answers are not analysed

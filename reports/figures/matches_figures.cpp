@@ -11,14 +11,26 @@
 namespace reports {
 namespace {
 
-/// The Wilson interval of the share correct, in matches.
+/// The interval of the share correct, in matches.
 stats::Interval inMatches(const stats::Interval& share, double participants)
 {
     if (!share.low.exists() || !share.high.exists()) return share;
     return {*share.low * participants, *share.high * participants};
 }
 
-void drawBar(PlotFrame& plot, std::size_t i, const ConditionChoices& choices, double participants, const std::string& colour)
+/// 95 % interval of the share with participants and fabrics as samples; of participants alone where there is one fabric.
+stats::Interval intervalOf(const ChoiceAnalysis& choices, const std::string& condition)
+{
+    stats::Interval interval;
+    for (const ChanceFinding& finding : choices.claims.aboveChance) {
+        const stats::Interval& ci = finding.claim.mean.ci95;
+        if (finding.condition == condition && ci.low.exists()) interval = {std::max(0.0, *ci.low), std::min(1.0, *ci.high)};
+    }
+    return interval;
+}
+
+void drawBar(PlotFrame& plot, std::size_t i, const ConditionChoices& choices, const stats::Interval& share, double participants,
+             const std::string& colour)
 {
     const stats::Value& matches = choices.matchesPerRendering;
     const protocols::SvgPoint foot{plot.centre(i), plot.y(0) - 8};
@@ -29,7 +41,7 @@ void drawBar(PlotFrame& plot, std::size_t i, const ConditionChoices& choices, do
     const double width = std::min(54.0, plot.slot() * 0.62);
     plot.drawing().rectangle({plot.centre(i) - width / 2, plot.y(*matches)}, width, plot.y(0) - plot.y(*matches), colour, 0.45,
                              colour, plot.conditions()[i] + ": " + fixed(*matches, 2));
-    plot.drawErrorBar(plot.centre(i), inMatches(choices.againstChance.wilson, participants), ChartColours::ink);
+    plot.drawErrorBar(plot.centre(i), inMatches(share, participants), ChartColours::ink);
     plot.drawing().text(foot, fixed(*matches, 1), {.size = 15, .bold = true});
 }
 
@@ -47,24 +59,23 @@ Figure matchesFigure(const StudyAnalysis& analysis, const std::string& id, const
     const std::size_t people = analysis.data.participants.size();
     const auto participants = static_cast<double>(std::max<std::size_t>(1, people));
     const std::string m = std::to_string(choices.alternatives);
-    Figure figure{
-        .name = "matches_" + id,
-        .caption = stampedCaption(analysis.data,
-                                  id + ": correct matches per rendering, of " + counted(people, "participant") +
-                                      ". Bars: share correct times the number of participants. Whiskers: Wilson's 95 % interval "
-                                      "over trials. Dashed line: chance, 1/" +
-                                      m + "."),
-        .section = PageSection::Matches,
-        .question = id};
+    Figure figure{.name = "matches_" + id,
+                  .caption = stampedCaption(
+                      analysis.data, id + ": correct matches per rendering, of " + counted(people, "participant") +
+                                         ". Bars: share correct times the number of participants. Whiskers: 95 % interval with "
+                                         "participants and fabrics as samples. Dashed line: chance, 1/" +
+                                         m + "."),
+                  .section = PageSection::Matches,
+                  .question = id};
     const PlotConditions conditions{analysis.data.conditions, analysis.data.blinded};
     PlotFrame plot(conditions, 0, participants, id + ": matches per rendering by condition", figure.caption);
     plot.drawFrame("matches per rendering (of " + std::to_string(people) + ")");
     plot.drawRightAxis(participants, "share correct");
     for (std::size_t i = 0; i < conditions.names.size(); ++i)
-        drawBar(plot, i, choices.conditions[i], participants,
+        drawBar(plot, i, choices.conditions[i], intervalOf(choices, conditions.names[i]), participants,
                 conditions.hasGroups() ? groupColour(*groupOf(conditions.names[i])) : plainColour());
     drawChanceLine(plot, participants / choices.alternatives, std::to_string(people));
-    plot.drawLegendText(plot.rightEdge(), protocols::SvgAnchor::End, "whiskers: 95 % interval (Wilson)");
+    plot.drawLegendText(plot.rightEdge(), protocols::SvgAnchor::End, "whiskers: 95 % interval, participants and fabrics");
     figure.svg = plot.drawing().finished();
     return figure;
 }

@@ -2,7 +2,9 @@
 
 #include <iterator>
 
+#include "reports/figures/contrasts_figures.h"
 #include "reports/figures/matches_figures.h"
+#include "reports/figures/participants_figures.h"
 #include "reports/figures/ratings_figures.h"
 #include "reports/text/file_names.h"
 
@@ -11,7 +13,7 @@ namespace {
 
 using FigureFamily = std::vector<Figure> (*)(const StudyAnalysis&);
 
-constexpr FigureFamily families[] = {matchesFigures, ratingsFigures};
+constexpr FigureFamily families[] = {matchesFigures, ratingsFigures, participantsFigures, contrastsFigures};
 
 }  // namespace
 

@@ -63,6 +63,8 @@ Json participantPart(const StudyData&, const ChoiceAnalysis& choices)
 
 Json modelPart(const StudyData&, const ChoiceAnalysis& choices) { return choiceModelJson(choices.model); }
 
+Json crossedModelPart(const StudyData&, const ChoiceAnalysis& choices) { return crossedChoiceModelJson(choices.crossedModel); }
+
 Json sensitivityPart(const StudyData& data, const ChoiceAnalysis& choices)
 {
     Json part = Json::object();
@@ -107,10 +109,10 @@ struct ChoiceKey {
 const std::vector<ChoiceKey>& choiceKeys()
 {
     static const std::vector<ChoiceKey> keys{
-        {"_per_condition", perConditionPart},       {"_cochran", cochranPart},
-        {"_participant_level", participantPart},    {"_glmm", modelPart},
-        {"_sensitivity", sensitivityPart},          {"_confusion", confusionPart},
-        {"_matches_by_rendering", byRenderingPart},
+        {"_per_condition", perConditionPart},    {"_cochran", cochranPart},
+        {"_participant_level", participantPart}, {"_glmm", modelPart},
+        {"_glmm_crossed", crossedModelPart},     {"_sensitivity", sensitivityPart},
+        {"_confusion", confusionPart},           {"_matches_by_rendering", byRenderingPart},
     };
     return keys;
 }

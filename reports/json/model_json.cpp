@@ -38,6 +38,84 @@ Json ratingModelJson(const stats::RatingModel& fitted)
     return part;
 }
 
+Json crossedChoiceModelJson(const stats::ChoiceModel& fitted)
+{
+    Json part = choiceModelJson(fitted);
+    const stats::LogisticMixedModel& model = fitted.model;
+    for (const stats::RandomIntercept& effect : model.random) {
+        const std::size_t colon = effect.name.find(':');
+        if (colon == std::string::npos) continue;
+        part.erase("sd_" + effect.name);
+        put(part, "sd_" + effect.name.substr(0, colon) + "_" + effect.name.substr(colon + 1), effect.sd);
+    }
+    if (model.why.empty()) put(part, "logLik_without_condition", model.logLikelihoodNull);
+    return part;
+}
+
+Json modelContrastsJson(const std::vector<ModelContrast>& contrasts, const std::pair<double, double>& bounds)
+{
+    Json rows = Json::array();
+    for (const ModelContrast& contrast : contrasts) {
+        Json row{{"a", contrast.a}, {"b", contrast.b}};
+        const stats::MeanTest test = stats::testOfMean(contrast.mean, 0, stats::Tail::TwoSided);
+        put(row, "estimate", contrast.mean.estimate);
+        put(row, "se", contrast.mean.se);
+        put(row, "df", contrast.mean.df);
+        put(row, "t", test.t);
+        putP(row, "p", test.p, test.logP);
+        put(row, "ci95", contrast.mean.ci95);
+        put(row, "ci90", contrast.mean.ci90);
+        Json tost{{"bounds", {bounds.first, bounds.second}}};
+        put(tost, "p_lower", stats::testOfMean(contrast.mean, bounds.first, stats::Tail::Greater).p);
+        put(tost, "p_upper", stats::testOfMean(contrast.mean, bounds.second, stats::Tail::Less).p);
+        put(tost, "p", stats::equivalenceOfMean(contrast.mean, bounds.first, bounds.second).p);
+        putReasonsLast(tost);
+        row["tost"] = std::move(tost);
+        putReasonsLast(row);
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+Json variancesJson(const stats::RatingModel& fitted)
+{
+    const stats::MixedModel& model = fitted.model;
+    Json part{{"var", Json::object()}, {"sd", Json::object()}};
+    for (const stats::RandomEffect& effect : model.random) {
+        put(part["var"], effect.name, effect.variance);
+        put(part["sd"], effect.name, effect.sd);
+    }
+    put(part["var"], "Residual", model.residualVariance);
+    put(part["sd"], "Residual", model.residualSd);
+    put(part, "REML_criterion", model.criterion);
+    part["singular"] = model.singular;
+    return part;
+}
+
+Json leaveOneFabricOutJson(const LeaveOneFabricOut& contrast)
+{
+    const auto row = [](Json start, const stats::CrossedMean& mean) {
+        put(start, "estimate", mean.estimate);
+        put(start, "se", mean.se);
+        put(start, "df", mean.df);
+        put(start, "ci90", mean.ci90);
+        start["singular"] = mean.singular;
+        putReasonsLast(start);
+        return start;
+    };
+    Json part = Json::object();
+    if (!contrast.why.empty()) {
+        putNull(part, "all", contrast.why);
+        return part;
+    }
+    part["a"] = contrast.a;
+    part["b"] = contrast.b;
+    part["all"] = row(Json::object(), contrast.all);
+    part["without"] = Json::array();
+    for (const FabricLeftOut& one : contrast.without) part["without"].push_back(row({{"fabric", one.fabric}}, one.mean));
+    return part;
+}
+
 Json choiceModelJson(const stats::ChoiceModel& fitted)
 {
     const stats::LogisticMixedModel& model = fitted.model;

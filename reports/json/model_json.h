@@ -1,6 +1,7 @@
 // The mixed models of a question as objects of statistics.json.
 #pragma once
 
+#include "reports/analysis/model_contrasts.h"
 #include "reports/json/json_fields.h"
 #include "stats/models/crossed_study.h"
 
@@ -11,5 +12,16 @@ Json ratingModelJson(const stats::RatingModel& fitted);
 
 /// Logistic mixed model of choices, with the likelihood-ratio test of condition.
 Json choiceModelJson(const stats::ChoiceModel& fitted);
+
+/// The same for the model with the interactions of participant and fabric with condition.
+Json crossedChoiceModelJson(const stats::ChoiceModel& fitted);
+
+/// All pairs of conditions in the linear mixed model, with two one-sided tests at the bounds.
+Json modelContrastsJson(const std::vector<ModelContrast>& contrasts, const std::pair<double, double>& bounds);
+
+/// Variances and SDs of the linear mixed model.
+Json variancesJson(const stats::RatingModel& fitted);
+
+Json leaveOneFabricOutJson(const LeaveOneFabricOut& contrast);
 
 }  // namespace reports

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "protocols/files/whole_file.h"
+#include "reports/json/claims_json.h"
 #include "reports/json/json_fields.h"
 #include "reports/json/signals_json.h"
 
@@ -106,6 +107,20 @@ Json equivalenceRow(const std::string& question, const PairEquivalence& equivale
     return row;
 }
 
+void putClaims(Json& results, const StudyAnalysis& analysis)
+{
+    Json omnibus = Json::array(), aboveChance = Json::array(), claims = Json::array();
+    for (const QuestionAnalysis& question : analysis.questions)
+        if (const QuestionClaims* of = claimsOf(question)) {
+            addOmnibus(omnibus, question.question.id, *of);
+            addAboveChance(aboveChance, question.question.id, *of);
+            addClaims(claims, question.question.id, analysis.data.fabrics, *of);
+        }
+    results["omnibus"] = std::move(omnibus);
+    results["above_chance"] = std::move(aboveChance);
+    results["claims"] = std::move(claims);
+}
+
 Json speedPart(const StudyAnalysis& analysis)
 {
     Json part = Json::object();
@@ -158,6 +173,7 @@ nlohmann::ordered_json resultsJson(const StudyAnalysis& analysis)
     results["questions"] = std::move(questions);
     results["comparisons"] = std::move(comparisons);
     results["equivalence"] = std::move(equivalence);
+    putClaims(results, analysis);
     results["speed_accuracy"] = speedPart(analysis);
     putSignals(results, data);
     results["quality"] = qualityPart(analysis.flags);

@@ -7,6 +7,7 @@
 
 #include "reports/json/choice_statistics_json.h"
 #include "reports/json/json_fields.h"
+#include "reports/json/model_json.h"
 #include "reports/json/rating_statistics_json.h"
 
 namespace reports {
@@ -130,7 +131,15 @@ std::vector<std::string> topLevelKeys(const QuestionAnalysis& question)
 /// another question. Choice questions come first, so that "q1_cochran" as a question's id does not displace Q1.
 std::set<std::string> displacedQuestions(const StudyAnalysis& analysis)
 {
-    std::set<std::string> taken{"schema", "data", "questions", "screening", "response_times", "why"};
+    std::set<std::string> taken{"schema",
+                                "data",
+                                "questions",
+                                "screening",
+                                "response_times",
+                                "lmm_contrasts",
+                                "lmm_variances",
+                                "lmm_leave_one_fabric_out",
+                                "why"};
     std::set<std::string> displaced;
     const auto place = [&](const QuestionAnalysis& question) {
         const std::vector<std::string> keys = topLevelKeys(question);
@@ -166,6 +175,12 @@ nlohmann::ordered_json statisticsJson(const StudyAnalysis& analysis)
                        [](const WordedAnalysis&) {},  // "data" counts them, tables/worded_answers.csv lists them
                    },
                    question.findings);
+    }
+    for (const auto& question : questionsWith<RatingAnalysis>(analysis)) {
+        const RatingAnalysis& ratings = question.findings;
+        statistics["lmm_contrasts"][question.id()] = modelContrastsJson(ratings.modelContrasts, analysis.data.equivalenceBounds);
+        statistics["lmm_variances"][question.id()] = variancesJson(ratings.model);
+        statistics["lmm_leave_one_fabric_out"][question.id()] = leaveOneFabricOutJson(ratings.leaveOneFabricOut);
     }
     statistics["screening"] = screeningPart(analysis);
     statistics["response_times"] = responseTimesPart(analysis);

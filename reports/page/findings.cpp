@@ -1,8 +1,10 @@
 #include "reports/page/findings.h"
 
 #include <algorithm>
+#include <map>
 
 #include "protocols/files/markup_text.h"
+#include "reports/text/claim_words.h"
 #include "reports/text/condition_label.h"
 #include "reports/text/number_text.h"
 #include "reports/text/plain_words.h"
@@ -10,24 +12,35 @@
 namespace reports {
 namespace {
 
-std::string pSentence(double p) { return p < 0.001 ? "p &lt; .001" : "p = " + pText(p); }
+using stats::Generalisation;
+
+/// "< .001" or "= .032".
+std::string pSentence(const stats::Value& p)
+{
+    if (!p.exists()) return "undefined";
+    return *p < 0.001 ? "&lt; .001" : "= " + pText(*p);
+}
+
+/// Conditions above chance, for one generalisation.
+std::vector<std::string> aboveChance(const ChoiceAnalysis& choices, Generalisation generalisation)
+{
+    std::vector<std::string> labels;
+    for (const ChanceFinding& finding : choices.claims.aboveChance)
+        if (finding.generalisation == generalisation && finding.claim.isAbove) labels.push_back(htmlLabel(finding.condition));
+    return labels;
+}
 
 std::string chanceSentence(const StudyAnalysis& analysis, const std::string& id, const ChoiceAnalysis& choices)
 {
-    std::vector<std::string> above;
-    std::size_t tested = 0;
-    for (std::size_t i = 0; i < choices.conditions.size(); ++i) {
-        const stats::Value& p = choices.conditions[i].pHolm;
-        tested += p.exists() ? 1 : 0;
-        if (p.exists() && *p < 0.05) above.push_back(htmlLabel(analysis.data.conditions[i]));
-    }
-    const std::string rule =
-        " (exact binomial tests against 1/" + std::to_string(choices.alternatives) + " over trials, Holm-corrected, 5 % level)";
-    if (tested == 0) return id + ": there are no trials to test against chance.";
-    if (above.empty())
-        return id + ": matching is not shown to be above chance in any of " + counted(tested, "condition") + rule + ".";
-    return id + ": matching is above chance in " + std::to_string(above.size()) + " of " + counted(tested, "condition") + rule +
-           ": " + listed(above) + ".";
+    const std::size_t conditions = analysis.data.conditions.size();
+    const std::vector<std::string> alike = aboveChance(choices, Generalisation::FabricsLikeThese),
+                                   these = aboveChance(choices, Generalisation::TheseFabrics);
+    std::string text = id + ": matching is above chance (1/" + std::to_string(choices.alternatives) + ") in " +
+                       std::to_string(alike.size()) + " of " + counted(conditions, "condition") + " for fabrics like these";
+    text += alike.empty() ? "." : ": " + listed(alike) + ".";
+    if (these == alike) return text + " The same holds for these fabrics only.";
+    return text + " For these fabrics only it is in " + std::to_string(these.size()) +
+           (these.empty() ? "." : ": " + listed(these) + ".");
 }
 
 /// The smallest and the largest of the conditions' values; empty for fewer than two.
@@ -45,26 +58,83 @@ std::string rangeSentence(const StudyAnalysis& analysis, const Conditions& condi
            htmlLabel(high->second) + ").";
 }
 
-std::string contrastSentence(const std::string& id, const PairComparison& comparison, const PairEquivalence& equivalence)
+const ContrastFinding* primaryOf(const QuestionClaims& claims, Generalisation generalisation)
 {
-    const stats::EquivalenceTest& test = equivalence.test;
-    const std::string pair = id + ", " + htmlLabel(comparison.pair.a) + " \u2212 " + htmlLabel(comparison.pair.b) + ": ";
-    const stats::Value& p = comparison.pHolm;
-    if (!p.exists() || !test.estimate.exists())
-        return pair + "there is no test (" + protocols::escapedMarkup(p.exists() ? test.estimate.why() : p.why()) + ").";
-    return pair + "the difference is " + typeset(fixed(*test.estimate, 2)) + " scale points (90 % interval [" +
-           typeset(fixed(*test.ci.low, 2)) + ", " + typeset(fixed(*test.ci.high, 2)) +
-           "]). t test: " + pSentence(*comparison.test.p) + ", after Holm's correction " + pSentence(*p) +
-           ". Equivalence test: " + pSentence(*test.p) + ". Verdict: <b>" + protocols::escapedMarkup(equivalence.verdict) +
-           "</b>.";
+    for (const ContrastFinding& finding : claims.contrasts)
+        if (finding.primary && finding.generalisation == generalisation) return &finding;
+    return nullptr;
 }
 
-/// The protocol's first planned contrast, the study's main question.
-bool isMainContrast(const StudyData& data, const ConditionPair& pair)
+std::string verdictText(const ContrastFinding& finding)
 {
-    if (data.planned.empty()) return false;
-    const auto& [a, b] = data.planned.front();
-    return (pair.a == a && pair.b == b) || (pair.a == b && pair.b == a);
+    if (!finding.claim.mean.why.empty()) return "there is no test (" + protocols::escapedMarkup(finding.claim.mean.why) + ")";
+    const stats::ContrastClaim& claim = finding.claim;
+    std::string text = "<b>" + wordsOf(claim.verdict) + "</b> (";
+    text += "p of the difference " + pSentence(claim.pAdjusted);
+    if (claim.pEquivalenceAdjusted.exists()) text += ", of equivalence " + pSentence(claim.pEquivalenceAdjusted);
+    return text + ")";
+}
+
+std::string byFabricSentence(const ContrastFinding& finding)
+{
+    std::vector<double> values;
+    for (const stats::Value& value : finding.byFabric)
+        if (value.exists()) values.push_back(*value);
+    if (values.size() < 2) return {};
+    const auto [low, high] = std::minmax_element(values.begin(), values.end());
+    return " On single fabrics the difference runs from " + typeset(fixed(*low, 2)) + " to " + typeset(fixed(*high, 2)) + ".";
+}
+
+std::string leaveOneOutSentence(const ContrastFinding& finding)
+{
+    const std::vector<LeftOneOut>& list = finding.withoutFabric;
+    const auto changed =
+        std::count_if(list.begin(), list.end(), [&](const LeftOneOut& one) { return one.verdict != finding.claim.verdict; });
+    if (changed == 0) return list.empty() ? "" : " The verdict stays the same without any single fabric.";
+    return " Without one of the fabrics, the verdict is another in " + std::to_string(changed) + " of " +
+           std::to_string(list.size()) + " cases.";
+}
+
+/// The primary contrast, for both generalisations.
+std::string primarySentence(const std::string& id, const QuestionClaims& claims)
+{
+    const ContrastFinding* alike = primaryOf(claims, Generalisation::FabricsLikeThese);
+    const ContrastFinding* these = primaryOf(claims, Generalisation::TheseFabrics);
+    if (alike == nullptr || these == nullptr) return {};
+    const stats::CrossedMean& mean = alike->claim.mean.why.empty() ? alike->claim.mean : these->claim.mean;
+    std::string text = id + ", primary contrast " + htmlLabel(alike->a) + " \u2212 " + htmlLabel(alike->b) + ": ";
+    if (mean.estimate.exists() && mean.ci90.low.exists())
+        text += typeset(fixed(*mean.estimate, 2)) + ", 90 % interval [" + typeset(fixed(*mean.ci90.low, 2)) + ", " +
+                typeset(fixed(*mean.ci90.high, 2)) + "]. ";
+    text += "For fabrics like these: " + verdictText(*alike) + ". For these fabrics only: " + verdictText(*these) + ".";
+    return text + byFabricSentence(*alike) + (alike->claim.mean.why.empty() ? leaveOneOutSentence(*alike) : "");
+}
+
+/// "Q2: of 12 planned contrasts, 2 are different and 10 not decided for fabrics like these."
+std::string familySentence(const StudyData& data, const std::string& id, const QuestionClaims& claims)
+{
+    std::map<stats::Verdict, std::size_t> counts;
+    std::size_t tested = 0;
+    for (const ContrastFinding& finding : claims.contrasts) {
+        if (finding.generalisation != Generalisation::FabricsLikeThese) continue;
+        ++counts[finding.claim.verdict];
+        ++tested;
+    }
+    if (tested < 2) return {};
+    std::vector<std::string> parts;
+    for (const auto& [verdict, count] : counts) parts.push_back(std::to_string(count) + " " + wordsOf(verdict));
+    return id + ": of " + std::to_string(tested) + (data.planned.empty() ? " pairs" : " planned contrasts") +
+           ", for fabrics like these: " + listed(parts) + ".";
+}
+
+/// Says so where the number of fabrics cannot carry a result for fabrics like these.
+std::string fewFabricsSentence(const StudyData& data)
+{
+    constexpr std::size_t enoughFabrics = 5;
+    const std::size_t fabrics = data.fabrics.size();
+    if (fabrics >= enoughFabrics || data.conditions.size() < 2) return {};
+    return "With " + counted(fabrics, "fabric") +
+           " this study can hardly show what holds for fabrics like these: their variation is known from too few.";
 }
 
 std::string wordsSentence(const std::string& id, const WordedAnalysis& words)
@@ -90,11 +160,13 @@ std::vector<std::string> findings(const StudyAnalysis& analysis)
         sentences.push_back(rangeSentence(analysis, question.findings.conditions,
                                           protocols::escapedMarkup(question.id()) + ": mean ratings",
                                           [](const ConditionRatings& one) { return one.mean; }));
-    for (const auto& question : questionsWith<RatingAnalysis>(analysis))
-        for (std::size_t i = 0; i < question.findings.comparisons.size(); ++i)
-            if (isMainContrast(analysis.data, question.findings.comparisons[i].pair))
-                sentences.push_back(contrastSentence(protocols::escapedMarkup(question.id()), question.findings.comparisons[i],
-                                                     question.findings.equivalences[i]));
+    for (const QuestionAnalysis& question : analysis.questions)
+        if (const QuestionClaims* claims = claimsOf(question)) {
+            const std::string id = protocols::escapedMarkup(question.question.id);
+            sentences.push_back(primarySentence(id, *claims));
+            sentences.push_back(familySentence(analysis.data, id, *claims));
+        }
+    sentences.push_back(fewFabricsSentence(analysis.data));
     for (const auto& question : questionsWith<WordedAnalysis>(analysis))
         sentences.push_back(wordsSentence(protocols::escapedMarkup(question.id()), question.findings));
     std::erase(sentences, std::string());

@@ -42,43 +42,80 @@ std::string boundsText(const StudyData& data)
            typeset(protocols::shortest(data.equivalenceBounds.second));
 }
 
+std::string claimsParagraph(const StudyData& data, bool hasChoices)
+{
+    std::string text =
+        "<b>Two generalisations.</b> Each claim is made twice. &ldquo;For these fabrics&rdquo;: participants are a sample, the "
+        "fabrics are all there are. The test is Student's t on the participants' means over fabrics. &ldquo;For fabrics like "
+        "these&rdquo;: participants and fabrics are samples. The differences of the two conditions, one for each participant and "
+        "fabric, are fitted by a linear mixed model with crossed random intercepts of participant and fabric (REML). The t test "
+        "has Satterthwaite's degrees of freedom, at most 4/3 (participants + fabrics &minus; 2). So each pair has variances of "
+        "its "
+        "own. The verdict of the summary is the second.";
+    if (hasChoices)
+        text +=
+            " Choices count as 0 and 1 in these tests. Odds and effects come from the logistic mixed models, whose tests reject "
+            "too "
+            "often with few fabrics.";
+    text +=
+        data.planned.empty()
+            ? " No contrast was planned: all pairs of a question are one family."
+            : " The planned contrasts of a question are one family, in the order and with the sign of the protocol, the primary "
+              "one first.";
+    return text +
+           " Holm's correction is taken within the family: once for the differences, once for the equivalences, separately for "
+           "each "
+           "generalisation. The verdict is &ldquo;different&rdquo; or &ldquo;equivalent&rdquo; if the corrected p is below .05, "
+           "&ldquo;different, within the bounds&rdquo; if both are, and &ldquo;not decided&rdquo; if neither is. Each family is "
+           "analysed again without each fabric and without each participant.";
+}
+
 std::string unitParagraph()
 {
-    return "<b>Unit of analysis.</b> Every test between conditions uses one number for each participant and condition: the mean "
-           "over fabrics, or the share correct for choices. The single answers of a participant are not independent, so no such "
-           "test counts them one by one. Means and SDs of ratings describe the ratings. Their 95 % intervals (Student's t) are "
-           "those of the participants' means.";
+    return "<b>Unit of analysis.</b> The answers of one participant are not independent, and neither are the answers to one "
+           "fabric. "
+           "No test between conditions counts them one by one. Means and SDs of ratings describe the ratings. Their 95 % "
+           "intervals "
+           "(Student's t) are those of the participants' means.";
 }
 
 std::string matchesParagraph(const StudyData& data, const ChoiceQuestions& questions)
 {
     return "<b>Matches.</b> &ldquo;Matches per rendering&rdquo; is the share correct times the number of participants (" +
-           std::to_string(data.participants.size()) + "). Intervals are Wilson's. " + chanceSentence(questions) +
-           " The exact binomial test over trials is one-sided (better than chance). It ignores that the trials of one "
-           "participant belong together. The table also gives the two-sided t test of the participants' shares against " +
+           std::to_string(data.participants.size()) + "). " + chanceSentence(questions) +
+           " &ldquo;Above chance&rdquo; is tested one-sided on the mean share, with participants and fabrics as samples, and "
+           "corrected "
+           "over the conditions. Its interval is drawn in the figure. The exact binomial test and Wilson's interval of the first "
+           "table count the trials as independent, which they are not; they describe. The table also gives the two-sided t test "
+           "of "
+           "the participants' shares against " +
            chanceText(questions) + ". Choices have no equivalence test, because the protocol states no bounds for them.";
 }
 
 std::string pairsParagraph()
 {
-    return "<b>Pairs.</b> All pairs of conditions are compared by two-sided paired t tests, on the participants who answered "
-           "under both conditions. Holm's correction covers all pairs of a question, planned contrasts included. d<sub>z</sub> "
-           "is the mean difference divided by the SD of the differences.";
+    return "<b>All pairs of participants' means.</b> All pairs of conditions are also compared by two-sided paired t tests, on "
+           "the "
+           "participants who answered under both conditions. Holm's correction covers all pairs of a question. These tests hold "
+           "for "
+           "these fabrics only. d<sub>z</sub> is the mean difference divided by the SD of the differences.";
 }
 
 std::string equivalenceParagraph(const StudyData& data)
 {
+    const std::string bounds = boundsText(data) + " scale points";
     return "<b>Different and equivalent are two questions.</b> A t test asks whether two means differ. A small p shows that they "
            "do. A large p shows only that no difference was found, which is common with few participants. Neither shows that two "
            "renderings, or generated and measured signals, are alike. Published work has read p &lt; 0.05 of a t test as "
            "&ldquo;the averages are close&rdquo;, which reverses the meaning of the test. Likeness is tested here by two "
-           "one-sided tests against bounds that were stated beforehand: " +
-           boundsText(data) +
-           " scale points. Both tests must reject at 5 %. They do so exactly when the 90 % interval lies inside the bounds. The "
-           "verdict has two parts. The first is &ldquo;different&rdquo; (the corrected t test rejects) or &ldquo;not "
-           "different&rdquo;. The second is &ldquo;equivalent&rdquo; or &ldquo;not shown equivalent&rdquo;. A difference can be "
-           "real and too small to matter. &ldquo;Not different / not shown equivalent&rdquo; means that these data cannot "
-           "decide. The p values of equivalence tests are not corrected for the number of pairs.";
+           "one-sided tests. " +
+           (data.boundsStated ? "The protocol states their bounds: " + bounds + "."
+                              : "Their bounds are the default of this program, " + bounds + ": no protocol stated any.") +
+           " Both tests must reject at 5 %. Without a correction they do so exactly when the 90 % interval lies inside the "
+           "bounds. A "
+           "difference can be real and too small to matter. The tables of all pairs carry verdicts of an older form: the first "
+           "part "
+           "is the corrected t test, the second the equivalence test without a correction.";
 }
 
 std::string omnibusParagraph(bool hasChoices, bool hasRatings)
@@ -88,7 +125,10 @@ std::string omnibusParagraph(bool hasChoices, bool hasRatings)
         text +=
             " Ratings: repeated-measures analysis of variance on complete participants, always with the Greenhouse&ndash;Geisser "
             "correction beside it, and Friedman's test, corrected for ties.";
-    if (hasChoices) text += " Choices: Cochran's Q over blocks of participant &times; fabric, which is descriptive only.";
+    if (hasChoices)
+        text +=
+            " Choices: Cochran's Q over blocks of participant &times; fabric. It takes all answers as independent and only "
+            "describes.";
     text +=
         " These results hold for new participants who touch these fabrics. Those of the mixed models hold for new "
         "participants and new fabrics.";
@@ -98,8 +138,10 @@ std::string omnibusParagraph(bool hasChoices, bool hasRatings)
             "Satterthwaite's degrees of freedom).";
     if (hasChoices)
         text +=
-            " The model of choices has random intercepts of participant and fabric (Laplace approximation, likelihood-ratio "
-            "test).";
+            " The logistic models of choices have random intercepts of participant and fabric, and in the second their "
+            "interactions with condition (Laplace approximation, likelihood-ratio test). The linear mixed model of the choices "
+            "as "
+            "0 and 1 decides, because its test keeps its level.";
     return text +
            " The table notes where a random effect was estimated as zero (singular fit), and where a condition was always or "
            "never right (separation).";
@@ -107,9 +149,10 @@ std::string omnibusParagraph(bool hasChoices, bool hasRatings)
 
 std::string measuredSizesParagraph()
 {
-    return "<b>Measured error rates.</b> The last table shows how often each test rejects when there is no true effect. A test "
-           "above 6 % is marked as anti-conservative. Tests that treat the fabrics as fixed reject too often when fabrics differ "
-           "in how conditions suit them. Use the mixed model in this case.";
+    return "<b>Measured error rates.</b> The tables below show how often claims and tests reject when there is no true effect. "
+           "The nulls have interactions of participants and fabrics with condition, because these make tests reject too often. The "
+           "rates were measured for the paper's design (10 participants, 7 fabrics, 9 conditions). A test above 6 % is marked as "
+           "anti-conservative. Tests that treat the fabrics as fixed say nothing about other fabrics.";
 }
 
 std::string speedParagraph(const ChoiceQuestions& questions)
@@ -161,6 +204,7 @@ std::vector<std::string> methodParagraphs(const StudyAnalysis& analysis)
     const bool hasWords = !questionsWith<WordedAnalysis>(analysis).empty();
     std::vector<std::string> paragraphs;
     if (hasChoices || hasRatings) paragraphs.push_back(unitParagraph());
+    if (hasChoices || hasRatings) paragraphs.push_back(claimsParagraph(analysis.data, hasChoices));
     if (hasChoices) paragraphs.push_back(matchesParagraph(analysis.data, choices));
     if (hasChoices || hasRatings) paragraphs.push_back(pairsParagraph());
     if (hasRatings) paragraphs.push_back(equivalenceParagraph(analysis.data));

@@ -40,6 +40,18 @@ std::string questionTexts(const StudyAnalysis& analysis)
     return text.empty() ? text : paragraph(text);
 }
 
+std::string claimsLead(const StudyData& data)
+{
+    const std::string bounds =
+        data.boundsStated ? "The protocol states the bounds of equivalence."
+                          : "No protocol came with the answers: the bounds of equivalence are the default of this program.";
+    return paragraph(
+        "Each contrast has two rows. &ldquo;These fabrics&rdquo; asks what other participants would show on the same fabrics. "
+        "&ldquo;Fabrics like these&rdquo; asks what other participants would show on other fabrics of this kind; it is the "
+        "verdict of the summary. &ldquo;Not decided&rdquo; means that these data cannot tell. " +
+        bounds);
+}
+
 NumberTile signalTile(const stats::Value& value, double factor, int decimals, const std::string& unit, const std::string& what)
 {
     if (!value.exists()) return {"\u2013", what + ": " + value.why()};
@@ -90,13 +102,16 @@ std::string sectionLead(PageSection section, const StudyAnalysis& analysis)
             return questionTexts<RatingAnalysis>(analysis);
         case PageSection::Words:
             return questionTexts<WordedAnalysis>(analysis);
+        case PageSection::Claims:
+            return claimsLead(analysis.data);
         case PageSection::Comparisons:
             return paragraph(
-                "Paired t tests on participant means. A small p shows a difference. A large p does not show that there is none.");
+                "Paired t tests on participant means, for these fabrics only. A small p shows a difference. A large p does not "
+                "show that there is none.");
         case PageSection::Equivalence:
             return paragraph(
-                "Two one-sided tests against the stated bounds. Two conditions are equivalent when the 90 % interval lies inside "
-                "the bounds.");
+                "Two one-sided tests on participant means, for these fabrics only. Two conditions are equivalent when the 90 % "
+                "interval lies inside the bounds. These p values are not corrected.");
         case PageSection::Speed:
             return {};
         case PageSection::Signals:

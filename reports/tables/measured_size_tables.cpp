@@ -20,7 +20,8 @@ std::vector<ReportTable> measuredSizeTables(const StudyAnalysis&)
              isExact ? numberCell(100 * size.attainableSize, 2) : blankCell(),
              size.antiConservative() ? textCell("anti-conservative") : blankCell()});
     }
-    return {{.table = std::move(table), .section = PageSection::Methods}};
+    return {
+        {.table = std::move(table), .section = PageSection::Methods, .foldedUnder = "Measured error rates of the other tests"}};
 }
 
 }  // namespace reports

@@ -43,17 +43,33 @@ stats::Value fittedOr(const std::string& why, const stats::Value& value)
     return why.empty() ? value : stats::Value::undefined(why);
 }
 
+void addLinearModelRow(Table& table, const std::string& id, const std::string& name, const stats::RatingModel& fitted)
+{
+    const stats::MixedModel& model = fitted.model;
+    const stats::FTest& test = fitted.condition;
+    table.rows.push_back({textCell(id), textCell(name), countCell(model.why.empty() ? model.rows : 0),
+                          numberCell(fittedOr(model.why, test.f), 2),
+                          dfCell(fittedOr(model.why, test.df1), fittedOr(model.why, test.df2)),
+                          pCell(fittedOr(model.why, test.p), test.logP), blankCell(), textCell(noteOn(fitted))});
+}
+
+void addLogisticRow(Table& table, const std::string& id, const std::string& name, const stats::ChoiceModel& fitted)
+{
+    const stats::LogisticMixedModel& model = fitted.model;
+    table.rows.push_back({textCell(id), textCell(name), countCell(model.why.empty() ? model.rows : 0),
+                          numberCell(fittedOr(model.why, model.chiSquared), 2), numberCell(fittedOr(model.why, model.df), 0),
+                          pCell(fittedOr(model.why, model.p), model.logP), blankCell(), textCell(noteOn(fitted))});
+}
+
 void addChoiceRows(Table& table, const std::string& id, const ChoiceAnalysis& choices)
 {
     const stats::CochranTest& cochran = choices.cochran;
     table.rows.push_back({textCell(id), textCell("Cochran's\u00A0Q"), countCell(cochran.blocks), numberCell(cochran.q, 2),
                           numberCell(cochran.df, 0), pCell(cochran.p, cochran.logP), blankCell(),
                           textCell("descriptive: ignores clustering")});
-    const stats::LogisticMixedModel& model = choices.model.model;
-    table.rows.push_back({textCell(id), textCell("logistic mixed model \u03c7\u00b2"),
-                          countCell(model.why.empty() ? model.rows : 0), numberCell(fittedOr(model.why, model.chiSquared), 2),
-                          numberCell(fittedOr(model.why, model.df), 0), pCell(fittedOr(model.why, model.p), model.logP),
-                          blankCell(), textCell(noteOn(choices.model))});
+    addLinearModelRow(table, id, "mixed model of 0 and 1,\u00A0F", choices.linearModel);
+    addLogisticRow(table, id, "logistic mixed model \u03c7\u00b2", choices.model);
+    addLogisticRow(table, id, "the same with interactions \u03c7\u00b2", choices.crossedModel);
 }
 
 void addRatingRows(Table& table, const std::string& id, const RatingAnalysis& ratings)
@@ -66,12 +82,7 @@ void addRatingRows(Table& table, const std::string& id, const RatingAnalysis& ra
     table.rows.push_back({textCell(id), textCell("Friedman\u00A0Q"), countCell(friedman.blocks), numberCell(friedman.q, 2),
                           numberCell(friedman.df, 0), pCell(friedman.p, friedman.logP), blankCell(),
                           effectCell("Kendall's W", friedman.kendallW)});
-    const stats::MixedModel& model = ratings.model.model;
-    const stats::FTest& test = ratings.model.condition;
-    table.rows.push_back({textCell(id), textCell("mixed model\u00A0F"), countCell(model.why.empty() ? model.rows : 0),
-                          numberCell(fittedOr(model.why, test.f), 2),
-                          dfCell(fittedOr(model.why, test.df1), fittedOr(model.why, test.df2)),
-                          pCell(fittedOr(model.why, test.p), test.logP), blankCell(), textCell(noteOn(ratings.model))});
+    addLinearModelRow(table, id, "mixed model\u00A0F", ratings.model);
 }
 
 Table omnibusTable(const StudyAnalysis& analysis)

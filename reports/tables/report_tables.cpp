@@ -3,6 +3,8 @@
 #include <iterator>
 
 #include "reports/tables/choice_tables.h"
+#include "reports/tables/claim_tables.h"
+#include "reports/tables/false_claim_tables.h"
 #include "reports/tables/measured_size_tables.h"
 #include "reports/tables/omnibus_tables.h"
 #include "reports/tables/overview_tables.h"
@@ -19,8 +21,9 @@ namespace {
 
 using TableFamily = std::vector<ReportTable> (*)(const StudyAnalysis&);
 
-constexpr TableFamily families[] = {overviewTables, choiceTables, ratingTables, wordedTables,  pairTables,
-                                    omnibusTables,  speedTables,  signalTables, qualityTables, measuredSizeTables};
+constexpr TableFamily families[] = {overviewTables, choiceTables,  ratingTables,     wordedTables,
+                                    claimTables,    pairTables,    omnibusTables,    speedTables,
+                                    signalTables,   qualityTables, falseClaimTables, measuredSizeTables};
 
 }  // namespace
 

@@ -15,7 +15,8 @@ namespace {
 void describeProtocol(const protocols::Protocol& protocol, reports::StudyData& data)
 {
     data.equivalenceBounds = protocol.equivalenceBounds;
-    for (const auto& contrast : protocol.planned) data.planned.emplace_back(contrast.a.value, contrast.b.value);
+    data.boundsStated = true;
+    for (const auto& contrast : contrastsInOrder(protocol)) data.planned.emplace_back(contrast.a.value, contrast.b.value);
     for (const auto& phase : protocol.phases)
         for (const auto& question : phase.questions) data.questions.push_back({question.id.value, question.text, question.kind});
 }

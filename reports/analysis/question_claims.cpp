@@ -1,0 +1,155 @@
+#include "reports/analysis/question_claims.h"
+
+#include <algorithm>
+#include <map>
+
+#include "stats/kernels/decimal_grid.h"
+
+namespace reports {
+namespace {
+
+using stats::AnswerCube;
+using stats::Contrast;
+using stats::Generalisation;
+
+AnswerCube cubeOf(const StudyData& data, const AnswerCells& cells, const std::string& question)
+{
+    std::map<std::string, std::size_t> participants, fabrics;
+    for (const std::string& participant : cells.participants()) participants.emplace(participant, participants.size());
+    for (const std::string& fabric : data.fabrics) fabrics.emplace(fabric, fabrics.size());
+    AnswerCube cube(data.conditions.size(), participants.size(), fabrics.size());
+    for (std::size_t c = 0; c < data.conditions.size(); ++c)
+        for (const StudyResponse* response : cells.of(question, data.conditions[c]))
+            for (const double value : valuesOf({response}))
+                cube.at(c, participants.at(response->participant), fabrics.at(response->fabric)) = value;
+    return cube;
+}
+
+std::size_t placeOfCondition(const StudyData& data, const std::string& condition)
+{
+    return static_cast<std::size_t>(std::find(data.conditions.begin(), data.conditions.end(), condition) -
+                                    data.conditions.begin());
+}
+
+/// The planned contrasts, the primary one first; all pairs where none is planned.
+std::vector<Contrast> familyOf(const StudyData& data)
+{
+    std::vector<Contrast> family;
+    const std::size_t count = data.conditions.size();
+    for (const auto& [a, b] : data.planned)
+        if (placeOfCondition(data, a) < count && placeOfCondition(data, b) < count)
+            family.emplace_back(placeOfCondition(data, a), placeOfCondition(data, b));
+    if (!family.empty()) return family;
+    for (std::size_t a = 0; a < count; ++a)
+        for (std::size_t b = a + 1; b < count; ++b) family.emplace_back(a, b);
+    return family;
+}
+
+std::vector<stats::Value> meansByFabric(const AnswerCube& cube, const Contrast& contrast)
+{
+    std::vector<std::vector<double>> differences(cube.fabrics());
+    for (std::size_t p = 0; p < cube.participants(); ++p)
+        for (std::size_t f = 0; f < cube.fabrics(); ++f)
+            if (const double one = cube.at(contrast.first, p, f) - cube.at(contrast.second, p, f); one == one)
+                differences[f].push_back(one);
+    std::vector<stats::Value> means;
+    for (const std::vector<double>& ofFabric : differences) means.push_back(stats::meanOf(ofFabric));
+    return means;
+}
+
+/// The claims of one family for one generalisation, with each fabric and each participant left out in turn.
+class Family {
+public:
+    Family(const StudyData& data, const AnswerCells& cells, const AnswerCube& cube, const std::vector<Contrast>& contrasts,
+           const std::optional<stats::Bounds>& bounds)
+        : m_data(data), m_cells(cells), m_cube(cube), m_contrasts(contrasts), m_bounds(bounds)
+    {
+    }
+
+    std::vector<ContrastFinding> findings(Generalisation generalisation) const
+    {
+        std::vector<ContrastFinding> findings;
+        for (stats::ContrastClaim& claim : stats::contrastClaims(m_cube, m_contrasts, m_bounds, generalisation)) {
+            const bool isPlanned = !m_data.planned.empty();
+            findings.push_back({m_data.conditions[claim.a],
+                                m_data.conditions[claim.b],
+                                isPlanned,
+                                isPlanned && findings.empty(),
+                                generalisation,
+                                std::move(claim),
+                                {},
+                                {},
+                                {}});
+            findings.back().byFabric = meansByFabric(m_cube, m_contrasts[findings.size() - 1]);
+        }
+        if (m_contrasts.size() > mostContrastsLeftOut) return findings;
+        for (std::size_t f = 0; f < m_cube.fabrics() && m_cube.fabrics() > 1; ++f)
+            addWithout(findings, generalisation, m_cube.withoutFabric(f), m_data.fabrics[f], &ContrastFinding::withoutFabric);
+        if (m_cube.participants() > mostLeftOut) return findings;
+        for (std::size_t p = 0; p < m_cube.participants() && m_cube.participants() > 1; ++p)
+            addWithout(findings, generalisation, m_cube.withoutParticipant(p), m_cells.participants()[p],
+                       &ContrastFinding::withoutParticipant);
+        return findings;
+    }
+
+private:
+    void addWithout(std::vector<ContrastFinding>& findings, Generalisation generalisation, const AnswerCube& rest,
+                    const std::string& name, std::vector<LeftOneOut> ContrastFinding::*list) const
+    {
+        const auto claims = stats::contrastClaims(rest, m_contrasts, m_bounds, generalisation);
+        for (std::size_t i = 0; i < claims.size(); ++i)
+            (findings[i].*list).push_back({name, claims[i].mean.estimate, claims[i].mean.ci90, claims[i].verdict});
+    }
+
+    const StudyData& m_data;
+    const AnswerCells& m_cells;
+    const AnswerCube& m_cube;
+    const std::vector<Contrast>& m_contrasts;
+    const std::optional<stats::Bounds>& m_bounds;
+};
+
+stats::FTest testOf(const stats::RepeatedMeasuresAnova& anova)
+{
+    if (anova.pGg.exists() && anova.epsilonGg.exists())
+        return {"", anova.f, *anova.df1 * *anova.epsilonGg, *anova.df2 * *anova.epsilonGg, anova.pGg, anova.logPGg};
+    const std::string why = anova.pGg.exists() ? anova.epsilonGg.why() : anova.pGg.why();
+    const stats::Value none = stats::Value::undefined(why);
+    return {why, none, none, none, none, none};
+}
+
+}  // namespace
+
+QuestionClaims claimsOf(const StudyData& data, const AnswerCells& cells, const std::string& question,
+                        std::optional<int> alternatives, const stats::RepeatedMeasuresAnova& anova,
+                        const stats::RatingModel& model)
+{
+    QuestionClaims claims;
+    if (!alternatives) claims.bounds = data.equivalenceBounds;
+    const AnswerCube cube = cubeOf(data, cells, question);
+    const std::vector<Contrast> contrasts = familyOf(data);
+    const Family family(data, cells, cube, contrasts, claims.bounds);
+    const std::vector<ContrastFinding> these = family.findings(Generalisation::TheseFabrics),
+                                       alike = family.findings(Generalisation::FabricsLikeThese);
+    for (std::size_t i = 0; i < these.size(); ++i) {
+        claims.contrasts.push_back(these[i]);
+        claims.contrasts.push_back(alike[i]);
+    }
+    if (alternatives) {
+        const double chance = 1.0 / *alternatives;
+        const auto ofThese = stats::chanceClaims(cube, chance, Generalisation::TheseFabrics),
+                   ofAlike = stats::chanceClaims(cube, chance, Generalisation::FabricsLikeThese);
+        for (std::size_t c = 0; c < data.conditions.size(); ++c) {
+            claims.aboveChance.push_back({data.conditions[c], Generalisation::TheseFabrics, ofThese[c]});
+            claims.aboveChance.push_back({data.conditions[c], Generalisation::FabricsLikeThese, ofAlike[c]});
+        }
+    }
+    claims.omnibus = {{Generalisation::TheseFabrics, testOf(anova)}, {Generalisation::FabricsLikeThese, model.condition}};
+    return claims;
+}
+
+std::string nameOf(Generalisation generalisation)
+{
+    return generalisation == Generalisation::TheseFabrics ? "these_fabrics" : "fabrics_like_these";
+}
+
+}  // namespace reports

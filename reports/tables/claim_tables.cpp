@@ -1,0 +1,123 @@
+#include "reports/tables/claim_tables.h"
+
+#include <algorithm>
+
+#include "protocols/files/number_text.h"
+#include "reports/tables/table_cells.h"
+#include "reports/text/claim_words.h"
+#include "reports/text/number_text.h"
+#include "reports/text/plain_words.h"
+
+namespace reports {
+namespace {
+
+/// "-1.20 to 0.45": the smallest and the largest mean difference on one fabric.
+TableCell rangeCell(const std::vector<stats::Value>& byFabric)
+{
+    std::vector<double> values;
+    for (const stats::Value& value : byFabric)
+        if (value.exists()) values.push_back(*value);
+    if (values.empty()) return blankCell();
+    const auto [low, high] = std::minmax_element(values.begin(), values.end());
+    return numericTextCell(fixed(*low, 2) + " to " + fixed(*high, 2));
+}
+
+/// "2 of 7": in how many of the analyses with one left out the verdict is another.
+TableCell changedCell(const ContrastFinding& finding, const std::vector<LeftOneOut>& list)
+{
+    if (list.empty()) return blankCell();
+    const auto changed =
+        std::count_if(list.begin(), list.end(), [&](const LeftOneOut& one) { return one.verdict != finding.claim.verdict; });
+    return numericTextCell(std::to_string(changed) + " of " + std::to_string(list.size()));
+}
+
+std::string boundsText(const QuestionClaims& claims)
+{
+    if (!claims.bounds) return "";
+    return "; equivalence within " + protocols::shortest(claims.bounds->first) + " and " +
+           protocols::shortest(claims.bounds->second);
+}
+
+Table contrastTable(const StudyData& data, const std::string& id, const QuestionClaims& claims)
+{
+    const std::string family = data.planned.empty() ? "all pairs of conditions" : "planned contrasts, the primary one first";
+    Table table{"claims_" + lowerCase(id),
+                id + ": " + family + boundsText(claims) + "; Holm's correction within the family",
+                {"a",
+                 "b",
+                 "holds for",
+                 "difference a\u2212b",
+                 {"95 % CI low", ColumnUse::InCsv},
+                 {"95 % CI high", ColumnUse::InCsv},
+                 {"95 % CI", ColumnUse::InDocuments},
+                 {"90 % CI low", ColumnUse::InCsv},
+                 {"90 % CI high", ColumnUse::InCsv},
+                 "df",
+                 {"p", ColumnUse::InCsv},
+                 "p different",
+                 {"p TOST", ColumnUse::InCsv},
+                 "p equivalent",
+                 "verdict",
+                 "by fabric",
+                 "changes without one fabric",
+                 "changes without one participant"},
+                {}};
+    for (const ContrastFinding& finding : claims.contrasts) {
+        const stats::ContrastClaim& claim = finding.claim;
+        const stats::CrossedMean& mean = claim.mean;
+        table.rows.push_back({conditionCell(finding.a), conditionCell(finding.b), textCell(wordsOf(finding.generalisation)),
+                              numberCell(mean.estimate, 2), numberCell(mean.ci95.low, 2), numberCell(mean.ci95.high, 2),
+                              intervalCell(mean.ci95, 2), numberCell(mean.ci90.low, 2), numberCell(mean.ci90.high, 2),
+                              numberCell(mean.df, 1), pCell(claim.difference.p, claim.difference.logP), pCell(claim.pAdjusted),
+                              pCell(claim.equivalence.p, claim.equivalence.logP), pCell(claim.pEquivalenceAdjusted),
+                              textCell(wordsOf(claim.verdict)), rangeCell(finding.byFabric),
+                              changedCell(finding, finding.withoutFabric), changedCell(finding, finding.withoutParticipant)});
+    }
+    return table;
+}
+
+Table chanceTable(const std::string& id, const ChoiceAnalysis& choices)
+{
+    Table table{"above_chance_" + lowerCase(id),
+                id + ": mean share correct against chance 1/" + std::to_string(choices.alternatives) +
+                    ", with participants and fabrics as samples; Holm's correction over the conditions",
+                {"condition",
+                 "holds for",
+                 "share",
+                 {"95 % CI low", ColumnUse::InCsv},
+                 {"95 % CI high", ColumnUse::InCsv},
+                 {"95 % CI", ColumnUse::InDocuments},
+                 "df",
+                 {"p", ColumnUse::InCsv},
+                 "p above chance",
+                 "above chance"},
+                {}};
+    for (const ChanceFinding& finding : choices.claims.aboveChance) {
+        const stats::CrossedMean& mean = finding.claim.mean;
+        table.rows.push_back({conditionCell(finding.condition), textCell(wordsOf(finding.generalisation)),
+                              numberCell(mean.estimate, 2), numberCell(mean.ci95.low, 2), numberCell(mean.ci95.high, 2),
+                              intervalCell(mean.ci95, 2), numberCell(mean.df, 1),
+                              pCell(finding.claim.above.p, finding.claim.above.logP), pCell(finding.claim.pAdjusted),
+                              textCell(finding.claim.isAbove ? "yes" : "not shown")});
+    }
+    return table;
+}
+
+}  // namespace
+
+std::vector<ReportTable> claimTables(const StudyAnalysis& analysis)
+{
+    std::vector<ReportTable> tables;
+    for (const auto& question : questionsWith<ChoiceAnalysis>(analysis))
+        tables.push_back(
+            {.table = chanceTable(question.id(), question.findings), .section = PageSection::Matches, .question = question.id()});
+    for (const QuestionAnalysis& question : analysis.questions)
+        if (const QuestionClaims* claims = claimsOf(question); claims != nullptr && !claims->contrasts.empty())
+            tables.push_back({.table = contrastTable(analysis.data, question.question.id, *claims),
+                              .section = PageSection::Claims,
+                              .question = question.question.id,
+                              .foldedUnder = analysis.data.planned.empty() ? question.question.id + ": all pairs" : ""});
+    return tables;
+}
+
+}  // namespace reports

@@ -1,0 +1,16 @@
+// The words of claims: verdicts and generalisations as readers see them.
+#pragma once
+
+#include <string>
+
+#include "stats/models/claims.h"
+
+namespace reports {
+
+/// "different", "equivalent", "different, within the bounds" or "not decided".
+std::string wordsOf(stats::Verdict verdict);
+
+/// "these fabrics" or "fabrics like these".
+std::string wordsOf(stats::Generalisation generalisation);
+
+}  // namespace reports

@@ -1,0 +1,178 @@
+// The claims of a report: what each row says, what it generalises to, and what the summary makes of it.
+#include "reports/analysis/question_claims.h"
+
+#include <QtTest>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "reports/figures/report_figures.h"
+#include "reports/json/results_json.h"
+#include "reports/json/statistics_json.h"
+#include "reports/page/page.h"
+#include "reports/tables/report_tables.h"
+#include "tests/reports/study_builder.h"
+
+using Json = nlohmann::ordered_json;
+using reports::StudyAnalysis;
+using reports::StudyData;
+
+namespace {
+
+/// 0 to 4, without a pattern.
+int noiseOf(int p, int f, int c)
+{
+    const auto mixed = static_cast<unsigned>(p * 7919 + f * 104729 + c * 1299709 + 12345) * 2654435761U;
+    return static_cast<int>((mixed >> 16) % 5);
+}
+
+/// Condition "a" is rated one point above "b" on every fabric but one, where it is far below; "c" equals "b" up to noise.
+StudyData studyOfOneOddFabric()
+{
+    return builders::study(8, 6, {"a", "b", "c"},
+                           {[](int p, int f, int c) { return (p + 2 * f + c) % 3 != 0; },
+                            [](int p, int f, int c, int) {
+                                const double noise = 0.1 * (noiseOf(p, f, c) - 2);
+                                const double effect = c != 0 ? 0 : f == 5 ? -4 : 1;
+                                return 5 + effect + noise;
+                            }});
+}
+
+Json claimsOf(const StudyData& data) { return reports::resultsJson(reports::analyse(data))["claims"]; }
+
+Json rowOf(const Json& claims, const std::string& question, const std::string& a, const std::string& b, const std::string& to)
+{
+    for (const Json& row : claims)
+        if (row["question"] == question && row["a"] == a && row["b"] == b && row["generalises_to"] == to) return row;
+    return {};
+}
+
+QString pageOf(const StudyData& data)
+{
+    const StudyAnalysis analysis = reports::analyse(data);
+    return QString::fromStdString(
+        reports::reportPage(analysis, reports::reportTables(analysis), reports::reportFigures(analysis)));
+}
+
+}  // namespace
+
+class QuestionClaimsTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void plannedContrastsKeepOrderAndSign()
+    {
+        StudyData data = studyOfOneOddFabric();
+        data.planned = {{"c", "b"}, {"a", "b"}};
+        const Json claims = claimsOf(data);
+        // Four questions, two contrasts, two generalisations.
+        QCOMPARE(claims.size(), std::size_t(16));
+        QCOMPARE(claims[0]["a"], "c");
+        QCOMPARE(claims[0]["primary"], true);
+        QCOMPARE(claims[0]["generalises_to"], "these_fabrics");
+        QCOMPARE(claims[1]["generalises_to"], "fabrics_like_these");
+        QCOMPARE(claims[2]["primary"], false);
+        const Json forward = rowOf(claims, "Q2", "a", "b", "these_fabrics");
+        data.planned = {{"b", "a"}};
+        const Json backward = rowOf(claimsOf(data), "Q2", "b", "a", "these_fabrics");
+        QVERIFY(std::abs(forward["estimate"].get<double>() + backward["estimate"].get<double>()) < 1e-12);
+        QCOMPARE(backward["p_adjusted"], backward["p"]);  // a family of one
+    }
+
+    void unplannedStudiesClaimAllPairs()
+    {
+        const Json claims = claimsOf(studyOfOneOddFabric());
+        QCOMPARE(claims.size(), std::size_t(4 * 3 * 2));
+        for (const Json& row : claims) QVERIFY(row["planned"] == false && row["primary"] == false);
+    }
+
+    void oneOddFabricIsNoResultForFabricsLikeThese()
+    {
+        // Means over the six fabrics: (5 * 1 - 4) / 6 = 0.17, surely known for these fabrics, unknown for others.
+        const Json claims = claimsOf(studyOfOneOddFabric());
+        const Json these = rowOf(claims, "Q2", "a", "b", "these_fabrics"),
+                   alike = rowOf(claims, "Q2", "a", "b", "fabrics_like_these");
+        QCOMPARE(these["verdict"], "different_within_bounds");
+        QCOMPARE(alike["verdict"], "not_decided");
+        QVERIFY(alike["ci95"][0].get<double>() < -1 && alike["ci95"][1].get<double>() > 1);
+        QVERIFY(std::abs(alike["by_fabric"]["F06"].get<double>() + 4) < 0.2);
+        QVERIFY(std::abs(alike["by_fabric"]["F01"].get<double>() - 1) < 0.2);
+        // Without the odd fabric all others agree.
+        const Json& without = alike["leave_one_fabric_out"];
+        QCOMPARE(without.size(), std::size_t(6));
+        QCOMPARE(without[5]["without"], "F06");
+        QCOMPARE(without[5]["verdict"], "different");
+        QCOMPARE(alike["leave_one_participant_out"].size(), std::size_t(8));
+        QVERIFY(pageOf(studyOfOneOddFabric()).contains("not decided"));
+    }
+
+    void equalConditionsAreEquivalentForBoth()
+    {
+        const Json claims = claimsOf(studyOfOneOddFabric());
+        for (const char* to : {"these_fabrics", "fabrics_like_these"}) {
+            const Json row = rowOf(claims, "Q2", "b", "c", to);
+            QCOMPARE(row["verdict"], "equivalent");
+            QVERIFY(row["p_equivalence_adjusted"].get<double>() < 0.05);
+            QCOMPARE(row["bounds"], Json::array({-0.5, 0.5}));
+        }
+    }
+
+    void choicesHaveNoBounds()
+    {
+        const Json row = rowOf(claimsOf(studyOfOneOddFabric()), "Q1", "a", "b", "fabrics_like_these");
+        QVERIFY(row["bounds"].is_null() && row["p_equivalence"].is_null());
+        QVERIFY(row["why"].contains("bounds") && row["why"].contains("p_equivalence"));
+    }
+
+    void everyConditionIsComparedWithChanceTwice()
+    {
+        const Json results = reports::resultsJson(reports::analyse(studyOfOneOddFabric()));
+        QCOMPARE(results["above_chance"].size(), std::size_t(6));
+        QCOMPARE(results["omnibus"].size(), std::size_t(8));
+        QCOMPARE(results["omnibus"][0]["generalises_to"], "these_fabrics");
+    }
+
+    void oneFabricCannotSpeakForOthers()
+    {
+        const StudyData data = builders::study(6, 1, {"a", "b"},
+                                               {[](int p, int, int c) { return (p + c) % 2 == 0; },
+                                                [](int p, int, int c, int) { return 5 + c + 0.1 * noiseOf(p, 0, c); }});
+        const Json row = rowOf(claimsOf(data), "Q2", "a", "b", "fabrics_like_these");
+        QCOMPARE(row["verdict"], "not_decided");
+        QVERIFY(row["p"].is_null() && row["why"]["p"].get<std::string>().find("one fabric") != std::string::npos);
+        QVERIFY(pageOf(data).contains("With 1 fabric this study can hardly show what holds for fabrics like these"));
+    }
+
+    void blindedReportsNameNoPlannedContrast()
+    {
+        StudyData data = studyOfOneOddFabric();
+        data.blinded = true;
+        for (const Json& row : claimsOf(data)) QVERIFY(row["planned"] == false);
+    }
+
+    void boundsWithoutAProtocolAreCalledADefault()
+    {
+        StudyData data = studyOfOneOddFabric();
+        data.boundsStated = false;
+        QVERIFY(pageOf(data).contains("default of this program") && !pageOf(data).contains("The protocol states"));
+        data.boundsStated = true;
+        QVERIFY(!pageOf(data).contains("default of this program") && pageOf(data).contains("The protocol states"));
+    }
+
+    void figuresShowBothGeneralisations()
+    {
+        StudyData data = studyOfOneOddFabric();
+        data.planned = {{"a", "b"}, {"c", "b"}};
+        QStringList names;
+        for (const reports::Figure& figure : reports::reportFigures(reports::analyse(data))) {
+            names << QString::fromStdString(figure.name);
+            if (figure.name != "contrasts_Q2") continue;
+            QVERIFY(figure.svg.find("fabrics like these") != std::string::npos);
+            QVERIFY(figure.svg.find(">these fabrics<") != std::string::npos);
+            QVERIFY(figure.svg.find("not decided") != std::string::npos);
+        }
+        QVERIFY(names.contains("contrasts_Q1") && names.contains("contrasts_Q4") && names.contains("participants_Q3"));
+    }
+};
+
+QTEST_GUILESS_MAIN(QuestionClaimsTest)
+#include "question_claims_test.moc"

@@ -1,5 +1,9 @@
 #include "study/analyse/planned_power.h"
 
+#include <algorithm>
+
+#include "protocols/files/number_text.h"
+
 namespace study::analyse {
 
 namespace {
@@ -40,6 +44,22 @@ stats::PowerOptions powerOptionsOf(const protocols::Protocol& protocol)
         }
     }
     return options;
+}
+
+std::string boundsWarning(const protocols::Protocol& protocol)
+{
+    const stats::PowerOptions options = powerOptionsOf(protocol);
+    if (!options.hasRatings || options.design.participants < 2) return {};
+    const stats::Value reached = stats::narrowestBounds(options);
+    const auto [low, high] = protocol.equivalenceBounds;
+    if (reached.exists() && *reached <= std::min(-low, high)) return {};
+    const std::string people =
+        std::to_string(protocol.participants) + (protocol.participants == 1 ? " participant" : " participants");
+    const std::string bounds = protocols::shortest(low) + " and " + protocols::shortest(high);
+    const std::string from =
+        reached.exists() ? "only from +-" + protocols::fixed(*reached, 2) + " scale points on" : "for no bounds of the scale";
+    return "equivalence within " + bounds + " will rarely be shown: with " + people + " the power is 80 % " + from +
+           " (assumed variances; see vis2hap power)";
 }
 
 stats::CalibrationOptions calibrationOptionsOf(const stats::PowerOptions& power, std::size_t studies)

@@ -48,7 +48,9 @@ std::vector<stats::CalibrationRow> calibrated(const stats::PowerOptions& options
     Progress progress("studies without a difference");
     auto calibration = analyse::calibrationOptionsOf(options, studies);
     calibration.simulation = withProgress(calibration.simulation, progress, stats::calibrationStudies(calibration));
-    return stats::calibration(calibration);
+    std::vector<stats::CalibrationRow> rows = stats::calibration(calibration);
+    for (stats::CalibrationRow& row : stats::claimCalibration(calibration)) rows.push_back(std::move(row));
+    return rows;
 }
 
 int power(const PowerCall& call)

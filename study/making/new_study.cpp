@@ -9,6 +9,7 @@
 #include "protocols/files/folder_draft.h"
 #include "protocols/files/sha256.h"
 #include "rendering/display/stimulus_bank.h"
+#include "study/analyse/planned_power.h"
 #include "study/making/study_images.h"
 #include "study/making/study_material.h"
 #include "study/session/clock.h"
@@ -124,6 +125,8 @@ MadeStudy makeStudy(const NewStudy& request, const StepProgress& progress)
     made.facts = factsOf(request, material);
     const StudyImages images = imagesFor(request, material, made.facts, progress);
     noteImages(images, made);
+    if (std::string warning = analyse::boundsWarning(material.protocol); !warning.empty())
+        made.warnings.push_back(std::move(warning));
     const FamiliarisationImages familiarisation = familiarisationFor(request, material);
 
     const auto design = protocols::drawDesign(material.protocol, request.seed);

@@ -102,6 +102,19 @@ private Q_SLOTS:
         QCOMPARE(protocol.planned.front(), (PlannedContrast{ConditionId("h_g&f_g"), ConditionId("h&f")}));
     }
 
+    void primaryContrastComesFirst()
+    {
+        Protocol protocol = paper();
+        QCOMPARE(protocol.primary, std::optional(protocol.planned[0]));
+        protocol.primary = protocol.planned[3];
+        const std::vector<PlannedContrast> contrasts = contrastsInOrder(protocol);
+        QCOMPARE(contrasts.size(), protocol.planned.size());
+        QVERIFY(contrasts[0] == protocol.planned[3] && contrasts[1] == protocol.planned[0] &&
+                contrasts[4] == protocol.planned[4]);
+        protocol.primary.reset();
+        QVERIFY(contrastsInOrder(protocol) == protocol.planned);
+    }
+
     void shippedFileIsTheOneInTheProgram()
     {
         const std::filesystem::path file = std::filesystem::path(VIS2HAP_SOURCE_DIR) / "protocols/vis2hap.json";
@@ -165,6 +178,8 @@ private Q_SLOTS:
         row("contrast outside", "\"name\"", "\"planned\": [[\"h\", \"v_grey\"]], \"name\"",
             "planned[0]: 'h' is not among the conditions");
         row("contrast with itself", "\"name\"", "\"planned\": [[\"v_grey\", \"v_grey\"]], \"name\"", "with itself");
+        row("primary that is not planned", "\"name\"", "\"primary\": [\"h&f\", \"v_grey\"], \"name\"",
+            "primary: 'h&f' and 'v_grey' are not a planned contrast in this order");
         row("fabric twice", "\"fabrics\": 3", "\"fabrics\": [\"A\", \"B\", \"A\"]", "fabrics");
         row("cut off", "\"scale\": {\"min\": 0, \"max\": 10}}]}", "", "line 3");
         row("key twice", "\"name\"", "\"participants\": 4, \"name\"", "doubled key 'participants'");

@@ -30,6 +30,21 @@ std::vector<std::string> aboveChance(const ChoiceAnalysis& choices, Generalisati
     return labels;
 }
 
+/// Names the conditions without any variation, for which no test exists.
+std::string withoutVariation(const ChoiceAnalysis& choices, double share, const std::string& answers)
+{
+    std::vector<std::string> labels;
+    for (const ChanceFinding& finding : choices.claims.aboveChance) {
+        const stats::CrossedMean& mean = finding.claim.mean;
+        const bool isConstant = !mean.why.empty() && mean.values > 1 && mean.estimate.exists() && *mean.estimate == share;
+        if (finding.generalisation == Generalisation::FabricsLikeThese && isConstant)
+            labels.push_back(htmlLabel(finding.condition));
+    }
+    if (labels.empty()) return {};
+    return " All answers were " + answers + " under " + listed(labels) +
+           ": how much others vary is unknown, so there is no such test (see the exact test of the trials in the table).";
+}
+
 std::string chanceSentence(const StudyAnalysis& analysis, const std::string& id, const ChoiceAnalysis& choices)
 {
     const std::size_t conditions = analysis.data.conditions.size();
@@ -38,9 +53,12 @@ std::string chanceSentence(const StudyAnalysis& analysis, const std::string& id,
     std::string text = id + ": matching is above chance (1/" + std::to_string(choices.alternatives) + ") in " +
                        std::to_string(alike.size()) + " of " + counted(conditions, "condition") + " for fabrics like these";
     text += alike.empty() ? "." : ": " + listed(alike) + ".";
-    if (these == alike) return text + " The same holds for these fabrics only.";
-    return text + " For these fabrics only it is in " + std::to_string(these.size()) +
-           (these.empty() ? "." : ": " + listed(these) + ".");
+    if (these == alike)
+        text += " The same holds for these fabrics only.";
+    else
+        text += " For these fabrics only it is in " + std::to_string(these.size()) +
+                (these.empty() ? "." : ": " + listed(these) + ".");
+    return text + withoutVariation(choices, 1, "right") + withoutVariation(choices, 0, "wrong");
 }
 
 /// The smallest and the largest of the conditions' values; empty for fewer than two.

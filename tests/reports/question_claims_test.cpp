@@ -142,6 +142,17 @@ private Q_SLOTS:
         QVERIFY(pageOf(data).contains("With 1 fabric this study can hardly show what holds for fabrics like these"));
     }
 
+    void conditionsWithoutAWrongAnswerAreNamed()
+    {
+        const StudyData data = builders::study(6, 4, {"a", "b"},
+                                               {[](int p, int f, int c) { return c == 0 || (p + f) % 2 == 0; },
+                                                [](int p, int f, int c, int) { return 5 + 0.1 * noiseOf(p, f, c); }});
+        const QString page = pageOf(data);
+        QVERIFY(page.contains("All answers were right under") && !page.contains("All answers were wrong under"));
+        const Json row = reports::resultsJson(reports::analyse(data))["above_chance"][1];
+        QVERIFY(row["p"].is_null() && row["estimate"] == 1.0 && row["above_chance"] == false);
+    }
+
     void blindedReportsNameNoPlannedContrast()
     {
         StudyData data = studyOfOneOddFabric();

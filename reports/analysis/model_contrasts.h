@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "reports/analysis/answer_cells.h"
-#include "stats/models/crossed_mean.h"
+#include "stats/claims/crossed_mean.h"
 #include "stats/models/crossed_study.h"
 
 namespace reports {

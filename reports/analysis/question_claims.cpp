@@ -9,7 +9,7 @@ namespace reports {
 namespace {
 
 using stats::AnswerCube;
-using stats::Contrast;
+using stats::ContrastPair;
 using stats::Generalisation;
 
 AnswerCube cubeOf(const StudyData& data, const AnswerCells& cells, const std::string& question)
@@ -32,9 +32,9 @@ std::size_t placeOfCondition(const StudyData& data, const std::string& condition
 }
 
 /// The planned contrasts, the primary one first; all pairs where none is planned.
-std::vector<Contrast> familyOf(const StudyData& data)
+std::vector<ContrastPair> familyOf(const StudyData& data)
 {
-    std::vector<Contrast> family;
+    std::vector<ContrastPair> family;
     const std::size_t count = data.conditions.size();
     for (const auto& [a, b] : data.planned)
         if (placeOfCondition(data, a) < count && placeOfCondition(data, b) < count)
@@ -45,7 +45,7 @@ std::vector<Contrast> familyOf(const StudyData& data)
     return family;
 }
 
-std::vector<stats::Value> meansByFabric(const AnswerCube& cube, const Contrast& contrast)
+std::vector<stats::Value> meansByFabric(const AnswerCube& cube, const ContrastPair& contrast)
 {
     std::vector<std::vector<double>> differences(cube.fabrics());
     for (std::size_t p = 0; p < cube.participants(); ++p)
@@ -60,7 +60,7 @@ std::vector<stats::Value> meansByFabric(const AnswerCube& cube, const Contrast& 
 /// The claims of one family for one generalisation, with each fabric and each participant left out in turn.
 class Family {
 public:
-    Family(const StudyData& data, const AnswerCells& cells, const AnswerCube& cube, const std::vector<Contrast>& contrasts,
+    Family(const StudyData& data, const AnswerCells& cells, const AnswerCube& cube, const std::vector<ContrastPair>& contrasts,
            const std::optional<stats::Bounds>& bounds)
         : m_data(data), m_cells(cells), m_cube(cube), m_contrasts(contrasts), m_bounds(bounds)
     {
@@ -104,7 +104,7 @@ private:
     const StudyData& m_data;
     const AnswerCells& m_cells;
     const AnswerCube& m_cube;
-    const std::vector<Contrast>& m_contrasts;
+    const std::vector<ContrastPair>& m_contrasts;
     const std::optional<stats::Bounds>& m_bounds;
 };
 
@@ -126,7 +126,7 @@ QuestionClaims claimsOf(const StudyData& data, const AnswerCells& cells, const s
     QuestionClaims claims;
     if (!alternatives) claims.bounds = data.equivalenceBounds;
     const AnswerCube cube = cubeOf(data, cells, question);
-    const std::vector<Contrast> contrasts = familyOf(data);
+    const std::vector<ContrastPair> contrasts = familyOf(data);
     const Family family(data, cells, cube, contrasts, claims.bounds);
     const std::vector<ContrastFinding> these = family.findings(Generalisation::TheseFabrics),
                                        alike = family.findings(Generalisation::FabricsLikeThese);

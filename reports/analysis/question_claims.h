@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "reports/analysis/answer_cells.h"
-#include "stats/models/claims.h"
+#include "stats/claims/claims.h"
 #include "stats/models/crossed_study.h"
 #include "stats/tests/repeated_measures.h"
 

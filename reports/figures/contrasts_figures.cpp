@@ -5,8 +5,8 @@
 
 #include "protocols/files/markup_text.h"
 #include "protocols/files/svg_drawing.h"
+#include "reports/analysis/claim_words.h"
 #include "reports/charts/chart_colours.h"
-#include "reports/text/claim_words.h"
 #include "reports/text/condition_label.h"
 #include "reports/text/number_text.h"
 

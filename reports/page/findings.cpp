@@ -4,7 +4,7 @@
 #include <map>
 
 #include "protocols/files/markup_text.h"
-#include "reports/text/claim_words.h"
+#include "reports/analysis/claim_words.h"
 #include "reports/text/condition_label.h"
 #include "reports/text/number_text.h"
 #include "reports/text/plain_words.h"
@@ -72,14 +72,16 @@ std::string rangeSentence(const StudyAnalysis& analysis, const Conditions& condi
             values.emplace_back(*value, analysis.data.conditions[i]);
     if (values.size() < 2) return {};
     const auto [low, high] = std::minmax_element(values.begin(), values.end());
+    if (low->first == high->first) return what + " are " + fixed(low->first, 1) + " in all conditions.";
     return what + " range from " + fixed(low->first, 1) + " (" + htmlLabel(low->second) + ") to " + fixed(high->first, 1) + " (" +
            htmlLabel(high->second) + ").";
 }
 
+/// The primary contrast, or the only one; null where there is neither.
 const ContrastFinding* primaryOf(const QuestionClaims& claims, Generalisation generalisation)
 {
     for (const ContrastFinding& finding : claims.contrasts)
-        if (finding.primary && finding.generalisation == generalisation) return &finding;
+        if ((finding.primary || claims.contrasts.size() == 2) && finding.generalisation == generalisation) return &finding;
     return nullptr;
 }
 
@@ -113,14 +115,15 @@ std::string leaveOneOutSentence(const ContrastFinding& finding)
            std::to_string(list.size()) + " cases.";
 }
 
-/// The primary contrast, for both generalisations.
+/// The primary contrast, or the only one, for both generalisations.
 std::string primarySentence(const std::string& id, const QuestionClaims& claims)
 {
     const ContrastFinding* alike = primaryOf(claims, Generalisation::FabricsLikeThese);
     const ContrastFinding* these = primaryOf(claims, Generalisation::TheseFabrics);
     if (alike == nullptr || these == nullptr) return {};
     const stats::CrossedMean& mean = alike->claim.mean.why.empty() ? alike->claim.mean : these->claim.mean;
-    std::string text = id + ", primary contrast " + htmlLabel(alike->a) + " \u2212 " + htmlLabel(alike->b) + ": ";
+    std::string text =
+        id + (alike->primary ? ", primary contrast " : ", ") + htmlLabel(alike->a) + " \u2212 " + htmlLabel(alike->b) + ": ";
     if (mean.estimate.exists() && mean.ci90.low.exists())
         text += typeset(fixed(*mean.estimate, 2)) + ", 90 % interval [" + typeset(fixed(*mean.ci90.low, 2)) + ", " +
                 typeset(fixed(*mean.ci90.high, 2)) + "]. ";
@@ -145,9 +148,10 @@ std::string familySentence(const StudyData& data, const std::string& id, const Q
            ", for fabrics like these: " + listed(parts) + ".";
 }
 
-/// Says so where the number of fabrics cannot carry a result for fabrics like these.
-std::string fewFabricsSentence(const StudyData& data)
+/// Says so where the numbers of participants and fabrics cannot carry a result for others.
+std::string smallStudySentence(const StudyData& data)
 {
+    if (data.participants.size() == 1) return "With 1 participant this study cannot show what holds for others.";
     constexpr std::size_t enoughFabrics = 5;
     const std::size_t fabrics = data.fabrics.size();
     if (fabrics >= enoughFabrics || data.conditions.size() < 2) return {};
@@ -184,7 +188,7 @@ std::vector<std::string> findings(const StudyAnalysis& analysis)
             sentences.push_back(primarySentence(id, *claims));
             sentences.push_back(familySentence(analysis.data, id, *claims));
         }
-    sentences.push_back(fewFabricsSentence(analysis.data));
+    sentences.push_back(smallStudySentence(analysis.data));
     for (const auto& question : questionsWith<WordedAnalysis>(analysis))
         sentences.push_back(wordsSentence(protocols::escapedMarkup(question.id()), question.findings));
     std::erase(sentences, std::string());

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "protocols/files/number_text.h"
+#include "reports/analysis/claim_words.h"
 #include "reports/tables/table_cells.h"
-#include "reports/text/claim_words.h"
 #include "reports/text/number_text.h"
 #include "reports/text/plain_words.h"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "stats/models/claims.h"
+#include "stats/claims/claims.h"
 
 namespace stats {
 namespace {
@@ -79,9 +79,9 @@ AnswerCube drawn(const StudyDesign& design, const ClaimNull& null, double people
     return cube;
 }
 
-std::vector<Contrast> allPairs(std::size_t conditions)
+std::vector<ContrastPair> allPairs(std::size_t conditions)
 {
-    std::vector<Contrast> pairs;
+    std::vector<ContrastPair> pairs;
     for (std::size_t a = 0; a < conditions; ++a)
         for (std::size_t b = a + 1; b < conditions; ++b) pairs.emplace_back(a, b);
     return pairs;
@@ -109,7 +109,7 @@ CalibrationFamily ratingFamily(const CalibrationOptions& options, const ClaimNul
             const double raw = scale.centre + effects + draws.normal(residualSd);
             return std::clamp(std::round(raw / scale.scaleStep) * scale.scaleStep, scale.scaleMin, scale.scaleMax);
         };
-        const std::vector<Contrast> pairs = allPairs(design.conditions);
+        const std::vector<ContrastPair> pairs = allPairs(design.conditions);
         for (const Generalisation truth : {Generalisation::TheseFabrics, Generalisation::FabricsLikeThese}) {
             AnswerCube cube = drawn(design, null, participantSd, fabricSd, truth, draws, rating);
             const auto claims = contrastClaims(cube, pairs, {}, truth);

@@ -153,6 +153,23 @@ private Q_SLOTS:
         QVERIFY(row["p"].is_null() && row["estimate"] == 1.0 && row["above_chance"] == false);
     }
 
+    void twoConditionsHaveTheirVerdictInTheSummary()
+    {
+        const QString page = pageOf(builders::study(6, 5, {"a", "b"},
+                                                    {[](int p, int f, int c) { return (p + f + c) % 3 != 0; },
+                                                     [](int p, int f, int c, int) { return 5 + c + 0.1 * noiseOf(p, f, c); }}));
+        QVERIFY(page.contains("Q2, a \u2212 b: \u22121.0"));
+        QVERIFY(page.contains("For fabrics like these: <b>different</b>"));
+    }
+
+    void onePersonSpeaksForNobodyElse()
+    {
+        const QString page = pageOf(builders::study(1, 5, {"a", "b"},
+                                                    {[](int, int f, int c) { return (f + c) % 3 != 0; },
+                                                     [](int, int f, int c, int) { return 5 + c + 0.1 * noiseOf(0, f, c); }}));
+        QVERIFY(page.contains("With 1 participant this study cannot show what holds for others."));
+    }
+
     void blindedReportsNameNoPlannedContrast()
     {
         StudyData data = studyOfOneOddFabric();

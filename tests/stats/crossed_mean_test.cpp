@@ -1,11 +1,11 @@
 // The mean of participants crossed with fabrics, and the claims that rest on it.
-#include "stats/models/crossed_mean.h"
+#include "stats/claims/crossed_mean.h"
 
 #include <QtTest>
 #include <cmath>
 #include <limits>
 
-#include "stats/models/claims.h"
+#include "stats/claims/claims.h"
 #include "tests/stats/exact_numbers.h"
 
 using stats::AnswerCube;
@@ -143,7 +143,7 @@ private Q_SLOTS:
                 cube.at(2, p, f) = 5 + noise;
                 cube.at(3, p, f) = 4.8 + noise / 2;
             }
-        const std::vector<stats::Contrast> contrasts{{0, 1}, {0, 2}, {0, 3}};
+        const std::vector<stats::ContrastPair> contrasts{{0, 1}, {0, 2}, {0, 3}};
         for (const Generalisation generalisation : {Generalisation::TheseFabrics, Generalisation::FabricsLikeThese}) {
             const auto claims = stats::contrastClaims(cube, contrasts, stats::Bounds{-0.5, 0.5}, generalisation);
             QVERIFY(claims[0].verdict == Verdict::Different);
@@ -154,7 +154,8 @@ private Q_SLOTS:
             const double leastAdjusted = std::min({*claims[0].pAdjusted, *claims[1].pAdjusted, *claims[2].pAdjusted});
             QVERIFY(std::abs(leastAdjusted - 3 * least) <= 1e-9 * leastAdjusted);
         }
-        const auto open = stats::contrastClaims(cube, std::vector<stats::Contrast>{{0, 2}}, {}, Generalisation::FabricsLikeThese);
+        const auto open =
+            stats::contrastClaims(cube, std::vector<stats::ContrastPair>{{0, 2}}, {}, Generalisation::FabricsLikeThese);
         QVERIFY(open[0].verdict == Verdict::NotDecided && !open[0].equivalence.p.exists());
     }
 
@@ -165,7 +166,7 @@ private Q_SLOTS:
             cube.at(0, i / 3, i % 3) = twelve[i];
             cube.at(1, i / 3, i % 3) = 0;
         }
-        const std::vector<stats::Contrast> both{{0, 1}, {1, 0}};
+        const std::vector<stats::ContrastPair> both{{0, 1}, {1, 0}};
         const auto claims = stats::contrastClaims(cube, both, stats::Bounds{-0.5, 0.5}, Generalisation::FabricsLikeThese);
         QVERIFY(near(claims[0].mean.estimate, -*claims[1].mean.estimate));
         QVERIFY(near(claims[0].difference.p, *claims[1].difference.p) && near(claims[0].equivalence.p, *claims[1].equivalence.p));

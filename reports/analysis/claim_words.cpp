@@ -1,4 +1,4 @@
-#include "reports/text/claim_words.h"
+#include "reports/analysis/claim_words.h"
 
 namespace reports {
 

@@ -1,4 +1,4 @@
-#include "stats/models/claims.h"
+#include "stats/claims/claims.h"
 
 #include <algorithm>
 #include <cassert>
@@ -122,7 +122,7 @@ std::string_view nameOf(Verdict verdict)
     return "not_decided";
 }
 
-std::vector<ContrastClaim> contrastClaims(const AnswerCube& answers, std::span<const Contrast> contrasts,
+std::vector<ContrastClaim> contrastClaims(const AnswerCube& answers, std::span<const ContrastPair> contrasts,
                                           const std::optional<Bounds>& bounds, Generalisation generalisation)
 {
     std::vector<ContrastClaim> claims;

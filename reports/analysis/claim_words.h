@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "stats/models/claims.h"
+#include "stats/claims/claims.h"
 
 namespace reports {
 

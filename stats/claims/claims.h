@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "stats/models/crossed_mean.h"
+#include "stats/claims/crossed_mean.h"
 
 namespace stats {
 
@@ -61,11 +61,11 @@ struct ContrastClaim {
     Verdict verdict = Verdict::NotDecided;
 };
 
-using Contrast = std::pair<std::size_t, std::size_t>;
+using ContrastPair = std::pair<std::size_t, std::size_t>;
 using Bounds = std::pair<double, double>;  ///< low < high, unit of the answers
 
 /// One family of contrasts, in their order. Holm's correction is taken once for the differences, once for the equivalences.
-std::vector<ContrastClaim> contrastClaims(const AnswerCube& answers, std::span<const Contrast> contrasts,
+std::vector<ContrastClaim> contrastClaims(const AnswerCube& answers, std::span<const ContrastPair> contrasts,
                                           const std::optional<Bounds>& bounds, Generalisation generalisation);
 
 /// Mean of the choices under a condition against chance.

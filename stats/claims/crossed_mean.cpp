@@ -1,4 +1,4 @@
-#include "stats/models/crossed_mean.h"
+#include "stats/claims/crossed_mean.h"
 
 #include <algorithm>
 #include <cmath>

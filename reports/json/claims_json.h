@@ -1,14 +1,13 @@
 // The claims of a question as rows of results.json, and the mixed models behind them as parts of statistics.json.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <vector>
 
 #include "reports/analysis/question_claims.h"
+#include "reports/json/json_fields.h"
 
 namespace reports {
-
-using Json = nlohmann::ordered_json;
 
 /// Appends the question's rows to the arrays "omnibus", "above_chance" and "claims".
 void addOmnibus(Json& rows, const std::string& question, const QuestionClaims& claims);

@@ -150,7 +150,8 @@ std::string omnibusParagraph(bool hasChoices, bool hasRatings)
 std::string measuredSizesParagraph()
 {
     return "<b>Measured error rates.</b> The tables below show how often claims and tests reject when there is no true effect. "
-           "The nulls have interactions of participants and fabrics with condition, because these make tests reject too often. The "
+           "The nulls have interactions of participants and fabrics with condition, because these make tests reject too often. "
+           "The "
            "rates were measured for the paper's design (10 participants, 7 fabrics, 9 conditions). A test above 6 % is marked as "
            "anti-conservative. Tests that treat the fabrics as fixed say nothing about other fabrics.";
 }

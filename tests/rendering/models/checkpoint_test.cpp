@@ -94,7 +94,8 @@ private Q_SLOTS:
                 QFile::remove(m_folder.filePath(file));
             }
         }
-        QVERIFY2(last > 10, qPrintable(QString::number(last)));
+        // Some kills came after a whole checkpoint. How many depends on the load of the machine.
+        QVERIFY2(last > 2, qPrintable(QString::number(last)));
         QVERIFY2(interrupted > 30, qPrintable(QString("%1 of 100 kills fell into the writing").arg(interrupted)));
     }
 };

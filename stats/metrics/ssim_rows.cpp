@@ -98,7 +98,8 @@ template <typename Number>
 [[gnu::always_inline]] inline std::size_t notFinite(const Number* pixels, std::size_t n)
 {
     std::size_t count = 0;
-    for (std::size_t i = 0; i < n; ++i) count += pixels[i] - pixels[i] == 0 ? 0 : 1;
+    // A value minus itself is 0 unless it is not finite. This form is vectorised.
+    for (std::size_t i = 0; i < n; ++i) count += pixels[i] - pixels[i] == 0 ? 0 : 1;  // NOLINT(misc-redundant-expression)
     return count;
 }
 

@@ -47,27 +47,22 @@ std::string claimsParagraph(const StudyData& data, bool hasChoices)
     std::string text =
         "<b>Two generalisations.</b> Each claim is made twice. &ldquo;For these fabrics&rdquo;: participants are a sample, the "
         "fabrics are all there are. The test is Student's t on the participants' means over fabrics. &ldquo;For fabrics like "
-        "these&rdquo;: participants and fabrics are samples. The differences of the two conditions, one for each participant and "
-        "fabric, are fitted by a linear mixed model with crossed random intercepts of participant and fabric (REML). The t test "
-        "has Satterthwaite's degrees of freedom, at most 4/3 (participants + fabrics &minus; 2). So each pair has variances of "
-        "its "
-        "own. The verdict of the summary is the second.";
+        "these&rdquo;: participants and fabrics are samples. There is one difference of the two conditions for each participant "
+        "and fabric. A linear mixed model with crossed random intercepts of participant and fabric (REML) is fitted to them. The "
+        "t test has Satterthwaite's degrees of freedom, at most 4/3 (participants + fabrics &minus; 2). So each pair has "
+        "variances of its own. The verdict of the summary is the second.";
     if (hasChoices)
         text +=
             " Choices count as 0 and 1 in these tests. Odds and effects come from the logistic mixed models, whose tests reject "
-            "too "
-            "often with few fabrics.";
-    text +=
-        data.planned.empty()
-            ? " No contrast was planned: all pairs of a question are one family."
-            : " The planned contrasts of a question are one family, in the order and with the sign of the protocol, the primary "
-              "one first.";
+            "too often with few fabrics.";
+    text += data.planned.empty() ? " No contrast was planned: all pairs of a question are one family."
+                                 : " The planned contrasts of a question are one family, in the order and with the sign of the "
+                                   "protocol, the primary one first.";
     return text +
            " Holm's correction is taken within the family: once for the differences, once for the equivalences, separately for "
-           "each "
-           "generalisation. The verdict is &ldquo;different&rdquo; or &ldquo;equivalent&rdquo; if the corrected p is below .05, "
-           "&ldquo;different, within the bounds&rdquo; if both are, and &ldquo;not decided&rdquo; if neither is. Each family is "
-           "analysed again without each fabric and without each participant.";
+           "each generalisation. The verdict is &ldquo;different&rdquo; or &ldquo;equivalent&rdquo; if the corrected p is below "
+           ".05. It is &ldquo;different, within the bounds&rdquo; if both are, and &ldquo;not decided&rdquo; if neither is. Each "
+           "family is analysed again without each fabric and without each participant.";
 }
 
 std::string unitParagraph()

@@ -86,8 +86,8 @@ void putParticipantsTest(CrossedMean& mean, const CrossedValues& cells)
 }
 
 /// Upper limit of the degrees of freedom. Where a variance is estimated as zero, Satterthwaite's count the answers and not the
-/// participants and fabrics; far in the tails, where corrected tests decide, a test then rejects too often (8.7 % of families
-/// of 36 contrasts, with 7 fabrics of SD 0.5 and 10 participants; 5.5 % with this limit).
+/// participants and fabrics. Far in the tails, where corrected tests decide, a test then rejects too often: 8.7 % of families of
+/// 36 contrasts, with 7 fabrics of SD 0.5 and 10 participants. With this limit it is 5.5 %.
 double mostDegrees(const CrossedMean& mean) { return 4.0 / 3.0 * static_cast<double>(mean.participants + mean.fabrics - 2); }
 
 void putCrossedTest(CrossedMean& mean, const CrossedValues& cells)

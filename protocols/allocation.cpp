@@ -18,7 +18,7 @@ constexpr std::string_view fileCodeLetters = "abcdefghjkmnpqrstuvwxyz23456789";
 constexpr std::string_view presentationLetters = "ACEFHJKLMNPRTUVWXY3479";
 constexpr int fileCodeLength = 8;
 constexpr int presentationCodeLength = 4;
-constexpr std::size_t presentationCodes = 22 * 22 * 22 * 22;
+constexpr std::size_t presentationCodes = std::size_t{22} * 22 * 22 * 22;
 
 std::string drawCode(std::string_view letters, int length, Random& random)
 {

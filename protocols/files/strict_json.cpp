@@ -253,7 +253,7 @@ nlohmann::ordered_json parseStrictOrderedJson(std::string_view text, const std::
     return parsed<nlohmann::ordered_json>(text, where);
 }
 
-JsonDocument::JsonDocument(std::string text, std::string where)
+JsonDocument::JsonDocument(std::string_view text, std::string where)
     : m_text(withoutByteOrderMark(text)),
       m_where(std::move(where)),
       m_root(std::make_shared<const nlohmann::json>(parseStrictJson(m_text, m_where)))

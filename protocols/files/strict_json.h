@@ -21,7 +21,7 @@ nlohmann::ordered_json parseStrictOrderedJson(std::string_view text, const std::
 class JsonDocument {
 public:
     /// `where` names the source in errors. Throws badInput as parseStrictJson() does.
-    JsonDocument(std::string text, std::string where);
+    JsonDocument(std::string_view text, std::string where);
 
     const nlohmann::json& root() const { return *m_root; }
     const std::string& where() const { return m_where; }

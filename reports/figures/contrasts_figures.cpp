@@ -15,7 +15,6 @@ namespace {
 
 using protocols::SvgAnchor;
 using protocols::SvgDrawing;
-using protocols::SvgText;
 using stats::Generalisation;
 
 constexpr std::size_t mostRows = 36;

@@ -1,6 +1,7 @@
 #include "reports/analysis/question_claims.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "stats/kernels/decimal_grid.h"
@@ -50,7 +51,7 @@ std::vector<stats::Value> meansByFabric(const AnswerCube& cube, const ContrastPa
     std::vector<std::vector<double>> differences(cube.fabrics());
     for (std::size_t p = 0; p < cube.participants(); ++p)
         for (std::size_t f = 0; f < cube.fabrics(); ++f)
-            if (const double one = cube.at(contrast.first, p, f) - cube.at(contrast.second, p, f); one == one)
+            if (const double one = cube.at(contrast.first, p, f) - cube.at(contrast.second, p, f); !std::isnan(one))
                 differences[f].push_back(one);
     std::vector<stats::Value> means;
     for (const std::vector<double>& ofFabric : differences) means.push_back(stats::meanOf(ofFabric));
@@ -70,11 +71,13 @@ public:
     {
         std::vector<ContrastFinding> findings;
         for (stats::ContrastClaim& claim : stats::contrastClaims(m_cube, m_contrasts, m_bounds, generalisation)) {
-            const bool isPlanned = !m_data.planned.empty();
+            const auto contrast = std::pair(m_data.conditions[claim.a], m_data.conditions[claim.b]);
+            // Answers from elsewhere may lack the conditions of the protocol: then all pairs are tested, and none is planned.
+            const bool isPlanned = std::ranges::find(m_data.planned, contrast) != m_data.planned.end();
             findings.push_back({m_data.conditions[claim.a],
                                 m_data.conditions[claim.b],
                                 isPlanned,
-                                isPlanned && findings.empty(),
+                                isPlanned && contrast == m_data.planned.front(),
                                 generalisation,
                                 std::move(claim),
                                 {},
@@ -146,6 +149,8 @@ QuestionClaims claimsOf(const StudyData& data, const AnswerCells& cells, const s
     claims.omnibus = {{Generalisation::TheseFabrics, testOf(anova)}, {Generalisation::FabricsLikeThese, model.condition}};
     return claims;
 }
+
+bool arePlanned(const QuestionClaims& claims) { return !claims.contrasts.empty() && claims.contrasts.front().planned; }
 
 std::string nameOf(Generalisation generalisation)
 {

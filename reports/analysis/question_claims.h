@@ -25,7 +25,7 @@ struct ContrastFinding {
     std::string a;
     std::string b;
     bool planned = false;  ///< in the protocol's order and sign; never while blinded
-    bool primary = false;  ///< the protocol's primary contrast, else the first planned one
+    bool primary = false;  ///< the protocol's primary contrast
     stats::Generalisation generalisation = stats::Generalisation::TheseFabrics;
     stats::ContrastClaim claim;
     std::vector<stats::Value> byFabric;          ///< mean difference on each fabric of the study
@@ -62,6 +62,10 @@ struct QuestionClaims {
 QuestionClaims claimsOf(const StudyData& data, const AnswerCells& cells, const std::string& question,
                         std::optional<int> alternatives, const stats::RepeatedMeasuresAnova& anova,
                         const stats::RatingModel& model);
+
+/// Whether the family is that of the planned contrasts. It is not where none is planned, or where the answers have no planned
+/// contrast's conditions.
+bool arePlanned(const QuestionClaims& claims);
 
 /// "these_fabrics" or "fabrics_like_these".
 std::string nameOf(stats::Generalisation generalisation);

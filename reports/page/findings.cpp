@@ -132,7 +132,7 @@ std::string primarySentence(const std::string& id, const QuestionClaims& claims)
 }
 
 /// "Q2: of 12 planned contrasts, 2 are different and 10 not decided for fabrics like these."
-std::string familySentence(const StudyData& data, const std::string& id, const QuestionClaims& claims)
+std::string familySentence(const std::string& id, const QuestionClaims& claims)
 {
     std::map<stats::Verdict, std::size_t> counts;
     std::size_t tested = 0;
@@ -144,7 +144,7 @@ std::string familySentence(const StudyData& data, const std::string& id, const Q
     if (tested < 2) return {};
     std::vector<std::string> parts;
     for (const auto& [verdict, count] : counts) parts.push_back(std::to_string(count) + " " + wordsOf(verdict));
-    return id + ": of " + std::to_string(tested) + (data.planned.empty() ? " pairs" : " planned contrasts") +
+    return id + ": of " + std::to_string(tested) + (arePlanned(claims) ? " planned contrasts" : " pairs") +
            ", for fabrics like these: " + listed(parts) + ".";
 }
 
@@ -186,7 +186,7 @@ std::vector<std::string> findings(const StudyAnalysis& analysis)
         if (const QuestionClaims* claims = claimsOf(question)) {
             const std::string id = protocols::escapedMarkup(question.question.id);
             sentences.push_back(primarySentence(id, *claims));
-            sentences.push_back(familySentence(analysis.data, id, *claims));
+            sentences.push_back(familySentence(id, *claims));
         }
     sentences.push_back(smallStudySentence(analysis.data));
     for (const auto& question : questionsWith<WordedAnalysis>(analysis))

@@ -1,5 +1,6 @@
 #include "reports/page/methods.h"
 
+#include <algorithm>
 #include <set>
 
 #include "protocols/files/markup_text.h"
@@ -42,7 +43,15 @@ std::string boundsText(const StudyData& data)
            typeset(protocols::shortest(data.equivalenceBounds.second));
 }
 
-std::string claimsParagraph(const StudyData& data, bool hasChoices)
+bool anyPlanned(const StudyAnalysis& analysis)
+{
+    return std::ranges::any_of(analysis.questions, [](const QuestionAnalysis& question) {
+        const QuestionClaims* claims = claimsOf(question);
+        return claims != nullptr && arePlanned(*claims);
+    });
+}
+
+std::string claimsParagraph(const StudyAnalysis& analysis, bool hasChoices)
 {
     std::string text =
         "<b>Two generalisations.</b> Each claim is made twice. &ldquo;For these fabrics&rdquo;: participants are a sample, the "
@@ -55,9 +64,9 @@ std::string claimsParagraph(const StudyData& data, bool hasChoices)
         text +=
             " Choices count as 0 and 1 in these tests. Odds and effects come from the logistic mixed models, whose tests reject "
             "too often with few fabrics.";
-    text += data.planned.empty() ? " No contrast was planned: all pairs of a question are one family."
-                                 : " The planned contrasts of a question are one family, in the order and with the sign of the "
-                                   "protocol, the primary one first.";
+    text += !anyPlanned(analysis) ? " No planned contrast applies to these answers: all pairs of a question are one family."
+                                  : " The planned contrasts of a question are one family, in the order and with the sign of the "
+                                    "protocol, the primary one first.";
     return text +
            " Holm's correction is taken within the family: once for the differences, once for the equivalences, separately for "
            "each generalisation. The verdict is &ldquo;different&rdquo; or &ldquo;equivalent&rdquo; if the corrected p is below "
@@ -200,7 +209,7 @@ std::vector<std::string> methodParagraphs(const StudyAnalysis& analysis)
     const bool hasWords = !questionsWith<WordedAnalysis>(analysis).empty();
     std::vector<std::string> paragraphs;
     if (hasChoices || hasRatings) paragraphs.push_back(unitParagraph());
-    if (hasChoices || hasRatings) paragraphs.push_back(claimsParagraph(analysis.data, hasChoices));
+    if (hasChoices || hasRatings) paragraphs.push_back(claimsParagraph(analysis, hasChoices));
     if (hasChoices) paragraphs.push_back(matchesParagraph(analysis.data, choices));
     if (hasChoices || hasRatings) paragraphs.push_back(pairsParagraph());
     if (hasRatings) paragraphs.push_back(equivalenceParagraph(analysis.data));

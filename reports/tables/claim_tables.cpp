@@ -38,9 +38,9 @@ std::string boundsText(const QuestionClaims& claims)
            protocols::shortest(claims.bounds->second);
 }
 
-Table contrastTable(const StudyData& data, const std::string& id, const QuestionClaims& claims)
+Table contrastTable(const std::string& id, const QuestionClaims& claims)
 {
-    const std::string family = data.planned.empty() ? "all pairs of conditions" : "planned contrasts, the primary one first";
+    const std::string family = arePlanned(claims) ? "planned contrasts, the primary one first" : "all pairs of conditions";
     Table table{"claims_" + lowerCase(id),
                 id + ": " + family + boundsText(claims) + "; Holm's correction within the family",
                 {"a",
@@ -113,10 +113,10 @@ std::vector<ReportTable> claimTables(const StudyAnalysis& analysis)
             {.table = chanceTable(question.id(), question.findings), .section = PageSection::Matches, .question = question.id()});
     for (const QuestionAnalysis& question : analysis.questions)
         if (const QuestionClaims* claims = claimsOf(question); claims != nullptr && !claims->contrasts.empty())
-            tables.push_back({.table = contrastTable(analysis.data, question.question.id, *claims),
+            tables.push_back({.table = contrastTable(question.question.id, *claims),
                               .section = PageSection::Claims,
                               .question = question.question.id,
-                              .foldedUnder = analysis.data.planned.empty() ? question.question.id + ": all pairs" : ""});
+                              .foldedUnder = arePlanned(*claims) ? "" : question.question.id + ": all pairs"});
     return tables;
 }
 

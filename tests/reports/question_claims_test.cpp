@@ -78,6 +78,19 @@ private Q_SLOTS:
         QCOMPARE(backward["p_adjusted"], backward["p"]);  // a family of one
     }
 
+    /// A CSV of another laboratory may name its conditions otherwise than the protocol.
+    void answersWithoutThePlannedConditionsHaveNoPlannedContrast()
+    {
+        StudyData data = studyOfOneOddFabric();
+        data.planned = {{"h_g&f_g", "h&f"}, {"a", "b"}};
+        for (const Json& row : claimsOf(data)) QVERIFY(row["planned"] == true && row["primary"] == false && row["a"] == "a");
+        data.planned = {{"h_g&f_g", "h&f"}};
+        const Json claims = claimsOf(data);
+        QCOMPARE(claims.size(), std::size_t(4 * 3 * 2));
+        for (const Json& row : claims) QVERIFY(row["planned"] == false && row["primary"] == false);
+        QVERIFY(pageOf(data).contains("of 3 pairs") && !pageOf(data).contains("planned contrasts"));
+    }
+
     void unplannedStudiesClaimAllPairs()
     {
         const Json claims = claimsOf(studyOfOneOddFabric());

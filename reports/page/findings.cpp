@@ -50,11 +50,11 @@ std::string chanceSentence(const StudyAnalysis& analysis, const std::string& id,
     const std::size_t conditions = analysis.data.conditions.size();
     const std::vector<std::string> alike = aboveChance(choices, Generalisation::FabricsLikeThese),
                                    these = aboveChance(choices, Generalisation::TheseFabrics);
-    std::string text = id + ": matching is above chance (1/" + std::to_string(choices.alternatives) + ") in " +
+    std::string text = id + ": matching is shown to be above chance (1/" + std::to_string(choices.alternatives) + ") in " +
                        std::to_string(alike.size()) + " of " + counted(conditions, "condition") + " for fabrics like these";
     text += alike.empty() ? "." : ": " + listed(alike) + ".";
     if (these == alike)
-        text += " The same holds for these fabrics only.";
+        text += " For these fabrics only the result is the same.";
     else
         text += " For these fabrics only it is in " + std::to_string(these.size()) +
                 (these.empty() ? "." : ": " + listed(these) + ".");

@@ -223,7 +223,7 @@ private Q_SLOTS:
         QTest::addColumn<QString>("sentence");
         QTest::newRow("matches") << "Q1: matches per rendering range from 2.2 (v<sub>grey</sub>) to 4.2 (h&f).";
         QTest::newRow("chance")
-            << "Q1: matching is above chance (1/3) in 1 of 3 conditions for fabrics like these: "
+            << "Q1: matching is shown to be above chance (1/3) in 1 of 3 conditions for fabrics like these: "
                "h<sub>g</sub>&f<sub>g</sub>. For these fabrics only it is in 2: h<sub>g</sub>&f<sub>g</sub> and h&f.";
         QTest::newRow("Q2") << "Q2: mean ratings range from 4.2 (v<sub>grey</sub>) to 7.1 (h&f).";
         QTest::newRow("Q3") << "Q3: mean ratings range from 5.4 (v<sub>grey</sub>) to 6.7 (h&f).";

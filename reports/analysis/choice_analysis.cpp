@@ -88,7 +88,8 @@ ChoiceConfusion confusionOf(const StudyData& data, const AnswerCells& cells, con
 
 }  // namespace
 
-ChoiceAnalysis analyseChoices(const StudyData& data, const AnswerCells& cells, const std::string& question, int alternatives)
+ChoiceAnalysis analyseChoices(const StudyData& data, const AnswerCells& cells, const std::string& question, int alternatives,
+                              Depth depth)
 {
     ChoiceAnalysis analysis;
     analysis.alternatives = alternatives;
@@ -104,7 +105,7 @@ ChoiceAnalysis analyseChoices(const StudyData& data, const AnswerCells& cells, c
     analysis.confusion = confusionOf(data, cells, question);
     analysis.comparisons = comparePairs(data, cells, question);
     analysis.claims = claimsOf(data, cells, question, alternatives,
-                               stats::repeatedMeasuresAnova(cells.completeBlocks(question).table), analysis.linearModel);
+                               stats::repeatedMeasuresAnova(cells.completeBlocks(question).table), analysis.linearModel, depth);
     return analysis;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "reports/analysis/analysis_options.h"
 #include "reports/analysis/answer_cells.h"
 #include "reports/analysis/pair_comparisons.h"
 #include "reports/analysis/question_claims.h"
@@ -60,6 +61,7 @@ struct ChoiceAnalysis {
     QuestionClaims claims;
 };
 
-ChoiceAnalysis analyseChoices(const StudyData& data, const AnswerCells& cells, const std::string& question, int alternatives);
+ChoiceAnalysis analyseChoices(const StudyData& data, const AnswerCells& cells, const std::string& question, int alternatives,
+                              Depth depth);
 
 }  // namespace reports

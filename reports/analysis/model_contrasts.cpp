@@ -67,11 +67,14 @@ std::vector<ModelContrast> modelContrasts(const stats::RatingModel& model)
     return contrasts;
 }
 
-LeaveOneFabricOut leaveOneFabricOut(const StudyData& data, const stats::CrossedStudy& answers, const stats::RatingModel& model)
+LeaveOneFabricOut leaveOneFabricOut(const StudyData& data, const stats::CrossedStudy& answers, const stats::RatingModel& model,
+                                    Depth depth)
 {
     LeaveOneFabricOut result;
     const std::optional<Pair> pair = contrastOf(data);
-    if (!pair)
+    if (depth == Depth::Quick)
+        result.why = "left out by --quick";
+    else if (!pair)
         result.why = "no contrast is planned";
     else if (answers.fabric.levels.size() < 2)
         result.why = "there is one fabric only";

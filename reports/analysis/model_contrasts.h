@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "reports/analysis/analysis_options.h"
 #include "reports/analysis/answer_cells.h"
 #include "stats/claims/crossed_mean.h"
 #include "stats/models/crossed_study.h"
@@ -35,6 +36,7 @@ struct LeaveOneFabricOut {
 };
 
 /// The primary planned contrast; without planned contrasts the paper's h_g&f_g - h&f, where both are conditions.
-LeaveOneFabricOut leaveOneFabricOut(const StudyData& data, const stats::CrossedStudy& answers, const stats::RatingModel& model);
+LeaveOneFabricOut leaveOneFabricOut(const StudyData& data, const stats::CrossedStudy& answers, const stats::RatingModel& model,
+                                    Depth depth);
 
 }  // namespace reports

@@ -62,8 +62,8 @@ std::vector<stats::Value> meansByFabric(const AnswerCube& cube, const ContrastPa
 class Family {
 public:
     Family(const StudyData& data, const AnswerCells& cells, const AnswerCube& cube, const std::vector<ContrastPair>& contrasts,
-           const std::optional<stats::Bounds>& bounds)
-        : m_data(data), m_cells(cells), m_cube(cube), m_contrasts(contrasts), m_bounds(bounds)
+           const std::optional<stats::Bounds>& bounds, Depth depth)
+        : m_data(data), m_cells(cells), m_cube(cube), m_contrasts(contrasts), m_bounds(bounds), m_depth(depth)
     {
     }
 
@@ -85,7 +85,7 @@ public:
                                 {}});
             findings.back().byFabric = meansByFabric(m_cube, m_contrasts[findings.size() - 1]);
         }
-        if (m_contrasts.size() > mostContrastsLeftOut) return findings;
+        if (m_depth == Depth::Quick || m_contrasts.size() > mostContrastsLeftOut) return findings;
         for (std::size_t f = 0; f < m_cube.fabrics() && m_cube.fabrics() > 1; ++f)
             addWithout(findings, generalisation, m_cube.withoutFabric(f), m_data.fabrics[f], &ContrastFinding::withoutFabric);
         if (m_cube.participants() > mostLeftOut) return findings;
@@ -109,6 +109,7 @@ private:
     const AnswerCube& m_cube;
     const std::vector<ContrastPair>& m_contrasts;
     const std::optional<stats::Bounds>& m_bounds;
+    Depth m_depth;
 };
 
 stats::FTest testOf(const stats::RepeatedMeasuresAnova& anova)
@@ -124,13 +125,13 @@ stats::FTest testOf(const stats::RepeatedMeasuresAnova& anova)
 
 QuestionClaims claimsOf(const StudyData& data, const AnswerCells& cells, const std::string& question,
                         std::optional<int> alternatives, const stats::RepeatedMeasuresAnova& anova,
-                        const stats::RatingModel& model)
+                        const stats::RatingModel& model, Depth depth)
 {
     QuestionClaims claims;
     if (!alternatives) claims.bounds = data.equivalenceBounds;
     const AnswerCube cube = cubeOf(data, cells, question);
     const std::vector<ContrastPair> contrasts = familyOf(data);
-    const Family family(data, cells, cube, contrasts, claims.bounds);
+    const Family family(data, cells, cube, contrasts, claims.bounds, depth);
     const std::vector<ContrastFinding> these = family.findings(Generalisation::TheseFabrics),
                                        alike = family.findings(Generalisation::FabricsLikeThese);
     for (std::size_t i = 0; i < these.size(); ++i) {

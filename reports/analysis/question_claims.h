@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "reports/analysis/analysis_options.h"
 #include "reports/analysis/answer_cells.h"
 #include "stats/claims/claims.h"
 #include "stats/models/crossed_study.h"
@@ -33,7 +34,8 @@ struct ContrastFinding {
     std::vector<LeftOneOut> withoutParticipant;  ///< empty for more than mostLeftOut participants
 };
 
-/// Leaving out one participant of many changes nothing, and takes as many analyses as there are participants.
+/// Left out also where the depth is Quick. Leaving out one participant of many changes nothing, and takes as many analyses as
+/// there are participants.
 inline constexpr std::size_t mostLeftOut = 60;
 /// Larger families are analysed with everybody only.
 inline constexpr std::size_t mostContrastsLeftOut = 100;
@@ -61,7 +63,7 @@ struct QuestionClaims {
 /// choices count as 0 and 1. `alternatives`: answers to choose from; none for ratings.
 QuestionClaims claimsOf(const StudyData& data, const AnswerCells& cells, const std::string& question,
                         std::optional<int> alternatives, const stats::RepeatedMeasuresAnova& anova,
-                        const stats::RatingModel& model);
+                        const stats::RatingModel& model, Depth depth);
 
 /// Whether the family is that of the planned contrasts. It is not where none is planned, or where the answers have no planned
 /// contrast's conditions.

@@ -36,7 +36,7 @@ std::vector<ParticipantMeans> meansOfParticipants(const StudyData& data, const A
 }  // namespace
 
 RatingAnalysis analyseRatings(const StudyData& data, const AnswerCells& cells, const std::string& question,
-                              const NumberOnScale& scale)
+                              const NumberOnScale& scale, Depth depth)
 {
     RatingAnalysis analysis;
     analysis.scale = scale;
@@ -53,9 +53,9 @@ RatingAnalysis analyseRatings(const StudyData& data, const AnswerCells& cells, c
     analysis.model = stats::fitRatings(answers);
     analysis.comparisons = comparePairs(data, cells, question);
     analysis.equivalences = testEquivalence(data, cells, question, analysis.comparisons);
-    analysis.claims = claimsOf(data, cells, question, std::nullopt, analysis.anova, analysis.model);
+    analysis.claims = claimsOf(data, cells, question, std::nullopt, analysis.anova, analysis.model, depth);
     analysis.modelContrasts = modelContrasts(analysis.model);
-    analysis.leaveOneFabricOut = leaveOneFabricOut(data, answers, analysis.model);
+    analysis.leaveOneFabricOut = leaveOneFabricOut(data, answers, analysis.model, depth);
     return analysis;
 }
 

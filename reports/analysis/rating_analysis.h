@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "reports/analysis/analysis_options.h"
 #include "reports/analysis/answer_cells.h"
 #include "reports/analysis/model_contrasts.h"
 #include "reports/analysis/pair_comparisons.h"
@@ -47,6 +48,6 @@ struct RatingAnalysis {
 
 /// `scale` holds every rating of the question.
 RatingAnalysis analyseRatings(const StudyData& data, const AnswerCells& cells, const std::string& question,
-                              const NumberOnScale& scale);
+                              const NumberOnScale& scale, Depth depth);
 
 }  // namespace reports

@@ -18,23 +18,23 @@ NumberOnScale extended(const NumberOnScale& scale, const StudyData& data, const 
     return wide;
 }
 
-QuestionFindings findingsOf(const StudyData& data, const AnswerCells& cells, const QuestionInfo& question)
+QuestionFindings findingsOf(const StudyData& data, const AnswerCells& cells, const QuestionInfo& question, Depth depth)
 {
     return std::visit(protocols::Overloaded{
                           [&](const RightOrWrong& choice) -> QuestionFindings {
-                              return analyseChoices(data, cells, question.id, choice.alternatives);
+                              return analyseChoices(data, cells, question.id, choice.alternatives, depth);
                           },
                           [&](const NumberOnScale& scale) -> QuestionFindings {
-                              return analyseRatings(data, cells, question.id, extended(scale, data, cells));
+                              return analyseRatings(data, cells, question.id, extended(scale, data, cells), depth);
                           },
                           [&](const OpenWords&) -> QuestionFindings { return collectWords(data, cells, question.id); },
                       },
                       scoringOf(question.kind));
 }
 
-QuestionAnalysis analyseQuestion(const StudyData& data, const AnswerCells& cells, const QuestionInfo& question)
+QuestionAnalysis analyseQuestion(const StudyData& data, const AnswerCells& cells, const QuestionInfo& question, Depth depth)
 {
-    QuestionAnalysis analysis{question, findingsOf(data, cells, question), {}, {}};
+    QuestionAnalysis analysis{question, findingsOf(data, cells, question, depth), {}, {}};
     const std::size_t whole = data.participants.size() * data.fabrics.size();
     for (const std::string& condition : data.conditions) {
         const auto responses = cells.of(question.id, condition);
@@ -64,11 +64,16 @@ std::vector<ConditionSpeed> speedOf(const StudyData& data, const AnswerCells& ce
 
 }  // namespace
 
-StudyAnalysis analyse(StudyData data)
+StudyAnalysis analyse(StudyData data, const AnalysisOptions& options)
 {
     StudyAnalysis analysis;
+    analysis.depth = options.depth;
     const AnswerCells cells(data);
-    for (const QuestionInfo& question : data.questions) analysis.questions.push_back(analyseQuestion(data, cells, question));
+    for (const QuestionInfo& question : data.questions) {
+        if (options.progress)
+            options.progress(static_cast<int>(analysis.questions.size()), static_cast<int>(data.questions.size()), question.id);
+        analysis.questions.push_back(analyseQuestion(data, cells, question, options.depth));
+    }
     analysis.speed = speedOf(data, cells);
     analysis.flags = qualityFlags(data, cells);
     analysis.screening = screenParticipants(data, cells, analysis.flags);

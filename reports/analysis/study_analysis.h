@@ -4,6 +4,7 @@
 #include <variant>
 #include <vector>
 
+#include "reports/analysis/analysis_options.h"
 #include "reports/analysis/choice_analysis.h"
 #include "reports/analysis/quality_flags.h"
 #include "reports/analysis/rating_analysis.h"
@@ -34,6 +35,7 @@ struct Completeness {
 
 struct StudyAnalysis {
     StudyData data;
+    Depth depth = Depth::Whole;
     std::vector<QuestionAnalysis> questions;  ///< in the order of the study
     std::vector<ConditionSpeed> speed;        ///< by condition, of the first choice question
     std::vector<QualityFlag> flags;
@@ -42,7 +44,7 @@ struct StudyAnalysis {
 };
 
 /// Throws workFailed where answers contradict the study's own lists (see AnswerCells).
-StudyAnalysis analyse(StudyData data);
+StudyAnalysis analyse(StudyData data, const AnalysisOptions& options = {});
 
 /// A question whose findings are of one kind.
 template <class Findings>

@@ -11,6 +11,7 @@
 #include "reports/write_report.h"
 #include "study/commands/command_line.h"
 #include "study/commands/json_output.h"
+#include "study/commands/progress.h"
 #include "study/records/stored_study.h"
 
 namespace study::commands {
@@ -20,6 +21,7 @@ namespace {
 struct ReportCall {
     std::string study, from, out, protocol;
     int alternatives = 3;
+    bool quick = false;
 };
 
 reports::StudyData dataFor(const ReportCall& call)
@@ -39,7 +41,11 @@ int report(const ReportCall& call)
     if (call.study.empty() == call.from.empty())
         throw protocols::badInput(
             {"there is nothing to report on", "", "either a STUDY or --from ANSWERS.csv", "see `vis2hap report --help`"});
-    const reports::StudyAnalysis analysis = reports::analyse(dataFor(call));
+    reports::StudyData data = dataFor(call);
+    Progress progress("analysing");
+    reports::AnalysisOptions options{call.quick ? reports::Depth::Quick : reports::Depth::Whole,
+                                     [&](int done, int total, const std::string& step) { progress.show(done, total, step); }};
+    const reports::StudyAnalysis analysis = reports::analyse(std::move(data), options);
     reports::writeReport(analysis, call.out);
     std::printf("%s\n%s/index.html\n", reports::overviewText(analysis).c_str(), call.out.c_str());
     return 0;
@@ -58,6 +64,7 @@ void addReport(CLI::App& app, Action& action)
     command->add_option("--alternatives", call->alternatives, "with --from: fabrics to choose among in Q1")
         ->check(CLI::Range(2, 100))
         ->capture_default_str();
+    command->add_flag("--quick", call->quick, "leave out what only stands beside the claims; the report says so");
     command->callback([call, &action] {
         action.surroundings = Surroundings::Core;
         action.work = [call] { return report(*call); };

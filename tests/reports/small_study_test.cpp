@@ -25,6 +25,14 @@ std::filesystem::path fixture(const std::string& name)
     return std::filesystem::path(VIS2HAP_SOURCE_DIR) / "tests" / "reports" / "small_study" / name;
 }
 
+/// With VIS2HAP_KEEP=1 the outputs of this run become the kept ones; read the difference before you commit it.
+void keepIfAsked(const std::string& name, const QString& text)
+{
+    if (!qEnvironmentVariableIsSet("VIS2HAP_KEEP")) return;
+    std::filesystem::create_directories(fixture(name).parent_path());
+    std::ofstream(fixture(name), std::ios::binary) << text.toStdString();
+}
+
 QString textOf(const std::string& name)
 {
     std::ifstream stream(fixture(name), std::ios::binary);
@@ -151,6 +159,7 @@ private Q_SLOTS:
         QString text;
         for (const reports::ReportTable& one : reports::reportTables(smallStudy()))
             text += "=== " + QString::fromStdString(one.table.name + "\n" + reports::toText(one.table));
+        keepIfAsked("tables.txt", text);
         const QStringList lines = text.split('\n'), kept = textOf("tables.txt").split('\n');
         for (int i = 0; i < std::min(lines.size(), kept.size()); ++i) QCOMPARE(lines[i], kept[i]);
         QCOMPARE(lines.size(), kept.size());
@@ -179,6 +188,7 @@ private Q_SLOTS:
         QStringList names;
         for (const reports::Figure& figure : reports::reportFigures(smallStudy())) {
             names << QString::fromStdString(figure.name);
+            keepIfAsked("figures/" + figure.name + ".svg", QString::fromStdString(figure.svg));
             QString drawn = QString::fromStdString(figure.svg), kept = textOf("figures/" + figure.name + ".svg");
             static const QRegularExpression description("<desc>[^<]*</desc>\n");
             drawn.remove(description);

@@ -83,16 +83,16 @@ Matrix covarianceDerivative(const Matrix& f, const VarianceDirection& k)
 
 }  // namespace
 
-double residualDegrees(const MixedModelEquations& equations, bool reml)
+double residualDegrees(const MixedModelSystem& system, bool reml)
 {
-    return static_cast<double>(equations.rows() - (reml ? equations.fixedCount() : 0));
+    return static_cast<double>(system.rows() - (reml ? system.fixedCount() : 0));
 }
 
-double profiledCriterion(const MixedModelEquations& equations, const Factorised& factorised, bool reml)
+double profiledCriterion(const MixedModelSystem& system, const CriterionParts& parts, bool reml)
 {
-    const double degrees = residualDegrees(equations, reml);
-    return factorised.logDetRandom + (reml ? factorised.logDetFixed : 0) +
-           degrees * (1 + std::log(2 * std::numbers::pi * factorised.residual / degrees));
+    const double degrees = residualDegrees(system, reml);
+    return parts.logDetRandom + (reml ? parts.logDetFixed : 0) +
+           degrees * (1 + std::log(2 * std::numbers::pi * parts.residual / degrees));
 }
 
 VarianceDerivatives varianceDerivatives(const MixedModelEquations& equations, const Solved& solved, bool reml)
@@ -119,10 +119,10 @@ VarianceDerivatives varianceDerivatives(const MixedModelEquations& equations, co
     return result;
 }
 
-Matrix thetaJacobian(const MixedModelEquations& equations, std::span<const double> theta)
+Matrix thetaJacobian(const MixedModelSystem& system, std::span<const double> theta)
 {
     Matrix jacobian(theta.size(), theta.size());
-    for (const TermPlace& term : equations.terms()) {
+    for (const TermPlace& term : system.terms()) {
         const std::size_t i = term.firstTheta;
         jacobian(i, i) = 2 * theta[i];
         if (term.components == 1) continue;
@@ -134,15 +134,15 @@ Matrix thetaJacobian(const MixedModelEquations& equations, std::span<const doubl
     return jacobian;
 }
 
-Matrix thetaHessian(const MixedModelEquations& equations, std::span<const double> theta, std::span<const double> gradient,
+Matrix thetaHessian(const MixedModelSystem& system, std::span<const double> theta, std::span<const double> gradient,
                     const Matrix& hessian)
 {
     const std::size_t n = theta.size();
-    const Matrix jacobian = thetaJacobian(equations, theta);
+    const Matrix jacobian = thetaJacobian(system, theta);
     Matrix result(n, n);
     for (std::size_t i = 0; i < n; ++i)
         for (std::size_t j = 0; j < n; ++j) result(i, j) = quadraticForm(jacobian.row(i), hessian, jacobian.row(j));
-    for (const TermPlace& term : equations.terms()) {
+    for (const TermPlace& term : system.terms()) {
         const std::size_t i = term.firstTheta;
         result(i, i) += 2 * gradient[i];
         if (term.components == 1) continue;
@@ -154,21 +154,20 @@ Matrix thetaHessian(const MixedModelEquations& equations, std::span<const double
     return result;
 }
 
-ThetaDerivatives profiledDerivatives(const MixedModelEquations& equations, const Factorised& factorised,
+ThetaDerivatives profiledDerivatives(const MixedModelSystem& system, const CriterionParts& parts,
                                      const VarianceDerivatives& derivatives, bool reml)
 {
     const std::size_t n = derivatives.traces.size();
-    const double variance = factorised.residual / residualDegrees(equations, reml);
+    const double variance = parts.residual / residualDegrees(system, reml);
     std::vector<double> gradient(n);
     Matrix hessian(n, n);
     for (std::size_t k = 0; k < n; ++k) {
         gradient[k] = derivatives.traces[k] - derivatives.forms[k] / variance;
         for (std::size_t l = 0; l < n; ++l)
             hessian(k, l) = -derivatives.traceProducts(k, l) + 2 * derivatives.formProducts(k, l) / variance -
-                            derivatives.forms[k] * derivatives.forms[l] / (variance * factorised.residual);
+                            derivatives.forms[k] * derivatives.forms[l] / (variance * parts.residual);
     }
-    return {product(thetaJacobian(equations, factorised.theta), gradient),
-            thetaHessian(equations, factorised.theta, gradient, hessian)};
+    return {product(thetaJacobian(system, parts.theta), gradient), thetaHessian(system, parts.theta, gradient, hessian)};
 }
 
 }  // namespace stats

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include "stats/models/mixed_model_criterion.h"
 
 namespace stats {
 namespace {
@@ -49,17 +52,10 @@ void scaleColumns(Matrix& matrix, const Scaling& scale)
 }  // namespace
 
 MixedModelEquations::MixedModelEquations(std::span<const double> y, const FixedEffects& fixed, std::span<const RandomTerm> terms)
-    : m_rows(y.size()), m_fixed(fixed.columns.size())
+    : MixedModelSystem(y.size(), fixed.columns.size())
 {
     place(terms);
     sumProducts({y, fixed, terms});
-}
-
-std::size_t MixedModelEquations::thetaCount() const
-{
-    std::size_t count = 0;
-    for (const TermPlace& term : m_terms) count += term.components == 1 ? 1 : 3;
-    return count;
 }
 
 void MixedModelEquations::place(std::span<const RandomTerm> terms)
@@ -275,6 +271,13 @@ Solved MixedModelEquations::solved(const Factorised& factorised, bool withWeight
     putFixedParts(result, factorised, inverse, bordering);
     scaleColumns(result.fixedOnRandom, scale);
     return result;
+}
+
+SystemSolution MixedModelEquations::solutionAt(std::span<const double> theta, bool reml) const
+{
+    Solved all = solved(factorised(theta), !reml);
+    VarianceDerivatives derivatives = varianceDerivatives(*this, all, reml);
+    return {std::move(all.fixed), std::move(all.fixedCovariance), std::move(derivatives)};
 }
 
 /// The random effects u = Lambda'Z'Py: the eliminated ones, then the others.

@@ -1,5 +1,5 @@
 // Henderson's mixed-model equations of a linear mixed model, solved for many values of theta, the relative covariance
-// parameters (Bates et al. 2015, J. Stat. Softw. 67(1)):
+// parameters (Bates et al. 2015, J. Stat. Softw. 67(1)), for any data:
 //
 //     | Lambda'Z'Z Lambda + I   Lambda'Z'X |
 //     | X'Z Lambda              X'X        |      V = sigma^2 (Z Lambda Lambda' Z' + I)
@@ -15,6 +15,7 @@
 
 #include "stats/kernels/matrix.h"
 #include "stats/models/factor.h"
+#include "stats/models/mixed_model_system.h"
 
 namespace stats {
 
@@ -25,28 +26,14 @@ struct RandomTerm {
     std::string slopeName;
 };
 
-/// Position of a term among the random columns (level by level) and in theta. An intercept has the theta (sd), an
-/// intercept with slope the lower triangular factor (l00, l10, l11).
-struct TermPlace {
-    std::size_t components = 1;
-    std::size_t levels = 0;
-    std::size_t firstColumn = 0;
-    std::size_t firstTheta = 0;
-};
-
 /// Cholesky factor of the equations for one theta; the criterion needs no more.
-struct Factorised {
-    bool exists = false;      ///< false where the matrix is singular up to rounding
-    double logDetRandom = 0;  ///< log |Lambda'Z'Z Lambda + I|
-    double logDetFixed = 0;   ///< log |X'V^-1 X|, sigma = 1
-    double residual = 0;      ///< y'Py, sigma = 1: the penalised residual sum of squares
-    std::vector<double> theta;
+struct Factorised : CriterionParts {
     std::vector<double> pivots;     ///< pivots of the eliminated columns
     std::vector<double> bordering;  ///< scaled rows of these columns, in the order of the sparse cross-products
     Matrix upper;                   ///< Cholesky factor of the rest, the fixed effects and y
 };
 
-/// Solution of the equations, sigma = 1. P = V^-1 - V^-1 X (X'V^-1 X)^-1 X'V^-1.
+/// Solution of the equations, sigma = 1.
 struct Solved {
     std::vector<double> fixed;  ///< estimates
     Matrix fixedCovariance;     ///< C = (X'V^-1 X)^-1
@@ -56,15 +43,13 @@ struct Solved {
     std::vector<double> score;  ///< Z'Py
 };
 
-class MixedModelEquations {
+class MixedModelEquations : public MixedModelSystem {
 public:
     /// All columns have the same length, all numbers are finite, and slopes have a size near 1.
     MixedModelEquations(std::span<const double> y, const FixedEffects& fixed, std::span<const RandomTerm> terms);
 
-    const std::vector<TermPlace>& terms() const { return m_terms; }
-    std::size_t rows() const { return m_rows; }
-    std::size_t fixedCount() const { return m_fixed; }
-    std::size_t thetaCount() const;
+    CriterionParts criterionAt(std::span<const double> theta) const override { return factorised(theta); }
+    SystemSolution solutionAt(std::span<const double> theta, bool reml) const override;
 
     Factorised factorised(std::span<const double> theta) const;
     /// The solution; every diagonal element of theta must be positive.
@@ -102,11 +87,8 @@ private:
     std::vector<double> scoreOf(const Factorised& factorised, std::span<const double> solution) const;
     void putFixedParts(Solved& result, const Factorised& factorised, const Matrix& inverse, const Matrix& bordering) const;
 
-    std::size_t m_rows = 0;
-    std::size_t m_fixed = 0;
     std::size_t m_eliminated = 0;  ///< number of eliminated columns, which are the first
     std::size_t m_rest = 0;        ///< number of other random columns
-    std::vector<TermPlace> m_terms;
     std::vector<double> m_counts;  ///< diagonal of the eliminated block
     SparseRows m_borders;          ///< products of the eliminated block with [rest, X, y]
     Matrix m_products;             ///< products of [rest, X, y] with itself, upper triangle

@@ -12,23 +12,23 @@ constexpr double negligibleDecrease = 1e-9;  // expected further decrease; the s
 constexpr double smallestFraction = 0.1;     // share of a standard deviation that one step may leave,
 constexpr double small = 0.02;               // unless it was small already: then it may go to the floor
 
-std::vector<bool> diagonalOf(const MixedModelEquations& equations)
+std::vector<bool> diagonalOf(const MixedModelSystem& system)
 {
-    std::vector<bool> diagonal(equations.thetaCount(), true);
-    for (const TermPlace& term : equations.terms())
+    std::vector<bool> diagonal(system.thetaCount(), true);
+    for (const TermPlace& term : system.terms())
         if (term.components == 2) diagonal[term.firstTheta + 1] = false;
     return diagonal;
 }
 
 /// Theta from the method of moments: variances for which the quadratic forms equal their expectations (MINQUE at the
 /// present theta). Balanced data need no more. For terms of intercepts only.
-std::vector<double> momentTheta(const MixedModelEquations& equations, const Factorised& at, const VarianceDerivatives& d)
+std::vector<double> momentTheta(const MixedModelSystem& system, const CriterionParts& at, const VarianceDerivatives& d)
 {
     const std::size_t n = at.theta.size();
     Matrix expected(n + 1, n + 1);  // the last row and column: the residual, V = I
     std::vector<double> found = d.forms;
     found.push_back(at.residual);
-    expected(n, n) = residualDegrees(equations, true);
+    expected(n, n) = residualDegrees(system, true);
     for (std::size_t k = 0; k < n; ++k) {
         expected(k, n) = d.traces[k];
         for (std::size_t l = 0; l < n; ++l) {
@@ -75,12 +75,11 @@ std::vector<double> newtonStep(const ThetaDerivatives& at, const std::vector<boo
 /// Newton's method for one fit.
 class Descent {
 public:
-    Descent(const MixedModelEquations& equations, bool reml)
-        : m_equations(equations), m_reml(reml), m_diagonal(diagonalOf(equations))
+    Descent(const MixedModelSystem& system, bool reml) : m_system(system), m_reml(reml), m_diagonal(diagonalOf(system))
     {
         std::vector<double> start(m_diagonal.size());
         for (std::size_t i = 0; i < start.size(); ++i) start[i] = m_diagonal[i] ? 1 : 0;
-        m_at = equations.factorised(start);
+        m_at = system.criterionAt(start);
     }
 
     ThetaFit run()
@@ -89,19 +88,18 @@ public:
         if (!m_at.exists) return refused("the random effects reproduce every value: no residual variation is left");
         startFromMoments();
         for (; fit.steps < mostFitSteps; ++fit.steps) {
-            fit.solved = m_equations.solved(m_at, !m_reml);
-            fit.derivatives = varianceDerivatives(m_equations, fit.solved, m_reml);
-            const auto here = profiledDerivatives(m_equations, m_at, fit.derivatives, m_reml);
+            fit.solution = m_system.solutionAt(m_at.theta, m_reml);
+            const auto here = profiledDerivatives(m_system, m_at, fit.solution.derivatives, m_reml);
             fit.free = freeAt(here);
             const auto step = newtonStep(here, fit.free);
             const double decrease = -dot(here.gradient, step) / 2;
+            if (std::ranges::any_of(m_at.theta, [](double theta) { return theta > largestTheta; }))
+                return refused("the random effects reproduce every value: no residual variation is left");
             if (m_close || !(decrease > 0) || !descend(step, decrease)) {
-                fit.factorised = m_at;
+                fit.parts = m_at;
                 return fit;
             }
             m_close = decrease < negligibleDecrease;
-            if (*std::max_element(m_at.theta.begin(), m_at.theta.end()) > largestTheta)
-                return refused("the random effects reproduce every value: no residual variation is left");
         }
         return refused("the fit did not converge in " + std::to_string(mostFitSteps) + " steps");
     }
@@ -119,11 +117,10 @@ private:
     {
         if (std::find(m_diagonal.begin(), m_diagonal.end(), false) != m_diagonal.end()) return;
         for (int pass = 0; pass < 2; ++pass) {
-            const auto derivatives = varianceDerivatives(m_equations, m_equations.solved(m_at, false), true);
-            const auto theta = momentTheta(m_equations, m_at, derivatives);
-            Factorised next = theta.empty() ? Factorised{} : m_equations.factorised(theta);
-            if (!next.exists || profiledCriterion(m_equations, next, m_reml) > profiledCriterion(m_equations, m_at, m_reml))
-                return;
+            const auto derivatives = m_system.solutionAt(m_at.theta, true).derivatives;
+            const auto theta = momentTheta(m_system, m_at, derivatives);
+            CriterionParts next = theta.empty() ? CriterionParts{} : m_system.criterionAt(theta);
+            if (!next.exists || profiledCriterion(m_system, next, m_reml) > profiledCriterion(m_system, m_at, m_reml)) return;
             m_at = std::move(next);
         }
     }
@@ -149,12 +146,12 @@ private:
     /// Halves the step until the criterion falls; false where it never does.
     bool descend(const std::vector<double>& step, double decrease)
     {
-        const double before = profiledCriterion(m_equations, m_at, m_reml);
+        const double before = profiledCriterion(m_system, m_at, m_reml);
         const double noise = 1e-13 * std::fabs(before);
         for (double fraction = 1; fraction > 1e-9; fraction /= 2) {
-            Factorised next = m_equations.factorised(moved(step, fraction));
+            CriterionParts next = m_system.criterionAt(moved(step, fraction));
             if (!next.exists) continue;
-            const double after = profiledCriterion(m_equations, next, m_reml);
+            const double after = profiledCriterion(m_system, next, m_reml);
             if (!(after <= before - 1e-4 * fraction * decrease + noise)) continue;
             m_at = std::move(next);
             return true;
@@ -162,15 +159,15 @@ private:
         return false;
     }
 
-    const MixedModelEquations& m_equations;
+    const MixedModelSystem& m_system;
     bool m_reml;
     std::vector<bool> m_diagonal;
-    Factorised m_at;
+    CriterionParts m_at;
     bool m_close = false;
 };
 
 }  // namespace
 
-ThetaFit fitTheta(const MixedModelEquations& equations, bool reml) { return Descent(equations, reml).run(); }
+ThetaFit fitTheta(const MixedModelSystem& system, bool reml) { return Descent(system, reml).run(); }
 
 }  // namespace stats

@@ -13,13 +13,12 @@ inline constexpr double thetaFloor = 1e-4;
 
 struct ThetaFit {
     std::string why;  ///< empty when a minimum was found
-    Factorised factorised;
-    Solved solved;
-    VarianceDerivatives derivatives;
+    CriterionParts parts;
+    SystemSolution solution;
     std::vector<bool> free;  ///< for each theta: not at the lower bound
     int steps = 0;
 };
 
-ThetaFit fitTheta(const MixedModelEquations& equations, bool reml);
+ThetaFit fitTheta(const MixedModelSystem& system, bool reml);
 
 }  // namespace stats

@@ -67,9 +67,18 @@ std::string groupsFault(const std::vector<RandomTerm>& terms, std::size_t rows)
 std::string removeFixed(MixedModelRows& data)
 {
     const std::size_t p = data.fixed.columns.size();
+    std::vector<std::vector<std::size_t>> present(p);  // rows of each column that are not zero: few where conditions are many
+    for (std::size_t i = 0; i < p; ++i)
+        for (std::size_t row = 0; row < data.y.size(); ++row)
+            if (data.fixed.columns[i][row] != 0) present[i].push_back(row);
+    const auto productWith = [&](std::size_t i, const std::vector<double>& other) {
+        double sum = 0;
+        for (const std::size_t row : present[i]) sum += data.fixed.columns[i][row] * other[row];
+        return sum;
+    };
     Matrix products(p, p);
     for (std::size_t i = 0; i < p; ++i)
-        for (std::size_t j = 0; j < p; ++j) products(i, j) = dot(data.fixed.columns[i], data.fixed.columns[j]);
+        for (std::size_t j = i; j < p; ++j) products(i, j) = products(j, i) = productWith(j, data.fixed.columns[i]);
     Matrix upper = products;
     if (const std::size_t done = factorise(upper); done < p)
         return "the fixed effect " + data.fixed.names[done] + " is determined by those before it, or has no values";
@@ -77,11 +86,11 @@ std::string removeFixed(MixedModelRows& data)
     data.leastSquares.assign(p, 0);
     for (int pass = 0; pass < 2; ++pass) {
         std::vector<double> right(p);
-        for (std::size_t i = 0; i < p; ++i) right[i] = dot(data.fixed.columns[i], data.y);
+        for (std::size_t i = 0; i < p; ++i) right[i] = productWith(i, data.y);
         const auto more = solved(products, right);
         for (std::size_t i = 0; i < p; ++i) {
             data.leastSquares[i] += more[i];
-            for (std::size_t row = 0; row < data.y.size(); ++row) data.y[row] -= more[i] * data.fixed.columns[i][row];
+            for (const std::size_t row : present[i]) data.y[row] -= more[i] * data.fixed.columns[i][row];
         }
     }
     // y was near 1: below this there is only rounding error.
@@ -125,6 +134,21 @@ MixedModelRows mixedModelRows(const MixedModelData& data)
     scale(result.y, result.exponent);
     result.why = removeFixed(result);
     return result;
+}
+
+std::optional<std::vector<std::size_t>> codedLevels(const FixedEffects& fixed)
+{
+    if (fixed.columns.empty()) return {};
+    for (const double value : fixed.columns.front())
+        if (value != 1) return {};
+    std::vector<std::size_t> levels(fixed.columns.front().size());
+    for (std::size_t level = 1; level < fixed.columns.size(); ++level)
+        for (std::size_t row = 0; row < levels.size(); ++row) {
+            const double value = fixed.columns[level][row];
+            if (value != 0 && (value != 1 || levels[row] != 0)) return {};
+            if (value == 1) levels[row] = level;
+        }
+    return levels;
 }
 
 }  // namespace stats

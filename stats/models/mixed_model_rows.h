@@ -1,6 +1,7 @@
 // The rows of the data that have a value, scaled and checked for the mixed-model equations.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,5 +24,8 @@ struct MixedModelRows {
 };
 
 MixedModelRows mixedModelRows(const MixedModelData& data);
+
+/// Level of each row, where the fixed effects are an intercept and the treatment coding of a factor; otherwise nothing.
+std::optional<std::vector<std::size_t>> codedLevels(const FixedEffects& fixed);
 
 }  // namespace stats

@@ -10,11 +10,32 @@
 namespace stats {
 namespace {
 
+/// a' matrix a; a has few weights that differ from 0.
+double sparseForm(const std::vector<std::size_t>& places, std::span<const double> a, const Matrix& matrix)
+{
+    double sum = 0;
+    for (const std::size_t i : places) {
+        double row = 0;
+        for (const std::size_t j : places) row += matrix(i, j) * a[j];
+        sum += a[i] * row;
+    }
+    return sum;
+}
+
+std::vector<std::size_t> placesOf(std::span<const double> weights)
+{
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i < weights.size(); ++i)
+        if (weights[i] != 0) places.push_back(i);
+    return places;
+}
+
 /// Satterthwaite's 2 v^2 / var(v), where v is the variance of the contrast and var(v) comes from the delta method.
 double degreesOf(const MixedModel& model, std::span<const double> weights, double variance)
 {
     std::vector<double> gradient;
-    for (const Matrix& derivative : model.covarianceDerivatives) gradient.push_back(quadraticForm(weights, derivative, weights));
+    const std::vector<std::size_t> places = placesOf(weights);
+    for (const Matrix& derivative : model.covarianceDerivatives) gradient.push_back(sparseForm(places, weights, derivative));
     return 2 * variance * variance / quadraticForm(gradient, model.parameterCovariance, gradient);
 }
 
@@ -47,7 +68,7 @@ ContrastTest contrastTest(const MixedModel& model, std::span<const double> weigh
 {
     if (!model.why.empty()) return undefinedContrast(model.why);
     assert(weights.size() == model.estimates.size() && "one weight a fixed effect");
-    const double variance = quadraticForm(weights, model.covariance, weights);
+    const double variance = sparseForm(placesOf(weights), weights, model.covariance);
     if (!(variance > 0)) return undefinedContrast("the contrast has no weight that differs from 0");
     const double estimate = dot(weights, model.estimates);
     const double se = std::sqrt(variance);
@@ -80,9 +101,10 @@ FTest effectTest(const MixedModel& model)
     const std::size_t n = p - 1;
     const Matrix& contrasts = model.sequential;
     Matrix covariance(n, n);
-    for (std::size_t i = 0; i < n; ++i)
-        for (std::size_t j = 0; j < n; ++j)
-            covariance(i, j) = quadraticForm(contrasts.row(i + 1), model.covariance, contrasts.row(j + 1));
+    for (std::size_t j = 0; j < n; ++j) {
+        const std::vector<double> half = product(model.covariance, contrasts.row(j + 1));
+        for (std::size_t i = 0; i < n; ++i) covariance(i, j) = dot(contrasts.row(i + 1), half);
+    }
     const Eigen eigen = eigenOf(covariance);
     std::vector<double> degrees;
     double squares = 0;

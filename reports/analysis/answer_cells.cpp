@@ -1,6 +1,10 @@
 #include "reports/analysis/answer_cells.h"
 
 #include <algorithm>
+#include <map>
+#include <optional>
+#include <tuple>
+#include <utility>
 
 #include "protocols/files/errors.h"
 #include "stats/kernels/decimal_grid.h"
@@ -8,9 +12,12 @@
 namespace reports {
 namespace {
 
-bool holds(const std::vector<std::string>& names, const std::string& name)
+/// Place of each name in a list.
+std::unordered_map<std::string, std::size_t> placesIn(const std::vector<std::string>& names)
 {
-    return std::find(names.begin(), names.end(), name) != names.end();
+    std::unordered_map<std::string, std::size_t> places;
+    for (const std::string& name : names) places.emplace(name, places.size());
+    return places;
 }
 
 std::string placeOf(const StudyResponse& response)
@@ -28,17 +35,10 @@ bool fits(const AnswerContent& content, const Scoring& scoring)
                       content);
 }
 
-void requireListed(const StudyData& data, const std::map<std::string, Scoring>& scorings, const StudyResponse& response)
+[[noreturn]] void refuseUnlisted(const StudyResponse& response)
 {
-    const auto question = scorings.find(response.question);
-    const bool isListed = question != scorings.end() && holds(data.participants, response.participant) &&
-                          holds(data.fabrics, response.fabric) && holds(data.conditions, response.condition);
-    if (!isListed)
-        throw protocols::workFailed({"an answer belongs to nothing that the study lists", placeOf(response),
-                                     "a listed participant, fabric, condition and question", ""});
-    if (!fits(response.content, question->second))
-        throw protocols::workFailed({"an answer is of another kind than its question", placeOf(response),
-                                     "a choice, a rating or words, as the question asks", ""});
+    throw protocols::workFailed({"an answer belongs to nothing that the study lists", placeOf(response),
+                                 "a listed participant, fabric, condition and question", ""});
 }
 
 std::optional<double> numberOf(const AnswerContent& content)
@@ -54,43 +54,84 @@ std::optional<double> numberOf(const AnswerContent& content)
 
 }  // namespace
 
-AnswerCells::AnswerCells(const StudyData& data) : m_data(data), m_participants(data.participants)
+AnswerCells::AnswerCells(const StudyData& data)
+    : m_data(data), m_participants(data.participants), m_conditionPlaces(placesIn(data.conditions))
 {
     std::sort(m_participants.begin(), m_participants.end());
-    std::map<std::string, Scoring> scorings;
-    for (const QuestionInfo& question : data.questions) scorings[question.id] = scoringOf(question.kind);
+    m_participantPlaces = placesIn(m_participants);
+    std::vector<Scoring> scorings;
+    for (const QuestionInfo& question : data.questions) {
+        m_questionPlaces.emplace(question.id, scorings.size());
+        scorings.push_back(scoringOf(question.kind));
+    }
+    std::vector<std::string> fabrics = data.fabrics;
+    std::sort(fabrics.begin(), fabrics.end());
+    const Places fabricPlaces = placesIn(fabrics);
+    const auto placeIn = [](const Places& places, const std::string& name, const StudyResponse& response) {
+        const auto found = places.find(name);
+        if (found == places.end()) refuseUnlisted(response);
+        return found->second;
+    };
+
+    struct Sorted {
+        std::size_t run;
+        std::size_t fabric;
+        const StudyResponse* response;
+    };
+    std::vector<Sorted> sorted;
+    sorted.reserve(data.responses.size());
     for (const StudyResponse& response : data.responses) {
-        requireListed(data, scorings, response);
-        auto& cell = m_cells[{response.question, response.condition}][response.participant][response.fabric];
-        if (cell != nullptr)
-            throw protocols::workFailed({"a question has two current answers", placeOf(response), "one answer", ""});
-        cell = &response;
+        const std::size_t question = placeIn(m_questionPlaces, response.question, response);
+        sorted.push_back({runOf(question, placeIn(m_conditionPlaces, response.condition, response),
+                                placeIn(m_participantPlaces, response.participant, response)),
+                          placeIn(fabricPlaces, response.fabric, response), &response});
+        if (!fits(response.content, scorings[question]))
+            throw protocols::workFailed({"an answer is of another kind than its question", placeOf(response),
+                                         "a choice, a rating or words, as the question asks", ""});
+    }
+    const auto isSameCell = [](const Sorted& a, const Sorted& b) { return a.run == b.run && a.fabric == b.fabric; };
+    std::sort(sorted.begin(), sorted.end(), [&](const Sorted& a, const Sorted& b) {
+        if (!isSameCell(a, b)) return std::pair(a.run, a.fabric) < std::pair(b.run, b.fabric);
+        return a.response->repetition < b.response->repetition;
+    });
+    for (std::size_t i = 1; i < sorted.size(); ++i)
+        if (isSameCell(sorted[i - 1], sorted[i]) && sorted[i - 1].response->repetition == sorted[i].response->repetition)
+            throw protocols::workFailed(
+                {"a question has two current answers", placeOf(*sorted[i].response), "one answer, or names of repetitions", ""});
+
+    const std::size_t runs = data.questions.size() * data.conditions.size() * m_participants.size();
+    m_starts.reserve(runs + 1);
+    m_answers.reserve(sorted.size());
+    for (const Sorted& one : sorted) {
+        while (m_starts.size() <= one.run) m_starts.push_back(m_answers.size());
+        m_answers.push_back(one.response);
+    }
+    while (m_starts.size() <= runs) m_starts.push_back(m_answers.size());
+    for (std::size_t run = 0; run < runs; ++run) {
+        std::vector<double> means;
+        for (const CellMean& cell : cellsOfRun(run, 0)) means.push_back(cell.mean);
+        m_means.push_back(stats::meanOf(means));
     }
 }
 
-const AnswerCells::ByParticipant* AnswerCells::find(const std::string& question, const std::string& condition) const
+std::size_t AnswerCells::firstRun(const std::string& question, const std::string& condition) const
 {
-    const auto found = m_cells.find({question, condition});
-    return found == m_cells.end() ? nullptr : &found->second;
+    return runOf(m_questionPlaces.at(question), m_conditionPlaces.at(condition), 0);
 }
 
 std::vector<const StudyResponse*> AnswerCells::of(const std::string& question, const std::string& condition) const
 {
-    std::vector<const StudyResponse*> result;
-    if (const ByParticipant* cells = find(question, condition))
-        for (const auto& [participant, fabrics] : *cells)
-            for (const auto& [fabric, response] : fabrics) result.push_back(response);
-    return result;
+    const std::size_t run = firstRun(question, condition);
+    const auto at = [&](std::size_t one) { return m_answers.begin() + static_cast<std::ptrdiff_t>(m_starts[one]); };
+    return {at(run), at(run + m_participants.size())};
 }
 
 std::vector<const StudyResponse*> AnswerCells::of(const std::string& question, const std::string& condition,
                                                   const std::string& participant) const
 {
-    std::vector<const StudyResponse*> result;
-    if (const ByParticipant* cells = find(question, condition))
-        if (const auto found = cells->find(participant); found != cells->end())
-            for (const auto& [fabric, response] : found->second) result.push_back(response);
-    return result;
+    const std::size_t run = firstRun(question, condition) + m_participantPlaces.at(participant);
+    const auto at = [&](std::size_t one) { return m_answers.begin() + static_cast<std::ptrdiff_t>(m_starts[one]); };
+    return {at(run), at(run + 1)};
 }
 
 std::vector<const StudyResponse*> AnswerCells::ofParticipant(const std::string& question, const std::string& participant) const
@@ -103,17 +144,43 @@ std::vector<const StudyResponse*> AnswerCells::ofParticipant(const std::string& 
     return result;
 }
 
-stats::Value AnswerCells::participantMean(const std::string& question, const std::string& condition,
-                                          const std::string& participant) const
+std::vector<AnswerCells::CellMean> AnswerCells::cellsOfRun(std::size_t run, std::size_t participant) const
 {
-    return stats::meanOf(valuesOf(of(question, condition, participant)));
+    std::vector<CellMean> cells;
+    std::vector<double> values;
+    for (std::size_t i = m_starts[run]; i < m_starts[run + 1]; ++i) {
+        if (const auto number = numberOf(m_answers[i]->content)) values.push_back(*number);
+        const bool isLast = i + 1 == m_starts[run + 1] || m_answers[i + 1]->fabric != m_answers[i]->fabric;
+        if (!isLast) continue;
+        if (!values.empty()) cells.push_back({participant, m_answers[i], *stats::meanOf(values), values.size()});
+        values.clear();
+    }
+    return cells;
+}
+
+std::vector<AnswerCells::CellMean> AnswerCells::cellMeans(const std::string& question, const std::string& condition) const
+{
+    std::vector<CellMean> cells;
+    const std::size_t first = firstRun(question, condition);
+    for (std::size_t participant = 0; participant < m_participants.size(); ++participant) {
+        const std::vector<CellMean> some = cellsOfRun(first + participant, participant);
+        cells.insert(cells.end(), some.begin(), some.end());
+    }
+    return cells;
+}
+
+const stats::Value& AnswerCells::participantMean(const std::string& question, const std::string& condition,
+                                                 const std::string& participant) const
+{
+    return m_means[firstRun(question, condition) + m_participantPlaces.at(participant)];
 }
 
 std::vector<double> AnswerCells::participantMeans(const std::string& question, const std::string& condition) const
 {
     std::vector<double> means;
-    for (const std::string& participant : m_participants)
-        if (const stats::Value mean = participantMean(question, condition, participant); mean.exists()) means.push_back(*mean);
+    const std::size_t first = firstRun(question, condition);
+    for (std::size_t i = 0; i < m_participants.size(); ++i)
+        if (m_means[first + i].exists()) means.push_back(*m_means[first + i]);
     return means;
 }
 
@@ -121,12 +188,12 @@ AnswerCells::CompleteBlocks AnswerCells::completeBlocks(const std::string& quest
 {
     CompleteBlocks blocks;
     std::vector<std::vector<double>> rows;
-    for (const std::string& participant : m_participants) {
+    for (std::size_t i = 0; i < m_participants.size(); ++i) {
         std::vector<double> row;
         for (const std::string& condition : m_data.conditions)
-            if (const stats::Value mean = participantMean(question, condition, participant); mean.exists()) row.push_back(*mean);
+            if (const stats::Value& mean = m_means[firstRun(question, condition) + i]; mean.exists()) row.push_back(*mean);
         if (row.size() == m_data.conditions.size() && !row.empty()) {
-            blocks.participants.push_back(participant);
+            blocks.participants.push_back(m_participants[i]);
             rows.push_back(std::move(row));
         }
     }
@@ -137,11 +204,20 @@ AnswerCells::CompleteBlocks AnswerCells::completeBlocks(const std::string& quest
 
 stats::BlockTable AnswerCells::completeSuccesses(const std::string& question) const
 {
-    std::map<std::pair<std::string, std::string>, std::vector<double>> rows;
-    for (const std::string& condition : m_data.conditions)
-        for (const StudyResponse* response : of(question, condition))
+    // Names of sessions may differ between conditions, so repetitions are counted.
+    std::map<std::tuple<std::string, std::string, std::size_t>, std::vector<double>> rows;
+    for (const std::string& condition : m_data.conditions) {
+        const StudyResponse* last = nullptr;
+        std::size_t repetition = 0;
+        for (const StudyResponse* response : of(question, condition)) {
+            const bool isRepeated =
+                last != nullptr && last->participant == response->participant && last->fabric == response->fabric;
+            repetition = isRepeated ? repetition + 1 : 0;
+            last = response;
             if (const auto number = numberOf(response->content))
-                rows[{response->participant, response->fabric}].push_back(*number);
+                rows[{response->participant, response->fabric, repetition}].push_back(*number);
+        }
+    }
     std::vector<std::vector<double>> complete;
     for (auto& [place, row] : rows)
         if (row.size() == m_data.conditions.size()) complete.push_back(std::move(row));
@@ -153,22 +229,19 @@ stats::BlockTable AnswerCells::completeSuccesses(const std::string& question) co
 AnswerCells::PairedMeans AnswerCells::pairedMeans(const std::string& question, const std::string& a, const std::string& b) const
 {
     PairedMeans means;
-    for (const std::string& participant : m_participants) {
-        const stats::Value first = participantMean(question, a, participant);
-        const stats::Value second = participantMean(question, b, participant);
-        if (first.exists() && second.exists()) {
-            means.a.push_back(*first);
-            means.b.push_back(*second);
+    const std::size_t firstOfA = firstRun(question, a), firstOfB = firstRun(question, b);
+    for (std::size_t i = 0; i < m_participants.size(); ++i)
+        if (m_means[firstOfA + i].exists() && m_means[firstOfB + i].exists()) {
+            means.a.push_back(*m_means[firstOfA + i]);
+            means.b.push_back(*m_means[firstOfB + i]);
         }
-    }
     return means;
 }
 
 std::size_t AnswerCells::answered(const std::string& question) const
 {
-    std::size_t count = 0;
-    for (const std::string& condition : m_data.conditions) count += of(question, condition).size();
-    return count;
+    const std::size_t first = runOf(m_questionPlaces.at(question), 0, 0);
+    return m_starts[first + m_data.conditions.size() * m_participants.size()] - m_starts[first];
 }
 
 std::vector<double> valuesOf(const std::vector<const StudyResponse*>& responses)

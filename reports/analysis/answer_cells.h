@@ -1,11 +1,11 @@
 // The answers of a study sorted into question x condition x participant x fabric, and the unit of every test between
-// conditions: the participant's mean over fabrics.
+// conditions: the participant's mean over fabrics. Repeated answers of a cell are averaged first, so that a fabric that was
+// touched more often does not weigh more.
 #pragma once
 
 #include <cstddef>
-#include <map>
 #include <string>
-#include <utility>
+#include <unordered_map>
 #include <vector>
 
 #include "reports/data/study_data.h"
@@ -18,11 +18,11 @@ namespace reports {
 class AnswerCells {
 public:
     /// Throws workFailed for an answer that names something unknown to the study or does not fit its question's kind, and for
-    /// a second answer in the same place.
+    /// a second answer of one repetition in the same cell.
     explicit AnswerCells(const StudyData& data);
 
-    /// Answers to a question under a condition. Participants and fabrics stand in the order of their names, so that no
-    /// result depends on the order of rows.
+    /// Answers to a question under a condition. Participants, fabrics and repetitions stand in the order of their names, so that
+    /// no result depends on the order of rows.
     std::vector<const StudyResponse*> of(const std::string& question, const std::string& condition) const;
     /// The answers of one participant.
     std::vector<const StudyResponse*> of(const std::string& question, const std::string& condition,
@@ -33,8 +33,19 @@ public:
     /// Participants in the order of their names: the blocks of every test.
     const std::vector<std::string>& participants() const { return m_participants; }
 
+    /// One participant x fabric under a condition.
+    struct CellMean {
+        std::size_t participant;  ///< place in participants()
+        const StudyResponse* first;
+        double mean;  ///< over the repetitions
+        std::size_t answers;
+    };
+    /// Cells with a number, in the order of participants and fabrics.
+    std::vector<CellMean> cellMeans(const std::string& question, const std::string& condition) const;
+
     /// A participant's mean rating, or share correct, over the fabrics answered; undefined without answers.
-    stats::Value participantMean(const std::string& question, const std::string& condition, const std::string& participant) const;
+    const stats::Value& participantMean(const std::string& question, const std::string& condition,
+                                        const std::string& participant) const;
 
     /// Means of all participants who have one, in the order of participants().
     std::vector<double> participantMeans(const std::string& question, const std::string& condition) const;
@@ -46,7 +57,7 @@ public:
     };
     CompleteBlocks completeBlocks(const std::string& question) const;
 
-    /// Blocks of participant x fabric that are answered in every condition: 1 correct, 0 wrong.
+    /// Blocks of participant x fabric x repetition that are answered in every condition: 1 correct, 0 wrong.
     stats::BlockTable completeSuccesses(const std::string& question) const;
 
     /// Means of the participants who have one under both conditions.
@@ -60,13 +71,21 @@ public:
     std::size_t answered(const std::string& question) const;
 
 private:
-    using ByFabric = std::map<std::string, const StudyResponse*>;
-    using ByParticipant = std::map<std::string, ByFabric>;
-    const ByParticipant* find(const std::string& question, const std::string& condition) const;
+    using Places = std::unordered_map<std::string, std::size_t>;
+    /// A run of answers of one question, condition and participant.
+    std::size_t runOf(std::size_t question, std::size_t condition, std::size_t participant) const
+    {
+        return (question * m_data.conditions.size() + condition) * m_participants.size() + participant;
+    }
+    std::size_t firstRun(const std::string& question, const std::string& condition) const;
+    std::vector<CellMean> cellsOfRun(std::size_t run, std::size_t participant) const;
 
     const StudyData& m_data;
     std::vector<std::string> m_participants;
-    std::map<std::pair<std::string, std::string>, ByParticipant> m_cells;  ///< by question and condition
+    Places m_participantPlaces, m_conditionPlaces, m_questionPlaces;
+    std::vector<const StudyResponse*> m_answers;  ///< sorted by question, condition, participant, fabric, repetition
+    std::vector<std::size_t> m_starts;            ///< first answer of each run, and their end
+    std::vector<stats::Value> m_means;            ///< by run
 };
 
 /// The number of an answer: a rating, or 1 for a right and 0 for a wrong choice. Words have none and are left out.

@@ -101,7 +101,7 @@ ChoiceAnalysis analyseChoices(const StudyData& data, const AnswerCells& cells, c
     const stats::CrossedStudy answers = crossedAnswers(data, cells, question);
     analysis.model = stats::fitChoices(answers);
     analysis.crossedModel = stats::fitChoices(answers, stats::ChoiceTerms::WithInteractions);
-    analysis.linearModel = stats::fitRatings(answers);
+    analysis.linearModel = stats::fitRatings(crossedCells(data, cells, question));
     analysis.confusion = confusionOf(data, cells, question);
     analysis.comparisons = comparePairs(data, cells, question);
     analysis.claims = claimsOf(data, cells, question, alternatives,

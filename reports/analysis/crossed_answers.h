@@ -12,4 +12,7 @@ namespace reports {
 /// Every answer with a number, in the order of conditions, participants and fabrics.
 stats::CrossedStudy crossedAnswers(const StudyData& data, const AnswerCells& cells, const std::string& question);
 
+/// The same with one value for each cell, the mean of its repetitions.
+stats::CrossedStudy crossedCells(const StudyData& data, const AnswerCells& cells, const std::string& question);
+
 }  // namespace reports

@@ -15,14 +15,12 @@ using stats::Generalisation;
 
 AnswerCube cubeOf(const StudyData& data, const AnswerCells& cells, const std::string& question)
 {
-    std::map<std::string, std::size_t> participants, fabrics;
-    for (const std::string& participant : cells.participants()) participants.emplace(participant, participants.size());
+    std::map<std::string, std::size_t> fabrics;
     for (const std::string& fabric : data.fabrics) fabrics.emplace(fabric, fabrics.size());
-    AnswerCube cube(data.conditions.size(), participants.size(), fabrics.size());
+    AnswerCube cube(data.conditions.size(), cells.participants().size(), fabrics.size());
     for (std::size_t c = 0; c < data.conditions.size(); ++c)
-        for (const StudyResponse* response : cells.of(question, data.conditions[c]))
-            for (const double value : valuesOf({response}))
-                cube.at(c, participants.at(response->participant), fabrics.at(response->fabric)) = value;
+        for (const AnswerCells::CellMean& cell : cells.cellMeans(question, data.conditions[c]))
+            cube.at(c, cell.participant, fabrics.at(cell.first->fabric)) = cell.mean;
     return cube;
 }
 

@@ -49,7 +49,7 @@ RatingAnalysis analyseRatings(const StudyData& data, const AnswerCells& cells, c
         analysis.conditions.back().withinHalfWidth = analysis.anova.moreyHalfWidths[i];
     }
     analysis.friedman = stats::friedmanTest(blocks.table);
-    const stats::CrossedStudy answers = crossedAnswers(data, cells, question);
+    const stats::CrossedStudy answers = crossedCells(data, cells, question);
     analysis.model = stats::fitRatings(answers);
     analysis.comparisons = comparePairs(data, cells, question);
     analysis.equivalences = testEquivalence(data, cells, question, analysis.comparisons);

@@ -1,7 +1,9 @@
 #include "reports/data/answers_csv.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
+#include <string_view>
 #include <tuple>
 
 #include "protocols/condition.h"
@@ -35,6 +37,9 @@ std::optional<std::string> stem(const std::string& name, const std::string& suff
     return name.substr(0, name.size() - suffix.size());
 }
 
+/// Columns that say where an answer belongs; the others are questions.
+constexpr std::string_view designColumns[] = {"participant", "fabric", "condition", "group", "session", "repetition"};
+
 /// Under this name JSON files give the reasons of missing numbers.
 constexpr const char* reservedName = "why";
 
@@ -54,8 +59,9 @@ public:
         readHeader();
         for (std::size_t row = 0; row < m_table.rows.size(); ++row) readRow(row);
         if (m_data.responses.empty()) fail("there are no answers", m_where, "at least one row with an answer");
-        m_data.expectedResponses =
-            m_data.participants.size() * m_data.fabrics.size() * m_data.conditions.size() * m_data.questions.size();
+        for (const auto& [cell, rows] : m_rowsOfCell) m_data.answersPerCell = std::max(m_data.answersPerCell, rows);
+        m_data.expectedResponses = m_data.answersPerCell * m_data.participants.size() * m_data.fabrics.size() *
+                                   m_data.conditions.size() * m_data.questions.size();
         return std::move(m_data);
     }
 
@@ -123,7 +129,7 @@ private:
 
     void readColumn(const std::string& name, std::size_t index)
     {
-        if (name == "participant" || name == "fabric" || name == "condition") return;
+        if (std::ranges::find(designColumns, name) != std::end(designColumns)) return;
         if (const auto id = stem(name, "_correct"))
             setValueColumn(*id, index, choiceKind(*id));
         else if (const auto timed = stem(name, "_seconds"))
@@ -134,7 +140,7 @@ private:
             setValueColumn(name, index, openKind(name));
         else
             fail("the column \"" + name + "\" is unknown", headerRow(),
-                 "participant, fabric, condition, Qn, Qn_correct, Qn_seconds or Qn_answer");
+                 "participant, fabric, condition, group, session, repetition, Qn, Qn_correct, Qn_seconds or Qn_answer");
     }
 
     void setValueColumn(const std::string& id, std::size_t index, const protocols::AnswerKind& kind)
@@ -186,20 +192,52 @@ private:
         return known ? spelled : name;
     }
 
+    /// The text of an optional column; empty where it is missing.
+    std::string optional(std::size_t row, const char* column) const
+    {
+        const auto index = m_table.column(column);
+        return !index || protocols::isMissing(cell(row, *index)) ? std::string() : cell(row, *index);
+    }
+
+    /// "session 1, repetition 2"; empty without such columns.
+    std::string repetitionOf(std::size_t row) const
+    {
+        std::string name;
+        for (const char* column : {"session", "repetition"})
+            if (const std::string value = optional(row, column); !value.empty())
+                name += (name.empty() ? "" : ", ") + (column + (" " + value));
+        return name;
+    }
+
+    void readGroup(std::size_t row, const std::string& participant)
+    {
+        if (!m_table.column("group")) return;
+        const std::string group = optional(row, "group");
+        if (group.empty()) fail("the group is empty", nameOf(row), "the name of the participant's group");
+        const auto [known, isNew] = m_data.groupOf.emplace(participant, group);
+        if (!isNew && known->second != group)
+            fail("participant " + participant + " is in the groups " + known->second + " and " + group, nameOf(row),
+                 "one group for each participant; a factor that changes within a participant is a condition");
+    }
+
     void readRow(std::size_t row)
     {
         const std::string participant = named(row, "participant");
         const std::string fabric = named(row, "fabric");
         const std::string condition = conditionOf(named(row, "condition"));
-        if (!m_seen.insert({participant, fabric, condition}).second)
-            fail("the answers of " + participant + " to " + fabric + " under " + condition + " occur twice", nameOf(row),
-                 "one row a participant, fabric and condition");
+        const std::string repetition = repetitionOf(row);
+        if (!m_seen.insert({participant, fabric, condition, repetition}).second)
+            fail("the answers of " + participant + " to " + fabric + " under " + condition +
+                     (repetition.empty() ? "" : " in " + repetition) + " occur twice",
+                 nameOf(row), "one row a participant, fabric and condition, or a column `repetition` or `session`");
+        ++m_rowsOfCell[{participant, fabric, condition}];
+        readGroup(row, participant);
         remember(m_data.participants, participant);
         remember(m_data.fabrics, fabric);
         remember(m_data.conditions, condition);
         for (const QuestionColumns& columns : m_questions)
             if (const auto content = contentIn(row, columns)) {
-                StudyResponse response{participant, fabric, condition, columns.info.id, *content, {}};
+                StudyResponse response{participant, fabric, condition, columns.info.id, *content, {}, repetition};
                 if (columns.seconds) response.seconds = protocols::numberOrMissing(m_table, row, *columns.seconds);
                 m_data.responses.push_back(response);
             }
@@ -241,7 +279,8 @@ private:
     protocols::CsvTable m_table;
     StudyData m_data;
     std::vector<QuestionColumns> m_questions;
-    std::set<std::tuple<std::string, std::string, std::string>> m_seen;
+    std::set<std::tuple<std::string, std::string, std::string, std::string>> m_seen;  ///< cells with their repetitions
+    std::map<std::tuple<std::string, std::string, std::string>, std::size_t> m_rowsOfCell;
 };
 
 }  // namespace

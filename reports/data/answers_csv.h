@@ -1,5 +1,6 @@
 // Answers of an experiment that was not run with this program. One row a participant x fabric x condition:
-// `participant,fabric,condition,Q1_correct,Q2,Q3,Q4`, and optionally `Q1_seconds`, `Q1_answer`.
+// `participant,fabric,condition,Q1_correct,Q2,Q3,Q4`, and optionally `Q1_seconds`, `Q1_answer`, `group` (of the participant),
+// `session` and `repetition` (which allow several rows of one cell).
 #pragma once
 
 #include <filesystem>
@@ -21,7 +22,7 @@ struct AnswersCsvOptions {
 /// ratings, or words where the protocol asks for words. ID_seconds and ID_answer belong to ID. Participants, fabrics and
 /// conditions keep the order of their first appearance; "h_g+f_g" reads as "h_g&f_g". Empty, NA and NaN cells are missing.
 /// Throws badInput naming row and column: a missing, unknown or malformed column, a doubled row, a value that is no number or
-/// lies outside the protocol's scale.
+/// lies outside the protocol's scale, a participant in two groups.
 StudyData readAnswersCsv(const std::filesystem::path& file, const AnswersCsvOptions& options = {});
 
 }  // namespace reports

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -31,14 +32,15 @@ struct WordedAnswer {
 
 using AnswerContent = std::variant<ChosenAnswer, RatedAnswer, WordedAnswer>;
 
-/// One participant x fabric x condition x question.
+/// One participant x fabric x condition x question x repetition.
 struct StudyResponse {
     std::string participant;
     std::string fabric;
     std::string condition;  ///< an id, or a K-label while the study is blinded
     std::string question;   ///< "Q1"
     AnswerContent content;
-    std::optional<double> seconds;
+    std::optional<double> seconds = {};
+    std::string repetition = {};  ///< name of the repetition and session; empty where a cell is asked once
 };
 
 /// How the answers to a question are analysed. Several kinds of answer can share one scoring.
@@ -74,7 +76,9 @@ struct StudyData {
     std::vector<std::string> stamps;  ///< sentences that the page must print
     std::vector<std::string> participants;
     std::vector<std::string> fabrics;
-    std::vector<std::string> conditions;  ///< in the order of every table
+    std::vector<std::string> conditions;         ///< in the order of every table
+    std::size_t answersPerCell = 1;              ///< most answers to one question by one participant x fabric x condition
+    std::map<std::string, std::string> groupOf;  ///< group of each participant; empty: there are no groups
     std::vector<QuestionInfo> questions;
     std::pair<double, double> equivalenceBounds{-0.5, 0.5};
     bool boundsStated = false;  ///< a protocol stated them; false: they are the default of this program

@@ -37,15 +37,20 @@ std::size_t levelOf(const stats::RatingModel& model, const std::string& conditio
                                     model.conditions.begin());
 }
 
-stats::CrossedMean meanOf(const stats::RatingModel& model, const Pair& pair)
+stats::CrossedMean meanOf(const stats::RatingModel& model, std::size_t a, std::size_t b, stats::StudentQuantiles& quantiles)
 {
-    const std::size_t a = levelOf(model, pair.first), b = levelOf(model, pair.second);
     const bool isThere = a < model.conditions.size() && b < model.conditions.size();
-    stats::CrossedMean mean =
-        isThere ? stats::crossedMean(stats::levelDifference(model.model, a, b)) : stats::crossedMean(stats::ContrastTest{});
+    stats::CrossedMean mean = isThere ? stats::crossedMean(stats::levelDifference(model.model, a, b, 0.95, quantiles), quantiles)
+                                      : stats::crossedMean(stats::ContrastTest{});
     mean.values = model.model.rows;
     mean.singular = model.model.singular;
     return mean;
+}
+
+stats::CrossedMean meanOf(const stats::RatingModel& model, const Pair& pair)
+{
+    stats::StudentQuantiles quantiles;
+    return meanOf(model, levelOf(model, pair.first), levelOf(model, pair.second), quantiles);
 }
 
 stats::CrossedStudy without(stats::CrossedStudy answers, std::size_t fabric)
@@ -60,10 +65,10 @@ stats::CrossedStudy without(stats::CrossedStudy answers, std::size_t fabric)
 std::vector<ModelContrast> modelContrasts(const stats::RatingModel& model)
 {
     std::vector<ModelContrast> contrasts;
+    stats::StudentQuantiles quantiles;
     for (std::size_t a = 0; a < model.conditions.size(); ++a)
         for (std::size_t b = a + 1; b < model.conditions.size(); ++b)
-            contrasts.push_back(
-                {model.conditions[a], model.conditions[b], meanOf(model, {model.conditions[a], model.conditions[b]})});
+            contrasts.push_back({model.conditions[a], model.conditions[b], meanOf(model, a, b, quantiles)});
     return contrasts;
 }
 

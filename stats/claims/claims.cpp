@@ -99,11 +99,17 @@ CrossedValues AnswerCube::valuesUnder(std::size_t condition) const
     return table;
 }
 
-CrossedValues AnswerCube::differences(std::size_t a, std::size_t b) const
+CrossedTable AnswerCube::tableUnder(std::size_t condition) const
 {
-    CrossedValues table = emptyTable(m_participants, m_fabrics);
-    for (std::size_t p = 0; p < m_participants; ++p)
-        for (std::size_t f = 0; f < m_fabrics; ++f) table.values.push_back(at(a, p, f) - at(b, p, f));
+    const auto first = m_values.begin() + static_cast<std::ptrdiff_t>(condition * m_participants * m_fabrics);
+    return {m_participants, m_fabrics, {first, first + static_cast<std::ptrdiff_t>(m_participants * m_fabrics)}};
+}
+
+CrossedTable AnswerCube::differences(std::size_t a, std::size_t b) const
+{
+    CrossedTable table = tableUnder(a);
+    const double* const other = m_values.data() + b * table.values.size();
+    for (std::size_t cell = 0; cell < table.values.size(); ++cell) table.values[cell] -= other[cell];
     return table;
 }
 
@@ -126,9 +132,11 @@ std::vector<ContrastClaim> contrastClaims(const AnswerCube& answers, std::span<c
                                           const std::optional<Bounds>& bounds, Generalisation generalisation)
 {
     std::vector<ContrastClaim> claims;
+    claims.reserve(contrasts.size());
     std::vector<Value> differences, equivalences;
+    StudentQuantiles quantiles;
     for (const auto& [a, b] : contrasts) {
-        ContrastClaim claim{a, b, crossedMean(answers.differences(a, b), generalisation), {}, {}, {}, {}, {}};
+        ContrastClaim claim{a, b, crossedMean(answers.differences(a, b), generalisation, quantiles), {}, {}, {}, {}, {}};
         claim.difference = testOfMean(claim.mean, 0, Tail::TwoSided);
         claim.equivalence = bounds ? equivalenceOfMean(claim.mean, bounds->first, bounds->second) : withoutBounds();
         differences.push_back(claim.difference.p);
@@ -149,8 +157,9 @@ std::vector<ChanceClaim> chanceClaims(const AnswerCube& answers, double chance, 
 {
     std::vector<ChanceClaim> claims;
     std::vector<Value> p;
+    StudentQuantiles quantiles;
     for (std::size_t c = 0; c < answers.conditions(); ++c) {
-        ChanceClaim claim{crossedMean(answers.valuesUnder(c), generalisation), {}, {}, false};
+        ChanceClaim claim{crossedMean(answers.tableUnder(c), generalisation, quantiles), {}, {}, false};
         claim.above = testOfMean(claim.mean, chance, Tail::Greater);
         claim.mean.ci90 = withinUnit(claim.mean.ci90);
         claim.mean.ci95 = withinUnit(claim.mean.ci95);

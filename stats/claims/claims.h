@@ -31,9 +31,10 @@ public:
     AnswerCube withoutFabric(std::size_t fabric) const;
 
     /// The answers under a condition.
+    CrossedTable tableUnder(std::size_t condition) const;
     CrossedValues valuesUnder(std::size_t condition) const;
     /// Differences a - b of the participant x fabric cells that have both.
-    CrossedValues differences(std::size_t a, std::size_t b) const;
+    CrossedTable differences(std::size_t a, std::size_t b) const;
 
 private:
     std::size_t m_conditions, m_participants, m_fabrics;

@@ -2,62 +2,99 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "stats/kernels/decimal_grid.h"
 #include "stats/kernels/distributions.h"
 #include "stats/models/mixed_model.h"
+#include "stats/models/mixed_model_fit.h"
+#include "stats/models/mixed_model_rows.h"
+#include "stats/tests/contrast.h"
 
 namespace stats {
 namespace {
 
-/// The rows that have a value.
-CrossedValues withoutMissing(const CrossedValues& whole)
-{
-    std::vector<std::size_t> rows;
-    for (std::size_t row = 0; row < whole.values.size(); ++row)
-        if (!std::isnan(whole.values[row])) rows.push_back(row);
-    CrossedValues present{rowsOf(whole.participant, rows), rowsOf(whole.fabric, rows), {}};
-    for (const std::size_t row : rows) present.values.push_back(whole.values[row]);
-    return present;
-}
+constexpr const char* beyondRange = "the variation is beyond the range of double";
 
-/// Sums and counts of cells, averaged so that repetitions of a cell count once.
-CrossedValues cellMeans(const CrossedValues& rows)
+/// Means of the cells, so that repetitions of a cell count once.
+CrossedTable cellMeans(const CrossedValues& rows)
 {
-    const std::size_t fabrics = rows.fabric.levels.size();
-    std::vector<double> sums(rows.participant.levels.size() * fabrics);
-    std::vector<std::size_t> counts(sums.size());
+    CrossedTable table{rows.participant.levels.size(), rows.fabric.levels.size(), {}};
+    table.values.assign(table.participants * table.fabrics, 0);
+    std::vector<std::size_t> counts(table.values.size());
     for (std::size_t row = 0; row < rows.values.size(); ++row) {
-        const std::size_t cell = rows.participant.of[row] * fabrics + rows.fabric.of[row];
-        sums[cell] += rows.values[row];
+        if (std::isnan(rows.values[row])) continue;
+        const std::size_t cell = rows.participant.of[row] * table.fabrics + rows.fabric.of[row];
+        table.values[cell] += rows.values[row];
         ++counts[cell];
     }
-    CrossedValues means{{rows.participant.name, rows.participant.levels, {}}, {rows.fabric.name, rows.fabric.levels, {}}, {}};
-    for (std::size_t cell = 0; cell < sums.size(); ++cell) {
-        if (counts[cell] == 0) continue;
-        means.participant.of.push_back(cell / fabrics);
-        means.fabric.of.push_back(cell % fabrics);
-        means.values.push_back(sums[cell] / static_cast<double>(counts[cell]));
+    for (std::size_t cell = 0; cell < counts.size(); ++cell)
+        table.values[cell] /= static_cast<double>(counts[cell]);  // 0 / 0: missing
+    return table;
+}
+
+/// The participants and fabrics that have values. Nothing is copied where all have.
+class Present {
+public:
+    explicit Present(const CrossedTable& whole) : m_table(&whole)
+    {
+        std::vector<std::size_t> participants, fabrics;
+        std::vector<bool> met(whole.fabrics);
+        for (std::size_t p = 0; p < whole.participants; ++p) {
+            const std::size_t before = m_count;
+            for (std::size_t f = 0; f < whole.fabrics; ++f) {
+                if (std::isnan(whole.values[p * whole.fabrics + f])) continue;
+                ++m_count;
+                met[f] = true;
+            }
+            if (m_count > before) participants.push_back(p);
+        }
+        for (std::size_t f = 0; f < whole.fabrics; ++f)
+            if (met[f]) fabrics.push_back(f);
+        if (participants.size() == whole.participants && fabrics.size() == whole.fabrics) return;
+        m_copy = {participants.size(), fabrics.size(), {}};
+        for (const std::size_t p : participants)
+            for (const std::size_t f : fabrics) m_copy.values.push_back(whole.values[p * whole.fabrics + f]);
+        m_table = &m_copy;
+    }
+    Present(const Present&) = delete;
+    Present& operator=(const Present&) = delete;
+
+    const CrossedTable& table() const { return *m_table; }
+    std::size_t count() const { return m_count; }
+    bool isComplete() const { return m_count == m_table->values.size(); }
+
+private:
+    const CrossedTable* m_table;
+    CrossedTable m_copy;
+    std::size_t m_count = 0;
+};
+
+std::vector<double> meansOfParticipants(const CrossedTable& table)
+{
+    std::vector<double> means;
+    for (std::size_t p = 0; p < table.participants; ++p) {
+        double sum = 0;
+        std::size_t count = 0;
+        for (const double value : std::span(table.values).subspan(p * table.fabrics, table.fabrics)) {
+            if (std::isnan(value)) continue;
+            sum += value;
+            ++count;
+        }
+        means.push_back(sum / static_cast<double>(count));
     }
     return means;
 }
 
-std::vector<double> meansOfParticipants(const CrossedValues& cells)
+/// True where all values are equal.
+bool isConstant(const CrossedTable& table)
 {
-    std::vector<double> sums(cells.participant.levels.size());
-    std::vector<std::size_t> counts(sums.size());
-    for (std::size_t row = 0; row < cells.values.size(); ++row) {
-        sums[cells.participant.of[row]] += cells.values[row];
-        ++counts[cells.participant.of[row]];
+    double first = std::nan("");
+    for (const double value : table.values) {
+        if (std::isnan(first)) first = value;
+        if (!std::isnan(value) && value != first) return false;
     }
-    for (std::size_t i = 0; i < sums.size(); ++i) sums[i] /= static_cast<double>(counts[i]);
-    return sums;
-}
-
-Interval intervalAround(double estimate, double se, double df, double confidence)
-{
-    const double reach = studentQuantile((1 - confidence) / 2, df) * se;
-    return {estimate - reach, estimate + reach};
+    return true;
 }
 
 void refuse(CrossedMean& mean, const std::string& why)
@@ -68,21 +105,31 @@ void refuse(CrossedMean& mean, const std::string& why)
     mean.ci90 = mean.ci95 = {none, none};
 }
 
-void put(CrossedMean& mean, double estimate, double se, double df)
+Interval intervalAround(double estimate, double reach) { return {estimate - reach, estimate + reach}; }
+
+void put(CrossedMean& mean, double estimate, double se, double df, StudentQuantiles& quantiles)
 {
     mean.estimate = estimate;
     mean.se = se;
     mean.df = df;
-    mean.ci90 = intervalAround(estimate, se, df, 0.90);
-    mean.ci95 = intervalAround(estimate, se, df, 0.95);
+    mean.ci90 = intervalAround(estimate, quantiles.at((1 - 0.90) / 2, df) * se);
+    mean.ci95 = intervalAround(estimate, quantiles.at((1 - 0.95) / 2, df) * se);
 }
 
-void putParticipantsTest(CrossedMean& mean, const CrossedValues& cells)
+void putParticipantsTest(CrossedMean& mean, const CrossedTable& table, StudentQuantiles& quantiles)
 {
-    const TTest test = oneSampleTTest(meansOfParticipants(cells));
-    mean.estimate = test.estimate;
-    if (!test.why.empty()) return refuse(mean, test.why);
-    put(mean, *test.estimate, *test.se, *test.df);
+    const std::vector<double> means = meansOfParticipants(table);
+    if (const std::string fault = inputFault(TKind::OneSample, means, {}); !fault.empty()) {
+        mean.estimate = Value::undefined(fault);
+        return refuse(mean, fault);
+    }
+    const ScaledSamples scaled({means, std::span<const double>()});
+    const Contrast contrast = contrastOf(TKind::OneSample, scaled);
+    mean.estimate = scaled.unscaled(contrast.estimateMinus(0));
+    if (!contrast.why.empty()) return refuse(mean, contrast.why);
+    const Value se = scaled.unscaled(contrast.se);
+    if (!mean.estimate.exists() || !se.exists()) return refuse(mean, beyondRange);
+    put(mean, *mean.estimate, *se, contrast.df, quantiles);
 }
 
 /// Upper limit of the degrees of freedom. Where a variance is estimated as zero, Satterthwaite's count the answers and not the
@@ -90,52 +137,167 @@ void putParticipantsTest(CrossedMean& mean, const CrossedValues& cells)
 /// 36 contrasts, with 7 fabrics of SD 0.5 and 10 participants. With this limit it is 5.5 %.
 double mostDegrees(const CrossedMean& mean) { return 4.0 / 3.0 * static_cast<double>(mean.participants + mean.fabrics - 2); }
 
-void putCrossedTest(CrossedMean& mean, const CrossedValues& cells)
+/// Estimate of the mean; `why` is empty when it exists.
+struct CrossedFit {
+    std::string why;
+    Value estimate, se, df;
+    bool singular = false;
+};
+
+CrossedFit fitIncomplete(const CrossedTable& table)
 {
-    mean.estimate = meanOf(meansOfParticipants(cells));  // where the model gives none
-    if (mean.fabrics < 2) return refuse(mean, "there is one fabric only: a result for fabrics like these needs at least 2");
-    MixedModelData data{cells.values, interceptOnly(cells.values.size()), {}};
-    for (const Factor& group : {cells.participant, cells.fabric})
-        if (group.levels.size() < cells.values.size()) data.random.push_back({group, {}, ""});
+    Factor participant{"participant", std::vector<std::string>(table.participants), {}},
+        fabric{"fabric", std::vector<std::string>(table.fabrics), {}};
+    MixedModelData data;
+    for (std::size_t cell = 0; cell < table.values.size(); ++cell) {
+        if (std::isnan(table.values[cell])) continue;
+        data.y.push_back(table.values[cell]);
+        participant.of.push_back(cell / table.fabrics);
+        fabric.of.push_back(cell % table.fabrics);
+    }
+    data.fixed = interceptOnly(data.y.size());
+    for (Factor* group : {&participant, &fabric})
+        if (group->levels.size() < data.y.size()) data.random.push_back({std::move(*group), {}, ""});
     const MixedModel model = fitMixedModel(data);
-    if (!model.why.empty()) return refuse(mean, model.why);
+    if (!model.why.empty()) return {model.why, {}, {}, {}};
     const ContrastTest& test = model.fixed.front().test;
-    if (!test.estimate.exists() || !test.se.exists() || !test.df.exists() || !(*test.df > 0))
-        return refuse(mean, "the variation is beyond the range of double");
-    mean.singular = model.singular;
-    put(mean, *test.estimate, *test.se, std::min(*test.df, mostDegrees(mean)));
+    return {"", test.estimate, test.se, test.df, model.singular};
+}
+
+/// Sum of squares of participants or fabrics; `size`: values of a level.
+struct Effects {
+    double squares, degrees, size;
+
+    double meanSquare() const { return squares / degrees; }
+};
+
+/// Sums of squares of a complete table whose mean is 0.
+struct TableSquares {
+    Effects participant, fabric, residual;
+};
+TableSquares squaresOf(const std::vector<double>& y, std::size_t participants, std::size_t fabrics)
+{
+    const auto p = static_cast<double>(participants), f = static_cast<double>(fabrics);
+    TableSquares result{{0, p - 1, f}, {0, f - 1, p}, {0, (p - 1) * (f - 1), 1}};
+    std::vector<double> ofFabric(fabrics), ofParticipant(participants);
+    for (std::size_t cell = 0; cell < y.size(); ++cell) {
+        ofParticipant[cell / fabrics] += y[cell] / f;
+        ofFabric[cell % fabrics] += y[cell] / p;
+    }
+    for (const double effect : ofParticipant) result.participant.squares += f * effect * effect;
+    for (const double effect : ofFabric) result.fabric.squares += p * effect * effect;
+    for (std::size_t cell = 0; cell < y.size(); ++cell) {
+        const double rest = y[cell] - ofParticipant[cell / fabrics] - ofFabric[cell % fabrics];
+        result.residual.squares += rest * rest;
+    }
+    return result;
+}
+
+/// Subtracts the mean and returns it; in two passes, as the first loses digits to a large offset.
+double removeMean(std::vector<double>& y)
+{
+    double mean = 0;
+    for (int pass = 0; pass < 2; ++pass) {
+        double sum = 0;
+        for (const double value : y) sum += value;
+        const double more = sum / static_cast<double>(y.size());
+        for (double& value : y) value -= more;
+        mean += more;
+    }
+    return mean;
+}
+
+/// Restricted maximum likelihood in closed form: a level varies as the residual does where its mean square is not larger.
+CrossedFit fitComplete(const CrossedTable& table)
+{
+    double largest = 0;
+    for (const double value : table.values) largest = std::max(largest, std::fabs(value));
+    if (!std::isfinite(largest)) return {"a value is not finite", {}, {}, {}};
+    const int exponent = std::ilogb(largest);
+    std::vector<double> y;
+    for (const double value : table.values) y.push_back(std::ldexp(value, -exponent));
+    const double mean = removeMean(y);
+    if (isRoundingError(y)) return {noVariation, {}, {}, {}};
+    TableSquares squares = squaresOf(y, table.participants, table.fabrics);
+    Effects& residual = squares.residual;
+    std::vector<Effects*> varying{&squares.participant, &squares.fabric};
+    if (squares.fabric.meanSquare() < squares.participant.meanSquare()) std::swap(varying[0], varying[1]);
+    while (!varying.empty()) {  // the smallest first
+        const Effects& least = *varying.front();
+        const double ratio = (least.meanSquare() - residual.meanSquare()) / (least.size * residual.meanSquare());
+        if (ratio > thetaFloor * thetaFloor || std::isnan(ratio)) break;
+        residual.squares += least.squares;
+        residual.degrees += least.degrees;
+        varying.erase(varying.begin());
+    }
+    double variance = residual.meanSquare(), uncertainty = 0;
+    for (const Effects* effects : varying) {
+        const double excess = effects->meanSquare() - residual.meanSquare();
+        if (!(excess < largestTheta * largestTheta * effects->size * residual.meanSquare())) return {noResidual, {}, {}, {}};
+        variance += excess;
+        uncertainty += effects->meanSquare() * effects->meanSquare() / effects->degrees;
+    }
+    // Where one of two varies, its mean square alone is the error of the mean.
+    if (varying.size() != 1) uncertainty += residual.meanSquare() * residual.meanSquare() / residual.degrees;
+    const double se = std::ldexp(std::sqrt(variance / static_cast<double>(y.size())), exponent);
+    const bool inRange = std::isfinite(se) && se > 0;
+    return {"", std::ldexp(mean, exponent), inRange ? Value(se) : Value::undefined(beyondRange),
+            variance * variance / uncertainty, varying.size() < 2};
+}
+
+void putCrossedTest(CrossedMean& mean, const Present& present, StudentQuantiles& quantiles)
+{
+    mean.estimate = meanOf(meansOfParticipants(present.table()));  // where the model gives none
+    if (mean.fabrics < 2) return refuse(mean, "there is one fabric only: a result for fabrics like these needs at least 2");
+    const CrossedFit fit = present.isComplete() ? fitComplete(present.table()) : fitIncomplete(present.table());
+    if (!fit.why.empty()) return refuse(mean, fit.why);
+    if (!fit.estimate.exists() || !fit.se.exists() || !fit.df.exists() || !(*fit.df > 0)) return refuse(mean, beyondRange);
+    mean.singular = fit.singular;
+    put(mean, *fit.estimate, *fit.se, std::min(*fit.df, mostDegrees(mean)), quantiles);
 }
 
 }  // namespace
 
 CrossedMean crossedMean(const CrossedValues& values, Generalisation generalisation)
 {
-    const CrossedValues cells = cellMeans(withoutMissing(values));
+    StudentQuantiles quantiles;
+    return crossedMean(cellMeans(values), generalisation, quantiles);
+}
+
+CrossedMean crossedMean(const CrossedTable& table, Generalisation generalisation, StudentQuantiles& quantiles)
+{
+    const Present present(table);
     CrossedMean mean;
-    mean.values = cells.values.size();
-    mean.participants = cells.participant.levels.size();
-    mean.fabrics = cells.fabric.levels.size();
+    mean.values = present.count();
+    mean.participants = present.table().participants;
+    mean.fabrics = present.table().fabrics;
     mean.estimate = Value::undefined("there are no values");
     if (mean.values == 0)
         refuse(mean, "there are no values");
-    else if (std::all_of(cells.values.begin(), cells.values.end(), [&](double value) { return value == cells.values.front(); })) {
-        mean.estimate = cells.values.front();
+    else if (isConstant(present.table())) {
+        mean.estimate = *std::ranges::find_if(table.values, [](double value) { return !std::isnan(value); });
         refuse(mean, "all values are equal: how much others vary is unknown");
     } else if (mean.participants < 2)
         refuse(mean, "there is one participant only: a test needs at least 2");
     else if (generalisation == Generalisation::TheseFabrics)
-        putParticipantsTest(mean, cells);
+        putParticipantsTest(mean, present.table(), quantiles);
     else
-        putCrossedTest(mean, cells);
+        putCrossedTest(mean, present, quantiles);
     return mean;
 }
 
 CrossedMean crossedMean(const ContrastTest& contrast)
 {
+    StudentQuantiles quantiles;
+    return crossedMean(contrast, quantiles);
+}
+
+CrossedMean crossedMean(const ContrastTest& contrast, StudentQuantiles& quantiles)
+{
     CrossedMean mean;
     mean.estimate = contrast.estimate;
     if (contrast.estimate.exists() && contrast.se.exists() && contrast.df.exists())
-        put(mean, *contrast.estimate, *contrast.se, *contrast.df);
+        put(mean, *contrast.estimate, *contrast.se, *contrast.df, quantiles);
     else
         refuse(mean, contrast.se.exists() ? contrast.df.why() : contrast.se.why());
     return mean;
@@ -156,9 +318,9 @@ MeanTest testOfMean(const CrossedMean& mean, double mu, Tail tail)
 
 MeanTest equivalenceOfMean(const CrossedMean& mean, double low, double high)
 {
-    const MeanTest aboveLow = testOfMean(mean, low, Tail::Greater), belowHigh = testOfMean(mean, high, Tail::Less);
-    if (!aboveLow.p.exists()) return aboveLow;
-    return *aboveLow.logP >= *belowHigh.logP ? aboveLow : belowHigh;
+    // The bound that is nearer has the larger p.
+    if (!mean.why.empty() || *mean.estimate - low <= high - *mean.estimate) return testOfMean(mean, low, Tail::Greater);
+    return testOfMean(mean, high, Tail::Less);
 }
 
 }  // namespace stats

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "stats/kernels/distributions.h"
 #include "stats/kernels/value.h"
 #include "stats/models/factor.h"
 #include "stats/models/satterthwaite.h"
@@ -23,6 +24,13 @@ enum class Generalisation {
 struct CrossedValues {
     Factor participant;
     Factor fabric;
+    std::vector<double> values;
+};
+
+/// One value of each participant and fabric, row-major [participants x fabrics]; NaN is missing.
+struct CrossedTable {
+    std::size_t participants = 0;
+    std::size_t fabrics = 0;
     std::vector<double> values;
 };
 
@@ -45,8 +53,13 @@ struct CrossedMean {
 /// reason: fewer than two participants, fewer than two fabrics (FabricsLikeThese), values that are all equal or not finite.
 CrossedMean crossedMean(const CrossedValues& values, Generalisation generalisation);
 
+/// The same for one of many tables. Complete tables have a closed form: the restricted estimates of the variances are those of
+/// the analysis of variance, pooled where one would be negative (Thompson 1962, Ann. Math. Stat. 33(1), 273-289).
+CrossedMean crossedMean(const CrossedTable& table, Generalisation generalisation, StudentQuantiles& quantiles);
+
 /// A contrast of a mixed model with its intervals.
 CrossedMean crossedMean(const ContrastTest& contrast);
+CrossedMean crossedMean(const ContrastTest& contrast, StudentQuantiles& quantiles);
 
 /// t test of the mean.
 struct MeanTest {

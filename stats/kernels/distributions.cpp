@@ -105,6 +105,15 @@ double studentQuantile(double upperTail, double df)
     return bm::quantile(bm::complement(bm::students_t_distribution<double, Quiet>(df), upperTail));
 }
 
+double StudentQuantiles::at(double upperTail, double df)
+{
+    for (const Known& known : m_known)
+        if (known.upperTail == upperTail && known.df == df) return known.t;
+    const double t = studentQuantile(upperTail, df);
+    m_known[m_next++ % m_known.size()] = {upperTail, df, t};
+    return t;
+}
+
 TailProbability fisherUpper(double f, double df1, double df2)
 {
     if (f <= 0) return {1, 0};

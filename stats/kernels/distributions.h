@@ -1,6 +1,8 @@
 // Tail probabilities with their logarithms: the logarithm still has digits where p is below the smallest double.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <string>
 
 #include "stats/kernels/value.h"
@@ -18,6 +20,20 @@ TailProbability studentUpper(double t, double df);
 TailProbability studentTwoSided(double t, double df);
 /// The t that is exceeded with probability `upperTail`, 0 < upperTail < 1.
 double studentQuantile(double upperTail, double df);
+
+/// Remembers the latest quantiles: the intervals of many contrasts often have the same degrees of freedom.
+class StudentQuantiles {
+public:
+    /// studentQuantile(upperTail, df)
+    double at(double upperTail, double df);
+
+private:
+    struct Known {
+        double upperTail = 0, df = 0, t = 0;
+    };
+    std::array<Known, 4> m_known;
+    std::size_t m_next = 0;
+};
 
 /// P(F >= f), f >= 0.
 TailProbability fisherUpper(double f, double df1, double df2);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "stats/kernels/vector_clones.h"
+
 namespace stats {
 namespace {
 
@@ -15,26 +17,38 @@ void subtract(std::span<double> target, std::span<const double> source, double f
     for (std::size_t j = from; j < to; ++j) target[j] -= factor * source[j];
 }
 
-/// Rotates in the plane (p, q) so that element (p, q) becomes zero.
+/// Rotates two rows.
+STATS_VECTOR_CLONES void rotateRows(double* p, double* q, std::size_t n, double c, double s)
+{
+    for (std::size_t k = 0; k < n; ++k) {
+        const double x = p[k];
+        const double y = q[k];
+        p[k] = c * x - s * y;
+        q[k] = s * x + c * y;
+    }
+}
+
+/// Rotates a symmetric matrix in the plane (p, q) so that element (p, q) becomes zero.
 void rotate(Matrix& a, Matrix& vectors, std::size_t p, std::size_t q)
 {
     const double theta = (a(q, q) - a(p, p)) / (2 * a(p, q));
     const double t = (theta < 0 ? -1 : 1) / (std::fabs(theta) + std::sqrt(theta * theta + 1));
     const double c = 1 / std::sqrt(t * t + 1);
     const double s = t * c;
-    for (std::size_t k = 0; k < a.rows(); ++k) {
+    const std::size_t n = a.rows();
+    for (const std::size_t k : {p, q}) {  // their rows are rotated below
         const double x = a(k, p);
         const double y = a(k, q);
         a(k, p) = c * x - s * y;
         a(k, q) = s * x + c * y;
     }
-    for (Matrix* m : {&a, &vectors})
-        for (std::size_t k = 0; k < a.rows(); ++k) {
-            const double x = (*m)(p, k);
-            const double y = (*m)(q, k);
-            (*m)(p, k) = c * x - s * y;
-            (*m)(q, k) = s * x + c * y;
-        }
+    rotateRows(a.row(p).data(), a.row(q).data(), n, c, s);
+    rotateRows(vectors.row(p).data(), vectors.row(q).data(), n, c, s);
+    for (std::size_t k = 0; k < n; ++k) {  // all other rows by symmetry
+        if (k == p || k == q) continue;
+        a(k, p) = a(p, k);
+        a(k, q) = a(q, k);
+    }
 }
 
 }  // namespace

@@ -7,7 +7,6 @@ namespace stats {
 namespace {
 
 constexpr int mostFitSteps = 200;
-constexpr double largestTheta = 1e5;         // beyond, no residual variation is left
 constexpr double negligibleDecrease = 1e-9;  // expected further decrease; the step taken then squares the error
 constexpr double smallestFraction = 0.1;     // share of a standard deviation that one step may leave,
 constexpr double small = 0.02;               // unless it was small already: then it may go to the floor
@@ -85,7 +84,7 @@ public:
     ThetaFit run()
     {
         ThetaFit fit;
-        if (!m_at.exists) return refused("the random effects reproduce every value: no residual variation is left");
+        if (!m_at.exists) return refused(noResidual);
         startFromMoments();
         for (; fit.steps < mostFitSteps; ++fit.steps) {
             fit.solution = m_system.solutionAt(m_at.theta, m_reml);
@@ -93,8 +92,7 @@ public:
             fit.free = freeAt(here);
             const auto step = newtonStep(here, fit.free);
             const double decrease = -dot(here.gradient, step) / 2;
-            if (std::ranges::any_of(m_at.theta, [](double theta) { return theta > largestTheta; }))
-                return refused("the random effects reproduce every value: no residual variation is left");
+            if (std::ranges::any_of(m_at.theta, [](double theta) { return theta > largestTheta; })) return refused(noResidual);
             if (m_close || !(decrease > 0) || !descend(step, decrease)) {
                 fit.parts = m_at;
                 return fit;

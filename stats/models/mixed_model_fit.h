@@ -10,6 +10,9 @@ namespace stats {
 
 /// Lower bound of a relative standard deviation; an estimate at the bound counts as zero.
 inline constexpr double thetaFloor = 1e-4;
+/// Beyond this relative standard deviation no residual variation is left, which is the reason of a refusal.
+inline constexpr double largestTheta = 1e5;
+inline constexpr const char* noResidual = "the random effects reproduce every value: no residual variation is left";
 
 struct ThetaFit {
     std::string why;  ///< empty when a minimum was found

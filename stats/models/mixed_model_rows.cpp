@@ -93,9 +93,7 @@ std::string removeFixed(MixedModelRows& data)
             for (const std::size_t row : present[i]) data.y[row] -= more[i] * data.fixed.columns[i][row];
         }
     }
-    // y was near 1: below this there is only rounding error.
-    const bool nothingLeft = !(dot(data.y, data.y) > 1e-24 * static_cast<double>(data.y.size()));
-    return nothingLeft ? "the fixed effects reproduce every value: there is no variation left" : "";
+    return isRoundingError(data.y) ? noVariation : "";
 }
 
 bool allFinite(std::span<const double> x)
@@ -104,6 +102,8 @@ bool allFinite(std::span<const double> x)
 }
 
 }  // namespace
+
+bool isRoundingError(std::span<const double> y) { return !(dot(y, y) > 1e-24 * static_cast<double>(y.size())); }
 
 MixedModelRows mixedModelRows(const MixedModelData& data)
 {

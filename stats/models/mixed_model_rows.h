@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,10 @@ struct MixedModelRows {
     std::vector<double> leastSquares;  ///< scaled estimates without random effects
     Matrix sequential;                 ///< MixedModel::sequential
 };
+
+/// True where values of a size near 1, from which their fit was subtracted, are rounding errors: the reason of a refusal.
+bool isRoundingError(std::span<const double> y);
+inline constexpr const char* noVariation = "the fixed effects reproduce every value: there is no variation left";
 
 MixedModelRows mixedModelRows(const MixedModelData& data);
 

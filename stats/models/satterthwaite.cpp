@@ -10,32 +10,40 @@
 namespace stats {
 namespace {
 
-/// a' matrix a; a has few weights that differ from 0.
-double sparseForm(const std::vector<std::size_t>& places, std::span<const double> a, const Matrix& matrix)
+/// The weights of a contrast that differ from 0.
+struct Weights {
+    std::vector<std::size_t> places;
+    std::vector<double> values;
+};
+
+Weights nonzeroOf(std::span<const double> weights)
+{
+    Weights result;
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+        if (weights[i] == 0) continue;
+        result.places.push_back(i);
+        result.values.push_back(weights[i]);
+    }
+    return result;
+}
+
+/// a' matrix a
+double formOf(const Weights& a, const Matrix& matrix)
 {
     double sum = 0;
-    for (const std::size_t i : places) {
+    for (std::size_t i = 0; i < a.places.size(); ++i) {
         double row = 0;
-        for (const std::size_t j : places) row += matrix(i, j) * a[j];
-        sum += a[i] * row;
+        for (std::size_t j = 0; j < a.places.size(); ++j) row += matrix(a.places[i], a.places[j]) * a.values[j];
+        sum += a.values[i] * row;
     }
     return sum;
 }
 
-std::vector<std::size_t> placesOf(std::span<const double> weights)
-{
-    std::vector<std::size_t> places;
-    for (std::size_t i = 0; i < weights.size(); ++i)
-        if (weights[i] != 0) places.push_back(i);
-    return places;
-}
-
 /// Satterthwaite's 2 v^2 / var(v), where v is the variance of the contrast and var(v) comes from the delta method.
-double degreesOf(const MixedModel& model, std::span<const double> weights, double variance)
+double degreesOf(const MixedModel& model, const Weights& weights, double variance)
 {
     std::vector<double> gradient;
-    const std::vector<std::size_t> places = placesOf(weights);
-    for (const Matrix& derivative : model.covarianceDerivatives) gradient.push_back(sparseForm(places, weights, derivative));
+    for (const Matrix& derivative : model.covarianceDerivatives) gradient.push_back(formOf(weights, derivative));
     return 2 * variance * variance / quadraticForm(gradient, model.parameterCovariance, gradient);
 }
 
@@ -43,6 +51,26 @@ ContrastTest undefinedContrast(const std::string& why)
 {
     const Value none = Value::undefined(why);
     return {none, none, none, none, none, none, {none, none}};
+}
+
+ContrastTest testOf(const MixedModel& model, const Weights& weights, double confidence, StudentQuantiles& quantiles)
+{
+    const double variance = formOf(weights, model.covariance);
+    if (!(variance > 0)) return undefinedContrast("the contrast has no weight that differs from 0");
+    double estimate = 0;
+    for (std::size_t i = 0; i < weights.places.size(); ++i) estimate += weights.values[i] * model.estimates[weights.places[i]];
+    const double se = std::sqrt(variance);
+    const double df = degreesOf(model, weights, variance);
+    const TailProbability p = studentTwoSided(estimate / se, df);
+    const double reach = quantiles.at((1 - confidence) / 2, df) * se;
+    const auto unscaled = [&](double x) { return std::ldexp(x, model.exponent); };
+    return {unscaled(estimate),
+            unscaled(se),
+            df,
+            estimate / se,
+            p.p,
+            p.logP,
+            {unscaled(estimate - reach), unscaled(estimate + reach)}};
 }
 
 /// Denominator degrees of freedom of an F that is the mean of squared t variables with these degrees of freedom.
@@ -68,29 +96,30 @@ ContrastTest contrastTest(const MixedModel& model, std::span<const double> weigh
 {
     if (!model.why.empty()) return undefinedContrast(model.why);
     assert(weights.size() == model.estimates.size() && "one weight a fixed effect");
-    const double variance = sparseForm(placesOf(weights), weights, model.covariance);
-    if (!(variance > 0)) return undefinedContrast("the contrast has no weight that differs from 0");
-    const double estimate = dot(weights, model.estimates);
-    const double se = std::sqrt(variance);
-    const double df = degreesOf(model, weights, variance);
-    const TailProbability p = studentTwoSided(estimate / se, df);
-    const double reach = studentQuantile((1 - confidence) / 2, df) * se;
-    const auto unscaled = [&](double x) { return std::ldexp(x, model.exponent); };
-    return {unscaled(estimate),
-            unscaled(se),
-            df,
-            estimate / se,
-            p.p,
-            p.logP,
-            {unscaled(estimate - reach), unscaled(estimate + reach)}};
+    StudentQuantiles quantiles;
+    return testOf(model, nonzeroOf(weights), confidence, quantiles);
 }
 
 ContrastTest levelDifference(const MixedModel& model, std::size_t a, std::size_t b, double confidence)
 {
-    std::vector<double> weights(model.estimates.size());
-    if (model.why.empty() && a != 0) weights[a] += 1;
-    if (model.why.empty() && b != 0) weights[b] -= 1;
-    return contrastTest(model, weights, confidence);
+    StudentQuantiles quantiles;
+    return levelDifference(model, a, b, confidence, quantiles);
+}
+
+ContrastTest levelDifference(const MixedModel& model, std::size_t a, std::size_t b, double confidence,
+                             StudentQuantiles& quantiles)
+{
+    if (!model.why.empty()) return undefinedContrast(model.why);
+    assert(a < model.estimates.size() && b < model.estimates.size() && "levels of the factor");
+    Weights weights;
+    const auto add = [&](std::size_t level, double weight) {
+        if (level == 0 || a == b) return;
+        weights.places.push_back(level);
+        weights.values.push_back(weight);
+    };
+    add(std::min(a, b), a < b ? 1 : -1);
+    add(std::max(a, b), a < b ? -1 : 1);
+    return testOf(model, weights, confidence, quantiles);
 }
 
 FTest effectTest(const MixedModel& model)
@@ -114,7 +143,7 @@ FTest effectTest(const MixedModel& model)
             for (std::size_t j = 0; j < p; ++j) weights[j] += eigen.vectors(k, i) * contrasts(i + 1, j);
         const double estimate = dot(weights, model.estimates);
         squares += estimate * estimate / eigen.values[k];
-        degrees.push_back(degreesOf(model, weights, eigen.values[k]));
+        degrees.push_back(degreesOf(model, nonzeroOf(weights), eigen.values[k]));
     }
     const auto df1 = static_cast<double>(n);
     const double df2 = denominatorDegrees(degrees);

@@ -11,6 +11,7 @@
 namespace stats {
 
 struct MixedModel;
+class StudentQuantiles;
 
 /// A weighted sum of the fixed effects against 0.
 struct ContrastTest {
@@ -37,6 +38,10 @@ ContrastTest contrastTest(const MixedModel& model, std::span<const double> weigh
 
 /// Test of level a - level b of a treatment-coded factor that is the only fixed effect; level 0 is the reference.
 ContrastTest levelDifference(const MixedModel& model, std::size_t a, std::size_t b, double confidence = 0.95);
+
+/// The same for one of many pairs, in constant time.
+ContrastTest levelDifference(const MixedModel& model, std::size_t a, std::size_t b, double confidence,
+                             StudentQuantiles& quantiles);
 
 /// F test of all fixed effects except the intercept together: the test of condition. F does not depend on the
 /// contrasts that express the hypothesis. Its denominator degrees of freedom (from the eigenvectors of their

@@ -2,10 +2,13 @@
 #include "stats/claims/crossed_mean.h"
 
 #include <QtTest>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "stats/claims/claims.h"
+#include "stats/kernels/draws.h"
+#include "stats/models/mixed_model.h"
 #include "tests/stats/exact_numbers.h"
 
 using stats::AnswerCube;
@@ -94,6 +97,65 @@ private Q_SLOTS:
                           b = stats::crossedMean(doubled, Generalisation::FabricsLikeThese);
         QVERIFY(near(b.estimate, *a.estimate) && near(b.se, *a.se, 1e-7));
         QCOMPARE(b.values, a.values);
+    }
+
+    // Tables with and without variances of zero, at several scales, against the mixed model of their rows.
+    void completeTablesAreTheMixedModel_data()
+    {
+        QTest::addColumn<double>("participantSd");
+        QTest::addColumn<double>("fabricSd");
+        QTest::addColumn<int>("exponent");
+        QTest::addRow("both vary") << 1.0 << 1.0 << 0;
+        QTest::addRow("little variation") << 0.2 << 0.2 << 0;
+        QTest::addRow("neither varies") << 0.0 << 0.0 << 0;
+        QTest::addRow("participants vary") << 0.8 << 0.0 << -600;
+        QTest::addRow("fabrics vary") << 0.0 << 0.8 << 600;
+    }
+
+    void completeTablesAreTheMixedModel()
+    {
+        QFETCH(double, participantSd);
+        QFETCH(double, fabricSd);
+        QFETCH(int, exponent);
+        stats::Draws draws(11, 0);
+        int singular = 0;
+        for (int study = 0; study < 100; ++study) {
+            const std::size_t participants = 3 + static_cast<std::size_t>(study) % 9,
+                              fabrics = 2 + static_cast<std::size_t>(study) % 6;
+            std::vector<double> values(participants * fabrics), ofFabric;
+            for (std::size_t f = 0; f < fabrics; ++f) ofFabric.push_back(draws.normal(fabricSd));
+            for (std::size_t p = 0; p < participants; ++p) {
+                const double own = draws.normal(participantSd);
+                for (std::size_t f = 0; f < fabrics; ++f)
+                    values[p * fabrics + f] = std::ldexp(0.3 + own + ofFabric[f] + draws.normal(), exponent);
+            }
+            const CrossedValues rows = tableOf(values, participants, fabrics);
+            const CrossedMean mean = stats::crossedMean(rows, Generalisation::FabricsLikeThese);
+            const stats::MixedModel model = stats::fitMixedModel(
+                {rows.values, stats::interceptOnly(values.size()), {{rows.participant, {}, ""}, {rows.fabric, {}, ""}}});
+            const stats::ContrastTest& test = model.fixed.front().test;
+            QVERIFY(near(mean.estimate, *test.estimate));
+            // Newton's method finds a variance of nearly zero with few digits, and the closed form with all.
+            const bool isClear = std::ranges::all_of(model.random, [&](const stats::RandomEffect& effect) {
+                return effect.zero || *effect.sd > 0.02 * *model.residualSd;
+            });
+            QVERIFY(near(mean.se, *test.se, isClear ? 1e-9 : 1e-5));
+            const double most = 4.0 / 3 * static_cast<double>(participants + fabrics - 2);
+            QVERIFY(near(mean.df, std::min(most, *test.df), isClear ? 1e-6 : 0.1));
+            QCOMPARE(mean.singular, model.singular);
+            singular += mean.singular ? 1 : 0;
+        }
+        QVERIFY(participantSd > 0.5 && fabricSd > 0.5 ? singular < 50 : singular > 20);
+    }
+
+    void differencesThatAreRoundingErrorsHaveNoVariation()
+    {
+        // Each is 0.1 in decimals, but the doubles differ.
+        const CrossedMean mean =
+            stats::crossedMean(tableOf({1.1 - 1.0, 2.1 - 2.0, 3.1 - 3.0, 4.1 - 4.0}, 2, 2), Generalisation::FabricsLikeThese);
+        QVERIFY2(mean.why.find("no variation") != std::string::npos, mean.why.c_str());
+        const CrossedMean additive = stats::crossedMean(tableOf({1, 2, 4, 3, 4, 6}, 2, 3), Generalisation::FabricsLikeThese);
+        QVERIFY2(additive.why.find("no residual variation") != std::string::npos, additive.why.c_str());
     }
 
     void degreesOfFreedomAreLimited()

@@ -208,6 +208,32 @@ private Q_SLOTS:
         QCOMPARE(conditions.nested, (std::vector<bool>{false, false, true, true}));
     }
 
+    void largeIncompleteStudiesAreFittedByBlocks()
+    {
+        CrossedStudy study = drawnStudy({30, 3, 10, 3}, 6);  // 30 + 3 + 300 + 30 random effects
+        for (std::size_t i = 0; i < study.values.size(); i += 11 + i % 3)
+            study.values[i] = std::numeric_limits<double>::quiet_NaN();
+        const auto rows = stats::mixedModelRows(dataOf(study));
+        const auto dense = stats::fitTheta(stats::MixedModelEquations(rows.y, rows.fixed, rows.random), true);
+        const stats::RatingModel rating = stats::fitRatings(study);
+        QVERIFY2(rating.model.why.empty(), rating.model.why.c_str());
+        std::vector<double> theta;
+        for (const auto& effect : rating.model.random) theta.push_back(*effect.sd / *rating.model.residualSd);
+        CLOSE(farthest(theta, dense.parts.theta), 1e-7);
+        QVERIFY(rating.condition.p.exists() && *rating.condition.df2 > 2);
+    }
+
+    void modelsThatTakeTooLongAreRefused()
+    {
+        CrossedStudy study = drawnStudy({250, 8, 80, 3}, 6);
+        study.values[1000] = std::numeric_limits<double>::quiet_NaN();
+        const stats::RatingModel gap = stats::fitRatings(study);
+        QVERIFY2(gap.model.why.find("20898 random effects") != std::string::npos, gap.model.why.c_str());
+        QVERIFY(!gap.condition.p.exists() && !stats::levelDifference(gap.model, 1, 0).p.exists());
+        study.values[1000] = 5;  // complete data of this size take no longer than others
+        QVERIFY(stats::fitRatings(study).condition.p.exists());
+    }
+
     void fitsAgree()
     {
         for (const std::uint64_t seed : {1, 2, 3, 4, 5, 6}) {

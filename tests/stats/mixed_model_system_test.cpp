@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "stats/kernels/draws.h"
 #include "stats/models/mixed_model_balanced.h"
 #include "stats/models/mixed_model_blocks.h"
 #include "stats/models/mixed_model_criterion.h"
@@ -225,13 +226,22 @@ private Q_SLOTS:
 
     void modelsThatTakeTooLongAreRefused()
     {
-        CrossedStudy study = drawnStudy({250, 8, 80, 3}, 6);
-        study.values[1000] = std::numeric_limits<double>::quiet_NaN();
-        const stats::RatingModel gap = stats::fitRatings(study);
-        QVERIFY2(gap.model.why.find("20898 random effects") != std::string::npos, gap.model.why.c_str());
-        QVERIFY(!gap.condition.p.exists() && !stats::levelDifference(gap.model, 1, 0).p.exists());
-        study.values[1000] = 5;  // complete data of this size take no longer than others
-        QVERIFY(stats::fitRatings(study).condition.p.exists());
+        // Thirty thousand of the cells of 300 participants, 60 fabrics and 60 conditions.
+        stats::Draws draws(3, 0);
+        CrossedStudy study{{"p", {}, {}}, {"f", {}, {}}, {"c", {}, {}}, {}};
+        for (int i = 0; i < 300; ++i) study.participant.levels.push_back(std::to_string(i));
+        for (int i = 0; i < 60; ++i) study.fabric.levels.push_back(std::to_string(i));
+        study.condition.levels = study.fabric.levels;
+        for (int row = 0; row < 30000; ++row) {
+            study.participant.of.push_back(static_cast<std::size_t>(draws.uniform() * 300));
+            study.fabric.of.push_back(static_cast<std::size_t>(draws.uniform() * 60));
+            study.condition.of.push_back(static_cast<std::size_t>(draws.uniform() * 60));
+            study.values.push_back(draws.normal());
+        }
+        const stats::RatingModel rating = stats::fitRatings(study);
+        QVERIFY2(rating.model.why.find("random effects then takes too long") != std::string::npos, rating.model.why.c_str());
+        QVERIFY(!rating.condition.p.exists() && !stats::levelDifference(rating.model, 1, 0).p.exists());
+        QCOMPARE(rating.model.random.size(), std::size_t(4));
     }
 
     void fitsAgree()

@@ -5,6 +5,8 @@
 #include <limits>
 #include <optional>
 
+#include "reports/analysis/design_limits.h"
+
 namespace reports {
 namespace {
 
@@ -62,9 +64,10 @@ stats::CrossedStudy without(stats::CrossedStudy answers, std::size_t fabric)
 
 }  // namespace
 
-std::vector<ModelContrast> modelContrasts(const stats::RatingModel& model)
+std::vector<ModelContrast> modelContrasts(const StudyData& data, const stats::RatingModel& model)
 {
     std::vector<ModelContrast> contrasts;
+    if (!comparesAllPairs(data)) return contrasts;
     stats::StudentQuantiles quantiles;
     for (std::size_t a = 0; a < model.conditions.size(); ++a)
         for (std::size_t b = a + 1; b < model.conditions.size(); ++b)

@@ -19,8 +19,8 @@ struct ModelContrast {
     stats::CrossedMean mean;  ///< singular: the whole model is
 };
 
-/// All pairs of the conditions that have answers, in the order of the study.
-std::vector<ModelContrast> modelContrasts(const stats::RatingModel& model);
+/// All pairs of the conditions that have answers, in the order of the study; none where comparesAllPairs() is false.
+std::vector<ModelContrast> modelContrasts(const StudyData& data, const stats::RatingModel& model);
 
 /// One contrast with all fabrics, and with each fabric left out.
 struct FabricLeftOut {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "reports/analysis/design_limits.h"
 #include "stats/tests/multiplicity.h"
 
 namespace reports {
@@ -29,6 +30,7 @@ std::vector<PairComparison> comparePairs(const StudyData& data, const AnswerCell
 {
     std::vector<PairComparison> comparisons;
     std::vector<stats::Value> p;
+    if (!comparesAllPairs(data)) return comparisons;
     for (std::size_t i = 0; i < data.conditions.size(); ++i)
         for (std::size_t k = i + 1; k < data.conditions.size(); ++k) {
             const std::string& a = data.conditions[i];

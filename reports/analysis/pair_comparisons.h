@@ -33,7 +33,7 @@ struct PairEquivalence {
     std::string verdict;  ///< "different" counts after Holm's correction
 };
 
-/// All pairs of the conditions, in their order.
+/// All pairs of the conditions, in their order; none where comparesAllPairs() is false.
 std::vector<PairComparison> comparePairs(const StudyData& data, const AnswerCells& cells, const std::string& question);
 
 /// The same pairs in the same order; `comparisons` are those of the question.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "reports/analysis/design_limits.h"
 #include "stats/kernels/decimal_grid.h"
 
 namespace reports {
@@ -13,24 +14,13 @@ using stats::AnswerCube;
 using stats::ContrastPair;
 using stats::Generalisation;
 
-AnswerCube cubeOf(const StudyData& data, const AnswerCells& cells, const std::string& question)
-{
-    std::map<std::string, std::size_t> fabrics;
-    for (const std::string& fabric : data.fabrics) fabrics.emplace(fabric, fabrics.size());
-    AnswerCube cube(data.conditions.size(), cells.participants().size(), fabrics.size());
-    for (std::size_t c = 0; c < data.conditions.size(); ++c)
-        for (const AnswerCells::CellMean& cell : cells.cellMeans(question, data.conditions[c]))
-            cube.at(c, cell.participant, fabrics.at(cell.first->fabric)) = cell.mean;
-    return cube;
-}
-
 std::size_t placeOfCondition(const StudyData& data, const std::string& condition)
 {
     return static_cast<std::size_t>(std::find(data.conditions.begin(), data.conditions.end(), condition) -
                                     data.conditions.begin());
 }
 
-/// The planned contrasts, the primary one first; all pairs where none is planned.
+/// The planned contrasts, the primary one first; all pairs where none is planned, unless they are too many.
 std::vector<ContrastPair> familyOf(const StudyData& data)
 {
     std::vector<ContrastPair> family;
@@ -38,7 +28,7 @@ std::vector<ContrastPair> familyOf(const StudyData& data)
     for (const auto& [a, b] : data.planned)
         if (placeOfCondition(data, a) < count && placeOfCondition(data, b) < count)
             family.emplace_back(placeOfCondition(data, a), placeOfCondition(data, b));
-    if (!family.empty()) return family;
+    if (!family.empty() || !comparesAllPairs(data)) return family;
     for (std::size_t a = 0; a < count; ++a)
         for (std::size_t b = a + 1; b < count; ++b) family.emplace_back(a, b);
     return family;
@@ -121,13 +111,24 @@ stats::FTest testOf(const stats::RepeatedMeasuresAnova& anova)
 
 }  // namespace
 
+stats::AnswerCube answerCube(const StudyData& data, const AnswerCells& cells, const std::string& question)
+{
+    std::map<std::string, std::size_t> fabrics;
+    for (const std::string& fabric : data.fabrics) fabrics.emplace(fabric, fabrics.size());
+    AnswerCube cube(data.conditions.size(), cells.participants().size(), fabrics.size());
+    for (std::size_t c = 0; c < data.conditions.size(); ++c)
+        for (const AnswerCells::CellMean& cell : cells.cellMeans(question, data.conditions[c]))
+            cube.at(c, cell.participant, fabrics.at(cell.first->fabric)) = cell.mean;
+    return cube;
+}
+
 QuestionClaims claimsOf(const StudyData& data, const AnswerCells& cells, const std::string& question,
                         std::optional<int> alternatives, const stats::RepeatedMeasuresAnova& anova,
                         const stats::RatingModel& model, Depth depth)
 {
     QuestionClaims claims;
     if (!alternatives) claims.bounds = data.equivalenceBounds;
-    const AnswerCube cube = cubeOf(data, cells, question);
+    const AnswerCube cube = answerCube(data, cells, question);
     const std::vector<ContrastPair> contrasts = familyOf(data);
     const Family family(data, cells, cube, contrasts, claims.bounds, depth);
     const std::vector<ContrastFinding> these = family.findings(Generalisation::TheseFabrics),

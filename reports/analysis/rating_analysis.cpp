@@ -54,7 +54,7 @@ RatingAnalysis analyseRatings(const StudyData& data, const AnswerCells& cells, c
     analysis.comparisons = comparePairs(data, cells, question);
     analysis.equivalences = testEquivalence(data, cells, question, analysis.comparisons);
     analysis.claims = claimsOf(data, cells, question, std::nullopt, analysis.anova, analysis.model, depth);
-    analysis.modelContrasts = modelContrasts(analysis.model);
+    analysis.modelContrasts = modelContrasts(data, analysis.model);
     analysis.leaveOneFabricOut = leaveOneFabricOut(data, answers, analysis.model, depth);
     return analysis;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "stats/kernels/decimal_grid.h"
 
@@ -26,13 +27,6 @@ bool isReasonToExclude(FlagKind kind)
 
 using FlagsByParticipant = std::map<std::string, std::vector<FlagKind>>;
 
-StudyData without(StudyData data, const FlagsByParticipant& flagged)
-{
-    std::erase_if(data.participants, [&](const std::string& participant) { return flagged.contains(participant); });
-    std::erase_if(data.responses, [&](const StudyResponse& response) { return flagged.contains(response.participant); });
-    return data;
-}
-
 }  // namespace
 
 Screening screenParticipants(const StudyData& data, const AnswerCells& cells, const std::vector<QualityFlag>& flags)
@@ -43,12 +37,12 @@ Screening screenParticipants(const StudyData& data, const AnswerCells& cells, co
     Screening screening;
     for (const auto& [participant, kinds] : flagged) screening.excluded.push_back({participant, kinds});
     screening.participantsBefore = data.participants.size();
-    const StudyData rest = without(data, flagged);
-    screening.participantsAfter = rest.participants.size();
-    if (flagged.empty() || rest.participants.empty()) {
+    screening.participantsAfter = data.participants.size() - flagged.size();
+    if (flagged.empty() || screening.participantsAfter == 0) {
         screening.why = flagged.empty() ? "nobody is flagged" : "everybody is flagged: nobody would be left";
         return screening;
     }
+    const StudyData rest = withoutFlagged(data, screening);
     const AnswerCells after(rest);
     for (const QuestionInfo& question : data.questions) {
         if (!hasNumbers(question)) continue;
@@ -58,6 +52,19 @@ Screening screenParticipants(const StudyData& data, const AnswerCells& cells, co
                                                              stats::meanOf(after.participantMeans(question.id, condition))});
     }
     return screening;
+}
+
+StudyData withoutFlagged(StudyData data, const Screening& screening)
+{
+    std::set<std::string> excluded;
+    for (const ExcludedParticipant& one : screening.excluded) excluded.insert(one.participant);
+    const auto isExcluded = [&](const auto& of) { return excluded.contains(of.participant); };
+    std::erase_if(data.participants, [&](const std::string& participant) { return excluded.contains(participant); });
+    std::erase_if(data.responses, isExcluded);
+    std::erase_if(data.catchResponses, isExcluded);
+    std::erase_if(data.groupOf, [&](const auto& entry) { return excluded.contains(entry.first); });
+    data.expectedResponses = 0;  // unknown for a part of the study
+    return data;
 }
 
 }  // namespace reports

@@ -37,4 +37,7 @@ struct Screening {
 /// Missing answers and voided presentations exclude nobody.
 Screening screenParticipants(const StudyData& data, const AnswerCells& cells, const std::vector<QualityFlag>& flags);
 
+/// The study without the excluded participants and their answers.
+StudyData withoutFlagged(StudyData data, const Screening& screening);
+
 }  // namespace reports

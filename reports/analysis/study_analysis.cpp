@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "reports/analysis/design_limits.h"
+
 namespace reports {
 namespace {
 
@@ -44,13 +46,26 @@ QuestionAnalysis analyseQuestion(const StudyData& data, const AnswerCells& cells
     return analysis;
 }
 
+std::optional<FalseClaimFinding> falseClaimsOf(const StudyData& data, const AnswerCells& cells, const QuestionAnalysis& question,
+                                               std::size_t studies)
+{
+    using Finding = std::optional<FalseClaimFinding>;
+    const std::string& id = question.question.id;
+    return std::visit(protocols::Overloaded{
+                          [&](const ChoiceAnalysis& choices) { return falseClaimsOf(data, cells, id, choices, studies); },
+                          [&](const RatingAnalysis& ratings) { return falseClaimsOf(data, cells, id, ratings, studies); },
+                          [](const WordedAnalysis&) { return Finding(); },
+                      },
+                      question.findings);
+}
+
 Completeness completenessOf(const StudyData& data, const AnswerCells& cells)
 {
     Completeness completeness;
     for (const QuestionInfo& question : data.questions) completeness.present += cells.answered(question.id);
-    completeness.expected = data.expectedResponses != 0
-                                ? data.expectedResponses
-                                : data.participants.size() * data.fabrics.size() * data.conditions.size() * data.questions.size();
+    completeness.expected = data.expectedResponses != 0 ? data.expectedResponses
+                                                        : data.answersPerCell * data.participants.size() * data.fabrics.size() *
+                                                              data.conditions.size() * data.questions.size();
     return completeness;
 }
 
@@ -69,16 +84,28 @@ StudyAnalysis analyse(StudyData data, const AnalysisOptions& options)
     StudyAnalysis analysis;
     analysis.depth = options.depth;
     const AnswerCells cells(data);
+    const int steps = static_cast<int>(data.questions.size()) + 1;
+    const auto report = [&](int done, const std::string& step) {
+        if (options.progress) options.progress(done, steps, step);
+    };
     for (const QuestionInfo& question : data.questions) {
-        if (options.progress)
-            options.progress(static_cast<int>(analysis.questions.size()), static_cast<int>(data.questions.size()), question.id);
+        report(static_cast<int>(analysis.questions.size()), question.id);
         analysis.questions.push_back(analyseQuestion(data, cells, question, options.depth));
     }
+    report(steps - 1, options.resimulated > 0 ? "simulating studies like this one" : "participants");
+    for (const QuestionAnalysis& question : analysis.questions)
+        if (const auto found = falseClaimsOf(data, cells, question, options.resimulated)) analysis.falseClaims.push_back(*found);
     analysis.speed = speedOf(data, cells);
     analysis.flags = qualityFlags(data, cells);
     analysis.screening = screenParticipants(data, cells, analysis.flags);
+    if (options.depth == Depth::Whole && analysis.screening.why.empty())
+        analysis.withoutFlagged =
+            std::make_shared<const StudyAnalysis>(analyse(withoutFlagged(data, analysis.screening), {.depth = Depth::Quick}));
+    analysis.groups = analyseGroups(data, cells);
+    analysis.designLimits = designLimits(data, options.depth);
     analysis.completeness = completenessOf(data, cells);
     analysis.data = std::move(data);
+    report(steps, "done");
     return analysis;
 }
 

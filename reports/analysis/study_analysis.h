@@ -1,11 +1,14 @@
 // Everything that the report computes from a study, as one value. Tables, figures, page and files only read it.
 #pragma once
 
+#include <memory>
 #include <variant>
 #include <vector>
 
 #include "reports/analysis/analysis_options.h"
 #include "reports/analysis/choice_analysis.h"
+#include "reports/analysis/false_claims.h"
+#include "reports/analysis/group_analysis.h"
 #include "reports/analysis/quality_flags.h"
 #include "reports/analysis/rating_analysis.h"
 #include "reports/analysis/screening.h"
@@ -40,6 +43,11 @@ struct StudyAnalysis {
     std::vector<ConditionSpeed> speed;        ///< by condition, of the first choice question
     std::vector<QualityFlag> flags;
     Screening screening;
+    std::shared_ptr<const StudyAnalysis>
+        withoutFlagged;  ///< a quick analysis of the rest; null where there is none or depth is Quick
+    GroupAnalysis groups;
+    std::vector<FalseClaimFinding> falseClaims;
+    std::vector<std::string> designLimits;  ///< what is left out or taken for granted, as sentences
     Completeness completeness;
 };
 

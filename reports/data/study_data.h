@@ -78,6 +78,7 @@ struct StudyData {
     std::vector<std::string> fabrics;
     std::vector<std::string> conditions;         ///< in the order of every table
     std::size_t answersPerCell = 1;              ///< most answers to one question by one participant x fabric x condition
+    bool everyPair = false;                      ///< all pairs of conditions are asked for, however many there are
     std::map<std::string, std::string> groupOf;  ///< group of each participant; empty: there are no groups
     std::vector<QuestionInfo> questions;
     std::pair<double, double> equivalenceBounds{-0.5, 0.5};

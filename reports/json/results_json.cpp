@@ -121,6 +121,29 @@ void putClaims(Json& results, const StudyAnalysis& analysis)
     results["claims"] = std::move(claims);
 }
 
+/// The claims without the flagged participants.
+void putWithoutFlagged(Json& results, const StudyAnalysis& analysis)
+{
+    const Screening& screening = analysis.screening;
+    if (!analysis.withoutFlagged)
+        return putNull(results, "without_flagged", screening.why.empty() ? "left out by --quick" : screening.why);
+    Json part{{"excluded", Json::array()}, {"participants", screening.participantsAfter}};
+    for (const ExcludedParticipant& one : screening.excluded) part["excluded"].push_back(one.participant);
+    Json questions = Json::object();
+    for (const QuestionAnalysis& question : analysis.withoutFlagged->questions)
+        questions[question.question.id] = questionPart(analysis.data, question);
+    part["questions"] = std::move(questions);
+    putClaims(part, *analysis.withoutFlagged);
+    results["without_flagged"] = std::move(part);
+}
+
+Json designPart(const StudyAnalysis& analysis)
+{
+    return {{"answers_per_cell", analysis.data.answersPerCell},
+            {"groups", analysis.groups.groups},
+            {"left_out", analysis.designLimits}};
+}
+
 Json speedPart(const StudyAnalysis& analysis)
 {
     Json part = Json::object();
@@ -177,6 +200,8 @@ nlohmann::ordered_json resultsJson(const StudyAnalysis& analysis)
     results["speed_accuracy"] = speedPart(analysis);
     putSignals(results, data);
     results["quality"] = qualityPart(analysis.flags);
+    putWithoutFlagged(results, analysis);
+    results["design"] = designPart(analysis);
     putReasonsLast(results);
     return results;
 }

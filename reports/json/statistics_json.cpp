@@ -6,6 +6,7 @@
 #include <set>
 
 #include "reports/json/choice_statistics_json.h"
+#include "reports/json/group_json.h"
 #include "reports/json/json_fields.h"
 #include "reports/json/model_json.h"
 #include "reports/json/rating_statistics_json.h"
@@ -73,6 +74,28 @@ Json dataPart(const StudyAnalysis& analysis)
             {"voided_presentations", data.voided}};
 }
 
+Json countedRate(const stats::Rejections& rejections)
+{
+    Json row{{"studies", rejections.studies}, {"rejected", rejections.rejected}, {"rate", rejections.rate()}};
+    put(row, "ci95", rejections.interval());
+    return row;
+}
+
+Json falseClaimsPart(const StudyAnalysis& analysis)
+{
+    Json part = Json::object();
+    for (const FalseClaimFinding& finding : analysis.falseClaims) {
+        Json row{{"sd_participant_condition", finding.participantSd},
+                 {"sd_fabric_condition", finding.fabricSd},
+                 {"interpolated", {{"one_contrast", finding.one}, {"any_pair", finding.any}}}};
+        if (finding.simulated)
+            row["simulated"] = {{"first_contrast", countedRate(finding.simulated->first)},
+                                {"any_contrast", countedRate(finding.simulated->any)}};
+        part[finding.question] = std::move(row);
+    }
+    return part;
+}
+
 Json screeningPart(const StudyAnalysis& analysis)
 {
     const Screening& screening = analysis.screening;
@@ -131,14 +154,8 @@ std::vector<std::string> topLevelKeys(const QuestionAnalysis& question)
 /// another question. Choice questions come first, so that "q1_cochran" as a question's id does not displace Q1.
 std::set<std::string> displacedQuestions(const StudyAnalysis& analysis)
 {
-    std::set<std::string> taken{"schema",
-                                "data",
-                                "questions",
-                                "screening",
-                                "response_times",
-                                "lmm_contrasts",
-                                "lmm_variances",
-                                "lmm_leave_one_fabric_out",
+    std::set<std::string> taken{"schema",       "data",           "questions",     "screening",     "groups",
+                                "false_claims", "response_times", "lmm_contrasts", "lmm_variances", "lmm_leave_one_fabric_out",
                                 "why"};
     std::set<std::string> displaced;
     const auto place = [&](const QuestionAnalysis& question) {
@@ -182,6 +199,8 @@ nlohmann::ordered_json statisticsJson(const StudyAnalysis& analysis)
         statistics["lmm_variances"][question.id()] = variancesJson(ratings.model);
         statistics["lmm_leave_one_fabric_out"][question.id()] = leaveOneFabricOutJson(ratings.leaveOneFabricOut);
     }
+    if (!analysis.groups.questions.empty()) statistics["groups"] = groupsJson(analysis);
+    statistics["false_claims"] = falseClaimsPart(analysis);
     statistics["screening"] = screeningPart(analysis);
     statistics["response_times"] = responseTimesPart(analysis);
     return statistics;

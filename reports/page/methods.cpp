@@ -58,7 +58,7 @@ std::string claimsParagraph(const StudyAnalysis& analysis, bool hasChoices)
         "fabrics are all there are. The test is Student's t on the participants' means over fabrics. &ldquo;For fabrics like "
         "these&rdquo;: participants and fabrics are samples. There is one difference of the two conditions for each participant "
         "and fabric. A linear mixed model with crossed random intercepts of participant and fabric (REML) is fitted to them. The "
-        "t test has Satterthwaite's degrees of freedom, at most 4/3 (participants + fabrics &minus; 2). So each pair has "
+        "t test has Satterthwaite's degrees of freedom, at most 7/4 (participants + fabrics &minus; 2). So each pair has "
         "variances of its own. The verdict of the summary is the second.";
     if (hasChoices)
         text +=
@@ -219,6 +219,8 @@ std::vector<std::string> methodParagraphs(const StudyAnalysis& analysis)
     if (hasWords) paragraphs.push_back(wordsParagraph());
     paragraphs.push_back(participantsParagraph(analysis.data));
     paragraphs.push_back(missingParagraph());
+    for (const std::string& limit : analysis.designLimits)
+        paragraphs.push_back("<b>Left out or taken for granted.</b> " + protocols::escapedMarkup(limit));
     return paragraphs;
 }
 

@@ -21,8 +21,9 @@ std::string tagsOf(const StudyData& data)
     return html;
 }
 
-std::string noticesOf(const StudyData& data)
+std::string noticesOf(const StudyAnalysis& analysis)
 {
+    const StudyData& data = analysis.data;
     const auto warning = [](const std::string& html) { return "<p class=\"notice\">" + html + "</p>\n"; };
     const auto remark = [](const std::string& html) { return "<p class=\"notice plain\">" + html + "</p>\n"; };
     std::string html;
@@ -36,18 +37,20 @@ std::string noticesOf(const StudyData& data)
             "<b>This report is blinded.</b> Conditions carry masked labels. Signals, groups and planned contrasts are left out "
             "until the study is unblinded.");
     for (const std::string& stamp : data.stamps) html += remark(protocols::escapedMarkup(stamp));
+    for (const std::string& limit : analysis.designLimits) html += remark(protocols::escapedMarkup(limit));
     return html;
 }
 
-std::string headOf(const StudyData& data)
+std::string headOf(const StudyAnalysis& analysis)
 {
+    const StudyData& data = analysis.data;
     return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
            "content=\"width=device-width, initial-scale=1\">\n<title>" +
            protocols::escapedMarkup(data.name) + " \u2013 report</title>\n<style>" + pageStyle() + "</style>\n</head>\n<body>\n" +
            "<header class=\"top\"><h1>" + protocols::escapedMarkup(data.name) +
            "</h1>\n<p class=\"lede\">Haptic rendering study: " + counted(data.participants.size(), "participant") + ", " +
            counted(data.fabrics.size(), "fabric") + ", " + counted(data.conditions.size(), "condition") + "</p>\n" +
-           noticesOf(data) + "</header>\n";
+           noticesOf(analysis) + "</header>\n";
 }
 
 std::string footerOf(const StudyData& data)
@@ -118,7 +121,7 @@ std::string reportPage(const StudyAnalysis& analysis, const std::vector<ReportTa
         links += "<a href=\"#" + heading.id + "\">" + heading.title + "</a> ";
         sections += section;
     }
-    return headOf(analysis.data) + "<nav aria-label=\"Sections\">" + links + "</nav>\n<main>\n" + sections + "</main>\n" +
+    return headOf(analysis) + "<nav aria-label=\"Sections\">" + links + "</nav>\n<main>\n" + sections + "</main>\n" +
            footerOf(analysis.data) + "</body>\n</html>\n";
 }
 

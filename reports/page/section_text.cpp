@@ -112,6 +112,12 @@ std::string sectionLead(PageSection section, const StudyAnalysis& analysis)
             return paragraph(
                 "Two one-sided tests on participant means, for these fabrics only. Two conditions are equivalent when the 90 % "
                 "interval lies inside the bounds. These p values are not corrected.");
+        case PageSection::Groups:
+            return paragraph(
+                "The groups are compared on the participants' means, for these fabrics only: by Welch's t test (two groups; F is "
+                "t squared) or one-way analysis of variance (more). Nobody was assigned to a group by this program, so a "
+                "difference "
+                "need not come from what the groups are named after.");
         case PageSection::Speed:
             return {};
         case PageSection::Signals:

@@ -103,6 +103,33 @@ Table chanceTable(const std::string& id, const ChoiceAnalysis& choices)
     return table;
 }
 
+/// Each contrast with all participants and without the flagged ones.
+Table claimsWithoutFlagged(const StudyAnalysis& analysis)
+{
+    std::vector<std::string> names;
+    for (const ExcludedParticipant& one : analysis.screening.excluded) names.push_back(one.participant);
+    Table table{
+        "claims_without_flagged",
+        "The claims with all participants, and without the flagged ones (" + listed(names) +
+            "). The summary keeps all participants",
+        {"question", "a", "b", "holds for", "difference, all", "difference, rest", "verdict, all", "verdict, rest", "changes"},
+        {}};
+    for (std::size_t q = 0; q < analysis.questions.size(); ++q) {
+        const QuestionClaims* all = claimsOf(analysis.questions[q]);
+        const QuestionClaims* rest = claimsOf(analysis.withoutFlagged->questions[q]);
+        if (all == nullptr || rest == nullptr) continue;
+        for (std::size_t i = 0; i < all->contrasts.size(); ++i) {
+            const ContrastFinding &before = all->contrasts[i], &after = rest->contrasts[i];
+            table.rows.push_back({textCell(analysis.questions[q].question.id), conditionCell(before.a), conditionCell(before.b),
+                                  textCell(wordsOf(before.generalisation)), numberCell(before.claim.mean.estimate, 2),
+                                  numberCell(after.claim.mean.estimate, 2), textCell(wordsOf(before.claim.verdict)),
+                                  textCell(wordsOf(after.claim.verdict)),
+                                  textCell(before.claim.verdict == after.claim.verdict ? "" : "yes")});
+        }
+    }
+    return table;
+}
+
 }  // namespace
 
 std::vector<ReportTable> claimTables(const StudyAnalysis& analysis)
@@ -117,6 +144,11 @@ std::vector<ReportTable> claimTables(const StudyAnalysis& analysis)
                               .section = PageSection::Claims,
                               .question = question.question.id,
                               .foldedUnder = arePlanned(*claims) ? "" : question.question.id + ": all pairs"});
+    if (analysis.withoutFlagged)
+        if (Table table = claimsWithoutFlagged(analysis); !table.rows.empty())
+            tables.push_back({.table = std::move(table),
+                              .section = PageSection::Quality,
+                              .foldedUnder = "Claims without flagged participants"});
     return tables;
 }
 

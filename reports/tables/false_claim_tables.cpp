@@ -56,45 +56,38 @@ Table overallTable()
     return table;
 }
 
-/// SD of a random effect, 0 where the effect was left out.
-double sdOf(const stats::RatingModel& fitted, const std::string& effect, double unit)
-{
-    for (const stats::RandomEffect& one : fitted.model.random)
-        if (one.name == effect && one.sd.exists()) return *one.sd / unit;
-    return 0;
-}
-
-double sdOf(const stats::ChoiceModel& fitted, const std::string& effect)
-{
-    for (const stats::RandomIntercept& one : fitted.model.random)
-        if (one.name == effect && one.sd.exists()) return *one.sd;
-    return 0;
-}
-
-void addQuestion(Table& table, const std::string& id, const stats::ClaimNull& null)
-{
-    table.rows.push_back({textCell(id), numberCell(null.participantSd, 2), numberCell(null.fabricSd, 2),
-                          numberCell(100 * stats::falseClaimRate(stats::contrastOfFabricsLikeThese, null), 1),
-                          numberCell(100 * stats::falseClaimRate(stats::anyContrastOfFabricsLikeThese, null), 1)});
-}
+TableCell rateCell(const stats::Rejections& rejections) { return numberCell(100 * rejections.rate(), 1); }
 
 Table ownTable(const StudyAnalysis& analysis)
 {
     Table table{
         "false_claims_here",
-        "A study like this one, without any true difference, claims one falsely in this share of studies: interpolated for "
-        "the estimated SDs of its interactions with condition",
+        "A study that varies like this one, without any true difference, claims one falsely in this share of studies. "
+        "Interpolated for a study of the paper's size, from the estimated SDs of its interactions with condition (relative "
+        "to the residual SD of the simulated ratings)",
         {"question", "SD participants", "SD fabrics", "one contrast %", "any of all pairs %"},
         {}};
-    const std::string people = "participant:condition", fabrics = "fabric:condition";
-    for (const auto& question : questionsWith<ChoiceAnalysis>(analysis))
-        if (const stats::ChoiceModel& model = question.findings.crossedModel; model.model.why.empty())
-            addQuestion(table, question.id(), {true, sdOf(model, people), sdOf(model, fabrics), false});
-    for (const auto& question : questionsWith<RatingAnalysis>(analysis))
-        if (const stats::RatingModel& model = question.findings.model; model.model.why.empty()) {
-            // The nulls were drawn on a scale of ten points.
-            const double unit = (question.findings.scale.max - question.findings.scale.min) / 10;
-            addQuestion(table, question.id(), {false, sdOf(model, people, unit), sdOf(model, fabrics, unit), false});
+    for (const FalseClaimFinding& finding : analysis.falseClaims)
+        table.rows.push_back({textCell(finding.question), numberCell(finding.participantSd, 2), numberCell(finding.fabricSd, 2),
+                              numberCell(100 * finding.one, 1), numberCell(100 * finding.any, 1)});
+    return table;
+}
+
+/// Empty where nothing was simulated.
+Table simulatedTable(const StudyAnalysis& analysis)
+{
+    Table table{
+        "false_claims_simulated",
+        "False claims for fabrics like these, simulated afresh: studies of this size, with the same answers missing, the same "
+        "contrasts, all estimated SDs, and no true difference",
+        {"question", "studies", "first contrast %", "any contrast of the family %", "95 % CI"},
+        {}};
+    for (const FalseClaimFinding& finding : analysis.falseClaims)
+        if (finding.simulated) {
+            const stats::Interval interval = finding.simulated->any.interval();
+            table.rows.push_back({textCell(finding.question), countCell(finding.simulated->any.studies),
+                                  rateCell(finding.simulated->first), rateCell(finding.simulated->any),
+                                  intervalCell({100 * *interval.low, 100 * *interval.high}, 1)});
         }
     return table;
 }
@@ -106,6 +99,8 @@ std::vector<ReportTable> falseClaimTables(const StudyAnalysis& analysis)
     std::vector<ReportTable> tables;
     if (Table own = ownTable(analysis); !own.rows.empty())
         tables.push_back({.table = std::move(own), .section = PageSection::Methods});
+    if (Table simulated = simulatedTable(analysis); !simulated.rows.empty())
+        tables.push_back({.table = std::move(simulated), .section = PageSection::Methods});
     tables.push_back({.table = overallTable(), .section = PageSection::Methods});
     return tables;
 }

@@ -6,7 +6,20 @@
 
 namespace reports {
 
-enum class PageSection { Summary, Matches, Ratings, Words, Claims, Comparisons, Equivalence, Speed, Signals, Quality, Methods };
+enum class PageSection {
+    Summary,
+    Matches,
+    Ratings,
+    Words,
+    Claims,
+    Comparisons,
+    Equivalence,
+    Groups,
+    Speed,
+    Signals,
+    Quality,
+    Methods
+};
 
 struct SectionHeading {
     PageSection section;

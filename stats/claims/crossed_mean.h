@@ -49,7 +49,7 @@ struct CrossedMean {
 
 /// TheseFabrics: Student's t on the participants' means over fabrics. FabricsLikeThese: linear mixed model with an intercept
 /// and crossed random intercepts of participant and fabric, by REML. Its degrees of freedom are Satterthwaite's, at most
-/// 4/3 (participants + fabrics - 2). A group with a level for every value is left out, as it is the residual. Refused with a
+/// 7/4 (participants + fabrics - 2). A group with a level for every value is left out, as it is the residual. Refused with a
 /// reason: fewer than two participants, fewer than two fabrics (FabricsLikeThese), values that are all equal or not finite.
 CrossedMean crossedMean(const CrossedValues& values, Generalisation generalisation);
 

@@ -5,44 +5,20 @@
 #include <cstdio>
 
 #include "stats/claims/claims.h"
+#include "stats/power/logistic_share.h"
 
 namespace stats {
 namespace {
 
-constexpr double participantSd = 0.7, fabricSd = 0.45, residualSd = 0.92;  // of ratings, scale points
-constexpr double choiceParticipantSd = 0.5, choiceFabricSd = 0.4;          // log odds
-constexpr double contrastShare = 0.6;                                      // right, where contrasts of choices are tried
+constexpr double participantSd = 0.7, fabricSd = 0.45;             // of ratings, scale points
+constexpr double choiceParticipantSd = 0.5, choiceFabricSd = 0.4;  // log odds
+constexpr double contrastShare = 0.6;                              // right, where contrasts of choices are tried
 constexpr double bound = 0.5;
 
 double sdUnder(const ClaimNull& null, double sd, std::size_t condition)
 {
     if (!null.isUnequal) return sd;
     return condition == 0 ? 1.2 : 0.3;
-}
-
-double logistic(double x) { return 1 / (1 + std::exp(-x)); }
-
-/// Mean of logistic(intercept + normal deviation), by the trapezoidal rule.
-double meanShare(double intercept, double sd)
-{
-    double sum = 0, weight = 0;
-    for (int k = -160; k <= 160; ++k) {
-        const double x = k / 20.0, density = std::exp(-x * x / 2);
-        sum += density * logistic(intercept + x * sd);
-        weight += density;
-    }
-    return sum / weight;
-}
-
-/// The intercept at which people and fabrics are right in this share on average.
-double interceptFor(double share, double sd)
-{
-    double low = -12, high = 12;
-    for (int i = 0; i < 60; ++i) {
-        const double middle = (low + high) / 2;
-        (meanShare(middle, sd) < share ? low : high) = middle;
-    }
-    return (low + high) / 2;
 }
 
 std::vector<double> deviationsOf(std::size_t count, double sd, Draws& draws)
@@ -106,7 +82,7 @@ CalibrationFamily ratingFamily(const CalibrationOptions& options, const ClaimNul
                     row("equivalence at a bound, fabrics like these")};
     family.analysis = [design = options.design, scale = options.ratings, null](Draws& draws, std::span<Value> p) {
         const auto rating = [&](std::size_t, double effects) {
-            const double raw = scale.centre + effects + draws.normal(residualSd);
+            const double raw = scale.centre + effects + draws.normal(claimResidualSd);
             return std::clamp(std::round(raw / scale.scaleStep) * scale.scaleStep, scale.scaleMin, scale.scaleMax);
         };
         const std::vector<ContrastPair> pairs = allPairs(design.conditions);
@@ -145,7 +121,7 @@ CalibrationFamily choiceFamily(const CalibrationOptions& options, const ClaimNul
         const auto truth = Generalisation::FabricsLikeThese;
         const auto draw = [&](const std::vector<double>& intercepts) {
             return drawn(design, null, choiceParticipantSd, choiceFabricSd, truth, draws, [&](std::size_t c, double effects) {
-                return draws.happens(logistic(intercepts[c] + effects)) ? 1.0 : 0.0;
+                return draws.happens(shareOfLogOdds(intercepts[c] + effects)) ? 1.0 : 0.0;
             });
         };
         const auto claims = contrastClaims(draw(atShare), allPairs(design.conditions), {}, truth);

@@ -26,6 +26,9 @@ std::vector<ClaimNull> claimNulls();
 /// a bound; for choices one condition and any condition above chance. Participants and fabrics need at least 2 levels.
 std::vector<CalibrationFamily> claimFamilies(const CalibrationOptions& options);
 
+/// SD of the residual of the simulated ratings, scale points.
+inline constexpr double claimResidualSd = 0.92;
+
 /// The names of two tests in these families.
 inline constexpr const char* contrastOfFabricsLikeThese = "contrast, fabrics like these";
 inline constexpr const char* anyContrastOfFabricsLikeThese = "any contrast of all pairs, fabrics like these";

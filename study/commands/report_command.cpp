@@ -18,10 +18,14 @@ namespace study::commands {
 
 namespace {
 
+constexpr std::size_t resimulatedStudies = 2000;
+
 struct ReportCall {
     std::string study, from, out, protocol;
     int alternatives = 3;
     bool quick = false;
+    bool resimulate = false;
+    bool everyPair = false;
 };
 
 reports::StudyData dataFor(const ReportCall& call)
@@ -42,8 +46,10 @@ int report(const ReportCall& call)
         throw protocols::badInput(
             {"there is nothing to report on", "", "either a STUDY or --from ANSWERS.csv", "see `vis2hap report --help`"});
     reports::StudyData data = dataFor(call);
+    data.everyPair = call.everyPair;
     Progress progress("analysing");
     reports::AnalysisOptions options{call.quick ? reports::Depth::Quick : reports::Depth::Whole,
+                                     call.resimulate ? resimulatedStudies : 0,
                                      [&](int done, int total, const std::string& step) { progress.show(done, total, step); }};
     const reports::StudyAnalysis analysis = reports::analyse(std::move(data), options);
     reports::writeReport(analysis, call.out);
@@ -64,6 +70,9 @@ void addReport(CLI::App& app, Action& action)
     command->add_option("--alternatives", call->alternatives, "with --from: fabrics to choose among in Q1")
         ->check(CLI::Range(2, 100))
         ->capture_default_str();
+    command->add_flag("--pairs", call->everyPair, "compare all pairs of conditions, also where there are more than 1000");
+    command->add_flag("--resimulate", call->resimulate,
+                      "count false claims in 2000 simulated studies like this one (takes longer)");
     command->add_flag("--quick", call->quick, "leave out what only stands beside the claims; the report says so");
     command->callback([call, &action] {
         action.surroundings = Surroundings::Core;

@@ -87,8 +87,9 @@ private Q_SLOTS:
         StudyData data = builders::paperSized();
         data.planned = {{"h_g&f_g", "h&f"}};
         const Json results = resultsOf(data);
-        QCOMPARE(keysOf(results), (Keys{"schema", "study", "conditions", "questions", "comparisons", "equivalence", "omnibus",
-                                        "above_chance", "claims", "speed_accuracy", "signals", "quality", "why"}));
+        QCOMPARE(keysOf(results),
+                 (Keys{"schema", "study", "conditions", "questions", "comparisons", "equivalence", "omnibus", "above_chance",
+                       "claims", "speed_accuracy", "signals", "quality", "without_flagged", "design", "why"}));
         QCOMPARE(results["schema"], "vis2hap.results/2");
         QCOMPARE(keysOf(results["study"]), (Keys{"name", "protocol_sha256", "participants", "fabrics", "blinded", "simulated"}));
         QCOMPARE(results["conditions"].get<Keys>(), nineConditions);

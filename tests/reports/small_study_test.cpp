@@ -118,7 +118,8 @@ private Q_SLOTS:
         QCOMPARE(comparison.faults, QStringList());
         QCOMPARE(comparison.additions,
                  (QStringList{"results.schema", "results.study", "results.conditions", "results.omnibus", "results.above_chance",
-                              "results.claims", "results.signals", "results.quality", "results.why"}));
+                              "results.claims", "results.signals", "results.quality", "results.without_flagged", "results.design",
+                              "results.why"}));
         QCOMPARE(comparison.numbers, 204);
     }
 
@@ -136,8 +137,9 @@ private Q_SLOTS:
                                                              key.startsWith("statistics.response_times.Q3.");
                                                   }),
                                    comparison.additions.end());
-        QCOMPARE(comparison.additions, (QStringList{"statistics.schema", "statistics.q1_glmm_crossed", "statistics.lmm_contrasts",
-                                                    "statistics.lmm_variances", "statistics.lmm_leave_one_fabric_out"}));
+        QCOMPARE(comparison.additions,
+                 (QStringList{"statistics.schema", "statistics.q1_glmm_crossed", "statistics.lmm_contrasts",
+                              "statistics.lmm_variances", "statistics.lmm_leave_one_fabric_out", "statistics.false_claims"}));
         QCOMPARE(comparison.numbers, 396);
     }
 

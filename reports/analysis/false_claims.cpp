@@ -1,0 +1,87 @@
+#include "reports/analysis/false_claims.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "stats/kernels/decimal_grid.h"
+#include "stats/power/measured_claims.h"
+
+namespace reports {
+namespace {
+
+/// SD of a random effect, 0 where the effect was left out.
+double sdOfEffect(const stats::RatingModel& fitted, const std::string& effect)
+{
+    for (const stats::RandomEffect& one : fitted.model.random)
+        if (one.name == effect && one.sd.exists()) return *one.sd;
+    return 0;
+}
+
+double sdOfEffect(const stats::ChoiceModel& fitted, const std::string& effect)
+{
+    for (const stats::RandomIntercept& one : fitted.model.random)
+        if (one.name == effect && one.sd.exists()) return *one.sd;
+    return 0;
+}
+
+template <class Model>
+stats::StudyNull nullOf(const StudyData& data, const AnswerCells& cells, const std::string& question, const Model& model,
+                        const QuestionClaims& claims)
+{
+    stats::StudyNull null;
+    null.participantSd = sdOfEffect(model, "participant");
+    null.fabricSd = sdOfEffect(model, "fabric");
+    null.participantConditionSd = sdOfEffect(model, "participant:condition");
+    null.fabricConditionSd = sdOfEffect(model, "fabric:condition");
+    null.asked = answerCube(data, cells, question);
+    std::vector<double> means;
+    for (const std::string& condition : data.conditions)
+        for (const AnswerCells::CellMean& cell : cells.cellMeans(question, condition)) means.push_back(cell.mean);
+    null.centre = stats::meanOf(means).orElse(0);
+    for (const ContrastFinding& finding : claims.contrasts)
+        if (finding.generalisation == stats::Generalisation::FabricsLikeThese)
+            null.contrasts.emplace_back(finding.claim.a, finding.claim.b);
+    return null;
+}
+
+FalseClaimFinding findingFor(const std::string& question, const stats::StudyNull& null, double unit, std::size_t studies)
+{
+    const stats::ClaimNull kept{null.isChoice, null.participantConditionSd / unit, null.fabricConditionSd / unit, false};
+    FalseClaimFinding finding{question,
+                              kept.participantSd,
+                              kept.fabricSd,
+                              stats::falseClaimRate(stats::contrastOfFabricsLikeThese, kept),
+                              stats::falseClaimRate(stats::anyContrastOfFabricsLikeThese, kept),
+                              {}};
+    const bool hasTest = !null.contrasts.empty() && null.asked.participants() > 1 && null.asked.fabrics() > 1;
+    if (studies > 0 && hasTest) {
+        stats::SimulationOptions options;
+        options.studies = studies;
+        finding.simulated = stats::simulateStudyNull(null, options);
+    }
+    return finding;
+}
+
+}  // namespace
+
+std::optional<FalseClaimFinding> falseClaimsOf(const StudyData& data, const AnswerCells& cells, const std::string& question,
+                                               const RatingAnalysis& ratings, std::size_t studies)
+{
+    if (!ratings.model.model.why.empty() || !(ratings.model.model.residualSd.orElse(0) > 0)) return std::nullopt;
+    stats::StudyNull null = nullOf(data, cells, question, ratings.model, ratings.claims);
+    null.lowest = ratings.scale.min;
+    null.highest = ratings.scale.max;
+    null.residualSd = *ratings.model.model.residualSd;
+    return findingFor(question, null, null.residualSd / stats::claimResidualSd, studies);
+}
+
+std::optional<FalseClaimFinding> falseClaimsOf(const StudyData& data, const AnswerCells& cells, const std::string& question,
+                                               const ChoiceAnalysis& choices, std::size_t studies)
+{
+    if (!choices.crossedModel.model.why.empty()) return std::nullopt;
+    stats::StudyNull null = nullOf(data, cells, question, choices.crossedModel, choices.claims);
+    null.isChoice = true;
+    return findingFor(question, null, 1, studies);
+}
+
+}  // namespace reports

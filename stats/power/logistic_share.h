@@ -1,0 +1,12 @@
+// The share of right choices of a logistic model whose log odds vary normally.
+#pragma once
+
+namespace stats {
+
+/// 1 / (1 + e^-x).
+double shareOfLogOdds(double x);
+
+/// The intercept at which the share is `share` on average over normal deviations of this SD. 0 < share < 1.
+double interceptFor(double share, double sd);
+
+}  // namespace stats

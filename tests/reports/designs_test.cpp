@@ -1,0 +1,268 @@
+// Designs beyond one answer a cell: repetitions, sessions, groups of participants; and analyses of less or more: quick reports,
+// many conditions, and results without flagged participants.
+#include <QtTest>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "protocols/files/errors.h"
+#include "reports/data/answers_csv.h"
+#include "reports/json/results_json.h"
+#include "reports/json/statistics_json.h"
+#include "reports/page/page.h"
+#include "reports/tables/report_tables.h"
+#include "tests/reports/study_builder.h"
+
+using Json = nlohmann::ordered_json;
+using reports::Depth;
+using reports::StudyData;
+
+namespace {
+
+constexpr const char* answers = "designs_answers.csv";
+
+/// Six participants in two groups, two fabrics, three conditions, two sessions; P6 missed one fabric in the second session. In R:
+///   d <- read.csv("designs_answers.csv")
+///   cell <- aggregate(cbind(Q2, Q1_correct) ~ participant + group + fabric + condition, d, mean)
+///   pm <- aggregate(Q2 ~ participant + group + condition, cell, mean)
+void writeAnswers(const QTemporaryDir& folder)
+{
+    std::ostringstream text;
+    text << "participant,group,session,fabric,condition,Q1_correct,Q2\n";
+    for (int p = 0; p < 6; ++p)
+        for (int s = 1; s <= 2; ++s)
+            for (int f = 0; f < 2; ++f)
+                for (int c = 0; c < 3; ++c) {
+                    if (p == 5 && s == 2 && f == 1) continue;
+                    const int value = (p * 7 + s * 3 + f * 5 + c * (p % 2 == 1 ? 2 : 4) + p * s * f * c % 3) % 11;
+                    text << 'P' << p + 1 << ',' << (p % 2 == 1 ? "young" : "old") << ',' << s << ",F" << f + 1 << ',' << "abc"[c]
+                         << ',' << ((p + s + f + c) % 3 != 0) << ',' << value / 2.0 + c * 0.5 << '\n';
+                }
+    QFile file(folder.filePath(answers));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(QByteArray::fromStdString(text.str()));
+}
+
+StudyData designs()
+{
+    static const QTemporaryDir folder;
+    static const StudyData data = [] {
+        writeAnswers(folder);
+        return reports::readAnswersCsv(folder.filePath(answers).toStdString());
+    }();
+    return data;
+}
+
+const Json& claim(const Json& results, const std::string& question, const std::string& generalisation)
+{
+    for (const Json& row : results["claims"])
+        if (row["question"] == question && row["generalises_to"] == generalisation && row["a"] == "a" && row["b"] == "b")
+            return row;
+    static const Json none;
+    return none;
+}
+
+void compare(const Json& number, double expected)
+{
+    const double value = number.is_number() ? number.get<double>() : NAN;
+    QVERIFY2(std::fabs(value - expected) <= 1e-9 * std::fabs(expected), qPrintable(QString::number(value, 'g', 16)));
+}
+
+std::vector<std::string> manyConditions(int count)
+{
+    std::vector<std::string> names;
+    for (int i = 0; i < count; ++i) names.push_back(builders::numbered("c", i));
+    return names;
+}
+
+/// Everybody answers alike except the last participant, who gives one rating only and so is flagged.
+StudyData withOneStraightLiner()
+{
+    return builders::study(6, 7, {"f", "h"},
+                           {[](int p, int f, int c) { return (p + f + c) % 2 == 0; },
+                            [](int p, int f, int c, int q) {
+                                if (p == 5) return c == 0 ? 9.0 : 0.5;
+                                return 5.0 + ((p * 5 + f * 3 + c * 4 + q) % 7) / 10.0;
+                            }});
+}
+
+}  // namespace
+
+class DesignsTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void repeatedAnswersOfACellCountOnceInEveryTest()
+    {
+        const Json results = reports::resultsJson(reports::analyse(designs()));
+        QCOMPARE(results["design"]["answers_per_cell"], Json(2));
+        // t.test(Q2.a - Q2.b) over the six participants' means of the cells
+        compare(claim(results, "Q2", "these_fabrics")["p"], 0.618025329462198);
+        QCOMPARE(claim(results, "Q2", "these_fabrics")["n"], Json(12));
+        QCOMPARE(results["questions"]["Q2"]["a"]["n"], Json(23));  // answers, of which each is described
+    }
+
+    void modelOfRatingsTakesTheCells()
+    {
+        const auto statistics = reports::statisticsJson(reports::analyse(designs()));
+        // REMLcrit(lmer(Q2 ~ condition + (1|participant) + (1|fabric) + (1|participant:condition) + (1|fabric:condition), cell))
+        const double criterion = statistics["lmm_variances"]["Q2"]["REML_criterion"].get<double>();
+        QVERIFY2(std::fabs(criterion - 106.222870788) < 1e-6, qPrintable(QString::number(criterion, 'g', 12)));
+    }
+
+    void groupsAreComparedOnParticipantsMeans()
+    {
+        const Json groups = reports::statisticsJson(reports::analyse(designs()))["groups"];
+        QCOMPARE(groups["participants"], (Json{{"old", 3}, {"young", 3}}));
+        const Json& rated = groups["questions"]["Q2"];
+        // t.test(Q2 ~ group, aggregate(Q2 ~ participant + group, pm, mean)): t^2, df, p, difference, interval
+        compare(rated["overall"]["statistic"], 0.835260115606937);
+        compare(rated["overall"]["df2"], 2.998221843772694);
+        compare(rated["overall"]["p"], 0.428182168067488);
+        compare(rated["overall"]["difference"], -0.236111111111111);
+        compare(rated["overall"]["ci95"][0], -1.058566519751414);
+        compare(rated["overall"]["ci95"][1], 0.586344297529192);
+        // the same for a - b, a - c and b - c, then p.adjust(p, "holm")
+        QCOMPARE(rated["contrasts"].size(), std::size_t{3});
+        compare(rated["contrasts"][0]["statistic"], 7.50649350649351);
+        compare(rated["contrasts"][0]["p"], 0.055775554166545);
+        compare(rated["contrasts"][0]["p_adjusted"], 0.167326662499635);
+        compare(rated["contrasts"][1]["p_adjusted"], 0.242406462774661);
+        compare(rated["contrasts"][2]["difference"], 0.291666666666667);
+    }
+
+    void pageSaysWhatTheDesignLeavesOut()
+    {
+        const auto analysis = reports::analyse(designs());
+        const std::string page = reports::reportPage(analysis, reports::reportTables(analysis), {});
+        for (const char* part :
+             {"answered up to 2 times", "belong to 2 groups", "Groups of participants", "group young (3 participants)"})
+            QVERIFY2(page.find(part) != std::string::npos, part);
+    }
+
+    void groupsOfABlindedStudyAreLeftOut()
+    {
+        StudyData data = designs();
+        data.blinded = true;
+        const auto analysis = reports::analyse(data);
+        QVERIFY(!reports::statisticsJson(analysis).contains("groups"));
+        QVERIFY(reports::resultsJson(analysis)["design"]["groups"].empty());
+    }
+
+    void oneParticipantAGroupGivesReasons()
+    {
+        StudyData data = builders::study(2, 3, {"f", "h"},
+                                         {[](int p, int f, int c) { return (p + f + c) % 2 == 0; },
+                                          [](int p, int f, int c, int q) { return 4.0 + p + (f * c + q) % 3; }});
+        data.groupOf = {{data.participants[0], "x"}, {data.participants[1], "y"}};
+        const Json groups = reports::statisticsJson(reports::analyse(data))["groups"];
+        const Json& test = groups["questions"]["Q2"]["overall"];
+        QVERIFY(test["p"].is_null());
+        QVERIFY(!test["why"]["p"].get<std::string>().empty());
+    }
+
+    void aParticipantIsInOneGroup()
+    {
+        QTemporaryDir folder;
+        QFile file(folder.filePath(answers));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("participant,fabric,condition,group,Q2\nP1,F1,a,x,5\nP1,F1,b,y,5\n");
+        file.close();
+        try {
+            reports::readAnswersCsv(folder.filePath(answers).toStdString());
+            QFAIL("two groups were accepted");
+        } catch (const protocols::Error& error) {
+            QVERIFY2(QString(error.what()).contains("participant P1 is in the groups x and y"), error.what());
+        }
+    }
+
+    void claimsAreRepeatedWithoutFlaggedParticipants()
+    {
+        const StudyData data = withOneStraightLiner();
+        const auto analysis = reports::analyse(data);
+        QCOMPARE(analysis.screening.excluded.size(), std::size_t{1});
+        const Json results = reports::resultsJson(analysis);
+        const Json& without = results["without_flagged"];
+        QCOMPARE(without["participants"], Json(5));
+        QCOMPARE(without["claims"].size(), results["claims"].size());
+        StudyData rest = data;
+        std::erase(rest.participants, "P06");
+        std::erase_if(rest.responses, [](const auto& response) { return response.participant == "P06"; });
+        const Json expected = reports::resultsJson(reports::analyse(rest, {.depth = Depth::Quick}));
+        QCOMPARE(without["claims"], expected["claims"]);
+        QVERIFY(without["claims"] != results["claims"]);
+        const auto tables = reports::reportTables(analysis);
+        QVERIFY(std::ranges::any_of(tables, [](const auto& one) { return one.table.name == "claims_without_flagged"; }));
+    }
+
+    void quickReportMakesTheSameClaimsAndSaysWhatItLacks()
+    {
+        const StudyData data = withOneStraightLiner();
+        const auto quick = reports::analyse(data, {.depth = Depth::Quick}), whole = reports::analyse(data);
+        Json some = reports::resultsJson(quick)["claims"], all = reports::resultsJson(whole)["claims"];
+        for (Json* claims : {&some, &all})
+            for (Json& row : *claims) {
+                row.erase("leave_one_fabric_out");
+                row.erase("leave_one_participant_out");
+            }
+        QCOMPARE(some, all);
+        QVERIFY(reports::resultsJson(quick)["without_flagged"].is_null());
+        QVERIFY(reports::reportPage(quick, {}, {}).find("This is a quick report") != std::string::npos);
+        QVERIFY(reports::reportPage(whole, {}, {}).find("This is a quick report") == std::string::npos);
+    }
+
+    void manyConditionsAreComparedByWish()
+    {
+        StudyData data = builders::study(3, 2, manyConditions(46),
+                                         {[](int p, int f, int c) { return (p + f * c) % 3 == 0; },
+                                          [](int p, int f, int c, int q) { return (p * f + c * q + p * c) % 11; }});
+        const Json usual = reports::resultsJson(reports::analyse(data, {.depth = Depth::Quick}));
+        QVERIFY(usual["comparisons"].empty() && usual["claims"].empty());
+        QVERIFY(usual["design"]["left_out"].back() != Json());
+        QVERIFY(usual["design"]["left_out"].dump().find("1035 pairs of conditions") != std::string::npos);
+        data.everyPair = true;
+        const Json every = reports::resultsJson(reports::analyse(data, {.depth = Depth::Quick}));
+        QCOMPARE(every["comparisons"].size(), std::size_t{4 * 46 * 45 / 2});
+        data.everyPair = false;
+        data.planned = {{"c03", "c07"}};
+        const Json planned = reports::resultsJson(reports::analyse(data, {.depth = Depth::Quick}));
+        QCOMPARE(planned["claims"].size(), std::size_t{4 * 2});
+    }
+
+    /// A study like the simulated ones must reject about as often as the kept table says.
+    void falseClaimsAreSimulatedForTheStudyItself()
+    {
+        const auto analysis = reports::analyse(builders::paperSized(), {.depth = Depth::Quick, .resimulated = 200});
+        QCOMPARE(analysis.falseClaims.size(), std::size_t{4});
+        for (const reports::FalseClaimFinding& finding : analysis.falseClaims) {
+            QVERIFY(finding.simulated.has_value());
+            QCOMPARE(finding.simulated->any.studies, std::size_t{200});
+            QVERIFY2(finding.simulated->any.rate() < 0.12, finding.question.c_str());
+            QVERIFY2(finding.simulated->first.rate() < 0.12, finding.question.c_str());
+            QCOMPARE(finding.simulated->any.undefined, std::size_t{0});
+        }
+        const Json written = reports::statisticsJson(analysis)["false_claims"];
+        QCOMPARE(written["Q3"]["simulated"]["any_contrast"]["studies"], Json(200));
+        const auto tables = reports::reportTables(analysis);
+        QVERIFY(std::ranges::any_of(tables, [](const auto& one) { return one.table.name == "false_claims_simulated"; }));
+        QVERIFY(!reports::statisticsJson(reports::analyse(builders::paperSized(), {.depth = Depth::Quick}))["false_claims"]["Q2"]
+                     .contains("simulated"));
+    }
+
+    void progressRunsFromTheFirstToTheLastStep()
+    {
+        std::vector<int> done;
+        int total = 0;
+        reports::analyse(withOneStraightLiner(), {.progress = [&](int step, int of, const std::string& what) {
+                             done.push_back(step);
+                             total = of;
+                             QVERIFY(!what.empty());
+                         }});
+        QVERIFY(std::ranges::is_sorted(done));
+        QCOMPARE(done.front(), 0);
+        QCOMPARE(done.back(), total);
+    }
+};
+
+QTEST_GUILESS_MAIN(DesignsTest)
+#include "designs_test.moc"

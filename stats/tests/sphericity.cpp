@@ -73,21 +73,14 @@ MauchlyTest ofTwoConditions()
 
 }  // namespace
 
-MauchlyTest mauchlyTest(const TwoWayEffects& effects)
+MauchlyTest mauchlyTest(std::optional<double> logDeterminantOfW, double p, double n)
 {
-    if (effects.conditions == 2) return ofTwoConditions();
-    const auto p = static_cast<double>(effects.conditions - 1);
-    const auto n = static_cast<double>(effects.blocks - 1);
+    if (p < 2) return ofTwoConditions();
     if (n < p) return undefinedSphericity("sphericity cannot be tested with fewer blocks than conditions");
-    Square products = productsOf(contrastsOf(effects));
-    double trace = 0;
-    for (std::size_t j = 0; j < products.size(); ++j) trace += products[j][j];
-    for (auto& row : products)
-        for (double& product : row) product /= trace / p;
-    const auto logDet = logDeterminant(products);
-    if (!logDet) return undefinedSphericity("some differences between conditions determine others: no sphericity to test");
+    if (!logDeterminantOfW)
+        return undefinedSphericity("some differences between conditions determine others: no sphericity to test");
     MauchlyTest test;
-    const double logW = std::min(0.0, *logDet);
+    const double logW = std::min(0.0, *logDeterminantOfW);
     const double rho = 1 - (2 * p * p + p + 2) / (6 * p * n);
     const double second =
         (p + 2) * (p - 1) * (p - 2) * (2 * p * p * p + 6 * p * p + 3 * p + 2) / (288 * (n * p * rho) * (n * p * rho));
@@ -98,6 +91,19 @@ MauchlyTest mauchlyTest(const TwoWayEffects& effects)
     test.pChiSquared = first;
     test.pSecondOrder = first + second * (chiSquaredUpper(*test.chiSquared, *test.df + 4).p - first);
     return test;
+}
+
+MauchlyTest mauchlyTest(const TwoWayEffects& effects)
+{
+    const auto p = static_cast<double>(effects.conditions - 1);
+    const auto n = static_cast<double>(effects.blocks - 1);
+    if (p < 2 || n < p) return mauchlyTest(std::nullopt, p, n);
+    Square products = productsOf(contrastsOf(effects));
+    double trace = 0;
+    for (std::size_t j = 0; j < products.size(); ++j) trace += products[j][j];
+    for (auto& row : products)
+        for (double& product : row) product /= trace / p;
+    return mauchlyTest(logDeterminant(products), p, n);
 }
 
 MauchlyTest mauchlyTest(const BlockTable& table)

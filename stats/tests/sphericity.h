@@ -2,6 +2,8 @@
 // difference between conditions that is a linear combination of others.
 #pragma once
 
+#include <optional>
+
 #include "stats/kernels/two_way.h"
 #include "stats/kernels/value.h"
 
@@ -18,5 +20,9 @@ struct MauchlyTest {
 
 MauchlyTest mauchlyTest(const TwoWayEffects& effects);
 MauchlyTest mauchlyTest(const BlockTable& table);
+
+/// From the logarithm of W (none where some contrasts determine others) of `contrasts` orthonormal contrasts, whose covariance
+/// has `errorDegrees` degrees of freedom.
+MauchlyTest mauchlyTest(std::optional<double> logW, double contrasts, double errorDegrees);
 
 }  // namespace stats

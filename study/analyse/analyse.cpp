@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
+#include "study/analyse/analyse_claims.h"
 #include "study/analyse/analyse_counts.h"
+#include "study/analyse/analyse_designs.h"
 #include "study/analyse/analyse_inputs.h"
 #include "study/analyse/analyse_means.h"
+#include "study/analyse/analyse_models.h"
 #include "study/analyse/analyse_samples.h"
 #include "study/analyse/analyse_signals.h"
 #include "study/analyse/analyse_tables.h"
@@ -23,6 +27,65 @@ const json& objectOrEmpty(const json& request, const std::string& field)
     if (!request.contains(field) || request.at(field).is_null()) return empty;
     if (!request.at(field).is_object()) throw RequestFault(field + " is not an object");
     return request.at(field);
+}
+
+/// One name of a list of fields: "x", or "[x]" where it may be absent.
+struct KnownField {
+    std::string name;
+    bool required;
+};
+
+std::vector<KnownField> fieldsOf(std::string_view list)
+{
+    std::vector<KnownField> fields;
+    std::istringstream words{std::string(list)};
+    for (std::string word; words >> word;) {
+        const bool required = word.front() != '[';
+        fields.push_back({required ? word : word.substr(1, word.size() - 2), required});
+    }
+    return fields;
+}
+
+/// "kind, x, [y]", or "none".
+std::string withCommas(std::string_view list)
+{
+    std::string text;
+    for (const KnownField& field : fieldsOf(list))
+        text += (text.empty() ? "" : ", ") + (field.required ? field.name : "[" + field.name + "]");
+    return text.empty() ? "none" : text;
+}
+
+/// The first field of the object that the list does not name; empty where there is none.
+std::string unknownFieldOf(const json& object, const std::vector<KnownField>& known)
+{
+    for (const auto& [name, value] : object.items())
+        if (std::none_of(known.begin(), known.end(), [&](const KnownField& field) { return field.name == name; })) return name;
+    return {};
+}
+
+enum class Remarks { Refused, BesideAllKnown };
+
+/// Throws RequestFault where a required field is absent or a field is unknown.
+void checkFields(const json& object, const std::string& kind, std::string_view list, Remarks remarks)
+{
+    const auto known = fieldsOf(list);
+    const std::string unknown = unknownFieldOf(object, known);
+    const std::string found = unknown.empty() ? "" : ", but \"" + unknown + "\"";
+    bool complete = true;
+    for (const KnownField& field : known) {
+        const bool isThere = object.contains(field.name);
+        if (!isThere && field.required)
+            throw RequestFault("the " + kind + " have no " + field.name + found + "; expected: " + withCommas(list));
+        complete = complete && isThere;
+    }
+    if (!unknown.empty() && !(complete && remarks == Remarks::BesideAllKnown))
+        throw RequestFault("unknown name \"" + unknown + "\" in the " + kind + "; expected: " + withCommas(list));
+}
+
+void checkRequest(const NamedAnalysis& analysis, const AnalysisRequest& request)
+{
+    if (!request.inputs.contains("recipe")) checkFields(request.inputs, "inputs", analysis.inputs, Remarks::BesideAllKnown);
+    checkFields(request.options, "options", analysis.options, Remarks::Refused);
 }
 
 const NamedAnalysis& analysisOf(const json& request)
@@ -43,12 +106,21 @@ const std::vector<NamedAnalysis>& analyses()
 {
     static const std::vector<NamedAnalysis> all = [] {
         std::vector<NamedAnalysis> together;
-        for (const auto& group :
-             {analysesOfMeans(), analysesOfCounts(), analysesOfTables(), analysesOfSignals(), analysesOfSamples()})
+        for (const auto& group : {analysesOfMeans(), analysesOfCounts(), analysesOfTables(), analysesOfDesigns(),
+                                  analysesOfClaims(), analysesOfModels(), analysesOfSignals(), analysesOfSamples()})
             together.insert(together.end(), group.begin(), group.end());
         return together;
     }();
     return all;
+}
+
+std::string listOfAnalyses()
+{
+    std::string text;
+    for (const NamedAnalysis& one : analyses())
+        text += std::string(one.name) + ": " + std::string(one.purpose) + "\n    inputs: " + withCommas(one.inputs) +
+                "\n    options: " + withCommas(one.options) + "\n";
+    return text;
 }
 
 ordered_json answerOf(const json& request, const std::filesystem::path& folder)
@@ -56,7 +128,9 @@ ordered_json answerOf(const json& request, const std::filesystem::path& folder)
     try {
         if (!request.is_object()) throw RequestFault("the request is not an object");
         const NamedAnalysis& analysis = analysisOf(request);
-        return analysis.answer({objectOrEmpty(request, "inputs"), objectOrEmpty(request, "options"), folder});
+        const AnalysisRequest whole{objectOrEmpty(request, "inputs"), objectOrEmpty(request, "options"), folder};
+        checkRequest(analysis, whole);
+        return analysis.answer(whole);
     } catch (const RequestFault& fault) {
         return {{"error", fault.what()}};
     }

@@ -5,6 +5,8 @@
 // beyond the range of double is a decimal in quotes, and infinities are "inf" and "-inf".
 #pragma once
 
+#include <string>
+
 #include "study/analyse/named_analysis.h"
 
 namespace study::analyse {
@@ -12,8 +14,12 @@ namespace study::analyse {
 /// All analyses.
 const std::vector<NamedAnalysis>& analyses();
 
+/// All analyses with their inputs and options, as text for a terminal.
+std::string listOfAnalyses();
+
 /// {"error": text} for a request with a fault; {"status": "degenerate", "reason": text} where the analysis is not defined
-/// for these data.
+/// for these data. A field that is not in brackets must be there. An unknown option is a fault. An unknown input is one while
+/// a known input is absent; else it is a remark. A recipe may bring any constants.
 nlohmann::ordered_json answerOf(const nlohmann::json& request, const std::filesystem::path& folder);
 
 }  // namespace study::analyse

@@ -43,6 +43,17 @@ AnswerFields& AnswerFields::put(const std::string& field, const std::vector<stat
     return *this;
 }
 
+AnswerFields& AnswerFields::put(const std::string& field, const std::vector<std::string>& names,
+                                const std::vector<stats::Value>& values)
+{
+    m_fields[field] = ordered_json::object();
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        m_fields[field][names[i]] = valueJson(values[i]);
+        if (!values[i].exists()) explain(field + "." + names[i], values[i].why());
+    }
+    return *this;
+}
+
 AnswerFields& AnswerFields::putProbability(const std::string& field, const stats::Value& p, const stats::Value& logP)
 {
     put(field, p);

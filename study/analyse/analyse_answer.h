@@ -20,6 +20,8 @@ public:
     AnswerFields& put(const std::string& field, const stats::Interval& interval);
     AnswerFields& putCount(const std::string& field, std::size_t count);
     AnswerFields& putText(const std::string& field, const nlohmann::ordered_json& text);
+    /// Puts an object with one entry for each name; reasons stand under "field.name".
+    AnswerFields& put(const std::string& field, const std::vector<std::string>& names, const std::vector<stats::Value>& values);
     /// Adds the reason why a quantity is not an ordinary number.
     AnswerFields& explain(const std::string& field, const std::string& why);
 

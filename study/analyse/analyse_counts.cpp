@@ -4,6 +4,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "stats/models/psychometric_function.h"
 #include "stats/tests/binomial.h"
 #include "stats/tests/forced_choice.h"
 #include "stats/tests/mcnemar.h"
@@ -26,8 +27,7 @@ constexpr NamedChoice<stats::Adjustment> adjustments[] = {{"holm", stats::Adjust
 
 ordered_json binomial(const AnalysisRequest& request)
 {
-    const double confidence = numberOr(request.options, "conf_level", 0.95);
-    if (!(confidence > 0 && confidence < 1)) throw RequestFault("conf_level must lie between 0 and 1");
+    const double confidence = confidenceLevelOf(request.options);
     const auto b = stats::binomialTest(wholeAt(request.inputs, "k"), wholeAt(request.inputs, "n"),
                                        numberAt(request.options, "p0"), confidence);
     if (!b.why.empty()) return degenerate(b.why);
@@ -50,6 +50,48 @@ ordered_json forcedChoice(const AnalysisRequest& request)
     if (std::isinf(f.dPrime.orElse(0)))
         answer.explain("d_prime", "every choice was correct, so the likelihood has no maximum at a finite d'");
     return answer.put("se_d_prime", f.seDPrime).json();
+}
+
+/// "lapse" is a fixed rate, or "estimate".
+stats::LapseRate lapseOf(const AnalysisRequest& request)
+{
+    stats::LapseRate lapse;
+    lapse.most = numberOr(request.options, "lapse_max", lapse.most);
+    lapse.estimated = request.options.contains("lapse") && request.options["lapse"] == "estimate";
+    if (!lapse.estimated) lapse.fixed = numberOr(request.options, "lapse", 0);
+    return lapse;
+}
+
+void putEstimate(AnswerFields& answer, const std::string& name, const stats::PsychometricEstimate& of)
+{
+    answer.put(name, of.estimate).put("se_" + name, of.se).put(name + "_wald", of.wald).put(name + "_profile", of.profile);
+}
+
+ordered_json psychometric(const AnalysisRequest& request)
+{
+    const auto levels = numbersAt(request.inputs, "level"), correct = numbersAt(request.inputs, "k"),
+               trials = numbersAt(request.inputs, "n");
+    if (levels.size() != correct.size() || levels.size() != trials.size())
+        throw RequestFault("level, k and n differ in length; expected one of each for every level");
+    std::vector<stats::LevelCounts> counts;
+    for (std::size_t i = 0; i < levels.size(); ++i) counts.push_back({levels[i], correct[i], trials[i]});
+    stats::PsychometricOptions options;
+    const long long alternatives = wholeAt(request.inputs, "m");
+    if (alternatives < 2 || alternatives > 1000000) throw RequestFault("m must lie between 2 and 1000000");
+    options.alternatives = static_cast<int>(alternatives);
+    options.lapse = lapseOf(request);
+    options.confidence = confidenceLevelOf(request.options);
+    if (request.options.contains("threshold_at")) options.thresholdAt = numberAt(request.options, "threshold_at");
+    const auto fit = stats::fitPsychometricFunction(counts, options);
+    if (!fit.why.empty()) return degenerate(fit.why);
+    AnswerFields answer;
+    answer.putCount("levels", fit.levels).put("trials", fit.trials);
+    putEstimate(answer, "mu", fit.mu);
+    putEstimate(answer, "sigma", fit.sigma);
+    putEstimate(answer, "threshold", fit.threshold);
+    answer.put("lapse", fit.lapse).put("se_lapse", fit.seLapse).putText("lapse_at_limit", fit.lapseAtLimit);
+    answer.put("logLik", fit.logLikelihood).put("deviance", fit.deviance).put("df", fit.df).put("p_deviance", fit.p);
+    return answer.putText("fitted", fit.fitted).json();
 }
 
 ordered_json mcnemar(const AnalysisRequest& request)
@@ -80,7 +122,14 @@ ordered_json pAdjust(const AnalysisRequest& request)
 
 std::vector<NamedAnalysis> analysesOfCounts()
 {
-    return {{"binomial", binomial}, {"mafc_dprime", forcedChoice}, {"mcnemar", mcnemar}, {"p_adjust", pAdjust}};
+    return {
+        {"binomial", binomial, "k n", "p0 [conf_level]", "exact binomial test with Clopper-Pearson and Wilson intervals"},
+        {"mafc_dprime", forcedChoice, "k n m", "", "d' of an m-alternative forced choice"},
+        {"mafc_probit", psychometric, "level k n m", "[lapse] [lapse_max] [threshold_at] [conf_level]",
+         "psychometric function of an m-alternative forced choice"},
+        {"mcnemar", mcnemar, "b c", "", "exact and mid-p McNemar test"},
+        {"p_adjust", pAdjust, "p", "[method]", "p values adjusted for their number"},
+    };
 }
 
 }  // namespace study::analyse

@@ -1,6 +1,7 @@
 #include "study/analyse/analyse_inputs.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <charconv>
 #include <cmath>
@@ -145,6 +146,82 @@ std::vector<std::vector<double>> rowsAt(const json& inputs, const std::string& f
     std::vector<std::vector<double>> rows;
     for (const json& row : value) rows.push_back(numbersOf(row, "row " + std::to_string(rows.size() + 1) + " of " + field));
     return rows;
+}
+
+stats::Factor factorAt(const json& inputs, const std::string& field)
+{
+    const json& value = fieldOf(inputs, field);
+    if (!value.is_array()) throw RequestFault(field + " is not an array of labels");
+    std::vector<std::string> labels;
+    labels.reserve(value.size());
+    for (const json& label : value) {
+        if (!label.is_string() && !label.is_number() && !label.is_boolean())
+            throw RequestFault("value " + std::to_string(labels.size() + 1) + " of " + field +
+                               " is not a label; expected a text or a number");
+        labels.push_back(label.is_string() ? label.get<std::string>() : label.dump());
+    }
+    return stats::factorOf(field, labels);
+}
+
+stats::CrossedStudy crossedRowsAt(const json& inputs, const std::string& value)
+{
+    stats::CrossedStudy rows{factorAt(inputs, "participant"), {}, factorAt(inputs, "condition"), numbersAt(inputs, value)};
+    const std::size_t n = rows.values.size();
+    rows.fabric =
+        has(inputs, "fabric") ? factorAt(inputs, "fabric") : stats::factorOf("fabric", std::vector<std::string>(n, "all"));
+    for (const stats::Factor* factor : {&rows.condition, &rows.participant, &rows.fabric})
+        if (factor->of.size() != n)
+            throw RequestFault(factor->name + " has " + std::to_string(factor->of.size()) + " values and " + value + " has " +
+                               std::to_string(n) + "; expected one in each row");
+    return rows;
+}
+
+std::optional<std::pair<double, double>> boundsOf(const json& options)
+{
+    if (!has(options, "bounds")) return std::nullopt;
+    const auto ends = numbersOf(options.at("bounds"), "bounds");
+    if (ends.size() != 2 || !(ends[0] < ends[1])) throw RequestFault("bounds must be [low, high], low < high");
+    return std::pair(ends[0], ends[1]);
+}
+
+std::vector<std::pair<std::size_t, std::size_t>> contrastsOf(const json& options, const std::vector<std::string>& conditions)
+{
+    std::vector<std::pair<std::size_t, std::size_t>> pairs;
+    if (!has(options, "contrasts")) {
+        for (std::size_t a = 0; a < conditions.size(); ++a)
+            for (std::size_t b = a + 1; b < conditions.size(); ++b) pairs.emplace_back(a, b);
+        return pairs;
+    }
+    const json& list = options.at("contrasts");
+    if (!list.is_array() || list.empty()) throw RequestFault("contrasts must be an array of pairs [a, b] of conditions");
+    for (const json& pair : list) {
+        if (!pair.is_array() || pair.size() != 2) throw RequestFault("contrasts must hold pairs [a, b] of conditions");
+        std::array<std::size_t, 2> places{};
+        for (std::size_t i = 0; i < 2; ++i) {
+            const std::string name = pair[i].is_string() ? pair[i].get<std::string>() : pair[i].dump();
+            const auto found = std::find(conditions.begin(), conditions.end(), name);
+            if (found == conditions.end())
+                throw RequestFault("contrasts name \"" + name + "\", which is no condition of the rows");
+            places[i] = static_cast<std::size_t>(found - conditions.begin());
+        }
+        if (places[0] == places[1]) throw RequestFault("a contrast compares \"" + conditions[places[0]] + "\" with itself");
+        pairs.emplace_back(places[0], places[1]);
+    }
+    return pairs;
+}
+
+double confidenceLevelOf(const json& options)
+{
+    const double confidence = numberOr(options, "conf_level", 0.95);
+    if (!(confidence > 0 && confidence < 1)) throw RequestFault("conf_level must lie between 0 and 1");
+    return confidence;
+}
+
+bool truthOr(const json& object, const std::string& field, bool otherwise)
+{
+    if (!has(object, field)) return otherwise;
+    if (!object.at(field).is_boolean()) throw RequestFault(field + " is neither true nor false");
+    return object.at(field).get<bool>();
 }
 
 }  // namespace study::analyse

@@ -7,7 +7,10 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
+
+#include "stats/models/crossed_study.h"
 
 namespace study::analyse {
 
@@ -35,6 +38,25 @@ std::vector<double> numbersAt(const nlohmann::json& inputs, const std::string& f
 std::vector<double> numbersOrNone(const nlohmann::json& inputs, const std::string& field);
 
 std::vector<std::vector<double>> rowsAt(const nlohmann::json& inputs, const std::string& field);
+
+/// The labels of the rows, such as participants: texts, numbers or truth values; levels in the order of first appearance.
+stats::Factor factorAt(const nlohmann::json& inputs, const std::string& field);
+
+/// Long rows: the number `value` of each row with its "condition", "participant" and "fabric", all of one length. Without
+/// fabrics all rows have one.
+stats::CrossedStudy crossedRowsAt(const nlohmann::json& inputs, const std::string& value);
+
+/// [low, high] of the option "bounds", low < high; none where it is absent.
+std::optional<std::pair<double, double>> boundsOf(const nlohmann::json& options);
+
+/// The pairs of the option "contrasts", [["a", "b"], ...], as places in `conditions`; all pairs where it is absent.
+std::vector<std::pair<std::size_t, std::size_t>> contrastsOf(const nlohmann::json& options,
+                                                             const std::vector<std::string>& conditions);
+
+/// The option "conf_level", between 0 and 1; otherwise 0.95.
+double confidenceLevelOf(const nlohmann::json& options);
+
+bool truthOr(const nlohmann::json& object, const std::string& field, bool otherwise);
 
 /// One row of a table that gives names to the values of an enum.
 template <typename Choice>

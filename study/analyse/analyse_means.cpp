@@ -32,13 +32,6 @@ constexpr NamedChoice<stats::Arithmetic> arithmetics[] = {{"double", stats::Arit
 
 stats::Tail tailOf(const AnalysisRequest& request) { return choiceOr(request.options, "alternative", tails, "two-sided"); }
 
-double confidenceOf(const AnalysisRequest& request)
-{
-    const double confidence = numberOr(request.options, "conf_level", 0.95);
-    if (!(confidence > 0 && confidence < 1)) throw RequestFault("conf_level must lie between 0 and 1");
-    return confidence;
-}
-
 /// The data of a t test; y is empty for a test of one sample.
 struct TestSamples {
     stats::TKind kind;
@@ -56,7 +49,7 @@ TestSamples samplesOf(const AnalysisRequest& request)
 ordered_json tTest(const AnalysisRequest& request)
 {
     const TestSamples samples = samplesOf(request);
-    const stats::TOptions options{numberOr(request.options, "mu", 0), tailOf(request), confidenceOf(request)};
+    const stats::TOptions options{numberOr(request.options, "mu", 0), tailOf(request), confidenceLevelOf(request.options)};
     const auto t = stats::tTest(samples.kind, samples.x, samples.y, options);
     if (!t.why.empty()) return degenerate(t.why);
     AnswerFields answer;
@@ -125,7 +118,7 @@ ordered_json bca(const AnalysisRequest& request)
     const long long resamples = wholeOr(request.options, "n_resamples", 10000);
     if (resamples < 1) throw RequestFault("n_resamples must be at least 1");
     options.resamples = static_cast<std::size_t>(resamples);
-    options.confidence = confidenceOf(request);
+    options.confidence = confidenceLevelOf(request.options);
     options.seed = static_cast<std::uint64_t>(wholeOr(request.options, "seed", 1));
     options.threads = static_cast<unsigned>(std::max(0LL, wholeOr(request.options, "threads", 0)));
     const auto b = stats::bcaBootstrapOfMean(numbersAt(request.inputs, "x"), options);
@@ -148,9 +141,14 @@ ordered_json jzs(const AnalysisRequest& request)
 
 std::vector<NamedAnalysis> analysesOfMeans()
 {
-    return {{"t_test", tTest},           {"tost", tost},
-            {"sign_flip", signFlip},     {"wilcoxon_signed_rank", wilcoxon},
-            {"bca_bootstrap_mean", bca}, {"jzs_bf10_one_sample", jzs}};
+    return {
+        {"t_test", tTest, "kind x [y]", "[mu] [alternative] [conf_level]", "t test: one_sample, paired, student or welch"},
+        {"tost", tost, "kind x [y]", "low high [alpha]", "two one-sided t tests of equivalence"},
+        {"sign_flip", signFlip, "x [y]", "[alternative]", "exact test by flipping the signs of differences"},
+        {"wilcoxon_signed_rank", wilcoxon, "x [y]", "[alternative] [zero_method] [arithmetic]", "exact signed-rank test"},
+        {"bca_bootstrap_mean", bca, "x", "[statistic] [n_resamples] [conf_level] [seed] [threads]", "BCa interval of a mean"},
+        {"jzs_bf10_one_sample", jzs, "t n", "[r]", "Bayes factor of a one-sample or paired t"},
+    };
 }
 
 }  // namespace study::analyse

@@ -83,11 +83,13 @@ ordered_json balancedIntegration(const AnalysisRequest& request)
 
 std::vector<NamedAnalysis> analysesOfSamples()
 {
-    return {{"describe", describe},
-            {"descriptive", describe},
-            {"conditional_accuracy", conditionalAccuracy},
-            {"speed_accuracy", speedAccuracy},
-            {"bis", balancedIntegration}};
+    return {
+        {"describe", describe, "x", "", "mean, SD, quartiles, confidence interval"},
+        {"descriptive", describe, "x", "", "another name of describe"},
+        {"conditional_accuracy", conditionalAccuracy, "seconds correct", "[bins]", "accuracy from fast to slow choices"},
+        {"speed_accuracy", speedAccuracy, "seconds correct", "[alternatives]", "times, bits per choice, bits per second"},
+        {"bis", balancedIntegration, "pc rt", "", "balanced integration scores of cells"},
+    };
 }
 
 }  // namespace study::analyse

@@ -149,10 +149,13 @@ ordered_json registeredSsim(const AnalysisRequest& request)
 
 std::vector<NamedAnalysis> analysesOfSignals()
 {
-    return {{"trace_error", traceError},
-            {"spectrum_distance", spectrumDistance},
-            {"ssim", ssim},
-            {"registered_ssim", registeredSsim}};
+    return {
+        {"trace_error", traceError, "generated truth", "", "errors of a generated trace"},
+        {"spectrum_distance", spectrumDistance, "generated truth", "[segment]", "distance of power spectra in decibels"},
+        {"ssim", ssim, "a b [dtype] [shape]", "data_range [window] [K1] [K2] [covariance] [region]", "SSIM, MAE and RMSE"},
+        {"registered_ssim", registeredSsim, "a b [dtype] [shape]",
+         "data_range [most_shift] [window] [K1] [K2] [covariance] [region]", "SSIM at the shift of best correlation"},
+    };
 }
 
 }  // namespace study::analyse

@@ -108,9 +108,15 @@ ordered_json oneWay(const AnalysisRequest& request)
 
 std::vector<NamedAnalysis> analysesOfTables()
 {
-    return {{"friedman", friedman},  {"cochran_q", cochran},   {"rm_anova_oneway", repeatedMeasures},
-            {"icc", intraclass},     {"anova_oneway", oneWay}, {"one_way_anova", oneWay},
-            {"oneway_anova", oneWay}};
+    return {
+        {"friedman", friedman, "rows", "", "Friedman test with its exact p, Iman-Davenport F, Kendall's W"},
+        {"cochran_q", cochran, "rows", "", "Cochran's Q of 0 and 1"},
+        {"rm_anova_oneway", repeatedMeasures, "rows", "", "one-way repeated-measures ANOVA; rows are participants"},
+        {"icc", intraclass, "rows", "", "intraclass correlations; rows are targets, columns raters"},
+        {"anova_oneway", oneWay, "[groups] [y] [group]", "", "one-way ANOVA: groups, or y with group"},
+        {"one_way_anova", oneWay, "[groups] [y] [group]", "", "another name of anova_oneway"},
+        {"oneway_anova", oneWay, "[groups] [y] [group]", "", "another name of anova_oneway"},
+    };
 }
 
 }  // namespace study::analyse

@@ -1,5 +1,6 @@
 // vis2hap analyse: requests in one JSON file, answers in another.
 #include <CLI/CLI.hpp>
+#include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -58,6 +59,12 @@ int analyse(const std::string& requests, const std::string& answers)
     return 0;
 }
 
+int printList()
+{
+    std::cout << analyse::listOfAnalyses();
+    return 0;
+}
+
 }  // namespace
 
 void addAnalyse(CLI::App& app, Action& action)
@@ -65,10 +72,20 @@ void addAnalyse(CLI::App& app, Action& action)
     auto* command = app.add_subcommand("analyse", "answer a file of requests for statistical analyses");
     auto requests = std::make_shared<std::string>();
     auto answers = std::make_shared<std::string>();
-    command->add_option("REQUESTS", *requests, "JSON file with the requests")->required();
-    command->add_option("--out", *answers, "JSON file to write the answers to")->required();
-    command->callback(
-        [requests, answers, &action] { action.work = [requests, answers] { return analyse(*requests, *answers); }; });
+    auto list = std::make_shared<bool>(false);
+    command->add_flag("--list", *list, "print all analyses with their inputs and options");
+    command->add_option("REQUESTS", *requests, "JSON file with the requests");
+    command->add_option("--out", *answers, "JSON file to write the answers to");
+    command->callback([requests, answers, list, &action] {
+        if (*list)
+            action.work = printList;
+        else if (requests->empty())
+            throw CLI::RequiredError("REQUESTS");
+        else if (answers->empty())
+            throw CLI::RequiredError("--out");
+        else
+            action.work = [requests, answers] { return analyse(*requests, *answers); };
+    });
 }
 
 }  // namespace study::commands

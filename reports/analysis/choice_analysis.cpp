@@ -104,8 +104,10 @@ ChoiceAnalysis analyseChoices(const StudyData& data, const AnswerCells& cells, c
     analysis.linearModel = stats::fitRatings(crossedCells(data, cells, question));
     analysis.confusion = confusionOf(data, cells, question);
     analysis.comparisons = comparePairs(data, cells, question);
-    analysis.claims = claimsOf(data, cells, question, alternatives,
-                               stats::repeatedMeasuresAnova(cells.completeBlocks(question).table), analysis.linearModel, depth);
+    const stats::RepeatedMeasuresAnova anova = stats::repeatedMeasuresAnova(cells.completeBlocks(question).table);
+    analysis.claims = claimsOf(data, cells, question, alternatives, anova, analysis.linearModel, depth);
+    analysis.effects = choiceEffects(analysis.claims, anova, answers, analysis.crossedModel);
+    analysis.sensitivities = clusteredSensitivities(analysis.claims, alternatives);
     return analysis;
 }
 

@@ -10,6 +10,7 @@
 #include "reports/analysis/answer_cells.h"
 #include "reports/analysis/pair_comparisons.h"
 #include "reports/analysis/question_claims.h"
+#include "reports/analysis/question_effects.h"
 #include "stats/models/crossed_study.h"
 #include "stats/tests/binomial.h"
 #include "stats/tests/rank_tests.h"
@@ -59,6 +60,8 @@ struct ChoiceAnalysis {
     ChoiceConfusion confusion;
     std::vector<PairComparison> comparisons;
     QuestionClaims claims;
+    QuestionEffects effects;
+    std::vector<ClusteredSensitivity> sensitivities;  ///< in the order of claims.aboveChance
 };
 
 ChoiceAnalysis analyseChoices(const StudyData& data, const AnswerCells& cells, const std::string& question, int alternatives,

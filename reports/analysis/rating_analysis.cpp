@@ -56,6 +56,7 @@ RatingAnalysis analyseRatings(const StudyData& data, const AnswerCells& cells, c
     analysis.claims = claimsOf(data, cells, question, std::nullopt, analysis.anova, analysis.model, depth);
     analysis.modelContrasts = modelContrasts(data, analysis.model);
     analysis.leaveOneFabricOut = leaveOneFabricOut(data, answers, analysis.model, depth);
+    analysis.effects = ratingEffects(data, cells, question, analysis.claims, analysis.anova, answers, analysis.model);
     return analysis;
 }
 

@@ -10,6 +10,7 @@
 #include "reports/analysis/model_contrasts.h"
 #include "reports/analysis/pair_comparisons.h"
 #include "reports/analysis/question_claims.h"
+#include "reports/analysis/question_effects.h"
 #include "stats/models/crossed_study.h"
 #include "stats/tests/rank_tests.h"
 #include "stats/tests/repeated_measures.h"
@@ -44,6 +45,7 @@ struct RatingAnalysis {
     QuestionClaims claims;
     std::vector<ModelContrast> modelContrasts;
     LeaveOneFabricOut leaveOneFabricOut;
+    QuestionEffects effects;
 };
 
 /// `scale` holds every rating of the question.

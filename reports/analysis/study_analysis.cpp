@@ -132,6 +132,22 @@ const QuestionClaims* claimsOf(const QuestionAnalysis& question)
                       question.findings);
 }
 
+const QuestionEffects* effectsOf(const QuestionAnalysis& question)
+{
+    using Effects = const QuestionEffects*;
+    return std::visit(protocols::Overloaded{
+                          [](const ChoiceAnalysis& choices) -> Effects { return &choices.effects; },
+                          [](const RatingAnalysis& ratings) -> Effects { return &ratings.effects; },
+                          [](const WordedAnalysis&) -> Effects { return nullptr; },
+                      },
+                      question.findings);
+}
+
+std::string unitOf(const QuestionAnalysis& question)
+{
+    return std::holds_alternative<ChoiceAnalysis>(question.findings) ? "log odds" : "scale points";
+}
+
 const std::vector<PairEquivalence>& equivalencesOf(const QuestionAnalysis& question)
 {
     static const std::vector<PairEquivalence> none;

@@ -78,5 +78,9 @@ const std::vector<PairComparison>& comparisonsOf(const QuestionAnalysis& questio
 const std::vector<PairEquivalence>& equivalencesOf(const QuestionAnalysis& question);
 /// Claims about a question; null where its answers are words.
 const QuestionClaims* claimsOf(const QuestionAnalysis& question);
+/// Effect sizes of a question; null where its answers are words.
+const QuestionEffects* effectsOf(const QuestionAnalysis& question);
+/// The unit of the variances of a question's mixed model: "log odds" or "scale points".
+std::string unitOf(const QuestionAnalysis& question);
 
 }  // namespace reports

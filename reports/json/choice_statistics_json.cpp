@@ -4,11 +4,16 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "reports/json/effects_json.h"
 #include "reports/json/model_json.h"
 #include "reports/text/plain_words.h"
+#include "stats/power/measured_claims.h"
 
 namespace reports {
 namespace {
+
+/// What a test generalises to that takes every answer as independent: nothing beyond the trials of the study.
+const std::string theseTrials = "these_trials", theseFabrics = "these_fabrics", fabricsLikeThese = "fabrics_like_these";
 
 /// "third" for 1/3, as names have it; "1_over_7" where English has no short word.
 std::string fractionName(int alternatives)
@@ -32,6 +37,7 @@ Json perConditionPart(const StudyData& data, const ChoiceAnalysis& choices)
         put(row, "p_holm", condition.pHolm);
         put(row, "cp95", exact.clopperPearson);
         put(row, "wilson95", exact.wilson);
+        row["generalises_to"] = theseTrials;
         rows.push_back(std::move(row));
     }
     return rows;
@@ -45,6 +51,13 @@ Json cochranPart(const StudyData&, const ChoiceAnalysis& choices)
     putWhole(part, "df", test.df);
     putP(part, "p", test.p, test.logP);
     part["blocks"] = test.blocks;
+    part["generalises_to"] = theseTrials;
+    const auto rateAt = [](double people, double fabrics) {
+        return stats::falseClaimRate(stats::cochranOfSampledFabrics, {true, people, fabrics, false});
+    };
+    part["rejects_falsely"] = {{"without_interactions", rateAt(0, 0)},
+                               {"fabric_sd_0.5", rateAt(0, 0.5)},
+                               {"participant_and_fabric_sd_0.5", rateAt(0.5, 0.5)}};
     part["note"] = "blocks = participant x fabric; ignores clustering, descriptive only";
     return part;
 }
@@ -58,12 +71,24 @@ Json participantPart(const StudyData&, const ChoiceAnalysis& choices)
     put(part, "t_vs_" + fractionName(choices.alternatives), test.t);
     putWhole(part, "df", test.df);
     putP(part, "p", test.p, test.logP);
+    part["generalises_to"] = theseFabrics;
     return part;
 }
 
-Json modelPart(const StudyData&, const ChoiceAnalysis& choices) { return choiceModelJson(choices.model); }
+/// Without interactions the model rejects as often as Cochran's Q where conditions differ from fabric to fabric.
+Json modelPart(const StudyData&, const ChoiceAnalysis& choices)
+{
+    Json part = choiceModelJson(choices.model);
+    part["generalises_to"] = theseTrials;
+    return part;
+}
 
-Json crossedModelPart(const StudyData&, const ChoiceAnalysis& choices) { return crossedChoiceModelJson(choices.crossedModel); }
+Json crossedModelPart(const StudyData&, const ChoiceAnalysis& choices)
+{
+    Json part = crossedChoiceModelJson(choices.crossedModel);
+    part["generalises_to"] = fabricsLikeThese;
+    return part;
+}
 
 Json sensitivityPart(const StudyData& data, const ChoiceAnalysis& choices)
 {
@@ -72,6 +97,9 @@ Json sensitivityPart(const StudyData& data, const ChoiceAnalysis& choices)
         Json row = Json::object();
         put(row, "d_prime", choices.conditions[i].dPrime);
         put(row, "se", choices.conditions[i].dPrimeSe);
+        row["generalises_to"] = theseTrials;
+        row["clustered"] = clusteredSensitivityRows(choices.sensitivities, data.conditions[i]);
+        putReasonsLast(row);
         part[data.conditions[i]] = std::move(row);
     }
     return part;

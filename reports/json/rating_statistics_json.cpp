@@ -23,6 +23,7 @@ Json anovaPart(const stats::RepeatedMeasuresAnova& anova)
     put(part, "p_hf", anova.pHf);
     put(part, "pes", anova.partialEtaSquared);
     part["n"] = anova.blocks;
+    part["generalises_to"] = "these_fabrics";
     return part;
 }
 
@@ -36,6 +37,7 @@ Json friedmanPart(const stats::FriedmanTest& test)
     put(part, "iman_davenport_F", test.imanDavenportF);
     put(part, "iman_davenport_p", test.fP);
     part["n"] = test.blocks;
+    part["generalises_to"] = "these_fabrics";
     return part;
 }
 
@@ -60,6 +62,7 @@ Json comparisonsPart(const std::vector<PairComparison>& comparisons)
         putP(row, "p", comparison.test.p, comparison.test.logP);
         put(row, "p_holm", comparison.pHolm);
         row["n"] = comparison.test.n;
+        row["generalises_to"] = "these_fabrics";
         rows.push_back(std::move(row));
     }
     return rows;
@@ -93,6 +96,7 @@ Json equivalencePart(const PairEquivalence& equivalence)
     put(part, "nhst_p", test.pDifference);
     put(part, "dz", test.dZ);
     part["n"] = test.n;
+    part["generalises_to"] = "these_fabrics";
     return part;
 }
 
@@ -131,6 +135,7 @@ Json ratingStatistics(const StudyData& data, const RatingAnalysis& ratings)
     part["rm_anova"] = anovaPart(ratings.anova);
     part["friedman"] = friedmanPart(ratings.friedman);
     part["lmm"] = ratingModelJson(ratings.model);
+    part["lmm"]["generalises_to"] = "fabrics_like_these";
     part["pairwise_t_participant_means"] = comparisonsPart(ratings.comparisons);
     const auto names = shortNames(data.conditions);
     for (const PairEquivalence& equivalence : ratings.equivalences)

@@ -81,6 +81,7 @@ Json comparisonRow(const std::string& question, const PairComparison& comparison
     put(row, "mean_difference", test.estimate);
     put(row, "ci95", test.ci);
     put(row, "d_z", test.dZ);
+    row["generalises_to"] = "these_fabrics";
     putPlanned(row, comparison.pair);
     return row;
 }
@@ -103,6 +104,7 @@ Json equivalenceRow(const std::string& question, const PairEquivalence& equivale
     put(row, "mean_difference", test.estimate);
     put(row, "ci90", test.ci);
     row["verdict"] = equivalence.verdict;
+    row["generalises_to"] = "these_fabrics";
     putPlanned(row, equivalence.pair);
     return row;
 }

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "reports/json/choice_statistics_json.h"
+#include "reports/json/effects_json.h"
 #include "reports/json/group_json.h"
 #include "reports/json/json_fields.h"
 #include "reports/json/model_json.h"
@@ -157,6 +158,7 @@ std::set<std::string> displacedQuestions(const StudyAnalysis& analysis)
     std::set<std::string> taken{"schema",       "data",           "questions",     "screening",     "groups",
                                 "false_claims", "response_times", "lmm_contrasts", "lmm_variances", "lmm_leave_one_fabric_out",
                                 "why"};
+    for (const std::string& key : effectKeys()) taken.insert(key);
     std::set<std::string> displaced;
     const auto place = [&](const QuestionAnalysis& question) {
         const std::vector<std::string> keys = topLevelKeys(question);
@@ -199,6 +201,9 @@ nlohmann::ordered_json statisticsJson(const StudyAnalysis& analysis)
         statistics["lmm_variances"][question.id()] = variancesJson(ratings.model);
         statistics["lmm_leave_one_fabric_out"][question.id()] = leaveOneFabricOutJson(ratings.leaveOneFabricOut);
     }
+    for (const QuestionAnalysis& question : analysis.questions)
+        if (const QuestionEffects* effects = effectsOf(question))
+            putEffects(statistics, question.question.id, *effects, unitOf(question));
     if (!analysis.groups.questions.empty()) statistics["groups"] = groupsJson(analysis);
     statistics["false_claims"] = falseClaimsPart(analysis);
     statistics["screening"] = screeningPart(analysis);

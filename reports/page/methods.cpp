@@ -89,10 +89,12 @@ std::string matchesParagraph(const StudyData& data, const ChoiceQuestions& quest
            std::to_string(data.participants.size()) + "). " + chanceSentence(questions) +
            " &ldquo;Above chance&rdquo; is tested one-sided on the mean share, with participants and fabrics as samples, and "
            "corrected "
-           "over the conditions. Its interval is drawn in the figure. The exact binomial test and Wilson's interval of the first "
-           "table count the trials as independent, which they are not; they describe. The table also gives the two-sided t test "
-           "of "
-           "the participants' shares against " +
+           "over the conditions. Its interval is drawn in the figure. The table of matches has it for both generalisations. The "
+           "exact binomial test and "
+           "Wilson's interval beside it count the trials as independent, which they are not; they describe. d\u2032 belongs to "
+           "the "
+           "mean share. The ends of its interval are the d\u2032 of the ends of the interval of the share: 0 at or below chance, "
+           "unbounded at 1. The CSV file also has the two-sided t test of the participants' shares against " +
            chanceText(questions) + ". Choices have no equivalence test, because the protocol states no bounds for them.";
 }
 

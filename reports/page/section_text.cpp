@@ -52,6 +52,22 @@ std::string claimsLead(const StudyData& data)
         bounds);
 }
 
+/// What the numbers are, then one sentence a question on other fabrics.
+std::string effectsLead(const StudyAnalysis& analysis)
+{
+    std::vector<std::string> sentences;
+    for (const QuestionAnalysis& question : analysis.questions)
+        if (const QuestionEffects* effects = effectsOf(question))
+            sentences.push_back("<b>" + protocols::escapedMarkup(question.question.id) + "</b> " +
+                                protocols::escapedMarkup(fabricSentence(*effects, unitOf(question))));
+    if (sentences.empty()) return {};
+    return paragraph(
+               "These numbers describe and decide no claim. Marginal R&sup2; is the share of variance that condition explains. "
+               "Conditional R&sup2; adds participants, fabrics and their interactions. ICC(2,1) is the absolute agreement of "
+               "one participant with the others on the same stimuli. ICC(2,k) is that of the mean of all.") +
+           bulletList(sentences);
+}
+
 NumberTile signalTile(const stats::Value& value, double factor, int decimals, const std::string& unit, const std::string& what)
 {
     if (!value.exists()) return {"\u2013", what + ": " + value.why()};
@@ -112,6 +128,8 @@ std::string sectionLead(PageSection section, const StudyAnalysis& analysis)
             return paragraph(
                 "Two one-sided tests on participant means, for these fabrics only. Two conditions are equivalent when the 90 % "
                 "interval lies inside the bounds. These p values are not corrected.");
+        case PageSection::Effects:
+            return effectsLead(analysis);
         case PageSection::Groups:
             return paragraph(
                 "The groups are compared on the participants' means, for these fabrics only: by Welch's t test (two groups; F is "

@@ -11,28 +11,41 @@ using ChoiceQuestion = AnalysedQuestion<ChoiceAnalysis>;
 Table matchesTable(const StudyAnalysis& analysis, const ChoiceQuestion& question)
 {
     Table table{lowerCase(question.id()) + "_matches",
-                question.id() + ": correct matches, their share with Wilson's 95 % interval, and the tests against chance 1/" +
-                    std::to_string(question.findings.alternatives),
+                question.id() +
+                    ": correct matches, and 95 % intervals of their share by what varies: participants, participants "
+                    "and fabrics, or independent trials (Wilson), which they are not",
                 {"condition",
                  "matches of " + std::to_string(analysis.data.participants.size()),
-                 "correct",
-                 "trials",
+                 {"correct", ColumnUse::InCsv},
+                 {"trials", ColumnUse::InCsv},
+                 {"correct of trials", ColumnUse::InDocuments},
                  "share",
                  {"95 % CI low", ColumnUse::InCsv},
                  {"95 % CI high", ColumnUse::InCsv},
-                 {"95 % CI", ColumnUse::InDocuments},
+                 {"95 % CI low, these fabrics", ColumnUse::InCsv},
+                 {"95 % CI high, these fabrics", ColumnUse::InCsv},
+                 {"95 % CI low, fabrics like these", ColumnUse::InCsv},
+                 {"95 % CI high, fabrics like these", ColumnUse::InCsv},
+                 {"95 % CI, these fabrics", ColumnUse::InDocuments},
+                 {"95 % CI, fabrics like these", ColumnUse::InDocuments},
+                 {"95 % CI, trials as independent", ColumnUse::InDocuments},
                  "p chance, trials",
-                 "p chance (Holm)",
-                 "p chance, participants"},
+                 {"p chance (Holm)", ColumnUse::InCsv},
+                 {"p chance, participants", ColumnUse::InCsv}},
                 {}};
     for (std::size_t i = 0; i < analysis.data.conditions.size(); ++i) {
         const ConditionChoices& choices = question.findings.conditions[i];
         const stats::Interval& ci = choices.againstChance.wilson;
+        // Each condition stands there twice: these fabrics, fabrics like these.
+        const stats::Interval& these = question.findings.claims.aboveChance[2 * i].claim.mean.ci95;
+        const stats::Interval& alike = question.findings.claims.aboveChance[2 * i + 1].claim.mean.ci95;
         table.rows.push_back({conditionCell(analysis.data.conditions[i]), numberCell(choices.matchesPerRendering, 1),
                               countCell(choices.count.correct), countCell(choices.count.trials),
+                              numericTextCell(std::to_string(choices.count.correct) + "/" + std::to_string(choices.count.trials)),
                               numberCell(choices.againstChance.estimate, 2), numberCell(ci.low, 2), numberCell(ci.high, 2),
-                              intervalCell(ci, 2), pCell(choices.againstChance.pGreater, choices.againstChance.logPGreater),
-                              pCell(choices.pHolm),
+                              numberCell(these.low, 2), numberCell(these.high, 2), numberCell(alike.low, 2),
+                              numberCell(alike.high, 2), intervalCell(these, 2), intervalCell(alike, 2), intervalCell(ci, 2),
+                              pCell(choices.againstChance.pGreater, choices.againstChance.logPGreater), pCell(choices.pHolm),
                               pCell(choices.participantsAgainstChance.p, choices.participantsAgainstChance.logP)});
     }
     return table;

@@ -1,6 +1,7 @@
 #include "reports/tables/claim_tables.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "protocols/files/number_text.h"
 #include "reports/analysis/claim_words.h"
@@ -76,11 +77,25 @@ Table contrastTable(const std::string& id, const QuestionClaims& claims)
     return table;
 }
 
+/// "1.02", or the sign of infinity.
+std::string dPrimeText(double dPrime) { return std::isinf(dPrime) ? "∞" : fixed(dPrime, 2); }
+
+/// "1.02 [0.20, ∞]".
+TableCell sensitivityCell(const ClusteredSensitivity& sensitivity)
+{
+    if (!sensitivity.dPrime.exists()) return numberCell(sensitivity.dPrime, 2);
+    const bool isBounded = sensitivity.ci95.low.exists() && sensitivity.ci95.high.exists();
+    const std::string interval =
+        isBounded ? " [" + dPrimeText(*sensitivity.ci95.low) + ", " + dPrimeText(*sensitivity.ci95.high) + "]" : "";
+    return numericTextCell(dPrimeText(*sensitivity.dPrime) + interval);
+}
+
 Table chanceTable(const std::string& id, const ChoiceAnalysis& choices)
 {
     Table table{"above_chance_" + lowerCase(id),
                 id + ": mean share correct against chance 1/" + std::to_string(choices.alternatives) +
-                    ", with participants and fabrics as samples; Holm's correction over the conditions",
+                    ", with participants and fabrics as samples, Holm's correction over the conditions; d′ of that share, "
+                    "whose interval is that of the share in units of d′",
                 {"condition",
                  "holds for",
                  "share",
@@ -90,15 +105,22 @@ Table chanceTable(const std::string& id, const ChoiceAnalysis& choices)
                  "df",
                  {"p", ColumnUse::InCsv},
                  "p above chance",
-                 "above chance"},
+                 "above chance",
+                 {"d′", ColumnUse::InCsv},
+                 {"d′ low", ColumnUse::InCsv},
+                 {"d′ high", ColumnUse::InCsv},
+                 {"d′ and its 95 % CI", ColumnUse::InDocuments}},
                 {}};
-    for (const ChanceFinding& finding : choices.claims.aboveChance) {
+    for (std::size_t i = 0; i < choices.claims.aboveChance.size(); ++i) {
+        const ChanceFinding& finding = choices.claims.aboveChance[i];
+        const ClusteredSensitivity& sensitivity = choices.sensitivities[i];
         const stats::CrossedMean& mean = finding.claim.mean;
-        table.rows.push_back({conditionCell(finding.condition), textCell(wordsOf(finding.generalisation)),
-                              numberCell(mean.estimate, 2), numberCell(mean.ci95.low, 2), numberCell(mean.ci95.high, 2),
-                              intervalCell(mean.ci95, 2), numberCell(mean.df, 1),
-                              pCell(finding.claim.above.p, finding.claim.above.logP), pCell(finding.claim.pAdjusted),
-                              textCell(finding.claim.isAbove ? "yes" : "not shown")});
+        table.rows.push_back(
+            {conditionCell(finding.condition), textCell(wordsOf(finding.generalisation)), numberCell(mean.estimate, 2),
+             numberCell(mean.ci95.low, 2), numberCell(mean.ci95.high, 2), intervalCell(mean.ci95, 2), numberCell(mean.df, 1),
+             pCell(finding.claim.above.p, finding.claim.above.logP), pCell(finding.claim.pAdjusted),
+             textCell(finding.claim.isAbove ? "yes" : "not shown"), numberCell(sensitivity.dPrime, 2),
+             numberCell(sensitivity.ci95.low, 2), numberCell(sensitivity.ci95.high, 2), sensitivityCell(sensitivity)});
     }
     return table;
 }

@@ -44,14 +44,15 @@ Table overallTable()
     Table table{"false_claims",
                 "False claims in " + std::to_string(stats::measuredStudies) +
                     " simulated studies of the paper's size under each of ten nulls, at the 5 % level",
-                {"answers", "claim", "mean %", "highest %", "highest under"},
+                {"answers", "claim or test", "mean %", "highest %", "highest under", "remark"},
                 {}};
     for (const char* kind : {"ratings", "choices"})
         for (const Rates& rates : ratesOf(kind)) {
             const stats::MeasuredSize& highest = rates.highest();
             table.rows.push_back({textCell(kind), textCell(std::string(rates.test)), numberCell(100 * rates.mean(), 1),
                                   numberCell(100 * highest.rate(), 1),
-                                  textCell(std::string(highest.truth.substr(highest.truth.find(", ") + 2)))});
+                                  textCell(std::string(highest.truth.substr(highest.truth.find(", ") + 2))),
+                                  textCell(highest.promise == stats::Promise::Shown ? "not used for fabrics like these" : "")});
         }
     return table;
 }

@@ -1,28 +1,63 @@
 #include "reports/tables/omnibus_tables.h"
 
+#include "reports/analysis/claim_words.h"
 #include "reports/tables/table_cells.h"
 #include "reports/text/number_text.h"
+#include "stats/power/measured_claims.h"
 
 namespace reports {
 namespace {
 
+constexpr const char* theseTrials = "these trials";  // every answer counts as independent
+
 /// "8, 72".
-TableCell dfCell(const stats::Value& first, const stats::Value& second)
+std::string dfText(const stats::Value& first, const stats::Value& second)
 {
-    return numericTextCell(first.exists() && second.exists() ? fixed(*first, 0) + ", " + fixed(*second, 0) : "-");
+    return first.exists() && second.exists() ? fixed(*first, 0) + ", " + fixed(*second, 0) : "-";
+}
+
+std::string dfText(const stats::Value& df) { return df.exists() ? fixed(*df, 0) : "-"; }
+
+/// One row of the table.
+struct OmnibusRow {
+    std::string test;
+    std::string holdsFor;
+    std::size_t n = 0;
+    stats::Value statistic;
+    std::string df;
+    stats::Value p;
+    stats::Value logP;
+    TableCell pGreenhouseGeisser = blankCell();
+    std::string effect;
+};
+
+/// "14.10 (2, 10)".
+TableCell statisticCell(const OmnibusRow& row)
+{
+    const TableCell number = numberCell(row.statistic, 2);
+    if (!row.statistic.exists()) return number;
+    const std::string df = " (" + row.df + ")";
+    return {number.text + df, number.csv, number.html + df, number.tex + df, "", true};
+}
+
+void addOmnibusRow(Table& table, const std::string& id, const OmnibusRow& row)
+{
+    table.rows.push_back({textCell(id), textCell(row.test), textCell(row.holdsFor), countCell(row.n),
+                          numberCell(row.statistic, 2), numericTextCell(row.df), statisticCell(row), pCell(row.p, row.logP),
+                          row.pGreenhouseGeisser, textCell(row.effect)});
 }
 
 /// "partial eta squared 0.12", or the reason why there is none.
-TableCell effectCell(const std::string& name, const stats::Value& value)
+std::string effectText(const std::string& name, const stats::Value& value)
 {
-    return textCell(value.exists() ? name + " " + fixed(*value, 2) : value.why());
+    return value.exists() ? name + " " + fixed(*value, 2) : value.why();
 }
 
 /// Remark on a mixed model: a singular fit, or random effects that were left out.
 std::string noteOn(bool isSingular, const std::vector<stats::LeftOut>& leftOut)
 {
     if (isSingular) return "singular: a random effect was estimated as zero";
-    return leftOut.empty() ? "new participants and fabrics" : "without random effects that cannot be estimated";
+    return leftOut.empty() ? "" : "without random effects that cannot be estimated";
 }
 
 std::string noteOn(const stats::ChoiceModel& fitted)
@@ -43,55 +78,93 @@ stats::Value fittedOr(const std::string& why, const stats::Value& value)
     return why.empty() ? value : stats::Value::undefined(why);
 }
 
-void addLinearModelRow(Table& table, const std::string& id, const std::string& name, const stats::RatingModel& fitted)
+OmnibusRow linearModelRow(const std::string& name, const stats::RatingModel& fitted)
 {
-    const stats::MixedModel& model = fitted.model;
+    const std::string& why = fitted.model.why;
     const stats::FTest& test = fitted.condition;
-    table.rows.push_back({textCell(id), textCell(name), countCell(model.why.empty() ? model.rows : 0),
-                          numberCell(fittedOr(model.why, test.f), 2),
-                          dfCell(fittedOr(model.why, test.df1), fittedOr(model.why, test.df2)),
-                          pCell(fittedOr(model.why, test.p), test.logP), blankCell(), textCell(noteOn(fitted))});
+    return {name,
+            wordsOf(stats::Generalisation::FabricsLikeThese),
+            why.empty() ? fitted.model.rows : 0,
+            fittedOr(why, test.f),
+            dfText(fittedOr(why, test.df1), fittedOr(why, test.df2)),
+            fittedOr(why, test.p),
+            test.logP,
+            blankCell(),
+            noteOn(fitted)};
 }
 
-void addLogisticRow(Table& table, const std::string& id, const std::string& name, const stats::ChoiceModel& fitted)
+OmnibusRow logisticRow(const std::string& name, const std::string& holdsFor, const stats::ChoiceModel& fitted)
 {
     const stats::LogisticMixedModel& model = fitted.model;
-    table.rows.push_back({textCell(id), textCell(name), countCell(model.why.empty() ? model.rows : 0),
-                          numberCell(fittedOr(model.why, model.chiSquared), 2), numberCell(fittedOr(model.why, model.df), 0),
-                          pCell(fittedOr(model.why, model.p), model.logP), blankCell(), textCell(noteOn(fitted))});
+    return {name,
+            holdsFor,
+            model.why.empty() ? model.rows : 0,
+            fittedOr(model.why, model.chiSquared),
+            dfText(fittedOr(model.why, model.df)),
+            fittedOr(model.why, model.p),
+            model.logP,
+            blankCell(),
+            noteOn(fitted)};
 }
 
 void addChoiceRows(Table& table, const std::string& id, const ChoiceAnalysis& choices)
 {
     const stats::CochranTest& cochran = choices.cochran;
-    table.rows.push_back({textCell(id), textCell("Cochran's\u00A0Q"), countCell(cochran.blocks), numberCell(cochran.q, 2),
-                          numberCell(cochran.df, 0), pCell(cochran.p, cochran.logP), blankCell(),
-                          textCell("descriptive: ignores clustering")});
-    addLinearModelRow(table, id, "mixed model of 0 and 1,\u00A0F", choices.linearModel);
-    addLogisticRow(table, id, "logistic mixed model \u03c7\u00b2", choices.model);
-    addLogisticRow(table, id, "the same with interactions \u03c7\u00b2", choices.crossedModel);
+    addOmnibusRow(table, id,
+                  {"Cochran's\u00A0Q", theseTrials, cochran.blocks, cochran.q, dfText(cochran.df), cochran.p, cochran.logP,
+                   blankCell(), "ignores clustering"});
+    addOmnibusRow(table, id, linearModelRow("mixed model of 0 and 1,\u00A0F", choices.linearModel));
+    addOmnibusRow(table, id, logisticRow("logistic mixed model \u03c7\u00b2", theseTrials, choices.model));
+    addOmnibusRow(table, id,
+                  logisticRow("the same with interactions \u03c7\u00b2", wordsOf(stats::Generalisation::FabricsLikeThese),
+                              choices.crossedModel));
 }
 
 void addRatingRows(Table& table, const std::string& id, const RatingAnalysis& ratings)
 {
     const stats::RepeatedMeasuresAnova& anova = ratings.anova;
-    table.rows.push_back({textCell(id), textCell("RM-ANOVA\u00A0F"), countCell(anova.blocks), numberCell(anova.f, 2),
-                          dfCell(anova.df1, anova.df2), pCell(anova.p, anova.logP), pCell(anova.pGg, anova.logPGg),
-                          effectCell("partial eta squared", anova.partialEtaSquared)});
+    const std::string theseFabrics = wordsOf(stats::Generalisation::TheseFabrics);
+    addOmnibusRow(table, id,
+                  {"RM-ANOVA\u00A0F", theseFabrics, anova.blocks, anova.f, dfText(anova.df1, anova.df2), anova.p, anova.logP,
+                   pCell(anova.pGg, anova.logPGg), effectText("partial eta squared", anova.partialEtaSquared)});
     const stats::FriedmanTest& friedman = ratings.friedman;
-    table.rows.push_back({textCell(id), textCell("Friedman\u00A0Q"), countCell(friedman.blocks), numberCell(friedman.q, 2),
-                          numberCell(friedman.df, 0), pCell(friedman.p, friedman.logP), blankCell(),
-                          effectCell("Kendall's W", friedman.kendallW)});
-    addLinearModelRow(table, id, "mixed model\u00A0F", ratings.model);
+    addOmnibusRow(table, id,
+                  {"Friedman\u00A0Q", theseFabrics, friedman.blocks, friedman.q, dfText(friedman.df), friedman.p, friedman.logP,
+                   blankCell(), effectText("Kendall's W", friedman.kendallW)});
+    addOmnibusRow(table, id, linearModelRow("mixed model\u00A0F", ratings.model));
+}
+
+/// How often Cochran's Q rejects where conditions differ from fabric to fabric, and from person to person besides.
+std::string cochranWarning()
+{
+    const auto percent = [](double people, double fabrics) {
+        return fixed(100 * stats::falseClaimRate(stats::cochranOfSampledFabrics, {true, people, fabrics, false}), 0);
+    };
+    return "\u201CThese trials\u201D: the test takes all answers as independent. Without any true difference, Cochran's Q "
+           "rejects "
+           "in " +
+           percent(0, 0.5) + " % of studies where conditions differ by fabric (SD 0.5 log odds), in " + percent(0.5, 0.5) +
+           " % where they differ by participant, too";
 }
 
 Table omnibusTable(const StudyAnalysis& analysis)
 {
+    const auto choices = questionsWith<ChoiceAnalysis>(analysis);
     Table table{"all_conditions",
-                "All conditions at once: on the participants' means (complete blocks), and by mixed models of every answer",
-                {"question", "test", "n", "statistic", "df", "p", "p (Greenhouse-Geisser)", "effect"},
+                "All conditions at once: on the participants' means (complete blocks), and by mixed models of every answer" +
+                    (choices.empty() ? "" : ". " + cochranWarning()),
+                {"question",
+                 "test",
+                 "holds for",
+                 "n",
+                 {"statistic", ColumnUse::InCsv},
+                 {"df", ColumnUse::InCsv},
+                 {"statistic (df)", ColumnUse::InDocuments},
+                 "p",
+                 "p (Greenhouse-Geisser)",
+                 "effect"},
                 {}};
-    for (const auto& question : questionsWith<ChoiceAnalysis>(analysis)) addChoiceRows(table, question.id(), question.findings);
+    for (const auto& question : choices) addChoiceRows(table, question.id(), question.findings);
     for (const auto& question : questionsWith<RatingAnalysis>(analysis)) addRatingRows(table, question.id(), question.findings);
     return table;
 }

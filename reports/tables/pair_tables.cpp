@@ -90,13 +90,16 @@ void addPlanned(Table& table, const StudyAnalysis& analysis, const Pairs& pairsO
 
 void addPlannedTables(std::vector<ReportTable>& tables, const StudyAnalysis& analysis)
 {
-    Table comparisons = comparisonTable("comparisons_planned", "Planned contrasts: paired t tests of the participants' means",
+    Table comparisons = comparisonTable("comparisons_planned",
+                                        "Planned contrasts: paired t tests of the participants' means, for these fabrics only",
                                         PairScope::AllQuestions);
     addPlanned(comparisons, analysis, comparisonsOf);
     if (comparisons.rows.empty()) return;
-    Table equivalences = equivalenceTable(
-        "equivalence_planned", "Planned contrasts: two one-sided tests against the bounds " + boundsText(analysis.data),
-        PairScope::AllQuestions);
+    Table equivalences =
+        equivalenceTable("equivalence_planned",
+                         "Planned contrasts: two one-sided tests of the participants' means against the bounds " +
+                             boundsText(analysis.data) + ", for these fabrics only",
+                         PairScope::AllQuestions);
     addPlanned(equivalences, analysis, equivalencesOf);
     tables.push_back({.table = std::move(comparisons), .section = PageSection::Comparisons});
     const bool hasEquivalences = !equivalences.rows.empty();
@@ -106,7 +109,8 @@ void addPlannedTables(std::vector<ReportTable>& tables, const StudyAnalysis& ana
 ReportTable comparisonsOfQuestion(const std::string& id, const std::vector<PairComparison>& comparisons)
 {
     Table table = comparisonTable("comparisons_" + lowerCase(id),
-                                  id + ": all pairs, paired t tests of the participants' means, Holm's correction over all pairs",
+                                  id + ": all pairs, paired t tests of the participants' means, for these fabrics only; Holm's "
+                                       "correction over all pairs",
                                   PairScope::OneQuestion);
     for (const PairComparison& comparison : comparisons) addRow(table, id, comparison);
     return {.table = std::move(table), .section = PageSection::Comparisons, .question = id, .foldedUnder = id + ": all pairs"};
@@ -114,9 +118,10 @@ ReportTable comparisonsOfQuestion(const std::string& id, const std::vector<PairC
 
 ReportTable equivalencesOfQuestion(const StudyData& data, const std::string& id, const std::vector<PairEquivalence>& equivalences)
 {
-    Table table =
-        equivalenceTable("equivalence_" + lowerCase(id),
-                         id + ": all pairs, two one-sided tests against the bounds " + boundsText(data), PairScope::OneQuestion);
+    Table table = equivalenceTable("equivalence_" + lowerCase(id),
+                                   id + ": all pairs, two one-sided tests of the participants' means against the bounds " +
+                                       boundsText(data) + ", for these fabrics only",
+                                   PairScope::OneQuestion);
     for (const PairEquivalence& equivalence : equivalences) addRow(table, id, equivalence);
     return {.table = std::move(table), .section = PageSection::Equivalence, .question = id, .foldedUnder = id + ": all pairs"};
 }

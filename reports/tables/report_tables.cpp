@@ -4,6 +4,7 @@
 
 #include "reports/tables/choice_tables.h"
 #include "reports/tables/claim_tables.h"
+#include "reports/tables/effect_tables.h"
 #include "reports/tables/false_claim_tables.h"
 #include "reports/tables/group_tables.h"
 #include "reports/tables/measured_size_tables.h"
@@ -22,9 +23,9 @@ namespace {
 
 using TableFamily = std::vector<ReportTable> (*)(const StudyAnalysis&);
 
-constexpr TableFamily families[] = {overviewTables, choiceTables,     ratingTables,      wordedTables, claimTables,
-                                    pairTables,     omnibusTables,    groupTables,       speedTables,  signalTables,
-                                    qualityTables,  falseClaimTables, measuredSizeTables};
+constexpr TableFamily families[] = {overviewTables, choiceTables,  ratingTables,     wordedTables,      claimTables,
+                                    pairTables,     omnibusTables, effectTables,     groupTables,       speedTables,
+                                    signalTables,   qualityTables, falseClaimTables, measuredSizeTables};
 
 }  // namespace
 

@@ -14,6 +14,7 @@ std::span<const SectionHeading> sectionHeadings()
         SectionHeading{PageSection::Claims, "claims", "Different, equivalent, or not decided"},
         SectionHeading{PageSection::Comparisons, "comparisons", "All pairs: participants' means"},
         SectionHeading{PageSection::Equivalence, "equivalence", "All pairs: equivalence of participants' means"},
+        SectionHeading{PageSection::Effects, "effects", "Effect sizes, agreement, variances"},
         SectionHeading{PageSection::Groups, "groups", "Groups of participants"},
         SectionHeading{PageSection::Speed, "speed", "Speed and accuracy"},
         SectionHeading{PageSection::Signals, "signals", "Generated against measured signals"},

@@ -14,6 +14,7 @@ enum class PageSection {
     Claims,
     Comparisons,
     Equivalence,
+    Effects,
     Groups,
     Speed,
     Signals,

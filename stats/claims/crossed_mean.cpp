@@ -277,9 +277,10 @@ CrossedMean crossedMean(const CrossedTable& table, Generalisation generalisation
     else if (isConstant(present.table())) {
         mean.estimate = *std::ranges::find_if(table.values, [](double value) { return !std::isnan(value); });
         refuse(mean, "all values are equal: how much others vary is unknown");
-    } else if (mean.participants < 2)
+    } else if (mean.participants < 2) {
+        mean.estimate = meanOf(meansOfParticipants(present.table()));
         refuse(mean, "there is one participant only: a test needs at least 2");
-    else if (generalisation == Generalisation::TheseFabrics)
+    } else if (generalisation == Generalisation::TheseFabrics)
         putParticipantsTest(mean, present.table(), quantiles);
     else
         putCrossedTest(mean, present, quantiles);

@@ -6,6 +6,7 @@
 
 #include "stats/claims/claims.h"
 #include "stats/power/logistic_share.h"
+#include "stats/tests/rank_tests.h"
 
 namespace stats {
 namespace {
@@ -73,13 +74,33 @@ Value least(const std::vector<ContrastClaim>& claims)
 
 CalibrationRow row(const char* test) { return {test, {}, Promise::Printed, {}, Value::undefined("not an exact test")}; }
 
+/// A test that the report marks as not made for this null.
+CalibrationRow shown(const char* test) { return {test, {}, Promise::Shown, {}, Value::undefined("not an exact test")}; }
+
+Value pOfParticipantMeans(const AnswerCube& cube, std::span<const ContrastPair> pairs)
+{
+    return contrastClaims(cube, pairs.first(1), {}, Generalisation::TheseFabrics).front().difference.p;
+}
+
+Value pOfCochran(const AnswerCube& cube)
+{
+    BlockTable blocks{cube.participants() * cube.fabrics(), cube.conditions(), {}};
+    for (std::size_t p = 0; p < cube.participants(); ++p)
+        for (std::size_t f = 0; f < cube.fabrics(); ++f)
+            for (std::size_t c = 0; c < cube.conditions(); ++c) blocks.values.push_back(cube.at(c, p, f));
+    return cochranTest(blocks).p;
+}
+
 CalibrationFamily ratingFamily(const CalibrationOptions& options, const ClaimNull& null)
 {
     CalibrationFamily family;
     family.truth = null.text();
-    family.tests = {row("contrast, these fabrics"), row("any contrast of all pairs, these fabrics"),
-                    row(contrastOfFabricsLikeThese), row(anyContrastOfFabricsLikeThese),
-                    row("equivalence at a bound, fabrics like these")};
+    family.tests = {row("contrast, these fabrics"),
+                    row("any contrast of all pairs, these fabrics"),
+                    row(contrastOfFabricsLikeThese),
+                    row(anyContrastOfFabricsLikeThese),
+                    row("equivalence at a bound, fabrics like these"),
+                    shown(participantMeansOfSampledFabrics)};
     family.analysis = [design = options.design, scale = options.ratings, null](Draws& draws, std::span<Value> p) {
         const auto rating = [&](std::size_t, double effects) {
             const double raw = scale.centre + effects + draws.normal(claimResidualSd);
@@ -93,6 +114,7 @@ CalibrationFamily ratingFamily(const CalibrationOptions& options, const ClaimNul
             p[at] = claims.front().difference.p;
             p[at + 1] = least(claims);
             if (at == 0) continue;
+            p[5] = pOfParticipantMeans(cube, pairs);
             for (std::size_t k = 0; k < design.participants * design.fabrics; ++k)
                 cube.at(0, k / design.fabrics, k % design.fabrics) += bound;
             p[4] = contrastClaims(cube, std::span(pairs).first(1), Bounds{-bound, bound}, truth).front().equivalence.p;
@@ -105,8 +127,12 @@ CalibrationFamily choiceFamily(const CalibrationOptions& options, const ClaimNul
 {
     CalibrationFamily family;
     family.truth = null.text();
-    family.tests = {row(contrastOfFabricsLikeThese), row(anyContrastOfFabricsLikeThese),
-                    row("one condition above chance, fabrics like these"), row("any condition above chance, fabrics like these")};
+    family.tests = {row(contrastOfFabricsLikeThese),
+                    row(anyContrastOfFabricsLikeThese),
+                    row("one condition above chance, fabrics like these"),
+                    row("any condition above chance, fabrics like these"),
+                    shown(participantMeansOfSampledFabrics),
+                    shown(cochranOfSampledFabrics)};
     const StudyDesign& design = options.design;
     const double chance = 1.0 / design.alternatives;
     std::vector<double> atShare, atChance;
@@ -124,7 +150,11 @@ CalibrationFamily choiceFamily(const CalibrationOptions& options, const ClaimNul
                 return draws.happens(shareOfLogOdds(intercepts[c] + effects)) ? 1.0 : 0.0;
             });
         };
-        const auto claims = contrastClaims(draw(atShare), allPairs(design.conditions), {}, truth);
+        const AnswerCube answers = draw(atShare);
+        const std::vector<ContrastPair> pairs = allPairs(design.conditions);
+        const auto claims = contrastClaims(answers, pairs, {}, truth);
+        p[4] = pOfParticipantMeans(answers, pairs);
+        p[5] = pOfCochran(answers);
         p[0] = claims.front().difference.p;
         p[1] = least(claims);
         const AnswerCube guesses = draw(atChance);

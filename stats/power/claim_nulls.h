@@ -23,13 +23,16 @@ struct ClaimNull {
 std::vector<ClaimNull> claimNulls();
 
 /// One family for each null. The tests: a contrast and any contrast of all pairs, for both generalisations; for ratings TOST at
-/// a bound; for choices one condition and any condition above chance. Participants and fabrics need at least 2 levels.
+/// a bound; for choices one condition and any condition above chance. Then two tests that make no claim: the t test of the
+/// participants' means where fabrics are a sample, and Cochran's Q. Participants and fabrics need at least 2 levels.
 std::vector<CalibrationFamily> claimFamilies(const CalibrationOptions& options);
 
 /// SD of the residual of the simulated ratings, scale points.
 inline constexpr double claimResidualSd = 0.92;
 
-/// The names of two tests in these families.
+/// The names of tests in these families.
+inline constexpr const char* participantMeansOfSampledFabrics = "t test of participants' means, where fabrics are a sample";
+inline constexpr const char* cochranOfSampledFabrics = "Cochran's Q, where participants and fabrics are samples";
 inline constexpr const char* contrastOfFabricsLikeThese = "contrast, fabrics like these";
 inline constexpr const char* anyContrastOfFabricsLikeThese = "any contrast of all pairs, fabrics like these";
 

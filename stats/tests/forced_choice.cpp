@@ -76,6 +76,14 @@ double proportionCorrectAt(double dPrime, int alternatives)
                     [&](double x) { return density(x - dPrime) * std::pow(below(x), alternatives - 1); });
 }
 
+Value dPrimeAt(double proportion, int alternatives)
+{
+    if (alternatives < 2) return Value::undefined("a choice needs at least 2 alternatives");
+    if (!(proportion >= 0 && proportion <= 1)) return Value::undefined("a proportion lies between 0 and 1");
+    if (proportion == 1) return std::numeric_limits<double>::infinity();
+    return proportion * alternatives <= 1 ? 0.0 : dPrimeOf(1 - proportion, alternatives);
+}
+
 ChoiceSensitivity forcedChoice(long long correct, long long trials, int alternatives)
 {
     if (const std::string fault = faultOf(correct, trials, alternatives); !fault.empty()) return undefinedSensitivity(fault);

@@ -18,6 +18,10 @@ struct ChoiceSensitivity {
 /// counts that are negative or exceed the trials.
 ChoiceSensitivity forcedChoice(long long correct, long long trials, int alternatives);
 
+/// The d' at which the probability of a correct choice is `proportion`: 0 at or below chance, infinity at 1. It increases with
+/// the proportion, so that the ends of an interval of the proportion give those of d'. Refused with a reason outside [0, 1].
+Value dPrimeAt(double proportion, int alternatives);
+
 /// Probability of a correct choice at d' (any real): integral of phi(x - d') Phi(x)^(m - 1).
 double proportionCorrectAt(double dPrime, int alternatives);
 

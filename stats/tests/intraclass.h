@@ -30,4 +30,17 @@ struct MeanSquares {
 /// Correlations from the mean squares of an analysis of variance.
 IntraclassCorrelations intraclassCorrelations(const MeanSquares& ms, double targets, double raters);
 
+/// Confidence intervals of the correlations of models 2 and 3 (Shrout and Fleiss 1979; McGraw and Wong 1996).
+struct IntraclassIntervals {
+    std::string why;  ///< empty when they exist
+    Interval icc2;
+    Interval icc3;
+    Interval icc2k;
+    Interval icc3k;
+};
+
+/// Intervals of the same table. Refused with a reason where the correlations are, and for raters who differ by constants only,
+/// because the intervals then have no width.
+IntraclassIntervals intraclassIntervals(const BlockTable& targetsByRaters, double confidence = 0.95);
+
 }  // namespace stats

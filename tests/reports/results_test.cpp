@@ -101,7 +101,7 @@ private Q_SLOTS:
         QCOMPARE(keysOf(results["questions"]["Q3"]["f"]), (Keys{"n", "mean", "sd", "participants", "ci95"}));
         QCOMPARE(keysOf(comparison(results, "Q2", "h_g&f_g", "h&f")),
                  (Keys{"question", "a", "b", "test", "n", "statistic", "df", "p", "p_holm", "mean_difference", "ci95", "d_z",
-                       "planned"}));
+                       "generalises_to", "planned"}));
         QCOMPARE(unexplained(results, "results"), QString());
         QCOMPARE(unexplained(statisticsOf(data), "statistics"), QString());
     }

@@ -52,6 +52,10 @@ const reports::StudyAnalysis& smallStudy()
 double toleranceOf(const QString& path)
 {
     if (path.contains("q1_glmm.se")) return 1.5e-2;
+    // glmer stops at another distance from the optimum of four variances; its log likelihood agrees to 1e-9.
+    if (path.contains("r_squared.Q1") || path.contains("variance_components.Q1")) return 1e-3;
+    if (path.contains("r_squared") || path.contains("variance_components") || path.contains(".clustered")) return 1e-5;
+    if (path.contains("bf10")) return 1e-6;  // adaptive quadrature in R
     if (path.contains("q1_glmm") || path.contains(".lmm.")) return 2e-6;
     return 1e-10;
 }
@@ -71,7 +75,8 @@ public:
                     fault(place, "is missing");
             }
             for (const auto& [key, value] : answer.items())
-                if (!expected.contains(key)) additions << path + "." + QString::fromStdString(key);
+                if (!expected.contains(key) && key.find("generalises_to") == std::string::npos)
+                    additions << path + "." + QString::fromStdString(key);
         } else if (expected.is_array()) {
             if (!answer.is_array() || answer.size() != expected.size()) return fault(path, "differs in length");
             for (std::size_t i = 0; i < expected.size(); ++i)
@@ -88,7 +93,7 @@ public:
 
     int numbers = 0;
     QStringList faults;
-    QStringList additions;  ///< keys that are not expected
+    QStringList additions;  ///< keys that are not expected; marks of what a test generalises to have tests of their own
 
 private:
     void fault(const QString& path, const QString& what) { faults << path + ": " + what; }
@@ -138,9 +143,10 @@ private Q_SLOTS:
                                                   }),
                                    comparison.additions.end());
         QCOMPARE(comparison.additions,
-                 (QStringList{"statistics.schema", "statistics.q1_glmm_crossed", "statistics.lmm_contrasts",
-                              "statistics.lmm_variances", "statistics.lmm_leave_one_fabric_out", "statistics.false_claims"}));
-        QCOMPARE(comparison.numbers, 396);
+                 (QStringList{"statistics.q1_cochran.rejects_falsely", "statistics.schema", "statistics.q1_glmm_crossed",
+                              "statistics.lmm_contrasts", "statistics.lmm_variances", "statistics.lmm_leave_one_fabric_out",
+                              "statistics.false_claims"}));
+        QCOMPARE(comparison.numbers, 561);
     }
 
     void flagsCarryTheirNumbers()

@@ -84,13 +84,28 @@ private Q_SLOTS:
     void claimsKeepTheirLevelUnderEveryNull()
     {
         const auto sizes = stats::measuredClaims();
-        QCOMPARE(sizes.size(), std::size_t(90));
+        QCOMPARE(sizes.size(), std::size_t(120));
         double sum = 0;
         for (const auto& size : sizes) {
+            if (size.promise == stats::Promise::Shown) continue;
             QVERIFY2(size.rate() <= 0.06 + 2 * std::sqrt(0.06 * 0.94 / 10000), std::string(size.truth).c_str());
             sum += size.rate();
         }
         QVERIFY(sum / 90 <= 0.055);
+    }
+
+    // Why the report marks these two tests: where fabrics are a sample they reject too often.
+    void testsThatMakeNoClaimRejectTooOftenUnderInteractions()
+    {
+        const auto rate = [](const char* test, bool isChoice, double participants, double fabrics) {
+            return stats::falseClaimRate(test, {isChoice, participants, fabrics, false});
+        };
+        QCOMPARE(rate(stats::participantMeansOfSampledFabrics, false, 0.5, 0), 0.0524);
+        QCOMPARE(rate(stats::participantMeansOfSampledFabrics, false, 0.5, 0.5), 0.1401);
+        QCOMPARE(rate(stats::participantMeansOfSampledFabrics, true, 0.5, 0.5), 0.0879);
+        QCOMPARE(rate(stats::cochranOfSampledFabrics, true, 0, 0), 0.0527);
+        QCOMPARE(rate(stats::cochranOfSampledFabrics, true, 0, 0.5), 0.2217);
+        QCOMPARE(rate(stats::cochranOfSampledFabrics, true, 0.5, 0.5), 0.3272);
     }
 
     // Two of these nulls again, 200 studies each; counted by this program when the claims agreed with the reference models.
@@ -100,7 +115,8 @@ private Q_SLOTS:
         options.simulation.studies = 200;
         const auto families = stats::claimFamilies(options);
         QCOMPARE(families.size(), std::size_t(20));
-        const std::vector<std::pair<std::size_t, std::vector<std::size_t>>> counts{{1, {7, 13, 5, 11, 3}}, {14, {3, 4, 9, 5}}};
+        const std::vector<std::pair<std::size_t, std::vector<std::size_t>>> counts{{1, {7, 13, 5, 11, 3, 50}},
+                                                                                   {14, {3, 4, 9, 5, 10, 50}}};
         for (const auto& [place, rejected] : counts) {
             const auto& family = families[place];
             const auto results = stats::simulateTests(family.tests.size(), family.analysis, options.simulation);

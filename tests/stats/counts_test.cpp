@@ -55,6 +55,28 @@ private Q_SLOTS:
             QVERIFY(!refused.why.empty() && !refused.dPrime.exists());
     }
 
+    // The inverse of Hacker and Ratcliff's (1979) table: m = 3, 60 % correct, d' = 0.89; m = 2: sqrt(2) times the normal
+    // quantile.
+    void sensitivityOfAProportion()
+    {
+        QVERIFY(std::fabs(*stats::dPrimeAt(0.60, 3) - 0.89) < 0.005);
+        // R --slave -e 'print(sqrt(2) * qnorm(0.8), digits = 16)'
+        QVERIFY(near(*stats::dPrimeAt(0.8, 2), 1.19023216289999, 1e-13));
+        QVERIFY(near(*stats::dPrimeAt(27.0 / 70, 3), *stats::forcedChoice(27, 70, 3).dPrime, 1e-13));
+        QCOMPARE(*stats::dPrimeAt(1.0 / 3, 3), 0.0);
+        QCOMPARE(*stats::dPrimeAt(0, 3), 0.0);
+        QVERIFY(std::isinf(*stats::dPrimeAt(1, 3)));
+        double last = 0;
+        for (int i = 34; i < 100; ++i) {
+            const double dPrime = *stats::dPrimeAt(i / 100.0, 3);
+            QVERIFY(dPrime > last && std::fabs(stats::proportionCorrectAt(dPrime, 3) - i / 100.0) < 1e-12);
+            last = dPrime;
+        }
+        for (const stats::Value& refused :
+             {stats::dPrimeAt(1.01, 3), stats::dPrimeAt(-0.1, 3), stats::dPrimeAt(NAN, 3), stats::dPrimeAt(0.5, 1)})
+            QVERIFY(!refused.exists() && !refused.why().empty());
+    }
+
     // R --slave -e 'mcnemar.test(matrix(c(10,9,40,20),2))': 18.3673469387755, p = 1.8215297148968e-05;
     // exact: binom.test(40, 49)
     void changedPairsAgreeWithR()

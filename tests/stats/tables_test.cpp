@@ -183,6 +183,38 @@ private Q_SLOTS:
                         {"ICC(3,k)", icc.icc3k, 0.683105565458507}});
     }
 
+    // Rscript tests/stats/reference/tables.R (psych)
+    void intraclassIntervalsAsInPsych()
+    {
+        const auto ci = stats::intraclassIntervals(tableOf(sevenByFour));
+        QCOMPARE(ci.why, std::string());
+        compareNumbers({{"ICC(2,1) low", ci.icc2.low, -0.01159544442357436},
+                        {"ICC(2,1) high", ci.icc2.high, 0.670923480524254},
+                        {"ICC(3,1) low", ci.icc3.low, -0.00509349494446346},
+                        {"ICC(3,1) high", ci.icc3.high, 0.793984192452228},
+                        {"ICC(2,k) low", ci.icc2k.low, -0.04805337853479298},
+                        {"ICC(2,k) high", ci.icc2k.high, 0.890772786756379},
+                        {"ICC(3,k) low", ci.icc3k.low, -0.02069013507303818},
+                        {"ICC(3,k) high", ci.icc3k.high, 0.939083768079092}});
+        const auto narrow = stats::intraclassIntervals(tableOf(sevenByFour), 0.90);
+        compareNumbers({{"ICC(2,1) low, 90 %", narrow.icc2.low, 0.0152047323606869},
+                        {"ICC(2,1) high, 90 %", narrow.icc2.high, 0.598451653675949},
+                        {"ICC(3,k) high, 90 %", narrow.icc3k.high, 0.918655523219901}});
+    }
+
+    void intervalsThatDoNotExistSayWhy()
+    {
+        const auto whyOf = [](const Rows& rows) { return stats::intraclassIntervals(tableOf(rows)).why; };
+        QCOMPARE(whyOf({{2, 2}, {2, 2}}), std::string("no variation: all values are equal"));
+        QCOMPARE(whyOf({{1, 2}, {2, 3}, {3, 4}}), std::string("no error variance: the raters differ by constants only"));
+        QCOMPARE(whyOf({{1, 2, 3}}), std::string("needs at least 2 targets"));
+        QCOMPARE(whyOf({{1}, {2}, {3}}), std::string("needs at least 2 raters"));
+        // Raters who contradict each other: the mean of all has no lower limit.
+        const auto contrary = stats::intraclassIntervals(tableOf({{1, 4, 2}, {2, 1, 4}, {3, 3, 1}, {4, 2, 3.5}}));
+        QVERIFY(near(*contrary.icc2.low, -0.749874426380010, 1e-9) && near(*contrary.icc3k.high, 0.693241508029083, 1e-9));
+        QVERIFY(!contrary.icc2k.low.exists() && !contrary.icc2k.low.why().empty());
+    }
+
     void oneWayNumbersAsInR()
     {
         const auto anova = stats::oneWayAnova({{5.1, 4.9, 6.2, 5.8, 5.5}, {6.1, 6.4, 5.9, 7.0}, {4.1, 4.4, 5.2}});

@@ -1,4 +1,5 @@
-# The numbers of a report on answers.csv, computed with R 4.2.2, lme4 1.1-31 and lmerTest 3.1-3:
+# The numbers of a report on answers.csv, computed with R 4.2.2, lme4 1.1-31, lmerTest 3.1-3, psych 2.2.9, afex 1.2-1,
+# performance 0.10.2 and BayesFactor 0.9.12:
 #   Rscript expected.R > expected.json
 # Names and nesting are those of results.json (vis2hap.results/2) and statistics.json (vis2hap.statistics/1).
 suppressMessages({ library(jsonlite); library(lme4); library(lmerTest) })
@@ -134,8 +135,34 @@ sensitivity <- function(condition) {
   shareAt <- function(d) integrate(function(x) dnorm(x - d) * pnorm(x)^2, -12, 20, rel.tol = 1e-12)$value
   slopeAt <- function(d) integrate(function(x) (x - d) * dnorm(x - d) * pnorm(x)^2, -12, 20, rel.tol = 1e-12)$value
   d <- uniroot(function(d) shareAt(d) - p, c(0, 8), tol = 1e-13)$root
-  list(d_prime = number(d), se = number(sqrt(p * (1 - p) / n) / slopeAt(d)))
+  # The same d' of the mean share, with intervals over participants, and over participants and fabrics.
+  dPrimeOf <- function(share) if (share <= chance) 0 else if (share >= 1) NA else
+    uniroot(function(d) shareAt(d) - share, c(0, 8), tol = 1e-13)$root
+  clustered <- function(to, share, ci) {
+    ci <- pmin(1, pmax(0, ci))
+    row <- list(generalises_to = unbox(to), share = number(share), share_ci95 = ci, d_prime = number(dPrimeOf(share)),
+                d_prime_low = number(dPrimeOf(ci[1])), d_prime_high = number(dPrimeOf(ci[2])))
+    if (ci[1] <= chance) row$note <- unbox("at or below chance d' is set to 0")
+    if (ci[2] >= 1) row$why <- list(d_prime_high = unbox("at a share of 1 d' has no upper bound"))
+    row
+  }
+  list(d_prime = number(d), se = number(sqrt(p * (1 - p) / n) / slopeAt(d)), generalises_to = unbox("these_trials"),
+       clustered = list(
+         with(t.test(meansOf("Q1_correct")[, condition]), clustered("these_fabrics", unname(estimate), conf.int[1:2])),
+         with(crossedMean(condition), clustered("fabrics_like_these", estimate, estimate + c(-1, 1) * qt(0.975, df) * se))))
 }
+# Mean of the choices with crossed random intercepts; a variance at zero is left out. At most 7/4 (levels - 2) degrees of freedom.
+crossedMean <- function(condition) {
+  cells <- answers[answers$condition == condition & !is.na(answers$Q1_correct), ]
+  model <- lmer(Q1_correct ~ 1 + (1 | participant) + (1 | fabric), cells, control = tight)
+  for (group in c("participant", "fabric"))
+    if (VarCorr(model)[[group]][1] < 1e-8)
+      model <- lmer(formula(paste("Q1_correct ~ 1 + (1 |", setdiff(c("participant", "fabric"), group), ")")), cells, control = tight)
+  row <- summary(model)$coefficients[1, ]
+  levels <- length(unique(cells$participant)) + length(unique(cells$fabric))
+  list(estimate = unname(row["Estimate"]), se = unname(row["Std. Error"]), df = min(row["df"], 7 / 4 * (levels - 2)))
+}
+tight <- lmerControl(optimizer = "bobyqa", optCtrl = list(rhoend = 1e-12, maxfun = 1e6))
 confusion <- list(answered = named(fabrics, function(truth) named(fabrics, function(chosen) {
   number(sum(answers$fabric == truth & answers$Q1_answer == chosen, na.rm = TRUE)) })), slots = setNames(list(), character()))
 byRendering <- named(conditions, function(c) named(fabrics, function(f) {
@@ -209,6 +236,73 @@ ratingStatistics <- function(question) {
   result
 }
 
+# ---- effect sizes, evidence, agreement, variances ---------------------------------------------------------------------
+inOrder <- within(answers, condition <- factor(condition, levels = conditions))
+effectSizes <- function(question) {
+  means <- data.frame(y = c(meansOf(question)), participant = participants, condition = rep(conditions, each = length(participants)))
+  sizes <- suppressMessages(anova(afex::aov_ez("participant", "y", means, within = "condition"), es = c("ges", "pes")))
+  list(n = number(length(participants)), generalises_to = unbox("these_fabrics"), partial_eta_squared = number(sizes$pes),
+       generalised_eta_squared = number(sizes$ges))
+}
+# On the fabrics that a participant answered under both conditions.
+bayesFactors <- function(question) list(
+  prior_scale = number(sqrt(2) / 2), generalises_to = unbox("these_fabrics"),
+  contrasts = lapply(pairs, function(pair) {
+    cells <- tapply(answers[[question]], list(answers$participant, answers$fabric, answers$condition), mean)
+    d <- rowMeans(cells[participants, , pair[1]] - cells[participants, , pair[2]], na.rm = TRUE)
+    bf <- BayesFactor::extractBF(BayesFactor::ttestBF(d, rscale = sqrt(2) / 2), logbf = TRUE)$bf
+    list(a = unbox(pair[1]), b = unbox(pair[2]), planned = unbox(FALSE), n = number(length(d)),
+         t = number(t.test(d)$statistic), bf10 = number(exp(bf)), log10_bf10 = number(bf / log(10)))
+  }))
+agreement <- function(question) {
+  stimuli <- tapply(answers[[question]], list(paste(answers$condition, answers$fabric), answers$participant), mean)
+  stimuli <- stimuli[complete.cases(stimuli), ]
+  icc <- psych::ICC(stimuli, lmer = FALSE)$results
+  of <- function(type) which(icc$type == type)
+  part <- list(stimuli = number(nrow(stimuli)), raters = number(ncol(stimuli)), left_out = list())
+  for (type in c("ICC2", "ICC2k", "ICC3", "ICC3k")) {
+    part[[type]] <- number(icc$ICC[of(type)])
+    part[[paste0(type, "_ci95")]] <- c(icc[of(type), "lower bound"], icc[of(type), "upper bound"])
+  }
+  part
+}
+components <- function(variances, unit) {
+  sd <- sqrt(variances["fabric:condition"])
+  meaning <- if (sd < 1e-4)
+    "No variance of fabric \u00d7 condition was found. With few fabrics this does not show that there is none."
+  else sprintf(paste("Fabric \u00d7 condition has %.0f %% of the variance. A difference of two conditions varies from fabric to",
+                     "fabric with an SD of %.2f %s."), 100 * variances["fabric:condition"] / sum(variances), sqrt(2) * sd, unit)
+  order <- c("participant", "fabric", "participant:condition", "fabric:condition", "Residual")
+  list(unit = unbox(unit), components = lapply(order, function(name) list(
+         name = unbox(name), sd = number(sqrt(variances[name])), variance = number(variances[name]),
+         share = number(variances[name] / sum(variances)), estimated_as_zero = unbox(unname(variances[name] < 1e-8)))),
+       left_out = setNames(list(), character()), meaning = unbox(meaning))
+}
+ratingModel <- function(question) {
+  inOrder$rating <- inOrder[[question]]
+  lmer(rating ~ condition + (1 | participant) + (1 | fabric) + (1 | participant:condition) + (1 | fabric:condition), inOrder,
+       control = tight)
+}
+crossedChoices <- glmer(
+  Q1_correct ~ condition + (1 | participant) + (1 | fabric) + (1 | participant:condition) + (1 | fabric:condition), inOrder,
+  family = binomial, control = glmerControl(optimizer = "bobyqa", tolPwrss = 1e-12, optCtrl = list(rhoend = 1e-10, maxfun = 1e6)))
+variancesOf <- function(model, residual) {
+  table <- as.data.frame(VarCorr(model))
+  variances <- setNames(table$vcov, table$grp)
+  if (!is.null(residual)) variances["Residual"] <- residual
+  ifelse(variances < 1e-8, 0, variances)
+}
+rSquared <- function(model, unit, residual) {
+  fixed <- var(as.vector(model.matrix(model) %*% fixef(model)))
+  variances <- variancesOf(model, residual)
+  all <- fixed + sum(variances)
+  r2 <- list(marginal = fixed / all, conditional = 1 - unname(variances["Residual"]) / all)
+  # performance leaves the random effects out of the R squared of a singular model.
+  invisible(capture.output(peer <- suppressWarnings(performance::r2_nakagawa(model, tolerance = 1e-9))))
+  if (!is.na(peer$R2_conditional)) stopifnot(abs(peer$R2_marginal - r2$marginal) < 1e-6, abs(peer$R2_conditional - r2$conditional) < 1e-6)
+  list(scale = unbox(unit), condition_variance = number(fixed), marginal = number(r2$marginal), conditional = number(r2$conditional))
+}
+
 # ---- the data themselves ----------------------------------------------------------------------------------------------
 columns <- c(Q1 = "Q1_correct", Q2 = "Q2", Q3 = "Q3")
 missingIn <- named(names(columns), function(q) named(conditions, function(c) {
@@ -234,7 +328,16 @@ statistics <- list(
               missing_by_condition = missingIn),
   q1_per_condition = unname(perCondition), q1_cochran = cochran, q1_participant_level = participantLevel, q1_glmm = glmm,
   q1_sensitivity = named(conditions, sensitivity), q1_confusion = confusion, q1_matches_by_rendering = byRendering,
-  Q2 = ratingStatistics("Q2"), Q3 = ratingStatistics("Q3"), screening = screening,
+  Q2 = ratingStatistics("Q2"), Q3 = ratingStatistics("Q3"),
+  reliability = list(Q2 = agreement("Q2"), Q3 = agreement("Q3")),
+  bayes_factors = list(Q1 = bayesFactors("Q1_correct"), Q2 = bayesFactors("Q2"), Q3 = bayesFactors("Q3")),
+  effect_sizes = list(Q1 = effectSizes("Q1_correct"), Q2 = effectSizes("Q2"), Q3 = effectSizes("Q3")),
+  r_squared = list(Q1 = rSquared(crossedChoices, "log odds", pi^2 / 3), Q2 = rSquared(ratingModel("Q2"), "scale points", NULL),
+                   Q3 = rSquared(ratingModel("Q3"), "scale points", NULL)),
+  variance_components = list(Q1 = components(variancesOf(crossedChoices, pi^2 / 3), "log odds"),
+                             Q2 = components(variancesOf(ratingModel("Q2"), NULL), "scale points"),
+                             Q3 = components(variancesOf(ratingModel("Q3"), NULL), "scale points")),
+  screening = screening,
   response_times = list(Q1 = named(conditions, times("Q1_seconds")), Q2 = named(conditions, times(NULL)),
                         Q3 = named(conditions, times(NULL))))
 cat(toJSON(list(results = results, statistics = statistics), digits = NA, pretty = 1), "\n")

@@ -46,6 +46,13 @@ icc <- function(name, m) {
 icc("icc", m)
 icc("iccT", t(m))
 
+# Intervals of the correlations by psych 2.2.9; its columns 7 and 8 are the bounds.
+for (level in c(0.95, 0.9)) {
+  bounds <- psych::ICC(m, lmer = FALSE, alpha = 1 - level)$results
+  for (type in c("ICC2", "ICC3", "ICC2k", "ICC3k")) for (side in 7:8)
+    show(sprintf("icc.%g.%s.%s", level, type, names(bounds)[side]), bounds[bounds$type == type, side])
+}
+
 # --- One-way analysis of variance.
 groups <- list(c(5.1, 4.9, 6.2, 5.8, 5.5), c(6.1, 6.4, 5.9, 7.0), c(4.1, 4.4, 5.2))
 v <- unlist(groups); g <- factor(rep(1:3, lengths(groups)))

@@ -36,8 +36,9 @@ AnswerRecord recordOf(const ResponseRow& row)
 }
 
 /// The columns of the view that come before those of the response.
-constexpr const char* viewColumns = "event, corrections, voided, wall_time, note";
-constexpr int firstResponseColumn = 5;
+constexpr const char* viewColumns =
+    "event, corrections, voided, wall_time, note, (SELECT e.sitting FROM events e WHERE e.sequence = current_responses.event)";
+constexpr int firstResponseColumn = 6;
 
 CurrentAnswer currentAnswerOf(const QSqlQuery& query)
 {
@@ -52,6 +53,7 @@ CurrentAnswer currentAnswerOf(const QSqlQuery& query)
     answer.voided = query.value(2).toInt() != 0;
     answer.wallTime = fromQt(query.value(3));
     answer.record.note = fromQt(query.value(4));
+    answer.sitting = query.value(5).toInt();
     answer.record.isCorrection = answer.corrections > 0;
     answer.seconds = static_cast<double>(row.answeredAt - row.touchedAt.value_or(row.readyAt)) / 1e9;
     return answer;

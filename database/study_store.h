@@ -110,6 +110,7 @@ struct CurrentAnswer {
     protocols::ParticipantId participant;
     AnswerRecord record;
     std::int64_t event = 0;  ///< entry of the log with the first answer
+    int sitting = 0;         ///< of the first answer: number of times that the session was opened, from 1
     int attempt = 1;         ///< number of this presentation of the trial, from 1; a void starts the next
     std::int64_t storedAtNs = 0;
     double seconds = 0;  ///< answered - touched; answered - ready if there was no touch

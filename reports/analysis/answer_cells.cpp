@@ -253,14 +253,6 @@ std::vector<double> valuesOf(const std::vector<const StudyResponse*>& responses)
     return values;
 }
 
-std::vector<double> secondsOf(const std::vector<const StudyResponse*>& responses)
-{
-    std::vector<double> seconds;
-    for (const StudyResponse* response : responses)
-        if (response->seconds) seconds.push_back(*response->seconds);
-    return seconds;
-}
-
 std::size_t correctAmong(const std::vector<double>& values)
 {
     return static_cast<std::size_t>(std::count(values.begin(), values.end(), 1.0));

@@ -91,9 +91,6 @@ private:
 /// The number of an answer: a rating, or 1 for a right and 0 for a wrong choice. Words have none and are left out.
 std::vector<double> valuesOf(const std::vector<const StudyResponse*>& responses);
 
-/// The response times of the answers that carry one.
-std::vector<double> secondsOf(const std::vector<const StudyResponse*>& responses);
-
 /// Number of right choices among these values.
 std::size_t correctAmong(const std::vector<double>& values);
 

@@ -108,6 +108,8 @@ ChoiceAnalysis analyseChoices(const StudyData& data, const AnswerCells& cells, c
     analysis.claims = claimsOf(data, cells, question, alternatives, anova, analysis.linearModel, depth);
     analysis.effects = choiceEffects(analysis.claims, anova, answers, analysis.crossedModel);
     analysis.sensitivities = clusteredSensitivities(analysis.claims, alternatives);
+    analysis.speed = analyseSpeed(data, cells, question, alternatives, analysis.claims);
+    analysis.accuracyBySpeed = accuracyBySpeed(data, cells, question);
     return analysis;
 }
 

@@ -6,11 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "reports/analysis/accuracy_by_speed.h"
 #include "reports/analysis/analysis_options.h"
 #include "reports/analysis/answer_cells.h"
 #include "reports/analysis/pair_comparisons.h"
 #include "reports/analysis/question_claims.h"
 #include "reports/analysis/question_effects.h"
+#include "reports/analysis/speed_analysis.h"
 #include "stats/models/crossed_study.h"
 #include "stats/tests/binomial.h"
 #include "stats/tests/rank_tests.h"
@@ -62,6 +64,8 @@ struct ChoiceAnalysis {
     QuestionClaims claims;
     QuestionEffects effects;
     std::vector<ClusteredSensitivity> sensitivities;  ///< in the order of claims.aboveChance
+    SpeedAnalysis speed;
+    AccuracyBySpeed accuracyBySpeed;
 };
 
 ChoiceAnalysis analyseChoices(const StudyData& data, const AnswerCells& cells, const std::string& question, int alternatives,

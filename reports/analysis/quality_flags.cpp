@@ -4,6 +4,7 @@
 #include <map>
 
 #include "protocols/files/number_text.h"
+#include "reports/analysis/response_time.h"
 #include "reports/text/number_text.h"
 #include "reports/text/plain_words.h"
 #include "stats/kernels/decimal_grid.h"
@@ -59,7 +60,7 @@ void flagFast(const Examination& one)
     std::vector<double> seconds;
     for (const QuestionInfo& question : one.data.questions)
         if (hasNumbers(question))
-            for (const double s : secondsOf(one.answers(question))) seconds.push_back(s);
+            for (const double s : responseTimesOf(one.answers(question))) seconds.push_back(s);
     const auto fast = static_cast<std::size_t>(
         std::count_if(seconds.begin(), seconds.end(), [&](double s) { return s < one.rules.tooFastSeconds; }));
     const auto n = static_cast<double>(seconds.size());

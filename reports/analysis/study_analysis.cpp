@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "reports/analysis/design_limits.h"
+#include "reports/analysis/response_time.h"
 
 namespace reports {
 namespace {
@@ -41,7 +42,7 @@ QuestionAnalysis analyseQuestion(const StudyData& data, const AnswerCells& cells
     for (const std::string& condition : data.conditions) {
         const auto responses = cells.of(question.id, condition);
         analysis.missing.push_back(whole > responses.size() ? whole - responses.size() : 0);
-        if (hasNumbers(question)) analysis.times.push_back(stats::responseTimes(secondsOf(responses)));
+        if (hasNumbers(question)) analysis.times.push_back(stats::responseTimes(responseTimesOf(responses)));
     }
     return analysis;
 }
@@ -69,12 +70,24 @@ Completeness completenessOf(const StudyData& data, const AnswerCells& cells)
     return completeness;
 }
 
-std::vector<ConditionSpeed> speedOf(const StudyData& data, const AnswerCells& cells)
+std::vector<ConditionSpeed> firstSpeedOf(const StudyAnalysis& analysis, const StudyData& data)
 {
-    for (const QuestionInfo& question : data.questions)
-        if (const Scoring scoring = scoringOf(question.kind); const auto* choice = std::get_if<RightOrWrong>(&scoring))
-            return analyseSpeed(data, cells, question.id, choice->alternatives);
-    return speedWithoutChoices(data);
+    const auto choices = questionsWith<ChoiceAnalysis>(analysis);
+    return choices.empty() ? speedWithoutChoices(data) : choices.front().findings.speed.conditions;
+}
+
+OrderEffects orderEffectsOf(const StudyAnalysis& analysis, const StudyData& data, const AnswerCells& cells)
+{
+    OrderEffects effects;
+    if (!knowsOrder(data)) {
+        effects.why = "the answers do not say when they were given";
+        return effects;
+    }
+    for (const QuestionAnalysis& question : analysis.questions)
+        if (const QuestionClaims* claims = claimsOf(question))
+            effects.questions.push_back(orderOf(data, cells, question.question.id, *claims));
+    adjustOrderEffects(effects);
+    return effects;
 }
 
 }  // namespace
@@ -95,7 +108,8 @@ StudyAnalysis analyse(StudyData data, const AnalysisOptions& options)
     report(steps - 1, options.resimulated > 0 ? "simulating studies like this one" : "participants");
     for (const QuestionAnalysis& question : analysis.questions)
         if (const auto found = falseClaimsOf(data, cells, question, options.resimulated)) analysis.falseClaims.push_back(*found);
-    analysis.speed = speedOf(data, cells);
+    analysis.speed = firstSpeedOf(analysis, data);
+    analysis.order = orderEffectsOf(analysis, data, cells);
     analysis.flags = qualityFlags(data, cells);
     analysis.screening = screenParticipants(data, cells, analysis.flags);
     if (options.depth == Depth::Whole && analysis.screening.why.empty())

@@ -9,6 +9,7 @@
 #include "reports/analysis/choice_analysis.h"
 #include "reports/analysis/false_claims.h"
 #include "reports/analysis/group_analysis.h"
+#include "reports/analysis/order_effects.h"
 #include "reports/analysis/quality_flags.h"
 #include "reports/analysis/rating_analysis.h"
 #include "reports/analysis/screening.h"
@@ -41,6 +42,7 @@ struct StudyAnalysis {
     Depth depth = Depth::Whole;
     std::vector<QuestionAnalysis> questions;  ///< in the order of the study
     std::vector<ConditionSpeed> speed;        ///< by condition, of the first choice question
+    OrderEffects order;
     std::vector<QualityFlag> flags;
     Screening screening;
     std::shared_ptr<const StudyAnalysis>

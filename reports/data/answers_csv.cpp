@@ -1,6 +1,7 @@
 #include "reports/data/answers_csv.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 #include <string_view>
@@ -18,8 +19,10 @@ namespace {
 struct QuestionColumns {
     QuestionInfo info;
     std::optional<std::size_t> value;  ///< ID_correct, the rating or the words
-    std::optional<std::size_t> seconds;
+    std::optional<std::size_t> time;
     std::optional<std::size_t> answer;
+    std::optional<std::size_t> trial;
+    std::optional<std::size_t> sitting;
 };
 
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
@@ -97,7 +100,7 @@ private:
             if (known.info.id == id) return known;
         requireGoodId(id);
         const protocols::Question* asked = inProtocol(id);
-        m_questions.push_back({{id, asked != nullptr ? asked->text : std::string(), {}}, {}, {}, {}});
+        m_questions.push_back({{id, asked != nullptr ? asked->text : std::string(), {}}, {}, {}, {}, {}, {}});
         return m_questions.back();
     }
 
@@ -130,17 +133,35 @@ private:
     void readColumn(const std::string& name, std::size_t index)
     {
         if (std::ranges::find(designColumns, name) != std::end(designColumns)) return;
+        if (inProtocol(name) == nullptr && isPlaceColumn(name, index)) return;
         if (const auto id = stem(name, "_correct"))
             setValueColumn(*id, index, choiceKind(*id));
         else if (const auto timed = stem(name, "_seconds"))
-            question(*timed).seconds = index;
+            question(*timed).time = index;
         else if (const auto answered = stem(name, "_answer"))
             question(*answered).answer = index;
         else if (isUsualName(name) || inProtocol(name) != nullptr)
             setValueColumn(name, index, openKind(name));
         else
             fail("the column \"" + name + "\" is unknown", headerRow(),
-                 "participant, fabric, condition, group, session, repetition, Qn, Qn_correct, Qn_seconds or Qn_answer");
+                 "participant, fabric, condition, group, session, repetition, trial, sitting, Qn, or Qn with _correct, _seconds, "
+                 "_answer, _trial or _sitting");
+    }
+
+    /// "trial" and "sitting" hold for every question of the row, "Q1_trial" and "Q1_sitting" for one.
+    bool isPlaceColumn(const std::string& name, std::size_t index)
+    {
+        if (name == "trial")
+            m_trial = index;
+        else if (name == "sitting")
+            m_sitting = index;
+        else if (const auto shown = stem(name, "_trial"))
+            question(*shown).trial = index;
+        else if (const auto sat = stem(name, "_sitting"))
+            question(*sat).sitting = index;
+        else
+            return false;
+        return true;
     }
 
     void setValueColumn(const std::string& id, std::size_t index, const protocols::AnswerKind& kind)
@@ -235,12 +256,38 @@ private:
         remember(m_data.participants, participant);
         remember(m_data.fabrics, fabric);
         remember(m_data.conditions, condition);
+        const std::optional<int> session = sessionIn(row, participant);
         for (const QuestionColumns& columns : m_questions)
             if (const auto content = contentIn(row, columns)) {
                 StudyResponse response{participant, fabric, condition, columns.info.id, *content, {}, repetition};
-                if (columns.seconds) response.seconds = protocols::numberOrMissing(m_table, row, *columns.seconds);
+                if (columns.time) response.seconds = protocols::numberOrMissing(m_table, row, *columns.time);
+                response.trial = countIn(row, columns.trial ? columns.trial : m_trial);
+                const auto sitting = columns.sitting ? columns.sitting : m_sitting;
+                response.sitting = sitting ? countIn(row, sitting) : session;
                 m_data.responses.push_back(response);
             }
+    }
+
+    /// The number of the row's session in the order of the participant's rows, from 1.
+    std::optional<int> sessionIn(std::size_t row, const std::string& participant)
+    {
+        const auto column = m_table.column("session");
+        if (!column || protocols::isMissing(cell(row, *column))) return std::nullopt;
+        std::vector<std::string>& sessions = m_sessions[participant];
+        remember(sessions, cell(row, *column));
+        return static_cast<int>(std::ranges::find(sessions, cell(row, *column)) - sessions.begin()) + 1;
+    }
+
+    /// A whole number from 1; none where there is no such column or the cell is missing.
+    std::optional<int> countIn(std::size_t row, const std::optional<std::size_t>& column) const
+    {
+        const auto number = column ? protocols::numberOrMissing(m_table, row, *column) : std::nullopt;
+        if (!number) return std::nullopt;
+        constexpr double largest = 1e9;
+        if (!(*number >= 1 && *number <= largest) || *number != std::floor(*number))
+            fail("\"" + cell(row, *column) + "\" is not a number of a trial or sitting",
+                 nameOf(row) + ", column " + m_table.columns[*column], "a whole number from 1");
+        return static_cast<int>(*number);
     }
 
     /// None where the cell is missing.
@@ -279,6 +326,8 @@ private:
     protocols::CsvTable m_table;
     StudyData m_data;
     std::vector<QuestionColumns> m_questions;
+    std::optional<std::size_t> m_trial, m_sitting;
+    std::map<std::string, std::vector<std::string>> m_sessions;  ///< of each participant, in the order of the rows
     std::set<std::tuple<std::string, std::string, std::string, std::string>> m_seen;  ///< cells with their repetitions
     std::map<std::tuple<std::string, std::string, std::string>, std::size_t> m_rowsOfCell;
 };

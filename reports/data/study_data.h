@@ -39,8 +39,10 @@ struct StudyResponse {
     std::string condition;  ///< an id, or a K-label while the study is blinded
     std::string question;   ///< "Q1"
     AnswerContent content;
-    std::optional<double> seconds = {};
-    std::string repetition = {};  ///< name of the repetition and session; empty where a cell is asked once
+    std::optional<double> seconds = {};  ///< as recorded; the analysis reads it through responseTimeOf()
+    std::string repetition = {};         ///< name of the repetition and session; empty where a cell is asked once
+    std::optional<int> trial = {};       ///< place in the participant's running order, from 1
+    std::optional<int> sitting = {};     ///< number of times that the session was opened, from 1
 };
 
 /// How the answers to a question are analysed. Several kinds of answer can share one scoring.

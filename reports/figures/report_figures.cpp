@@ -2,6 +2,7 @@
 
 #include <iterator>
 
+#include "reports/figures/accuracy_figures.h"
 #include "reports/figures/contrasts_figures.h"
 #include "reports/figures/matches_figures.h"
 #include "reports/figures/participants_figures.h"
@@ -13,7 +14,7 @@ namespace {
 
 using FigureFamily = std::vector<Figure> (*)(const StudyAnalysis&);
 
-constexpr FigureFamily families[] = {matchesFigures, ratingsFigures, participantsFigures, contrastsFigures};
+constexpr FigureFamily families[] = {matchesFigures, ratingsFigures, participantsFigures, contrastsFigures, accuracyFigures};
 
 }  // namespace
 

@@ -6,6 +6,7 @@
 
 #include "reports/json/effects_json.h"
 #include "reports/json/model_json.h"
+#include "reports/json/speed_json.h"
 #include "reports/text/plain_words.h"
 #include "stats/power/measured_claims.h"
 
@@ -129,6 +130,13 @@ Json byRenderingPart(const StudyData& data, const ChoiceAnalysis& choices)
     return part;
 }
 
+Json speedContrastsPart(const StudyData&, const ChoiceAnalysis& choices) { return speedContrastsJson(choices.speed); }
+
+Json conditionalAccuracyPart(const StudyData& data, const ChoiceAnalysis& choices)
+{
+    return accuracyBySpeedJson(data.conditions, choices.accuracyBySpeed);
+}
+
 struct ChoiceKey {
     std::string suffix;
     std::function<Json(const StudyData&, const ChoiceAnalysis&)> part;
@@ -137,10 +145,16 @@ struct ChoiceKey {
 const std::vector<ChoiceKey>& choiceKeys()
 {
     static const std::vector<ChoiceKey> keys{
-        {"_per_condition", perConditionPart},    {"_cochran", cochranPart},
-        {"_participant_level", participantPart}, {"_glmm", modelPart},
-        {"_glmm_crossed", crossedModelPart},     {"_sensitivity", sensitivityPart},
-        {"_confusion", confusionPart},           {"_matches_by_rendering", byRenderingPart},
+        {"_per_condition", perConditionPart},
+        {"_cochran", cochranPart},
+        {"_participant_level", participantPart},
+        {"_glmm", modelPart},
+        {"_glmm_crossed", crossedModelPart},
+        {"_sensitivity", sensitivityPart},
+        {"_confusion", confusionPart},
+        {"_matches_by_rendering", byRenderingPart},
+        {"_speed_accuracy_contrasts", speedContrastsPart},
+        {"_conditional_accuracy", conditionalAccuracyPart},
     };
     return keys;
 }

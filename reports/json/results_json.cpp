@@ -154,6 +154,9 @@ Json speedPart(const StudyAnalysis& analysis)
         put(row, "median_seconds", analysis.speed[i].medianSeconds);
         put(row, "bits_per_second", analysis.speed[i].bitsPerSecond);
         put(row, "bis", analysis.speed[i].balancedIntegrationScore);
+        put(row, "bits_per_second_ci95", analysis.speed[i].bitsPerSecondCi95);
+        put(row, "bis_ci95", analysis.speed[i].scoreCi95);
+        putReasonsLast(row);
         part[analysis.data.conditions[i]] = std::move(row);
     }
     return part;

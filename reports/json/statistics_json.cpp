@@ -11,6 +11,7 @@
 #include "reports/json/json_fields.h"
 #include "reports/json/model_json.h"
 #include "reports/json/rating_statistics_json.h"
+#include "reports/json/speed_json.h"
 
 namespace reports {
 namespace {
@@ -155,8 +156,17 @@ std::vector<std::string> topLevelKeys(const QuestionAnalysis& question)
 /// another question. Choice questions come first, so that "q1_cochran" as a question's id does not displace Q1.
 std::set<std::string> displacedQuestions(const StudyAnalysis& analysis)
 {
-    std::set<std::string> taken{"schema",       "data",           "questions",     "screening",     "groups",
-                                "false_claims", "response_times", "lmm_contrasts", "lmm_variances", "lmm_leave_one_fabric_out",
+    std::set<std::string> taken{"schema",
+                                "data",
+                                "questions",
+                                "screening",
+                                "groups",
+                                "false_claims",
+                                "response_times",
+                                "order_effects",
+                                "lmm_contrasts",
+                                "lmm_variances",
+                                "lmm_leave_one_fabric_out",
                                 "why"};
     for (const std::string& key : effectKeys()) taken.insert(key);
     std::set<std::string> displaced;
@@ -208,6 +218,7 @@ nlohmann::ordered_json statisticsJson(const StudyAnalysis& analysis)
     statistics["false_claims"] = falseClaimsPart(analysis);
     statistics["screening"] = screeningPart(analysis);
     statistics["response_times"] = responseTimesPart(analysis);
+    statistics["order_effects"] = orderEffectsJson(analysis.order);
     return statistics;
 }
 

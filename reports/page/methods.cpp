@@ -5,6 +5,7 @@
 
 #include "protocols/files/markup_text.h"
 #include "protocols/files/number_text.h"
+#include "reports/analysis/response_time.h"
 #include "reports/text/number_text.h"
 #include "reports/text/plain_words.h"
 
@@ -164,15 +165,30 @@ std::string measuredSizesParagraph()
 
 std::string speedParagraph(const ChoiceQuestions& questions)
 {
-    return "<b>Speed and accuracy</b> are those of " + protocols::escapedMarkup(questions.front().id()) +
-           ". Response time runs from the first touch to the spoken answer. Bits per second are the information of one choice "
+    return "<b>Speed and accuracy</b> are those of " + protocols::escapedMarkup(questions.front().id()) + ". " +
+           responseTimeSentence() +
+           " Bits per second are the information of one choice "
            "among m = " +
            std::to_string(questions.front().findings.alternatives) +
            " divided by the mean time. That information is log<sub>2</sub> m + p log<sub>2</sub> p + (1 &minus; p) "
            "log<sub>2</sub>((1 &minus; p)/(m &minus; 1)) for a share correct p, and 0 at or below chance. The balanced "
            "integration score is the z score of the share correct minus the z score of the mean time. Both are taken over all "
            "participant &times; condition cells (population SD) and averaged by condition. Higher is better, and 0 is the "
-           "average.";
+           "average. The interval of bits per second is that of a ratio (MOVER): the limits of the share correct and of the mean "
+           "time are Student's t over participants. The interval of the score is Student's t over the participants' scores. "
+           "Conditions are compared by paired t tests over participants: of jackknife pseudo-values of bits per second, of the "
+           "scores, and of the mean logarithms of the time. Holm's correction covers the contrasts of a measure. These results "
+           "hold for new participants and these fabrics. The share correct by response time uses quarters of each participant's "
+           "own times. Slow conditions may also be hard ones, so its trend is that at equal condition and fabric.";
+}
+
+std::string orderParagraph()
+{
+    return "<b>Order, learning and fatigue.</b> For each participant, least squares give the change of the answers over the "
+           "trials, with effects of condition and fabric. The same is done for the logarithm of the response time, and for later "
+           "sittings against the first. The mean of the participants' slopes is tested by Student's t, for these fabrics. "
+           "Where the running orders balance the conditions over the trials, a change over trials adds noise and no bias. "
+           "As a check, one contrast of each question is also shown without each participant's own trend.";
 }
 
 std::string participantsParagraph(const StudyData& data)
@@ -218,6 +234,7 @@ std::vector<std::string> methodParagraphs(const StudyAnalysis& analysis)
     if (hasChoices || hasRatings) paragraphs.push_back(omnibusParagraph(hasChoices, hasRatings));
     if (hasChoices || hasRatings) paragraphs.push_back(measuredSizesParagraph());
     if (hasChoices) paragraphs.push_back(speedParagraph(choices));
+    if (!analysis.order.questions.empty()) paragraphs.push_back(orderParagraph());
     if (hasWords) paragraphs.push_back(wordsParagraph());
     paragraphs.push_back(participantsParagraph(analysis.data));
     paragraphs.push_back(missingParagraph());

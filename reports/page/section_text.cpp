@@ -4,6 +4,7 @@
 #include "reports/page/findings.h"
 #include "reports/page/html_parts.h"
 #include "reports/page/methods.h"
+#include "reports/page/order_text.h"
 #include "reports/text/number_text.h"
 #include "reports/text/plain_words.h"
 
@@ -90,12 +91,31 @@ std::string signalsLead(const StudyData& data)
 std::string qualityLead(const StudyAnalysis& analysis)
 {
     const Completeness& completeness = analysis.completeness;
+    const std::vector<std::string> order = orderSentences(analysis);
     const std::size_t missing = completeness.missing(), voided = analysis.data.voided;
     const std::string counts = std::to_string(completeness.present) + " of " + counted(completeness.expected, "expected answer") +
                                (completeness.present == 1 ? " is" : " are") + " analysed, " + std::to_string(missing) +
                                (missing == 1 ? " is" : " are") + " missing. " + counted(voided, "presentation") +
                                (voided == 1 ? " was" : " were") + " voided.";
-    return paragraph(counts) + (analysis.flags.empty() ? paragraph("Nothing is flagged.") : std::string());
+    return paragraph(counts) + (analysis.flags.empty() ? paragraph("Nothing is flagged.") : std::string()) +
+           (order.empty() ? std::string() : bulletList(order));
+}
+
+/// The trend of the share correct with the response time, where it has an interval.
+std::string speedLead(const StudyAnalysis& analysis)
+{
+    std::string text;
+    for (const auto& question : questionsWith<ChoiceAnalysis>(analysis)) {
+        const stats::TTest& test = question.findings.accuracyBySpeed.trend.test;
+        if (!test.why.empty()) continue;
+        text +=
+            paragraph(protocols::escapedMarkup(question.id()) +
+                      ": when a response takes twice as long, the share correct changes by " + typeset(fixed(*test.estimate, 2)) +
+                      " (95 % interval [" + typeset(fixed(*test.ci.low, 2)) + ", " + typeset(fixed(*test.ci.high, 2)) +
+                      "]), at equal condition and fabric. This holds for these fabrics. It is no proof that more time helps: "
+                      "hard choices also take longer.");
+    }
+    return text;
 }
 
 std::string flagRules()
@@ -137,7 +157,7 @@ std::string sectionLead(PageSection section, const StudyAnalysis& analysis)
                 "difference "
                 "need not come from what the groups are named after.");
         case PageSection::Speed:
-            return {};
+            return speedLead(analysis);
         case PageSection::Signals:
             return signalsLead(analysis.data);
         case PageSection::Quality:

@@ -9,6 +9,7 @@
 #include "reports/tables/group_tables.h"
 #include "reports/tables/measured_size_tables.h"
 #include "reports/tables/omnibus_tables.h"
+#include "reports/tables/order_tables.h"
 #include "reports/tables/overview_tables.h"
 #include "reports/tables/pair_tables.h"
 #include "reports/tables/quality_tables.h"
@@ -24,8 +25,8 @@ namespace {
 using TableFamily = std::vector<ReportTable> (*)(const StudyAnalysis&);
 
 constexpr TableFamily families[] = {overviewTables, choiceTables,  ratingTables,     wordedTables,      claimTables,
-                                    pairTables,     omnibusTables, effectTables,     groupTables,       speedTables,
-                                    signalTables,   qualityTables, falseClaimTables, measuredSizeTables};
+                                    pairTables, omnibusTables, effectTables, groupTables, speedTables, signalTables, qualityTables,
+                                    orderTables, falseClaimTables, measuredSizeTables};
 
 }  // namespace
 

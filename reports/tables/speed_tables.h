@@ -1,4 +1,4 @@
-// Speed and accuracy of the matching task by condition.
+// Speed and accuracy of the choice questions: by condition, between conditions, and by response time.
 #pragma once
 
 #include <vector>

@@ -1,5 +1,6 @@
 #include "study/records/stored_study.h"
 
+#include <algorithm>
 #include <set>
 #include <tuple>
 
@@ -43,15 +44,39 @@ reports::AnswerContent contentOf(const database::AnswerRecord& record, const pro
     return reports::WordedAnswer{text};
 }
 
+/// One presentation of a trial.
+using PresentationKey = std::tuple<protocols::ParticipantId, protocols::TrialNumber, int>;
+
+PresentationKey keyOf(const database::CurrentAnswer& answer) { return {answer.participant, answer.record.trial, answer.attempt}; }
+
 reports::StudyResponse responseOf(const database::CurrentAnswer& answer, const Naming::Entry& entry,
-                                  const protocols::AnswerKind& kind)
+                                  const protocols::AnswerKind& kind, int place)
 {
-    return {answer.participant.value,
-            entry.fabric.value,
-            entry.condition,
-            answer.record.question.value,
-            contentOf(answer.record, entry.fabric, kind),
-            answer.seconds};
+    return {.participant = answer.participant.value,
+            .fabric = entry.fabric.value,
+            .condition = entry.condition,
+            .question = answer.record.question.value,
+            .content = contentOf(answer.record, entry.fabric, kind),
+            .seconds = answer.seconds,
+            .trial = place,
+            .sitting = answer.sitting};
+}
+
+/// The place of each presentation among those that its participant answered, from 1, in the order of time. A presentation that
+/// was voided after an answer counts, because it took its time.
+std::map<PresentationKey, int> placesInTime(const std::vector<database::CurrentAnswer>& answers)
+{
+    std::map<PresentationKey, std::int64_t> firstEvents;
+    for (const auto& answer : answers) {
+        const auto [entry, isNew] = firstEvents.emplace(keyOf(answer), answer.event);
+        if (!isNew) entry->second = std::min(entry->second, answer.event);
+    }
+    std::map<std::pair<protocols::ParticipantId, std::int64_t>, PresentationKey> inTime;
+    for (const auto& [key, event] : firstEvents) inTime.emplace(std::pair(std::get<0>(key), event), key);
+    std::map<protocols::ParticipantId, int> counts;
+    std::map<PresentationKey, int> places;
+    for (const auto& [when, key] : inTime) places[key] = ++counts[when.first];
+    return places;
 }
 
 /// Sorts the current answers into analysed answers, answers to blank glass, and a count of voided presentations.
@@ -59,16 +84,18 @@ void readAnswers(const database::StudyStore& store, const protocols::Protocol& p
                  reports::StudyData& data)
 {
     const std::set<std::string> analysed(data.participants.begin(), data.participants.end());
-    std::set<std::tuple<protocols::ParticipantId, protocols::TrialNumber, int>> voided;
-    for (const auto& answer : store.answers()) {
+    std::set<PresentationKey> voided;
+    const auto answers = store.answers();
+    const auto places = placesInTime(answers);
+    for (const auto& answer : answers) {
         if (!analysed.contains(answer.participant.value)) continue;
         const auto& entry = naming.entries.at(answer.record.fileCode);
         const auto* question = questionWith(protocol, answer.record.question);
         if (answer.voided)
-            voided.emplace(answer.participant, answer.record.trial, answer.attempt);
+            voided.insert(keyOf(answer));
         else if (question != nullptr)
             (entry.condition == protocols::catchTrialId().value ? data.catchResponses : data.responses)
-                .push_back(responseOf(answer, entry, question->kind));
+                .push_back(responseOf(answer, entry, question->kind, places.at(keyOf(answer))));
     }
     data.voided = voided.size();
 }

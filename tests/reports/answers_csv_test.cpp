@@ -48,6 +48,24 @@ private Q_SLOTS:
         QVERIFY(data.questions[1].kind == protocols::AnswerKind(protocols::Rating{}));
     }
 
+    /// Of a question its own column counts, then that of the row, then the order of the sessions.
+    void trialsAndSittingsAreRead()
+    {
+        QTemporaryDir folder;
+        const auto data = reports::readAnswersCsv(written(folder,
+                                                          "participant,fabric,condition,trial,sitting,Q1_correct,Q2,Q2_trial\n"
+                                                          "P1,F1,a,7,1,1,5,64\nP1,F2,a,,2,1,5,NA\n"));
+        QVERIFY(data.responses[0].trial == 7 && data.responses[1].trial == 64);
+        QVERIFY(!data.responses[2].trial && !data.responses[3].trial);
+        QVERIFY(data.responses[0].sitting == 1 && data.responses[3].sitting == 2);
+        const auto sessions = reports::readAnswersCsv(written(folder,
+                                                              "participant,fabric,condition,session,Q2\n"
+                                                              "P1,F1,a,b,5\nP1,F1,a,a,6\nP2,F1,a,a,5\nP2,F1,a,b,5\n"));
+        std::vector<int> sittings;
+        for (const auto& response : sessions.responses) sittings.push_back(response.sitting.value_or(0));
+        QCOMPARE(sittings, (std::vector<int>{1, 2, 1, 2}));
+    }
+
     void faultsNameTheirRow_data()
     {
         QTest::addColumn<QString>("text");
@@ -57,6 +75,10 @@ private Q_SLOTS:
         QTest::newRow("comma as decimal point") << head + "P1,F1,a,1,\"5,4\"\n" << QStringList{"line 2", "5,4"};
         QTest::newRow("number with a tail") << head + "P1,F1,a,1,5.4x\n" << QStringList{"line 2", "5.4x"};
         QTest::newRow("infinite") << head + "P1,F1,a,1,inf\n" << QStringList{"line 2", "inf"};
+        QTest::newRow("trial 0") << "participant,fabric,condition,trial,Q2\nP1,F1,a,0,5\n"
+                                 << QStringList{"line 2", "column trial", "a whole number from 1"};
+        QTest::newRow("half a sitting") << "participant,fabric,condition,Q2_sitting,Q2\nP1,F1,a,1.5,5\n"
+                                        << QStringList{"line 2", "Q2_sitting", "1.5"};
         QTest::newRow("neither right nor wrong") << head + "P1,F1,a,2,5\n" << QStringList{"line 2", "Q1_correct", "0 or 1"};
         QTest::newRow("doubled") << head + "P1,F1,a,1,5\nP1,F1,a,0,6\n" << QStringList{"line 3", "twice"};
         QTest::newRow("short row") << head + "P1,F1,a,1\n" << QStringList{"line 2", "4 cells"};

@@ -77,12 +77,61 @@ bis <- z(as.vector(meansOf("Q1_correct"))) - z(as.vector(meansOf("Q1_seconds")))
 bisOf <- colMeans(matrix(bis, length(participants), dimnames = list(participants, conditions)))
 # Wolpaw et al. 1998.
 bits <- function(p, m) if (p <= 1 / m) 0 else log2(m) + p * log2(p) + ifelse(p < 1, (1 - p) * log2((1 - p) / (m - 1)), 0)
+bisCells <- matrix(bis, length(participants), dimnames = list(participants, conditions))
+# Limits of a ratio from those of its parts, Student's t over participants (MOVER: Donner and Zou 2012).
+rateInterval <- function(condition) {
+  ps <- t.test(meansOf("Q1_correct")[, condition])$conf.int; b <- t.test(meansOf("Q1_seconds")[, condition])$conf.int
+  p <- bits(correctIn(condition) / trialsIn(condition), 3); t <- mean(inCondition(condition, "Q1_seconds"))
+  l <- bits(max(0, ps[1]), 3); u <- bits(min(1, ps[2]), 3)
+  c((p * t - sqrt((p * t)^2 - l * b[2] * (2 * p - l) * (2 * t - b[2]))) / (b[2] * (2 * t - b[2])),
+    (p * t + sqrt((p * t)^2 - u * b[1] * (2 * p - u) * (2 * t - b[1]))) / (b[1] * (2 * t - b[1])))
+}
 speed <- function(condition) {
   seconds <- inCondition(condition, "Q1_seconds")
   list(median_seconds = number(median(seconds)),
        bits_per_second = number(bits(correctIn(condition) / trialsIn(condition), 3) / mean(seconds)),
-       bis = number(bisOf[condition]))
+       bis = number(bisOf[condition]), bits_per_second_ci95 = rateInterval(condition),
+       bis_ci95 = t.test(bisCells[, condition])$conf.int[1:2])
 }
+choices <- answers[!is.na(answers$Q1_correct), ]
+# Jackknife pseudo-values of bits per second (Tukey 1958).
+pseudo <- sapply(conditions, function(condition) {
+  rate <- function(d) bits(mean(d$Q1_correct), 3) / mean(d$Q1_seconds)
+  d <- choices[choices$condition == condition, ]; n <- length(participants)
+  sapply(participants, function(p) n * rate(d) - (n - 1) * rate(d[d$participant != p, ])) })
+logTimes <- tapply(log(choices$Q1_seconds), list(choices$participant, choices$condition), mean)[participants, conditions]
+meanTest <- function(x) {
+  test <- t.test(x)
+  list(n = number(length(x)), estimate = number(test$estimate), ci95 = test$conf.int[1:2], statistic = number(test$statistic),
+       df = number(test$parameter), p = number(test$p.value))
+}
+measures <- list(bits_per_second = pseudo, bis = bisCells, log_seconds = logTimes)
+speedTests <- lapply(measures, function(x) lapply(pairs, function(pair) meanTest(x[, pair[1]] - x[, pair[2]])))
+speedHolm <- lapply(speedTests, function(tests) p.adjust(sapply(tests, function(test) test$p), "holm"))
+speedContrasts <- do.call(c, lapply(seq_along(pairs), function(i) lapply(names(measures), function(measure) {
+  c(list(a = unbox(pairs[[i]][1]), b = unbox(pairs[[i]][2]), measure = unbox(measure), primary = unbox(FALSE),
+         planned = unbox(FALSE), generalises_to = unbox("these_fabrics")), speedTests[[measure]][[i]],
+    list(p_holm = number(speedHolm[[measure]][i]))) })))
+# Conditional accuracy: parts of each participant's own times, with at least two choices in a part.
+binned <- function(d, count) {
+  ends <- quantile(d$Q1_seconds, seq_len(count - 1) / count)
+  bin <- factor(1 + rowSums(outer(d$Q1_seconds, ends, ">")), levels = seq_len(count))
+  data.frame(bin = seq_len(count), n = as.vector(table(bin)), seconds = as.vector(tapply(d$Q1_seconds, bin, mean)),
+             share = as.vector(tapply(d$Q1_correct, bin, mean)))
+}
+bins <- function(d, count) {
+  parts <- Filter(function(one) nrow(one) >= 2 * count, split(d, d$participant))
+  rows <- do.call(rbind, lapply(parts, binned, count))
+  lapply(seq_len(count), function(k) {
+    x <- rows[rows$bin == k, ]; interval <- t.test(x$share)$conf.int
+    list(bin = number(k), choices = number(sum(x$n)), participants = number(nrow(x)), mean_seconds = number(mean(x$seconds)),
+         proportion = number(mean(x$share)), ci95 = c(max(0, interval[1]), min(1, interval[2]))) })
+}
+accuracySlopes <- sapply(split(choices, choices$participant), function(d)
+  coef(lm(Q1_correct ~ log2(Q1_seconds) + condition + fabric, d))[2])
+conditionalAccuracy <- list(
+  bins = bins(choices, 4), conditions = named(conditions, function(c) bins(choices[choices$condition == c, ], 2)),
+  trend = c(list(generalises_to = unbox("these_fabrics"), per = unbox("doubling of the response time")), meanTest(accuracySlopes)))
 times <- function(column) function(condition) {
   seconds <- if (is.null(column)) numeric() else inCondition(condition, column)
   if (length(seconds) == 0) return(list(n = number(0)))
@@ -328,6 +377,7 @@ statistics <- list(
               missing_by_condition = missingIn),
   q1_per_condition = unname(perCondition), q1_cochran = cochran, q1_participant_level = participantLevel, q1_glmm = glmm,
   q1_sensitivity = named(conditions, sensitivity), q1_confusion = confusion, q1_matches_by_rendering = byRendering,
+  q1_speed_accuracy_contrasts = list(contrasts = speedContrasts), q1_conditional_accuracy = conditionalAccuracy,
   Q2 = ratingStatistics("Q2"), Q3 = ratingStatistics("Q3"),
   reliability = list(Q2 = agreement("Q2"), Q3 = agreement("Q3")),
   bayes_factors = list(Q1 = bayesFactors("Q1_correct"), Q2 = bayesFactors("Q2"), Q3 = bayesFactors("Q3")),

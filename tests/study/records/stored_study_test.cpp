@@ -1,0 +1,49 @@
+// The answers of a stored study as the report gets them.
+#include "study/records/stored_study.h"
+
+#include <QTemporaryDir>
+#include <QtTest>
+#include <map>
+
+#include "tests/support/played_session.h"
+#include "tests/support/study_builder.h"
+
+using tests::support::OpenSession;
+
+class StoredStudyTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    /// Twelve presentations; the second is voided after its answer and takes its time all the same. The session is opened twice.
+    void answersCarryTheirPlaceAndSitting()
+    {
+        QTemporaryDir place;
+        const auto folder = tests::support::buildStudy(place.filePath("study").toStdString());
+        {
+            OpenSession session(folder, "S01");
+            session.playUntilAnswers(2);
+            session.send(study::session::Voided{"wrong swatch"});
+            session.playUntilAnswers(3);
+        }
+        OpenSession session(folder, "S01");
+        session.playToEnd();
+        const reports::StudyData data = study::records::studyData(session.store);
+        QCOMPARE(data.responses.size(), std::size_t(24));
+        std::map<int, std::size_t> answersAt;
+        std::map<std::string, std::map<int, int>> sittings;
+        for (const reports::StudyResponse& response : data.responses) {
+            ++answersAt[response.trial.value()];
+            ++sittings[response.question][response.sitting.value()];
+        }
+        // Place 2 is that of the voided presentation; then six matches in all, and six presentations with three ratings each.
+        const std::map<int, std::size_t> expected{{1, 1}, {3, 1}, {4, 1},  {5, 1},  {6, 1},  {7, 1},
+                                                  {8, 3}, {9, 3}, {10, 3}, {11, 3}, {12, 3}, {13, 3}};
+        QCOMPARE(answersAt, expected);
+        QCOMPARE(sittings["Q1"][1] + sittings["Q1"][2], 6);
+        QVERIFY(sittings["Q1"][1] >= 2 && sittings["Q1"][2] >= 3);
+        QCOMPARE(sittings["Q2"], (std::map<int, int>{{2, 6}}));
+    }
+};
+
+QTEST_GUILESS_MAIN(StoredStudyTest)
+#include "stored_study_test.moc"

@@ -57,6 +57,7 @@ RatingAnalysis analyseRatings(const StudyData& data, const AnswerCells& cells, c
     analysis.modelContrasts = modelContrasts(data, analysis.model);
     analysis.leaveOneFabricOut = leaveOneFabricOut(data, answers, analysis.model, depth);
     analysis.effects = ratingEffects(data, cells, question, analysis.claims, analysis.anova, answers, analysis.model);
+    analysis.ordinal = ordinalRatings(crossedAnswers(data, cells, question), scale, depth);
     return analysis;
 }
 

@@ -8,6 +8,7 @@
 #include "reports/analysis/analysis_options.h"
 #include "reports/analysis/answer_cells.h"
 #include "reports/analysis/model_contrasts.h"
+#include "reports/analysis/ordinal_ratings.h"
 #include "reports/analysis/pair_comparisons.h"
 #include "reports/analysis/question_claims.h"
 #include "reports/analysis/question_effects.h"
@@ -46,6 +47,7 @@ struct RatingAnalysis {
     std::vector<ModelContrast> modelContrasts;
     LeaveOneFabricOut leaveOneFabricOut;
     QuestionEffects effects;
+    OrdinalRatings ordinal;
 };
 
 /// `scale` holds every rating of the question.

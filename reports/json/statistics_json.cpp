@@ -10,6 +10,7 @@
 #include "reports/json/group_json.h"
 #include "reports/json/json_fields.h"
 #include "reports/json/model_json.h"
+#include "reports/json/ordinal_json.h"
 #include "reports/json/rating_statistics_json.h"
 #include "reports/json/speed_json.h"
 
@@ -167,6 +168,8 @@ std::set<std::string> displacedQuestions(const StudyAnalysis& analysis)
                                 "lmm_contrasts",
                                 "lmm_variances",
                                 "lmm_leave_one_fabric_out",
+                                "rating_ordinal",
+                                "rating_ordinal_by_question",
                                 "why"};
     for (const std::string& key : effectKeys()) taken.insert(key);
     std::set<std::string> displaced;
@@ -214,6 +217,12 @@ nlohmann::ordered_json statisticsJson(const StudyAnalysis& analysis)
     for (const QuestionAnalysis& question : analysis.questions)
         if (const QuestionEffects* effects = effectsOf(question))
             putEffects(statistics, question.question.id, *effects, unitOf(question));
+    for (const auto& question : questionsWith<RatingAnalysis>(analysis)) {
+        // The reference report has one such model, that of the last question.
+        const Json ordinal = ordinalRatingsJson(question.id(), question.findings.ordinal);
+        statistics["rating_ordinal"] = ordinal;
+        statistics["rating_ordinal_by_question"][question.id()] = ordinal;
+    }
     if (!analysis.groups.questions.empty()) statistics["groups"] = groupsJson(analysis);
     statistics["false_claims"] = falseClaimsPart(analysis);
     statistics["screening"] = screeningPart(analysis);

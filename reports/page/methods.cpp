@@ -142,7 +142,8 @@ std::string omnibusParagraph(bool hasChoices, bool hasRatings)
     if (hasRatings)
         text +=
             " The model of ratings has random intercepts of participant, fabric and their interactions with condition (REML, "
-            "Satterthwaite's degrees of freedom).";
+            "Satterthwaite's degrees of freedom). The cumulative logit model takes ratings as ordered categories. It has random "
+            "intercepts of participant and fabric (Laplace approximation), and no claim rests on it.";
     if (hasChoices)
         text +=
             " The logistic models of choices have random intercepts of participant and fabric, and in the second their "

@@ -10,6 +10,7 @@
 #include "reports/tables/measured_size_tables.h"
 #include "reports/tables/omnibus_tables.h"
 #include "reports/tables/order_tables.h"
+#include "reports/tables/ordinal_tables.h"
 #include "reports/tables/overview_tables.h"
 #include "reports/tables/pair_tables.h"
 #include "reports/tables/quality_tables.h"
@@ -25,8 +26,8 @@ namespace {
 using TableFamily = std::vector<ReportTable> (*)(const StudyAnalysis&);
 
 constexpr TableFamily families[] = {overviewTables, choiceTables,  ratingTables,     wordedTables,      claimTables,
-                                    pairTables, omnibusTables, effectTables, groupTables, speedTables, signalTables, qualityTables,
-                                    orderTables, falseClaimTables, measuredSizeTables};
+                                    pairTables, omnibusTables, ordinalTables, effectTables, groupTables, speedTables, signalTables,
+                                    qualityTables, orderTables, falseClaimTables, measuredSizeTables};
 
 }  // namespace
 

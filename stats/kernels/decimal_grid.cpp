@@ -40,6 +40,22 @@ std::optional<DecimalGrid> decimalGridOf(std::span<const double> x)
     return grid;
 }
 
+std::vector<double> roundedHalvesUp(std::span<const double> x, double unit)
+{
+    std::vector<double> rounded;
+    for (const double value : x) {
+        const auto grid = decimalGridOf(std::array{value, unit});
+        if (!std::isfinite(value) || !grid) {
+            rounded.push_back(std::floor(value / unit + 0.5) * unit);
+            continue;
+        }
+        const std::int64_t half = 2 * grid->units[0] + grid->units[1], whole = 2 * grid->units[1];
+        const std::int64_t multiple = half / whole - (half % whole < 0 ? 1 : 0);
+        rounded.push_back(static_cast<double>(multiple * grid->units[1]) / grid->unitsPerOne());
+    }
+    return rounded;
+}
+
 Value meanOf(std::span<const double> x)
 {
     if (x.empty()) return Value::undefined("there are no values");

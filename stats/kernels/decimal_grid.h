@@ -23,6 +23,10 @@ struct DecimalGrid {
 /// Empty where there is no such grid, or where a number exceeds 10^15 units.
 std::optional<DecimalGrid> decimalGridOf(std::span<const double> x);
 
+/// Multiples of `unit` next to the numbers; halves go up. On a decimal grid they are exact: 0.15 is a half of 0.1, although
+/// its double is below. `unit` > 0 is 1, 2 or 5 times a power of ten; NaN stays NaN.
+std::vector<double> roundedHalvesUp(std::span<const double> x, double unit);
+
 /// Mean. On a decimal grid it is exactly rounded: equal sums of equally many ratings give equal means in any
 /// order. Undefined for no values and for values that are not finite.
 Value meanOf(std::span<const double> x);

@@ -54,14 +54,6 @@ private:
     std::vector<Factor> m_kept;
 };
 
-/// Number of random effects of these groups.
-std::size_t levelsOf(const std::vector<Factor>& groups)
-{
-    std::size_t levels = 0;
-    for (const Factor& group : groups) levels += group.levels.size();
-    return levels;
-}
-
 std::string formulaOf(const std::string& response, const std::vector<Factor>& groups)
 {
     std::string formula = response + "~condition";
@@ -116,6 +108,20 @@ RatingModel fitRatings(const CrossedStudy& whole, const MixedModelOptions& optio
     return result;
 }
 
+OrdinalRatingModel fitOrdinal(const CrossedStudy& whole, const OrdinalOptions& options)
+{
+    OrdinalRatingModel result;
+    const CrossedStudy study = named(present(whole, result.leftOut));
+    Groups groups(study.values.size(), result.leftOut);
+    groups.add(study.participant);
+    groups.add(study.fabric);
+    result.formula = formulaOf("rounded", groups.kept());
+    result.conditions = study.condition.levels;
+    result.model = fitOrdinalMixedModel({study.values, study.condition, groups.kept()}, options);
+    result.model.missing = whole.values.size() - study.values.size();
+    return result;
+}
+
 ChoiceModel fitChoices(const CrossedStudy& whole, ChoiceTerms terms, double confidence)
 {
     ChoiceModel result;
@@ -129,12 +135,6 @@ ChoiceModel fitChoices(const CrossedStudy& whole, ChoiceTerms terms, double conf
     }
     result.formula = formulaOf("correct", groups.kept());
     result.conditions = study.condition.levels;
-    if (const std::size_t effects = levelsOf(groups.kept());
-        terms == ChoiceTerms::WithInteractions && effects > mostCrossedEffects) {
-        result.model.why = "the model has " + std::to_string(effects) + " random effects; at most " +
-                           std::to_string(mostCrossedEffects) + " are fitted";
-        return result;
-    }
     result.model =
         fitLogisticMixedModel({study.values, study.condition, groups.kept()},
                               {confidence, terms == ChoiceTerms::WithInteractions ? Curvature::AtTheMode : Curvature::AtOneStep});

@@ -7,6 +7,7 @@
 
 #include "stats/models/logistic_mixed_model.h"
 #include "stats/models/mixed_model.h"
+#include "stats/models/ordinal_mixed_model.h"
 
 namespace stats {
 
@@ -49,10 +50,18 @@ enum class ChoiceTerms {
     WithInteractions,  ///< and of participant x condition and fabric x condition
 };
 
-/// The time of a logistic fit grows with the cube of the number of its random effects.
-inline constexpr std::size_t mostCrossedEffects = 500;
-
-/// Logistic mixed model. With interactions it is refused with a reason for more than mostCrossedEffects random effects.
+/// Logistic mixed model. Refused with a reason where a step of the fit would cost more than mostLaplaceCost.
 ChoiceModel fitChoices(const CrossedStudy& study, ChoiceTerms terms = ChoiceTerms::MainEffects, double confidence = 0.95);
+
+struct OrdinalRatingModel {
+    std::string formula;
+    OrdinalMixedModel model;
+    std::vector<LeftOut> leftOut;
+    std::vector<std::string> conditions;  ///< conditions that have ratings; the first is the reference
+};
+
+/// Cumulative logit mixed model of ratings, with random intercepts of participant and fabric. Each different rating is a
+/// category: round them first (roundedHalvesUp).
+OrdinalRatingModel fitOrdinal(const CrossedStudy& study, const OrdinalOptions& options = {});
 
 }  // namespace stats

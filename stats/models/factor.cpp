@@ -44,6 +44,8 @@ Factor rowsOf(const Factor& factor, std::span<const std::size_t> rows)
     return result;
 }
 
+Factor oneLevel(std::size_t rows) { return {"all", {"all"}, std::vector<std::size_t>(rows)}; }
+
 FixedEffects treatmentCoded(const Factor& factor)
 {
     FixedEffects effects = interceptOnly(factor.of.size());

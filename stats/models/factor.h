@@ -24,6 +24,9 @@ Factor interactionOf(const Factor& a, const Factor& b);
 /// The factor of these rows only. Levels that no row has are left out; the others keep their order.
 Factor rowsOf(const Factor& factor, std::span<const std::size_t> rows);
 
+/// A factor of one level, "all".
+Factor oneLevel(std::size_t rows);
+
 /// Fixed effects: named columns of one length.
 struct FixedEffects {
     std::vector<std::string> names;

@@ -1,10 +1,10 @@
 #include "stats/models/laplace_fit.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "stats/kernels/quasi_newton.h"
-#include "stats/models/laplace_criterion.h"
 
 namespace stats {
 namespace {
@@ -13,23 +13,26 @@ constexpr double startSd = 0.5;
 constexpr double zeroSd = 1e-3;
 constexpr double largestSd = 50;  // log odds; beyond, the likelihood has no maximum
 
-/// First guess of the inverse Hessian: about the information in the choices of each cell.
-Matrix guessedInverse(const LaplaceCriterion& criterion, const std::vector<double>& right, const Factor& cells)
+/// First guess of the inverse Hessian: about the information in the choices of each cell and at each threshold.
+Matrix guessedInverse(const LaplaceCriterion& criterion)
 {
     const std::size_t terms = criterion.termCount();
     Matrix inverse(criterion.parameterCount(), criterion.parameterCount());
     for (std::size_t t = 0; t < terms; ++t) inverse(t, t) = 0.05;
-    std::vector<double> rows(cells.levels.size());
-    for (std::size_t row = 0; row < right.size(); ++row) rows[cells.of[row]] += 1;
-    for (std::size_t c = 0; c < rows.size(); ++c) inverse(terms + c, terms + c) = 2.5 / rows[c];
+    const auto variances = criterion.crudeVariances();
+    for (std::size_t i = 0; i < variances.size(); ++i) inverse(terms + i, terms + i) = variances[i];
     return inverse;
 }
 
-Matrix lowerRightOf(const Matrix& matrix, std::size_t from)
+/// The part from `from` on, with a row and a column of zeros at `anchor`.
+Matrix withAnchor(const Matrix& matrix, std::size_t from, std::size_t anchor)
 {
-    Matrix part(matrix.rows() - from, matrix.rows() - from);
-    for (std::size_t i = from; i < matrix.rows(); ++i)
-        for (std::size_t j = from; j < matrix.rows(); ++j) part(i - from, j - from) = matrix(i, j);
+    const std::size_t n = matrix.rows() - from + 1;
+    Matrix part(n, n);
+    const auto place = [&](std::size_t i) { return from + i - (i > anchor ? 1 : 0); };
+    for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t j = 0; j < n; ++j)
+            if (i != anchor && j != anchor) part(i, j) = matrix(place(i), place(j));
     return part;
 }
 
@@ -48,31 +51,53 @@ Matrix covarianceFrom(Matrix hessian)
 struct Attempt {
     std::vector<std::size_t> kept;  ///< groups in this fit
     Minimum minimum;
-    Matrix covariance;  ///< covariance of standard deviations and means; empty where the criterion is flat
+    std::size_t anchor = 0;
+    Matrix covariance;  ///< covariance of all parameters; empty where the criterion is flat
 
     std::span<const double> sds() const { return std::span(minimum.place).first(kept.size()); }
-    std::span<const double> means() const { return std::span(minimum.place).subspan(kept.size()); }
+    /// Means of the cells, then thresholds without the anchor.
+    std::span<const double> fixed() const { return std::span(minimum.place).subspan(kept.size()); }
 };
 
-/// Fits, and ends with one Newton step, which squares the remaining error.
-Attempt attempted(const std::vector<double>& right, const Factor& cells, const std::vector<Factor>& groups,
-                  std::vector<std::size_t> kept, Curvature curvature, int& evaluations)
+std::string costText(double cost)
 {
-    Attempt attempt{std::move(kept), {}, {}};
-    std::vector<Factor> present;
-    for (const std::size_t t : attempt.kept) present.push_back(groups[t]);
-    LaplaceCriterion criterion(right, cells, present);
+    return std::to_string(static_cast<long long>(std::ceil(cost / 1e6))) + " million multiplications";
+}
+
+std::vector<double> crudeStart(const LaplaceCriterion& criterion)
+{
+    std::vector<double> start(criterion.termCount(), startSd);
+    const auto fixed = criterion.crudeStart();
+    start.insert(start.end(), fixed.begin(), fixed.end());
+    return start;
+}
+
+bool isZero(double sd) { return std::fabs(sd) <= zeroSd; }
+
+/// Fits, and ends with one Newton step, which squares the remaining error. Without a `start` it begins at crude values. Where a
+/// standard deviation is zero, it ends at the minimum: the fit without that group replaces this one.
+Attempt attempted(const OrderedAnswers& whole, std::vector<std::size_t> kept, std::vector<double> start, Curvature curvature,
+                  int& evaluations)
+{
+    Attempt attempt{std::move(kept), {}, 0, {}};
+    OrderedAnswers answers{whole.categories, whole.category, whole.cells, {}};
+    for (const std::size_t t : attempt.kept) answers.groups.push_back(whole.groups[t]);
+    LaplaceCriterion criterion(answers);
+    attempt.anchor = criterion.anchor();
+    if (criterion.cost() > mostLaplaceCost) {
+        attempt.minimum.why = "one step of the fit would take " + costText(criterion.cost()) + "; at most " +
+                              costText(mostLaplaceCost) + " are done";
+        return attempt;
+    }
     const auto counted = [&](LaplaceCriterion::At at) {
         ++evaluations;
         return PointOfFunction{at.exists, at.value, std::move(at.gradient)};
     };
     const SmoothFunction function = [&](std::span<const double> parameters) { return counted(criterion.at(parameters)); };
     const SmoothFunction oneStep = [&](std::span<const double> parameters) { return counted(criterion.atOneStep(parameters)); };
-    std::vector<double> start(attempt.kept.size(), startSd);
-    const auto means = criterion.crudeMeans();
-    start.insert(start.end(), means.begin(), means.end());
-    Minimum& minimum = attempt.minimum = minimised(function, start, guessedInverse(criterion, right, cells));
-    if (!minimum.why.empty()) return attempt;
+    if (start.empty()) start = crudeStart(criterion);
+    Minimum& minimum = attempt.minimum = minimised(function, std::move(start), guessedInverse(criterion));
+    if (!minimum.why.empty() || std::any_of(attempt.sds().begin(), attempt.sds().end(), isZero)) return attempt;
     function(minimum.place);
     criterion.holdMode(minimum.place);
     attempt.covariance = covarianceFrom(hessianOf(curvature == Curvature::AtOneStep ? oneStep : function, minimum.place));
@@ -86,24 +111,31 @@ Attempt attempted(const std::vector<double>& right, const Factor& cells, const s
 
 }  // namespace
 
-LaplaceFit laplaceFit(const std::vector<double>& right, const Factor& cells, const std::vector<Factor>& groups,
-                      Curvature curvature)
+LaplaceFit laplaceFit(const OrderedAnswers& answers, Curvature curvature)
 {
     LaplaceFit fit;
-    fit.sd.assign(groups.size(), 0);
+    fit.sd.assign(answers.groups.size(), 0);
     std::vector<std::size_t> kept;
-    for (std::size_t t = 0; t < groups.size(); ++t) kept.push_back(t);
+    for (std::size_t t = 0; t < answers.groups.size(); ++t) kept.push_back(t);
+    std::vector<double> start;
     while (true) {
-        const Attempt attempt = attempted(right, cells, groups, kept, curvature, fit.evaluations);
+        const Attempt attempt = attempted(answers, kept, start, curvature, fit.evaluations);
         fit.why = attempt.minimum.why;
+        if (attempt.minimum.place.empty()) return fit;
         for (std::size_t i = 0; i < attempt.kept.size(); ++i)
             if (std::fabs(attempt.sds()[i]) > largestSd)
                 fit.why = "the random effects reproduce almost every choice: the standard deviation of " +
-                          groups[attempt.kept[i]].name + " has no finite estimate";
+                          answers.groups[attempt.kept[i]].name + " has no finite estimate";
         if (!fit.why.empty()) return fit;
         kept.clear();
-        for (std::size_t i = 0; i < attempt.kept.size(); ++i)
-            if (std::fabs(attempt.sds()[i]) > zeroSd) kept.push_back(attempt.kept[i]);
+        start.clear();
+        for (std::size_t i = 0; i < attempt.kept.size(); ++i) {
+            if (isZero(attempt.sds()[i])) continue;
+            kept.push_back(attempt.kept[i]);
+            start.push_back(attempt.sds()[i]);
+        }
+        const auto fixed = attempt.fixed();
+        start.insert(start.end(), fixed.begin(), fixed.end());
         if (kept.size() < attempt.kept.size()) continue;
         if (attempt.covariance.rows() == 0) {
             fit.why = "the likelihood is flat at its maximum";
@@ -111,8 +143,11 @@ LaplaceFit laplaceFit(const std::vector<double>& right, const Factor& cells, con
         }
         fit.criterion = attempt.minimum.at.value;
         for (std::size_t i = 0; i < kept.size(); ++i) fit.sd[kept[i]] = std::fabs(attempt.sds()[i]);
-        fit.means.assign(attempt.means().begin(), attempt.means().end());
-        fit.covariance = lowerRightOf(attempt.covariance, kept.size());
+        const std::size_t cells = answers.cells.levels.size();
+        fit.means.assign(fixed.begin(), fixed.begin() + static_cast<std::ptrdiff_t>(cells));
+        fit.thresholds.assign(fixed.begin() + static_cast<std::ptrdiff_t>(cells), fixed.end());
+        fit.thresholds.insert(fit.thresholds.begin() + static_cast<std::ptrdiff_t>(attempt.anchor), 0.0);
+        fit.covariance = withAnchor(attempt.covariance, kept.size(), cells + attempt.anchor);
         return fit;
     }
 }

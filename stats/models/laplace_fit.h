@@ -1,21 +1,22 @@
-// Maximises Laplace's approximation of the likelihood of choices with one log odds for each cell and crossed random
-// intercepts. Deterministic.
+// Maximises Laplace's approximation of the likelihood of ordered answers with one mean for each cell, thresholds and
+// crossed random intercepts. Deterministic.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "stats/kernels/matrix.h"
-#include "stats/models/factor.h"
+#include "stats/models/laplace_criterion.h"
 
 namespace stats {
 
 struct LaplaceFit {
-    std::string why;            ///< empty when the maximum was found
-    double criterion = 0;       ///< -2 log likelihood
-    std::vector<double> sd;     ///< one for each group; 0 where the group was left out
-    std::vector<double> means;  ///< log odds, one for each cell
-    Matrix covariance;          ///< covariance of the means
+    std::string why;                 ///< empty when the maximum was found
+    double criterion = 0;            ///< -2 log likelihood
+    std::vector<double> sd;          ///< one for each group; 0 where the group was left out
+    std::vector<double> means;       ///< log odds of an answer above the anchor, one for each cell
+    std::vector<double> thresholds;  ///< ascending; the anchor is 0. Two categories: {0}
+    Matrix covariance;               ///< covariance of the means, then the thresholds; the anchor's row is 0
     int evaluations = 0;
 };
 
@@ -25,9 +26,12 @@ enum class Curvature {
     AtTheMode,  ///< the mode follows the parameters, as in glmmTMB; larger by 0.1 to 0.5 %
 };
 
-/// Fits `right`, 0 or 1 in each row, where no cell is all right or all wrong. A group whose standard deviation is
-/// estimated as zero is left out, and the rest is fitted again.
-LaplaceFit laplaceFit(const std::vector<double>& right, const Factor& cells, const std::vector<Factor>& groups,
-                      Curvature curvature = Curvature::AtOneStep);
+/// Multiplications of one step towards the mode of the random effects. Where they are more, the fit is refused with a reason:
+/// it would take minutes.
+inline constexpr double mostLaplaceCost = 1e8;
+
+/// Fits answers where no cell has all answers in the lowest, or all in the highest category. A group whose standard deviation
+/// is estimated as zero is left out, and the rest is fitted again.
+LaplaceFit laplaceFit(const OrderedAnswers& answers, Curvature curvature = Curvature::AtOneStep);
 
 }  // namespace stats

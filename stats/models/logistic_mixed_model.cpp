@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "stats/kernels/distributions.h"
 #include "stats/models/laplace_fit.h"
 
 namespace stats {
@@ -68,20 +67,6 @@ Prepared prepared(const LogisticData& data)
     return result;
 }
 
-LogOdds undefinedOdds(const std::string& name, const std::string& why)
-{
-    const Value none = Value::undefined(why);
-    return {name, none, none, none, none, none, {none, none}};
-}
-
-LogOdds oddsOf(const std::string& name, double estimate, double variance, double confidence)
-{
-    const double se = std::sqrt(variance);
-    const TailProbability p = twice(normalUpper(std::fabs(estimate / se)));
-    const double reach = normalQuantile((1 - confidence) / 2) * se;
-    return {name, estimate, se, estimate / se, p.p, p.logP, {estimate - reach, estimate + reach}};
-}
-
 std::string named(const Prepared& data, std::size_t level)
 {
     for (std::size_t row = 0; row < data.right.size(); ++row)
@@ -111,27 +96,27 @@ void putFixed(LogisticMixedModel& model, const Prepared& data, const LaplaceFit&
     for (std::size_t level = 0; level < levels.size(); ++level) {
         const std::string name = level == 0 ? "(Intercept)" : data.condition.name + levels[level];
         if (data.separated[level] || data.separated[0]) {
-            model.fixed.push_back(undefinedOdds(name, "has no finite estimate: " + model.separationWhy));
+            model.fixed.push_back(undefinedLogOdds(name, "has no finite estimate: " + model.separationWhy));
             continue;
         }
         const std::size_t a = cellOf[level];
         const std::size_t reference = cellOf[0];
         const Matrix& c = fit.covariance;
-        model.fixed.push_back(level == 0 ? oddsOf(name, fit.means[a], c(a, a), confidence)
-                                         : oddsOf(name, fit.means[a] - fit.means[reference],
-                                                  c(a, a) + c(reference, reference) - 2 * c(a, reference), confidence));
+        model.fixed.push_back(level == 0 ? logOddsOf(name, fit.means[a], c(a, a), confidence)
+                                         : logOddsOf(name, fit.means[a] - fit.means[reference],
+                                                     c(a, a) + c(reference, reference) - 2 * c(a, reference), confidence));
     }
 }
 
 /// Covariance of the treatment-coded effects, from the covariance of the means of the cells.
-Matrix treatmentCovariance(const Matrix& c)
+Matrix treatmentCovariance(const Matrix& c, std::size_t cells)
 {
     const auto effect = [&](std::size_t i, std::size_t j) {  // cov(mean_i - mean_0, mean_j)
         return c(i, j) - (i == 0 ? 0 : c(0, j));
     };
-    Matrix result(c.rows(), c.rows());
-    for (std::size_t i = 0; i < c.rows(); ++i)
-        for (std::size_t j = 0; j < c.rows(); ++j) result(i, j) = effect(i, j) - (j == 0 ? 0 : effect(i, 0));
+    Matrix result(cells, cells);
+    for (std::size_t i = 0; i < cells; ++i)
+        for (std::size_t j = 0; j < cells; ++j) result(i, j) = effect(i, j) - (j == 0 ? 0 : effect(i, 0));
     return result;
 }
 
@@ -143,12 +128,11 @@ void putTest(LogisticMixedModel& model, const LaplaceFit& full, const LaplaceFit
         return;
     }
     model.logLikelihoodNull = -null.criterion / 2;
-    const double chiSquared = std::max(0.0, null.criterion - full.criterion);
-    const TailProbability tail = chiSquaredUpper(chiSquared, static_cast<double>(conditions - 1));
-    model.chiSquared = chiSquared;
-    model.df = static_cast<double>(conditions - 1);
-    model.p = tail.p;
-    model.logP = tail.logP;
+    const LikelihoodRatio test = likelihoodRatioOf(full.criterion, null.criterion, conditions - 1);
+    model.chiSquared = test.chiSquared;
+    model.df = test.df;
+    model.p = test.p;
+    model.logP = test.logP;
 }
 
 void refuse(LogisticMixedModel& model, const Prepared& data, const std::string& why)
@@ -158,7 +142,7 @@ void refuse(LogisticMixedModel& model, const Prepared& data, const std::string& 
     model.logLikelihood = model.logLikelihoodNull = model.chiSquared = model.df = model.p = model.logP = none;
     for (std::size_t level = 0; level < data.condition.levels.size(); ++level)
         model.fixed.push_back(
-            undefinedOdds(level == 0 ? "(Intercept)" : data.condition.name + data.condition.levels[level], why));
+            undefinedLogOdds(level == 0 ? "(Intercept)" : data.condition.name + data.condition.levels[level], why));
     for (const Factor& group : data.groups) model.random.push_back({group.name, none, false});
 }
 
@@ -176,11 +160,17 @@ LaplaceFit fitUnseparated(const Prepared& data, Curvature curvature, std::vector
         fit.sd.assign(data.groups.size(), 0);
         return fit;
     }
-    std::vector<double> right;
-    for (const std::size_t row : rows) right.push_back(data.right[row]);
-    std::vector<Factor> groups;
-    for (const Factor& group : data.groups) groups.push_back(rowsOf(group, rows));
-    return laplaceFit(right, rowsOf(data.condition, rows), groups, curvature);
+    OrderedAnswers answers{2, {}, rowsOf(data.condition, rows), {}};
+    for (const std::size_t row : rows) answers.category.push_back(data.right[row] == 1 ? 1 : 0);
+    for (const Factor& group : data.groups) answers.groups.push_back(rowsOf(group, rows));
+    return laplaceFit(answers, curvature);
+}
+
+LaplaceFit fitWithoutCondition(const Prepared& data, Curvature curvature)
+{
+    OrderedAnswers answers{2, {}, oneLevel(data.right.size()), data.groups};
+    for (const double right : data.right) answers.category.push_back(right == 1 ? 1 : 0);
+    return laplaceFit(answers, curvature);
 }
 
 }  // namespace
@@ -202,8 +192,7 @@ LogisticMixedModel fitLogisticMixedModel(const LogisticData& data, const Logisti
         refuse(model, ready, full.why);
         return model;
     }
-    const Factor together = factorOf("all", std::vector<std::string>(ready.right.size(), "all"));
-    const LaplaceFit null = laplaceFit(ready.right, together, ready.groups, options.curvature);
+    const LaplaceFit null = fitWithoutCondition(ready, options.curvature);
     model.evaluations = full.evaluations + null.evaluations;
     putFixed(model, ready, full, cellOf, options.confidence);
     for (std::size_t t = 0; t < ready.groups.size(); ++t) {
@@ -212,7 +201,7 @@ LogisticMixedModel fitLogisticMixedModel(const LogisticData& data, const Logisti
             {ready.groups[t].name, known ? Value(full.sd[t]) : Value::undefined(model.separationWhy), known && full.sd[t] == 0});
         model.singular = model.singular || model.random.back().zero;
     }
-    if (model.separation == Separation::None) model.covariance = treatmentCovariance(full.covariance);
+    if (model.separation == Separation::None) model.covariance = treatmentCovariance(full.covariance, full.means.size());
     putTest(model, full, null, ready.condition.levels.size());
     return model;
 }

@@ -13,6 +13,7 @@
 #include "stats/kernels/value.h"
 #include "stats/models/factor.h"
 #include "stats/models/laplace_fit.h"
+#include "stats/models/log_odds.h"
 
 namespace stats {
 
@@ -27,29 +28,6 @@ struct LogisticData {
 struct LogisticOptions {
     double confidence = 0.95;
     Curvature curvature = Curvature::AtOneStep;
-};
-
-enum class Separation {
-    None,
-    Quasi,     ///< some conditions were always or never right
-    Complete,  ///< all of them: condition predicts every choice
-};
-
-/// Log odds, or a difference of log odds from the reference.
-struct LogOdds {
-    std::string name;  ///< "(Intercept)", "conditionf"
-    Value estimate;
-    Value se;
-    Value z;
-    Value p;  ///< Wald test, two-sided
-    Value logP;
-    Interval ci;
-};
-
-struct RandomIntercept {
-    std::string name;
-    Value sd;  ///< log odds
-    bool zero = false;
 };
 
 struct LogisticMixedModel {

@@ -20,6 +20,10 @@ namespace {
 double toleranceOf(const std::string& path)
 {
     if (path.find(".q1_glmm") != std::string::npos) return 1e-3;
+    if (path.find(".rating_ordinal.logLik") != std::string::npos) return 1e-9;
+    // clmm's second differences have too small a step: its standard errors are wrong by up to 0.2 %.
+    if (path.find("se.") != std::string::npos && path.find(".rating_ordinal") != std::string::npos) return 3e-3;
+    if (path.find(".rating_ordinal") != std::string::npos) return 2e-4;
     if (path.find(".lmm.var") != std::string::npos) return 2e-4;
     // A p of 1e-8 magnifies the same small difference of F: 4.1e-4 at most (Q2 of the complete study).
     if (path.ends_with(".lmm.p")) return 5e-4;
@@ -104,6 +108,7 @@ private Q_SLOTS:
         const reports::StudyData data = reports::readAnswersCsv(csv);
         Comparison comparison;
         comparison.compare(expected, reports::statisticsJson(reports::analyse(data)), "");
+        QVERIFY(expected.contains("rating_ordinal"));
         QVERIFY(comparison.numbers > 600);
         QCOMPARE(comparison.faults, 0);
         qInfo("%d numbers agree", comparison.numbers);

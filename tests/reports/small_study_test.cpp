@@ -145,7 +145,8 @@ private Q_SLOTS:
         QCOMPARE(comparison.additions,
                  (QStringList{"statistics.q1_cochran.rejects_falsely", "statistics.schema", "statistics.q1_glmm_crossed",
                               "statistics.lmm_contrasts", "statistics.lmm_variances", "statistics.lmm_leave_one_fabric_out",
-                              "statistics.false_claims", "statistics.order_effects"}));
+                              "statistics.rating_ordinal",
+                              "statistics.rating_ordinal_by_question", "statistics.false_claims", "statistics.order_effects"}));
         QCOMPARE(comparison.numbers, 710);
     }
 

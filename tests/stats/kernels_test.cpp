@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "stats/kernels/block_sums.h"
+#include "stats/kernels/bordered_blocks.h"
 #include "stats/kernels/decimal_grid.h"
 #include "stats/kernels/exact_sum.h"
 #include "stats/kernels/matrix.h"
@@ -295,6 +296,79 @@ private Q_SLOTS:
         const auto coded = stats::treatmentCoded(a);
         QCOMPARE(coded.names, (std::vector<std::string>{"(Intercept)", "ay", "az"}));
         QCOMPARE(coded.columns, (std::vector<Numbers>{{1, 1, 1, 1}, {0, 1, 0, 0}, {0, 0, 0, 1}}));
+    }
+
+    // Halves of a tenth are not doubles: 0.15 is 0.1499..., 0.35 is 0.3499..., and 8.5 / 5 is 1.7.
+    void halvesAreRoundedUp()
+    {
+        const Numbers whole = stats::roundedHalvesUp(Numbers{4.5, 4.49, 0.5, 9.999, 0, -0.5, -1.5, -0.51, 1e300}, 1);
+        QCOMPARE(whole, (Numbers{5, 4, 1, 10, 0, 0, -1, -1, 1e300}));
+        QCOMPARE(stats::roundedHalvesUp(Numbers{0.15, 0.35, 0.149, 0.85, 1.05}, 0.1), (Numbers{0.2, 0.4, 0.1, 0.9, 1.1}));
+        QCOMPARE(stats::roundedHalvesUp(Numbers{2.5, 7.4, 97.5, 8.5, 1.0 / 3}, 5), (Numbers{5, 5, 100, 10, 0}));
+        QVERIFY(std::isnan(stats::roundedHalvesUp(Numbers{std::numeric_limits<double>::quiet_NaN()}, 1)[0]));
+    }
+
+    void blocksWithABorderActAsTheWholeMatrix_data()
+    {
+        QTest::addColumn<std::vector<std::uint32_t>>("blockOf");
+        constexpr std::uint32_t border = stats::BorderedShape::inBorder;
+        using Blocks = std::vector<std::uint32_t>;
+        QTest::newRow("mixed order") << Blocks{0, border, 1, 0, 2, 1, border, 0};
+        QTest::newRow("one block, no border") << Blocks{0, 0, 0, 0};
+        QTest::newRow("border only") << Blocks{border, border, border};
+        QTest::newRow("diagonal") << Blocks{0, 1, 2, 3};
+        QTest::newRow("nothing") << Blocks{};
+    }
+
+    void blocksWithABorderActAsTheWholeMatrix()
+    {
+        QFETCH(std::vector<std::uint32_t>, blockOf);
+        const stats::BorderedShape shape(blockOf);
+        const auto n = static_cast<std::uint32_t>(blockOf.size());
+        const auto isStored = [&](std::uint32_t i, std::uint32_t j) {
+            constexpr std::uint32_t border = stats::BorderedShape::inBorder;
+            return blockOf[i] == blockOf[j] || blockOf[i] == border || blockOf[j] == border;
+        };
+        // A diagonal that dominates makes the matrix positive definite.
+        Matrix whole(n, n);
+        Numbers entries(shape.entries());
+        for (std::uint32_t i = 0; i < n; ++i)
+            for (std::uint32_t j = i; j < n; ++j) {
+                if (!isStored(i, j)) continue;
+                const double value = i == j ? 9 + i : (i + 2 * j) % 4 * 0.5 - 0.5;
+                whole(i, j) = whole(j, i) = entries[shape.place(j, i)] = value;
+                QCOMPARE(shape.place(i, j), shape.place(j, i));
+            }
+        const stats::BorderedFactor factor(shape, entries);
+        QVERIFY(factor.exists());
+        Matrix upper = whole;
+        QCOMPARE(stats::factorise(upper), std::size_t(n));
+        const Matrix inverse = stats::inverseFrom(stats::inverseOfTransposed(upper, n), n);
+        double logDeterminant = 0;
+        Numbers right;
+        for (std::uint32_t i = 0; i < n; ++i) {
+            logDeterminant += 2 * std::log(upper(i, i));
+            right.push_back(1.5 * i - 2);
+        }
+        compareNumbers({{"log determinant", factor.logDeterminant(), logDeterminant, 1e-13}});
+        const Numbers found = factor.solved(right), expected = stats::product(inverse, right), parts = factor.inverse();
+        for (std::uint32_t i = 0; i < n; ++i) {
+            compareNumbers({{"solution", found[i], expected[i], 1e-12}});
+            for (std::uint32_t j = i; j < n; ++j)
+                if (isStored(i, j)) QVERIFY(std::fabs(parts[shape.place(i, j)] - inverse(i, j)) < 1e-15);
+        }
+    }
+
+    void aMatrixThatIsNotPositiveHasNoFactor()
+    {
+        const stats::BorderedShape shape(std::vector<std::uint32_t>{0, 1, stats::BorderedShape::inBorder});
+        Numbers entries(shape.entries());
+        for (std::uint32_t i = 0; i < 3; ++i) entries[shape.place(i, i)] = 1;
+        QVERIFY(stats::BorderedFactor(shape, entries).exists());
+        entries[shape.place(0, 2)] = entries[shape.place(1, 2)] = 0.8;  // 1 - 0.64 - 0.64 < 0
+        QVERIFY(!stats::BorderedFactor(shape, entries).exists());
+        entries[shape.place(0, 0)] = -1;
+        QVERIFY(!stats::BorderedFactor(shape, entries).exists());
     }
 };
 

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "database/event_chain.h"
+#include "database/preregistration_payload.h"
 #include "database/response_columns.h"
 #include "protocols/files/sha256.h"
 
@@ -194,6 +195,17 @@ void checkPlaces(const SqliteConnection& sqlite, const Log& log, std::vector<std
         if (!stored.contains(one)) faults.push_back("participant " + one + " is in the log but not in the table");
 }
 
+/// The numbers run from 1, and the texts have the hashes that stand beside them.
+void checkPreregistrations(const Log& log, std::vector<std::string>& faults)
+{
+    int expected = 1;
+    for (const auto& [sequence, entry] : log) {
+        if (entry.event.kind != "preregistered" || !entry.event.participant.empty()) continue;
+        const std::string fault = faultOfPreregistration(payloadOf(entry), expected++);
+        if (!fault.empty()) faults.push_back(nameOfEntry(entry.event) + ": " + fault);
+    }
+}
+
 std::vector<std::string> faultsOfLog(const SqliteConnection& sqlite)
 {
     Log log;
@@ -206,6 +218,7 @@ std::vector<std::string> faultsOfLog(const SqliteConnection& sqlite)
     checkPlaces(sqlite, log, faults);
     checkProtocols(sqlite, log, faults);
     checkStates(sqlite, log, faults);
+    checkPreregistrations(log, faults);
     return faults;
 }
 

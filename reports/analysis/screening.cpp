@@ -1,6 +1,7 @@
 #include "reports/analysis/screening.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <set>
 
@@ -9,25 +10,18 @@
 namespace reports {
 namespace {
 
-bool isReasonToExclude(FlagKind kind)
-{
-    switch (kind) {
-        case FlagKind::TooFast:
-        case FlagKind::StraightLining:
-        case FlagKind::SameAcrossQuestions:
-        case FlagKind::SlotBias:
-        case FlagKind::BlankGlassRatedHigh:
-            return true;
-        case FlagKind::MissingAnswers:
-        case FlagKind::VoidedPresentations:
-            return false;
-    }
-    return false;
-}
+bool isReasonToExclude(FlagKind kind) { return std::ranges::find(reasonsToExclude(), kind) != reasonsToExclude().end(); }
 
 using FlagsByParticipant = std::map<std::string, std::vector<FlagKind>>;
 
 }  // namespace
+
+std::span<const FlagKind> reasonsToExclude()
+{
+    static constexpr std::array kinds{FlagKind::TooFast, FlagKind::StraightLining, FlagKind::SameAcrossQuestions,
+                                      FlagKind::SlotBias, FlagKind::BlankGlassRatedHigh};
+    return kinds;
+}
 
 Screening screenParticipants(const StudyData& data, const AnswerCells& cells, const std::vector<QualityFlag>& flags)
 {

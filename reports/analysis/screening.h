@@ -2,6 +2,7 @@
 // never removed without a word.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -34,7 +35,9 @@ struct Screening {
     std::string why;                          ///< reason where there are no means: nobody is flagged, or everybody
 };
 
-/// Missing answers and voided presentations exclude nobody.
+/// The flags that set a participant apart. Missing answers and voided presentations exclude nobody.
+std::span<const FlagKind> reasonsToExclude();
+
 Screening screenParticipants(const StudyData& data, const AnswerCells& cells, const std::vector<QualityFlag>& flags);
 
 /// The study without the excluded participants and their answers.

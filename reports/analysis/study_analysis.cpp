@@ -119,6 +119,7 @@ StudyAnalysis analyse(StudyData data, const AnalysisOptions& options)
     analysis.designLimits = designLimits(data, options.depth);
     analysis.completeness = completenessOf(data, cells);
     analysis.data = std::move(data);
+    analysis.plan = comparePlan(analysis);
     report(steps, "done");
     return analysis;
 }

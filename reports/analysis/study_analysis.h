@@ -10,6 +10,7 @@
 #include "reports/analysis/false_claims.h"
 #include "reports/analysis/group_analysis.h"
 #include "reports/analysis/order_effects.h"
+#include "reports/analysis/plan_comparison.h"
 #include "reports/analysis/quality_flags.h"
 #include "reports/analysis/rating_analysis.h"
 #include "reports/analysis/screening.h"
@@ -51,6 +52,7 @@ struct StudyAnalysis {
     std::vector<FalseClaimFinding> falseClaims;
     std::vector<std::string> designLimits;  ///< what is left out or taken for granted, as sentences
     Completeness completeness;
+    PlanComparison plan;
 };
 
 /// Throws workFailed where answers contradict the study's own lists (see AnswerCells).

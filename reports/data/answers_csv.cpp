@@ -86,6 +86,23 @@ private:
         m_data.boundsStated = true;
         for (const protocols::PlannedContrast& contrast : contrastsInOrder(*m_options.protocol))
             m_data.planned.emplace_back(contrast.a.value, contrast.b.value);
+        readDesign(*m_options.protocol);
+    }
+
+    void readDesign(const protocols::Protocol& protocol)
+    {
+        PlannedDesign& design = m_data.plannedDesign.emplace();
+        design.participants = static_cast<std::size_t>(protocol.participants);
+        design.fabrics = static_cast<std::size_t>(protocol.fabricCount);
+        for (const auto& fabric : protocol.fabrics) design.fabricIds.push_back(fabric.value);
+        for (const auto& condition : protocol.conditions) design.conditionIds.push_back(condition.value);
+        design.conditions = design.conditionIds.size();
+        for (const auto& phase : protocol.phases)
+            for (const auto& asked : phase.questions) design.questions.push_back(asked.id.value);
+        design.contrastPairs = m_data.planned;
+        design.contrasts = m_data.planned.size();
+        design.equivalenceBounds = protocol.equivalenceBounds;
+        design.protocolSha256 = m_data.protocolInUse = m_options.protocolSha256;
     }
 
     const protocols::Question* inProtocol(const std::string& id) const

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "protocols/answer_kind.h"
+#include "reports/data/registration.h"
 #include "reports/data/signal_comparison.h"
 
 namespace reports {
@@ -86,6 +87,11 @@ struct StudyData {
     std::pair<double, double> equivalenceBounds{-0.5, 0.5};
     bool boundsStated = false;  ///< a protocol stated them; false: they are the default of this program
     std::vector<std::pair<std::string, std::string>> planned;  ///< the primary one first; empty while blinded
+    std::optional<PlannedDesign> plannedDesign;                ///< none: neither a registered plan nor a protocol is known
+    bool hasLog = false;                       ///< false: nobody could have registered a plan that this program knows
+    std::vector<Registration> registrations;   ///< in their order
+    std::string protocolInUse;                 ///< SHA-256 of the latest protocol of the study
+    std::vector<std::string> protocolChanges;  ///< parts in which it differs from the plan: "equivalence bounds"
     std::vector<StudyResponse> responses;
     std::vector<StudyResponse> catchResponses;  ///< to blank glass; only quality flags use them
     std::vector<std::string> withdrawn;         ///< participants who withdrew; their answers are not analysed

@@ -5,6 +5,7 @@
 #include "protocols/files/whole_file.h"
 #include "reports/json/claims_json.h"
 #include "reports/json/json_fields.h"
+#include "reports/json/plan_comparison_json.h"
 #include "reports/json/signals_json.h"
 
 namespace reports {
@@ -205,6 +206,7 @@ nlohmann::ordered_json resultsJson(const StudyAnalysis& analysis)
     results["speed_accuracy"] = speedPart(analysis);
     putSignals(results, data);
     results["quality"] = qualityPart(analysis.flags);
+    results["preregistration"] = preregistrationJson(analysis);
     putWithoutFlagged(results, analysis);
     results["design"] = designPart(analysis);
     putReasonsLast(results);

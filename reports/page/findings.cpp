@@ -5,6 +5,7 @@
 
 #include "protocols/files/markup_text.h"
 #include "reports/analysis/claim_words.h"
+#include "reports/page/plan_section.h"
 #include "reports/text/condition_label.h"
 #include "reports/text/number_text.h"
 #include "reports/text/plain_words.h"
@@ -191,6 +192,7 @@ std::vector<std::string> findings(const StudyAnalysis& analysis)
     sentences.push_back(smallStudySentence(analysis.data));
     for (const auto& question : questionsWith<WordedAnalysis>(analysis))
         sentences.push_back(wordsSentence(protocols::escapedMarkup(question.id()), question.findings));
+    for (std::string& sentence : planFindings(analysis)) sentences.push_back(std::move(sentence));
     std::erase(sentences, std::string());
     return sentences;
 }

@@ -5,6 +5,7 @@
 #include "reports/page/html_parts.h"
 #include "reports/page/methods.h"
 #include "reports/page/order_text.h"
+#include "reports/page/plan_section.h"
 #include "reports/text/number_text.h"
 #include "reports/text/plain_words.h"
 
@@ -160,6 +161,8 @@ std::string sectionLead(PageSection section, const StudyAnalysis& analysis)
             return speedLead(analysis);
         case PageSection::Signals:
             return signalsLead(analysis.data);
+        case PageSection::Plan:
+            return planLead(analysis);
         case PageSection::Quality:
             return qualityLead(analysis);
         case PageSection::Methods: {
@@ -175,7 +178,8 @@ std::string sectionEnd(PageSection section) { return section == PageSection::Qua
 
 bool standsAlone(PageSection section)
 {
-    return section == PageSection::Summary || section == PageSection::Quality || section == PageSection::Methods;
+    return section == PageSection::Summary || section == PageSection::Plan || section == PageSection::Quality ||
+           section == PageSection::Methods;
 }
 
 }  // namespace reports

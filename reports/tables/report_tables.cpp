@@ -13,6 +13,7 @@
 #include "reports/tables/ordinal_tables.h"
 #include "reports/tables/overview_tables.h"
 #include "reports/tables/pair_tables.h"
+#include "reports/tables/plan_tables.h"
 #include "reports/tables/quality_tables.h"
 #include "reports/tables/rating_tables.h"
 #include "reports/tables/signal_tables.h"
@@ -27,7 +28,7 @@ using TableFamily = std::vector<ReportTable> (*)(const StudyAnalysis&);
 
 constexpr TableFamily families[] = {overviewTables, choiceTables,  ratingTables,     wordedTables,      claimTables,
                                     pairTables, omnibusTables, ordinalTables, effectTables, groupTables, speedTables, signalTables,
-                                    qualityTables, orderTables, falseClaimTables, measuredSizeTables};
+                                    planTables, qualityTables, orderTables, falseClaimTables, measuredSizeTables};
 
 }  // namespace
 

@@ -18,6 +18,7 @@ std::span<const SectionHeading> sectionHeadings()
         SectionHeading{PageSection::Groups, "groups", "Groups of participants"},
         SectionHeading{PageSection::Speed, "speed", "Speed and accuracy"},
         SectionHeading{PageSection::Signals, "signals", "Generated against measured signals"},
+        SectionHeading{PageSection::Plan, "plan", "Planned and done"},
         SectionHeading{PageSection::Quality, "quality", "Data quality"},
         SectionHeading{PageSection::Methods, "methods", "Methods"},
     };

@@ -18,6 +18,7 @@ enum class PageSection {
     Groups,
     Speed,
     Signals,
+    Plan,
     Quality,
     Methods
 };

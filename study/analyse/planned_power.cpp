@@ -11,8 +11,11 @@ namespace {
 // The defaults of stats::RatingTruth hold for a scale of this length. Other scales are stretched to it.
 constexpr double hapticScale = 10;
 
-void putScale(stats::RatingTruth& truth, const protocols::RatingScale& scale)
+}  // namespace
+
+stats::RatingTruth ratingTruthOf(const protocols::RatingScale& scale)
 {
+    stats::RatingTruth truth;
     truth.scaleMin = scale.min.inScaleUnits();
     truth.scaleMax = scale.max.inScaleUnits();
     truth.scaleStep = scale.step.inScaleUnits();
@@ -21,9 +24,8 @@ void putScale(stats::RatingTruth& truth, const protocols::RatingScale& scale)
     for (double* variance :
          {&truth.participant, &truth.fabric, &truth.participantCondition, &truth.fabricCondition, &truth.residual})
         *variance *= stretch * stretch;
+    return truth;
 }
-
-}  // namespace
 
 stats::PowerOptions powerOptionsOf(const protocols::Protocol& protocol)
 {
@@ -40,7 +42,7 @@ stats::PowerOptions powerOptionsOf(const protocols::Protocol& protocol)
         }
         if (const auto* rating = std::get_if<protocols::Rating>(&phase.task); rating && !options.hasRatings) {
             options.hasRatings = true;
-            putScale(options.ratings, rating->scale);
+            options.ratings = ratingTruthOf(rating->scale);
         }
     }
     return options;

@@ -13,6 +13,9 @@ namespace study::analyse {
 /// simulation, and the number of participants if it differs from the protocol's.
 stats::PowerOptions powerOptionsOf(const protocols::Protocol& protocol);
 
+/// The default variances of stats::RatingTruth, stretched to this scale.
+stats::RatingTruth ratingTruthOf(const protocols::RatingScale& scale);
+
 /// Says so where the protocol's equivalence bounds are too narrow for its number of participants; empty where they are not, or
 /// where no question is rated.
 std::string boundsWarning(const protocols::Protocol& protocol);

@@ -47,6 +47,8 @@ void addBench(CLI::App& app, Action& action);
 void addDisplay(CLI::App& app, Action& action);
 void addStroke(CLI::App& app, Action& action);
 void addView(CLI::App& app, Action& action);
+/// `study preregister`; `study` is the command that it belongs to.
+void addPreregister(CLI::App& study, Action& action);
 /// The window: `vis2hap [STUDY]`, when no command is named.
 void addApp(CLI::App& app, Action& action);
 

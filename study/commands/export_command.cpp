@@ -5,6 +5,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "database/preregistrations.h"
 #include "protocols/files/csv_table.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/folder_draft.h"
@@ -85,6 +86,20 @@ ordered_json participantRows(const Export& job)
     return rows;
 }
 
+/// The registered plans themselves are files of the study folder.
+ordered_json registrationRows(const Export& job)
+{
+    ordered_json rows = ordered_json::array();
+    for (const auto& record : preregistrationsOf(job.store))
+        rows.push_back({{"number", record.number},
+                        {"time", record.wallTime},
+                        {"sha256", record.jsonSha256()},
+                        {"text_sha256", record.textSha256()},
+                        {"answers_before", record.answersBefore},
+                        {"after_unblinding", record.afterUnblinding}});
+    return rows;
+}
+
 std::string csvOf(const ordered_json& rows, const std::vector<std::string>& columns)
 {
     std::string text = protocols::csvRow(columns);
@@ -114,6 +129,7 @@ void writeJsonExport(const Export& job)
     ordered_json json{
         {"schema", "vis2hap.export/1"},  {"study", job.facts.name},    {"protocol_sha256", job.facts.protocolSha256},
         {"blinded", job.naming.blinded}, {"stamps", job.facts.stamps}, {"participants", participantRows(job)}};
+    json["preregistrations"] = registrationRows(job);
     json["answers"] = ordered_json::array();
     for (const auto& answer : job.store.answers()) json["answers"].push_back(rowOf(job, answer));
     write(job, "export.json", json.dump(1) + "\n");

@@ -1,4 +1,4 @@
-// vis2hap study new|status|plan|amend|sheets
+// vis2hap study new|status|plan|amend|sheets; preregister has a file of its own
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
@@ -54,6 +54,7 @@ int makeNew(const making::NewStudy& request)
     std::printf("balance of the running orders:\n%s", describe(made.balance).c_str());
     std::printf("next: `vis2hap study sheets %s --out DIR` writes the labels of the fabric pieces and the card of the scale\n",
                 request.study.c_str());
+    std::printf("next: `vis2hap study preregister %s` registers the plan before the first answer\n", request.study.c_str());
     return 0;
 }
 
@@ -147,6 +148,7 @@ void addStudy(CLI::App& app, Action& action)
     auto* study = app.add_subcommand("study", "make a study, see its progress, print its running orders");
     study->require_subcommand(1);
     addNew(*study, action);
+    addPreregister(*study, action);
 
     auto* statusCommand = study->add_subcommand("status", "show progress, balance and data-quality flags; blinded");
     auto folder = std::make_shared<std::string>();

@@ -8,6 +8,7 @@
 #include "protocols/protocol_json.h"
 #include "reports/json/signals_json.h"
 #include "study/records/participants_sentence.h"
+#include "study/records/registered_plan.h"
 
 namespace study::records {
 
@@ -15,9 +16,7 @@ namespace {
 
 void describeProtocol(const protocols::Protocol& protocol, reports::StudyData& data)
 {
-    data.equivalenceBounds = protocol.equivalenceBounds;
     data.boundsStated = true;
-    for (const auto& contrast : contrastsInOrder(protocol)) data.planned.emplace_back(contrast.a.value, contrast.b.value);
     for (const auto& phase : protocol.phases)
         for (const auto& question : phase.questions) data.questions.push_back({question.id.value, question.text, question.kind});
 }
@@ -141,10 +140,8 @@ reports::StudyData studyData(const database::StudyStore& store)
     data.stamps = facts.stamps;
     data.conditions = naming.conditions;
     describeProtocol(protocol, data);
-    if (data.blinded)
-        data.planned.clear();
-    else
-        data.signals = reports::signalsFromJson(facts.signalsJson);
+    describePlan(store, data);
+    if (!data.blinded) data.signals = reports::signalsFromJson(facts.signalsJson);
     for (const auto& fabric : facts.fabrics) data.fabrics.push_back(fabric.value);
     describeParticipants(store, data);
     data.expectedResponses =

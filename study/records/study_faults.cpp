@@ -3,6 +3,7 @@
 #include "database/keys.h"
 #include "protocols/files/sha256.h"
 #include "rendering/display/stimulus_bank.h"
+#include "study/records/registered_plan.h"
 
 namespace study::records {
 
@@ -17,6 +18,7 @@ std::vector<std::string> faultsOf(const database::StudyStore& store)
         faults.push_back("protocol.json: missing");
     else if (protocols::sha256OfFile(file) != store.protocolVersions().back().sha256)
         faults.push_back("protocol.json: changed since the study was made or last amended");
+    add(faultsOfRegisteredFiles(store));
     return faults;
 }
 

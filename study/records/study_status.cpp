@@ -8,6 +8,7 @@
 
 #include "protocols/records/balance.h"
 #include "reports/analysis/quality_flags.h"
+#include "reports/data/registration.h"
 #include "study/records/realised_balance.h"
 #include "study/records/stored_study.h"
 
@@ -107,6 +108,29 @@ std::string peopleText(const ordered_json& status)
     return text;
 }
 
+ordered_json preregistrationOf(const reports::StudyData& data)
+{
+    if (data.registrations.empty()) return {{"registered", false}};
+    const reports::Registration& first = data.registrations.front();
+    ordered_json json{{"registered", true},
+                      {"time", first.time},
+                      {"sha256", first.sha256},
+                      {"answers_before", first.answersBefore},
+                      {"after_unblinding", first.afterUnblinding}};
+    json["amendments"] = data.registrations.size() - 1;
+    return json;
+}
+
+std::string preregistrationText(const ordered_json& registered)
+{
+    if (!registered["registered"].get<bool>()) return "not preregistered (`vis2hap study preregister` registers the plan)\n";
+    std::string text = line("preregistered on %s, %s, SHA-256 %s\n", word(registered, "time").c_str(),
+                            reports::timingText(registered["answers_before"], registered["after_unblinding"]).c_str(),
+                            word(registered, "sha256").c_str());
+    if (const int amendments = registered["amendments"]; amendments > 0) text += line("  amendments: %d\n", amendments);
+    return text;
+}
+
 std::string balanceText(const ordered_json& ranges)
 {
     std::string text;
@@ -143,7 +167,9 @@ ordered_json statusOf(const database::StudyStore& store)
     json["repeated_foil_pairs"] = balance.repeatedFoilPairs;
     json["balance_presented"] = rangesOf(realisedBalance(store, protocol));
     json["stamps"] = facts.stamps;
-    json["quality"] = flagsOf(studyData(store));
+    const reports::StudyData data = studyData(store);
+    json["preregistration"] = preregistrationOf(data);
+    json["quality"] = flagsOf(data);
     return json;
 }
 
@@ -152,6 +178,7 @@ std::string textOf(const ordered_json& status)
     std::string text = line("%s (%s)\n", word(status, "study").c_str(), status["blinded"].get<bool>() ? "blinded" : "unblinded");
     text += line("  planned: about %.0f minutes for each participant, sittings: %d\n",
                  status["minutes_per_participant"].get<double>(), status["sittings_per_participant"].get<int>());
+    text += preregistrationText(status["preregistration"]);
     text += peopleText(status);
     text += "balance of the running orders:\n" + balanceText(status["balance"]);
     if (!status["balance_presented"].empty())

@@ -89,7 +89,7 @@ private Q_SLOTS:
         const Json results = resultsOf(data);
         QCOMPARE(keysOf(results),
                  (Keys{"schema", "study", "conditions", "questions", "comparisons", "equivalence", "omnibus", "above_chance",
-                       "claims", "speed_accuracy", "signals", "quality", "without_flagged", "design", "why"}));
+                       "claims", "speed_accuracy", "signals", "quality", "preregistration", "without_flagged", "design", "why"}));
         QCOMPARE(results["schema"], "vis2hap.results/2");
         QCOMPARE(keysOf(results["study"]), (Keys{"name", "protocol_sha256", "participants", "fabrics", "blinded", "simulated"}));
         QCOMPARE(results["conditions"].get<Keys>(), nineConditions);

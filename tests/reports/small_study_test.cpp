@@ -123,7 +123,8 @@ private Q_SLOTS:
         QCOMPARE(comparison.faults, QStringList());
         QCOMPARE(comparison.additions,
                  (QStringList{"results.schema", "results.study", "results.conditions", "results.omnibus", "results.above_chance",
-                              "results.claims", "results.signals", "results.quality", "results.without_flagged", "results.design",
+                              "results.claims", "results.signals", "results.quality", "results.preregistration",
+                              "results.without_flagged", "results.design",
                               "results.why"}));
         QCOMPARE(comparison.numbers, 216);
     }

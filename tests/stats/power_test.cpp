@@ -5,8 +5,11 @@
 #include <cmath>
 #include <vector>
 
+#include "stats/claims/claims.h"
 #include "stats/kernels/moments.h"
 #include "stats/kernels/noncentral.h"
+#include "stats/power/claim_power.h"
+#include "stats/power/power_groups.h"
 #include "stats/power/power_plan.h"
 #include "stats/tests/t_tests.h"
 #include "tests/stats/exact_numbers.h"
@@ -35,6 +38,20 @@ void compare(double value, double expected, double relative)
 {
     QVERIFY2(std::fabs(value - expected) <= relative * std::fabs(expected),
              qPrintable(QString("%1, expected %2").arg(value, 0, 'g', 12).arg(expected, 0, 'g', 12)));
+}
+
+/// Where a claim is about these fabrics, the fabrics' own differences belong to what is claimed, and are left out.
+stats::RatingTruth ratingsFor(stats::Generalisation generalisation)
+{
+    return generalisation == stats::Generalisation::TheseFabrics ? stats::ofTheseFabrics({}) : stats::RatingTruth{};
+}
+
+stats::AnswerCube cubeOf(const stats::CrossedStudy& study)
+{
+    stats::AnswerCube cube(study.condition.levels.size(), study.participant.levels.size(), study.fabric.levels.size());
+    for (std::size_t row = 0; row < study.values.size(); ++row)
+        cube.at(study.condition.of[row], study.participant.of[row], study.fabric.of[row]) = study.values[row];
+    return cube;
 }
 
 }  // namespace
@@ -218,6 +235,68 @@ private Q_SLOTS:
             }
         }
         QVERIFY(compared >= 18);
+    }
+
+    /// R, two conditions, 10 participants, 7 fabrics, variances 0.15, 0.05 and 0.85, twice each for a difference:
+    ///   se <- sqrt((.15*2 + .85*2/7)/10); 1 - pt(qt(.975,9), 9, .5/se) + pt(-qt(.975,9), 9, .5/se)
+    ///   msp <- 1.7+7*.3; msf <- 1.7+10*.1; mse <- 1.7; v <- msp+msf-mse; se <- sqrt(v/70)
+    ///   df <- min(v^2/(msp^2/9+msf^2/6+mse^2/54), 4/3*15); 1 - pt(qt(.975,df), df, .5/se) + pt(-qt(.975,df), df, .5/se)
+    void powerOfClaimsIsThatOfTheirTests()
+    {
+        using stats::Generalisation;
+        const auto variances = stats::ofDifference(stats::RatingTruth{});
+        const auto these = stats::expectedError({}, variances, Generalisation::TheseFabrics),
+                   alike = stats::expectedError({}, variances, Generalisation::FabricsLikeThese);
+        compareNumbers({{"se, these fabrics", these.se, 0.23299294900428699, 1e-12},
+                        {"df, these fabrics", these.df, 9, 0},
+                        {"power, these fabrics", stats::differencePower(these, 0.5, 0.05), 0.4825593771524993, 1e-8},
+                        {"se, fabrics like these", alike.se, 0.26186146828319085, 1e-12},
+                        {"df, fabrics like these", alike.df, 8.019595204331571, 1e-12},
+                        {"power, fabrics like these", stats::differencePower(alike, 0.5, 0.05), 0.3906671550519637, 1e-8},
+                        {"one-sided", stats::abovePower(alike, 0.5, 0.05), 0.54016878990140971, 1e-8}});
+        const stats::Value bounds = stats::narrowestBounds(alike, 10, 0.05);
+        QVERIFY(std::fabs(stats::boundsPower(alike, -*bounds, *bounds, 0, 0.05) - 0.8) < 1e-6);
+        QVERIFY(!stats::narrowestBounds(alike, 0.1, 0.05).exists());
+    }
+
+    /// 2,000 simulated studies of two conditions, analysed by the claims of the report.
+    void powerOfClaimsAgreesWithSimulatedStudies_data()
+    {
+        QTest::addColumn<bool>("isChoice");
+        QTest::addColumn<double>("effect");
+        QTest::newRow("ratings, 0.5 points") << false << 0.5;
+        QTest::newRow("ratings, 1 point") << false << 1.0;
+        QTest::newRow("choices, 0.2") << true << 0.2;
+    }
+
+    void powerOfClaimsAgreesWithSimulatedStudies()
+    {
+        QFETCH(bool, isChoice);
+        QFETCH(double, effect);
+        const stats::StudyDesign design{10, 7, 2, 3};
+        const auto logOddsOf = [](double share) { return std::log(share / (1 - share)); };
+        for (const auto generalisation : {stats::Generalisation::TheseFabrics, stats::Generalisation::FabricsLikeThese}) {
+            int rejected = 0;
+            constexpr int studies = 2000;
+            for (int s = 0; s < studies; ++s) {
+                stats::Draws draws(7, static_cast<std::uint64_t>(s));
+                stats::CrossedStudy study = stats::emptyStudy(design);
+                if (isChoice)
+                    stats::drawChoices(study, {}, Numbers{logOddsOf(0.5 + effect / 2), logOddsOf(0.5 - effect / 2)}, draws);
+                else
+                    stats::drawRatings(study, ratingsFor(generalisation), Numbers{effect, 0}, draws);
+                const auto claims =
+                    stats::contrastClaims(cubeOf(study), std::vector{stats::ContrastPair(0, 1)}, {}, generalisation);
+                rejected += claims[0].difference.p.orElse(1) < 0.05 ? 1 : 0;
+            }
+            const auto variances = isChoice ? stats::ofDifference(stats::ChoiceTruth{}, 0.5 + effect / 2, 0.5 - effect / 2)
+                                            : stats::ofDifference(stats::RatingTruth{});
+            const double power = stats::differencePower(stats::expectedError(design, variances, generalisation), effect, 0.05);
+            const double rate = static_cast<double>(rejected) / studies;
+            qInfo("%s: %.3f by formula, %.3f simulated",
+                  generalisation == stats::Generalisation::TheseFabrics ? "these fabrics" : "fabrics like these", power, rate);
+            QVERIFY(std::fabs(rate - power) < 0.05);
+        }
     }
 
     void smallDesignsPlanOnlyWhatTheyCan()

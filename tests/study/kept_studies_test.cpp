@@ -89,6 +89,16 @@ private Q_SLOTS:
                 QVERIFY2(statistics.contains(key) && holds(statistics[key], value), key.c_str());
     }
 
+    void aPlanCanBeRegisteredLate()
+    {
+        const auto done = mustRun({"study", "preregister", at("finished")});
+        QVERIFY2(done.out.contains("after 157 answers"), qPrintable(done.out));
+        mustRun({"verify", at("finished")});
+        mustRun({"report", at("finished"), "--out", at("out")});
+        const Json plan = jsonOf(at("out/results.json")).at("preregistration");
+        QVERIFY2(plan.at("registered") == true && plan.at("answers_before") == 157, plan.dump(1).c_str());
+    }
+
     void wordedAnswersReachTheReport()
     {
         mustRun({"report", at("finished"), "--out", at("out")});

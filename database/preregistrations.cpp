@@ -1,0 +1,59 @@
+#include "database/preregistrations.h"
+
+#include <nlohmann/json.hpp>
+
+#include "database/event_chain.h"
+#include "database/preregistration_payload.h"
+#include "database/sqlite_connection.h"
+#include "protocols/files/errors.h"
+#include "protocols/files/sha256.h"
+
+namespace database {
+
+namespace {
+
+std::vector<PreregistrationRecord> preregistrationsIn(const SqliteConnection& sqlite)
+{
+    std::vector<PreregistrationRecord> records;
+    QSqlQuery row = sqlite.run(QStringLiteral(
+        "SELECT payload, wall_time FROM events WHERE kind = 'preregistered' AND participant = '' ORDER BY sequence"));
+    while (row.next()) {
+        const auto payload = nlohmann::json::parse(fromQt(row.value(0)), nullptr, false);
+        if (!isPreregistration(payload))
+            throw protocols::workFailed({"a preregistration in the log cannot be read", sqlite.file().string(), "",
+                                         "see `vis2hap verify`; restore the study from a backup"});
+        records.push_back({payload["number"], payload["answers_before"], payload["after_unblinding"], payload["who"],
+                           payload["text"], payload["json"], fromQt(row.value(1))});
+    }
+    return records;
+}
+
+}  // namespace
+
+std::string PreregistrationRecord::textSha256() const { return protocols::sha256(text); }
+
+std::string PreregistrationRecord::jsonSha256() const { return protocols::sha256(json); }
+
+void recordPreregistration(const StudyStore& store, const PreregistrationRecord& record)
+{
+    const SqliteConnection sqlite(store.folder().database(), SqliteConnection::Mode::Write);
+    Transaction transaction(sqlite);
+    const int next = static_cast<int>(preregistrationsIn(sqlite).size()) + 1;
+    if (record.number != next)
+        throw protocols::workFailed({"the next registered plan has number " + std::to_string(next),
+                                     store.folder().folder.string(), "not " + std::to_string(record.number), "try again"});
+    database::store(sqlite, actOnStudy("preregistered", payloadOf(record), record.wallTime));
+    transaction.commit();
+}
+
+std::vector<PreregistrationRecord> preregistrationsOf(const StudyStore& store)
+{
+    return preregistrationsIn({store.folder().database(), SqliteConnection::Mode::Read});
+}
+
+std::filesystem::path preregistrationFile(const StudyFolder& folder, int number, const std::string& kind)
+{
+    return folder.folder / ("preregistration" + (number == 1 ? "" : "-" + std::to_string(number)) + "." + kind);
+}
+
+}  // namespace database

@@ -1,0 +1,80 @@
+#include "reports/page/plan_section.h"
+
+#include "protocols/files/markup_text.h"
+#include "reports/page/html_parts.h"
+#include "reports/text/condition_label.h"
+#include "reports/text/plain_words.h"
+
+namespace reports {
+namespace {
+
+using protocols::escapedMarkup;
+
+std::string registrationSentence(const StudyData& data)
+{
+    if (!data.hasLog)
+        return data.plannedDesign ? "A protocol came with the answers. No registration of it is known."
+                                  : "Neither a registration nor a protocol came with the answers: no plan is known.";
+    if (data.registrations.empty()) return "The study was not preregistered. The plan is that of its first protocol.";
+    const Registration& first = data.registrations.front();
+    return "Preregistered on " + escapedMarkup(first.time) + ", " + timingText(first.answersBefore, first.afterUnblinding) +
+           ", SHA-256 <code>" + escapedMarkup(first.sha256) + "</code>.";
+}
+
+std::string amendmentSentences(const StudyData& data)
+{
+    std::string text;
+    for (const Registration& registration : data.registrations)
+        if (registration.number > 1) {
+            std::vector<std::string> changes;
+            for (const std::string& change : registration.changes)
+                changes.push_back("<code>" + escapedMarkup(change) + "</code>");
+            text += " Registration " + std::to_string(registration.number) + " on " + escapedMarkup(registration.time) + ", " +
+                    timingText(registration.answersBefore, registration.afterUnblinding) + ", changed " + listed(changes) +
+                    "; SHA-256 <code>" + escapedMarkup(registration.sha256) + "</code>.";
+        }
+    for (const Registration& registration : data.registrations)
+        if (registration.isFollowed && data.registrations.size() > 1)
+            text += " This report follows registration " + std::to_string(registration.number) + ".";
+    return text;
+}
+
+/// Names the planned contrasts that the answers cannot test.
+std::string untestedSentence(const PlanComparison& plan)
+{
+    std::vector<std::string> names;
+    for (const ContrastDone& contrast : plan.contrasts)
+        if (contrast.testedIn.empty()) names.push_back(htmlLabel(contrast.a) + " \u2212 " + htmlLabel(contrast.b));
+    if (names.empty()) return {};
+    return std::to_string(names.size()) + " of " + counted(plan.contrasts.size(), "planned contrast") +
+           (names.size() == 1 ? " was" : " were") + " not tested: " + listed(names) + ".";
+}
+
+std::string deviationSentence(const PlanComparison& plan)
+{
+    std::vector<std::string> items;
+    for (const PlanRow& row : deviationsOf(plan)) items.push_back(row.item);
+    if (items.empty()) return "Nothing differs from the plan.";
+    return "The study differs from its plan in: " + listed(items) + ".";
+}
+
+}  // namespace
+
+std::string planLead(const StudyAnalysis& analysis)
+{
+    std::string html = paragraph(registrationSentence(analysis.data) + amendmentSentences(analysis.data));
+    if (analysis.plan.rows.empty()) return html;
+    html += paragraph(deviationSentence(analysis.plan));
+    if (const std::string untested = untestedSentence(analysis.plan); !untested.empty()) html += paragraph(untested);
+    return html;
+}
+
+std::vector<std::string> planFindings(const StudyAnalysis& analysis)
+{
+    if (analysis.plan.rows.empty()) return {};
+    std::vector<std::string> sentences{registrationSentence(analysis.data) + " " + deviationSentence(analysis.plan)};
+    if (std::string untested = untestedSentence(analysis.plan); !untested.empty()) sentences.push_back(std::move(untested));
+    return sentences;
+}
+
+}  // namespace reports

@@ -1,0 +1,141 @@
+#include "study/making/preregistration.h"
+
+#include <nlohmann/json.hpp>
+
+#include "protocols/files/errors.h"
+#include "protocols/files/folder_draft.h"
+#include "protocols/files/sha256.h"
+#include "protocols/files/whole_file.h"
+#include "study/making/plan_json.h"
+#include "study/making/plan_text.h"
+
+namespace study::making {
+
+namespace {
+
+namespace fs = std::filesystem;
+using database::PreregistrationRecord;
+using nlohmann::ordered_json;
+
+struct RegisteredFile {
+    fs::path file;
+    const std::string& bytes;
+};
+
+std::vector<RegisteredFile> filesOf(const database::StudyFolder& folder, const PreregistrationRecord& record)
+{
+    return {{preregistrationFile(folder, record.number, "txt"), record.text},
+            {preregistrationFile(folder, record.number, "json"), record.json}};
+}
+
+/// A file with other content is somebody's work, or an altered plan: it stays, and the call ends.
+void requireUnaltered(const RegisteredFile& one)
+{
+    if (fs::exists(one.file) && protocols::readWholeFile(one.file) != one.bytes)
+        throw protocols::badInput({"the file differs from the registered plan", one.file.string(),
+                                   "SHA-256 " + protocols::sha256(one.bytes),
+                                   "move the file away and repeat the command, which writes the registered plan"});
+}
+
+void requireAbsent(const fs::path& file)
+{
+    if (fs::exists(file))
+        throw protocols::badInput({"a file with this name exists, and it is not registered", file.string(), "no such file",
+                                   "move the file away and repeat the command"});
+    protocols::requireWritable(file);
+}
+
+void writeMissing(const RegisteredFile& one, std::vector<fs::path>& written)
+{
+    if (fs::exists(one.file)) return;
+    protocols::writeWholeFile(one.file, one.bytes);
+    written.push_back(one.file);
+}
+
+std::vector<std::string> changesBetween(const ordered_json& before, const ordered_json& now)
+{
+    std::vector<std::string> changes;
+    for (const auto& [part, value] : now.items())
+        if (!before.contains(part) || before[part] != value) changes.push_back(part);
+    for (const auto& [part, value] : before.items())
+        if (!now.contains(part)) changes.push_back(part);
+    return changes;
+}
+
+RegistrationStamp stampFor(const database::StudyStore& store, const PreregistrationCall& call,
+                           const std::vector<PreregistrationRecord>& earlier, std::vector<std::string> changes)
+{
+    RegistrationStamp stamp{static_cast<int>(earlier.size()) + 1,
+                            call.wallTime,
+                            call.who,
+                            store.answers().size(),
+                            store.unblinding().has_value(),
+                            {},
+                            std::move(changes)};
+    for (const auto& record : earlier) stamp.earlierHashes.push_back(record.jsonSha256());
+    return stamp;
+}
+
+PreregistrationRecord recordOf(const StudyPlan& plan, const RegistrationStamp& stamp)
+{
+    PreregistrationRecord record{stamp.number, stamp.answersBefore, stamp.afterUnblinding, stamp.who, planText(plan, stamp),
+                                 {},           stamp.time};
+    record.json = planJson(plan, stamp, record.textSha256());
+    return record;
+}
+
+void requireUtf8(const std::string& who)
+{
+    try {
+        (void)ordered_json(who).dump();
+    } catch (const ordered_json::exception&) {
+        throw protocols::badInput({"the name is not valid UTF-8", "--who", "UTF-8 text", "type the name again"});
+    }
+}
+
+fs::path inOut(const PreregistrationCall& call, const fs::path& file) { return call.out / file.filename(); }
+
+void writeFiles(const database::StudyStore& store, const PreregistrationCall& call,
+                const std::vector<PreregistrationRecord>& records, Preregistered& done)
+{
+    for (const auto& record : records)
+        for (const auto& one : filesOf(store.folder(), record)) writeMissing(one, done.written);
+    if (call.out.empty()) return;
+    protocols::makeFolders(call.out);
+    for (const auto& one : filesOf(store.folder(), records.back()))
+        writeMissing({inOut(call, one.file), one.bytes}, done.written);
+}
+
+}  // namespace
+
+Preregistered preregister(database::StudyStore& store, const PreregistrationCall& call)
+{
+    requireUtf8(call.who);
+    const StudyPlan plan = planOf(store, call.program);
+    const ordered_json planned = plannedPart(plan);
+    std::vector<PreregistrationRecord> records = preregistrationsOf(store);
+    for (const auto& record : records)
+        for (const auto& one : filesOf(store.folder(), record)) requireUnaltered(one);
+
+    Preregistered done;
+    const ordered_json before = records.empty() ? ordered_json() : ordered_json::parse(records.back().json).at("plan");
+    if (!records.empty()) done.changes = changesBetween(before, planned);
+    done.isNew = records.empty() || !done.changes.empty();
+    if (done.isNew) {
+        const auto record = recordOf(plan, stampFor(store, call, records, done.changes));
+        for (const auto& one : filesOf(store.folder(), record)) {
+            requireAbsent(one.file);
+            if (!call.out.empty()) requireAbsent(inOut(call, one.file));
+        }
+        recordPreregistration(store, record);
+        records.push_back(record);
+    } else if (!call.out.empty()) {
+        for (const auto& one : filesOf(store.folder(), records.back())) requireUnaltered({inOut(call, one.file), one.bytes});
+    }
+    done.record = records.back();
+    for (const auto& one : filesOf(store.folder(), done.record)) done.files.push_back(one.file);
+    writeFiles(store, call, records, done);
+    return done;
+}
+
+}  // namespace study::making

@@ -1,0 +1,312 @@
+// vis2hap study preregister: the plan as text and JSON, its hash in the log, amendments, late plans, and altered files.
+#include <QDir>
+#include <QFile>
+#include <QRegularExpression>
+#include <QTemporaryDir>
+#include <QtTest>
+#include <nlohmann/json.hpp>
+
+#include "database/preregistrations.h"
+#include "protocols/files/sha256.h"
+#include "tests/support/played_session.h"
+#include "tests/support/program.h"
+#include "tests/support/raw_sqlite.h"
+#include "tests/support/study_builder.h"
+
+using nlohmann::json;
+using support::mustRun;
+using support::runProgram;
+
+namespace {
+
+const std::string plannedProtocol = R"({
+  "schema": "vis2hap.protocol/1", "name": "Planned study", "participants": 2, "fabrics": ["F01", "F02", "F03"],
+  "conditions": ["v_grey", "f", "h&f"],
+  "phases": [{"questions": ["Q1"], "alternatives": 3},
+             {"questions": ["Feel"], "scale": {"min": 1, "max": 7, "step": 0.5, "sections": 1}},
+             {"questions": ["Same"], "same_different": true}],
+  "question_texts": {"Feel": "How close is it?"},
+  "equivalence_bounds": [-0.8, 0.9],
+  "planned": [["v_grey", "f"], ["h&f", "f"]],
+  "primary": ["h&f", "f"]
+})";
+
+QString bytesOf(const QString& file)
+{
+    QFile opened(file);
+    return opened.open(QIODevice::ReadOnly) ? QString::fromUtf8(opened.readAll()) : QString();
+}
+
+json jsonOf(const QString& file) { return json::parse(bytesOf(file).toStdString()); }
+
+void write(const QString& file, const QString& text)
+{
+    QFile opened(file);
+    QVERIFY(opened.open(QIODevice::WriteOnly));
+    opened.write(text.toUtf8());
+}
+
+}  // namespace
+
+class PreregisterCommandTest : public QObject {
+    Q_OBJECT
+    QTemporaryDir m_place;
+    int m_studies = 0;
+
+    QString at(const QString& name) const { return m_place.filePath(name); }
+
+    QString newStudy()
+    {
+        const QString study = at(QString("study%1").arg(++m_studies));
+        tests::support::buildStudy(study.toStdString(), {.protocol = plannedProtocol});
+        return study;
+    }
+
+    static std::vector<database::PreregistrationRecord> registered(const QString& study)
+    {
+        const database::StudyStore store({study.toStdString()}, database::StudyStore::Access::Read);
+        return preregistrationsOf(store);
+    }
+
+    static void answer(const QString& study, const char* participant, int answers)
+    {
+        tests::support::OpenSession session({study.toStdString()}, participant);
+        session.playUntilAnswers(answers);
+    }
+
+    /// Other bounds of equivalence, taken over by `study amend`.
+    static void amendBounds(const QString& study)
+    {
+        write(study + "/protocol.json", QString::fromStdString(plannedProtocol).replace("-0.8, 0.9", "-1.2, 1.2"));
+        mustRun({"study", "amend", study, "--who", "M", "--why", "pilot"});
+    }
+
+private Q_SLOTS:
+    void theTextSaysWhatTheProtocolSays()
+    {
+        const QString study = newStudy();
+        mustRun({"study", "preregister", study, "--who", "Ada Müller"});
+        const QString text = bytesOf(study + "/preregistration.txt");
+        for (const char* line :
+             {"STUDY PLAN: Planned study\n", " by Ada Müller, before the first answer.\n",
+              "- Q1: under each condition, the share of right answers is above chance, 1/3 (one-sided).\n",
+              "- Feel, primary: the mean rating differs between h&f and f (two-sided).\n",
+              "- Feel: for each planned contrast, the difference of the mean ratings lies within -0.8 and 0.9 (equivalence).\n",
+              "- Feel: \"How close is it?\" Answer: a number from 1 to 7; scored as it is.\n",
+              "one of 2 answers is right; scored 1 or 0; chance is 1/2", "Conditions (3): v_grey, f, h&f.\n",
+              "Fabrics (3): F01 (fabric 01), F02 (fabric 02), F03 (fabric 03).\n", "Primary contrast: h&f - f. It belongs",
+              "first minus second):\n- h&f - f\n- v_grey - f\n", "The claim for fabrics like these decides.", "alpha = 0.05",
+              "Correction: Holm's", "The main analysis excludes no participant", "- too_fast: more than 5 %",
+              "2 participants. Data collection stops when this number have finished."})
+            QVERIFY2(text.contains(QString::fromUtf8(line)), line);
+        const json plan = jsonOf(study + "/preregistration.json");
+        QCOMPARE(plan["schema"].get<std::string>(), std::string("vis2hap.preregistration/1"));
+        QCOMPARE(plan["plan"]["equivalence_bounds"], json::parse("[-0.8, 0.9]"));
+        QCOMPARE(plan["plan"]["planned"],
+                 json::parse(R"([{"a":"h&f","b":"f","primary":true},{"a":"v_grey","b":"f","primary":false}])"));
+        QCOMPARE(plan["plan"]["questions"][2]["chance"], 0.5);
+        QCOMPARE(plan["answers_before"], 0);
+        QCOMPARE(plan["study"]["protocol_sha256"].get<std::string>(), protocols::sha256(plannedProtocol));
+    }
+
+    /// R: power.t.test(n = 2, delta = 0.6, sd = sqrt(2*(.15 + .85/3))*0.6, type = "paired", strict = TRUE): the scale from 1 to 7
+    /// has six tenths of the length of 0 to 10.
+    void thePowerIsThatOfTheDesign()
+    {
+        const QString study = newStudy();
+        mustRun({"study", "preregister", study});
+        const json power = jsonOf(study + "/preregistration.json")["power"];
+        QCOMPARE(power.size(), std::size_t(3));
+        QCOMPARE(power[1]["question"], "Feel");
+        const json& claim = power[1]["claims"][2];
+        QCOMPARE(claim["true_difference"], 0.6);
+        QCOMPARE(claim["generalises_to"], "these_fabrics");
+        QCOMPARE(claim["power"], 0.098);
+        QVERIFY(claim["power_first_step_of_holm"] < claim["power"]);
+    }
+
+    void nothingInThePlanTellsWhatAStimulusIs()
+    {
+        const QString study = newStudy();
+        mustRun({"study", "preregister", study});
+        const QString both = bytesOf(study + "/preregistration.txt") + bytesOf(study + "/preregistration.json");
+        const auto stimuli = QDir(study + "/stimuli").entryInfoList(QDir::Files);
+        QCOMPARE(stimuli.size(), 9);
+        for (const auto& stimulus : stimuli) QVERIFY(!both.contains(stimulus.completeBaseName()));
+        QVERIFY(!both.contains(QRegularExpression("\\bK[0-9]\\b")));
+    }
+
+    void theLogHoldsTheHashOfBothFiles()
+    {
+        const QString study = newStudy();
+        const json said = json::parse(mustRun({"study", "preregister", study, "--json"}).out.toStdString());
+        const auto records = registered(study);
+        QCOMPARE(records.size(), std::size_t(1));
+        QCOMPARE(records[0].jsonSha256(), protocols::sha256OfFile((study + "/preregistration.json").toStdString()));
+        QCOMPARE(records[0].textSha256(), protocols::sha256OfFile((study + "/preregistration.txt").toStdString()));
+        QCOMPARE(jsonOf(study + "/preregistration.json")["text_sha256"].get<std::string>(), records[0].textSha256());
+        QCOMPARE(said["sha256"].get<std::string>(), records[0].jsonSha256());
+        QCOMPARE(jsonOf(study + "/preregistration.json")["registered_at"].get<std::string>(), records[0].wallTime);
+        mustRun({"verify", study});
+        const auto status = mustRun({"study", "status", study});
+        QVERIFY(status.out.contains("before the first answer, SHA-256 " + QString::fromStdString(records[0].jsonSha256())));
+    }
+
+    /// Also the state after a crash between the log and the files.
+    void theSameCallWritesMissingFilesAgain()
+    {
+        const QString study = newStudy();
+        mustRun({"study", "preregister", study});
+        const QString text = bytesOf(study + "/preregistration.txt"), plan = bytesOf(study + "/preregistration.json");
+        QVERIFY(QFile::remove(study + "/preregistration.txt") && QFile::remove(study + "/preregistration.json"));
+        const auto missing = runProgram({"verify", study});
+        QCOMPARE(missing.exitCode, 1);
+        QVERIFY(missing.out.contains("preregistration.txt: missing") && missing.out.contains("preregistration.json: missing"));
+        const auto again = mustRun({"study", "preregister", study, "--out", at("copies")});
+        QVERIFY(again.out.contains("nothing has changed"));
+        QCOMPARE(bytesOf(study + "/preregistration.txt"), text);
+        QCOMPARE(bytesOf(study + "/preregistration.json"), plan);
+        QCOMPARE(bytesOf(at("copies/preregistration.txt")), text);
+        QCOMPARE(registered(study).size(), std::size_t(1));
+        mustRun({"verify", study});
+    }
+
+    void anAlteredFileIsAFault()
+    {
+        const QString study = newStudy();
+        mustRun({"study", "preregister", study});
+        write(study + "/preregistration.txt", bytesOf(study + "/preregistration.txt").replace("h&f - f", "f - h&f"));
+        const auto found = runProgram({"verify", study});
+        QCOMPARE(found.exitCode, 1);
+        QVERIFY(found.out.contains("preregistration.txt: differs from the plan that was registered on"));
+        const auto refused = runProgram({"study", "preregister", study});
+        QCOMPARE(refused.exitCode, 2);
+        QCOMPARE(refused.messages().size(), 1);
+        QVERIFY2(refused.err.contains("preregistration.txt") && refused.err.contains("move the file away"),
+                 qPrintable(refused.err));
+    }
+
+    void anAlteredEntryOfTheLogIsAFault()
+    {
+        const QString study = newStudy();
+        mustRun({"study", "preregister", study});
+        tests::support::RawSqlite sqlite((study + "/study.db").toStdString());
+        sqlite.dropTriggers();
+        QCOMPARE(sqlite.run("UPDATE events SET payload = replace(payload, '-0.8', '-1.8') WHERE kind = 'preregistered'"),
+                 std::string());
+        const auto found = runProgram({"verify", study});
+        QCOMPARE(found.exitCode, 1);
+        QVERIFY2(found.out.contains("(preregistered): the registered plan does not have its own hash"), qPrintable(found.out));
+    }
+
+    void foreignFilesAndUntakenEditsAreRefused()
+    {
+        const QString study = newStudy();
+        write(study + "/preregistration.txt", "mine");
+        QCOMPARE(runProgram({"study", "preregister", study}).exitCode, 2);
+        QVERIFY(QFile::remove(study + "/preregistration.txt"));
+        QVERIFY(QDir().mkpath(at("full")));
+        write(at("full/preregistration.json"), "mine");
+        QCOMPARE(runProgram({"study", "preregister", study, "--out", at("full")}).exitCode, 2);
+        QCOMPARE(bytesOf(at("full/preregistration.json")), QString("mine"));
+        write(study + "/protocol.json", QString::fromStdString(plannedProtocol).replace("-0.8", "-0.7"));
+        const auto edited = runProgram({"study", "preregister", study});
+        QCOMPARE(edited.exitCode, 2);
+        QVERIFY2(edited.err.contains("study amend"), qPrintable(edited.err));
+        QVERIFY(registered(study).empty());
+        QVERIFY(!QFile::exists(study + "/preregistration.txt"));
+        QCOMPARE(runProgram({"study", "preregister", at("nowhere")}).exitCode, 2);
+    }
+
+    void anAmendmentNamesTheEarlierPlan()
+    {
+        const QString study = newStudy();
+        mustRun({"study", "preregister", study});
+        const QString first = QString::fromStdString(registered(study)[0].jsonSha256());
+        amendBounds(study);
+        mustRun({"study", "preregister", study});
+        QCOMPARE(registered(study).size(), std::size_t(2));
+        const QString text = bytesOf(study + "/preregistration-2.txt");
+        QVERIFY(text.contains("This is registration 2, an amendment.\nRegistration 1 has the SHA-256 " + first));
+        QVERIFY(text.contains("since registration 1: equivalence_bounds.\n"));
+        QVERIFY(bytesOf(study + "/preregistration.txt").contains("-0.8 and 0.9"));
+        mustRun({"verify", study});
+        // Both were registered before the first answer: the report follows the later one.
+        answer(study, "S01", 27);
+        mustRun({"report", study, "--out", at("amended")});
+        const json results = jsonOf(at("amended/results.json"));
+        QCOMPARE(results["equivalence"][0]["bounds"], json::parse("[-1.2, 1.2]"));
+        const json& plan = results["preregistration"];
+        QCOMPARE(plan["followed"], 2);
+        QCOMPARE(plan["amendments"][0]["changes"], json::parse(R"(["equivalence_bounds"])"));
+    }
+
+    void aLatePlanSaysHowManyAnswersThereWere()
+    {
+        const QString study = newStudy();
+        answer(study, "S01", 5);
+        QVERIFY(mustRun({"study", "preregister", study}).out.contains("after 5 answers"));
+        QVERIFY(bytesOf(study + "/preregistration.txt").contains("5 answers were stored before this plan was registered."));
+        QCOMPARE(jsonOf(study + "/preregistration.json")["timing"], "after 5 answers");
+        mustRun({"report", study, "--out", at("late")});
+        const json plan = jsonOf(at("late/results.json"))["preregistration"];
+        QCOMPARE(plan["answers_before"], 5);
+        QCOMPARE(plan["deviations"][0]["item"], "registration");
+        QVERIFY(bytesOf(at("late/index.html")).contains(", after 5 answers, SHA-256"));
+        mustRun({"unblind", study, "--who", "M", "--why", "done"});
+        amendBounds(study);
+        mustRun({"study", "preregister", study});
+        QVERIFY(bytesOf(study + "/preregistration-2.txt").contains("after 5 answers and after the unblinding"));
+    }
+
+    /// A plan that is changed after answers is shown, and the report follows the one before them.
+    void theReportFollowsThePlanBeforeTheAnswers()
+    {
+        const QString study = newStudy();
+        mustRun({"study", "preregister", study});
+        answer(study, "S01", 27);
+        amendBounds(study);
+        mustRun({"study", "preregister", study});
+        mustRun({"report", study, "--out", at("kept")});
+        const json results = jsonOf(at("kept/results.json"));
+        QCOMPARE(results["equivalence"][0]["bounds"], json::parse("[-0.8, 0.9]"));
+        QCOMPARE(results["preregistration"]["followed"], 1);
+        QStringList items;
+        for (const json& row : results["preregistration"]["deviations"]) items << QString::fromStdString(row["item"]);
+        QCOMPARE(items, (QStringList{"amendments", "protocol (SHA-256)", "participants", "answers"}));
+        QVERIFY(bytesOf(at("kept/tables/plan.csv")).contains("not followed here"));
+    }
+
+    void aBlindedReportNamesNoCondition()
+    {
+        const QString study = newStudy();
+        mustRun({"study", "preregister", study});
+        answer(study, "S01", 27);
+        answer(study, "S02", 27);
+        mustRun({"report", study, "--out", at("blinded")});
+        for (const char* file : {"blinded/results.json", "blinded/statistics.json", "blinded/tables/plan.csv"})
+            for (const char* condition : {"v_grey", "h&f", "\"f\""}) QVERIFY2(!bytesOf(at(file)).contains(condition), file);
+        QVERIFY(bytesOf(at("blinded/tables/plan.csv")).contains("planned contrasts,2,all pairs while blinded,-"));
+        QVERIFY(!QFile::exists(at("blinded/tables/plan_contrasts.csv")));
+        QCOMPARE(jsonOf(at("blinded/results.json"))["preregistration"]["deviations"], json::array());
+        mustRun({"unblind", study, "--who", "M", "--why", "done"});
+        mustRun({"report", study, "--out", at("open")});
+        QVERIFY(bytesOf(at("open/tables/plan.csv")).contains("primary contrast,h&f - f,\"tested in Q1, Feel and Same\",yes"));
+        QVERIFY(bytesOf(at("open/tables/plan_contrasts.csv")).contains("v_grey,f,,\"Q1, Feel and Same\",,"));
+    }
+
+    void aStudyWithoutAPlanSaysSo()
+    {
+        const QString study = newStudy();
+        answer(study, "S01", 27);
+        mustRun({"report", study, "--out", at("none")});
+        const json plan = jsonOf(at("none/results.json"))["preregistration"];
+        QCOMPARE(plan["registered"], false);
+        QVERIFY(plan["time"].is_null() && plan["why"]["time"] == "the study was not preregistered");
+        QVERIFY(bytesOf(at("none/index.html")).contains("The study was not preregistered."));
+        QVERIFY(mustRun({"study", "status", study}).out.contains("not preregistered"));
+    }
+};
+
+QTEST_GUILESS_MAIN(PreregisterCommandTest)
+#include "preregister_command_test.moc"

@@ -86,6 +86,101 @@ Json testJson(const SignalTest& test)
     return row;
 }
 
+SignalValues measuresOf(const Json& object)
+{
+    SignalValues values;
+    for (const SignalMeasureRow& row : signalMeasureRows) values[row.measure] = valueOf(object, row.field);
+    return values;
+}
+
+SignalDifference differenceOf(const Json& object)
+{
+    return {object.value("n", std::size_t{0}), valueOf(object, "mean_difference"), intervalOf(object, "ci95"),
+            valueOf(object, "p"), valueOf(object, "p_holm")};
+}
+
+SignalSource sourceOf(const std::string& id, const Json& object)
+{
+    SignalSource source{id, object.value("name", id), {}, object.value("not_a_fair_control", ""), measuresOf(object), {}, {}};
+    if (object.contains("steps")) source.steps = object["steps"].get<int>();
+    const Json differences = object.value("difference", Json::object());
+    for (const SignalMeasureRow& row : signalMeasureRows)
+        if (differences.contains(row.field)) source.differences[row.measure] = differenceOf(differences[row.field]);
+    for (const Json& fabric : object.value("fabrics", Json::array()))
+        source.fabrics.push_back({fabric.value("fabric", ""), measuresOf(fabric)});
+    return source;
+}
+
+SignalControls controlsOf(const Json& json)
+{
+    const Json known = json.value("controls_know", Json::object());
+    SignalControls controls{json.value("pairing", ""),
+                            known.value("photographs", std::size_t{0}),
+                            known.value("presses", std::size_t{0}),
+                            known.value("strokes", std::size_t{0}),
+                            json.value("notes", std::vector<std::string>{}),
+                            sourceOf("generated", json.value("generated", Json::object())),
+                            sourceOf("generated_mean", json.value("generated_mean", Json::object())),
+                            {}};
+    for (const auto& [id, source] : json["controls"].items()) controls.controls.push_back(sourceOf(id, source));
+    return controls;
+}
+
+/// Measures of the generated signals that stand beside the fields of earlier versions.
+constexpr SignalMeasure addedMeasures[] = {SignalMeasure::HeightSsimRegistered, SignalMeasure::HeightSpectrum,
+                                           SignalMeasure::HeightSqRatio, SignalMeasure::MeanFrictionError,
+                                           SignalMeasure::FrictionSpectrum};
+
+void putMeasures(Json& object, const SignalValues& values)
+{
+    for (const SignalMeasureRow& row : signalMeasureRows) put(object, row.field, values[row.measure]);
+}
+
+Json differenceJson(const SignalDifference& difference)
+{
+    Json object{{"n", difference.n}};
+    put(object, "mean_difference", difference.meanDifference);
+    put(object, "ci95", difference.ci95);
+    put(object, "p", difference.p);
+    put(object, "p_holm", difference.pHolm);
+    return object;
+}
+
+Json sourceJson(const SignalSource& source)
+{
+    Json object{{"name", source.name}};
+    if (source.steps) object["steps"] = *source.steps;
+    if (!source.whyUnfair.empty()) object["not_a_fair_control"] = source.whyUnfair;
+    putMeasures(object, source.mean);
+    for (const auto& [measure, difference] : source.differences)
+        object["difference"][rowOf(measure).field] = differenceJson(difference);
+    object["fabrics"] = Json::array();
+    for (const FabricSignalValues& fabric : source.fabrics) {
+        Json one{{"fabric", fabric.fabric}};
+        putMeasures(one, fabric.values);
+        object["fabrics"].push_back(one);
+    }
+    return object;
+}
+
+void putControls(Json& json, const SignalComparison& signals)
+{
+    if (!signals.controls) {
+        for (const SignalMeasure measure : addedMeasures) putNull(json, rowOf(measure).field, signals.whyNoControls);
+        putNull(json, "controls", signals.whyNoControls);
+        return;
+    }
+    const SignalControls& controls = *signals.controls;
+    for (const SignalMeasure measure : addedMeasures) put(json, rowOf(measure).field, controls.generated.mean[measure]);
+    json["pairing"] = controls.pairing;
+    json["controls_know"] = {{"photographs", controls.photographs}, {"presses", controls.presses}, {"strokes", controls.strokes}};
+    json["notes"] = controls.notes;
+    json["controls"] = Json::object();
+    json["generated"] = sourceJson(controls.generated);
+    json["generated_mean"] = sourceJson(controls.generatedMean);
+    for (const SignalSource& source : controls.controls) json["controls"][source.id] = sourceJson(source);
+}
+
 }  // namespace
 
 std::optional<SignalComparison> signalsFromJson(const std::string& text)
@@ -97,8 +192,16 @@ std::optional<SignalComparison> signalsFromJson(const std::string& text)
                                  valueOf(json, "friction_mae_over_mean"),
                                  valueOf(json, "height_ssim"),
                                  valueOf(json, "height_range_mm"),
+                                 {},
+                                 {},
                                  {}};
         for (const Json& row : json.value("t_tests", Json::array())) signals.tests.push_back(testOf(row));
+        if (json.contains("controls") && json["controls"].is_object())
+            signals.controls = controlsOf(json);
+        else if (json.contains("controls"))
+            signals.whyNoControls = valueOf(json, "controls").why();
+        else
+            signals.whyNoControls = "the study was made by an earlier version, which stored no controls";
         return signals;
     } catch (const Json::exception& fault) {
         throw protocols::workFailed({"the comparison of signals cannot be read (" + std::string(fault.what()) + ")",
@@ -116,6 +219,7 @@ nlohmann::ordered_json signalsJson(const SignalComparison& signals)
     put(json, "height_range_mm", signals.heightRangeMm);
     json["t_tests"] = Json::array();
     for (const SignalTest& test : signals.tests) json["t_tests"].push_back(testJson(test));
+    putControls(json, signals);
     return json;
 }
 

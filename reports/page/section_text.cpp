@@ -6,6 +6,7 @@
 #include "reports/page/methods.h"
 #include "reports/page/order_text.h"
 #include "reports/page/plan_section.h"
+#include "reports/page/signal_text.h"
 #include "reports/text/number_text.h"
 #include "reports/text/plain_words.h"
 
@@ -68,25 +69,6 @@ std::string effectsLead(const StudyAnalysis& analysis)
                "Conditional R&sup2; adds participants, fabrics and their interactions. ICC(2,1) is the absolute agreement of "
                "one participant with the others on the same stimuli. ICC(2,k) is that of the mean of all.") +
            bulletList(sentences);
-}
-
-NumberTile signalTile(const stats::Value& value, double factor, int decimals, const std::string& unit, const std::string& what)
-{
-    if (!value.exists()) return {"\u2013", what + ": " + value.why()};
-    return {fixed(*value * factor, decimals) + unit, what};
-}
-
-std::string signalsLead(const StudyData& data)
-{
-    if (!data.signals) return {};
-    const SignalComparison& signals = *data.signals;
-    return tiles({signalTile(signals.frictionMae, 1, 4, "", "mean absolute error of the friction coefficient"),
-                  signalTile(signals.frictionMaeOverMean, 100, 1, " %", "of the mean measured friction"),
-                  signalTile(signals.heightSsim, 1, 3, "", "structural similarity (SSIM) of the height maps"),
-                  signalTile(signals.heightRangeMm, 1, 3, " mm", "range of the measured maps (L of SSIM)")}) +
-           paragraph(
-               "The t test asks whether the averages differ, and a small p shows that they do. The equivalence test beside "
-               "it asks whether generated and measured averages are close.");
 }
 
 std::string qualityLead(const StudyAnalysis& analysis)

@@ -26,9 +26,10 @@ namespace {
 
 using TableFamily = std::vector<ReportTable> (*)(const StudyAnalysis&);
 
-constexpr TableFamily families[] = {overviewTables, choiceTables,  ratingTables,     wordedTables,      claimTables,
-                                    pairTables, omnibusTables, ordinalTables, effectTables, groupTables, speedTables, signalTables,
-                                    planTables, qualityTables, orderTables, falseClaimTables, measuredSizeTables};
+constexpr TableFamily families[] = {overviewTables,   choiceTables,      ratingTables,  wordedTables,  claimTables,
+                                    pairTables,       omnibusTables,     ordinalTables, effectTables,  groupTables,
+                                    speedTables,      signalTables,      planTables,    qualityTables, orderTables,
+                                    falseClaimTables, measuredSizeTables};
 
 }  // namespace
 

@@ -29,8 +29,8 @@ void makeForApp(const app::NewStudyRequest& form, const app::MakingProgress& pro
     request.participants = form.participants;
     request.seed = form.seed;
     request.programVersion = versionText();
-    making::makeStudy(
-        request, [&](int done, int total, const std::string& what) { progress(total > 0 ? 1.0 * done / total : 0.0, what); });
+    const auto show = [&](int done, int total, const std::string& what) { progress(total > 0 ? 1.0 * done / total : 0.0, what); };
+    making::makeStudy(request, {show, [&](const std::string& stage, int done, int total) { show(done, total, stage); }});
 }
 
 /// A harmless explanation of a flag on equal ratings; empty for other flags.

@@ -37,20 +37,6 @@ const std::map<std::string, evaluation::SplitKind> splits{{"sample", evaluation:
                                                           {"location", evaluation::SplitKind::Location},
                                                           {"fabric", evaluation::SplitKind::Fabric},
                                                           {"augmented", evaluation::SplitKind::Augmented}};
-/// A progress bar for each stage of the work.
-class StagesShown {
-public:
-    void show(const std::string& stage, int done, int total)
-    {
-        if (!m_progress || stage != m_stage) m_progress = std::make_unique<Progress>(stage);
-        m_stage = stage;
-        m_progress->show(done, total);
-    }
-
-private:
-    std::string m_stage;
-    std::unique_ptr<Progress> m_progress;
-};
 
 bool hasMeasurements(const rendering::fabrics::Dataset& dataset)
 {

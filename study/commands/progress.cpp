@@ -63,4 +63,14 @@ void Progress::show(int done, int total, const std::string& what)
     std::fflush(stderr);
 }
 
+void StagesShown::show(const std::string& stage, int done, int total)
+{
+    if (!m_progress || stage != m_stage) {
+        m_progress.reset();  // ends the line of the stage before
+        m_progress = std::make_unique<Progress>(stage);
+    }
+    m_stage = stage;
+    m_progress->show(done, total);
+}
+
 }  // namespace study::commands

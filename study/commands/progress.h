@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <memory>
 #include <string>
 
 namespace study::commands {
@@ -24,6 +25,16 @@ private:
     std::chrono::steady_clock::time_point m_start, m_lastDrawn;
     int m_lastTenth = -1;
     bool m_open = false;
+};
+
+/// A bar for each stage of the work.
+class StagesShown {
+public:
+    void show(const std::string& stage, int done, int total);
+
+private:
+    std::string m_stage;
+    std::unique_ptr<Progress> m_progress;
 };
 
 }  // namespace study::commands

@@ -34,11 +34,18 @@ std::string listOf(const std::vector<database::FamiliarisationItem>& items)
     return text;
 }
 
+making::MadeStudy madeWithProgress(const making::NewStudy& request)
+{
+    Progress images("friction images");
+    StagesShown comparison;
+    return making::makeStudy(request,
+                             {[&](int done, int total, const std::string& what) { images.show(done, total, what); },
+                              [&](const std::string& stage, int done, int total) { comparison.show(stage, done, total); }});
+}
+
 int makeNew(const making::NewStudy& request)
 {
-    Progress progress("friction images");
-    const auto made =
-        making::makeStudy(request, [&](int done, int total, const std::string& what) { progress.show(done, total, what); });
+    const auto made = madeWithProgress(request);
     const auto protocol = records::protocolOf(made.facts);
     for (const auto& warning : made.warnings) std::fprintf(stderr, "warning: %s\n", warning.c_str());
     std::printf("%s: %s\n", request.study.c_str(), made.facts.name.c_str());
@@ -126,6 +133,9 @@ void addNew(CLI::App& study, Action& action)
     command->add_option("--dataset", call->dataset, "the data set")->required();
     command->add_option("--protocol", call->protocol, "protocol file (default: the paper's study)");
     command->add_option("--model", call->model, "weights of the generators (default: the shipped ones)");
+    command->add_option(
+        "--control", call->control,
+        "weights of an L1-only control, compared in the report (default: the shipped ones of the shipped weights)");
     command->add_option("--participants", call->participants, "number of participants (default: the protocol's)")
         ->check(CLI::Range(1, 10000));
     command->add_option("--seed", call->seed, "seed of fabrics, samples and running orders")->capture_default_str();

@@ -5,6 +5,9 @@
 #include <utility>
 #include <vector>
 
+#include "protocols/files/errors.h"
+#include "rendering/fabrics/dataset.h"
+#include "rendering/models/fair_control.h"
 #include "rendering/models/second_program.h"
 #include "study/commands/command_line.h"
 
@@ -38,15 +41,49 @@ std::vector<PassedOption> passedOptions()
         {"--validation-pairs", "number of pairs for validation (default 60)", ""}};
 }
 
+struct TrainCall {
+    std::string dataset, out, steps, minutes, controlOf;
+    std::vector<PassedOption> passed = passedOptions();
+    bool reference = false, l1Only = false, resume = false;
+};
+
+/// Options that a control takes from its model, so that both are trained alike.
+std::vector<std::string> optionsOfControl(const TrainCall& call)
+{
+    const auto model = rendering::models::readModelCardFields(call.controlOf);
+    if (rendering::fabrics::hashOf(rendering::fabrics::readDataset(call.dataset)) != model.datasetHash)
+        throw protocols::badInput({"the model was trained on another data set, so this would not be a fair control", call.dataset,
+                                   "the data set \"" + model.datasetName + "\" of " + call.controlOf,
+                                   "name that data set, or train a control with --l1-only and your own --steps"});
+    std::vector<std::string> arguments;
+    for (const auto& [name, value] : rendering::models::controlOptions(model)) {
+        arguments.push_back(name);
+        if (!value.empty()) arguments.push_back(value);
+    }
+    return arguments;
+}
+
+std::vector<std::string> argumentsOf(const TrainCall& call)
+{
+    std::vector<std::string> arguments{"train", call.dataset, "--out", call.out};
+    const auto pass = [&](const char* name, const std::string& value) {
+        if (!value.empty()) arguments.insert(arguments.end(), {name, value});
+    };
+    pass("--steps", call.steps);
+    pass("--minutes", call.minutes);
+    for (const PassedOption& one : call.passed) pass(one.name, one.value);
+    for (const auto& [wanted, name] :
+         {std::pair{call.reference, "--reference"}, {call.l1Only, "--l1-only"}, {call.resume, "--resume"}})
+        if (wanted) arguments.emplace_back(name);
+    if (!call.controlOf.empty())
+        for (std::string& argument : optionsOfControl(call)) arguments.push_back(std::move(argument));
+    return arguments;
+}
+
 }  // namespace
 
 void addTrain(CLI::App& app, Action& action)
 {
-    struct TrainCall {
-        std::string dataset, out, steps, minutes;
-        std::vector<PassedOption> passed = passedOptions();
-        bool reference = false, l1Only = false, resume = false;
-    };
     auto call = std::make_shared<TrainCall>();
     auto* command = app.add_subcommand("train", "train the generators on a data set (uses libtorch)");
     command->add_option("DATASET", call->dataset, "the data set")->required();
@@ -57,22 +94,21 @@ void addTrain(CLI::App& app, Action& action)
     command->add_option("--minutes", call->minutes, "minutes of training instead of a number of steps")->excludes(steps);
     for (PassedOption& one : call->passed) command->add_option(one.name, one.value, one.meaning);
     auto* reference = command->add_flag("--reference", call->reference, "use the losses of the paper");
-    command->add_flag("--l1-only", call->l1Only, "use only the L1 loss of the paper: a control for evaluate")
-        ->excludes(reference);
+    auto* l1Only = command->add_flag("--l1-only", call->l1Only, "use only the L1 loss of the paper: a control for evaluate")
+                       ->excludes(reference);
+    auto* controlOf = command
+                          ->add_option("--control-of", call->controlOf,
+                                       "train the L1-only control of this model: with its steps, seed, split, held-out fabrics, "
+                                       "batch and networks")
+                          ->excludes(steps)
+                          ->excludes(reference)
+                          ->excludes(l1Only);
+    for (const char* taken : {"--minutes", "--seed", "--hold-out", "--split", "--split-seed", "--batch", "--crop", "--channels",
+                              "--learning-rate", "--patience"})
+        controlOf->excludes(command->get_option(taken));
     command->add_flag("--resume", call->resume, "continue from the last checkpoint");
-    command->callback([call, &action] {
-        std::vector<std::string> arguments{"train", call->dataset, "--out", call->out};
-        const auto pass = [&](const char* name, const std::string& value) {
-            if (!value.empty()) arguments.insert(arguments.end(), {name, value});
-        };
-        pass("--steps", call->steps);
-        pass("--minutes", call->minutes);
-        for (const PassedOption& one : call->passed) pass(one.name, one.value);
-        for (const auto& [wanted, name] :
-             {std::pair{call->reference, "--reference"}, {call->l1Only, "--l1-only"}, {call->resume, "--resume"}})
-            if (wanted) arguments.emplace_back(name);
-        action.work = [arguments] { return rendering::models::runSecondProgram(arguments); };
-    });
+    command->callback(
+        [call, &action] { action.work = [call] { return rendering::models::runSecondProgram(argumentsOf(*call)); }; });
 }
 
 }  // namespace study::commands

@@ -118,6 +118,17 @@ Criterion againstPredictor(const CriterionRow& row, const stats::Value& found, c
             isBetter(row.measure, *found, *held)};
 }
 
+/// Better than another model, which says something about the losses only if both were trained alike.
+Criterion againstModel(const CriterionRow& row, const stats::Value& found, const PredictorResult& other,
+                       const std::string& unfair)
+{
+    Criterion criterion = againstPredictor(row, found, other);
+    if (unfair.empty()) return criterion;
+    criterion.found += "; not a fair control: " + unfair;
+    criterion.reached.reset();
+    return criterion;
+}
+
 /// A photograph of another place does not determine the phase of the texture. Sample by sample, a trace with the right texture
 /// is therefore as far off as another measured stroke: this is its noise floor. Only a trace with less texture gets below the
 /// error of the fabric's mean, a constant.
@@ -170,7 +181,8 @@ void addTo(std::vector<Criterion>& criteria, const CriterionRow& row, const Eval
             return;
         case Requirement::BetterThanAgainst:
             for (const PredictorResult& other : evaluation.predictors)
-                if (other.predictor.kind == PredictorKind::Against) criteria.push_back(againstPredictor(row, found, other));
+                if (other.predictor.kind == PredictorKind::Against)
+                    criteria.push_back(againstModel(row, found, other, evaluation.whyUnfair(other)));
             return;
         case Requirement::BelowMeanOrAtFloor:
             criteria.push_back(belowMeanOrAtFloor(row, found, evaluation));

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "protocols/files/errors.h"
-#include "rendering/models/model_card_fields.h"
+#include "rendering/models/fair_control.h"
 #include "stats/kernels/threads.h"
 #include "study/evaluation/predictions.h"
 #include "study/evaluation/summary.h"
@@ -25,22 +25,22 @@ Predictor controlPredictor(PredictorKind kind)
 {
     switch (kind) {
         case PredictorKind::GlobalConstant:
-            return {kind, "global_constant", "one constant for all"};
+            return {kind, "global_constant", "one constant for all", 0};
         case PredictorKind::FabricMean:
-            return {kind, "fabric_mean", "the fabric's mean"};
+            return {kind, "fabric_mean", "the fabric's mean", 0};
         case PredictorKind::Retrieval:
-            return {kind, "retrieval", "nearest photograph"};
+            return {kind, "retrieval", "nearest photograph", 0};
         case PredictorKind::AnotherPlace:
-            return {kind, "another_place", "fabric, another place"};
+            return {kind, "another_place", "fabric, another place", 0};
         case PredictorKind::Measured:
-            return {kind, "measured", "measured itself"};
+            return {kind, "measured", "measured itself", 0};
         case PredictorKind::GeneratedMean:
-            return {kind, "generated_mean", "generated, mean alone"};
+            return {kind, "generated_mean", "generated, mean alone", 0};
         case PredictorKind::Generated:
         case PredictorKind::Against:
             break;
     }
-    return {kind, "generated", "generated"};
+    return {kind, "generated", "generated", 0};
 }
 
 struct OpenModel {
@@ -86,21 +86,6 @@ PlanRequest planRequest(const fabrics::Dataset& dataset, const EvaluationRequest
     return plan;
 }
 
-stats::Value rangeOf(const std::vector<MeasuredPair>& pairs)
-{
-    double lowest = 0, highest = 0;
-    bool any = false;
-    for (const MeasuredPair& pair : pairs) {
-        if (!pair.heightFeatures) continue;
-        lowest = any ? std::min(lowest, pair.lowestMm) : pair.lowestMm;
-        highest = any ? std::max(highest, pair.highestMm) : pair.highestMm;
-        any = true;
-    }
-    if (!any) return stats::Value::undefined("there is no measured height");
-    if (!(highest > lowest)) return stats::Value::undefined("the measured heights are flat");
-    return highest - lowest;
-}
-
 /// Mean within fabrics first, then over fabrics, as for every measure.
 stats::Value noiseFloorOf(const TestPlan& plan, const std::vector<MeasuredPair>& pairs)
 {
@@ -138,8 +123,8 @@ std::vector<Predictor> predictorsOf(const std::vector<OpenModel>& opened)
     std::vector<Predictor> predictors;
     for (std::size_t i = 0; i < opened.size(); ++i) {
         const std::string name = opened[i].file.stem().string();
-        predictors.push_back(i == 0 ? Predictor{PredictorKind::Generated, "generated", "generated"}
-                                    : Predictor{PredictorKind::Against, "against:" + name, "against: " + name});
+        predictors.push_back(i == 0 ? Predictor{PredictorKind::Generated, "generated", "generated", 0}
+                                    : Predictor{PredictorKind::Against, "against:" + name, "against: " + name, i});
     }
     predictors.push_back(controlPredictor(PredictorKind::GeneratedMean));
     for (const PredictorKind kind : controlKinds) predictors.push_back(controlPredictor(kind));
@@ -185,12 +170,16 @@ void addFacts(const fabrics::Dataset& dataset, const std::vector<OpenModel>& ope
               Evaluation& evaluation)
 {
     evaluation.dataset = dataset.name;
-    evaluation.aligned = dataset.pairing == fabrics::Pairing::Aligned;
-    for (const OpenModel& model : opened)
-        evaluation.models.push_back(
-            {model.card.summary.name, model.file.string(), model.card.summary.sha256, model.card.objective, model.card.heldOut});
-    evaluation.leaks = context.plan.leaks;
     evaluation.notes = context.plan.notes;
+    evaluation.aligned = dataset.pairing == fabrics::Pairing::Aligned;
+    for (const OpenModel& model : opened) {
+        evaluation.models.push_back({model.card.summary.name, model.file.string(), model.card.summary.sha256,
+                                     model.card.objective, model.card.heldOut, model.card.steps,
+                                     models::trainingDifferences(opened.front().card, model.card)});
+        if (const auto& used = evaluation.models.back(); !used.differences.empty())
+            evaluation.notes.push_back(used.name + " is not a fair control: it was " + unfairness(used.differences));
+    }
+    evaluation.leaks = context.plan.leaks;
     evaluation.pairs = static_cast<int>(context.plan.pairs.size());
     evaluation.trainingPhotographs = context.controls.photographs;
     evaluation.trainingPresses = context.controls.presses;
@@ -212,6 +201,18 @@ const PredictorResult* Evaluation::predictor(PredictorKind kind) const
     const auto found = std::find_if(predictors.begin(), predictors.end(),
                                     [&](const PredictorResult& one) { return one.predictor.kind == kind; });
     return found == predictors.end() ? nullptr : &*found;
+}
+
+std::string Evaluation::whyUnfair(const PredictorResult& predictor) const
+{
+    return predictor.predictor.model < models.size() ? unfairness(models[predictor.predictor.model].differences) : std::string();
+}
+
+std::string unfairness(const std::vector<std::string>& differences)
+{
+    std::string text;
+    for (const std::string& difference : differences) text += (text.empty() ? "trained with " : ", ") + difference;
+    return text;
 }
 
 Evaluation evaluate(const fabrics::Dataset& dataset, const EvaluationRequest& request, const Report& report,

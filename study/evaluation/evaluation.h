@@ -22,8 +22,9 @@ enum class PredictorKind { Generated, GeneratedMean, Against, GlobalConstant, Fa
 /// A source of predicted signals: a model or a control.
 struct Predictor {
     PredictorKind kind = PredictorKind::Generated;
-    std::string id;    ///< "generated", "against:NAME", "global_constant", …
-    std::string name;  ///< for tables
+    std::string id;         ///< "generated", "against:NAME", "global_constant", …
+    std::string name;       ///< for tables
+    std::size_t model = 0;  ///< index in Evaluation::models of the model that predicts
 };
 
 /// Measures of one fabric.
@@ -51,6 +52,10 @@ struct ModelUsed {
     std::string name, file, sha256;
     std::string losses;  ///< "default", "reference", "l1-only"
     std::vector<std::string> heldOut;
+    int steps = 0;  ///< of its training
+    /// What its training differs in from that of the evaluated model, besides the losses (trainingDifferences() in
+    /// rendering/models/fair_control.h). If not empty, it is not a fair control.
+    std::vector<std::string> differences;
 };
 
 struct EvaluationRequest {
@@ -80,7 +85,12 @@ struct Evaluation {
     std::vector<std::string> notes;
 
     const PredictorResult* predictor(PredictorKind kind) const;  ///< first of this kind; null if none
+    /// Reason why a predictor is not a fair control, such as "trained with 800 steps (the model: 6,000)"; empty if it is one.
+    std::string whyUnfair(const PredictorResult& predictor) const;
 };
+
+/// "trained with 800 steps (the model: 6,000), another split"; empty if there are no differences.
+std::string unfairness(const std::vector<std::string>& differences);
 
 /// Function that generates signals; the program uses rendering::models::generate().
 using Generate = std::function<std::vector<rendering::models::GeneratedSignals>(

@@ -73,7 +73,19 @@ Json predictorJson(const PredictorResult& predictor)
 
 Json modelJson(const ModelUsed& model)
 {
-    return {{"name", model.name}, {"sha256", model.sha256}, {"losses", model.losses}, {"held_out", model.heldOut}};
+    return {{"name", model.name},
+            {"sha256", model.sha256},
+            {"losses", model.losses},
+            {"held_out", model.heldOut},
+            {"steps", model.steps}};
+}
+
+Json againstJson(const ModelUsed& model)
+{
+    Json json = modelJson(model);
+    json["fair_control"] = model.differences.empty();
+    json["training_differs"] = model.differences;
+    return json;
 }
 
 Json criteriaJson(const Evaluation& evaluation)
@@ -107,7 +119,7 @@ nlohmann::ordered_json evaluationJson(const Evaluation& evaluation)
               {"leaks", leaksJson(evaluation.leaks)},
               {"bounds_fraction", evaluation.boundsFraction},
               {"notes", evaluation.notes}};
-    for (std::size_t i = 1; i < evaluation.models.size(); ++i) json["against"].push_back(modelJson(evaluation.models[i]));
+    for (std::size_t i = 1; i < evaluation.models.size(); ++i) json["against"].push_back(againstJson(evaluation.models[i]));
     put(json, "ssim_range_mm", evaluation.rangeMm);
     put(json, "friction_noise_floor", evaluation.noiseFloor);
     json["speakers"] = Json::array();

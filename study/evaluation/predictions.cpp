@@ -120,6 +120,21 @@ MeasuredPair measurePair(const EvaluationContext& context, const TestPair& pair)
     return measured;
 }
 
+stats::Value rangeOf(const std::vector<MeasuredPair>& pairs)
+{
+    double lowest = 0, highest = 0;
+    bool any = false;
+    for (const MeasuredPair& pair : pairs) {
+        if (!pair.heightFeatures) continue;
+        lowest = any ? std::min(lowest, pair.lowestMm) : pair.lowestMm;
+        highest = any ? std::max(highest, pair.highestMm) : pair.highestMm;
+        any = true;
+    }
+    if (!any) return stats::Value::undefined("there is no measured height");
+    if (!(highest > lowest)) return stats::Value::undefined("the measured heights are flat");
+    return highest - lowest;
+}
+
 HeightMap measuredMap(const EvaluationContext& context, const TestPair& pair)
 {
     return pair.press && context.measured.whyNoHeight().empty() ? mapOf(context, *pair.press) : HeightMap{};
@@ -129,9 +144,13 @@ Prediction predictByModel(const EvaluationContext& context, const TestPair& pair
                           const rendering::models::GeneratedSignals& generated)
 {
     Prediction prediction;
+    prediction.whyNoHeight = "no height was generated";
+    prediction.whyNoTrace = "no friction was generated";
     const double pitch = context.dataset.tactileMmPerPixel ? generated.heightMmPerPixel : context.measured.pitchMm();
-    prediction.height = atPitch({generated.heightMm, pitch, pair.photograph.rotationDeg.value_or(0)}, context.measured.pitchMm());
-    prediction.trace = Trace{generated.trace, generated.traceMmPerSample};
+    if (!generated.heightMm.empty())
+        prediction.height =
+            atPitch({generated.heightMm, pitch, pair.photograph.rotationDeg.value_or(0)}, context.measured.pitchMm());
+    if (!generated.trace.empty()) prediction.trace = Trace{generated.trace, generated.traceMmPerSample};
     return prediction;
 }
 
@@ -139,7 +158,9 @@ Prediction predictByMean(const rendering::models::GeneratedSignals& generated, c
 {
     Prediction prediction;
     prediction.whyNoHeight = "this predictor gives friction only";
-    if (measured.trace) prediction.trace = constantTrace(generated.meanFriction, measured.trace->values.size());
+    prediction.whyNoTrace = "no friction was generated";
+    if (measured.trace && !generated.trace.empty())
+        prediction.trace = constantTrace(generated.meanFriction, measured.trace->values.size());
     return prediction;
 }
 

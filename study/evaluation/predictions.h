@@ -25,6 +25,10 @@ struct EvaluationContext {
 
 MeasuredPair measurePair(const EvaluationContext& context, const TestPair& pair);
 
+/// L of the structural similarity: highest minus lowest point of all measured maps. Undefined if there is none, or if all are
+/// flat.
+stats::Value rangeOf(const std::vector<MeasuredPair>& pairs);
+
 /// Signals predicted for a pair. A missing height or trace has its reason.
 struct Prediction {
     std::optional<HeightMap> height;

@@ -16,6 +16,7 @@ namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
 constexpr const char* manifestName = "images.json";
+constexpr int signalsSchema = 2;  ///< changes with the fields of the comparison of signals, which is kept beside the images
 
 fs::path imagePath(const fs::path& folder, const protocols::FabricId& fabric, const protocols::ConditionId& condition)
 {
@@ -26,7 +27,10 @@ fs::path imagePath(const fs::path& folder, const protocols::FabricId& fabric, co
 
 std::string imageFolderKey(const database::StudyFacts& facts, const rendering::RenderRequest& request)
 {
-    ordered_json inputs{{"program", facts.programVersion}, {"dataset", facts.datasetSha256}, {"model", facts.modelSha256}};
+    ordered_json inputs{{"program", facts.programVersion},
+                        {"dataset", facts.datasetSha256},
+                        {"model", facts.modelSha256},
+                        {"signals", signalsSchema}};
     for (const auto& [fabric, sample] : request.samples)
         inputs["samples"][fabric.value] = {sample.visual, sample.tactile, sample.friction};
     for (const auto& condition : request.conditions) inputs["conditions"].push_back(condition.value);

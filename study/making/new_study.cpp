@@ -53,7 +53,7 @@ database::StudyFacts factsOf(const NewStudy& request, const StudyMaterial& mater
     facts.datasetPath = fs::absolute(request.dataset).lexically_normal().string();
     facts.datasetSha256 = hashOf(material.dataset);
     facts.datasetProcedural = material.dataset.procedural;
-    facts.modelSha256 = material.model ? material.model->sha256 : "";
+    facts.modelSha256 = material.model ? material.model->summary.sha256 : "";
     facts.stamps = material.stamps;
     facts.fabrics = material.fabrics;
     for (const auto& fabric : facts.fabrics) facts.fabricNames[fabric] = material.dataset.fabric(fabric).name;
@@ -117,7 +117,7 @@ void writeStudy(const NewStudy& request, const protocols::Allocation& allocation
 
 }  // namespace
 
-MadeStudy makeStudy(const NewStudy& request, const StepProgress& progress)
+MadeStudy makeStudy(const NewStudy& request, const StudyProgress& progress)
 {
     requireFreePlace(request);
     const StudyMaterial material = materialFor(request);

@@ -19,6 +19,7 @@ struct NewStudy {
     std::filesystem::path dataset;
     std::filesystem::path protocol;        ///< empty: the protocol of the paper
     std::filesystem::path model;           ///< empty: the shipped weights
+    std::filesystem::path control;         ///< L1-only control of the model; empty: the shipped one of the shipped weights
     std::optional<int> participants;       ///< replaces the number of the protocol
     std::uint64_t seed = 1;                ///< for fabrics, samples and running orders
     std::optional<std::uint64_t> keySeed;  ///< for tests; otherwise a secret of the system
@@ -37,8 +38,14 @@ struct MadeStudy {
 
 using StepProgress = std::function<void(int done, int total, const std::string& what)>;
 
+/// Progress of the friction images by step, and of the comparison of signals by stage.
+struct StudyProgress {
+    StepProgress images = {};
+    std::function<void(const std::string& stage, int done, int total)> comparison = {};
+};
+
 /// Throws badInput: the folder exists, the protocol does not fit the data set, a signal is missing, the model was trained on
 /// all samples. Throws environmentFault: faults of the disk.
-MadeStudy makeStudy(const NewStudy& request, const StepProgress& progress = {});
+MadeStudy makeStudy(const NewStudy& request, const StudyProgress& progress = {});
 
 }  // namespace study::making

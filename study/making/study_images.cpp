@@ -9,6 +9,7 @@
 #include "rendering/composition/render_json.h"
 #include "study/making/image_folder.h"
 #include "study/making/sample_choice.h"
+#include "study/making/signal_controls.h"
 #include "study/making/signal_quality.h"
 
 namespace study::making {
@@ -26,11 +27,21 @@ std::string sentence(std::string line)
     return line + ".";
 }
 
-StudyImages rendered(const NewStudy& request, const StudyMaterial& material, const std::string& key, const StepProgress& progress)
+/// Generated against measured signals, beside the controls.
+std::string comparedSignals(const NewStudy& request, const StudyMaterial& material, const database::StudyFacts& facts,
+                            const rendering::RenderedFabrics& rendering, const StudyProgress& progress)
 {
-    auto rendering = renderFabrics(material.dataset, material.render, progress);
+    auto json = signalQuality(rendering.signals);
+    addControls(json, {material, rendering, facts.datasetSha256, request.seed}, progress.comparison);
+    return json.dump();
+}
+
+StudyImages rendered(const NewStudy& request, const StudyMaterial& material, const std::string& key,
+                     const database::StudyFacts& facts, const StudyProgress& progress)
+{
+    auto rendering = renderFabrics(material.dataset, material.render, progress.images);
     StudyImages images;
-    images.signalsJson = signalQuality(rendering.signals).dump();
+    images.signalsJson = comparedSignals(request, material, facts, rendering, progress);
     for (const auto& line : unfamiliarPhotographs(rendering)) images.stamps.push_back(sentence(line));
     images.warnings = shadingWarnings(rendering);
     for (const auto& line : cutPhotographs(rendering)) images.warnings.push_back(line);
@@ -54,13 +65,13 @@ bool hasSamplesFor(const Dataset& dataset, const protocols::FabricId& fabric, co
 }  // namespace
 
 StudyImages imagesFor(const NewStudy& request, const StudyMaterial& material, const database::StudyFacts& facts,
-                      const StepProgress& progress)
+                      const StudyProgress& progress)
 {
     const std::string key = imageFolderKey(facts, material.render);
     if (!request.images.empty())
         if (auto kept = readImageFolder(request.images, key, material.render))
             return {std::move(kept->images), kept->signalsJson, true, kept->stamps, {}};
-    return rendered(request, material, key, progress);
+    return rendered(request, material, key, facts, progress);
 }
 
 FamiliarisationImages familiarisationFor(const NewStudy& request, const StudyMaterial& material)

@@ -20,7 +20,7 @@ struct StudyImages {
 
 /// Reads the images from `request.images` if they were made from the same material; otherwise renders them and stores them there.
 StudyImages imagesFor(const NewStudy& request, const StudyMaterial& material, const database::StudyFacts& facts,
-                      const StepProgress& progress);
+                      const StudyProgress& progress);
 
 /// Fabrics outside the study, each with one friction image.
 struct FamiliarisationImages {

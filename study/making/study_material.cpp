@@ -52,7 +52,14 @@ std::vector<protocols::FabricId> fabricsFor(const protocols::Protocol& protocol,
 
 void readModel(const NewStudy& request, StudyMaterial& material)
 {
-    material.model = rendering::models::readModelCard(request.model.empty() ? rendering::models::shippedModel() : request.model);
+    namespace models = rendering::models;
+    material.model = models::readModelCardFields(request.model.empty() ? models::shippedModel() : request.model);
+    material.control = request.control;
+    if (!request.control.empty())
+        (void)models::readModelCardFields(request.control);  // refuses weights without a card before any work
+    else if (const auto shipped = models::shippedModel().parent_path() / "l1-only.pt";
+             request.model.empty() && std::filesystem::exists(shipped))
+        material.control = shipped;
     if (request.model.empty() && !material.dataset.procedural)
         material.stamps.push_back(
             "The shipped weights generated the signals. They were trained on procedural fabrics, not on this data set.");
@@ -68,8 +75,9 @@ StudyMaterial materialFor(const NewStudy& request)
     material.fabrics = fabricsFor(material.protocol, material.dataset, request.seed);
     const auto signals = rendering::signalsFor(std::span<const protocols::ConditionId>(material.protocol.conditions));
     if (needsGenerators(signals)) readModel(request, material);
-    const auto chosen = chooseSamples(material.dataset, material.fabrics, signals, material.model ? &*material.model : nullptr,
-                                      request.seed, request.allowTrainingSamples);
+    const auto chosen =
+        chooseSamples(material.dataset, material.fabrics, signals, material.model ? &material.model->summary : nullptr,
+                      request.seed, request.allowTrainingSamples);
     if (chosen.someTrainedOn)
         material.stamps.push_back(
             "Some samples shown in this study were among the training samples of the generators (--allow-training-samples).");

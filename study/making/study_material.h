@@ -8,7 +8,7 @@
 
 #include "protocols/protocol.h"
 #include "rendering/composition/render_fabrics.h"
-#include "rendering/models/generation.h"
+#include "rendering/models/model_card_fields.h"
 #include "study/making/new_study.h"
 
 namespace study::making {
@@ -18,9 +18,10 @@ struct StudyMaterial {
     protocols::Protocol protocol;
     rendering::fabrics::Dataset dataset;
     std::vector<protocols::FabricId> fabrics;
-    std::optional<rendering::models::ModelCard> model;  ///< none where no condition needs generated signals
-    rendering::RenderRequest render;                    ///< the conditions over the fabrics, with their samples
-    std::vector<std::string> stamps;                    ///< sentences that every report must carry
+    std::optional<rendering::models::ModelCardFields> model;  ///< none where no condition needs generated signals
+    std::filesystem::path control;                            ///< weights of the L1-only control; empty where there are none
+    rendering::RenderRequest render;                          ///< the conditions over the fabrics, with their samples
+    std::vector<std::string> stamps;                          ///< sentences that every report must carry
 };
 
 /// Throws badInput: a protocol with faults, a data set with too few fabrics or without a needed signal, only samples that

@@ -13,7 +13,7 @@ namespace {
 
 PredictorResult predictor(PredictorKind kind, const std::string& name, double badness)
 {
-    PredictorResult result{{kind, name, name}, {}, {}, {}, {}};
+    PredictorResult result{{kind, name, name, kind == PredictorKind::Against ? 1u : 0u}, {}, {}, {}, {}};
     for (int i = 1; i <= 3; ++i) result.fabrics.push_back({protocols::FabricId("F0" + std::to_string(i)), 4, {}});
     for (const MeasureRow& row : measureTable()) {
         const bool larger = row.better == Better::Larger;
@@ -32,7 +32,7 @@ Evaluation good(SplitKind split = SplitKind::Sample, bool aligned = false)
     evaluation.dataset = "cloths";
     evaluation.split = split;
     evaluation.aligned = aligned;
-    evaluation.models = {{"ours", "ours.pt", "00", "default", {}}};
+    evaluation.models = {{"ours", "ours.pt", "00", "default", {}, 6000, {}}, {"l1", "l1.pt", "01", "l1-only", {}, 6000, {}}};
     evaluation.pairs = 12;
     evaluation.fabrics = 3;
     evaluation.rangeMm = 0.5;
@@ -160,6 +160,21 @@ private Q_SLOTS:
         const auto criteria = criteriaOf(evaluation);
         QCOMPARE(countOf(criteria, std::nullopt), 2);
         QVERIFY(named(criteria, "mean off by", "at most").found.find("no friction here") != std::string::npos);
+    }
+
+    void controlTrainedOtherwiseDecidesNoCriterion()
+    {
+        Evaluation evaluation = good();
+        evaluation.models[1].steps = 800;
+        evaluation.models[1].differences = {"800 steps (the model: 6,000)"};
+        const auto criteria = criteriaOf(evaluation);
+        QCOMPARE(countOf(criteria, std::nullopt), 2);  // registered SSIM and height spectrum
+        const auto one = named(criteria, "SSIM, registered", "against: l1");
+        QCOMPARE(one.found, std::string("0.9600 to 0.9400; not a fair control: trained with 800 steps (the model: 6,000)"));
+        const auto json = evaluationJson(evaluation)["against"][0];
+        QCOMPARE(json["steps"].get<int>(), 800);
+        QCOMPARE(json["fair_control"].get<bool>(), false);
+        QCOMPARE(evaluationJson(good())["against"][0]["fair_control"].get<bool>(), true);
     }
 
     void tablesNameSplitAndPairing()

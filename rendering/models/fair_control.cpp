@@ -1,0 +1,82 @@
+#include "rendering/models/fair_control.h"
+
+#include <algorithm>
+#include <sstream>
+
+namespace rendering::models {
+
+namespace {
+
+/// An option of `train` that only the training command of a card records.
+struct CommandOption {
+    const char* name;
+    const char* usual;  ///< value where the command does not name the option
+    const char* difference;
+};
+constexpr CommandOption commandOptions[] = {{"--batch", "8", "another batch"},
+                                            {"--learning-rate", "0.001", "another learning rate"}};
+
+std::string valueOf(const CommandOption& option, const ModelCardFields& card)
+{
+    std::istringstream words(card.summary.trainingCommand);
+    for (std::string word; words >> word;)
+        if (word == option.name && words >> word) return word;
+    return option.usual;
+}
+
+/// 6000 becomes "6,000".
+std::string grouped(int number)
+{
+    std::string text = std::to_string(number);
+    for (auto place = static_cast<std::ptrdiff_t>(text.size()) - 3; place > 0; place -= 3)
+        text.insert(static_cast<std::size_t>(place), ",");
+    return text;
+}
+
+std::string countedSteps(int steps) { return grouped(steps) + (steps == 1 ? " step" : " steps"); }
+
+std::string joined(std::vector<std::string> fabrics)
+{
+    std::sort(fabrics.begin(), fabrics.end());
+    std::string text;
+    for (const std::string& fabric : fabrics) text += (text.empty() ? "" : ",") + fabric;
+    return text;
+}
+
+}  // namespace
+
+std::vector<std::string> trainingDifferences(const ModelCardFields& model, const ModelCardFields& control)
+{
+    std::vector<std::string> differences;
+    if (model.steps != control.steps)
+        differences.push_back(countedSteps(control.steps) + " (the model: " + grouped(model.steps) + ")");
+    const auto unlike = [&](bool different, const char* what) {
+        if (different) differences.emplace_back(what);
+    };
+    unlike(model.datasetHash != control.datasetHash, "another data set");
+    unlike(model.split != control.split || model.splitSeed != control.splitSeed, "another split");
+    unlike(joined(model.heldOut) != joined(control.heldOut), "other fabrics held out");
+    unlike(model.architecture.baseChannels != control.architecture.baseChannels, "another width of the networks");
+    unlike(model.architecture.crop != control.architecture.crop, "another crop");
+    for (const CommandOption& option : commandOptions)
+        unlike(valueOf(option, model) != valueOf(option, control), option.difference);
+    return differences;
+}
+
+std::vector<std::pair<std::string, std::string>> controlOptions(const ModelCardFields& model)
+{
+    std::vector<std::pair<std::string, std::string>> options{{"--l1-only", ""},
+                                                             {"--steps", std::to_string(model.steps)},
+                                                             {"--patience", std::to_string(std::max(1, model.steps))},
+                                                             {"--seed", std::to_string(model.seed)},
+                                                             {"--split", model.split},
+                                                             {"--split-seed", std::to_string(model.splitSeed)},
+                                                             {"--channels", std::to_string(model.architecture.baseChannels)},
+                                                             {"--crop", std::to_string(model.architecture.crop)}};
+    if (!model.heldOut.empty()) options.emplace_back("--hold-out", joined(model.heldOut));
+    for (const CommandOption& option : commandOptions)
+        if (const std::string value = valueOf(option, model); value != option.usual) options.emplace_back(option.name, value);
+    return options;
+}
+
+}  // namespace rendering::models

@@ -1,0 +1,84 @@
+// A control is fair where nothing but the losses differs from the training of the model.
+#include "rendering/models/fair_control.h"
+
+#include <QtTest>
+#include <map>
+
+using namespace rendering::models;
+
+namespace {
+
+ModelCardFields trained(int steps)
+{
+    ModelCardFields card;
+    card.summary.trainingCommand = "vis2hap train cloths --out m.pt --steps " + std::to_string(steps);
+    card.steps = steps;
+    card.seed = 7;
+    card.splitSeed = 3;
+    card.datasetHash = "aa";
+    card.heldOut = {"F05", "F02"};
+    return card;
+}
+
+}  // namespace
+
+class FairControlTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void sameTrainingWithOtherLossesIsFair()
+    {
+        ModelCardFields control = trained(6000);
+        control.objective = "l1-only";
+        control.seed = 8;
+        control.bestStep = 12;
+        control.heldOut = {"F02", "F05"};
+        control.summary.trainingCommand += " --batch 8 --l1-only";  // the default, named
+        QVERIFY(trainingDifferences(trained(6000), control).empty());
+    }
+
+    void everyDifferenceIsNamed_data()
+    {
+        QTest::addColumn<QString>("what");
+        for (const char* what : {"800 steps (the model: 6,000)", "another data set", "another split", "other fabrics held out",
+                                 "another width of the networks", "another crop", "another batch", "another learning rate"})
+            QTest::newRow(what) << what;
+    }
+
+    void everyDifferenceIsNamed()
+    {
+        QFETCH(QString, what);
+        ModelCardFields control = trained(6000);
+        const std::map<QString, std::function<void()>> changes{
+            {"800 steps (the model: 6,000)", [&] { control.steps = 800; }},
+            {"another data set", [&] { control.datasetHash = "bb"; }},
+            {"another split", [&] { control.splitSeed = 4; }},
+            {"other fabrics held out", [&] { control.heldOut.clear(); }},
+            {"another width of the networks", [&] { control.architecture.baseChannels += 1; }},
+            {"another crop", [&] { control.architecture.crop *= 2; }},
+            {"another batch", [&] { control.summary.trainingCommand += " --batch 4"; }},
+            {"another learning rate", [&] { control.summary.trainingCommand += " --learning-rate 0.01"; }}};
+        changes.at(what)();
+        QCOMPARE(trainingDifferences(trained(6000), control), std::vector<std::string>{what.toStdString()});
+    }
+
+    void optionsOfAControlRepeatTheTraining()
+    {
+        ModelCardFields model = trained(6000);
+        model.split = "sample";
+        model.summary.trainingCommand += " --batch 4";
+        const auto list = controlOptions(model);
+        std::map<std::string, std::string> options(list.begin(), list.end());
+        QCOMPARE(options.at("--steps"), std::string("6000"));
+        QCOMPARE(options.at("--seed"), std::string("7"));
+        QCOMPARE(options.at("--split"), std::string("sample"));
+        QCOMPARE(options.at("--split-seed"), std::string("3"));
+        QCOMPARE(options.at("--hold-out"), std::string("F02,F05"));
+        QCOMPARE(options.at("--batch"), std::string("4"));
+        QVERIFY(options.contains("--l1-only") && !options.contains("--learning-rate"));
+        QVERIFY(std::stoi(options.at("--patience")) >= 6000 / 250);  // no early stop: a validation every 250 steps
+    }
+};
+
+QTEST_GUILESS_MAIN(FairControlTest)
+#include "fair_control_test.moc"

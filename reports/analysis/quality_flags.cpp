@@ -222,7 +222,7 @@ std::vector<std::string> ruleSentences(const QualityRules& rules)
         "below " +
             protocols::shortest(rules.slotBiasP) + ").",
         "voided_presentations: these presentations were invalid. They are kept, not analysed, and were presented again.",
-        "A share is judged from " + std::to_string(rules.fewestAnswers) + " answers on. Flagged data stay in every analysis.",
+        "A share is judged from " + std::to_string(rules.fewestAnswers) + " answers on. Flagged data stay in the main analysis.",
     };
 }
 

@@ -25,7 +25,7 @@ const std::string plannedProtocol = R"({
   "phases": [{"questions": ["Q1"], "alternatives": 3},
              {"questions": ["Feel"], "scale": {"min": 1, "max": 7, "step": 0.5, "sections": 1}},
              {"questions": ["Same"], "same_different": true}],
-  "question_texts": {"Feel": "How close is it?"},
+  "question_texts": {"Feel": "How close is it?", "Same": "Is it the same?"},
   "equivalence_bounds": [-0.8, 0.9],
   "planned": [["v_grey", "f"], ["h&f", "f"]],
   "primary": ["h&f", "f"]

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "reports/analysis/order_effects.h"
+#include "reports/analysis/quality/order_effects.h"
 #include "reports/analysis/response_time.h"
 #include "stats/kernels/decimal_grid.h"
 #include "stats/tests/speed_accuracy.h"

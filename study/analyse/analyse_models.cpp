@@ -1,9 +1,12 @@
 #include "study/analyse/analyse_models.h"
 
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "stats/claims/crossed_mean.h"
+#include "stats/kernels/decimal_grid.h"
 #include "stats/models/crossed_study.h"
 #include "stats/tests/multiplicity.h"
 #include "study/analyse/analyse_answer.h"
@@ -184,6 +187,49 @@ ordered_json logisticMixed(const AnalysisRequest& request)
     return answer.putText("left_out", leftOutJson(fit.leftOut)).json();
 }
 
+std::string shortestText(double number)
+{
+    std::array<char, 32> text{};
+    return {text.data(), std::to_chars(text.data(), text.data() + text.size(), number).ptr};
+}
+
+/// The estimates between neighbouring categories, named as in R: "4|5".
+void putThresholds(AnswerFields& answer, const std::vector<stats::Threshold>& thresholds)
+{
+    std::vector<std::string> names;
+    std::vector<Value> estimates, errors;
+    for (const stats::Threshold& threshold : thresholds) {
+        names.push_back(shortestText(threshold.below) + "|" + shortestText(threshold.above));
+        estimates.push_back(threshold.estimate);
+        errors.push_back(threshold.se);
+    }
+    answer.put("thresholds", names, estimates).put("thresholds_se", names, errors);
+}
+
+ordered_json ordinalMixed(const AnalysisRequest& request)
+{
+    stats::CrossedStudy rows = crossedRowsAt(request.inputs, "rating");
+    const double unit = numberOr(request.options, "round_to", 0);
+    if (unit != 0 && unit != 0.1 && unit != 0.5 && unit != 1 && unit != 10)
+        throw RequestFault("round_to must be 0.1, 0.5, 1 or 10; or absent, and each value is a category");
+    if (unit != 0) rows.values = stats::roundedHalvesUp(rows.values, unit);
+    const stats::OrdinalRatingModel fit = stats::fitOrdinal(rows, {confidenceLevelOf(request.options), true});
+    const stats::OrdinalMixedModel& model = fit.model;
+    if (!model.why.empty()) return degenerate(model.why);
+    AnswerFields answer;
+    answer.putText("formula", fit.formula).putText("method", "Laplace").putCount("rows", model.rows);
+    answer.putCount("n_missing", model.missing).putText("levels", model.levels).putText("counts", model.counts);
+    putLogOdds(answer, model.fixed);
+    putThresholds(answer, model.thresholds);
+    putSds(answer, model.random);
+    answer.put("logLik", model.logLikelihood).put("logLik_without_condition", model.logLikelihoodNull);
+    answer.put("lrt_chi2", model.test.chiSquared).put("lrt_df", model.test.df);
+    answer.putProbability("lrt_p", model.test.p, model.test.logP).put("lrt_log_p", model.test.logP);
+    answer.putText("singular", model.singular);
+    answer.putText("separation", model.separationWhy.empty() ? ordered_json() : ordered_json(model.separationWhy));
+    return answer.putText("left_out", leftOutJson(fit.leftOut)).json();
+}
+
 }  // namespace
 
 std::vector<NamedAnalysis> analysesOfModels()
@@ -193,6 +239,8 @@ std::vector<NamedAnalysis> analysesOfModels()
          "linear mixed model with Satterthwaite's degrees of freedom; terms: main or crossed"},
         {"logistic_mixed", logisticMixed, "correct condition participant [fabric]", "[terms] [conf_level]",
          "logistic mixed model by Laplace's approximation; terms: main or crossed"},
+        {"ordinal_mixed", ordinalMixed, "rating condition participant [fabric]", "[round_to] [conf_level]",
+         "cumulative logit mixed model of ratings in categories"},
     };
 }
 

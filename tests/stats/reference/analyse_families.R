@@ -1,4 +1,4 @@
-# Numbers of analyse_families_test.cpp: Rscript analyse_families.R (packages lme4 and lmerTest).
+# Numbers of analyse_families_test.cpp: Rscript analyse_families.R (packages lme4, lmerTest and ordinal).
 suppressMessages({library(lme4); library(lmerTest)})
 options(digits = 12)
 rows <- expand.grid(c = 0:2, f = 0:4, p = 0:7)
@@ -30,3 +30,12 @@ g <- glmer(correct ~ condition + (1 | participant) + (1 | fabric), rows, binomia
 g0 <- update(g, . ~ . - condition)
 print(coef(summary(g)), digits = 12); print(as.data.frame(VarCorr(g))[, c("grp", "sdcor")], digits = 12)
 print(c(logLik = logLik(g), lrt = 2 * as.numeric(logLik(g) - logLik(g0))))
+
+cat("## ordinal\n")
+suppressMessages(library(ordinal))
+rows$rating <- factor(floor(rows$value + 0.5))
+tight <- clmm.control(gradTol = 1e-7, maxIter = 200, maxLineIter = 200)
+o <- clmm(rating ~ condition + (1 | participant) + (1 | fabric), data = rows, control = tight)
+o0 <- clmm(rating ~ 1 + (1 | participant) + (1 | fabric), data = rows, control = tight)
+print(coef(summary(o)), digits = 12); print(sapply(VarCorr(o), function(v) sqrt(v[1])), digits = 12)
+print(c(logLik = logLik(o), lrt = 2 * as.numeric(logLik(o) - logLik(o0))))

@@ -104,6 +104,24 @@ private Q_SLOTS:
         QVERIFY(crossed["logLik"].get<double>() >= answer["logLik"].get<double>() - 1e-6);
     }
 
+    void ordinalMixedModel()
+    {
+        json rows = rowsOf("value");
+        rows["rating"] = rows["value"];
+        rows.erase("value");
+        const json answer = answerTo("ordinal_mixed", rows, {{"round_to", 1}});
+        QVERIFY(near(answer["fixef"]["conditionc2"], 2.387937327772, 1e-4) &&
+                near(answer["se"]["conditionc1"], 0.41614032, 1e-3));
+        QVERIFY(near(answer["thresholds"]["0|1"], -2.360868454915, 1e-3));
+        QVERIFY(near(answer["thresholds_se"]["7|8"], 0.622221986944, 2e-3));
+        QVERIFY(near(answer["sd"]["fabric"], 0.451900237225, 1e-3) && near(answer["logLik"], -231.5321233592, 1e-7));
+        QVERIFY(near(answer["lrt_chi2"], 31.7916530277, 1e-4) && near(answer["lrt_df"], 2) && answer["levels"].size() == 9);
+        rows["condition"] = json::array();
+        for (std::size_t row = 0; row < 120; ++row) rows["condition"].push_back("one");
+        QVERIFY(says(answerTo("ordinal_mixed", rows), "reason", "condition"));
+        QVERIFY(says(answerTo("ordinal_mixed", rows, {{"round_to", 3}}), "error", "round_to must be"));
+    }
+
     void claimsAreMadeTwice()
     {
         const json answer = answerTo("claims", rowsOf("value"), {{"bounds", {-1, 1}}});

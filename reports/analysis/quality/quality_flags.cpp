@@ -1,4 +1,4 @@
-#include "reports/analysis/quality_flags.h"
+#include "reports/analysis/quality/quality_flags.h"
 
 #include <algorithm>
 #include <map>

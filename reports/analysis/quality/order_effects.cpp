@@ -1,4 +1,4 @@
-#include "reports/analysis/order_effects.h"
+#include "reports/analysis/quality/order_effects.h"
 
 #include <algorithm>
 #include <cmath>

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "reports/analysis/answer_cells.h"
-#include "reports/analysis/quality_flags.h"
+#include "reports/analysis/quality/quality_flags.h"
 
 namespace reports {
 

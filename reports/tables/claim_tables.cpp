@@ -41,7 +41,10 @@ std::string boundsText(const QuestionClaims& claims)
 
 Table contrastTable(const std::string& id, const QuestionClaims& claims)
 {
-    const std::string family = arePlanned(claims) ? "planned contrasts, the primary one first" : "all pairs of conditions";
+    const bool hasPrimary = !claims.contrasts.empty() && claims.contrasts.front().primary;
+    const std::string family = !arePlanned(claims) ? "all pairs of conditions"
+                               : hasPrimary        ? "planned contrasts, the primary one first"
+                                                   : "planned contrasts";
     Table table{"claims_" + lowerCase(id),
                 id + ": " + family + boundsText(claims) + "; Holm's correction within the family",
                 {"a",

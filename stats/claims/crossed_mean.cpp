@@ -134,7 +134,7 @@ void putParticipantsTest(CrossedMean& mean, const CrossedTable& table, StudentQu
 
 /// Upper limit of the degrees of freedom. Where a variance is estimated as zero, Satterthwaite's count the answers and not the
 /// participants and fabrics. Far in the tails, where corrected tests decide, a test then rejects too often: 8.7 % of families of
-/// 36 contrasts, with 7 fabrics of SD 0.5 and 10 participants. With this limit it is 6.0 %.
+/// 36 contrasts, with 7 fabrics of SD 0.5 and 10 participants. With this limit it is 6.1 %.
 double mostDegrees(const CrossedMean& mean) { return 1.75 * static_cast<double>(mean.participants + mean.fabrics - 2); }
 
 /// Estimate of the mean; `why` is empty when it exists.

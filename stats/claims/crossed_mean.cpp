@@ -132,11 +132,6 @@ void putParticipantsTest(CrossedMean& mean, const CrossedTable& table, StudentQu
     put(mean, *mean.estimate, *se, contrast.df, quantiles);
 }
 
-/// Upper limit of the degrees of freedom. Where a variance is estimated as zero, Satterthwaite's count the answers and not the
-/// participants and fabrics. Far in the tails, where corrected tests decide, a test then rejects too often: 8.7 % of families of
-/// 36 contrasts, with 7 fabrics of SD 0.5 and 10 participants. With this limit it is 6.1 %.
-double mostDegrees(const CrossedMean& mean) { return 1.75 * static_cast<double>(mean.participants + mean.fabrics - 2); }
-
 /// Estimate of the mean; `why` is empty when it exists.
 struct CrossedFit {
     std::string why;
@@ -253,10 +248,15 @@ void putCrossedTest(CrossedMean& mean, const Present& present, StudentQuantiles&
     if (!fit.why.empty()) return refuse(mean, fit.why);
     if (!fit.estimate.exists() || !fit.se.exists() || !fit.df.exists() || !(*fit.df > 0)) return refuse(mean, beyondRange);
     mean.singular = fit.singular;
-    put(mean, *fit.estimate, *fit.se, std::min(*fit.df, mostDegrees(mean)), quantiles);
+    put(mean, *fit.estimate, *fit.se, std::min(*fit.df, mostDegrees(mean.participants, mean.fabrics)), quantiles);
 }
 
 }  // namespace
+
+double mostDegrees(std::size_t participants, std::size_t fabrics)
+{
+    return 1.75 * static_cast<double>(participants + fabrics - 2);
+}
 
 CrossedMean crossedMean(const CrossedValues& values, Generalisation generalisation)
 {

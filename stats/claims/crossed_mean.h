@@ -61,6 +61,11 @@ CrossedMean crossedMean(const CrossedTable& table, Generalisation generalisation
 CrossedMean crossedMean(const ContrastTest& contrast);
 CrossedMean crossedMean(const ContrastTest& contrast, StudentQuantiles& quantiles);
 
+/// Upper limit of the degrees of freedom for fabrics like these. Where a variance is estimated as zero, Satterthwaite's count the
+/// answers and not the participants and fabrics. Far in the tails, where corrected tests decide, a test then rejects too
+/// often: 8.7 % of families of 36 contrasts, with 7 fabrics of SD 0.5 and 10 participants. With this limit it is 6.1 %.
+double mostDegrees(std::size_t participants, std::size_t fabrics);
+
 /// t test of the mean.
 struct MeanTest {
     Value t;

@@ -25,7 +25,8 @@ ExpectedError errorOfAlike(double participants, double fabrics, const CrossedVar
     const double sum = ofParticipants + ofFabrics - variances.residual;
     const double df = squared(sum) / (squared(ofParticipants) / (participants - 1) + squared(ofFabrics) / (fabrics - 1) +
                                       squared(variances.residual) / ((participants - 1) * (fabrics - 1)));
-    return {std::sqrt(sum / (participants * fabrics)), std::min(df, 4.0 / 3.0 * (participants + fabrics - 2))};
+    const double most = mostDegrees(static_cast<std::size_t>(participants), static_cast<std::size_t>(fabrics));
+    return {std::sqrt(sum / (participants * fabrics)), std::min(df, most)};
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ struct ExpectedError {
 };
 
 /// TheseFabrics: participants - 1 degrees of freedom. FabricsLikeThese: Satterthwaite's, from the mean squares of balanced
-/// data, at most 4/3 (participants + fabrics - 2), as crossedMean() has them. At least 2 participants; FabricsLikeThese: at
+/// data, at most 7/4 (participants + fabrics - 2), as crossedMean() has them. At least 2 participants; FabricsLikeThese: at
 /// least 2 fabrics.
 ExpectedError expectedError(const StudyDesign& design, const CrossedVariances& variances, Generalisation generalisation);
 

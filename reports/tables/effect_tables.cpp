@@ -150,15 +150,6 @@ Table evidenceTable(const StudyAnalysis& analysis)
     return table;
 }
 
-bool arePlannedOnly(const StudyAnalysis& analysis)
-{
-    return std::all_of(analysis.questions.begin(), analysis.questions.end(), [](const QuestionAnalysis& question) {
-        const QuestionEffects* effects = effectsOf(question);
-        return effects == nullptr || std::all_of(effects->evidence.begin(), effects->evidence.end(),
-                                                 [](const ContrastEvidence& one) { return one.planned; });
-    });
-}
-
 }  // namespace
 
 std::vector<ReportTable> effectTables(const StudyAnalysis& analysis)
@@ -169,9 +160,8 @@ std::vector<ReportTable> effectTables(const StudyAnalysis& analysis)
     if (Table components = componentsTable(analysis); !components.rows.empty())
         tables.push_back({.table = std::move(components), .section = PageSection::Effects});
     if (Table evidence = evidenceTable(analysis); !evidence.rows.empty())
-        tables.push_back({.table = std::move(evidence),
-                          .section = PageSection::Effects,
-                          .foldedUnder = arePlannedOnly(analysis) ? "" : "Bayes factors of all pairs"});
+        tables.push_back(
+            {.table = std::move(evidence), .section = PageSection::Effects, .foldedUnder = "Bayes factors of the contrasts"});
     return tables;
 }
 

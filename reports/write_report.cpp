@@ -3,11 +3,11 @@
 #include "protocols/files/errors.h"
 #include "protocols/files/folder_draft.h"
 #include "reports/figures/report_figures.h"
+#include "reports/formats/table_formats.h"
 #include "reports/json/results_json.h"
 #include "reports/json/statistics_json.h"
 #include "reports/page/page.h"
 #include "reports/tables/report_tables.h"
-#include "reports/tables/table_formats.h"
 
 namespace reports {
 namespace {

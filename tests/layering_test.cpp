@@ -64,23 +64,27 @@ const QList<Room>& rooms()
         {"database/", "`study.db`, the append-only log, the lock, keys and unblinding", {"protocols/"}, true},
         {"reports/text/", "numbers, words, labels and headings as text", {"stats/kernels/value.h", "protocols/"}},
         {"reports/data/", "what a report is made from", {"reports/text/", "stats/kernels/value.h", "protocols/"}},
+        {"reports/cells/", "the answers sorted for every analysis", {"reports/data/", "reports/text/", "stats/", "protocols/"}},
         {"reports/analysis/",
          "everything that the report computes, as one value",
-         {"reports/data/", "reports/text/", "stats/", "protocols/"}},
+         {"reports/cells/", "reports/data/", "reports/text/", "stats/", "protocols/"}},
         {"reports/json/",
          "`results.json` and `statistics.json`; the only place of the report that knows JSON",
          {"reports/analysis/", "reports/data/", "reports/text/", "stats/", "protocols/"}},
         {"reports/charts/", "drawings and the frame of a plot", {"reports/text/", "stats/kernels/value.h", "protocols/"}},
+        {"reports/formats/",
+         "a table as a value, its cells, and its forms as text, CSV, HTML and TeX",
+         {"reports/text/", "stats/kernels/value.h", "protocols/"}},
         {"reports/tables/",
-         "the tables and their formats",
-         {"reports/analysis/", "reports/data/", "reports/text/", "stats/", "protocols/"}},
+         "the tables",
+         {"reports/formats/", "reports/analysis/", "reports/data/", "reports/text/", "stats/", "protocols/"}},
         {"reports/figures/",
          "the figures",
          {"reports/charts/", "reports/analysis/", "reports/data/", "reports/text/", "stats/kernels/value.h", "protocols/"}},
         {"reports/page/",
          "the page: sections, findings, methods",
-         {"reports/tables/", "reports/figures/", "reports/analysis/", "reports/data/", "reports/text/", "stats/kernels/value.h",
-          "protocols/"}},
+         {"reports/formats/", "reports/tables/", "reports/figures/", "reports/analysis/", "reports/cells/", "reports/data/",
+          "reports/text/", "stats/kernels/value.h", "protocols/"}},
         {"reports/", "the files of a report", {"reports/", "stats/", "protocols/"}, true},
         {"study/session/",
          "the session as a pure state machine, and its driver",
@@ -318,7 +322,7 @@ private Q_SLOTS:
         QTest::newRow("JSON of reports at its border only") << "reports/tables/a.cpp"
                                                             << "#include <nlohmann/json.hpp>\n";
         QTest::newRow("analysis without tables") << "reports/analysis/a.cpp"
-                                                 << "#include \"reports/tables/table.h\"\n";
+                                                 << "#include \"reports/tables/report_table.h\"\n";
         QTest::newRow("room that is not in the table") << "extras/a.cpp"
                                                        << "";
     }

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "reports/analysis/quality/order_effects.h"
-#include "reports/analysis/response_time.h"
+#include "reports/analysis/order_effects.h"
+#include "reports/cells/response_time.h"
 #include "stats/kernels/decimal_grid.h"
 #include "stats/tests/speed_accuracy.h"
 #include "stats/tests/t_tests.h"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "reports/analysis/crossed_answers.h"
+#include "reports/cells/crossed_answers.h"
 #include "stats/kernels/decimal_grid.h"
 #include "stats/tests/forced_choice.h"
 #include "stats/tests/multiplicity.h"

@@ -8,11 +8,11 @@
 
 #include "reports/analysis/accuracy_by_speed.h"
 #include "reports/analysis/analysis_options.h"
-#include "reports/analysis/answer_cells.h"
 #include "reports/analysis/pair_comparisons.h"
 #include "reports/analysis/question_claims.h"
 #include "reports/analysis/question_effects.h"
 #include "reports/analysis/speed_analysis.h"
+#include "reports/cells/answer_cells.h"
 #include "stats/models/crossed_study.h"
 #include "stats/tests/binomial.h"
 #include "stats/tests/rank_tests.h"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "reports/analysis/analysis_options.h"
-#include "reports/analysis/answer_cells.h"
+#include "reports/cells/answer_cells.h"
 #include "stats/claims/crossed_mean.h"
 #include "stats/models/crossed_study.h"
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "reports/analysis/answer_cells.h"
 #include "reports/analysis/question_claims.h"
+#include "reports/cells/answer_cells.h"
 #include "stats/models/explained_variance.h"
 #include "stats/tests/bayes_factor.h"
 #include "stats/tests/intraclass.h"

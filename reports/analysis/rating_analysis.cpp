@@ -1,6 +1,6 @@
 #include "reports/analysis/rating_analysis.h"
 
-#include "reports/analysis/crossed_answers.h"
+#include "reports/cells/crossed_answers.h"
 #include "stats/kernels/decimal_grid.h"
 #include "stats/kernels/descriptive.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "reports/analysis/response_time.h"
+#include "reports/cells/response_time.h"
 #include "stats/claims/information_rate.h"
 #include "stats/kernels/decimal_grid.h"
 #include "stats/tests/multiplicity.h"

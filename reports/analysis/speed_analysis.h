@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "reports/analysis/answer_cells.h"
 #include "reports/analysis/question_claims.h"
+#include "reports/cells/answer_cells.h"
 #include "stats/kernels/value.h"
 #include "stats/tests/t_tests.h"
 

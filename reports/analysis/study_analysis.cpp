@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "reports/analysis/design_limits.h"
-#include "reports/analysis/response_time.h"
+#include "reports/cells/response_time.h"
 
 namespace reports {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "reports/analysis/answer_cells.h"
+#include "reports/cells/answer_cells.h"
 
 namespace reports {
 

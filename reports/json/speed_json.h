@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "reports/analysis/accuracy_by_speed.h"
-#include "reports/analysis/quality/order_effects.h"
+#include "reports/analysis/order_effects.h"
 #include "reports/analysis/speed_analysis.h"
 #include "reports/json/json_fields.h"
 

@@ -5,7 +5,7 @@
 
 #include "protocols/files/markup_text.h"
 #include "protocols/files/number_text.h"
-#include "reports/analysis/response_time.h"
+#include "reports/cells/response_time.h"
 #include "reports/text/number_text.h"
 #include "reports/text/plain_words.h"
 

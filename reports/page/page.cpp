@@ -1,10 +1,10 @@
 #include "reports/page/page.h"
 
 #include "protocols/files/markup_text.h"
+#include "reports/formats/table_formats.h"
 #include "reports/page/html_parts.h"
 #include "reports/page/page_style.h"
 #include "reports/page/section_text.h"
-#include "reports/tables/table_formats.h"
 #include "reports/text/page_section.h"
 #include "reports/text/plain_words.h"
 

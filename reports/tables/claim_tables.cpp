@@ -5,7 +5,7 @@
 
 #include "protocols/files/number_text.h"
 #include "reports/analysis/claim_words.h"
-#include "reports/tables/table_cells.h"
+#include "reports/formats/table_cells.h"
 #include "reports/text/number_text.h"
 #include "reports/text/plain_words.h"
 

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "protocols/files/number_text.h"
-#include "reports/tables/table_cells.h"
+#include "reports/formats/table_cells.h"
 #include "reports/text/number_text.h"
 
 namespace reports {

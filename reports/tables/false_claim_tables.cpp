@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "reports/tables/table_cells.h"
+#include "reports/formats/table_cells.h"
 #include "stats/power/measured_claims.h"
 
 namespace reports {

@@ -1,6 +1,6 @@
 #include "reports/tables/measured_size_tables.h"
 
-#include "reports/tables/table_cells.h"
+#include "reports/formats/table_cells.h"
 #include "stats/power/measured_size.h"
 
 namespace reports {

@@ -1,7 +1,7 @@
 #include "reports/tables/omnibus_tables.h"
 
 #include "reports/analysis/claim_words.h"
-#include "reports/tables/table_cells.h"
+#include "reports/formats/table_cells.h"
 #include "reports/text/number_text.h"
 #include "stats/power/measured_claims.h"
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "reports/tables/table_cells.h"
+#include "reports/formats/table_cells.h"
 
 namespace reports {
 namespace {

@@ -1,7 +1,7 @@
 #include "reports/tables/overview_tables.h"
 
-#include "reports/tables/table_cells.h"
-#include "reports/tables/table_formats.h"
+#include "reports/formats/table_cells.h"
+#include "reports/formats/table_formats.h"
 
 namespace reports {
 namespace {

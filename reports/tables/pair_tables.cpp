@@ -1,7 +1,7 @@
 #include "reports/tables/pair_tables.h"
 
 #include "protocols/files/number_text.h"
-#include "reports/tables/table_cells.h"
+#include "reports/formats/table_cells.h"
 #include "reports/text/number_text.h"
 #include "reports/text/plain_words.h"
 

@@ -1,6 +1,6 @@
 #include "reports/tables/rating_tables.h"
 
-#include "reports/tables/table_cells.h"
+#include "reports/formats/table_cells.h"
 #include "reports/text/plain_words.h"
 
 namespace reports {

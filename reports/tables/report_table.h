@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "reports/tables/table.h"
+#include "reports/formats/table.h"
 #include "reports/text/page_section.h"
 
 namespace reports {

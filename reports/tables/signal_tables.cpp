@@ -1,6 +1,6 @@
 #include "reports/tables/signal_tables.h"
 
-#include "reports/tables/table_cells.h"
+#include "reports/formats/table_cells.h"
 
 namespace reports {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "reports/tables/table_cells.h"
+#include "reports/formats/table_cells.h"
 #include "reports/text/plain_words.h"
 
 namespace reports {

@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "protocols/files/errors.h"
-#include "reports/analysis/quality/quality_flags.h"
+#include "reports/analysis/quality_flags.h"
 #include "study/app/app.h"
 #include "study/commands/command_line.h"
 #include "study/looking/look_at_data.h"

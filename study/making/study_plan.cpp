@@ -4,7 +4,7 @@
 #include "protocols/files/sha256.h"
 #include "protocols/files/whole_file.h"
 #include "protocols/protocol_json.h"
-#include "reports/analysis/quality/screening.h"
+#include "reports/analysis/screening.h"
 #include "reports/data/registration.h"
 
 namespace study::making {

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "protocols/records/balance.h"
-#include "reports/analysis/quality/quality_flags.h"
+#include "reports/analysis/quality_flags.h"
 #include "reports/data/registration.h"
 #include "study/records/realised_balance.h"
 #include "study/records/stored_study.h"

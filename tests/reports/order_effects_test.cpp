@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
-#include "reports/analysis/response_time.h"
+#include "reports/cells/response_time.h"
 #include "reports/figures/report_figures.h"
 #include "reports/json/results_json.h"
 #include "reports/json/statistics_json.h"
@@ -93,7 +93,7 @@ private Q_SLOTS:
             if (reading.match(QString::fromUtf8(file.readAll())).hasMatch()) readers << path;
         }
         QVERIFY(count > 80);
-        QCOMPARE(readers, QStringList{"analysis/response_time.cpp"});
+        QCOMPARE(readers, QStringList{"cells/response_time.cpp"});
     }
 
     void plantedLearningIsFound()

@@ -4,10 +4,10 @@
 
 #include "protocols/protocol_json.h"
 #include "reports/data/answers_csv.h"
+#include "reports/formats/table_formats.h"
 #include "reports/json/results_json.h"
 #include "reports/page/page.h"
 #include "reports/tables/report_tables.h"
-#include "reports/tables/table_formats.h"
 #include "tests/reports/study_builder.h"
 
 using reports::Accord;

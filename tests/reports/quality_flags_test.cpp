@@ -1,5 +1,5 @@
 // Every flag on both sides of its limit.
-#include "reports/analysis/quality/quality_flags.h"
+#include "reports/analysis/quality_flags.h"
 
 #include <QtTest>
 

@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "protocols/files/errors.h"
+#include "reports/formats/table_formats.h"
 #include "reports/page/page.h"
 #include "reports/tables/signal_tables.h"
-#include "reports/tables/table_formats.h"
 #include "tests/reports/study_builder.h"
 
 using Json = nlohmann::ordered_json;

@@ -10,11 +10,11 @@
 
 #include "reports/data/answers_csv.h"
 #include "reports/figures/report_figures.h"
+#include "reports/formats/table_formats.h"
 #include "reports/json/results_json.h"
 #include "reports/json/statistics_json.h"
 #include "reports/page/page.h"
 #include "reports/tables/report_tables.h"
-#include "reports/tables/table_formats.h"
 
 using Json = nlohmann::ordered_json;
 
@@ -124,8 +124,7 @@ private Q_SLOTS:
         QCOMPARE(comparison.additions,
                  (QStringList{"results.schema", "results.study", "results.conditions", "results.omnibus", "results.above_chance",
                               "results.claims", "results.signals", "results.quality", "results.preregistration",
-                              "results.without_flagged", "results.design",
-                              "results.why"}));
+                              "results.without_flagged", "results.design", "results.why"}));
         QCOMPARE(comparison.numbers, 216);
     }
 
@@ -146,8 +145,8 @@ private Q_SLOTS:
         QCOMPARE(comparison.additions,
                  (QStringList{"statistics.q1_cochran.rejects_falsely", "statistics.schema", "statistics.q1_glmm_crossed",
                               "statistics.lmm_contrasts", "statistics.lmm_variances", "statistics.lmm_leave_one_fabric_out",
-                              "statistics.rating_ordinal",
-                              "statistics.rating_ordinal_by_question", "statistics.false_claims", "statistics.order_effects"}));
+                              "statistics.rating_ordinal", "statistics.rating_ordinal_by_question", "statistics.false_claims",
+                              "statistics.order_effects"}));
         QCOMPARE(comparison.numbers, 710);
     }
 

@@ -1,9 +1,9 @@
 // One table in its four formats, and the cells of each kind.
-#include "reports/tables/table_formats.h"
+#include "reports/formats/table_formats.h"
 
 #include <QtTest>
 
-#include "reports/tables/table_cells.h"
+#include "reports/formats/table_cells.h"
 
 using namespace reports;
 

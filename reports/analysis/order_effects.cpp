@@ -1,10 +1,10 @@
-#include "reports/analysis/quality/order_effects.h"
+#include "reports/analysis/order_effects.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 
-#include "reports/analysis/response_time.h"
+#include "reports/cells/response_time.h"
 #include "stats/kernels/decimal_grid.h"
 #include "stats/tests/multiplicity.h"
 

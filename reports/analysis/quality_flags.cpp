@@ -1,10 +1,10 @@
-#include "reports/analysis/quality/quality_flags.h"
+#include "reports/analysis/quality_flags.h"
 
 #include <algorithm>
 #include <map>
 
 #include "protocols/files/number_text.h"
-#include "reports/analysis/response_time.h"
+#include "reports/cells/response_time.h"
 #include "reports/text/number_text.h"
 #include "reports/text/plain_words.h"
 #include "stats/kernels/decimal_grid.h"

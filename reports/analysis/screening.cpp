@@ -1,4 +1,4 @@
-#include "reports/analysis/quality/screening.h"
+#include "reports/analysis/screening.h"
 
 #include <algorithm>
 #include <array>

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "reports/analysis/answer_cells.h"
 #include "reports/analysis/question_claims.h"
+#include "reports/cells/answer_cells.h"
 #include "stats/claims/within_trend.h"
 
 namespace reports {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "reports/tables/table.h"
+#include "reports/formats/table.h"
 
 namespace reports {
 

@@ -1,4 +1,4 @@
-#include "reports/analysis/crossed_answers.h"
+#include "reports/cells/crossed_answers.h"
 
 namespace reports {
 

@@ -1,4 +1,4 @@
-#include "reports/analysis/answer_cells.h"
+#include "reports/cells/answer_cells.h"
 
 #include <algorithm>
 #include <map>

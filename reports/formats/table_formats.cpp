@@ -1,4 +1,4 @@
-#include "reports/tables/table_formats.h"
+#include "reports/formats/table_formats.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "reports/analysis/response_time.h"
+#include "reports/cells/response_time.h"
 
 #include <cmath>
 

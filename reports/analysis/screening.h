@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "reports/analysis/answer_cells.h"
-#include "reports/analysis/quality/quality_flags.h"
+#include "reports/analysis/quality_flags.h"
+#include "reports/cells/answer_cells.h"
 
 namespace reports {
 

@@ -1,4 +1,4 @@
-#include "reports/analysis/quality/plan_comparison.h"
+#include "reports/analysis/plan_comparison.h"
 
 #include <algorithm>
 #include <map>

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "reports/analysis/answer_cells.h"
+#include "reports/cells/answer_cells.h"
 #include "stats/models/crossed_study.h"
 
 namespace reports {

@@ -1,4 +1,4 @@
-#include "reports/tables/table_cells.h"
+#include "reports/formats/table_cells.h"
 
 #include <cmath>
 

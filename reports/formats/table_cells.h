@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string>
 
-#include "reports/tables/table.h"
+#include "reports/formats/table.h"
 #include "stats/kernels/value.h"
 
 namespace reports {

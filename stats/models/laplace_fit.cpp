@@ -72,7 +72,7 @@ std::vector<double> crudeStart(const LaplaceCriterion& criterion)
     return start;
 }
 
-bool isZero(double sd) { return std::fabs(sd) <= zeroSd; }
+bool isZeroSd(double sd) { return std::fabs(sd) <= zeroSd; }
 
 /// Fits, and ends with one Newton step, which squares the remaining error. Without a `start` it begins at crude values. Where a
 /// standard deviation is zero, it ends at the minimum: the fit without that group replaces this one.
@@ -97,7 +97,7 @@ Attempt attempted(const OrderedAnswers& whole, std::vector<std::size_t> kept, st
     const SmoothFunction oneStep = [&](std::span<const double> parameters) { return counted(criterion.atOneStep(parameters)); };
     if (start.empty()) start = crudeStart(criterion);
     Minimum& minimum = attempt.minimum = minimised(function, std::move(start), guessedInverse(criterion));
-    if (!minimum.why.empty() || std::any_of(attempt.sds().begin(), attempt.sds().end(), isZero)) return attempt;
+    if (!minimum.why.empty() || std::any_of(attempt.sds().begin(), attempt.sds().end(), isZeroSd)) return attempt;
     function(minimum.place);
     criterion.holdMode(minimum.place);
     attempt.covariance = covarianceFrom(hessianOf(curvature == Curvature::AtOneStep ? oneStep : function, minimum.place));
@@ -130,7 +130,7 @@ LaplaceFit laplaceFit(const OrderedAnswers& answers, Curvature curvature)
         kept.clear();
         start.clear();
         for (std::size_t i = 0; i < attempt.kept.size(); ++i) {
-            if (isZero(attempt.sds()[i])) continue;
+            if (isZeroSd(attempt.sds()[i])) continue;
             kept.push_back(attempt.kept[i]);
             start.push_back(attempt.sds()[i]);
         }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "stats/models/crossed_study.h"
+#include "stats/models/random_columns.h"
 #include "stats/power/simulated_study.h"
 #include "tests/stats/exact_numbers.h"
 #include "tests/stats/shared_study.h"
@@ -283,6 +284,55 @@ private Q_SLOTS:
                         {"df", model.df, 2},
                         {"p", model.p, test[3], 1e-10},
                         {"log p", model.logP, std::log(test[3]), 1e-10}});
+    }
+
+    void theCheapestBlocksAreTaken_data()
+    {
+        QTest::addColumn<int>("participants");
+        QTest::addColumn<int>("conditions");
+        QTest::addColumn<int>("blocks");
+        QTest::addColumn<int>("border");
+        QTest::newRow("participants") << 50 << 3 << 50 << 4 + 4 * 3;
+        QTest::newRow("conditions") << 5 << 40 << 40 << 5 + 4;
+    }
+
+    /// Participants or conditions are the blocks, whichever are more; fabrics are four.
+    void theCheapestBlocksAreTaken()
+    {
+        QFETCH(int, participants);
+        QFETCH(int, conditions);
+        QFETCH(int, blocks);
+        QFETCH(int, border);
+        const auto p = static_cast<std::size_t>(participants), c = static_cast<std::size_t>(conditions), rows = p * 4 * c;
+        const auto people = cycled("p", p, 4 * c, rows), fabrics = cycled("f", 4, c, rows), condition = cycled("c", c, 1, rows);
+        const std::vector<stats::Factor> groups{people, fabrics, stats::interactionOf(people, condition),
+                                                stats::interactionOf(fabrics, condition)};
+        const stats::RandomColumns columns(groups, rows);
+        QCOMPARE(columns.count(), p + 4 + p * c + 4 * c);
+        QCOMPARE(columns.shape().blocks(), static_cast<std::size_t>(blocks));
+        QCOMPARE(columns.shape().border(), static_cast<std::size_t>(border));
+    }
+
+    void manyParticipantsHaveTheCrossedModel()
+    {
+        auto study = stats::emptyStudy({150, 3, 4, 3});
+        stats::Draws draws(1, 1);
+        stats::drawChoices(study, {0.6, 0.3}, std::vector<double>{-0.5, 0, 0.5, 1}, draws);
+        const auto fit = stats::fitChoices(study, stats::ChoiceTerms::WithInteractions);
+        QVERIFY2(fit.model.why.empty(), fit.model.why.c_str());
+        QCOMPARE(fit.model.random.size(), std::size_t{4});
+    }
+
+    void aFitThatTakesTooLongIsRefused()
+    {
+        // 800 people who meet five of 800 fabrics, other neighbours in each round: nothing falls apart into small blocks.
+        const std::size_t rows = 4000;
+        stats::LogisticData data{{}, cycled("c", 2, 1, rows), {cycled("p", 800, 5, rows), cycled("f", 800, 1, rows)}};
+        for (std::size_t row = 0; row < rows; ++row) data.groups[1].of[row] = (row + row / 800 * 3) % 800;
+        for (std::size_t row = 0; row < rows; ++row) data.right.push_back(row % 3 == 0 ? 1 : 0);
+        const auto model = stats::fitLogisticMixedModel(data);
+        QVERIFY2(model.why.find("million multiplications; at most 100 million") != std::string::npos, model.why.c_str());
+        QVERIFY(!model.p.exists());
     }
 
     // No groups: the proportions of the conditions, 1200 choices. Sum of k log p + (n - k) log(1 - p).

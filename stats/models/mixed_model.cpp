@@ -18,7 +18,7 @@ namespace {
 /// Beyond this number of random effects a model of incomplete data is fitted by blocks of one factor.
 constexpr std::size_t mostDenseEffects = 300;
 constexpr std::size_t mostDenseSlopes = 5000;  // random effects where some are slopes, which have no blocks
-constexpr double mostWork = 5e9;  // operations of one solution by blocks; a fit takes about ten
+constexpr double mostWork = 5e9;               // operations of one solution by blocks; a fit takes about ten
 
 std::size_t effectsOf(const std::vector<RandomTerm>& terms)
 {

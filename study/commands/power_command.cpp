@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "protocols/protocol_json.h"
-#include "study/analyse/planned_power.h"
-#include "study/analyse/power_report.h"
+#include "study/analyse/power/planned_power.h"
+#include "study/analyse/power/power_report.h"
 #include "study/commands/command_line.h"
 #include "study/commands/json_output.h"
 #include "study/commands/progress.h"

@@ -9,7 +9,7 @@
 #include "protocols/files/folder_draft.h"
 #include "protocols/files/sha256.h"
 #include "rendering/display/stimulus_bank.h"
-#include "study/analyse/planned_power.h"
+#include "study/analyse/power/planned_power.h"
 #include "study/making/study_images.h"
 #include "study/making/study_material.h"
 #include "study/session/clock.h"

@@ -7,7 +7,7 @@
 
 #include "database/study_store.h"
 #include "protocols/protocol.h"
-#include "study/analyse/question_power.h"
+#include "study/analyse/power/question_power.h"
 
 namespace study::making {
 

@@ -120,7 +120,8 @@ private Q_SLOTS:
         writeReport(data, path("report"));
         const QString html = page(path("report"));
         QCOMPARE(html.count("<span class=\"tag blinded\">blinded</span>"), html.count("<section"));
-        for (const char* word : {"Planned contrast", "h_g", "vision", "measured signals</h2>", "<sub>grey", "comparisons_planned"})
+        for (const char* word :
+             {"Planned contrast", "h_g", "vision", "measured signals</h2>", "<sub>grey", "comparisons_planned"})
             QVERIFY2(!html.contains(word), word);
         QVERIFY(!fs::exists(path("report") / "tables" / "comparisons_planned.csv"));
         QVERIFY(!fs::exists(path("report") / "tables" / "signals_t_tests.csv"));

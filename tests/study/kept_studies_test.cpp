@@ -5,6 +5,7 @@
 #include <QTemporaryDir>
 #include <QtTest>
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "tests/support/program.h"
@@ -25,15 +26,22 @@ QByteArray bytesOf(const QString& file)
 
 Json jsonOf(const QString& file) { return Json::parse(bytesOf(file).toStdString()); }
 
-/// Whether every number of `old` is in `now`. `now` may contain more numbers, such as those of worded questions since 0.6.0.
-bool holds(const Json& now, const Json& old)
+/// Whether every number of `old` is in `now`, within a relative tolerance. `now` may contain more numbers, such as those of
+/// worded questions since 0.6.0.
+bool holds(const Json& now, const Json& old, double tolerance = 0)
 {
+    if (old.is_number() && tolerance > 0)
+        return now.is_number() &&
+               std::abs(now.get<double>() - old.get<double>()) <= tolerance * (1e-3 + std::abs(old.get<double>()));
     if (old.is_array())
-        return now.is_array() &&
-               std::equal(now.begin(), now.end(), old.begin(), old.end(), [](const Json& a, const Json& b) { return holds(a, b); });
+        return now.is_array() && std::equal(now.begin(), now.end(), old.begin(), old.end(),
+                                            [&](const Json& a, const Json& b) { return holds(a, b, tolerance); });
     if (!old.is_object()) return now == old;
-    for (const auto& [key, value] : old.items())
-        if (!now.is_object() || !now.contains(key) || !holds(now[key], value)) return false;
+    for (const auto& [key, value] : old.items()) {
+        // Mixed models are fitted: another way to the optimum ends a little elsewhere.
+        const bool isFitted = key.ends_with("lmm");
+        if (!now.is_object() || !now.contains(key) || !holds(now[key], value, isFitted ? 1e-5 : tolerance)) return false;
+    }
     return true;
 }
 
@@ -86,15 +94,14 @@ private Q_SLOTS:
         QCOMPARE(results.at("schema").get<std::string>(), std::string("vis2hap.results/2"));
         const Json old = jsonOf(kept("finished-results.json")), now = inTheOldShape(results);
         for (const auto& [key, value] : old.items())  // some objects have more fields since 0.7.0
-            QVERIFY2(now.contains(key) && holds(now[key], value),
-                     (key + ": " + now.value(key, Json()).dump()).c_str());
+            QVERIFY2(now.contains(key) && holds(now[key], value), (key + ": " + now.value(key, Json()).dump()).c_str());
         const Json& signals = results.at("signals");
         QVERIFY(signals.at("controls").is_null() && signals.at("height_ssim_registered").is_null());
         QVERIFY(signals.at("why").at("controls").get<std::string>().find("earlier version") != std::string::npos);
         const Json statistics = jsonOf(at("out/statistics.json")), oldStatistics = jsonOf(kept("finished-statistics.json"));
         for (const auto& [key, value] : oldStatistics.items())
             if (key != "data")  // which counts worded answers since 0.6.0
-                QVERIFY2(statistics.contains(key) && holds(statistics[key], value), key.c_str());
+                QVERIFY2(holds(statistics, Json{{key, value}}), key.c_str());
     }
 
     void aPlanCanBeRegisteredLate()

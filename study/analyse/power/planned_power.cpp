@@ -1,4 +1,4 @@
-#include "study/analyse/planned_power.h"
+#include "study/analyse/power/planned_power.h"
 
 #include <algorithm>
 

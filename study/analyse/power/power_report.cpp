@@ -1,4 +1,4 @@
-#include "study/analyse/power_report.h"
+#include "study/analyse/power/power_report.h"
 
 #include <cmath>
 #include <cstdio>

@@ -1,9 +1,9 @@
-#include "study/analyse/question_power.h"
+#include "study/analyse/power/question_power.h"
 
 #include <array>
 
 #include "stats/claims/claims.h"
-#include "study/analyse/planned_power.h"
+#include "study/analyse/power/planned_power.h"
 
 namespace study::analyse {
 

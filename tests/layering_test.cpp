@@ -107,6 +107,7 @@ const QList<Room>& rooms()
         {"study/analyse/",
          "the statistics by name, for scripts",
          {"rendering/images/", "rendering/signals/", "stats/", "protocols/"}},
+        {"study/analyse/power/", "what a planned study can detect", {"study/analyse/", "stats/", "protocols/"}},
         {"study/records/",
          "a stored study as reports, status and export see it",
          {"study/session/", "reports/", "database/", "rendering/display/stimulus_bank.h", "stats/", "protocols/"},

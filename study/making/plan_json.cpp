@@ -119,7 +119,6 @@ ordered_json studyJson(const StudyPlan& plan)
                        {"dataset_sha256", facts.datasetSha256}};
     study["model_sha256"] = facts.modelSha256.empty() ? ordered_json() : ordered_json(facts.modelSha256);
     study["allocation_key_sha256"] = facts.keySha256;
-    study["seed"] = facts.designSeed;
     study["made_at"] = facts.createdAt;
     study["made_by"] = facts.programVersion;
     study["program"] = plan.program;

@@ -328,7 +328,6 @@ std::string identity(const StudyPlan& plan)
     text += "Data set: SHA-256 " + facts.datasetSha256 + (facts.datasetProcedural ? " (procedural)" : "") + "\n";
     text += "Generators: " + (facts.modelSha256.empty() ? "none" : "SHA-256 " + facts.modelSha256) + "\n";
     text += "Allocation of the conditions, closed until the unblinding: SHA-256 " + facts.keySha256 + "\n";
-    text += "Seed of the design: " + std::to_string(facts.designSeed) + "\n";
     text += "Study made on " + facts.createdAt + " with " + facts.programVersion + "; plan written with " + plan.program + "\n";
     for (const auto& stamp : facts.stamps) text += "Note: " + stamp + "\n";
     return text +

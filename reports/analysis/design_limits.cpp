@@ -28,6 +28,9 @@ std::vector<std::string> designLimits(const StudyData& data, Depth depth)
     if (!comparesAllPairs(data))
         limits.push_back("There are " + counted(pairCount(data), "pair") +
                          " of conditions. They are compared only if `report --pairs` asks for it; planned contrasts always are.");
+    else if (pairCount(data) > mostUsualPairs)
+        limits.push_back("There are " + counted(pairCount(data), "pair") +
+                         " of conditions. Their tables are too long for this page and stand in the folder tables only.");
     if (depth == Depth::Quick)
         limits.push_back(
             "This is a quick report. It has no analyses with one fabric, one participant or the flagged participants "

@@ -1,6 +1,7 @@
 #include "reports/formats/table_formats.h"
 
 #include <algorithm>
+#include <vector>
 
 #include "protocols/files/csv_table.h"
 #include "protocols/files/markup_text.h"
@@ -22,9 +23,13 @@ std::string padded(const std::string& text, std::size_t to, bool right)
     return right ? space + text : text + space;
 }
 
-bool isNumeric(const Table& table, std::size_t column)
+/// By column: whether every cell is a number.
+std::vector<bool> numericColumns(const Table& table)
 {
-    return std::all_of(table.rows.begin(), table.rows.end(), [&](const auto& row) { return row[column].isNumber; });
+    std::vector<bool> numeric;
+    for (std::size_t i = 0; i < table.columns.size(); ++i)
+        numeric.push_back(std::ranges::all_of(table.rows, [&](const auto& row) { return row[i].isNumber; }));
+    return numeric;
 }
 
 }  // namespace
@@ -48,9 +53,10 @@ std::string toCsv(const Table& table)
 
 std::string toTex(const Table& table)
 {
+    const std::vector<bool> numeric = numericColumns(table);
     std::string format;
     for (std::size_t i = 0; i < table.columns.size(); ++i)
-        if (table.isInDocuments(i)) format += isNumeric(table, i) ? 'r' : 'l';
+        if (table.isInDocuments(i)) format += numeric[i] ? 'r' : 'l';
     const auto line = [&](const auto& textOf) {
         std::string result;
         bool isFirst = true;
@@ -70,11 +76,12 @@ std::string toTex(const Table& table)
 
 std::string toHtml(const Table& table)
 {
+    const std::vector<bool> numeric = numericColumns(table);
     std::string html =
         "<div class=\"scroll\"><table><caption>" + protocols::escapedMarkup(table.caption) + "</caption><thead><tr>";
     for (std::size_t i = 0; i < table.columns.size(); ++i)
         if (table.isInDocuments(i))
-            html += std::string("<th scope=\"col\"") + (isNumeric(table, i) ? " class=\"n\"" : "") + ">" +
+            html += std::string("<th scope=\"col\"") + (numeric[i] ? " class=\"n\"" : "") + ">" +
                     protocols::escapedMarkup(table.columns[i].name) + "</th>";
     html += "</tr></thead><tbody>\n";
     for (const auto& row : table.rows) {
@@ -82,7 +89,7 @@ std::string toHtml(const Table& table)
         for (std::size_t i = 0; i < row.size(); ++i) {
             if (!table.isInDocuments(i)) continue;
             const std::string tag = i == 0 ? "th" : "td";
-            html += "<" + tag + (i == 0 ? " scope=\"row\"" : "") + (isNumeric(table, i) ? " class=\"n\"" : "") +
+            html += "<" + tag + (i == 0 ? " scope=\"row\"" : "") + (numeric[i] ? " class=\"n\"" : "") +
                     (row[i].why.empty() ? "" : " title=\"" + protocols::escapedMarkup(row[i].why) + "\"") + ">" + row[i].html +
                     "</" + tag + ">";
         }
@@ -93,6 +100,7 @@ std::string toHtml(const Table& table)
 
 std::string toText(const Table& table)
 {
+    const std::vector<bool> numeric = numericColumns(table);
     std::vector<std::size_t> widths(table.columns.size());
     for (std::size_t i = 0; i < widths.size(); ++i) {
         widths[i] = width(table.columns[i].name);
@@ -101,8 +109,7 @@ std::string toText(const Table& table)
     const auto line = [&](const auto& textOf) {
         std::string result;
         for (std::size_t i = 0; i < widths.size(); ++i)
-            if (table.isInDocuments(i))
-                result += (result.empty() ? "" : "  ") + padded(textOf(i), widths[i], isNumeric(table, i));
+            if (table.isInDocuments(i)) result += (result.empty() ? "" : "  ") + padded(textOf(i), widths[i], numeric[i]);
         while (result.ends_with(' ')) result.pop_back();
         return result + "\n";
     };

@@ -1,12 +1,16 @@
 // A table with its place on the page.
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "reports/formats/table.h"
 #include "reports/text/page_section.h"
 
 namespace reports {
+
+/// Larger tables are written to files only: a page with all of them could not be read.
+inline constexpr std::size_t mostRowsOnPage = 2000;
 
 struct ReportTable {
     Table table;

@@ -42,7 +42,10 @@ std::vector<ReportTable> reportTables(const StudyAnalysis& analysis)
     }
     // A question called "planned" would get the file name of the planned contrasts.
     FileNames names;
-    for (ReportTable& one : tables) one.table.name = names.unique(one.table.name);
+    for (ReportTable& one : tables) {
+        one.table.name = names.unique(one.table.name);
+        one.onPage = one.onPage && one.table.rows.size() <= mostRowsOnPage;
+    }
     return tables;
 }
 

@@ -223,6 +223,7 @@ private Q_SLOTS:
         data.everyPair = true;
         const Json every = reports::resultsJson(reports::analyse(data, {.depth = Depth::Quick}));
         QCOMPARE(every["comparisons"].size(), std::size_t{4 * 46 * 45 / 2});
+        QVERIFY(every["design"]["left_out"].dump().find("stand in the folder tables only") != std::string::npos);
         data.everyPair = false;
         data.planned = {{"c03", "c07"}};
         const Json planned = reports::resultsJson(reports::analyse(data, {.depth = Depth::Quick}));

@@ -10,6 +10,7 @@
 #include "stats/models/crossed_study.h"
 #include "stats/models/random_columns.h"
 #include "stats/power/simulated_study.h"
+#include "tests/stats/cycled_factor.h"
 #include "tests/stats/exact_numbers.h"
 #include "tests/stats/shared_study.h"
 
@@ -22,14 +23,6 @@ void compare(const stats::Value& value, double expected, double relative, const 
     QVERIFY2(value.exists(), (what + ": " + value.why()).c_str());
     QVERIFY2(near(*value, expected, relative),
              qPrintable(QString("%1: %2, expected %3").arg(what.c_str()).arg(*value, 0, 'g', 12).arg(expected, 0, 'g', 12)));
-}
-
-/// A factor with the levels 1 to `levels`, each repeated `each` times, over `rows` rows.
-stats::Factor cycled(const std::string& name, std::size_t levels, std::size_t each, std::size_t rows)
-{
-    std::vector<std::string> values;
-    for (std::size_t row = 0; row < rows; ++row) values.push_back(std::to_string(row / each % levels + 1));
-    return stats::factorOf(name, values);
 }
 
 /// Five people, four fabrics, three conditions: every cell once.

@@ -12,19 +12,13 @@
 #include "stats/models/crossed_study.h"
 #include "stats/models/logistic_mixed_model.h"
 #include "stats/power/simulated_study.h"
+#include "tests/stats/cycled_factor.h"
 #include "tests/stats/exact_numbers.h"
 #include "tests/stats/shared_study.h"
 
 namespace {
 
 using Numbers = std::vector<double>;
-
-stats::Factor cycled(const std::string& name, std::size_t levels, std::size_t each, std::size_t rows)
-{
-    std::vector<std::string> values;
-    for (std::size_t row = 0; row < rows; ++row) values.push_back(std::to_string(row / each % levels + 1));
-    return stats::factorOf(name, values);
-}
 
 /// Five people, four fabrics, three conditions: every cell once, on a scale from 1 to 7.
 stats::OrdinalData smallStudy()

@@ -7,8 +7,8 @@
 
 #include "reports/analysis/question_claims.h"
 #include "reports/cells/answer_cells.h"
+#include "stats/claims/speed_contrasts.h"
 #include "stats/kernels/value.h"
-#include "stats/tests/t_tests.h"
 
 namespace reports {
 
@@ -20,20 +20,12 @@ struct ConditionSpeed {
     stats::Interval scoreCi95;              ///< Student's t over the participants' scores
 };
 
-/// A difference of conditions a - b over the participants who have both.
-struct SpeedDifference {
-    stats::TTest test;   ///< paired
-    stats::Value pHolm;  ///< after Holm's correction over the contrasts of the question
-};
-
 struct SpeedContrast {
     std::string a;
     std::string b;
     bool planned = false;
     bool primary = false;
-    SpeedDifference bitsPerSecond;  ///< of the participants' jackknife pseudo-values
-    SpeedDifference score;          ///< of the balanced integration scores
-    SpeedDifference logSeconds;     ///< of the participants' mean logarithms of the time; exp is a ratio of times
+    stats::SpeedContrastTests tests;
 };
 
 /// Larger families are left out, because nobody reads them.

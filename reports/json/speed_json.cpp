@@ -17,7 +17,7 @@ void putMeanTest(Json& row, const stats::TTest& test)
     putP(row, "p", test.p, test.logP);
 }
 
-void addSpeedRow(Json& rows, const SpeedContrast& contrast, const std::string& measure, const SpeedDifference& difference)
+void addSpeedRow(Json& rows, const SpeedContrast& contrast, const std::string& measure, const stats::SpeedDifference& difference)
 {
     Json row{{"a", contrast.a},
              {"b", contrast.b},
@@ -76,9 +76,9 @@ Json speedContrastsJson(const SpeedAnalysis& speed)
     }
     Json rows = Json::array();
     for (const SpeedContrast& contrast : speed.contrasts) {
-        addSpeedRow(rows, contrast, "bits_per_second", contrast.bitsPerSecond);
-        addSpeedRow(rows, contrast, "bis", contrast.score);
-        addSpeedRow(rows, contrast, "log_seconds", contrast.logSeconds);
+        addSpeedRow(rows, contrast, "bits_per_second", contrast.tests.bitsPerSecond);
+        addSpeedRow(rows, contrast, "bis", contrast.tests.score);
+        addSpeedRow(rows, contrast, "log_seconds", contrast.tests.logSeconds);
     }
     part["contrasts"] = std::move(rows);
     return part;

@@ -37,7 +37,7 @@ Table speedTable(const StudyAnalysis& analysis)
 stats::Value exponentialOf(const stats::Value& value) { return value.exists() ? stats::Value(std::exp(*value)) : value; }
 
 /// A ratio of times from a difference of logarithms.
-SpeedDifference asRatio(SpeedDifference difference)
+stats::SpeedDifference asRatio(stats::SpeedDifference difference)
 {
     difference.test.estimate = exponentialOf(difference.test.estimate);
     difference.test.ci = {exponentialOf(difference.test.ci.low), exponentialOf(difference.test.ci.high)};
@@ -61,7 +61,7 @@ Table speedContrastTable(const std::string& id, const SpeedAnalysis& speed)
                  {"p uncorrected", ColumnUse::InCsv},
                  "p"},
                 {}};
-    const auto add = [&](const SpeedContrast& contrast, const std::string& measure, const SpeedDifference& difference,
+    const auto add = [&](const SpeedContrast& contrast, const std::string& measure, const stats::SpeedDifference& difference,
                          int decimals) {
         const stats::TTest& test = difference.test;
         table.rows.push_back({conditionCell(contrast.a), conditionCell(contrast.b), textCell(measure), countCell(test.n),
@@ -70,9 +70,9 @@ Table speedContrastTable(const std::string& id, const SpeedAnalysis& speed)
                               pCell(test.p, test.logP), pCell(difference.pHolm)});
     };
     for (const SpeedContrast& contrast : speed.contrasts) {
-        add(contrast, "bits per second", contrast.bitsPerSecond, 3);
-        add(contrast, "balanced integration score", contrast.score, 2);
-        add(contrast, "response time", asRatio(contrast.logSeconds), 2);
+        add(contrast, "bits per second", contrast.tests.bitsPerSecond, 3);
+        add(contrast, "balanced integration score", contrast.tests.score, 2);
+        add(contrast, "response time", asRatio(contrast.tests.logSeconds), 2);
     }
     return table;
 }

@@ -8,6 +8,7 @@
 #include "stats/claims/crossed_mean.h"
 #include "stats/kernels/decimal_grid.h"
 #include "stats/models/crossed_study.h"
+#include "stats/models/explained_variance.h"
 #include "stats/tests/multiplicity.h"
 #include "study/analyse/analyse_answer.h"
 #include "study/analyse/analyse_inputs.h"
@@ -230,6 +231,40 @@ ordered_json ordinalMixed(const AnalysisRequest& request)
     return answer.putText("left_out", leftOutJson(fit.leftOut)).json();
 }
 
+ordered_json explainedJson(const stats::ExplainedVariance& explained, const std::string& formula, const std::string& scale,
+                           const std::vector<stats::LeftOut>& leftOut)
+{
+    if (!explained.why.empty()) return degenerate(explained.why);
+    std::vector<std::string> names;
+    std::vector<Value> variances, shares;
+    for (const stats::VarianceComponent& component : explained.components) {
+        names.push_back(component.name);
+        variances.push_back(component.variance);
+        shares.push_back(component.share);
+    }
+    AnswerFields answer;
+    answer.putText("formula", formula).putText("scale", scale).put("marginal", explained.marginal);
+    answer.put("conditional", explained.conditional).put("condition_variance", explained.conditionVariance);
+    answer.put("var", names, variances).put("share", names, shares);
+    return answer.putText("left_out", leftOutJson(leftOut)).json();
+}
+
+enum class Scale { Linear, Logistic };
+constexpr NamedChoice<Scale> scalesByName[] = {{"linear", Scale::Linear}, {"logistic", Scale::Logistic}};
+
+ordered_json rSquared(const AnalysisRequest& request)
+{
+    const stats::CrossedStudy rows = crossedRowsAt(request.inputs, "value");
+    const bool crossed = choiceOr(request.options, "terms", termsByName, "crossed") == Terms::Crossed;
+    if (choiceOr(request.options, "model", scalesByName, "linear") == Scale::Logistic) {
+        const stats::ChoiceModel fit =
+            stats::fitChoices(rows, crossed ? stats::ChoiceTerms::WithInteractions : stats::ChoiceTerms::MainEffects);
+        return explainedJson(stats::explainedVariance(rows, fit), fit.formula, "log_odds", fit.leftOut);
+    }
+    const stats::RatingModel fit = crossed ? stats::fitRatings(rows) : fitMainEffects(rows, {});
+    return explainedJson(stats::explainedVariance(rows, fit), fit.formula, "value", fit.leftOut);
+}
+
 }  // namespace
 
 std::vector<NamedAnalysis> analysesOfModels()
@@ -241,6 +276,8 @@ std::vector<NamedAnalysis> analysesOfModels()
          "logistic mixed model by Laplace's approximation; terms: main or crossed"},
         {"ordinal_mixed", ordinalMixed, "rating condition participant [fabric]", "[round_to] [conf_level]",
          "cumulative logit mixed model of ratings in categories"},
+        {"r_squared", rSquared, "value condition participant [fabric]", "[model] [terms]",
+         "marginal and conditional R squared of a mixed model; model: linear or logistic"},
     };
 }
 

@@ -1,8 +1,11 @@
 #include "study/analyse/analyse_samples.h"
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "stats/claims/speed_contrasts.h"
+#include "stats/kernels/decimal_grid.h"
 #include "stats/kernels/descriptive.h"
 #include "stats/tests/speed_accuracy.h"
 #include "study/analyse/analyse_answer.h"
@@ -51,18 +54,23 @@ ordered_json conditionalAccuracy(const AnalysisRequest& request)
     return {{"bins", rows}};
 }
 
+int alternativesOf(const AnalysisRequest& request)
+{
+    const long long alternatives = wholeOr(request.options, "alternatives", 3);
+    if (alternatives < 2 || alternatives > 1000000) throw RequestFault("alternatives must lie between 2 and 1000000");
+    return static_cast<int>(alternatives);
+}
+
 ordered_json speedAccuracy(const AnalysisRequest& request)
 {
     const auto seconds = numbersAt(request.inputs, "seconds");
     const auto correct = correctOf(request);
-    const long long alternatives = wholeOr(request.options, "alternatives", 3);
-    if (alternatives < 2 || alternatives > 1000000) throw RequestFault("alternatives must lie between 2 and 1000000");
+    const int m = alternativesOf(request);
     if (seconds.size() != correct.size()) throw RequestFault("seconds and correct differ in length");
     const auto times = stats::responseTimes(seconds);
     if (!times.median.exists()) return degenerate(times.median.why());
     const auto right = std::count(correct.begin(), correct.end(), true);
     const double share = static_cast<double>(right) / static_cast<double>(correct.size());
-    const int m = static_cast<int>(alternatives);
     AnswerFields answer;
     answer.putCount("n", times.n).put("median_seconds", times.median).put("log_mean_seconds", times.logMean);
     answer.put("geometric_mean_seconds", times.geometricMean).put("mean_seconds", times.mean).put("proportion", share);
@@ -79,6 +87,88 @@ ordered_json balancedIntegration(const AnalysisRequest& request)
     return AnswerFields().put("bis", scores).json();
 }
 
+/// Choices and times as a table of the rows that have a choice.
+struct TimedChoices {
+    stats::CrossedStudy rows;  ///< values: 1, 0, or NaN where there is no choice
+    std::vector<double> seconds;
+};
+
+TimedChoices timedChoicesOf(const AnalysisRequest& request)
+{
+    TimedChoices choices{crossedRowsAt(request.inputs, "correct"), numbersAt(request.inputs, "seconds")};
+    if (choices.seconds.size() != choices.rows.values.size()) throw RequestFault("seconds and correct differ in length");
+    for (const double value : choices.rows.values)
+        if (value != 0 && value != 1 && !std::isnan(value)) throw RequestFault("correct must hold 0, 1 and null only");
+    for (const double time : choices.seconds)
+        if (std::isinf(time)) throw RequestFault("seconds must hold finite times and null only");
+    return choices;
+}
+
+std::vector<stats::ConditionSpeedCells> speedCellsOf(const TimedChoices& choices)
+{
+    struct CellRows {
+        std::vector<double> correct, seconds;
+    };
+    const std::size_t conditions = choices.rows.condition.levels.size(), participants = choices.rows.participant.levels.size();
+    std::vector<std::vector<CellRows>> rows(conditions, std::vector<CellRows>(participants));
+    for (std::size_t row = 0; row < choices.seconds.size(); ++row) {
+        if (std::isnan(choices.rows.values[row])) continue;
+        CellRows& cell = rows[choices.rows.condition.of[row]][choices.rows.participant.of[row]];
+        cell.correct.push_back(choices.rows.values[row]);
+        if (!std::isnan(choices.seconds[row])) cell.seconds.push_back(choices.seconds[row]);
+    }
+    std::vector<stats::ConditionSpeedCells> cells(conditions);
+    for (std::size_t c = 0; c < conditions; ++c)
+        for (const CellRows& cell : rows[c]) cells[c].push_back(stats::speedCell(cell.correct, cell.seconds));
+    return cells;
+}
+
+ordered_json differenceJson(const stats::SpeedDifference& difference)
+{
+    const stats::TTest& test = difference.test;
+    if (!test.why.empty()) return degenerate(test.why);
+    AnswerFields row;
+    row.putCount("n", test.n).put("estimate", test.estimate).put("se", test.se).put("ci", test.ci).put("t", test.t);
+    row.put("df", test.df).putProbability("p", test.p, test.logP).put("log_p", test.logP);
+    return row.put("p_adjusted", difference.pHolm).json();
+}
+
+ordered_json rateJson(const stats::ConditionSpeedCells& cells, const std::vector<stats::Value>& scores, int alternatives)
+{
+    std::vector<stats::ParticipantChoices> choices;
+    for (const stats::SpeedCell& cell : cells) choices.push_back(cell.choices);
+    std::vector<double> numbers;
+    for (const stats::Value& score : scores)
+        if (score.exists()) numbers.push_back(*score);
+    const stats::InformationRate rate = stats::informationRate(choices, alternatives);
+    const stats::TTest mean = stats::oneSampleTTest(numbers);
+    const stats::Value none = stats::Value::undefined(mean.why);
+    AnswerFields row;
+    row.put("bits_per_second", rate.rate).put("bits_per_second_ci", rate.ci95).put("bis", stats::meanOf(numbers));
+    return row.put("bis_ci", mean.why.empty() ? mean.ci : stats::Interval{none, none}).json();
+}
+
+ordered_json speedContrasts(const AnalysisRequest& request)
+{
+    const int alternatives = alternativesOf(request);
+    const TimedChoices choices = timedChoicesOf(request);
+    const std::vector<std::string>& names = choices.rows.condition.levels;
+    if (names.size() < 2) return degenerate("there is one condition only: nothing to compare");
+    const auto pairs = contrastsOf(request.options, names);
+    const auto cells = speedCellsOf(choices);
+    const auto scores = stats::scoresOf(cells);
+    const auto tests = stats::speedContrasts(cells, scores, pairs, alternatives);
+    ordered_json conditions = ordered_json::object(), contrasts = ordered_json::array();
+    for (std::size_t c = 0; c < names.size(); ++c) conditions[names[c]] = rateJson(cells[c], scores[c], alternatives);
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+        contrasts.push_back({{"a", names[pairs[i].first]},
+                             {"b", names[pairs[i].second]},
+                             {"bits_per_second", differenceJson(tests[i].bitsPerSecond)},
+                             {"bis", differenceJson(tests[i].score)},
+                             {"log_seconds", differenceJson(tests[i].logSeconds)}});
+    return {{"conditions", conditions}, {"contrasts", contrasts}};
+}
+
 }  // namespace
 
 std::vector<NamedAnalysis> analysesOfSamples()
@@ -88,6 +178,8 @@ std::vector<NamedAnalysis> analysesOfSamples()
         {"descriptive", describe, "x", "", "another name of describe"},
         {"conditional_accuracy", conditionalAccuracy, "seconds correct", "[bins]", "accuracy from fast to slow choices"},
         {"speed_accuracy", speedAccuracy, "seconds correct", "[alternatives]", "times, bits per choice, bits per second"},
+        {"speed_contrasts", speedContrasts, "seconds correct condition participant", "[alternatives] [contrasts]",
+         "bits per second, balanced integration score and response time between conditions, over participants"},
         {"bis", balancedIntegration, "pc rt", "", "balanced integration scores of cells"},
     };
 }

@@ -48,6 +48,20 @@ json rowsOf(const char* value)
     return rows;
 }
 
+/// Choices with times; one participant has no times under c1, and the first row of c2 has no choice.
+json timedRows()
+{
+    json rows = rowsOf("correct");
+    rows.erase("fabric");
+    rows["seconds"] = json::array();
+    for (int p = 0; p < 8; ++p)
+        for (int f = 0; f < 5; ++f)
+            for (int c = 0; c < 3; ++c)
+                rows["seconds"].push_back(p == 3 && c == 1 ? json() : json(2 + (p * 3 + f * 5 + c * 2 + 10) % 7 / 2.0));
+    rows["correct"][2] = nullptr;
+    return rows;
+}
+
 const json& claimOf(const json& answer, const char* a, const char* b, const char* generalisation)
 {
     static const json none;
@@ -102,6 +116,64 @@ private Q_SLOTS:
         const json crossed = answerTo("logistic_mixed", rowsOf("correct"));
         QCOMPARE(crossed["sd"].size(), std::size_t(4));
         QVERIFY(crossed["logLik"].get<double>() >= answer["logLik"].get<double>() - 1e-6);
+    }
+
+    void rSquaredOfMixedModels()
+    {
+        const json answer = answerTo("r_squared", rowsOf("value"));
+        QVERIFY(near(answer["condition_variance"], 0.967542016807) && near(answer["marginal"], 0.232850957176));
+        QVERIFY(near(answer["conditional"], 0.379987421667) && answer["scale"] == "value");
+        QVERIFY(near(answer["share"]["Residual"], 1 - (0.379987421667 - 0.232850957176) / (1 - 0.232850957176)));
+        QCOMPARE(answer["var"]["participant:condition"].get<double>(), 0.0);
+        const json main = answerTo("r_squared", rowsOf("value"), {{"terms", "main"}});
+        QVERIFY(near(main["marginal"], 0.235830803570) && near(main["conditional"], 0.311830738077));
+        json choices = rowsOf("correct");
+        choices["value"] = choices["correct"];
+        choices.erase("correct");
+        const json logistic = answerTo("r_squared", choices, {{"terms", "main"}, {"model", "logistic"}});
+        QVERIFY(near(logistic["marginal"], 0.0243024291708, 1e-3) && near(logistic["conditional"], 0.0389942385224, 1e-3));
+        QVERIFY(logistic["scale"] == "log_odds" && near(logistic["var"]["Residual"], 3.289868133696));
+        json same = rowsOf("value");
+        for (json& value : same["value"]) value = 10;
+        QVERIFY(says(answerTo("r_squared", same), "reason", "no variation left"));
+    }
+
+    void speedOfConditions()
+    {
+        const json answer = answerTo("speed_contrasts", timedRows());
+        const json& c1 = answer["conditions"]["c1"];
+        QVERIFY(near(c1["bits_per_second"], 0.0399725432584) && near(c1["bis"], -0.3596472849624));
+        QVERIFY(near(c1["bis_ci_low"], -2.3517701255822) && c1["bits_per_second_ci_high"].is_number());
+        QCOMPARE(answer["contrasts"].size(), std::size_t(3));
+        const json& contrast = answer["contrasts"][2];
+        QVERIFY(contrast["a"] == "c1" && contrast["b"] == "c2" && contrast["bis"]["n"] == 7);
+        const json& rate = contrast["bits_per_second"];
+        QVERIFY(near(rate["estimate"], -0.0642273298122) && near(rate["ci_low"], -0.1789270111236) && near(rate["df"], 6));
+        QVERIFY(near(rate["p"], 0.2196873245605) && near(rate["p_adjusted"], 0.6590619736816));
+        QVERIFY(near(answer["contrasts"][0]["bits_per_second"]["p_adjusted"], 0.6983494501510));
+        QVERIFY(near(contrast["bis"]["estimate"], -0.401971552363) && near(contrast["bis"]["p"], 0.662560871944));
+        QVERIFY(near(contrast["log_seconds"]["estimate"], -0.0127192432869));
+        QVERIFY(near(contrast["log_seconds"]["p"], 0.7576151994100));
+        const json one = answerTo("speed_contrasts", timedRows(), {{"contrasts", json::parse(R"([["c2", "c0"]])")}});
+        QVERIFY(near(one["contrasts"][0]["bis"]["p_adjusted"], 0.595665152036));
+        QVERIFY(near(one["contrasts"][0]["bis"]["estimate"], 0.400074319982));
+    }
+
+    void speedThatIsNotDefinedSaysWhy()
+    {
+        json rows = timedRows();
+        for (json& time : rows["seconds"]) time = nullptr;
+        const json answer = answerTo("speed_contrasts", rows);
+        QVERIFY(answer["contrasts"][0]["bis"].contains("reason"));
+        QVERIFY(answer["conditions"]["c0"]["why"]["bits_per_second"] == "there are no response times");
+        rows["correct"][0] = 0.5;
+        QVERIFY(says(answerTo("speed_contrasts", rows), "error", "0, 1 and null"));
+        rows["seconds"].push_back(1);
+        QVERIFY(says(answerTo("speed_contrasts", rows), "error", "differ in length"));
+        for (json& condition : rows["condition"]) condition = "one";
+        rows["seconds"].erase(0);
+        rows["correct"][0] = 1;
+        QVERIFY(says(answerTo("speed_contrasts", rows), "reason", "one condition"));
     }
 
     void ordinalMixedModel()

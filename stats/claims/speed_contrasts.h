@@ -1,0 +1,52 @@
+// Speed and accuracy of choices between conditions: bits per second, balanced integration score and logarithm of the response
+// time. Every test holds for new participants and these fabrics.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "stats/claims/claims.h"
+#include "stats/claims/information_rate.h"
+#include "stats/kernels/value.h"
+#include "stats/tests/t_tests.h"
+
+namespace stats {
+
+/// The choices of one participant under one condition.
+struct SpeedCell {
+    ParticipantChoices choices;
+    Value share;        ///< correct choices / choices
+    Value meanSeconds;  ///< of the timed choices
+    Value logSeconds;   ///< mean of the natural logarithms of the times
+};
+
+/// `correct`: 1 and 0. `seconds`: the times of those choices that have one; times that are not positive have no logarithm.
+SpeedCell speedCell(std::span<const double> correct, std::span<const double> seconds);
+
+/// The cells of a condition, one for each participant, in the same order under every condition.
+using ConditionSpeedCells = std::vector<SpeedCell>;
+
+/// Balanced integration scores [condition][participant], standardised over all cells that have a share and a time. The other
+/// cells have no score.
+std::vector<std::vector<Value>> scoresOf(std::span<const ConditionSpeedCells> conditions);
+
+/// Mean difference of two conditions over the participants who have both.
+struct SpeedDifference {
+    TTest test;   ///< paired
+    Value pHolm;  ///< after Holm's correction over the contrasts of the same measure
+};
+
+/// Conditions a - b.
+struct SpeedContrastTests {
+    SpeedDifference bitsPerSecond;  ///< of the participants' jackknife pseudo-values
+    SpeedDifference score;          ///< of the balanced integration scores
+    SpeedDifference logSeconds;     ///< of the participants' mean logarithms of the time; exp is a ratio of times
+};
+
+/// One row for each contrast, in their order. `scores`: scoresOf(conditions); `alternatives`: m >= 2.
+std::vector<SpeedContrastTests> speedContrasts(std::span<const ConditionSpeedCells> conditions,
+                                               std::span<const std::vector<Value>> scores,
+                                               std::span<const ContrastPair> contrasts, int alternatives);
+
+}  // namespace stats

@@ -2,9 +2,9 @@
 // undefined is returned as a Value. So no NaN, p = 0 or p = 1 stands in for "undefined".
 #pragma once
 
+#include <memory>
 #include <stdexcept>
 #include <string>
-#include <utility>
 
 namespace stats {
 
@@ -15,48 +15,44 @@ public:
     explicit UndefinedValueRead(const std::string& why);
 };
 
+/// 24 bytes: a report holds millions of values, and few of them are undefined. Copies share the reason.
 class Value {
 public:
-    Value() = default;
-    Value(double number) : m_number(number), m_exists(true) {}
-    static Value undefined(std::string why)
-    {
-        Value value;
-        value.m_why = std::move(why);
-        return value;
-    }
+    /// Undefined: "not computed".
+    Value() : m_absence(std::shared_ptr<const Absence>(), &notComputed) {}
+    Value(double number) : m_number(number) {}
+    static Value undefined(std::string why);
 
     /// A number beyond the range of double: undefined for arithmetic, but printed with its digits.
-    static Value beyondDouble(std::string decimal)
-    {
-        Value value = undefined("beyond the largest number that can be written as a double");
-        value.m_decimal = std::move(decimal);
-        return value;
-    }
+    static Value beyondDouble(std::string decimal);
 
-    bool exists() const { return m_exists; }
-    explicit operator bool() const { return m_exists; }
+    bool exists() const { return m_absence == nullptr; }
+    explicit operator bool() const { return exists(); }
 
     /// The number. Throws UndefinedValueRead where there is none.
     double operator*() const
     {
-        if (!m_exists) throwUndefined();
+        if (!exists()) throwUndefined();
         return m_number;
     }
-    double orElse(double other) const { return m_exists ? m_number : other; }
-    const std::string& why() const { return m_why; }
+    double orElse(double other) const { return exists() ? m_number : other; }
+    /// The reason why there is no number; without meaning where there is one.
+    const std::string& why() const;
     /// "1.8584942812709108e+308" where the number is known but no double holds it; else empty.
-    const std::string& decimal() const { return m_decimal; }
+    const std::string& decimal() const;
 
-    bool operator==(const Value&) const = default;
+    /// Equal numbers, or equal reasons.
+    bool operator==(const Value& other) const;
 
 private:
+    struct Absence;
+    static const Absence notComputed;
+
+    const Absence& absence() const { return exists() ? notComputed : *m_absence; }
     [[noreturn]] void throwUndefined() const;
 
     double m_number = 0;
-    bool m_exists = false;
-    std::string m_why = "not computed";
-    std::string m_decimal;
+    std::shared_ptr<const Absence> m_absence;  ///< null where the number exists
 };
 
 /// The two ends of an interval; -infinity or infinity marks the open end of a one-sided interval.

@@ -50,6 +50,21 @@ private Q_SLOTS:
         QCOMPARE(stats::Value::beyondDouble("1.8e+308").decimal(), std::string("1.8e+308"));
     }
 
+    void copiesShareTheReasonAndEqualReasonsAreEqual()
+    {
+        const stats::Value value = stats::Value::undefined("there are no values"), copy = value;
+        QCOMPARE(&copy.why(), &value.why());
+        QVERIFY(copy == value && value == stats::Value::undefined("there are no values"));
+        QVERIFY(!(value == stats::Value::undefined("there is one value only")) && !(value == stats::Value()));
+        QVERIFY(!(stats::Value::beyondDouble("1.8e+308") == stats::Value::beyondDouble("1.9e+308")));
+        stats::Value other = value;
+        other = 0.25;
+        QVERIFY(other == stats::Value(0.25) && copy.why() == "there are no values");
+    }
+
+    // A report of 200 conditions holds some 6 million values.
+    void aValueIsSmall() { QVERIFY(sizeof(stats::Value) <= 24); }
+
     void thisBuildChecksAssertions()
     {
 #ifdef NDEBUG

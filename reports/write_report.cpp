@@ -23,13 +23,18 @@ void writeAll(const StudyAnalysis& analysis, const protocols::FolderDraft& draft
 {
     // A study may have no figure. The folder is then empty, and replaces that of an earlier report.
     for (const char* folder : {"tables", "figures"}) protocols::makeFolders(draft.path() / folder, protocols::Sync::Later);
-    write(draft.file("results.json"), resultsText(analysis));
-    write(draft.file("statistics.json"), statisticsText(analysis));
-    const std::vector<ReportTable> tables = reportTables(analysis);
-    for (const ReportTable& one : tables) {
+    const auto writeJson = [&](const char* name, const auto& writeTo) {
+        protocols::writeInPieces(
+            draft.file(name), [&](const protocols::TakeBytes& take) { writeTo(analysis, take); }, protocols::Sync::Later);
+    };
+    writeJson("results.json", writeResults);
+    writeJson("statistics.json", writeStatistics);
+    std::vector<ReportTable> tables;  // of the page; the others may be large, and are held one at a time
+    forEachTable(analysis, [&](ReportTable one) {
         write(draft.file("tables/" + one.table.name + ".csv"), toCsv(one.table));
         write(draft.file("tables/" + one.table.name + ".tex"), toTex(one.table));
-    }
+        if (one.onPage) tables.push_back(std::move(one));
+    });
     const std::vector<Figure> figures = reportFigures(analysis);
     for (const Figure& figure : figures) write(draft.file("figures/" + figure.name + ".svg"), figure.svg);
     write(draft.file("index.html"), reportPage(analysis, tables, figures));

@@ -88,24 +88,57 @@ bool isDeviceOrPipe(const fs::path& file)
     return ::stat(file.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
 }
 
+using MakeBytes = std::function<void(const TakeBytes&)>;
+
+/// Writes what `make` gives. Returns 0 or the reason of the first failure; nothing is written after it.
+int writePieces(int descriptor, const MakeBytes& make)
+{
+    int reason = 0;
+    make([&](std::string_view bytes) {
+        if (reason == 0 && !writeAll(descriptor, bytes)) reason = errno;
+    });
+    return reason;
+}
+
 /// A rename would put a file in the place of the device.
-void writeThrough(const fs::path& file, std::string_view bytes)
+void writeThrough(const fs::path& file, const MakeBytes& make)
 {
     Descriptor open(file, O_WRONLY);
-    if (!open.isOpen() || !writeAll(open.number(), bytes) || !open.close()) throw cannotWrite(file, errno);
+    if (!open.isOpen()) throw cannotWrite(file, errno);
+    if (const int reason = writePieces(open.number(), make); reason != 0) throw cannotWrite(file, reason);
+    if (!open.close()) throw cannotWrite(file, errno);
 }
 
 /// Returns 0 or the reason of the failure.
-int writeTemporary(const fs::path& temporary, std::string_view bytes, Sync sync, Readers readers)
+int writeTemporary(const fs::path& temporary, const MakeBytes& make, Sync sync, Readers readers)
 {
     ::unlink(temporary.c_str());  // left by an earlier process of this number
     Descriptor open(temporary, O_WRONLY | O_CREAT | O_EXCL, readers == Readers::OwnerOnly ? 0600 : 0666);
     if (!open.isOpen()) return errno;
     if (readers == Readers::Everyone && ::fchmod(open.number(), 0644) != 0) return errno;
-    if (!writeAll(open.number(), bytes)) return errno;
+    if (const int reason = writePieces(open.number(), make); reason != 0) return reason;
     if (sync == Sync::Now && ::fsync(open.number()) != 0) return errno;
     return open.close() ? 0 : errno;
 }
+
+/// Removes the file of this name unless it is kept.
+class Unfinished {
+public:
+    explicit Unfinished(fs::path file) : m_file(std::move(file)) {}
+    ~Unfinished()
+    {
+        if (!m_isKept) ::unlink(m_file.c_str());
+    }
+    Unfinished(const Unfinished&) = delete;
+    Unfinished& operator=(const Unfinished&) = delete;
+
+    const fs::path& path() const { return m_file; }
+    void keep() { m_isKept = true; }
+
+private:
+    fs::path m_file;
+    bool m_isKept = false;
+};
 
 }  // namespace
 
@@ -129,15 +162,19 @@ void readInBlocks(const fs::path& file, const std::function<void(std::string_vie
 
 void writeWholeFile(const fs::path& file, std::string_view bytes, Sync sync, Readers readers)
 {
-    if (isDeviceOrPipe(file)) return writeThrough(file, bytes);
+    writeInPieces(
+        file, [&](const TakeBytes& take) { take(bytes); }, sync, readers);
+}
+
+void writeInPieces(const fs::path& file, const MakeBytes& make, Sync sync, Readers readers)
+{
+    if (isDeviceOrPipe(file)) return writeThrough(file, make);
     if (sync == Sync::Now) removeAbandoned(file);
-    const fs::path temporary = unfinishedName(file);
-    int reason = writeTemporary(temporary, bytes, sync, readers);
-    if (reason == 0 && ::rename(temporary.c_str(), file.c_str()) != 0) reason = errno;
-    if (reason != 0) {
-        ::unlink(temporary.c_str());
-        throw cannotWrite(file, reason);
-    }
+    Unfinished temporary(unfinishedName(file));
+    int reason = writeTemporary(temporary.path(), make, sync, readers);
+    if (reason == 0 && ::rename(temporary.path().c_str(), file.c_str()) != 0) reason = errno;
+    if (reason != 0) throw cannotWrite(file, reason);
+    temporary.keep();
     if (sync == Sync::Now) syncFolder(file.parent_path());
 }
 
@@ -152,7 +189,8 @@ void requireWritable(const fs::path& file)
 {
     if (fs::is_directory(file)) throw badInput({"is a folder", file.string(), "the name of a file to write", ""});
     const fs::path temporary = unfinishedName(file);
-    const int reason = writeTemporary(temporary, "", Sync::Later, Readers::AsUsual);
+    const int reason = writeTemporary(
+        temporary, [](const TakeBytes&) {}, Sync::Later, Readers::AsUsual);
     ::unlink(temporary.c_str());
     if (reason != 0) throw cannotWrite(file, reason);
 }

@@ -37,6 +37,14 @@ enum class Readers {
 void writeWholeFile(const std::filesystem::path& file, std::string_view bytes, Sync sync = Sync::Now,
                     Readers readers = Readers::AsUsual);
 
+/// Takes the next bytes of a file.
+using TakeBytes = std::function<void(std::string_view)>;
+
+/// Writes as writeWholeFile() does, but piece by piece: `make` gives the bytes in their order. So a large file is never held in
+/// memory. What `make` throws leaves nothing behind.
+void writeInPieces(const std::filesystem::path& file, const std::function<void(const TakeBytes&)>& make, Sync sync = Sync::Now,
+                   Readers readers = Readers::AsUsual);
+
 /// Gives a finished file, written under another name in the same file system, its final name: syncs, renames, syncs the
 /// folder. Throws environmentFault.
 void putFileInPlace(const std::filesystem::path& finished, const std::filesystem::path& file);

@@ -23,6 +23,14 @@ const std::string& reasonOf(const stats::Interval& interval)
 
 TableCell textCell(const std::string& text) { return {text, text, protocols::escapedMarkup(text), escapedTex(text), "", false}; }
 
+TableCell oneLineCell(const std::string& text)
+{
+    TableCell cell = textCell(text);
+    cell.html.clear();
+    for (const char c : protocols::escapedMarkup(text)) cell.html += c == ' ' ? "\u00A0" : std::string(1, c);
+    return cell;
+}
+
 TableCell numericTextCell(const std::string& text)
 {
     TableCell cell = textCell(text);
@@ -71,6 +79,13 @@ TableCell intervalCell(const stats::Interval& interval, int decimals)
             "$[" + low + ", " + high + "]$",
             "",
             true};
+}
+
+TableCell rangeCell(double low, double high, int decimals)
+{
+    const std::string from = fixed(low, decimals), to = fixed(high, decimals);
+    const std::string text = from + " to " + to;
+    return {text, text, typeset(from) + " to " + typeset(to), "$" + from + "$ to $" + to + "$", "", true};
 }
 
 TableCell meanSdCell(const stats::Value& mean, const stats::Value& sd, int decimals)

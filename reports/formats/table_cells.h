@@ -10,6 +10,8 @@
 namespace reports {
 
 TableCell textCell(const std::string& text);
+/// Text that the page does not break into lines.
+TableCell oneLineCell(const std::string& text);
 /// Text in a column of numbers: "27/70", "8, 72".
 TableCell numericTextCell(const std::string& text);
 TableCell conditionCell(const std::string& condition);
@@ -21,6 +23,8 @@ TableCell pCell(const stats::Value& p);
 /// A p value too small for a double has no text.
 TableCell pCell(const stats::Value& p, const stats::Value& logP);
 TableCell intervalCell(const stats::Interval& interval, int decimals);
+/// "−1.20 to 0.45".
+TableCell rangeCell(double low, double high, int decimals);
 /// "5.1 ± 1.9". The CSV has only the mean here; the SD has its own column.
 TableCell meanSdCell(const stats::Value& mean, const stats::Value& sd, int decimals);
 

@@ -64,7 +64,7 @@ Json claimRow(const std::string& question, const std::vector<std::string>& fabri
 
 }  // namespace
 
-void addOmnibus(Json& rows, const std::string& question, const QuestionClaims& claims)
+void addOmnibus(const TakeRow& take, const std::string& question, const QuestionClaims& claims)
 {
     for (const OmnibusFinding& finding : claims.omnibus) {
         Json row{{"question", question}, {"generalises_to", nameOf(finding.generalisation)}};
@@ -73,11 +73,11 @@ void addOmnibus(Json& rows, const std::string& question, const QuestionClaims& c
         putWhole(row, "df2", finding.test.df2);
         putP(row, "p", finding.test.p, finding.test.logP);
         putReasonsLast(row);
-        rows.push_back(std::move(row));
+        take(std::move(row));
     }
 }
 
-void addAboveChance(Json& rows, const std::string& question, const QuestionClaims& claims)
+void addAboveChance(const TakeRow& take, const std::string& question, const QuestionClaims& claims)
 {
     for (const ChanceFinding& finding : claims.aboveChance) {
         Json row{{"question", question}, {"condition", finding.condition}, {"generalises_to", nameOf(finding.generalisation)}};
@@ -86,13 +86,14 @@ void addAboveChance(Json& rows, const std::string& question, const QuestionClaim
         put(row, "p_adjusted", finding.claim.pAdjusted);
         row["above_chance"] = finding.claim.isAbove;
         putReasonsLast(row);
-        rows.push_back(std::move(row));
+        take(std::move(row));
     }
 }
 
-void addClaims(Json& rows, const std::string& question, const std::vector<std::string>& fabrics, const QuestionClaims& claims)
+void addClaims(const TakeRow& take, const std::string& question, const std::vector<std::string>& fabrics,
+               const QuestionClaims& claims)
 {
-    for (const ContrastFinding& finding : claims.contrasts) rows.push_back(claimRow(question, fabrics, claims, finding));
+    for (const ContrastFinding& finding : claims.contrasts) take(claimRow(question, fabrics, claims, finding));
 }
 
 }  // namespace reports

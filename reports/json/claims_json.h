@@ -5,13 +5,14 @@
 #include <vector>
 
 #include "reports/analysis/question_claims.h"
-#include "reports/json/json_fields.h"
+#include "reports/json/json_members.h"
 
 namespace reports {
 
-/// Appends the question's rows to the arrays "omnibus", "above_chance" and "claims".
-void addOmnibus(Json& rows, const std::string& question, const QuestionClaims& claims);
-void addAboveChance(Json& rows, const std::string& question, const QuestionClaims& claims);
-void addClaims(Json& rows, const std::string& question, const std::vector<std::string>& fabrics, const QuestionClaims& claims);
+/// Gives the question's rows of the arrays "omnibus", "above_chance" and "claims".
+void addOmnibus(const TakeRow& take, const std::string& question, const QuestionClaims& claims);
+void addAboveChance(const TakeRow& take, const std::string& question, const QuestionClaims& claims);
+void addClaims(const TakeRow& take, const std::string& question, const std::vector<std::string>& fabrics,
+               const QuestionClaims& claims);
 
 }  // namespace reports

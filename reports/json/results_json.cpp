@@ -110,34 +110,35 @@ Json equivalenceRow(const std::string& question, const PairEquivalence& equivale
     return row;
 }
 
-void putClaims(Json& results, const StudyAnalysis& analysis)
+/// "omnibus", "above_chance" and "claims".
+JsonParts claimMembers(const StudyAnalysis& analysis)
 {
-    Json omnibus = Json::array(), aboveChance = Json::array(), claims = Json::array();
-    for (const QuestionAnalysis& question : analysis.questions)
-        if (const QuestionClaims* of = claimsOf(question)) {
-            addOmnibus(omnibus, question.question.id, *of);
-            addAboveChance(aboveChance, question.question.id, *of);
-            addClaims(claims, question.question.id, analysis.data.fabrics, *of);
-        }
-    results["omnibus"] = std::move(omnibus);
-    results["above_chance"] = std::move(aboveChance);
-    results["claims"] = std::move(claims);
+    const auto rowsOf = [&analysis](const auto& add) -> MakeRows {
+        return [&analysis, add](const TakeRow& take) {
+            for (const QuestionAnalysis& question : analysis.questions)
+                if (const QuestionClaims* claims = claimsOf(question)) add(take, question.question.id, *claims);
+        };
+    };
+    const auto addFamily = [&analysis](const TakeRow& take, const std::string& id, const QuestionClaims& claims) {
+        addClaims(take, id, analysis.data.fabrics, claims);
+    };
+    return {JsonMember{"omnibus", rowsOf(addOmnibus)}, JsonMember{"above_chance", rowsOf(addAboveChance)},
+            JsonMember{"claims", rowsOf(addFamily)}};
 }
 
 /// The claims without the flagged participants.
-void putWithoutFlagged(Json& results, const StudyAnalysis& analysis)
+Json withoutFlaggedPart(const StudyAnalysis& analysis)
 {
     const Screening& screening = analysis.screening;
-    if (!analysis.withoutFlagged)
-        return putNull(results, "without_flagged", screening.why.empty() ? "left out by --quick" : screening.why);
     Json part{{"excluded", Json::array()}, {"participants", screening.participantsAfter}};
     for (const ExcludedParticipant& one : screening.excluded) part["excluded"].push_back(one.participant);
     Json questions = Json::object();
     for (const QuestionAnalysis& question : analysis.withoutFlagged->questions)
         questions[question.question.id] = questionPart(analysis.data, question);
     part["questions"] = std::move(questions);
-    putClaims(part, *analysis.withoutFlagged);
-    results["without_flagged"] = std::move(part);
+    const Json claims = objectOf(claimMembers(*analysis.withoutFlagged));
+    for (const auto& [key, rows] : claims.items()) part[key] = rows;
+    return part;
 }
 
 Json designPart(const StudyAnalysis& analysis)
@@ -163,16 +164,6 @@ Json speedPart(const StudyAnalysis& analysis)
     return part;
 }
 
-void putSignals(Json& results, const StudyData& data)
-{
-    if (data.blinded)
-        putNull(results, "signals", "left out while the study is blinded");
-    else if (!data.signals)
-        putNull(results, "signals", "no generated and measured signals belong to these answers");
-    else
-        results["signals"] = signalsJson(*data.signals);
-}
-
 Json qualityPart(const std::vector<QualityFlag>& flags)
 {
     Json rows = Json::array();
@@ -183,37 +174,75 @@ Json qualityPart(const std::vector<QualityFlag>& flags)
     return rows;
 }
 
-}  // namespace
-
-nlohmann::ordered_json resultsJson(const StudyAnalysis& analysis)
+// A question may carry any id, also that of another key of this file: all stand in an object of their own.
+Json questionsPart(const StudyAnalysis& analysis)
 {
-    const StudyData& data = analysis.data;
-    Json results{{"schema", schemaName + "2"}, {"study", studyPart(data)}, {"conditions", data.conditions}};
-    // A question may carry any id, also that of another key of this file: all stand in an object of their own.
     Json questions = Json::object();
-    Json comparisons = Json::array();
-    Json equivalence = Json::array();
-    for (const QuestionAnalysis& question : analysis.questions) {
-        const std::string& id = question.question.id;
-        questions[id] = questionPart(data, question);
-        for (const PairComparison& comparison : comparisonsOf(question)) comparisons.push_back(comparisonRow(id, comparison));
-        for (const PairEquivalence& test : equivalencesOf(question)) equivalence.push_back(equivalenceRow(id, test));
-    }
-    results["questions"] = std::move(questions);
-    results["comparisons"] = std::move(comparisons);
-    results["equivalence"] = std::move(equivalence);
-    putClaims(results, analysis);
-    results["speed_accuracy"] = speedPart(analysis);
-    putSignals(results, data);
-    results["quality"] = qualityPart(analysis.flags);
-    results["preregistration"] = preregistrationJson(analysis);
-    putWithoutFlagged(results, analysis);
-    results["design"] = designPart(analysis);
-    putReasonsLast(results);
-    return results;
+    for (const QuestionAnalysis& question : analysis.questions)
+        questions[question.question.id] = questionPart(analysis.data, question);
+    return questions;
 }
 
-std::string resultsText(const StudyAnalysis& analysis) { return resultsJson(analysis).dump(2) + "\n"; }
+void addComparisons(const TakeRow& take, const StudyAnalysis& analysis)
+{
+    for (const QuestionAnalysis& question : analysis.questions)
+        for (const PairComparison& comparison : comparisonsOf(question)) take(comparisonRow(question.question.id, comparison));
+}
+
+void addEquivalences(const TakeRow& take, const StudyAnalysis& analysis)
+{
+    for (const QuestionAnalysis& question : analysis.questions)
+        for (const PairEquivalence& test : equivalencesOf(question)) take(equivalenceRow(question.question.id, test));
+}
+
+/// null, or the signals.
+Json signalsMember(const StudyData& data)
+{
+    Json part = Json::object();
+    if (data.blinded)
+        putNull(part, "signals", "left out while the study is blinded");
+    else if (!data.signals)
+        putNull(part, "signals", "no generated and measured signals belong to these answers");
+    else
+        part["signals"] = signalsJson(*data.signals);
+    return part;
+}
+
+Json withoutFlaggedMember(const StudyAnalysis& analysis)
+{
+    Json part = Json::object();
+    const std::string& why = analysis.screening.why;
+    if (!analysis.withoutFlagged)
+        putNull(part, "without_flagged", why.empty() ? "left out by --quick" : why);
+    else
+        part["without_flagged"] = withoutFlaggedPart(analysis);
+    return part;
+}
+
+JsonParts resultsParts(const StudyAnalysis& analysis)
+{
+    const auto* const of = &analysis;
+    JsonParts parts{JsonMember{"schema", [] { return Json(schemaName + "2"); }},
+                    JsonMember{"study", [of] { return studyPart(of->data); }},
+                    JsonMember{"conditions", [of] { return Json(of->data.conditions); }},
+                    JsonMember{"questions", [of] { return questionsPart(*of); }},
+                    JsonMember{"comparisons", [of](const TakeRow& take) { addComparisons(take, *of); }},
+                    JsonMember{"equivalence", [of](const TakeRow& take) { addEquivalences(take, *of); }}};
+    for (auto& member : claimMembers(analysis)) parts.push_back(std::move(member));
+    parts.push_back(JsonMember{"speed_accuracy", [of] { return speedPart(*of); }});
+    parts.push_back(JsonMembers{[of] { return signalsMember(of->data); }});
+    parts.push_back(JsonMember{"quality", [of] { return qualityPart(of->flags); }});
+    parts.push_back(JsonMember{"preregistration", [of] { return preregistrationJson(*of); }});
+    parts.push_back(JsonMembers{[of] { return withoutFlaggedMember(*of); }});
+    parts.push_back(JsonMember{"design", [of] { return designPart(*of); }});
+    return parts;
+}
+
+}  // namespace
+
+nlohmann::ordered_json resultsJson(const StudyAnalysis& analysis) { return objectOf(resultsParts(analysis)); }
+
+void writeResults(const StudyAnalysis& analysis, const TakeText& take) { writeObject(resultsParts(analysis), take); }
 
 bool isResultsFile(const std::filesystem::path& file)
 {

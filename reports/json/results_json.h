@@ -3,17 +3,17 @@
 
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
-#include <string>
 
 #include "reports/analysis/study_analysis.h"
+#include "reports/json/json_members.h"
 
 namespace reports {
 
 /// Every value that does not exist is null, with its reason in the object's "why".
 nlohmann::ordered_json resultsJson(const StudyAnalysis& analysis);
 
-/// The text of the file.
-std::string resultsText(const StudyAnalysis& analysis);
+/// Gives the text of the file piece by piece.
+void writeResults(const StudyAnalysis& analysis, const TakeText& take);
 
 /// Whether a report of this or an earlier version wrote the file.
 bool isResultsFile(const std::filesystem::path& file);

@@ -8,7 +8,7 @@
 #include "reports/json/choice_statistics_json.h"
 #include "reports/json/effects_json.h"
 #include "reports/json/group_json.h"
-#include "reports/json/json_fields.h"
+#include "reports/json/json_members.h"
 #include "reports/json/model_json.h"
 #include "reports/json/ordinal_json.h"
 #include "reports/json/rating_statistics_json.h"
@@ -186,51 +186,104 @@ std::set<std::string> displacedQuestions(const StudyAnalysis& analysis)
     return displaced;
 }
 
-}  // namespace
-
-nlohmann::ordered_json statisticsJson(const StudyAnalysis& analysis)
+/// Readers find Q2 and "q1_cochran" at the top level. Only ids that collide there need a place of their own.
+Json displacedPart(const StudyAnalysis& analysis, const std::set<std::string>& displaced)
 {
-    Json statistics{{"schema", "vis2hap.statistics/1"}, {"data", dataPart(analysis)}};
+    Json questions = Json::object();
+    for (const auto& choices : questionsWith<ChoiceAnalysis>(analysis))
+        if (displaced.contains(choices.id()))
+            putChoiceStatistics(questions[choices.id()], analysis.data, choices.id(), choices.findings);
+    for (const auto& ratings : questionsWith<RatingAnalysis>(analysis))
+        if (displaced.contains(ratings.id())) questions[ratings.id()] = ratingStatistics(analysis.data, ratings.findings);
+    return questions;
+}
+
+/// A rating question is one member, a choice question several.
+void addQuestionParts(JsonParts& parts, const StudyAnalysis& analysis)
+{
     const std::set<std::string> displaced = displacedQuestions(analysis);
+    const StudyData* const data = &analysis.data;
     for (const QuestionAnalysis& question : analysis.questions) {
         const std::string& id = question.question.id;
-        // Readers find Q2 and "q1_cochran" at the top level. Only ids that collide there need a place of their own.
-        const bool isDisplaced = displaced.contains(id);
+        if (displaced.contains(id)) continue;
         std::visit(protocols::Overloaded{
                        [&](const ChoiceAnalysis& choices) {
-                           putChoiceStatistics(isDisplaced ? statistics["questions"][id] : statistics, analysis.data, id,
-                                               choices);
+                           parts.push_back(JsonMembers{[data, id, found = &choices] {
+                               Json members = Json::object();
+                               putChoiceStatistics(members, *data, id, *found);
+                               return members;
+                           }});
                        },
                        [&](const RatingAnalysis& ratings) {
-                           (isDisplaced ? statistics["questions"] : statistics)[id] = ratingStatistics(analysis.data, ratings);
+                           parts.push_back(JsonMember{id, [data, found = &ratings] { return ratingStatistics(*data, *found); }});
                        },
                        [](const WordedAnalysis&) {},  // "data" counts them, tables/worded_answers.csv lists them
                    },
                    question.findings);
     }
-    for (const auto& question : questionsWith<RatingAnalysis>(analysis)) {
-        const RatingAnalysis& ratings = question.findings;
-        statistics["lmm_contrasts"][question.id()] = modelContrastsJson(ratings.modelContrasts, analysis.data.equivalenceBounds);
-        statistics["lmm_variances"][question.id()] = variancesJson(ratings.model);
-        statistics["lmm_leave_one_fabric_out"][question.id()] = leaveOneFabricOutJson(ratings.leaveOneFabricOut);
-    }
-    for (const QuestionAnalysis& question : analysis.questions)
-        if (const QuestionEffects* effects = effectsOf(question))
-            putEffects(statistics, question.question.id, *effects, unitOf(question));
-    for (const auto& question : questionsWith<RatingAnalysis>(analysis)) {
-        // The reference report has one such model, that of the last question.
-        const Json ordinal = ordinalRatingsJson(question.id(), question.findings.ordinal);
-        statistics["rating_ordinal"] = ordinal;
-        statistics["rating_ordinal_by_question"][question.id()] = ordinal;
-    }
-    if (!analysis.groups.questions.empty()) statistics["groups"] = groupsJson(analysis);
-    statistics["false_claims"] = falseClaimsPart(analysis);
-    statistics["screening"] = screeningPart(analysis);
-    statistics["response_times"] = responseTimesPart(analysis);
-    statistics["order_effects"] = orderEffectsJson(analysis.order);
-    return statistics;
+    if (!displaced.empty())
+        parts.push_back(JsonMember{"questions", [of = &analysis, displaced] { return displacedPart(*of, displaced); }});
 }
 
-std::string statisticsText(const StudyAnalysis& analysis) { return statisticsJson(analysis).dump(2) + "\n"; }
+/// One member with an entry for each rating question; none without such questions.
+template <class EntryOf>
+void addRatingPart(JsonParts& parts, const StudyAnalysis& analysis, const std::string& key, const EntryOf& entryOf)
+{
+    if (questionsWith<RatingAnalysis>(analysis).empty()) return;
+    parts.push_back(JsonMember{key, [of = &analysis, entryOf] {
+                                   Json part = Json::object();
+                                   for (const auto& question : questionsWith<RatingAnalysis>(*of))
+                                       part[question.id()] = entryOf(question);
+                                   return part;
+                               }});
+}
+
+Json effectMembers(const StudyAnalysis& analysis)
+{
+    Json members = Json::object();
+    for (const QuestionAnalysis& question : analysis.questions)
+        if (const QuestionEffects* effects = effectsOf(question))
+            putEffects(members, question.question.id, *effects, unitOf(question));
+    return members;
+}
+
+void addModelParts(JsonParts& parts, const StudyAnalysis& analysis)
+{
+    using Rated = AnalysedQuestion<RatingAnalysis>;
+    addRatingPart(parts, analysis, "lmm_contrasts", [bounds = analysis.data.equivalenceBounds](const Rated& question) {
+        return modelContrastsJson(question.findings.modelContrasts, bounds);
+    });
+    addRatingPart(parts, analysis, "lmm_variances", [](const Rated& question) { return variancesJson(question.findings.model); });
+    addRatingPart(parts, analysis, "lmm_leave_one_fabric_out",
+                  [](const Rated& question) { return leaveOneFabricOutJson(question.findings.leaveOneFabricOut); });
+    parts.push_back(JsonMembers{[of = &analysis] { return effectMembers(*of); }});
+    const auto ordinalOf = [](const Rated& question) { return ordinalRatingsJson(question.id(), question.findings.ordinal); };
+    // The reference report has one such model, that of the last question.
+    if (!questionsWith<RatingAnalysis>(analysis).empty())
+        parts.push_back(JsonMember{"rating_ordinal",
+                                   [of = &analysis, ordinalOf] { return ordinalOf(questionsWith<RatingAnalysis>(*of).back()); }});
+    addRatingPart(parts, analysis, "rating_ordinal_by_question", ordinalOf);
+}
+
+JsonParts statisticsParts(const StudyAnalysis& analysis)
+{
+    const auto* const of = &analysis;
+    JsonParts parts{JsonMember{"schema", [] { return Json("vis2hap.statistics/1"); }},
+                    JsonMember{"data", [of] { return dataPart(*of); }}};
+    addQuestionParts(parts, analysis);
+    addModelParts(parts, analysis);
+    if (!analysis.groups.questions.empty()) parts.push_back(JsonMember{"groups", [of] { return groupsJson(*of); }});
+    parts.push_back(JsonMember{"false_claims", [of] { return falseClaimsPart(*of); }});
+    parts.push_back(JsonMember{"screening", [of] { return screeningPart(*of); }});
+    parts.push_back(JsonMember{"response_times", [of] { return responseTimesPart(*of); }});
+    parts.push_back(JsonMember{"order_effects", [of] { return orderEffectsJson(of->order); }});
+    return parts;
+}
+
+}  // namespace
+
+nlohmann::ordered_json statisticsJson(const StudyAnalysis& analysis) { return objectOf(statisticsParts(analysis)); }
+
+void writeStatistics(const StudyAnalysis& analysis, const TakeText& take) { writeObject(statisticsParts(analysis), take); }
 
 }  // namespace reports

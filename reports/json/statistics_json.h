@@ -2,9 +2,9 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
-#include <string>
 
 #include "reports/analysis/study_analysis.h"
+#include "reports/json/json_members.h"
 
 namespace reports {
 
@@ -12,7 +12,7 @@ namespace reports {
 /// on in lower case. A question whose key is taken there (an id such as "data") stands under "questions" and its id instead.
 nlohmann::ordered_json statisticsJson(const StudyAnalysis& analysis);
 
-/// The text of the file.
-std::string statisticsText(const StudyAnalysis& analysis);
+/// Gives the text of the file piece by piece.
+void writeStatistics(const StudyAnalysis& analysis, const TakeText& take);
 
 }  // namespace reports

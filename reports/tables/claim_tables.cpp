@@ -13,14 +13,14 @@ namespace reports {
 namespace {
 
 /// "-1.20 to 0.45": the smallest and the largest mean difference on one fabric.
-TableCell rangeCell(const std::vector<stats::Value>& byFabric)
+TableCell byFabricCell(const std::vector<stats::Value>& byFabric)
 {
     std::vector<double> values;
     for (const stats::Value& value : byFabric)
         if (value.exists()) values.push_back(*value);
     if (values.empty()) return blankCell();
     const auto [low, high] = std::minmax_element(values.begin(), values.end());
-    return numericTextCell(fixed(*low, 2) + " to " + fixed(*high, 2));
+    return rangeCell(*low, *high, 2);
 }
 
 /// "2 of 7": in how many of the analyses with one left out the verdict is another.
@@ -69,12 +69,12 @@ Table contrastTable(const std::string& id, const QuestionClaims& claims)
     for (const ContrastFinding& finding : claims.contrasts) {
         const stats::ContrastClaim& claim = finding.claim;
         const stats::CrossedMean& mean = claim.mean;
-        table.rows.push_back({conditionCell(finding.a), conditionCell(finding.b), textCell(wordsOf(finding.generalisation)),
+        table.rows.push_back({conditionCell(finding.a), conditionCell(finding.b), oneLineCell(wordsOf(finding.generalisation)),
                               numberCell(mean.estimate, 2), numberCell(mean.ci95.low, 2), numberCell(mean.ci95.high, 2),
                               intervalCell(mean.ci95, 2), numberCell(mean.ci90.low, 2), numberCell(mean.ci90.high, 2),
                               numberCell(mean.df, 1), pCell(claim.difference.p, claim.difference.logP), pCell(claim.pAdjusted),
                               pCell(claim.equivalence.p, claim.equivalence.logP), pCell(claim.pEquivalenceAdjusted),
-                              textCell(wordsOf(claim.verdict)), rangeCell(finding.byFabric),
+                              textCell(wordsOf(claim.verdict)), byFabricCell(finding.byFabric),
                               changedCell(finding, finding.withoutFabric), changedCell(finding, finding.withoutParticipant)});
     }
     return table;
@@ -88,9 +88,14 @@ TableCell sensitivityCell(const ClusteredSensitivity& sensitivity)
 {
     if (!sensitivity.dPrime.exists()) return numberCell(sensitivity.dPrime, 2);
     const bool isBounded = sensitivity.ci95.low.exists() && sensitivity.ci95.high.exists();
-    const std::string interval =
-        isBounded ? " [" + dPrimeText(*sensitivity.ci95.low) + ", " + dPrimeText(*sensitivity.ci95.high) + "]" : "";
-    return numericTextCell(dPrimeText(*sensitivity.dPrime) + interval);
+    const auto textWith = [&](const auto& textOf) {
+        const std::string interval =
+            isBounded ? " [" + textOf(*sensitivity.ci95.low) + ", " + textOf(*sensitivity.ci95.high) + "]" : "";
+        return textOf(*sensitivity.dPrime) + interval;
+    };
+    TableCell cell = numericTextCell(textWith(dPrimeText));
+    cell.html = textWith([](double dPrime) { return typeset(dPrimeText(dPrime)); });
+    return cell;
 }
 
 Table chanceTable(const std::string& id, const ChoiceAnalysis& choices)
@@ -119,7 +124,7 @@ Table chanceTable(const std::string& id, const ChoiceAnalysis& choices)
         const ClusteredSensitivity& sensitivity = choices.sensitivities[i];
         const stats::CrossedMean& mean = finding.claim.mean;
         table.rows.push_back(
-            {conditionCell(finding.condition), textCell(wordsOf(finding.generalisation)), numberCell(mean.estimate, 2),
+            {conditionCell(finding.condition), oneLineCell(wordsOf(finding.generalisation)), numberCell(mean.estimate, 2),
              numberCell(mean.ci95.low, 2), numberCell(mean.ci95.high, 2), intervalCell(mean.ci95, 2), numberCell(mean.df, 1),
              pCell(finding.claim.above.p, finding.claim.above.logP), pCell(finding.claim.pAdjusted),
              textCell(finding.claim.isAbove ? "yes" : "not shown"), numberCell(sensitivity.dPrime, 2),
@@ -146,7 +151,7 @@ Table claimsWithoutFlagged(const StudyAnalysis& analysis)
         for (std::size_t i = 0; i < all->contrasts.size(); ++i) {
             const ContrastFinding &before = all->contrasts[i], &after = rest->contrasts[i];
             table.rows.push_back({textCell(analysis.questions[q].question.id), conditionCell(before.a), conditionCell(before.b),
-                                  textCell(wordsOf(before.generalisation)), numberCell(before.claim.mean.estimate, 2),
+                                  oneLineCell(wordsOf(before.generalisation)), numberCell(before.claim.mean.estimate, 2),
                                   numberCell(after.claim.mean.estimate, 2), textCell(wordsOf(before.claim.verdict)),
                                   textCell(wordsOf(after.claim.verdict)),
                                   textCell(before.claim.verdict == after.claim.verdict ? "" : "yes")});
@@ -157,24 +162,22 @@ Table claimsWithoutFlagged(const StudyAnalysis& analysis)
 
 }  // namespace
 
-std::vector<ReportTable> claimTables(const StudyAnalysis& analysis)
+void claimTables(const StudyAnalysis& analysis, const TakeTable& take)
 {
-    std::vector<ReportTable> tables;
     for (const auto& question : questionsWith<ChoiceAnalysis>(analysis))
-        tables.push_back(
+        take(
             {.table = chanceTable(question.id(), question.findings), .section = PageSection::Matches, .question = question.id()});
     for (const QuestionAnalysis& question : analysis.questions)
         if (const QuestionClaims* claims = claimsOf(question); claims != nullptr && !claims->contrasts.empty())
-            tables.push_back({.table = contrastTable(question.question.id, *claims),
-                              .section = PageSection::Claims,
-                              .question = question.question.id,
-                              .foldedUnder = arePlanned(*claims) ? "" : question.question.id + ": all pairs"});
+            take({.table = contrastTable(question.question.id, *claims),
+                  .section = PageSection::Claims,
+                  .question = question.question.id,
+                  .foldedUnder = arePlanned(*claims) ? "" : question.question.id + ": all pairs"});
     if (analysis.withoutFlagged)
         if (Table table = claimsWithoutFlagged(analysis); !table.rows.empty())
-            tables.push_back({.table = std::move(table),
-                              .section = PageSection::Quality,
-                              .foldedUnder = "Claims without flagged participants"});
-    return tables;
+            take({.table = std::move(table),
+                  .section = PageSection::Quality,
+                  .foldedUnder = "Claims without flagged participants"});
 }
 
 }  // namespace reports

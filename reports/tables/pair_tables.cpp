@@ -88,7 +88,7 @@ void addPlanned(Table& table, const StudyAnalysis& analysis, const Pairs& pairsO
             if (pair.pair.planned) addRow(table, question.question.id, pair);
 }
 
-void addPlannedTables(std::vector<ReportTable>& tables, const StudyAnalysis& analysis)
+void addPlannedTables(const StudyAnalysis& analysis, const TakeTable& take)
 {
     Table comparisons = comparisonTable("comparisons_planned",
                                         "Planned contrasts: paired t tests of the participants' means, for these fabrics only",
@@ -101,9 +101,9 @@ void addPlannedTables(std::vector<ReportTable>& tables, const StudyAnalysis& ana
                              boundsText(analysis.data) + ", for these fabrics only",
                          PairScope::AllQuestions);
     addPlanned(equivalences, analysis, equivalencesOf);
-    tables.push_back({.table = std::move(comparisons), .section = PageSection::Comparisons});
+    take({.table = std::move(comparisons), .section = PageSection::Comparisons});
     const bool hasEquivalences = !equivalences.rows.empty();
-    tables.push_back({.table = std::move(equivalences), .section = PageSection::Equivalence, .onPage = hasEquivalences});
+    take({.table = std::move(equivalences), .section = PageSection::Equivalence, .onPage = hasEquivalences});
 }
 
 ReportTable comparisonsOfQuestion(const std::string& id, const std::vector<PairComparison>& comparisons)
@@ -128,24 +128,21 @@ ReportTable equivalencesOfQuestion(const StudyData& data, const std::string& id,
 
 }  // namespace
 
-std::vector<ReportTable> pairTables(const StudyAnalysis& analysis)
+void pairTables(const StudyAnalysis& analysis, const TakeTable& take)
 {
-    std::vector<ReportTable> tables;
-    addPlannedTables(tables, analysis);
+    addPlannedTables(analysis, take);
     for (const QuestionAnalysis& question : analysis.questions)
-        std::visit(protocols::Overloaded{
-                       [&](const ChoiceAnalysis& choices) {
-                           tables.push_back(comparisonsOfQuestion(question.question.id, choices.comparisons));
-                       },
-                       [&](const RatingAnalysis& ratings) {
-                           const std::string& id = question.question.id;
-                           tables.push_back(comparisonsOfQuestion(id, ratings.comparisons));
-                           tables.push_back(equivalencesOfQuestion(analysis.data, id, ratings.equivalences));
-                       },
-                       [](const WordedAnalysis&) {},
-                   },
-                   question.findings);
-    return tables;
+        std::visit(
+            protocols::Overloaded{
+                [&](const ChoiceAnalysis& choices) { take(comparisonsOfQuestion(question.question.id, choices.comparisons)); },
+                [&](const RatingAnalysis& ratings) {
+                    const std::string& id = question.question.id;
+                    take(comparisonsOfQuestion(id, ratings.comparisons));
+                    take(equivalencesOfQuestion(analysis.data, id, ratings.equivalences));
+                },
+                [](const WordedAnalysis&) {},
+            },
+            question.findings);
 }
 
 }  // namespace reports

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <string>
 
 #include "reports/formats/table.h"
@@ -19,5 +20,8 @@ struct ReportTable {
     std::string foldedUnder = {};  ///< heading that the reader opens to see the table; empty: always open
     bool onPage = true;            ///< false: the table is written to files only
 };
+
+/// Takes the tables of a family one after the other, so that not all of them are held at once.
+using TakeTable = std::function<void(ReportTable)>;
 
 }  // namespace reports

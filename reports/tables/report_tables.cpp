@@ -1,6 +1,6 @@
 #include "reports/tables/report_tables.h"
 
-#include <iterator>
+#include <utility>
 
 #include "reports/tables/choice_tables.h"
 #include "reports/tables/claim_tables.h"
@@ -24,28 +24,51 @@
 namespace reports {
 namespace {
 
-using TableFamily = std::vector<ReportTable> (*)(const StudyAnalysis&);
+/// A family whose tables are small enough to be made together.
+template <std::vector<ReportTable> (*tablesOf)(const StudyAnalysis&)>
+void together(const StudyAnalysis& analysis, const TakeTable& take)
+{
+    for (ReportTable& one : tablesOf(analysis)) take(std::move(one));
+}
 
-constexpr TableFamily families[] = {overviewTables,   choiceTables,      ratingTables,  wordedTables,  claimTables,
-                                    pairTables,       omnibusTables,     ordinalTables, effectTables,  groupTables,
-                                    speedTables,      signalTables,      planTables,    qualityTables, orderTables,
-                                    falseClaimTables, measuredSizeTables};
+using TableFamily = void (*)(const StudyAnalysis&, const TakeTable&);
+
+constexpr TableFamily families[] = {together<overviewTables>,
+                                    together<choiceTables>,
+                                    together<ratingTables>,
+                                    together<wordedTables>,
+                                    claimTables,
+                                    pairTables,
+                                    together<omnibusTables>,
+                                    together<ordinalTables>,
+                                    together<effectTables>,
+                                    together<groupTables>,
+                                    together<speedTables>,
+                                    together<signalTables>,
+                                    together<planTables>,
+                                    together<qualityTables>,
+                                    together<orderTables>,
+                                    together<falseClaimTables>,
+                                    together<measuredSizeTables>};
 
 }  // namespace
+
+void forEachTable(const StudyAnalysis& analysis, const TakeTable& take)
+{
+    // A question called "planned" would get the file name of the planned contrasts.
+    FileNames names;
+    for (const TableFamily family : families)
+        family(analysis, [&](ReportTable one) {
+            one.table.name = names.unique(one.table.name);
+            one.onPage = one.onPage && one.table.rows.size() <= mostRowsOnPage;
+            take(std::move(one));
+        });
+}
 
 std::vector<ReportTable> reportTables(const StudyAnalysis& analysis)
 {
     std::vector<ReportTable> tables;
-    for (const TableFamily family : families) {
-        std::vector<ReportTable> some = family(analysis);
-        std::move(some.begin(), some.end(), std::back_inserter(tables));
-    }
-    // A question called "planned" would get the file name of the planned contrasts.
-    FileNames names;
-    for (ReportTable& one : tables) {
-        one.table.name = names.unique(one.table.name);
-        one.onPage = one.onPage && one.table.rows.size() <= mostRowsOnPage;
-    }
+    forEachTable(analysis, [&](ReportTable one) { tables.push_back(std::move(one)); });
     return tables;
 }
 

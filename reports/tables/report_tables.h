@@ -9,7 +9,10 @@
 
 namespace reports {
 
-/// Every table that the study has, in the order of the page. Names differ without regard to case.
+/// Gives every table that the study has, in the order of the page. Names differ without regard to case.
+void forEachTable(const StudyAnalysis& analysis, const TakeTable& take);
+
+/// The same tables at once.
 std::vector<ReportTable> reportTables(const StudyAnalysis& analysis);
 
 }  // namespace reports

@@ -290,6 +290,22 @@ private Q_SLOTS:
         QVERIFY(std::abs(sum) < 1e-10);  // standardised scores of equally many cells average 0
     }
 
+    void piecesOfTheFilesAreTheirObjects()
+    {
+        StudyData unanswered = builders::paperSized();
+        unanswered.responses.clear();
+        StudyData blinded = builders::paperSized();
+        blinded.blinded = true;
+        for (const StudyData& data : {builders::paperSized(), unanswered, blinded}) {
+            const reports::StudyAnalysis analysis = reports::analyse(data);
+            std::string results, statistics;
+            reports::writeResults(analysis, [&](std::string_view piece) { results += piece; });
+            reports::writeStatistics(analysis, [&](std::string_view piece) { statistics += piece; });
+            QCOMPARE(results, reports::resultsJson(analysis).dump(2) + "\n");
+            QCOMPARE(statistics, reports::statisticsJson(analysis).dump(2) + "\n");
+        }
+    }
+
     void strayAnswersAreAFault()
     {
         StudyData data = builders::paperSized();

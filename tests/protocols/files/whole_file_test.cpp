@@ -114,6 +114,31 @@ private Q_SLOTS:
         QCOMPARE(disk.count(DiskCall::Rename), std::size_t{1});
     }
 
+    void piecesMakeOneFile()
+    {
+        const ObservedDisk disk(folder());
+        writeInPieces(file(), [](const TakeBytes& take) {
+            for (const char* piece : {"a,", "", "b\n", "c"}) take(piece);
+        });
+        QCOMPARE(readWholeFile(file()), std::string("a,b\nc"));
+        QCOMPARE(disk.count(DiskCall::Rename), std::size_t{1});
+        QCOMPARE(disk.count(DiskCall::Sync), std::size_t{2});
+    }
+
+    void faultBetweenPiecesLeavesTheOldFile()
+    {
+        writeWholeFile(file(), "old");
+        const QString fault = errorOf([&] {
+            writeInPieces(file(), [](const TakeBytes& take) {
+                take("half");
+                throw badInput({"the second half is missing", "here", "", ""});
+            });
+        });
+        QVERIFY(fault.contains("the second half is missing"));
+        QCOMPARE(readWholeFile(file()), std::string("old"));
+        QCOMPARE(namesIn(folder()), std::vector<std::string>{"answers.csv"});
+    }
+
     void processKilledAtAnyStepLeavesTheOldFileOrTheNewOne()
     {
         const std::string earlier(2500, 'o'), later(3500, 'n');

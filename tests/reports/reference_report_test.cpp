@@ -94,6 +94,7 @@ private Q_SLOTS:
         QTest::addColumn<QString>("name");
         QTest::newRow("complete") << "study_a";
         QTest::newRow("with missing answers") << "study_missing_a";
+        QTest::newRow("with large interactions") << "study_crossed_a";
     }
 
     void agreesWithTheReferenceReport()

@@ -6,22 +6,11 @@
 
 #include <cstdint>
 
-#include "stats/models/factor.h"
 #include "stats/models/mixed_model_equations.h"
 #include "stats/models/mixed_model_system.h"
+#include "stats/models/row_blocks.h"
 
 namespace stats {
-
-/// Division of the rows into blocks.
-struct RowBlocks {
-    std::vector<std::size_t> of;  ///< block of each row
-    std::size_t count = 0;
-    std::vector<bool> nested;  ///< for each term: every level lies in one block
-    double work = 0;           ///< operations of one solution, about
-};
-
-/// The division by the levels of a term, or of a treatment-coded factor of the fixed effects, that needs the least work.
-RowBlocks cheapestBlocks(const FixedEffects& fixed, std::span<const RandomTerm> terms);
 
 class BlockEquations : public MixedModelSystem {
 public:

@@ -40,9 +40,9 @@ figcaption { color:var(--soft); font-size:14.5px; max-width:84ch; margin:6px aut
 .scroll { overflow-x:auto; margin:14px 0 4px; }
 table { border-collapse:collapse; width:100%; font-size:14.5px; font-variant-numeric:tabular-nums; }
 caption { text-align:left; color:var(--soft); padding:0 0 8px; font-size:14.5px; }
-thead th { text-align:left; border-top:2px solid var(--ink); border-bottom:1px solid var(--ink); padding:7px 10px;
+thead th { text-align:left; border-top:2px solid var(--ink); border-bottom:1px solid var(--ink); padding:7px 6px;
   vertical-align:bottom;  font-weight:600; line-height:1.25; }
-tbody th { text-align:left; font-weight:400; } tbody th, tbody td { padding:5px 10px; border-bottom:1px solid #eaeef0; }
+tbody th { text-align:left; font-weight:400; } tbody th, tbody td { padding:5px 6px; border-bottom:1px solid #eaeef0; }
 tbody tr:last-child > * { border-bottom:2px solid var(--ink); }
 .n { text-align:right; } tbody .n { white-space:nowrap; } .sd { color:var(--soft); }
 .cond { white-space:nowrap; font-size:1.06em; font-family:"Source Serif 4",Georgia,"Liberation Serif",serif; }

@@ -35,8 +35,8 @@ TableCell changedCell(const ContrastFinding& finding, const std::vector<LeftOneO
 std::string boundsText(const QuestionClaims& claims)
 {
     if (!claims.bounds) return "";
-    return "; equivalence within " + protocols::shortest(claims.bounds->first) + " and " +
-           protocols::shortest(claims.bounds->second);
+    return "; equivalence within " + typeset(protocols::shortest(claims.bounds->first)) + " and " +
+           typeset(protocols::shortest(claims.bounds->second));
 }
 
 Table contrastTable(const std::string& id, const QuestionClaims& claims)

@@ -75,8 +75,8 @@ void addRow(Table& table, const std::string& question, const PairEquivalence& eq
 
 std::string boundsText(const StudyData& data)
 {
-    return protocols::shortest(data.equivalenceBounds.first) + " and " + protocols::shortest(data.equivalenceBounds.second) +
-           " scale points";
+    return typeset(protocols::shortest(data.equivalenceBounds.first)) + " and " +
+           typeset(protocols::shortest(data.equivalenceBounds.second)) + " scale points";
 }
 
 /// The rows of the planned pairs of all questions.

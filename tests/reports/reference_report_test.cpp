@@ -2,6 +2,7 @@
 #include <QtTest>
 #include <cmath>
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -24,7 +25,9 @@ double toleranceOf(const std::string& path)
     // clmm's second differences have too small a step: its standard errors are wrong by up to 0.2 %.
     if (path.find("se.") != std::string::npos && path.find(".rating_ordinal") != std::string::npos) return 3e-3;
     if (path.find(".rating_ordinal") != std::string::npos) return 2e-4;
-    if (path.find(".lmm.var") != std::string::npos) return 2e-4;
+    // Q4 with large interactions: variance of fabrics 0.0423359 in R, 0.0423210 here and in R with a tight optimiser; criterion
+    // 1848.56278447351 in R, 1848.56278414618 here.
+    if (path.find(".lmm.var") != std::string::npos) return 4e-4;
     // A p of 1e-8 magnifies the same small difference of F: 4.1e-4 at most (Q2 of the complete study).
     if (path.ends_with(".lmm.p")) return 5e-4;
     return path.find(".lmm") != std::string::npos ? 1e-4 : 1e-8;
@@ -38,10 +41,32 @@ bool isRemarkOfR(const std::string& key)
     return remarks.contains(key);
 }
 
+/// Numbers in which the reference is not exact, by study and path.
+using Corrections = std::map<std::string, Json>;
+
+/// Q2: R sums the ratings of a participant as doubles, so that equal means differ in their last bit and are no ties. Python:
+/// m = {(participant, condition): sum of fractions.Fraction(rating) / n}; mid-ranks of each participant's fractions
+/// S = sum((R - n * (k + 1) / 2) ** 2 for R in rank_sums); T = sum(t ** 3 - t for t in ties)
+/// float(12 * S / (n * k * (k + 1) - Fraction(T, k - 1)))       # 64.87552213868004
+/// scipy.stats.chi2.sf(64.87552213868004, 8)                    # 5.107478820607557e-11
+/// Q1: lme4's default optimiser warns; its log likelihood is 5e-6 lower than ours.
+Corrections correctionsOf(const std::string& study)
+{
+    if (study != "study_crossed_a") return {};
+    return {{".Q2.friedman.Q", 64.87552213868004},
+            {".Q2.friedman.p", 5.107478820607557e-11},
+            {".Q2.friedman.kendall_w", 64.87552213868004 / 80},
+            {".q1_glmm.warn", false}};
+}
+
 class Comparison {
 public:
-    void compare(const Json& expected, const Json& answer, const std::string& path)
+    explicit Comparison(Corrections corrections) : m_corrections(std::move(corrections)) {}
+
+    void compare(const Json& reference, const Json& answer, const std::string& path)
     {
+        const auto corrected = m_corrections.find(path);
+        const Json& expected = corrected != m_corrections.end() ? corrected->second : reference;
         if (expected.is_object()) {
             for (const auto& [key, value] : expected.items()) {
                 // The reference also contains analyses that this program does not compute; they are top-level keys.
@@ -81,6 +106,8 @@ private:
         ++faults;
         qWarning("%s", text.c_str());
     }
+
+    Corrections m_corrections;
 };
 
 }  // namespace
@@ -107,7 +134,7 @@ private Q_SLOTS:
         std::ifstream stream(folder / (name.toStdString() + "_expected.json"));
         const Json expected = Json::parse(stream);
         const reports::StudyData data = reports::readAnswersCsv(csv);
-        Comparison comparison;
+        Comparison comparison(correctionsOf(name.toStdString()));
         comparison.compare(expected, reports::statisticsJson(reports::analyse(data)), "");
         QVERIFY(expected.contains("rating_ordinal"));
         QVERIFY(comparison.numbers > 600);

@@ -103,6 +103,22 @@ private Q_SLOTS:
         QVERIFY2(lines > 50 && lines <= 300, qPrintable(QString("%1 lines of CMake").arg(lines)));
     }
 
+    /// Archives of objects can hold code, so weights and checkpoints are plain tensors (rendering/models/tensors).
+    void torchReadsAndWritesNoFiles()
+    {
+        static const QRegularExpression archive(
+            "torch(?:::|\\.)(?:load|save|jit|pickle|serialize)\\b|(?:Input|Output)Archive\\b|\\bunpickle|torch/script\\.h");
+        for (const char* found :
+             {"torch::load(x, f)", "torch.jit.load(f)", "torch::serialize::InputArchive a;", "torch::jit::load(f)"})
+            QVERIFY2(archive.match(found).hasMatch(), found);
+        QStringList faults;
+        for (const QString& top : topFolders)
+            for (const QString& file : filesBelow(top, {"*.cpp", "*.h", "*.py"}))
+                if (file != "tests/house_test.cpp" && archive.match(textOf(file)).hasMatch()) faults << file;
+        for (const QString& top : topFolders) faults << filesBelow(top, {"*.pt", "*.pth", "*.pkl"});
+        QVERIFY2(faults.isEmpty(), qPrintable(faults.join(", ")));
+    }
+
     void assertionsAreChecked()
     {
 #ifdef NDEBUG

@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <utility>
@@ -36,6 +37,8 @@ class Descriptor {
 public:
     Descriptor(const fs::path& file, int flags, mode_t mode = 0) : m_number(::open(file.c_str(), flags | O_CLOEXEC, mode)) {}
     ~Descriptor() { close(); }
+    Descriptor(Descriptor&& other) noexcept : m_number(std::exchange(other.m_number, -1)) {}
+    Descriptor& operator=(Descriptor&&) = delete;
     Descriptor(const Descriptor&) = delete;
     Descriptor& operator=(const Descriptor&) = delete;
 
@@ -70,6 +73,49 @@ int readInto(const fs::path& file, std::string& bytes)
     std::error_code unknown;
     if (const auto size = fs::file_size(file, unknown); !unknown) bytes.reserve(size);
     return eachBlock(file, [&](std::string_view block) { bytes += block; });
+}
+
+const char* kindOf(mode_t mode)
+{
+    if (S_ISDIR(mode)) return "a folder";
+    if (S_ISFIFO(mode)) return "a pipe";
+    if (S_ISSOCK(mode)) return "a socket";
+    return "a device";
+}
+
+/// Opens a regular file; `size` receives its size. The kind is checked before, because opening a device or a pipe may wait or
+/// have effects, and after, because the file may have been replaced.
+Descriptor regularFile(const fs::path& file, std::uint64_t& size)
+{
+    struct stat status {};
+    const auto requireRegular = [&] {
+        if (!S_ISREG(status.st_mode))
+            throw badInput({std::string("is ") + kindOf(status.st_mode), file.string(), "a regular file", "check the path"});
+    };
+    if (::stat(file.c_str(), &status) != 0) throw cannotRead(file, errno);
+    requireRegular();
+    Descriptor open(file, O_RDONLY | O_NONBLOCK);
+    if (!open.isOpen() || ::fstat(open.number(), &status) != 0) throw cannotRead(file, errno);
+    requireRegular();
+    size = static_cast<std::uint64_t>(status.st_size);
+    return open;
+}
+
+/// Fewer bytes where the file ends before.
+std::string firstBytes(const fs::path& file, const Descriptor& open, std::size_t count)
+{
+    std::string bytes(count, '\0');
+    std::size_t done = 0;
+    while (done < count) {
+        const ssize_t got = ::read(open.number(), bytes.data() + done, count - done);
+        if (got == 0) break;
+        if (got > 0)
+            done += static_cast<std::size_t>(got);
+        else if (errno != EINTR)
+            throw cannotRead(file, errno);
+    }
+    bytes.resize(done);
+    return bytes;
 }
 
 bool writeAll(int descriptor, std::string_view bytes)
@@ -153,6 +199,23 @@ std::optional<std::string> readIfPossible(const fs::path& file)
 {
     std::string bytes;
     return readInto(file, bytes) == 0 ? std::optional(std::move(bytes)) : std::nullopt;
+}
+
+std::string readRegularFile(const fs::path& file, std::uint64_t mostBytes)
+{
+    std::uint64_t size = 0;
+    const Descriptor open = regularFile(file, size);
+    if (size > mostBytes)
+        throw badInput({"has " + std::to_string(size) + " bytes", file.string(),
+                        "at most " + std::to_string(mostBytes) + " bytes", "check the path"});
+    return firstBytes(file, open, static_cast<std::size_t>(size));
+}
+
+std::string beginningOf(const fs::path& file, std::size_t count)
+{
+    std::uint64_t size = 0;
+    const Descriptor open = regularFile(file, size);
+    return firstBytes(file, open, static_cast<std::size_t>(std::min<std::uint64_t>(size, count)));
 }
 
 void readInBlocks(const fs::path& file, const std::function<void(std::string_view)>& take)

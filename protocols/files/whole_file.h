@@ -2,6 +2,8 @@
 // whole new file or what stood there before, also when the process is killed or the power fails.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -15,6 +17,13 @@ std::string readWholeFile(const std::filesystem::path& file);
 
 /// All bytes, or nothing where they cannot be read: for callers with a message of their own.
 std::optional<std::string> readIfPossible(const std::filesystem::path& file);
+
+/// All bytes of a regular file of at most `mostBytes`. Throws badInput for a folder, pipe, socket or device, which is not even
+/// opened, and for a larger file, of which nothing is read.
+std::string readRegularFile(const std::filesystem::path& file, std::uint64_t mostBytes);
+
+/// The first `count` bytes of a regular file, or all bytes of a shorter one. Throws as readRegularFile() does.
+std::string beginningOf(const std::filesystem::path& file, std::size_t count);
 
 /// All bytes, one block after the other, for files that may be larger than the memory. Throws as readWholeFile() does.
 void readInBlocks(const std::filesystem::path& file, const std::function<void(std::string_view)>& take);

@@ -4,10 +4,10 @@
 
 #include "protocols/files/errors.h"
 #include "protocols/files/temporary_folder.h"
-#include "rendering/models/child_process.h"
 #include "rendering/models/exchange.h"
 #include "rendering/models/model_card_fields.h"
 #include "rendering/models/photograph_at_pitch.h"
+#include "rendering/models/process/child_process.h"
 
 namespace rendering::models {
 
@@ -54,15 +54,17 @@ std::vector<GeneratedSignals> generate(std::span<const InputPhotograph> photogra
     const protocols::TemporaryFolder folder;
     RequestWriter request(folder.path(), wish);
     std::vector<UsedPart> parts;
+    double megapixels = 0;
     for (const InputPhotograph& photograph : photographs) {
         const double pitch =
             photograph.mmPerPixel.value_or(assumedMmPerPixel(photograph.photograph, card.architecture.mmPerPixel));
         const PhotographAtPitch seen = photographAtPitch({photograph.photograph, pitch}, card.architecture.mmPerPixel);
+        megapixels += static_cast<double>(seen.rgb.total()) / 1e6;
         request.add({seen.rgb, card.architecture.mmPerPixel});
         parts.push_back({seen.part.size(), seen.middleOnly, photograph.mmPerPixel ? std::nullopt : std::optional(pitch)});
     }
     request.finish();
-    runGeneratorProgram({"generate", folder.path().string()}, folder.path() / "messages");
+    runGeneratorProgram({"generate", folder.path().string()}, folder.path() / "messages", generationLimits(megapixels));
     std::vector<GeneratedSignals> answers = readAnswers(folder.path());
     if (answers.size() != photographs.size())
         throw protocols::workFailed({"vis2hap-nn answered " + std::to_string(answers.size()) + " of " +

@@ -11,10 +11,10 @@ std::filesystem::path shippedModel()
     std::error_code none;
     const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", none);
     if (!none) {
-        const std::filesystem::path beside = self.parent_path() / "weights" / "vis2hap.pt";
+        const std::filesystem::path beside = self.parent_path() / "weights" / "vis2hap.safetensors";
         if (std::filesystem::exists(beside, none)) return beside;
     }
-    return std::filesystem::path(VIS2HAP_SOURCE_DIR) / "rendering" / "models" / "weights" / "vis2hap.pt";
+    return std::filesystem::path(VIS2HAP_SOURCE_DIR) / "rendering" / "models" / "weights" / "vis2hap.safetensors";
 }
 
 }  // namespace rendering::models

@@ -15,6 +15,10 @@ using nlohmann::ordered_json;
 constexpr const char* schema = "vis2hap.model/2";
 /// Changes whenever networks.cpp or the meaning of the networks' inputs and outputs changes.
 constexpr const char* architectureKind = "unet+summary/3";
+/// Cards of the shipped weights have less than 1 MB.
+constexpr std::uint64_t largestCard = std::uint64_t{256} << 20, largestWeights = std::uint64_t{1} << 30;
+/// Parameters of the one layer whose size grows with the spectrogram; the shipped weights have 73,728.
+constexpr double mostSeedParameters = 1 << 27;
 
 ordered_json architectureJson(const Architecture& a)
 {
@@ -63,7 +67,8 @@ bool sensible(const Architecture& a)
            within(a.mmPerPixel, 1e-5, 100) && within(a.heightScaleMm, 1e-9, 1e3) && within(a.meanFrictionScale, 1e-9, 1e3) &&
            within(a.window, 4, 4096) && within(a.hop, 1, a.window) && within(a.traceSamples, 4, 1 << 20) &&
            within(a.rows, 2, 2049) && within(a.frames, 1, 1 << 16) && within(a.traceMmPerSample, 1e-9, 1e3) &&
-           within(a.zeroPercentile, 0, 50);
+           within(a.zeroPercentile, 0, 50) &&
+           0.25 * a.baseChannels * a.baseChannels * (a.rows + 3.0) * (a.frames + 3.0) <= mostSeedParameters;
 }
 
 protocols::Error notUsable(const std::filesystem::path& card, const std::string& why)
@@ -119,13 +124,14 @@ std::string cardText(const ModelCardFields& card)
 ModelCardFields readModelCardFields(const std::filesystem::path& model)
 {
     const std::filesystem::path file = cardOf(model);
-    const std::optional<std::string> text = protocols::readIfPossible(file);
-    if (!text)
+    std::error_code none;
+    if (!std::filesystem::exists(file, none))
         throw protocols::badInput({"the model card is missing", file.string(),
                                    "the .json that `vis2hap train` writes beside the weights", "copy it beside the weights"});
+    const std::string text = protocols::readRegularFile(file, largestCard);
     ModelCardFields card;
     try {
-        const ordered_json json = ordered_json::parse(*text);
+        const ordered_json json = ordered_json::parse(text);
         if (json.at("schema").get<std::string>() != schema)
             throw notUsable(file, "its schema is " + json.at("schema").get<std::string>());
         card.summary.name = json.at("name").get<std::string>();
@@ -157,12 +163,25 @@ ModelCardFields readModelCardFields(const std::filesystem::path& model)
     return card;
 }
 
+TensorSource weightsSource(const std::filesystem::path& model)
+{
+    return {model, "a weights file from `vis2hap train`",
+            "use the weights of the program, or train again with the command in the model card"};
+}
+
 void checkWeightsFile(const std::filesystem::path& model, const ModelCardFields& card)
 {
-    if (!std::filesystem::is_regular_file(model))
+    std::error_code none;
+    if (!std::filesystem::exists(model, none))
         throw protocols::badInput(
             {"the weights are missing", model.string(), "a weights file from `vis2hap train`", "check the path of the model"});
-    if (protocols::sha256OfFile(model) != card.summary.sha256)
+    refuseArchive(weightsSource(model));
+    requireHashOfCard(model, protocols::readRegularFile(model, largestWeights), card);
+}
+
+void requireHashOfCard(const std::filesystem::path& model, std::string_view bytes, const ModelCardFields& card)
+{
+    if (protocols::sha256(bytes) != card.summary.sha256)
         throw protocols::badInput({"the weights are truncated or altered", model.string(),
                                    "the SHA-256 that the model card states", "copy the weights again together with their .json"});
 }

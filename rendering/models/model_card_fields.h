@@ -6,12 +6,14 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "rendering/models/architecture.h"
 #include "rendering/models/familiarity.h"
 #include "rendering/models/friction_prior.h"
 #include "rendering/models/model_card.h"
+#include "rendering/models/tensors/tensor_file.h"
 
 namespace rendering::models {
 
@@ -37,7 +39,14 @@ std::string cardText(const ModelCardFields& card);
 /// Throws badInput naming file and field.
 ModelCardFields readModelCardFields(const std::filesystem::path& model);
 
-/// Throws badInput where the weights are missing or their hash differs from the card's.
+/// Throws badInput where the weights are missing, no regular file, an archive of version 0.5.0 or larger than 1 GiB, or where
+/// their hash differs from the card's.
 void checkWeightsFile(const std::filesystem::path& model, const ModelCardFields& card);
+
+/// Throws badInput where the hash of the bytes of a weights file differs from the card's.
+void requireHashOfCard(const std::filesystem::path& model, std::string_view bytes, const ModelCardFields& card);
+
+/// How errors name a weights file.
+TensorSource weightsSource(const std::filesystem::path& model);
 
 }  // namespace rendering::models

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "protocols/files/number_text.h"
-#include "rendering/models/second_program.h"
+#include "rendering/models/process/second_program.h"
 #include "study/bench/generator_peer.h"
 
 namespace study::bench {

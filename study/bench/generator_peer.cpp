@@ -15,8 +15,8 @@
 
 #include "protocols/files/errors.h"
 #include "protocols/files/temporary_folder.h"
-#include "rendering/models/child_process.h"
-#include "rendering/models/second_program.h"
+#include "rendering/models/process/child_process.h"
+#include "rendering/models/process/second_program.h"
 #include "study/bench/peer_programs.h"
 
 extern char** environ;

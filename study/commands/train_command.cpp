@@ -8,7 +8,7 @@
 #include "protocols/files/errors.h"
 #include "rendering/fabrics/dataset.h"
 #include "rendering/models/fair_control.h"
-#include "rendering/models/second_program.h"
+#include "rendering/models/process/second_program.h"
 #include "study/commands/command_line.h"
 
 namespace study::commands {

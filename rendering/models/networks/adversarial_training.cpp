@@ -186,39 +186,34 @@ bool AdversarialTraining::finite()
 
 void AdversarialTraining::keepAsBest() { moveTowards(m_best, result(), 1); }
 
-template <class Visit>
-void AdversarialTraining::eachPart(Visit visit)
+std::vector<NamedTensor> AdversarialTraining::networkTensors() const
 {
-    visit("height", *m_generators.height);
-    visit("friction", *m_generators.friction);
-    visit("average_height", *m_average.height);
-    visit("average_friction", *m_average.friction);
-    visit("best_height", *m_best.height);
-    visit("best_friction", *m_best.friction);
-    visit("discriminator", *m_discriminator);
-    visit("generator_steps", m_generatorSteps);
-    visit("discriminator_steps", m_discriminatorSteps);
+    const std::pair<const char*, const torch::nn::Module*> networks[] = {
+        {"height.", m_generators.height.get()},      {"friction.", m_generators.friction.get()},
+        {"average_height.", m_average.height.get()}, {"average_friction.", m_average.friction.get()},
+        {"best_height.", m_best.height.get()},       {"best_friction.", m_best.friction.get()},
+        {"discriminator.", m_discriminator.get()}};
+    std::vector<NamedTensor> all;
+    for (const auto& [prefix, network] : networks)
+        for (NamedTensor& one : tensorsOfModule(prefix, *network)) all.push_back(std::move(one));
+    return all;
 }
 
-void AdversarialTraining::save(torch::serialize::OutputArchive& archive)
+std::vector<StoredTensor> AdversarialTraining::tensors()
 {
-    eachPart([&](const std::string& name, auto& part) {
-        torch::serialize::OutputArchive inner(archive.compilation_unit());
-        part.save(inner);
-        archive.write(name, inner);
-    });
+    std::vector<StoredTensor> all;
+    for (const NamedTensor& one : networkTensors()) all.push_back(storedTensor(one.name, one.tensor));
+    for (StoredTensor& one : momentsOf("generator_steps.", m_generatorSteps)) all.push_back(std::move(one));
+    for (StoredTensor& one : momentsOf("discriminator_steps.", m_discriminatorSteps)) all.push_back(std::move(one));
+    return all;
 }
 
-void AdversarialTraining::load(torch::serialize::InputArchive& archive)
+void AdversarialTraining::continueFrom(const std::vector<StoredTensor>& tensors)
 {
-    eachPart([&](const std::string& name, auto& part) {
-        torch::serialize::InputArchive inner;
-        archive.read(name, inner);
-        part.load(inner);
-    });
-    orderChannelsLast(*m_generators.height);
-    orderChannelsLast(*m_generators.friction);
-    orderChannelsLast(*m_discriminator);
+    std::size_t next = 0;
+    for (NamedTensor& one : networkTensors()) copyInto(one.tensor, tensors.at(next++));
+    setMoments(m_generatorSteps, tensors, next);
+    setMoments(m_discriminatorSteps, tensors, next);
 }
 
 }  // namespace rendering::models

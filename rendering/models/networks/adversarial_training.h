@@ -6,6 +6,7 @@
 
 #include "rendering/models/networks/batches.h"
 #include "rendering/models/networks/losses.h"
+#include "rendering/models/networks/plain_tensors.h"
 #include "rendering/models/networks/progress_lines.h"
 #include "rendering/models/networks/training.h"
 #include "rendering/models/networks/weights.h"
@@ -32,8 +33,10 @@ public:
     void keepAsBest();
     Generators& best() { return m_best; }
 
-    void save(torch::serialize::OutputArchive& archive);
-    void load(torch::serialize::InputArchive& archive);
+    /// All networks and optimisers, always the same tensors in the same order.
+    std::vector<StoredTensor> tensors();
+    /// Continues from the result of tensors().
+    void continueFrom(const std::vector<StoredTensor>& tensors);
 
 private:
     struct DrawnBatches {
@@ -45,8 +48,7 @@ private:
     void setRates(int number, double fraction);
     double stepDiscriminator(const torch::Tensor& photograph, const BatchSignals& measured, const BatchSignals& generated);
     void updateAverage(int number);
-    template <class Visit>
-    void eachPart(Visit visit);
+    std::vector<NamedTensor> networkTensors() const;
 
     const TrainingData& m_data;
     const TrainingOptions& m_options;

@@ -1,9 +1,60 @@
 #include "rendering/models/networks/checkpoint.h"
 
+#include <nlohmann/json.hpp>
+
 #include "protocols/files/errors.h"
-#include "rendering/models/networks/weights.h"
+#include "protocols/files/whole_file.h"
 
 namespace rendering::models {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr const char* formatName = "vis2hap.checkpoint/1";
+
+std::string stateText(const Checkpoint& checkpoint)
+{
+    const ordered_json json{{"fingerprint", checkpoint.fingerprint},
+                            {"validation_before", checkpoint.validationBefore},
+                            {"step", checkpoint.step},
+                            {"best_step", checkpoint.bestStep},
+                            {"best_distance", checkpoint.bestDistance},
+                            {"validations_without_better", checkpoint.validationsWithoutBetter},
+                            {"elapsed_s", checkpoint.elapsedS}};
+    return json.dump();
+}
+
+protocols::Error unusable(const TensorSource& source, const std::string& what)
+{
+    return protocols::badInput({what, source.file.string(), source.expected, source.nextStep});
+}
+
+Checkpoint stateFrom(const std::map<std::string, std::string>& metadata, const TensorSource& source)
+{
+    Checkpoint checkpoint;
+    try {
+        if (metadata.at("format") != formatName) throw unusable(source, "the checkpoint is of another version");
+        const ordered_json json = ordered_json::parse(metadata.at("state"));
+        checkpoint.fingerprint = json.at("fingerprint").get<std::string>();
+        checkpoint.validationBefore = json.at("validation_before").get<std::string>();
+        checkpoint.step = json.at("step").get<int>();
+        checkpoint.bestStep = json.at("best_step").get<int>();
+        checkpoint.bestDistance = json.at("best_distance").get<double>();
+        checkpoint.validationsWithoutBetter = json.at("validations_without_better").get<int>();
+        checkpoint.elapsedS = json.at("elapsed_s").get<double>();
+        if (!ordered_json::accept(checkpoint.validationBefore)) throw unusable(source, "the checkpoint is damaged");
+    } catch (const ordered_json::exception&) {
+        throw unusable(source, "the checkpoint is damaged");
+    } catch (const std::out_of_range&) {
+        throw unusable(source, "the checkpoint is damaged");
+    }
+    if (checkpoint.step < 0 || checkpoint.bestStep < 0 || checkpoint.validationsWithoutBetter < 0 || !(checkpoint.elapsedS >= 0))
+        throw unusable(source, "the checkpoint is damaged");
+    return checkpoint;
+}
+
+}  // namespace
 
 std::filesystem::path checkpointOf(const std::filesystem::path& model)
 {
@@ -12,55 +63,23 @@ std::filesystem::path checkpointOf(const std::filesystem::path& model)
     return file;
 }
 
-void writeCheckpoint(const std::filesystem::path& file, const Checkpoint& checkpoint,
-                     const std::function<void(torch::serialize::OutputArchive&)>& save)
+void writeCheckpoint(const std::filesystem::path& file, const Checkpoint& checkpoint, const std::vector<StoredTensor>& tensors)
 {
-    torch::serialize::OutputArchive archive;
-    archive.write("fingerprint", c10::IValue(checkpoint.fingerprint));
-    archive.write("validation_before", c10::IValue(checkpoint.validationBefore));
-    archive.write("step", c10::IValue(static_cast<std::int64_t>(checkpoint.step)));
-    archive.write("best_step", c10::IValue(static_cast<std::int64_t>(checkpoint.bestStep)));
-    archive.write("best_distance", c10::IValue(checkpoint.bestDistance));
-    archive.write("validations_without_better", c10::IValue(static_cast<std::int64_t>(checkpoint.validationsWithoutBetter)));
-    archive.write("elapsed_s", c10::IValue(checkpoint.elapsedS));
-    save(archive);
-    writeArchive(file, archive);
+    protocols::writeWholeFile(file, tensorFileBytes({{{"format", formatName}, {"state", stateText(checkpoint)}}, tensors}));
 }
 
-Checkpoint readCheckpoint(const std::filesystem::path& file, const std::string& fingerprint,
-                          const std::function<void(torch::serialize::InputArchive&)>& load)
+StoredRun readCheckpoint(const std::filesystem::path& file, const std::string& fingerprint, const std::vector<TensorKind>& wanted)
 {
-    const auto refuse = [&](const std::string& what) {
-        return protocols::badInput({what, file.string(),
-                                    "the checkpoint of an interrupted run with the same data set and options",
-                                    "train again without --resume"});
-    };
-    if (!std::filesystem::exists(file)) throw refuse("there is no checkpoint to resume from");
-    torch::serialize::InputArchive archive = readArchive(file);
-    Checkpoint checkpoint;
-    try {
-        c10::IValue value;
-        archive.read("fingerprint", value);
-        checkpoint.fingerprint = value.toStringRef();
-        if (checkpoint.fingerprint != fingerprint)
-            throw refuse("the checkpoint belongs to a run with another data set or other options");
-        archive.read("validation_before", value);
-        checkpoint.validationBefore = value.toStringRef();
-        archive.read("step", value);
-        checkpoint.step = static_cast<int>(value.toInt());
-        archive.read("best_step", value);
-        checkpoint.bestStep = static_cast<int>(value.toInt());
-        archive.read("best_distance", value);
-        checkpoint.bestDistance = value.toDouble();
-        archive.read("validations_without_better", value);
-        checkpoint.validationsWithoutBetter = static_cast<int>(value.toInt());
-        archive.read("elapsed_s", value);
-        checkpoint.elapsedS = value.toDouble();
-        load(archive);
-    } catch (const c10::Error&) {
-        throw refuse("the checkpoint is damaged");
-    }
-    return checkpoint;
+    const TensorSource source{file, "the checkpoint of an interrupted run with the same data set and options",
+                              "train again without --resume"};
+    if (!std::filesystem::exists(file)) throw unusable(source, "there is no checkpoint to resume from");
+    refuseArchive(source);
+    // The state comes first: other options explain other tensors.
+    StoredRun run{stateFrom(tensorMetadata(protocols::beginningOf(file, tensorHeaderRoom), source), source), {}};
+    if (run.state.fingerprint != fingerprint)
+        throw unusable(source, "the checkpoint belongs to a run with another data set or other options");
+    run.tensors = parseTensorFile(readTensorBytes(wanted, source), wanted, source).tensors;
+    return run;
 }
 
 }  // namespace rendering::models

@@ -1,12 +1,13 @@
 // State of a training run on disk: networks, optimisers and elapsed time. It is written whole at regular steps, so that
-// an interrupted run continues with the same result. Only the torch sources of this folder include it.
+// an interrupted run continues with the same result. The file holds plain tensors
+// (tensor_file.h) and the fields of Checkpoint as JSON in its metadata.
 #pragma once
 
-#include <torch/torch.h>
-
 #include <filesystem>
-#include <functional>
 #include <string>
+#include <vector>
+
+#include "rendering/models/tensors/tensor_file.h"
 
 namespace rendering::models {
 
@@ -21,12 +22,17 @@ struct Checkpoint {
 
 std::filesystem::path checkpointOf(const std::filesystem::path& model);
 
-/// Writes a checkpoint; `save` adds the networks and optimisers. Throws environmentFault.
-void writeCheckpoint(const std::filesystem::path& file, const Checkpoint& checkpoint,
-                     const std::function<void(torch::serialize::OutputArchive&)>& save);
+/// Writes the run with the tensors of networks and optimisers. Throws environmentFault.
+void writeCheckpoint(const std::filesystem::path& file, const Checkpoint& checkpoint, const std::vector<StoredTensor>& tensors);
 
-/// Throws badInput where the file is missing or damaged, or belongs to another run.
-Checkpoint readCheckpoint(const std::filesystem::path& file, const std::string& fingerprint,
-                          const std::function<void(torch::serialize::InputArchive&)>& load);
+/// A checkpoint with its tensors in the order of `wanted`.
+struct StoredRun {
+    Checkpoint state;
+    std::vector<StoredTensor> tensors;
+};
+
+/// Throws badInput where the file is missing or damaged, holds other tensors than `wanted`, or belongs to another run.
+StoredRun readCheckpoint(const std::filesystem::path& file, const std::string& fingerprint,
+                         const std::vector<TensorKind>& wanted);
 
 }  // namespace rendering::models

@@ -1,5 +1,6 @@
 // vis2hap-nn: the second executable, the only one that loads libtorch. `vis2hap train` and the first generated signal
 // start it; it can also be called by hand.
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -13,12 +14,12 @@
 #include <system_error>
 
 #include "protocols/files/errors.h"
-#include "rendering/models/child_process.h"
 #include "rendering/models/exchange.h"
 #include "rendering/models/networks/inference.h"
 #include "rendering/models/networks/nn_bench.h"
 #include "rendering/models/networks/peer_step.h"
 #include "rendering/models/networks/training.h"
+#include "rendering/models/process/child_process.h"
 
 namespace {
 
@@ -122,7 +123,7 @@ void offerPeerSteps(CLI::App& app)
     auto folder = std::make_shared<std::string>();
     CLI::App* steps = app.add_subcommand(
         "peer-steps", "run training steps and inference that are timed in turns with others (see peer_step.h)");
-    steps->add_option("FOLDER", *folder, "folder that receives peer.pt")->required();
+    steps->add_option("FOLDER", *folder, "folder that receives peer.safetensors")->required();
     steps->callback([folder] { models::servePeerSteps(*folder, std::cin, std::cout); });
 }
 
@@ -139,6 +140,24 @@ int failed(const std::string& what, protocols::ExitCode code)
 {
     std::cerr << "vis2hap: " << what.substr(0, what.find('\n')) << std::endl;
     return static_cast<int>(code);
+}
+
+/// True for the errors of torch and OpenCV where memory cannot be had; neither has a type of its own.
+bool namesMissingMemory(const std::string& what)
+{
+    for (const char* text : {"can't allocate memory", "not enough memory", "Insufficient memory", "Failed to allocate"})
+        if (what.find(text) != std::string::npos) return true;
+    return false;
+}
+
+int failedForMemory()
+{
+    struct rlimit most {};
+    std::string where;
+    if (::getrlimit(RLIMIT_DATA, &most) == 0 && most.rlim_cur != RLIM_INFINITY)
+        where = " (the limit is " + std::to_string(most.rlim_cur >> 20U) + " MB; VIS2HAP_NN_MEMORY_MB sets another)";
+    return failed("the memory is too small" + where + ": close other programs or use fewer or smaller pictures",
+                  protocols::ExitCode::Environment);
 }
 
 /// Sets missing thread settings and starts this program again, once. The libraries have already read the environment when
@@ -181,10 +200,10 @@ int main(int argc, char** argv)
     } catch (const protocols::Error& fault) {
         return failed(fault.what(), fault.exitCode());
     } catch (const std::bad_alloc&) {
-        return failed("the memory is too small; close other programs or use fewer or smaller pictures", ExitCode::Environment);
+        return failedForMemory();
     } catch (const std::filesystem::filesystem_error& fault) {
         return failed(fault.what(), ExitCode::Environment);
     } catch (const std::exception& fault) {
-        return failed(fault.what(), ExitCode::WorkFailed);
+        return namesMissingMemory(fault.what()) ? failedForMemory() : failed(fault.what(), ExitCode::WorkFailed);
     }
 }

@@ -8,6 +8,8 @@
 #include <thread>
 #include <vector>
 
+#include "protocols/files/whole_file.h"
+#include "rendering/models/networks/plain_tensors.h"
 #include "rendering/models/networks/weights.h"
 #include "rendering/models/ring_spectrum.h"
 
@@ -74,14 +76,13 @@ void PeerStep::setTraining(bool training)
 
 void PeerStep::write(const std::filesystem::path& file)
 {
-    torch::serialize::OutputArchive archive;
-    const auto writeAll = [&](const std::string& prefix, torch::nn::Module& module) {
-        for (auto& item : module.named_parameters()) archive.write(prefix + item.key(), item.value().detach());
-        for (auto& item : module.named_buffers()) archive.write(prefix + item.key(), item.value().detach());
-    };
-    writeAll("height.", *m_generators.height);
-    writeAll("friction.", *m_generators.friction);
-    writeAll("discriminator.", *m_discriminator);
+    TensorFile stored;
+    const std::pair<const char*, const torch::nn::Module*> networks[] = {{"height.", m_generators.height.get()},
+                                                                         {"friction.", m_generators.friction.get()},
+                                                                         {"discriminator.", m_discriminator.get()}};
+    for (const auto& [prefix, network] : networks)
+        for (const NamedTensor& one : tensorsOfModule(prefix, *network))
+            stored.tensors.push_back(storedTensor(one.name, one.tensor));
     const torch::NoGradGuard noGradient;
     setTraining(false);
     const FrictionOutput friction = m_generators.friction->forward(m_photograph);
@@ -99,8 +100,8 @@ void PeerStep::write(const std::filesystem::path& file)
         {"answer_ratio", friction.logRatio.contiguous()},
         {"answer_mean", friction.mean},
         {"answer_logits", m_discriminator->forward(m_photograph, friction, height)}};
-    for (const auto& [name, tensor] : named) archive.write(name, tensor);
-    writeArchive(file, archive);
+    for (const auto& [name, tensor] : named) stored.tensors.push_back(storedTensor(name, tensor));
+    protocols::writeWholeFile(file, tensorFileBytes(stored), protocols::Sync::Later);
 }
 
 torch::Tensor PeerStep::discriminatorLoss(const FrictionOutput& friction, const torch::Tensor& height)
@@ -163,7 +164,7 @@ void servePeerSteps(const std::filesystem::path& folder, std::istream& in, std::
     torch::set_num_threads(static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
     torch::manual_seed(1);
     PeerStep step;
-    step.write(folder / "peer.pt");
+    step.write(folder / "peer.safetensors");
     out << "ready " << step.sizes() << std::endl;
     for (std::string order; std::getline(in, order);) {
         if (order == "train")

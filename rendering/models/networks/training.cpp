@@ -142,7 +142,9 @@ public:
         state.fingerprint = fingerprint(m_options, m_data, m_datasetHash);
         const std::filesystem::path checkpoint = checkpointOf(m_options.out);
         if (m_options.resume) {
-            state = readCheckpoint(checkpoint, state.fingerprint, [&](auto& archive) { training.load(archive); });
+            StoredRun stored = readCheckpoint(checkpoint, state.fingerprint, kindsOf(training.tensors()));
+            training.continueFrom(stored.tensors);
+            state = std::move(stored.state);
             m_lines.print("resumed at step " + std::to_string(state.step));
         } else {
             state.validationBefore = figures(training.result()).dump();
@@ -164,7 +166,7 @@ public:
             if (last || state.step % m_options.validateEvery == 0) validate(training, state, log);
             if (last || state.step % m_options.checkpointEvery == 0 || ended(state)) {
                 if (!training.finite()) stopAt(state.step);
-                writeCheckpoint(checkpoint, state, [&](auto& archive) { training.save(archive); });
+                writeCheckpoint(checkpoint, state, training.tensors());
             }
         }
         finish(training, state);

@@ -1,34 +1,29 @@
 #include "rendering/models/networks/weights.h"
 
-#include <optional>
-#include <sstream>
-
-#include "protocols/files/errors.h"
 #include "protocols/files/sha256.h"
 #include "protocols/files/whole_file.h"
+#include "rendering/models/networks/plain_tensors.h"
 
 namespace rendering::models {
 
 namespace {
 
-protocols::Error notAModel(const std::filesystem::path& model, const std::string& why)
+std::vector<NamedTensor> tensorsOf(const Generators& generators)
 {
-    return protocols::badInput({"is not a weights file of this program: " + why, model.string(),
-                                "a weights file from `vis2hap train`", "train again or use the weights of the program"});
+    std::vector<NamedTensor> all = tensorsOfModule("height.", *generators.height);
+    for (NamedTensor& one : tensorsOfModule("friction.", *generators.friction)) all.push_back(std::move(one));
+    return all;
 }
 
-/// First line of a torch message, which ends with a stack trace.
-std::string firstLine(const std::string& message) { return message.substr(0, message.find('\n')); }
-
-template <class Visit>
-void eachTensor(Generators& generators, Visit visit)
+/// The tensors of a weights file: parameters in half precision.
+std::vector<TensorKind> wantedTensors(const std::vector<NamedTensor>& tensors)
 {
-    const auto visitAll = [&](const std::string& prefix, torch::nn::Module& module) {
-        for (auto& item : module.named_parameters()) visit(prefix + item.key(), item.value(), true);
-        for (auto& item : module.named_buffers()) visit(prefix + item.key(), item.value(), false);
-    };
-    visitAll("height.", *generators.height);
-    visitAll("friction.", *generators.friction);
+    std::vector<TensorKind> wanted;
+    for (const NamedTensor& one : tensors) {
+        wanted.push_back(kindOf(one.name, one.tensor));
+        if (one.parameter) wanted.back().element = Element::F16;
+    }
+    return wanted;
 }
 
 }  // namespace
@@ -51,56 +46,31 @@ Generators makeGenerators(const Architecture& architecture)
 void roundToHalf(Generators& generators)
 {
     const torch::NoGradGuard noGradient;
-    eachTensor(generators, [](const std::string&, torch::Tensor& tensor, bool parameter) {
-        if (parameter) tensor.copy_(tensor.to(torch::kHalf).to(torch::kFloat));
-    });
-}
-
-void writeArchive(const std::filesystem::path& file, torch::serialize::OutputArchive& archive)
-{
-    std::ostringstream stream;
-    archive.save_to(stream);
-    protocols::writeWholeFile(file, stream.str());
-}
-
-torch::serialize::InputArchive readArchive(const std::filesystem::path& file)
-{
-    const std::optional<std::string> bytes = protocols::readIfPossible(file);
-    if (!bytes) throw notAModel(file, "it cannot be read");
-    torch::serialize::InputArchive archive;
-    try {
-        archive.load_from(bytes->data(), bytes->size());
-    } catch (const std::exception& fault) {
-        throw notAModel(file, firstLine(fault.what()));
-    }
-    return archive;
+    for (NamedTensor& one : tensorsOf(generators))
+        if (one.parameter) one.tensor.copy_(one.tensor.to(torch::kHalf).to(torch::kFloat));
 }
 
 void writeModel(const std::filesystem::path& model, Generators& generators, ModelCardFields card)
 {
-    torch::serialize::OutputArchive archive;
-    eachTensor(generators, [&](const std::string& name, torch::Tensor& tensor, bool parameter) {
-        archive.write(name, parameter ? tensor.detach().to(torch::kHalf) : tensor.detach());
-    });
-    writeArchive(model, archive);
-    card.summary.sha256 = protocols::sha256OfFile(model);
+    TensorFile file{{{"format", "vis2hap.weights/1"}}, {}};
+    for (const NamedTensor& one : tensorsOf(generators))
+        file.tensors.push_back(storedTensor(one.name, one.parameter ? one.tensor.to(torch::kHalf) : one.tensor));
+    const std::string bytes = tensorFileBytes(file);
+    protocols::writeWholeFile(model, bytes);
+    card.summary.sha256 = protocols::sha256(bytes);
     protocols::writeWholeFile(cardOf(model), cardText(card));
 }
 
 Generators readModel(const std::filesystem::path& model, const ModelCardFields& card)
 {
-    checkWeightsFile(model, card);
-    torch::serialize::InputArchive archive = readArchive(model);
     Generators generators = makeGenerators(card.architecture);
-    const torch::NoGradGuard noGradient;
-    eachTensor(generators, [&](const std::string& name, torch::Tensor& tensor, bool) {
-        torch::Tensor stored;
-        if (!archive.try_read(name, stored) || stored.sizes() != tensor.sizes())
-            throw notAModel(model, "the tensor " + name + " is missing or has another shape");
-        if (stored.is_floating_point() && !torch::isfinite(stored.to(torch::kFloat)).all().item<bool>())
-            throw notAModel(model, "the tensor " + name + " holds numbers that are not finite");
-        tensor.copy_(stored.to(tensor.scalar_type()));
-    });
+    std::vector<NamedTensor> tensors = tensorsOf(generators);
+    const std::vector<TensorKind> wanted = wantedTensors(tensors);
+    const TensorSource source = weightsSource(model);
+    const std::string bytes = readTensorBytes(wanted, source);
+    requireHashOfCard(model, bytes, card);
+    const TensorFile file = parseTensorFile(bytes, wanted, source);
+    for (std::size_t i = 0; i < tensors.size(); ++i) copyInto(tensors[i].tensor, file.tensors[i]);
     generators.height->eval();
     generators.friction->eval();
     return generators;

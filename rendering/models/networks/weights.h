@@ -1,4 +1,4 @@
-// The weights file (a torch archive of the two generators) and the model card beside it.
+// The weights file (plain tensors of the two generators, tensor_file.h) and the model card beside it.
 // Only the torch sources of this folder include it.
 #pragma once
 
@@ -26,13 +26,8 @@ void roundToHalf(Generators& generators);
 /// files whole or not at all. Throws environmentFault.
 void writeModel(const std::filesystem::path& model, Generators& generators, ModelCardFields card);
 
-/// Reads generators in evaluation mode. Throws badInput for a file that is truncated, of another version, altered since its
-/// card was written, or with numbers that are not finite.
+/// Reads generators in evaluation mode. Throws badInput for a file that is truncated, of another version or layout, altered
+/// since its card was written, with other tensors than the networks of the card, or with numbers that are not finite.
 Generators readModel(const std::filesystem::path& model, const ModelCardFields& card);
-
-/// Writes an archive whole or not at all. Throws environmentFault.
-void writeArchive(const std::filesystem::path& file, torch::serialize::OutputArchive& archive);
-/// Throws badInput where the file is not an archive.
-torch::serialize::InputArchive readArchive(const std::filesystem::path& file);
 
 }  // namespace rendering::models

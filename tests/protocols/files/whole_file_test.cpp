@@ -247,7 +247,7 @@ private Q_SLOTS:
         requireWritable(file());
         QVERIFY(namesIn(folder()).empty());
         QVERIFY(errorOf([&] { requireWritable(folder()); }).startsWith("2: "));
-        QVERIFY(errorOf([&] { requireWritable(folder() / "missing" / "model.pt"); }).startsWith("3: "));
+        QVERIFY(errorOf([&] { requireWritable(folder() / "missing" / "model.safetensors"); }).startsWith("3: "));
     }
 };
 

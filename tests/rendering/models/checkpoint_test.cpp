@@ -9,7 +9,7 @@
 #include <filesystem>
 
 #include "rendering/fabrics/procedural/procedural_fabrics.h"
-#include "rendering/models/child_process.h"
+#include "rendering/models/process/child_process.h"
 
 using namespace rendering;
 
@@ -26,7 +26,7 @@ private:
         return {"train",
                 text("fabrics"),
                 "--out",
-                text("model.pt"),
+                text("model.safetensors"),
                 "--steps",
                 "1000000",
                 "--crop",
@@ -48,7 +48,7 @@ private:
     /// Names of checkpoints that are being written, or were when the run was killed.
     QStringList unfinished() const
     {
-        return QDir(m_folder.path()).entryList({".model.pt.checkpoint.unfinished-*"}, QDir::Files | QDir::Hidden);
+        return QDir(m_folder.path()).entryList({".model.safetensors.checkpoint.unfinished-*"}, QDir::Files | QDir::Hidden);
     }
 
     /// Kills the run `delayUs` microseconds after it began to write its first checkpoint; returns its output.
@@ -81,7 +81,8 @@ private Q_SLOTS:
     {
         static const QRegularExpression resumed("resumed at step (\\d+)");
         killedWhileWriting(false, 300000);
-        QVERIFY(QFile::exists(text("model.pt") + ".checkpoint"));
+        for (const QString& file : unfinished()) QFile::remove(m_folder.filePath(file));
+        QVERIFY(QFile::exists(text("model.safetensors") + ".checkpoint"));
         int last = 0, interrupted = 0;
         for (int i = 0; i < 100; ++i) {
             const QString output = killedWhileWriting(true, i * 37 % 1500);

@@ -11,7 +11,7 @@ namespace {
 ModelCardFields trained(int steps)
 {
     ModelCardFields card;
-    card.summary.trainingCommand = "vis2hap train cloths --out m.pt --steps " + std::to_string(steps);
+    card.summary.trainingCommand = "vis2hap train cloths --out m.safetensors --steps " + std::to_string(steps);
     card.steps = steps;
     card.seed = 7;
     card.splitSeed = 3;

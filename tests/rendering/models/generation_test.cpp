@@ -1,6 +1,7 @@
 // Signals generated with the weights of the program, through the second executable.
 #include "rendering/models/generation.h"
 
+#include <QElapsedTimer>
 #include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
@@ -244,6 +245,34 @@ private Q_SLOTS:
         QString line;
         QCOMPARE(static_cast<int>(codeOfFault([&] { generated({photograph("F01")}); }, &line)), code);
         QVERIFY(!line.contains('\n') && !line.contains("vis2hap: "));
+    }
+
+    void programThatHangsIsGivenUp()
+    {
+        const Instead hanging(script("exec sleep 100"));
+        qputenv("VIS2HAP_NN_SECONDS", "1");
+        QElapsedTimer time;
+        time.start();
+        QString line;
+        const protocols::ExitCode code = codeOfFault([&] { generated({photograph("F01")}); }, &line);
+        qunsetenv("VIS2HAP_NN_SECONDS");
+        QCOMPARE(code, protocols::ExitCode::Environment);
+        QVERIFY2(line.contains("did not finish in time") && !line.contains('\n'), qPrintable(line));
+        QVERIFY2(time.elapsed() < 5000, qPrintable(QString::number(time.elapsed())));
+    }
+
+    void tooLittleMemoryIsNamed()
+    {
+#ifdef __SANITIZE_ADDRESS__
+        QSKIP("the sanitizer needs more memory than any limit");
+#endif
+        qputenv("VIS2HAP_NN_MEMORY_MB", "150");
+        const cv::Mat large(2048, 2048, CV_8UC3, cv::Scalar::all(120));
+        QString line;
+        const protocols::ExitCode code = codeOfFault([&] { generated({{large, 0.05}}); }, &line);
+        qunsetenv("VIS2HAP_NN_MEMORY_MB");
+        QCOMPARE(code, protocols::ExitCode::Environment);
+        QVERIFY2(line.contains("the limit is 150 MB") && !line.contains('\n'), qPrintable(line));
     }
 
     void noPhotographsStartNothing()

@@ -188,7 +188,7 @@ private Q_SLOTS:
 
     void cardsWithPhotographsRecogniseUnfamiliarOnes()
     {
-        const fs::path model = m_folder.filePath("model.pt").toStdString();
+        const fs::path model = m_folder.filePath("model.safetensors").toStdString();
         fs::copy_file(models::shippedModel(), model);
         auto card = models::readModelCardFields(models::shippedModel());
         std::vector<std::vector<float>> known;
@@ -219,7 +219,7 @@ private Q_SLOTS:
         const std::vector<double> rings = models::recognised(*shipped.photographs, known[0]).rings;
         const auto reliefAt = [&](double strength) {
             GenerationOptions options = fast();
-            options.model = withCard("remembering.pt", [&](models::ModelCardFields& card) {
+            options.model = withCard("remembering.safetensors", [&](models::ModelCardFields& card) {
                 std::vector<double> stronger = rings;
                 for (double& ring : stronger) ring += std::log(strength);
                 card.photographs = models::fitFamiliarity(known, {}, {{0}, {stronger}});
@@ -240,7 +240,7 @@ private Q_SLOTS:
         always.deviation = std::vector<double>(count, 1);
         always.logFriction = always.lowest = always.highest = std::log(0.77);
         GenerationOptions options = fast();
-        options.model = withCard("expecting.pt", [&](models::ModelCardFields& card) {
+        options.model = withCard("expecting.safetensors", [&](models::ModelCardFields& card) {
             card.photographs =
                 models::fitFamiliarity(std::vector<std::vector<float>>{models::photographFeatures(photograph(0).photograph)}, {});
             card.frictionByTexture = always;
@@ -255,7 +255,7 @@ private Q_SLOTS:
         // The network alone gives another value; at half unfamiliarity the result lies half-way (in logarithms).
         const double farAway = *answers[1].photograph.distance;
         const auto meanAt = [&](double strangeness) {
-            options.model = withCard("half-way.pt", [&](models::ModelCardFields& card) {
+            options.model = withCard("half-way.safetensors", [&](models::ModelCardFields& card) {
                 card.photographs = models::fitFamiliarity(
                     std::vector<std::vector<float>>{models::photographFeatures(photograph(0).photograph)}, {});
                 card.photographs->threshold = farAway / (1 + strangeness);
@@ -275,7 +275,7 @@ private Q_SLOTS:
         cv::randu(noise, 0, 256);
         const auto deviationWith = [&](double strangeness, bool remembering) {
             GenerationOptions options = fast();
-            options.model = withCard("stranger.pt", [&](models::ModelCardFields& card) {
+            options.model = withCard("stranger.safetensors", [&](models::ModelCardFields& card) {
                 const std::vector<std::vector<float>> known{models::photographFeatures(photograph(0).photograph)};
                 const models::KnownFabrics flat{{0}, {std::vector<double>(models::ringCount, -13)}};
                 card.photographs = models::fitFamiliarity(known, {}, remembering ? flat : models::KnownFabrics{});

@@ -18,10 +18,10 @@
 #include "rendering/fabrics/dataset.h"
 #include "rendering/fabrics/location_split.h"
 #include "rendering/fabrics/procedural/procedural_fabrics.h"
-#include "rendering/models/child_process.h"
 #include "rendering/models/model_card_fields.h"
+#include "rendering/models/process/child_process.h"
 #include "rendering/signals/tactile/calibration.h"
-#include "tests/rendering/spoilt_archive.h"
+#include "tests/rendering/spoilt_tensors.h"
 
 using namespace rendering;
 using fabrics::Part;
@@ -109,11 +109,11 @@ private Q_SLOTS:
 
     void trainingFromScratchLowersTheValidationDistances()
     {
-        const TrainingOutcome outcome = run(smallRun("model.pt", 160));
+        const TrainingOutcome outcome = run(smallRun("model.safetensors", 160));
         QVERIFY2(outcome.exitCode == 0, qPrintable(outcome.errors));
         QVERIFY(outcome.output.contains("step 160"));
         QVERIFY(outcome.output.contains("left"));
-        const models::ModelCardFields card = models::readModelCardFields(at("model.pt"));
+        const models::ModelCardFields card = models::readModelCardFields(at("model.safetensors"));
         QCOMPARE(card.steps, 160);
         const auto validation = nlohmann::ordered_json::parse(card.validationJson);
         const std::map<const char*, double> shares{
@@ -130,13 +130,13 @@ private Q_SLOTS:
         const fabrics::Dataset dataset = fabrics::readDataset(at("fabrics"));
         QCOMPARE(card.architecture.zeroPercentile,
                  signals::readCalibration(dataset.folder / dataset.tactileCalibration).zeroPercentile);
-        QVERIFY(!std::filesystem::exists(at("model.pt.checkpoint")));
-        QVERIFY(std::filesystem::file_size(at("model.pt")) < (4U << 20U));
+        QVERIFY(!std::filesystem::exists(at("model.safetensors.checkpoint")));
+        QVERIFY(std::filesystem::file_size(at("model.safetensors")) < (4U << 20U));
     }
 
     void cardNamesTheFilesTrainedOnAndNoOthers()
     {
-        const models::ModelCard card = models::readModelCard(at("model.pt"));
+        const models::ModelCard card = models::readModelCard(at("model.safetensors"));
         const fabrics::Dataset dataset = fabrics::readDataset(at("fabrics"));
         std::vector<std::string> expected;
         std::set<std::string> others;
@@ -153,16 +153,16 @@ private Q_SLOTS:
         QCOMPARE(card.trainingSampleHashes, expected);
         for (const std::string& hash : card.trainingSampleHashes) QVERIFY(!others.contains(hash));
         QVERIFY(card.trainedOnProceduralSet);
-        QCOMPARE(card.sha256, protocols::sha256OfFile(at("model.pt")));
+        QCOMPARE(card.sha256, protocols::sha256OfFile(at("model.safetensors")));
         QVERIFY(card.trainingCommand.starts_with("vis2hap train "));
     }
 
     void heldOutFabricLeavesNoTrace()
     {
-        const TrainingOutcome outcome = run(smallRun("held.pt", 1) << "--hold-out"
-                                                                   << "F02,F03");
+        const TrainingOutcome outcome = run(smallRun("held.safetensors", 1) << "--hold-out"
+                                                                            << "F02,F03");
         QVERIFY2(outcome.exitCode == 0, qPrintable(outcome.errors));
-        const models::ModelCardFields card = models::readModelCardFields(at("held.pt"));
+        const models::ModelCardFields card = models::readModelCardFields(at("held.safetensors"));
         QCOMPARE(card.heldOut, (std::vector<std::string>{"F02", "F03"}));
         QCOMPARE(card.photographs->fabricRings.size(), std::size_t{1});
         const fabrics::Dataset dataset = fabrics::readDataset(at("fabrics"));
@@ -178,74 +178,91 @@ private Q_SLOTS:
 
     void resumedRunEqualsTheUninterruptedOne()
     {
-        QCOMPARE(run(smallRun("whole.pt", 24)).exitCode, 0);
-        breakOffAtFirstCheckpoint("broken.pt");
-        const TrainingOutcome resumed = run(smallRun("broken.pt", 24) << "--resume");
+        QCOMPARE(run(smallRun("whole.safetensors", 24)).exitCode, 0);
+        breakOffAtFirstCheckpoint("broken.safetensors");
+        const TrainingOutcome resumed = run(smallRun("broken.safetensors", 24) << "--resume");
         QVERIFY2(resumed.exitCode == 0, qPrintable(resumed.errors));
         QVERIFY(resumed.output.contains("resumed at step"));
-        QCOMPARE(protocols::sha256OfFile(at("broken.pt")), protocols::sha256OfFile(at("whole.pt")));
+        QCOMPARE(protocols::sha256OfFile(at("broken.safetensors")), protocols::sha256OfFile(at("whole.safetensors")));
         for (const char* file : {"losses.csv", "validation.csv", "curves.svg"})
-            QCOMPARE(protocols::sha256OfFile(at("broken.pt.log") / file), protocols::sha256OfFile(at("whole.pt.log") / file));
+            QCOMPARE(protocols::sha256OfFile(at("broken.safetensors.log") / file),
+                     protocols::sha256OfFile(at("whole.safetensors.log") / file));
     }
 
     void anotherSeedGivesOtherWeights()
     {
-        QStringList other = smallRun("other.pt", 24);
+        QStringList other = smallRun("other.safetensors", 24);
         other[other.indexOf("--seed") + 1] = "6";
         QCOMPARE(run(other).exitCode, 0);
-        QVERIFY(protocols::sha256OfFile(at("other.pt")) != protocols::sha256OfFile(at("whole.pt")));
+        QVERIFY(protocols::sha256OfFile(at("other.safetensors")) != protocols::sha256OfFile(at("whole.safetensors")));
     }
 
     void wildLearningRateStopsTheRunAndWritesNothing()
     {
-        const TrainingOutcome outcome = run(smallRun("wild.pt", 40) << "--learning-rate"
-                                                                    << "1e30");
+        const TrainingOutcome outcome = run(smallRun("wild.safetensors", 40) << "--learning-rate"
+                                                                             << "1e30");
         QCOMPARE(outcome.exitCode, 1);
         QCOMPARE(outcome.errors.trimmed().count('\n'), 0);
         QVERIFY2(outcome.errors.contains("the loss is not finite"), qPrintable(outcome.errors));
-        QVERIFY(!QFile::exists(text("wild.pt.checkpoint")));
-        QVERIFY(!QFile::exists(text("wild.pt")));
+        QVERIFY(!QFile::exists(text("wild.safetensors.checkpoint")));
+        QVERIFY(!QFile::exists(text("wild.safetensors")));
     }
 
     void brokenLossKeepsTheCheckpointBeforeIt()
     {
-        breakOffAtFirstCheckpoint("nan.pt");
-        std::ifstream stream(at("nan.pt.checkpoint"), std::ios::binary);
-        const std::string spoilt =
-            support::withNumbersSpoilt({std::istreambuf_iterator<char>(stream), {}}, std::string("\x00\x00\xC0\x7F", 4));
-        std::ofstream(at("nan.pt.checkpoint"), std::ios::binary) << spoilt;
-        const TrainingOutcome outcome = run(smallRun("nan.pt", 24) << "--resume");
+        breakOffAtFirstCheckpoint("nan.safetensors");
+        std::ifstream stream(at("nan.safetensors.checkpoint"), std::ios::binary);
+        const std::string whole{std::istreambuf_iterator<char>(stream), {}};
+        const std::string spoilt = support::withNumbersSpoilt(whole, "F32", std::string("\xE6\xB1\x61\x7F", 4));  // 3e38
+        std::ofstream(at("nan.safetensors.checkpoint"), std::ios::binary) << spoilt;
+        const TrainingOutcome outcome = run(smallRun("nan.safetensors", 24) << "--resume");
         QCOMPARE(outcome.exitCode, 1);
         QCOMPARE(outcome.errors.trimmed().count('\n'), 0);
-        QVERIFY2(outcome.errors.contains("the loss is not finite") && outcome.errors.contains("nan.pt.checkpoint"),
+        QVERIFY2(outcome.errors.contains("the loss is not finite") && outcome.errors.contains("nan.safetensors.checkpoint"),
                  qPrintable(outcome.errors));
-        QCOMPARE(protocols::sha256OfFile(at("nan.pt.checkpoint")), protocols::sha256(spoilt));
-        QVERIFY(!QFile::exists(text("nan.pt")));
+        QCOMPARE(protocols::sha256OfFile(at("nan.safetensors.checkpoint")), protocols::sha256(spoilt));
+        QVERIFY(!QFile::exists(text("nan.safetensors")));
+    }
+
+    void checkpointsWithObjectsOrWithoutNumbersAreRefused()
+    {
+        std::ifstream stream(at("nan.safetensors.checkpoint"), std::ios::binary);
+        const std::string whole{std::istreambuf_iterator<char>(stream), {}};
+        const std::string holes = support::withNumbersSpoilt(whole, "F32", std::string("\x00\x00\xC0\x7F", 4));
+        for (const auto& [bytes, named] : {std::pair{std::string("PK\x03\x04", 4) + whole, "archive of objects"},
+                                           {holes, "not finite"},
+                                           {whole.substr(0, whole.size() - 1), "bytes of data"}}) {
+            std::ofstream(at("holes.safetensors.checkpoint"), std::ios::binary) << bytes;
+            const TrainingOutcome outcome = run(smallRun("holes.safetensors", 24) << "--resume");
+            QCOMPARE(outcome.exitCode, 2);
+            QCOMPARE(outcome.errors.trimmed().count('\n'), 0);
+            QVERIFY2(outcome.errors.contains(named), qPrintable(outcome.errors));
+        }
     }
 
     void referenceLossesTrainToo()
     {
-        QCOMPARE(run(smallRun("reference.pt", 2) << "--reference").exitCode, 0);
-        const models::ModelCardFields card = models::readModelCardFields(at("reference.pt"));
+        QCOMPARE(run(smallRun("reference.safetensors", 2) << "--reference").exitCode, 0);
+        const models::ModelCardFields card = models::readModelCardFields(at("reference.safetensors"));
         QCOMPARE(card.objective, std::string("reference"));
         QVERIFY(card.photographs->fabricRings.empty() && !card.frictionByTexture);  // The paper's networks use neither.
     }
 
     void controlByL1TrainsWithoutADiscriminator()
     {
-        const TrainingOutcome outcome = run(smallRun("l1.pt", 2) << "--l1-only");
+        const TrainingOutcome outcome = run(smallRun("l1.safetensors", 2) << "--l1-only");
         QCOMPARE(outcome.exitCode, 0);
         QVERIFY2(outcome.output.contains("D 0.0 "), qPrintable(outcome.output));
-        QCOMPARE(models::readModelCardFields(at("l1.pt")).objective, std::string("l1-only"));
+        QCOMPARE(models::readModelCardFields(at("l1.safetensors")).objective, std::string("l1-only"));
     }
 
     void splitAfterAugmentationLeavesNothingUnseen()
     {
-        QCOMPARE(run(smallRun("augmented.pt", 1) << "--split"
-                                                 << "augmented")
+        QCOMPARE(run(smallRun("augmented.safetensors", 1) << "--split"
+                                                          << "augmented")
                      .exitCode,
                  0);
-        const models::ModelCardFields card = models::readModelCardFields(at("augmented.pt"));
+        const models::ModelCardFields card = models::readModelCardFields(at("augmented.safetensors"));
         QCOMPARE(card.split, std::string("augmented"));
         const fabrics::Dataset dataset = fabrics::readDataset(at("fabrics"));
         QCOMPARE(card.summary.trainingSampleHashes.size(), fabrics::splitBySample(dataset, 1).size());
@@ -253,7 +270,7 @@ private Q_SLOTS:
 
     void trainingStopsWhereValidationNoLongerImproves()
     {
-        QStringList call = smallRun("early.pt", 400);
+        QStringList call = smallRun("early.safetensors", 400);
         call << "--validate-every"
              << "1"
              << "--patience"
@@ -262,14 +279,14 @@ private Q_SLOTS:
              << "0.05";
         const TrainingOutcome outcome = run(call);
         QVERIFY2(outcome.exitCode == 0, qPrintable(outcome.errors));
-        const models::ModelCardFields card = models::readModelCardFields(at("early.pt"));
+        const models::ModelCardFields card = models::readModelCardFields(at("early.safetensors"));
         QVERIFY2(card.steps < 400, qPrintable(QString::number(card.steps)));
         QCOMPARE(card.bestStep, card.steps - 1);
     }
 
     void logShowsTheLossesAndPicturesOfTheRun()
     {
-        const QDir log(text("model.pt.log"));
+        const QDir log(text("model.safetensors.log"));
         QCOMPARE(log.entryList({"losses.csv", "validation.csv", "curves.svg", "samples-*.png"}, QDir::Files).size(), 4);
         QFile losses(log.filePath("losses.csv"));
         QVERIFY(losses.open(QIODevice::ReadOnly));
@@ -278,12 +295,12 @@ private Q_SLOTS:
 
     void minutesEndTheRunInTime()
     {
-        QStringList brief = smallRun("brief.pt", 1);
+        QStringList brief = smallRun("brief.safetensors", 1);
         const auto steps = brief.indexOf("--steps");
         brief[steps] = "--minutes";
         brief[steps + 1] = "0.02";
         QCOMPARE(run(brief).exitCode, 0);
-        const models::ModelCardFields card = models::readModelCardFields(at("brief.pt"));
+        const models::ModelCardFields card = models::readModelCardFields(at("brief.safetensors"));
         QVERIFY(card.steps >= 1);
         QVERIFY(card.trainingMinutes < 0.5);
     }
@@ -293,7 +310,7 @@ private Q_SLOTS:
         QTest::addColumn<QStringList>("arguments");
         QTest::addColumn<int>("exitCode");
         QTest::addColumn<QString>("named");
-        const QString fabrics = text("fabrics"), out = text("no.pt");
+        const QString fabrics = text("fabrics"), out = text("no.safetensors");
         QTest::newRow("no data set") << QStringList{"train", text("nowhere"), "--out", out} << 2 << "nowhere";
         QTest::newRow("no --out") << QStringList{"train", fabrics} << 2 << "--out";
         QTest::newRow("unknown option") << QStringList{"train", fabrics, "--out", out, "--stepz", "3"} << 2 << "--stepz";
@@ -311,7 +328,8 @@ private Q_SLOTS:
         QTest::newRow("nothing to resume") << QStringList{"train", fabrics, "--out", out, "--steps", "1", "--resume"} << 2
                                            << "no checkpoint";
         QTest::newRow("no folder for the weights")
-            << QStringList{"train", fabrics, "--out", text("none/no.pt"), "--steps", "1", "--crop", "64"} << 3 << "none/no.pt";
+            << QStringList{"train", fabrics, "--out", text("none/no.safetensors"), "--steps", "1", "--crop", "64"} << 3
+            << "none/no.safetensors";
         QTest::newRow("a folder for the weights")
             << QStringList{"train", fabrics, "--out", text("fabrics"), "--steps", "1"} << 2 << "fabrics";
     }
@@ -325,26 +343,26 @@ private Q_SLOTS:
         QCOMPARE(outcome.exitCode, exitCode);
         QCOMPARE(outcome.errors.trimmed().count('\n'), 0);
         QVERIFY2(outcome.errors.contains(named), qPrintable(outcome.errors));
-        QVERIFY(!QFile::exists(text("no.pt")));
+        QVERIFY(!QFile::exists(text("no.safetensors")));
     }
 
     void dataSetWithoutFrictionIsRefusedByName()
     {
         std::filesystem::copy(at("fabrics"), at("untouched"), std::filesystem::copy_options::recursive);
         for (const char* fabric : {"F01", "F02", "F03"}) std::filesystem::remove_all(at("untouched") / fabric / "friction");
-        const TrainingOutcome outcome = run({"train", text("untouched"), "--out", text("no.pt"), "--steps", "1"});
+        const TrainingOutcome outcome = run({"train", text("untouched"), "--out", text("no.safetensors"), "--steps", "1"});
         QCOMPARE(outcome.exitCode, 2);
         QVERIFY2(outcome.errors.contains("friction"), qPrintable(outcome.errors));
     }
 
     void checkpointOfAnotherRunIsRefused()
     {
-        std::filesystem::copy_file(at("nan.pt.checkpoint"), at("tame.pt.checkpoint"));
-        const TrainingOutcome outcome = run(smallRun("tame.pt", 3) << "--resume");
+        std::filesystem::copy_file(at("nan.safetensors.checkpoint"), at("tame.safetensors.checkpoint"));
+        const TrainingOutcome outcome = run(smallRun("tame.safetensors", 3) << "--resume");
         QCOMPARE(outcome.exitCode, 2);
         QVERIFY2(outcome.errors.contains("another data set or other options"), qPrintable(outcome.errors));
-        std::filesystem::resize_file(at("tame.pt.checkpoint"), 1000);
-        const TrainingOutcome damaged = run(smallRun("tame.pt", 3) << "--resume");
+        std::filesystem::resize_file(at("tame.safetensors.checkpoint"), 1000);
+        const TrainingOutcome damaged = run(smallRun("tame.safetensors", 3) << "--resume");
         QCOMPARE(damaged.exitCode, 2);
         QCOMPARE(damaged.errors.trimmed().count('\n'), 0);
     }

@@ -1,4 +1,6 @@
 // Unusable weights files and model cards are refused in one line; the weights of the program load.
+#include <sys/stat.h>
+
 #include <QTemporaryDir>
 #include <QTest>
 #include <algorithm>
@@ -12,7 +14,7 @@
 #include "protocols/files/sha256.h"
 #include "rendering/models/generation.h"
 #include "rendering/models/model_card_fields.h"
-#include "tests/rendering/spoilt_archive.h"
+#include "tests/rendering/spoilt_tensors.h"
 
 using namespace rendering;
 namespace fs = std::filesystem;
@@ -35,7 +37,7 @@ class WeightsTest : public QObject {
 private:
     QTemporaryDir m_folder;
 
-    fs::path model() const { return fs::path(m_folder.path().toStdString()) / "model.pt"; }
+    fs::path model() const { return fs::path(m_folder.path().toStdString()) / "model.safetensors"; }
 
     QString faultOfGenerating() const
     {
@@ -62,6 +64,8 @@ private:
 private Q_SLOTS:
     void init()
     {
+        fs::remove_all(model());
+        fs::remove_all(models::cardOf(model()));
         fs::copy_file(models::shippedModel(), model(), fs::copy_options::overwrite_existing);
         fs::copy_file(models::cardOf(models::shippedModel()), models::cardOf(model()), fs::copy_options::overwrite_existing);
     }
@@ -105,10 +109,28 @@ private Q_SLOTS:
     void unusableWeightsAreRefused_data()
     {
         QTest::addColumn<QString>("harm");
-        for (const char* harm : {"truncated", "truncated, card fits", "empty, card fits", "no archive, card fits", "not finite",
-                                 "altered byte", "missing", "card missing", "card of another schema", "card no JSON",
-                                 "card of other networks", "card with absurd sizes", "card with nonsense on photographs",
-                                 "card with nonsense on friction", "card with a hollow zero"})
+        for (const char* harm : {"truncated",
+                                 "truncated, card fits",
+                                 "empty, card fits",
+                                 "no tensors, card fits",
+                                 "archive, card fits",
+                                 "not finite",
+                                 "altered byte",
+                                 "missing",
+                                 "card missing",
+                                 "card of another schema",
+                                 "card no JSON",
+                                 "pipe",
+                                 "card a pipe",
+                                 "huge",
+                                 "card huge",
+                                 "folder",
+                                 "card of other networks",
+                                 "card with absurd sizes",
+                                 "card with a vast spectrogram",
+                                 "card with nonsense on photographs",
+                                 "card with nonsense on friction",
+                                 "card with a hollow zero"})
             QTest::newRow(harm) << harm;
     }
 
@@ -121,15 +143,21 @@ private Q_SLOTS:
             bytes.resize(bytes.size() / 2);
         else if (harm.startsWith("empty"))
             bytes.clear();
-        else if (harm.startsWith("no archive"))
+        else if (harm.startsWith("no tensors"))
             bytes = "these are no weights";
+        else if (harm.startsWith("archive"))
+            bytes = std::string("PK\x03\x04", 4) + bytes;
         else if (harm == "not finite")
-            bytes = support::withNumbersSpoilt(bytes, std::string("\x00\x7E", 2));
+            bytes = support::withNumbersSpoilt(bytes, "F16", std::string("\x00\x7E", 2));
         else if (harm == "altered byte")
             bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 1);
         write(model(), bytes);
         if (harm.endsWith("card fits") || harm == "not finite")
             writeCardFor(bytes);
+        else if (harm == "pipe" || harm == "folder" || harm == "card a pipe")
+            putInstead(harm.startsWith("card") ? models::cardOf(model()) : model(), harm == "folder");
+        else if (harm.endsWith("huge"))
+            fs::resize_file(harm.startsWith("card") ? models::cardOf(model()) : model(), std::uintmax_t{1} << 42);
         else if (harm == "missing")
             fs::remove(model());
         else if (harm == "card missing")
@@ -141,11 +169,21 @@ private Q_SLOTS:
         else if (harm.startsWith("card"))
             alterCard(harm, card);
         const QString fault = faultOfGenerating();
-        QVERIFY2(fault.startsWith("2 ") && fault.contains("model.pt") && !fault.contains('\n'), qPrintable(fault));
+        QVERIFY2(fault.startsWith("2 ") && fault.contains("model.safetensors") && !fault.contains('\n'), qPrintable(fault));
         if (harm == "not finite") QVERIFY2(fault.contains("not finite"), qPrintable(fault));
+        if (harm.startsWith("archive")) QVERIFY2(fault.contains("archive of objects, which can hold code"), qPrintable(fault));
     }
 
 private:
+    static void putInstead(const fs::path& file, bool folder)
+    {
+        fs::remove(file);
+        if (folder)
+            fs::create_directory(file);
+        else
+            QVERIFY(::mkfifo(file.c_str(), 0600) == 0);
+    }
+
     void alterCard(const QString& harm, std::string card)
     {
         const auto replace = [&](const std::string& what, const std::string& with) {
@@ -157,6 +195,8 @@ private:
             replace("vis2hap.model/2", "vis2hap.model/9");
         else if (harm == "card with nonsense on friction")
             replace("\"coefficients_sd\"", "\"coefficients_xx\"");
+        else if (harm == "card with a vast spectrogram")
+            replace("\"frames\": 31", "\"frames\": 65535, \"unused\": 31");
         else if (harm == "card with a hollow zero")
             replace("\"zero_percentile\": 1.0", "\"zero_percentile\": 80.0");
         else if (harm == "card of other networks")

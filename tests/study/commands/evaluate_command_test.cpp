@@ -58,8 +58,8 @@ private Q_SLOTS:
         row("no such split", {"evaluate", "DATA", "--split", "person"}, "person");
         row("no samples", {"evaluate", "DATA", "--samples", "0"}, "samples");
         row("bounds that are none", {"evaluate", "DATA", "--bounds", "nan"}, "bounds");
-        row("no such model", {"evaluate", "DATA", "--model", "/nowhere.pt"}, "/nowhere.pt");
-        row("no such rival", {"evaluate", "DATA", "--against", "/rival.pt"}, "/rival.pt");
+        row("no such model", {"evaluate", "DATA", "--model", "/nowhere.safetensors"}, "/nowhere.safetensors");
+        row("no such rival", {"evaluate", "DATA", "--against", "/rival.safetensors"}, "/rival.safetensors");
         row("nothing held out", {"evaluate", "DATA", "--split", "fabric"}, "--hold-out");
     }
 

@@ -225,7 +225,7 @@ private:
         fields.splitSeed = 1;
         fields.heldOut = heldOut;
         fields.validationJson = "{}";
-        const fs::path model = m_root / (name + ".pt");
+        const fs::path model = m_root / (name + ".safetensors");
         write(rendering::models::cardOf(model), rendering::models::cardText(fields));
         return model;
     }

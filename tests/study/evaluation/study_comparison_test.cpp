@@ -153,7 +153,7 @@ private Q_SLOTS:
         QVERIFY(contains(whyNone(compareStudy(m_dataset, request(m_dataset), {}, flatAnswers), "l1_only", Measure::Ssim),
                          "no weights of an L1-only control"));
         StudyComparisonRequest asked = request(m_dataset);
-        asked.control = m_root / "absent.pt";
+        asked.control = m_root / "absent.safetensors";
         QVERIFY(contains(whyNone(compareStudy(m_dataset, asked, {}, flatAnswers), "l1_only", Measure::Ssim),
                          "the L1-only control could not be used"));
     }
@@ -281,7 +281,7 @@ private:
         fields.splitSeed = 1;
         fields.objective = "l1-only";
         fields.validationJson = "{}";
-        const fs::path model = m_root / (name + ".pt");
+        const fs::path model = m_root / (name + ".safetensors");
         write(rendering::models::cardOf(model), rendering::models::cardText(fields));
         return model;
     }

@@ -62,13 +62,13 @@ private Q_SLOTS:
 
     void renderWarnsAndStoresTheDistances()
     {
-        const QString model = modelKnowing("knows-all.pt", {"F01", "F02", "F03", "F04", "F05", "F06", "F07", "F08"});
+        const QString model = modelKnowing("knows-all.safetensors", {"F01", "F02", "F03", "F04", "F05", "F06", "F07", "F08"});
         const auto known =
             mustRun({"render", m_fabrics, "--condition", "h_g", "--fabric", "F02", "--out", path("known"), "--model", model});
         QVERIFY2(!known.err.contains("unlike"), qPrintable(known.err));
         QCOMPARE(readJson(path("known/render.json"))["photographs"]["F02"]["unfamiliar"].get<bool>(), false);
 
-        const QString other = modelKnowing("knows-one.pt", {"F01"});
+        const QString other = modelKnowing("knows-one.safetensors", {"F01"});
         const auto ended =
             mustRun({"render", m_fabrics, "--condition", "h_g,v_grey", "--out", path("unknown"), "--model", other});
         QVERIFY2(ended.err.contains("photograph 0 of F05 differs from all training photographs (distance "),
@@ -82,7 +82,7 @@ private Q_SLOTS:
     void weightsWithoutAPhotographListWarnOnce()
     {
         const auto ended = mustRun(
-            {"render", m_fabrics, "--condition", "h_g,f_g", "--out", path("untold"), "--model", modelKnowing("old.pt", {})});
+            {"render", m_fabrics, "--condition", "h_g,f_g", "--out", path("untold"), "--model", modelKnowing("old.safetensors", {})});
         QCOMPARE(countIn(ended.err, "the weights do not state"), 1);
         const auto saved = readJson(path("untold/render.json"))["photographs"]["F01"];
         QVERIFY(saved["distance"].is_null() && !saved["why"]["distance"].get<std::string>().empty());
@@ -92,7 +92,7 @@ private Q_SLOTS:
 
     void statusAndReportRepeatTheWarning()
     {
-        const QString model = modelKnowing("for-study.pt", {"F01"});
+        const QString model = modelKnowing("for-study.safetensors", {"F01"});
         for (const QString& study : {QString("study"), QString("again")}) {  // the second study reuses the images of the first
             const auto made =
                 mustRun({"study", "new", path(study), "--dataset", m_fabrics, "--seed", "3", "--key-seed", "4", "--model", model,

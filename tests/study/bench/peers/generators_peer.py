@@ -1,9 +1,10 @@
 """The networks of vis2hap-nn (rendering/models/networks) in PyTorch, for `vis2hap bench generators --peers`.
 
-Arguments: FOLDER BASE-CHANNELS ROWS FRAMES RINGS MEAN-SCALE. FOLDER/peer.pt holds the parameters, one batch and the
+Arguments: FOLDER BASE-CHANNELS ROWS FRAMES RINGS MEAN-SCALE. FOLDER/peer.safetensors holds the parameters, one batch and the
 program's own answers to it. The first line printed is "ready VERSION LARGEST-DIFFERENCE"; then each line of standard
 input is answered by a line: "train" and "infer" by milliseconds, "losses" by the losses of the last training step.
 """
+import json
 import os
 import sys
 import time
@@ -153,8 +154,16 @@ class Discriminator(nn.Module):
         stroke = self.friction(torch.cat([ratio, mean.view(-1, 1, 1, 1).expand_as(ratio)], 1))
         return self.judge(torch.cat([surface, stroke.expand(-1, -1, surface.size(2), surface.size(3))], 1))
 
-given = dict(torch.jit.load(folder + '/peer.pt').named_parameters())
-given.update(torch.jit.load(folder + '/peer.pt').named_buffers())
+def tensors_in(path):
+    """The tensors of a file in the layout of safetensors."""
+    with open(path, 'rb') as file:
+        header = json.loads(file.read(int.from_bytes(file.read(8), 'little')))
+        data = file.read()
+    kinds = {'F16': torch.float16, 'F32': torch.float32, 'I64': torch.int64}
+    return {name: torch.frombuffer(bytearray(data[slice(*entry['data_offsets'])]), dtype=kinds[entry['dtype']])
+            .reshape(entry['shape']) for name, entry in header.items() if name != '__metadata__'}
+
+given = tensors_in(folder + '/peer.safetensors')
 side = given['photograph'].size(3)
 half_averages = given['ring_averages'].detach().view(rings, side, side)[:, :, :side // 2 + 1].clone()
 half_averages[:, :, 1:-1] *= 2

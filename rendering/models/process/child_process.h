@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "rendering/models/process/limited_process.h"
+
 namespace rendering::models {
 
 /// Thread settings (name and value) that libtorch's libraries read from the environment when they load, without those that
@@ -18,9 +20,10 @@ std::vector<std::pair<std::string, std::string>> missingThreadSettings();
 /// Throws environmentFault where the program does not exist.
 std::filesystem::path generatorProgram();
 
-/// Runs the program to its end; its output goes into the file `messages`. Throws its error line with its exit code (badInput,
-/// workFailed, environmentFault). Throws environmentFault where the loader cannot start it (libtorch is missing) or a signal
-/// ends it.
-void runGeneratorProgram(const std::vector<std::string>& arguments, const std::filesystem::path& messages);
+/// Runs the program to its end, within `limits`; its output goes into the file `messages`. Throws its error line with its exit
+/// code (badInput, workFailed, environmentFault). Throws environmentFault where the loader cannot start it (libtorch is missing),
+/// a signal ends it, or it does not finish in time.
+void runGeneratorProgram(const std::vector<std::string>& arguments, const std::filesystem::path& messages,
+                         const ProcessLimits& limits);
 
 }  // namespace rendering::models

@@ -1,19 +1,12 @@
-#include "rendering/models/child_process.h"
+#include "rendering/models/process/child_process.h"
 
-#include <fcntl.h>
-#include <spawn.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
-#include <cerrno>
 #include <cstdlib>
-#include <cstring>
 #include <sstream>
 
 #include "protocols/files/errors.h"
 #include "protocols/files/whole_file.h"
-
-extern char** environ;  // NOLINT: declared by the C library.
 
 namespace rendering::models {
 
@@ -36,48 +29,9 @@ std::string lastLine(const fs::path& messages)
 
 std::vector<std::string> environmentForThreads()
 {
-    std::vector<std::string> variables;
-    for (char** variable = environ; *variable != nullptr; ++variable) variables.emplace_back(*variable);
+    std::vector<std::string> variables = ownEnvironment();
     for (const auto& [name, value] : missingThreadSettings()) variables.push_back(name + "=" + value);
     return variables;
-}
-
-/// Pointers to texts with a null at the end, as the C library expects them.
-std::vector<char*> pointersTo(std::vector<std::string>& texts)
-{
-    std::vector<char*> pointers;
-    for (std::string& text : texts) pointers.push_back(text.data());
-    pointers.push_back(nullptr);
-    return pointers;
-}
-
-pid_t started(const fs::path& program, const std::vector<std::string>& arguments, const fs::path& messages)
-{
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, messages.c_str(), O_WRONLY | O_CREAT | O_APPEND, 0600);
-    posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
-    std::vector<std::string> words{program.string()};
-    words.insert(words.end(), arguments.begin(), arguments.end());
-    pid_t child = 0;
-    std::vector<std::string> surroundings = environmentForThreads();
-    const int fault =
-        ::posix_spawn(&child, program.c_str(), &actions, nullptr, pointersTo(words).data(), pointersTo(surroundings).data());
-    posix_spawn_file_actions_destroy(&actions);
-    if (fault != 0)
-        throw protocols::environmentFault({std::string("vis2hap-nn cannot be started: ") + std::strerror(fault), program.string(),
-                                           "an executable file", install});
-    return child;
-}
-
-int waitFor(pid_t child)
-{
-    int status = 0;
-    while (::waitpid(child, &status, 0) < 0)
-        if (errno != EINTR)
-            throw protocols::environmentFault({std::string("vis2hap-nn was lost: ") + std::strerror(errno), "", "", "try again"});
-    return status;
 }
 
 protocols::Error errorFrom(int exitStatus, const std::string& line, const fs::path& program)
@@ -117,10 +71,10 @@ fs::path generatorProgram()
         {"the program vis2hap-nn is missing", folder.string(), "vis2hap-nn beside the program", install});
 }
 
-void runGeneratorProgram(const std::vector<std::string>& arguments, const fs::path& messages)
+void runGeneratorProgram(const std::vector<std::string>& arguments, const fs::path& messages, const ProcessLimits& limits)
 {
     const fs::path program = generatorProgram();
-    const int status = waitFor(started(program, arguments, messages));
+    const int status = LimitedProcess(program, arguments, environmentForThreads(), messages, limits).wait();
     if (WIFSIGNALED(status))
         throw protocols::environmentFault({"vis2hap-nn was ended by signal " + std::to_string(WTERMSIG(status)), program.string(),
                                            "enough memory for it", "close other programs and try again"});

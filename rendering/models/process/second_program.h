@@ -13,7 +13,8 @@ std::string secondProgram();
 /// libtorch is missing.
 int runSecondProgram(const std::vector<std::string>& arguments);
 
-/// Returns the standard output. Throws environmentFault as above, workFailed where the program fails.
-std::string outputOfSecondProgram(const std::vector<std::string>& arguments);
+/// Runs it with a file name after the last argument, such as `--json FILE`, and returns what it wrote into this file. Throws
+/// environmentFault as above or where it takes more than an hour, workFailed where the program fails.
+std::string outputOfSecondProgram(std::vector<std::string> arguments);
 
 }  // namespace rendering::models

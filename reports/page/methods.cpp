@@ -59,8 +59,10 @@ std::string claimsParagraph(const StudyAnalysis& analysis, bool hasChoices)
         "fabrics are all there are. The test is Student's t on the participants' means over fabrics. &ldquo;For fabrics like "
         "these&rdquo;: participants and fabrics are samples. There is one difference of the two conditions for each participant "
         "and fabric. A linear mixed model with crossed random intercepts of participant and fabric (REML) is fitted to them. The "
-        "t test has Satterthwaite's degrees of freedom, at most 7/4 (participants + fabrics &minus; 2). So each pair has "
-        "variances of its own. The verdict of the summary is the second.";
+        "t test has Satterthwaite's degrees of freedom. Where both variances are estimated as zero they are at most 1.6 / "
+        "(r<sub>p</sub><sup>6</sup> / (participants &minus; 1) + r<sub>f</sub><sup>6</sup> / (fabrics &minus; 1)). Here r is "
+        "the mean square of participants or fabrics over that of the residual. So each pair has variances of its own. The "
+        "verdict of the summary is the second.";
     if (hasChoices)
         text +=
             " Choices count as 0 and 1 in these tests. Odds and effects come from the logistic mixed models, whose tests reject "

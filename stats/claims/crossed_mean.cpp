@@ -137,6 +137,7 @@ struct CrossedFit {
     std::string why;
     Value estimate, se, df;
     bool singular = false;
+    bool noneVaries = false;  ///< both variances were estimated as zero
 };
 
 CrossedFit fitIncomplete(const CrossedTable& table)
@@ -156,7 +157,8 @@ CrossedFit fitIncomplete(const CrossedTable& table)
     const MixedModel model = fitMixedModel(data);
     if (!model.why.empty()) return {model.why, {}, {}, {}};
     const ContrastTest& test = model.fixed.front().test;
-    return {"", test.estimate, test.se, test.df, model.singular};
+    const bool noneVaries = std::ranges::all_of(model.random, [](const RandomEffect& effect) { return effect.zero; });
+    return {"", test.estimate, test.se, test.df, model.singular, noneVaries};
 }
 
 /// Sum of squares of participants or fabrics; `size`: values of a level.
@@ -236,8 +238,12 @@ CrossedFit fitComplete(const CrossedTable& table)
     if (varying.size() != 1) uncertainty += residual.meanSquare() * residual.meanSquare() / residual.degrees;
     const double se = std::ldexp(std::sqrt(variance / static_cast<double>(y.size())), exponent);
     const bool inRange = std::isfinite(se) && se > 0;
-    return {"", std::ldexp(mean, exponent), inRange ? Value(se) : Value::undefined(beyondRange),
-            variance * variance / uncertainty, varying.size() < 2};
+    return {"",
+            std::ldexp(mean, exponent),
+            inRange ? Value(se) : Value::undefined(beyondRange),
+            variance * variance / uncertainty,
+            varying.size() < 2,
+            varying.empty()};
 }
 
 void putCrossedTest(CrossedMean& mean, const Present& present, StudentQuantiles& quantiles)
@@ -248,14 +254,52 @@ void putCrossedTest(CrossedMean& mean, const Present& present, StudentQuantiles&
     if (!fit.why.empty()) return refuse(mean, fit.why);
     if (!fit.estimate.exists() || !fit.se.exists() || !fit.df.exists() || !(*fit.df > 0)) return refuse(mean, beyondRange);
     mean.singular = fit.singular;
-    put(mean, *fit.estimate, *fit.se, std::min(*fit.df, mostDegrees(mean.participants, mean.fabrics)), quantiles);
+    const double df = fit.noneVaries ? std::min(*fit.df, mostDegrees(present.table())) : *fit.df;
+    put(mean, *fit.estimate, *fit.se, df, quantiles);
 }
 
 }  // namespace
 
-double mostDegrees(std::size_t participants, std::size_t fabrics)
+double mostDegrees(const CrossedTable& whole)
 {
-    return 1.75 * static_cast<double>(participants + fabrics - 2);
+    // Ratios of mean squares do not depend on the unit; squares of very large values would overflow.
+    CrossedTable table = whole;
+    double largest = 0;
+    for (const double value : table.values)
+        if (!std::isnan(value)) largest = std::max(largest, std::fabs(value));
+    for (double& value : table.values) value = std::ldexp(value, -std::ilogb(largest));
+    std::vector<double> ofParticipant(table.participants), ofFabric(table.fabrics), metByParticipant(table.participants),
+        metByFabric(table.fabrics);
+    double mean = 0, count = 0;
+    for (std::size_t cell = 0; cell < table.values.size(); ++cell) {
+        if (std::isnan(table.values[cell])) continue;
+        mean += table.values[cell];
+        ++count;
+        ofParticipant[cell / table.fabrics] += table.values[cell];
+        ++metByParticipant[cell / table.fabrics];
+        ofFabric[cell % table.fabrics] += table.values[cell];
+        ++metByFabric[cell % table.fabrics];
+    }
+    mean /= count;
+    double participantSquares = 0, fabricSquares = 0, residualSquares = 0;
+    for (std::size_t p = 0; p < table.participants; ++p) {
+        ofParticipant[p] = ofParticipant[p] / metByParticipant[p] - mean;
+        participantSquares += metByParticipant[p] * ofParticipant[p] * ofParticipant[p];
+    }
+    for (std::size_t f = 0; f < table.fabrics; ++f) {
+        ofFabric[f] = ofFabric[f] / metByFabric[f] - mean;
+        fabricSquares += metByFabric[f] * ofFabric[f] * ofFabric[f];
+    }
+    for (std::size_t cell = 0; cell < table.values.size(); ++cell) {
+        if (std::isnan(table.values[cell])) continue;
+        const double rest = table.values[cell] - mean - ofParticipant[cell / table.fabrics] - ofFabric[cell % table.fabrics];
+        residualSquares += rest * rest;
+    }
+    const double participants = static_cast<double>(table.participants) - 1, fabrics = static_cast<double>(table.fabrics) - 1;
+    const double residual = residualSquares / std::max(1.0, count - participants - fabrics - 1);
+    const double sixthOfParticipants = std::pow(participantSquares / (participants * residual), 6),
+                 sixthOfFabrics = std::pow(fabricSquares / (fabrics * residual), 6);
+    return 1.6 / (sixthOfParticipants / participants + sixthOfFabrics / fabrics);
 }
 
 CrossedMean crossedMean(const CrossedValues& values, Generalisation generalisation)

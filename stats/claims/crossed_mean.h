@@ -48,9 +48,10 @@ struct CrossedMean {
 };
 
 /// TheseFabrics: Student's t on the participants' means over fabrics. FabricsLikeThese: linear mixed model with an intercept
-/// and crossed random intercepts of participant and fabric, by REML. Its degrees of freedom are Satterthwaite's, at most
-/// 7/4 (participants + fabrics - 2). A group with a level for every value is left out, as it is the residual. Refused with a
-/// reason: fewer than two participants, fewer than two fabrics (FabricsLikeThese), values that are all equal or not finite.
+/// and crossed random intercepts of participant and fabric, by REML. Its degrees of freedom are Satterthwaite's, at
+/// most mostDegrees() where both variances are estimated as zero. A group with a level for every value is left out, as it is the
+/// residual. Refused with a reason: fewer than two participants, fewer than two fabrics (FabricsLikeThese), values that are all
+/// equal or not finite.
 CrossedMean crossedMean(const CrossedValues& values, Generalisation generalisation);
 
 /// The same for one of many tables. Complete tables have a closed form: the restricted estimates of the variances are those of
@@ -61,10 +62,13 @@ CrossedMean crossedMean(const CrossedTable& table, Generalisation generalisation
 CrossedMean crossedMean(const ContrastTest& contrast);
 CrossedMean crossedMean(const ContrastTest& contrast, StudentQuantiles& quantiles);
 
-/// Upper limit of the degrees of freedom for fabrics like these. Where a variance is estimated as zero, Satterthwaite's count the
-/// answers and not the participants and fabrics. Far in the tails, where corrected tests decide, a test then rejects too
-/// often: 8.7 % of families of 36 contrasts, with 7 fabrics of SD 0.5 and 10 participants. With this limit it is 6.1 %.
-double mostDegrees(std::size_t participants, std::size_t fabrics);
+/// Upper limit of the degrees of freedom where neither participants nor fabrics are estimated to vary:
+/// 1.6 / (rp^6 / (participants - 1) + rf^6 / (fabrics - 1)). rp and rf are the mean squares of participants and of fabrics,
+/// divided by that of the residual. Satterthwaite's degrees then count the answers, although a mean square just below the
+/// residual's is poor evidence that nothing varies. Far in the tails, where corrected tests decide, such tests reject too often:
+/// with 7 fabrics of SD 0.5 and 10 participants 7.6 % of families of 36 contrasts, with this limit 6.1 %. Every participant and
+/// fabric of the table has a value; mean squares of a table with gaps are approximate.
+double mostDegrees(const CrossedTable& table);
 
 /// t test of the mean.
 struct MeanTest {

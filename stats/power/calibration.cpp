@@ -9,12 +9,25 @@
 namespace stats {
 namespace {
 
+std::vector<Rejections> countsOf(const CalibrationFamily& family, const SimulationOptions& simulation,
+                                 const CalibrationOptions& options)
+{
+    if (options.counted)
+        if (std::vector<Rejections> counts = options.counted(family.truth); counts.size() == family.tests.size()) {
+            if (simulation.done) simulation.done(simulation.studies);
+            return counts;
+        }
+    std::vector<Rejections> counts = simulateTests(family.tests.size(), family.analysis, simulation);
+    if (options.finished) options.finished(family.truth, counts);
+    return counts;
+}
+
 void run(std::vector<CalibrationRow>& rows, CalibrationFamily family, const CalibrationOptions& options)
 {
     SimulationOptions simulation = options.simulation;
     simulation.studies = family.studies;
     simulation.alpha = nominalAlpha;
-    const auto results = simulateTests(family.tests.size(), family.analysis, simulation);
+    const auto results = countsOf(family, simulation, options);
     for (std::size_t t = 0; t < results.size(); ++t) {
         family.tests[t].truth = family.truth;
         family.tests[t].result = results[t];

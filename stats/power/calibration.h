@@ -39,6 +39,10 @@ struct CalibrationOptions {
     ChoiceTruth choices;
     SimulationOptions simulation;  ///< alpha stays 0.05
     std::size_t mixedModelStudies = 10000;
+    /// Counts of an earlier run that was interrupted, one for each test; empty where this truth was not counted.
+    std::function<std::vector<Rejections>(const std::string& truth)> counted = {};
+    /// Gets the counts of a truth as soon as they are finished.
+    std::function<void(const std::string& truth, const std::vector<Rejections>& counts)> finished = {};
 };
 
 std::vector<CalibrationRow> calibration(const CalibrationOptions& options = {});

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "stats/claims/claims.h"
 #include "stats/power/logistic_share.h"
@@ -11,58 +10,7 @@
 namespace stats {
 namespace {
 
-constexpr double participantSd = 0.7, fabricSd = 0.45;             // of ratings, scale points
-constexpr double choiceParticipantSd = 0.5, choiceFabricSd = 0.4;  // log odds
-constexpr double contrastShare = 0.6;                              // right, where contrasts of choices are tried
 constexpr double bound = 0.5;
-
-double sdUnder(const ClaimNull& null, double sd, std::size_t condition)
-{
-    if (!null.isUnequal) return sd;
-    return condition == 0 ? 1.2 : 0.3;
-}
-
-std::vector<double> deviationsOf(std::size_t count, double sd, Draws& draws)
-{
-    std::vector<double> values(count);
-    for (double& value : values) value = draws.normal(sd);
-    return values;
-}
-
-void centre(std::vector<double>& values)
-{
-    double mean = 0;
-    for (const double value : values) mean += value / static_cast<double>(values.size());
-    for (double& value : values) value -= mean;
-}
-
-/// A study as the sum of its effects; `cell` turns each sum into an answer.
-template <class Cell>
-AnswerCube drawn(const StudyDesign& design, const ClaimNull& null, double peopleSd, double fabricsSd, Generalisation truth,
-                 Draws& draws, const Cell& cell)
-{
-    AnswerCube cube(design.conditions, design.participants, design.fabrics);
-    const auto people = deviationsOf(design.participants, peopleSd, draws),
-               fabrics = deviationsOf(design.fabrics, fabricsSd, draws);
-    for (std::size_t c = 0; c < design.conditions; ++c) {
-        const auto ofPeople = deviationsOf(design.participants, sdUnder(null, null.participantSd, c), draws);
-        auto ofFabrics = deviationsOf(design.fabrics, sdUnder(null, null.fabricSd, c), draws);
-        // The null of these fabrics: no difference on average over the fabrics of the study.
-        if (truth == Generalisation::TheseFabrics) centre(ofFabrics);
-        for (std::size_t p = 0; p < design.participants; ++p)
-            for (std::size_t f = 0; f < design.fabrics; ++f)
-                cube.at(c, p, f) = cell(c, people[p] + fabrics[f] + ofPeople[p] + ofFabrics[f]);
-    }
-    return cube;
-}
-
-std::vector<ContrastPair> allPairs(std::size_t conditions)
-{
-    std::vector<ContrastPair> pairs;
-    for (std::size_t a = 0; a < conditions; ++a)
-        for (std::size_t b = a + 1; b < conditions; ++b) pairs.emplace_back(a, b);
-    return pairs;
-}
 
 Value least(const std::vector<ContrastClaim>& claims)
 {
@@ -102,13 +50,13 @@ CalibrationFamily ratingFamily(const CalibrationOptions& options, const ClaimNul
                     row("equivalence at a bound, fabrics like these"),
                     shown(participantMeansOfSampledFabrics)};
     family.analysis = [design = options.design, scale = options.ratings, null](Draws& draws, std::span<Value> p) {
-        const auto rating = [&](std::size_t, double effects) {
-            const double raw = scale.centre + effects + draws.normal(claimResidualSd);
+        const auto rating = [&](const DrawnCell& cell) {
+            const double raw = scale.centre + cell.effects + draws.normal(claimResidualSd);
             return std::clamp(std::round(raw / scale.scaleStep) * scale.scaleStep, scale.scaleMin, scale.scaleMax);
         };
         const std::vector<ContrastPair> pairs = allPairs(design.conditions);
         for (const Generalisation truth : {Generalisation::TheseFabrics, Generalisation::FabricsLikeThese}) {
-            AnswerCube cube = drawn(design, null, participantSd, fabricSd, truth, draws, rating);
+            AnswerCube cube = drawnStudy(design, null, truth, draws, rating);
             const auto claims = contrastClaims(cube, pairs, {}, truth);
             const std::size_t at = truth == Generalisation::TheseFabrics ? 0 : 2;
             p[at] = claims.front().difference.p;
@@ -137,17 +85,15 @@ CalibrationFamily choiceFamily(const CalibrationOptions& options, const ClaimNul
     const double chance = 1.0 / design.alternatives;
     std::vector<double> atShare, atChance;
     for (std::size_t c = 0; c < design.conditions; ++c) {
-        const double sd =
-            std::sqrt(choiceParticipantSd * choiceParticipantSd + choiceFabricSd * choiceFabricSd +
-                      std::pow(sdUnder(null, null.participantSd, c), 2) + std::pow(sdUnder(null, null.fabricSd, c), 2));
+        const double sd = std::hypot(null.participantsSd(c), null.fabricsSd(c));
         atShare.push_back(interceptFor(contrastShare, sd));
         atChance.push_back(interceptFor(chance, sd));
     }
     family.analysis = [=](Draws& draws, std::span<Value> p) {
         const auto truth = Generalisation::FabricsLikeThese;
         const auto draw = [&](const std::vector<double>& intercepts) {
-            return drawn(design, null, choiceParticipantSd, choiceFabricSd, truth, draws, [&](std::size_t c, double effects) {
-                return draws.happens(shareOfLogOdds(intercepts[c] + effects)) ? 1.0 : 0.0;
+            return drawnStudy(design, null, truth, draws, [&](const DrawnCell& cell) {
+                return draws.happens(shareOfLogOdds(intercepts[cell.condition] + cell.effects)) ? 1.0 : 0.0;
             });
         };
         const AnswerCube answers = draw(atShare);
@@ -168,26 +114,6 @@ CalibrationFamily choiceFamily(const CalibrationOptions& options, const ClaimNul
 }
 
 }  // namespace
-
-std::string ClaimNull::text() const
-{
-    const std::string what = isChoice ? "choices" : "ratings";
-    if (isUnequal) return what + ", interactions of SD 1.2 under one condition and 0.3 under the others";
-    char numbers[128];
-    std::snprintf(numbers, sizeof numbers, ", interactions of SD %g (participants) and %g (fabrics)", participantSd, fabricSd);
-    return what + numbers;
-}
-
-std::vector<ClaimNull> claimNulls()
-{
-    std::vector<ClaimNull> nulls;
-    for (const bool isChoice : {false, true}) {
-        for (const double participants : {0.0, 0.5, 1.0})
-            for (const double fabrics : {0.0, 0.5, 1.0}) nulls.push_back({isChoice, participants, fabrics, false});
-        nulls.push_back({isChoice, 0, 0, true});
-    }
-    return nulls;
-}
 
 std::vector<CalibrationFamily> claimFamilies(const CalibrationOptions& options)
 {

@@ -25,8 +25,7 @@ ExpectedError errorOfAlike(double participants, double fabrics, const CrossedVar
     const double sum = ofParticipants + ofFabrics - variances.residual;
     const double df = squared(sum) / (squared(ofParticipants) / (participants - 1) + squared(ofFabrics) / (fabrics - 1) +
                                       squared(variances.residual) / ((participants - 1) * (fabrics - 1)));
-    const double most = mostDegrees(static_cast<std::size_t>(participants), static_cast<std::size_t>(fabrics));
-    return {std::sqrt(sum / (participants * fabrics)), std::min(df, most)};
+    return {std::sqrt(sum / (participants * fabrics)), df};
 }
 
 }  // namespace

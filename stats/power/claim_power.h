@@ -29,9 +29,8 @@ struct ExpectedError {
     double df = 1;
 };
 
-/// TheseFabrics: participants - 1 degrees of freedom. FabricsLikeThese: Satterthwaite's, from the mean squares of balanced
-/// data, at most 7/4 (participants + fabrics - 2), as crossedMean() has them. At least 2 participants; FabricsLikeThese: at
-/// least 2 fabrics.
+/// TheseFabrics: participants - 1 degrees of freedom. FabricsLikeThese: Satterthwaite's, from the expected mean squares of
+/// balanced data. At least 2 participants; FabricsLikeThese: at least 2 fabrics.
 ExpectedError expectedError(const StudyDesign& design, const CrossedVariances& variances, Generalisation generalisation);
 
 /// Two-sided t test of a mean that is `difference` from the hypothesis; noncentral t distribution.

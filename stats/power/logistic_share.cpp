@@ -3,9 +3,9 @@
 #include <cmath>
 
 namespace stats {
-namespace {
 
-/// Mean of shareOfLogOdds(intercept + normal deviation), by the trapezoidal rule.
+double shareOfLogOdds(double x) { return 1 / (1 + std::exp(-x)); }
+
 double meanShare(double intercept, double sd)
 {
     double sum = 0, weight = 0;
@@ -16,10 +16,6 @@ double meanShare(double intercept, double sd)
     }
     return sum / weight;
 }
-
-}  // namespace
-
-double shareOfLogOdds(double x) { return 1 / (1 + std::exp(-x)); }
 
 double interceptFor(double share, double sd)
 {

@@ -184,7 +184,8 @@ std::string analyses(const StudyPlan& plan)
     text += item(
         "Fabrics like these: linear mixed model of the differences of the two conditions, one for each participant and "
         "fabric, with crossed random intercepts of participant and fabric (REML). The t test has Satterthwaite's degrees "
-        "of freedom, at most 7/4 (participants + fabrics - 2).");
+        "of freedom. Where both variances are estimated as zero they are at most 1.6 / (rp^6 / (participants - 1) + rf^6 / "
+        "(fabrics - 1)). rp and rf are the mean squares of participants and fabrics over that of the residual.");
     if (choices)
         text += item(
             "Choices enter these tests as 1 and 0. Above chance: the same tests of the share under one condition, "

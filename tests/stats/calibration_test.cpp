@@ -3,12 +3,18 @@
 #include "stats/power/calibration.h"
 
 #include <QtTest>
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdlib>
+#include <map>
 #include <string>
 
 #include "stats/power/claim_nulls.h"
 #include "stats/power/measured_claims.h"
 #include "stats/power/measured_size.h"
+#include "stats/power/planted_claims.h"
+#include "stats/power/two_condition_model.h"
 #include "tests/stats/exact_numbers.h"
 
 class CalibrationTest : public QObject {
@@ -115,8 +121,8 @@ private Q_SLOTS:
         options.simulation.studies = 200;
         const auto families = stats::claimFamilies(options);
         QCOMPARE(families.size(), std::size_t(20));
-        const std::vector<std::pair<std::size_t, std::vector<std::size_t>>> counts{{1, {7, 13, 5, 12, 3, 50}},
-                                                                                   {14, {3, 5, 9, 5, 10, 50}}};
+        const std::vector<std::pair<std::size_t, std::vector<std::size_t>>> counts{{1, {7, 13, 5, 12, 4, 50}},
+                                                                                   {14, {3, 7, 9, 5, 10, 50}}};
         for (const auto& [place, rejected] : counts) {
             const auto& family = families[place];
             const auto results = stats::simulateTests(family.tests.size(), family.analysis, options.simulation);
@@ -126,6 +132,116 @@ private Q_SLOTS:
                 QCOMPARE(results[t].undefined, std::size_t(0));
             }
         }
+    }
+
+    // tests/stats/reference/two_conditions.R: lmerTest 3.1-3, 4 participants and 3 fabrics, with different variances at zero.
+    void modelOfTwoConditionsIsThatOfLmerTest_data()
+    {
+        QTest::addColumn<QList<double>>("y");  // condition a, then b; fabrics of a participant together
+        QTest::addColumn<double>("estimate");
+        QTest::addColumn<double>("se");
+        QTest::addColumn<double>("df");
+        QTest::newRow("seed 4") << QList<double>{0.6,  -2.9, 1.4,  0,   -1.8, 0.2, 1.1, -0.7, 4.4, 3,   -1.1, 1.3,
+                                                 -0.4, -2.7, -0.9, 1.5, 0.5,  1.1, 1.5, -0.6, 3,   1.8, 1.1,  2.8}
+                                << -0.266667 << 0.636215 << 2.5491;
+        QTest::newRow("seed 19") << QList<double>{-1.6, -0.4, -0.4, 0.6,  1.7, 1.2,  1.3, -0.7, 0.6, 2.5,  2.8, 3.9,
+                                                  -2.8, 1.2,  -3.2, -1.8, 2.6, -0.7, 0.2, 3.7,  0.6, -3.3, 2.5, -1.7}
+                                 << 1.183333 << 1.705383 << 6.4688;
+        QTest::newRow("seed 5") << QList<double>{-0.8, 1.4,  -1.3, 0.1,  1.7,  -0.6, -0.5, -0.6, -0.3, 0.1, 1.2, -0.8,
+                                                 -1.1, -0.2, -1.1, -0.1, -0.6, -2.2, 0.2,  -0.3, 0.9,  0.9, 1.5, 0.7}
+                                << 0.083333 << 0.555340 << 4.4427;
+        QTest::newRow("seed 8") << QList<double>{0.2, 1.6,  2.9, -2.7, -1,  0.8,  -2.4, -2.9, -2.1, -0.5, -0.2, 3.5,
+                                                 1.6, -0.1, 0.4, -1.9, 0.5, -2.2, 3.9,  2.2,  2.8,  1.1,  0.8,  0.3}
+                                << -1.016667 << 1.443665 << 8.2418;
+        QTest::newRow("seed 3") << QList<double>{-0.7, 0,   -0.6, -1.2, 0.2,  -1.1, 2,   3,   -0.4, 3,   1,   -0.5,
+                                                 -0.1, 1.5, 0.1,  -0.7, -0.8, -1.7, 2.8, 2.4, 0.4,  0.6, 1.9, -0.8}
+                                << -0.075000 << 0.348110 << 2.9999;
+        QTest::newRow("seed 2") << QList<double>{-0.9, -2.2, 1.4, -1.4, -2.7, -0.4, 0.9, -2.4, 2,   -0.9, -2.6, 0.1,
+                                                 -1,   -0.1, 1.4, -3.2, 1.5,  -0.7, 0.6, 1.6,  1.9, -2.5, 1.8,  0.8}
+                                << -0.933333 << 1.273313 << 4.0000;
+        QTest::newRow("seed 12") << QList<double>{-2.3, 1.4, -0.5, -0.8, -1.2, 1.2, -2, -1.6, -0.5, -1.6, -2.1, -2,
+                                                  -0.4, 0.3, 0.9,  0.6,  2.4,  2.3, 0,  -0.9, 0.4,  1.1,  0.1,  -0.5}
+                                 << -1.525000 << 0.393643 << 17.0000;
+        QTest::newRow("seed 15") << QList<double>{0.3, 1.8,  -0.3, 0.9, 0.5, -1.3, 0,    1.1,  -0.1, -1.1, 0.9,  -0.4,
+                                                  0.2, -1.2, 1.5,  0,   0,   0,    -1.2, -0.5, 1.4,  1.4,  -0.4, -0.4}
+                                 << 0.125000 << 0.575117 << 4.0001;
+    }
+
+    void modelOfTwoConditionsIsThatOfLmerTest()
+    {
+        QFETCH(QList<double>, y);
+        QFETCH(double, estimate);
+        QFETCH(double, se);
+        QFETCH(double, df);
+        stats::StudentQuantiles quantiles;
+        const auto mean = stats::differenceByTwoConditionModel({4, 3, {y.begin(), y.begin() + 12}},
+                                                               {4, 3, {y.begin() + 12, y.end()}}, quantiles);
+        QVERIFY(std::abs(*mean.estimate - estimate) < 1e-6);
+        QVERIFY(std::abs(*mean.se - se) < 1e-4 * se);  // lme4 finds a variance of zero with four digits
+        QVERIFY(std::abs(*mean.df - df) < 1e-3 * df);
+    }
+
+    // 200 studies of three truths, counted by this program when it agreed with the model of two conditions in R. These fabrics,
+    // fabrics like these, the reference; for intervals in hundredths of a percent.
+    void claimsFindPlantedDifferences()
+    {
+        stats::PlantedOptions options;
+        options.simulation.studies = 200;
+        options.contrasts = {{4, 8}, {3, 7}, {2, 6}, {0, 3}, {0, 4}, {1, 3}, {1, 4}, {3, 4}, {2, 4}, {5, 7}, {7, 8}, {6, 8}};
+        QCOMPARE(stats::plantedClaimStudies(options), std::size_t(50 * 200));
+        const std::vector<std::pair<stats::PlantedTruth, std::vector<std::array<int, 3>>>> counts{
+            {{{false, 0, 0, false}, 0.5},
+             {{167, 125, 128},
+              {75, 40, 47},
+              {34, 25, 33},
+              {182, 167, 168},
+              {154, 124, 128},
+              {141, 83, 90},
+              {200, 200, 200},
+              {200, 200, 200},
+              {200, 200, 200},
+              {9507, 9794, 9788}}},
+            {{{false, 0.5, 0.5, false}, 0},
+             {{187, 117, 122}, {117, 8, 9}, {39, 2, 2}, {199, 194, 194}, {198, 152, 164}, {196, 63, 79}, {9544, 9603, 9582}}},
+            {{{true, 0.5, 0.5, false}, 0}, {{9563, 9656, 9569}}}};
+        for (const auto& [truth, expected] : counts) {
+            const stats::PlantedCell cell = stats::plantedCell(truth, options);
+            QCOMPARE(cell.rows.size(), expected.size());
+            for (std::size_t i = 0; i < expected.size(); ++i) {
+                const stats::PlantedRow& row = cell.rows[i];
+                const double unit = row.isCoverage ? 1e4 : 200;
+                const std::array counted{std::lround(unit * row.these.mean()), std::lround(unit * row.alike.mean()),
+                                         std::lround(unit * row.reference.mean())};
+                qInfo("%s: {%ld, %ld, %ld}", row.name.c_str(), counted[0], counted[1], counted[2]);
+                for (std::size_t k = 0; k < 3; ++k) QVERIFY2(counted[k] == expected[i][k], row.name.c_str());
+                QCOMPARE(row.alike.studies, std::size_t(200));
+                QVERIFY(std::abs(row.alikeMinusReference.mean() - row.alike.mean() + row.reference.mean()) < 1e-12);
+            }
+        }
+    }
+
+    void aMeanOverStudiesHasItsStandardError()
+    {
+        // R: x <- c(1, 0, 0, 1, 1); c(mean(x), sd(x) / sqrt(5))
+        stats::StudyMean mean;
+        for (const double x : {1.0, 0.0, 0.0, 1.0, 1.0}) mean.add(x);
+        compareNumbers({{"mean", mean.mean(), 0.6}, {"se", mean.se(), 0.24494897427831783}});
+    }
+
+    void countsOfAnEarlierRunAreTaken()
+    {
+        stats::CalibrationOptions options;
+        options.simulation.studies = options.mixedModelStudies = 1;
+        std::map<std::string, std::vector<stats::Rejections>> kept;
+        options.finished = [&](const std::string& truth, const auto& counts) { kept[truth] = counts; };
+        const auto rows = stats::claimCalibration(options);
+        QCOMPARE(kept.size(), std::size_t(20));
+        kept.begin()->second[0] = {77, 7, 0};
+        options.finished = [](const std::string&, const auto&) { QFAIL("counted again"); };
+        options.counted = [&](const std::string& truth) { return kept.at(truth); };
+        const auto again = stats::claimCalibration(options);
+        QCOMPARE(again.size(), rows.size());
+        QCOMPARE(std::ranges::count_if(again, [](const auto& row) { return row.result.studies == 77; }), 1);
     }
 
     void ratesBetweenTheNullsAreInterpolated()

@@ -118,7 +118,7 @@ private Q_SLOTS:
         QFETCH(double, fabricSd);
         QFETCH(int, exponent);
         stats::Draws draws(11, 0);
-        int singular = 0;
+        int singular = 0, limited = 0;
         for (int study = 0; study < 100; ++study) {
             const std::size_t participants = 3 + static_cast<std::size_t>(study) % 9,
                               fabrics = 2 + static_cast<std::size_t>(study) % 6;
@@ -140,12 +140,35 @@ private Q_SLOTS:
                 return effect.zero || *effect.sd > 0.02 * *model.residualSd;
             });
             QVERIFY(near(mean.se, *test.se, isClear ? 1e-9 : 1e-5));
-            const double most = 1.75 * static_cast<double>(participants + fabrics - 2);
+            const bool noneVaries =
+                std::ranges::all_of(model.random, [](const stats::RandomEffect& effect) { return effect.zero; });
+            const double most = noneVaries ? stats::mostDegrees({participants, fabrics, rows.values}) : 1e9;
             QVERIFY(near(mean.df, std::min(most, *test.df), isClear ? 1e-6 : 0.1));
+            limited += *mean.df < *test.df * 0.99 ? 1 : 0;
             QCOMPARE(mean.singular, model.singular);
             singular += mean.singular ? 1 : 0;
         }
         QVERIFY(participantSd > 0.5 && fabricSd > 0.5 ? singular < 50 : singular > 20);
+        QVERIFY(participantSd > 0 || fabricSd > 0 || limited > 2);
+    }
+
+    void degreesOfFreedomFallAsTheMeanSquaresApproachTheResidual()
+    {
+        // R: x <- matrix(c(1.2,.4,-.3, 2.1,1.9,.2, .3,.8,-1.1, 1.6,.1,.7), 4, byrow = TRUE); a <- anova(lm(c(x) ~
+        //   factor(row(x)) + factor(col(x)))); r <- a[["Mean Sq"]][1:2] / a[["Mean Sq"]][3]; 1.6 / (r[1]^6/3 + r[2]^6/2)
+        QVERIFY(near(stats::mostDegrees({4, 3, twelve}), 9.33356388570942e-05));
+        // Mean squares of 0.083 and 0.083 beside a residual of 1.79 (R, as above): the answers count.
+        const stats::CrossedTable noise{3, 3, {1, -1, 0, 0, 1, -1.5, -1, 0.5, 1}};
+        const CrossedMean mean = stats::crossedMean({{"participant", {"1", "2", "3"}, {0, 0, 0, 1, 1, 1, 2, 2, 2}},
+                                                     {"fabric", {"1", "2", "3"}, {0, 1, 2, 0, 1, 2, 0, 1, 2}},
+                                                     noise.values},
+                                                    Generalisation::FabricsLikeThese);
+        QCOMPARE(*mean.df, 8.0);
+        QVERIFY(stats::mostDegrees(noise) > 8);
+        // The same in R with the missing value left out of each mean, and of the degrees of freedom of the residual.
+        stats::CrossedTable withGap{4, 3, twelve};
+        withGap.values[11] = gap;
+        QVERIFY(near(stats::mostDegrees(withGap), 1.58968933134271e-05));
     }
 
     void differencesThatAreRoundingErrorsHaveNoVariation()
@@ -160,13 +183,19 @@ private Q_SLOTS:
 
     void degreesOfFreedomAreLimited()
     {
-        // No participant and no fabric differs from the others: without the limit the degrees would be those of the answers.
+        // Both mean squares lie below the residual's, so both variances are zero and 69 answers would count.
+        // R: p <- 0:9; f <- 0:6; y <- outer(p, f, function(p, f) (p^2 + 3*f^2 + 4*p*f) %% 11); a <- anova(lm(c(y) ~
+        //   factor(row(y)) + factor(col(y)))); r <- a[["Mean Sq"]][1:2] / a[["Mean Sq"]][3]; 1.6 / (r[1]^6/9 + r[2]^6/6)
         std::vector<double> values;
         for (int p = 0; p < 10; ++p)
-            for (int f = 0; f < 7; ++f) values.push_back(f == 0 ? 0 : (p + f) % 2 == 0 ? 1 : -1);
+            for (int f = 0; f < 7; ++f) values.push_back((p * p + 3 * f * f + 4 * p * f) % 11);
         const CrossedMean mean = stats::crossedMean(tableOf(values, 10, 7), Generalisation::FabricsLikeThese);
         QVERIFY(mean.singular);
-        QVERIFY(near(mean.df, 26.25));
+        QVERIFY(near(mean.df, 16.745549197813656, 1e-10));
+        // A missing answer changes the mean squares little; the model of incomplete data has the limit, too.
+        values[0] = gap;
+        const CrossedMean withGap = stats::crossedMean(tableOf(values, 10, 7), Generalisation::FabricsLikeThese);
+        QVERIFY(withGap.singular && std::abs(*withGap.df - *mean.df) < 2);
     }
 
     void whatCannotBeTestedSaysWhy_data()

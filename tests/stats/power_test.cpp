@@ -240,7 +240,7 @@ private Q_SLOTS:
     /// R, two conditions, 10 participants, 7 fabrics, variances 0.15, 0.05 and 0.85, twice each for a difference:
     ///   se <- sqrt((.15*2 + .85*2/7)/10); 1 - pt(qt(.975,9), 9, .5/se) + pt(-qt(.975,9), 9, .5/se)
     ///   msp <- 1.7+7*.3; msf <- 1.7+10*.1; mse <- 1.7; v <- msp+msf-mse; se <- sqrt(v/70)
-    ///   df <- min(v^2/(msp^2/9+msf^2/6+mse^2/54), 7/4*15); 1 - pt(qt(.975,df), df, .5/se) + pt(-qt(.975,df), df, .5/se)
+    ///   df <- v^2/(msp^2/9+msf^2/6+mse^2/54); 1 - pt(qt(.975,df), df, .5/se) + pt(-qt(.975,df), df, .5/se)
     void powerOfClaimsIsThatOfTheirTests()
     {
         using stats::Generalisation;

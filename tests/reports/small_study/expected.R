@@ -200,7 +200,7 @@ sensitivity <- function(condition) {
          with(t.test(meansOf("Q1_correct")[, condition]), clustered("these_fabrics", unname(estimate), conf.int[1:2])),
          with(crossedMean(condition), clustered("fabrics_like_these", estimate, estimate + c(-1, 1) * qt(0.975, df) * se))))
 }
-# Mean of the choices with crossed random intercepts; a variance at zero is left out. At most 7/4 (levels - 2) degrees of freedom.
+# Mean of the choices with crossed random intercepts; a variance at zero is left out. No condition has both at zero.
 crossedMean <- function(condition) {
   cells <- answers[answers$condition == condition & !is.na(answers$Q1_correct), ]
   model <- lmer(Q1_correct ~ 1 + (1 | participant) + (1 | fabric), cells, control = tight)
@@ -208,8 +208,7 @@ crossedMean <- function(condition) {
     if (VarCorr(model)[[group]][1] < 1e-8)
       model <- lmer(formula(paste("Q1_correct ~ 1 + (1 |", setdiff(c("participant", "fabric"), group), ")")), cells, control = tight)
   row <- summary(model)$coefficients[1, ]
-  levels <- length(unique(cells$participant)) + length(unique(cells$fabric))
-  list(estimate = unname(row["Estimate"]), se = unname(row["Std. Error"]), df = min(row["df"], 7 / 4 * (levels - 2)))
+  list(estimate = unname(row["Estimate"]), se = unname(row["Std. Error"]), df = unname(row["df"]))
 }
 tight <- lmerControl(optimizer = "bobyqa", optCtrl = list(rhoend = 1e-12, maxfun = 1e6))
 confusion <- list(answered = named(fabrics, function(truth) named(fabrics, function(chosen) {

@@ -77,6 +77,34 @@ private Q_SLOTS:
         QVERIFY(detected(more) < detected(answer));
     }
 
+    void aCountContinuesWhereItWasInterrupted()
+    {
+        const QString file = m_folder.filePath("counts.json");
+        const QStringList call{"--protocol", m_small, "--planted", "100", "--calibrate", "100", "--resume", file};
+        const auto answer = powerOf(call);
+        QCOMPARE(answer["planted"].size(), std::size_t(10 * (5 + 7 + 5 + 3)));
+        // An interruption leaves a file with some truths only; those that are there are not counted again.
+        QFile stored(file);
+        QVERIFY(stored.open(QIODevice::ReadOnly));
+        auto counts = json::parse(stored.readAll().toStdString());
+        stored.close();
+        auto& finished = counts["planted"]["finished"];
+        QCOMPARE(finished.size(), std::size_t(40));
+        finished.erase(finished.begin());
+        counts["calibrate"]["finished"].erase(counts["calibrate"]["finished"].begin());
+        QVERIFY(stored.open(QIODevice::WriteOnly));
+        stored.write(counts.dump().c_str());
+        stored.close();
+        QVERIFY(powerOf(call) == answer);
+        // Other settings would be mixed with these; a damaged file would be believed.
+        QCOMPARE(support::runProgram(QStringList{"power", "--studies", "20", "--seed", "7"} + call).exitCode, 2);
+        QVERIFY(stored.open(QIODevice::WriteOnly));
+        stored.write("[]");
+        stored.close();
+        QCOMPARE(support::runProgram(QStringList{"power", "--studies", "20"} + call).exitCode, 2);
+        QCOMPARE(support::runProgram({"power", "--studies", "20", "--resume", file}).exitCode, 2);
+    }
+
     void theTextSaysWhatIsAssumed()
     {
         const auto ended = support::mustRun({"power", "--studies", "40", "--protocol", m_small});

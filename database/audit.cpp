@@ -15,8 +15,9 @@ namespace {
 
 using Log = std::map<std::int64_t, LogEntry>;
 
-struct StoredHashes {
-    std::string previous, own;
+/// What an entry stores of the chain.
+struct StoredLinks {
+    std::string places, salt, commitment, previous, own;
 };
 
 std::optional<std::string> textOrNone(const QVariant& value)
@@ -46,12 +47,12 @@ void readRest(const SqliteConnection& sqlite, Log& log)
         log[row.value(0).toLongLong()].unblinding = {fromQt(row.value(1)), fromQt(row.value(2)), fromQt(row.value(3))};
 }
 
-std::map<std::int64_t, StoredHashes> readEvents(const SqliteConnection& sqlite, Log& log)
+std::map<std::int64_t, StoredLinks> readEvents(const SqliteConnection& sqlite, Log& log)
 {
-    std::map<std::int64_t, StoredHashes> hashes;
+    std::map<std::int64_t, StoredLinks> links;
     QSqlQuery row =
-        sqlite.run(QStringLiteral("SELECT sequence, participant, sitting, kind, payload, at_ns, wall_time, previous_hash, hash "
-                                  "FROM events ORDER BY sequence"));
+        sqlite.run(QStringLiteral("SELECT sequence, participant, sitting, kind, payload, at_ns, wall_time, places, salt, "
+                                  "commitment, previous_hash, hash FROM events ORDER BY sequence"));
     while (row.next()) {
         const std::int64_t sequence = row.value(0).toLongLong();
         log[sequence].event = {sequence,
@@ -61,9 +62,10 @@ std::map<std::int64_t, StoredHashes> readEvents(const SqliteConnection& sqlite, 
                                fromQt(row.value(4)),
                                row.value(5).toLongLong(),
                                fromQt(row.value(6))};
-        hashes[sequence] = {fromQt(row.value(7)), fromQt(row.value(8))};
+        links[sequence] = {fromQt(row.value(7)), fromQt(row.value(8)), fromQt(row.value(9)), fromQt(row.value(10)),
+                           fromQt(row.value(11))};
     }
-    return hashes;
+    return links;
 }
 
 std::string nameOfEntry(const EventRecord& event)
@@ -75,11 +77,19 @@ std::string nameOfEntry(const EventRecord& event)
 nlohmann::json payloadOf(const LogEntry& entry) { return nlohmann::json::parse(entry.event.payloadJson, nullptr, false); }
 
 /// Whether a recorded erasure emptied this entry: one of the participant's entries before it.
-bool isErased(const LogEntry& entry, const std::map<std::string, std::int64_t>& erasedBefore)
+bool isErased(const LogEntry& entry, const StoredLinks& links, const std::map<std::string, std::int64_t>& erasedBefore)
 {
     const auto act = erasedBefore.find(entry.event.participant.value);
-    return act != erasedBefore.end() && entry.event.sequence < act->second && entry.event.payloadJson == "{}" &&
-           entry.responses.empty() && entry.voids.empty() && entry.notes.empty();
+    return act != erasedBefore.end() && entry.event.sequence < act->second && links.salt.empty() &&
+           entry.event.payloadJson == "{}" && entry.event.wallTime.empty() && entry.event.atNs == 0 && entry.responses.empty() &&
+           entry.voids.empty() && entry.notes.empty();
+}
+
+/// Whether the rows, the content and the hash of an entry agree.
+bool isWhole(const LogEntry& entry, const StoredLinks& links, bool erased)
+{
+    if (!erased && (placesOf(entry) != links.places || commitmentOf(entry, links.salt) != links.commitment)) return false;
+    return chainHash(links.previous, entry.event, links.places, links.commitment) == links.own;
 }
 
 std::map<std::string, std::int64_t> erasuresIn(const Log& log)
@@ -94,15 +104,15 @@ std::map<std::string, std::int64_t> erasuresIn(const Log& log)
     return acts;
 }
 
-std::vector<std::string> faultsOfChain(const Log& log, const std::map<std::int64_t, StoredHashes>& hashes)
+std::vector<std::string> faultsOfChain(const Log& log, const std::map<std::int64_t, StoredLinks>& links)
 {
     std::vector<std::string> faults;
     const auto erasedBefore = erasuresIn(log);
     std::string previous;
     std::int64_t expected = 1;
     for (const auto& [sequence, entry] : log) {
-        const auto stored = hashes.find(sequence);
-        if (stored == hashes.end()) {
+        const auto stored = links.find(sequence);
+        if (stored == links.end()) {
             faults.push_back("log entry " + std::to_string(sequence) + " is missing, but its answers or notes are there");
             continue;
         }
@@ -111,7 +121,7 @@ std::vector<std::string> faultsOfChain(const Log& log, const std::map<std::int64
                              " are missing");
         if (stored->second.previous != previous)
             faults.push_back(nameOfEntry(entry.event) + ": does not follow the entry before it");
-        if (!isErased(entry, erasedBefore) && chainHash(stored->second.previous, entry) != stored->second.own)
+        if (!isWhole(entry, stored->second, isErased(entry, stored->second, erasedBefore)))
             faults.push_back(nameOfEntry(entry.event) + ": the entry or its rows were altered");
         previous = stored->second.own;
         expected = sequence + 1;
@@ -136,8 +146,7 @@ void checkFixedTables(const SqliteConnection& sqlite, const Log& log, std::vecto
         return;
     }
     const nlohmann::json payload = payloadOf(first->second);
-    if (!payload.is_object() ||
-        payload.value("fixed_sha256", std::string()) != hashOfFixedTables(sqlite, payload.value("schema", 1)))
+    if (!payload.is_object() || payload.value("fixed_sha256", std::string()) != hashOfFixedTables(sqlite))
         faults.push_back(
             "study facts, fabrics, stimulus hashes, trial lists or swatch codes were altered after the study was made");
 }
@@ -211,8 +220,8 @@ std::vector<std::string> faultsOfLog(const SqliteConnection& sqlite)
     Log log;
     readResponses(sqlite, log);
     readRest(sqlite, log);
-    const auto hashes = readEvents(sqlite, log);
-    std::vector<std::string> faults = faultsOfChain(log, hashes);
+    const auto links = readEvents(sqlite, log);
+    std::vector<std::string> faults = faultsOfChain(log, links);
     checkEnd(sqlite, log, faults);
     checkFixedTables(sqlite, log, faults);
     checkPlaces(sqlite, log, faults);

@@ -28,6 +28,7 @@ public:
         return *this;
     }
 
+    const std::string& text() const { return m_bytes; }
     /// SHA-256 in lower-case hexadecimal.
     std::string hash() const { return protocols::sha256(m_bytes); }
 

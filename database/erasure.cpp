@@ -1,10 +1,14 @@
 #include "database/erasure.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <set>
 
+#include "database/byte_search.h"
 #include "database/event_chain.h"
 #include "database/schema.h"
 #include "database/stored_texts.h"
+#include "database/study_rows.h"
 #include "protocols/files/errors.h"
 
 namespace database {
@@ -12,46 +16,119 @@ namespace database {
 namespace {
 
 constexpr const char* emptiedTables[] = {"responses", "voids", "notes", "events"};
+constexpr std::size_t shortestText = 8;  // a shorter one may stand in a file by chance
 
-void removeAnswers(const SqliteConnection& sqlite, const std::string& participant)
+std::string folderOf(const SqliteConnection& sqlite) { return sqlite.file().parent_path().string(); }
+
+std::vector<std::string> textsFrom(const SqliteConnection& sqlite, const char* select, const std::string& participant)
+{
+    std::vector<std::string> texts;
+    QSqlQuery row = sqlite.run(QString::fromLatin1(select), {toQt(participant)});
+    while (row.next()) texts.push_back(fromQt(row.value(0)));
+    return texts;
+}
+
+/// Texts that only this participant's data hold: their facts, and with the answers also notes, words and salts.
+std::set<std::string> textsOnlyOf(const SqliteConnection& sqlite, const Erasure& erasure)
+{
+    struct Source {
+        const char* own;
+        const char* others;
+        bool isAnswer;
+    };
+    constexpr Source sources[] = {
+        {"SELECT value FROM participant_facts WHERE participant = ?",
+         "SELECT value FROM participant_facts WHERE participant <> ?", false},
+        {"SELECT text FROM notes WHERE participant = ?", "SELECT text FROM notes WHERE participant <> ?", true},
+        {"SELECT choice FROM responses WHERE participant = ? AND choice IS NOT NULL",
+         "SELECT choice FROM responses WHERE participant <> ? AND choice IS NOT NULL", true},
+        {"SELECT salt FROM events WHERE participant = ?", "SELECT salt FROM events WHERE participant <> ?", true},
+    };
+    std::set<std::string> only;
+    for (const Source& source : sources) {
+        if (source.isAnswer && !erasure.answersToo) continue;
+        for (std::string& text : textsFrom(sqlite, source.own, erasure.participant.value))
+            if (text.size() >= shortestText) only.insert(std::move(text));
+    }
+    for (const Source& source : sources)
+        for (const std::string& text : textsFrom(sqlite, source.others, erasure.participant.value)) only.erase(text);
+    for (const protocols::FabricId& fabric : factsIn(sqlite).fabrics) only.erase(fabric.value);
+    return only;
+}
+
+int removed(const SqliteConnection& sqlite, const char* table, const std::string& participant)
+{
+    return sqlite.run(QStringLiteral("DELETE FROM %1 WHERE participant = ?").arg(QLatin1String(table)), {toQt(participant)})
+        .numRowsAffected();
+}
+
+void removeAnswers(const SqliteConnection& sqlite, const std::string& participant, ErasureRecord& record)
 {
     for (const char* table : emptiedTables) unguard(sqlite, table);
-    for (const char* table : {"responses", "voids", "notes"})
-        sqlite.run(QStringLiteral("DELETE FROM %1 WHERE participant = ?").arg(QLatin1String(table)), {toQt(participant)});
-    sqlite.run(QStringLiteral("UPDATE events SET payload = '{}' WHERE participant = ?"), {toQt(participant)});
+    record.answers = removed(sqlite, "responses", participant);
+    record.notes = removed(sqlite, "notes", participant);
+    removed(sqlite, "voids", participant);
+    sqlite.run(QStringLiteral("UPDATE events SET payload = '{}', at_ns = 0, wall_time = '', salt = '' WHERE participant = ?"),
+               {toQt(participant)});
     for (const char* table : emptiedTables) guardAgainstChanges(sqlite, table);
     sqlite.run(QStringLiteral("UPDATE participants SET state = 'withdrawn' WHERE id = ?"), {toQt(participant)});
 }
 
+/// Copies the write-ahead log into the database and empties it; false while another connection reads an older state.
+bool logIsEmptied(const SqliteConnection& sqlite)
+{
+    QSqlQuery row = sqlite.run(QStringLiteral("PRAGMA wal_checkpoint(TRUNCATE)"));
+    return row.next() && row.value(0).toInt() == 0;
+}
+
+void removeFromTables(const SqliteConnection& sqlite, const Erasure& erasure, ErasureRecord& record)
+{
+    const std::string& id = erasure.participant.value;
+    Transaction transaction(sqlite);
+    record.facts = removed(sqlite, "participant_facts", id);
+    if (erasure.answersToo) removeAnswers(sqlite, id, record);
+    record.wallTime = wallTimeNow();
+    record.event = store(
+        sqlite, actOnStudy("erased",
+                           {{"participant", id}, {"answers_too", erasure.answersToo}, {"who", erasure.who}, {"why", erasure.why}},
+                           record.wallTime));
+    sqlite.run(
+        QStringLiteral("INSERT INTO erasures(event, participant, answers_too, who, why, wall_time) VALUES (?, ?, ?, ?, ?, ?)"),
+        {qlonglong(record.event), toQt(id), int(erasure.answersToo), toQt(erasure.who), toQt(erasure.why),
+         toQt(record.wallTime)});
+    transaction.commit();
+}
+
 }  // namespace
 
-void eraseFrom(const SqliteConnection& sqlite, const Erasure& erasure)
+ErasureRecord eraseFrom(const SqliteConnection& sqlite, const Erasure& erasure)
 {
-    const std::string folder = sqlite.file().parent_path().string();
+    const std::string folder = folderOf(sqlite);
     if (erasure.who.empty() || erasure.why.empty())
         throw protocols::badInput({"an erasure needs a name and a reason", folder, "--who NAME --why TEXT", "add both"});
-    const std::string& id = erasure.participant.value;
-    // SQLite overwrites freed pages then, so that the file keeps none of the data.
+    if (sqlite.value(QStringLiteral("SELECT COUNT(*) FROM participants WHERE id = ?"), {toQt(erasure.participant.value)})
+            .toInt() == 0)
+        throw protocols::badInput(
+            {"unknown participant " + erasure.participant.value, folder, "an enrolled participant", "see vis2hap study status"});
+    if (!logIsEmptied(sqlite))
+        throw protocols::environmentFault({"another program reads the study, so the data would stay in study.db-wal", folder,
+                                           "no open monitor, report or database browser",
+                                           "close it and run the command again; nothing was erased"});
+    ErasureRecord record;
+    const std::set<std::string> texts = textsOnlyOf(sqlite, erasure);
+    // SQLite overwrites what it frees; VACUUM then writes every page anew.
     sqlite.run(QStringLiteral("PRAGMA secure_delete = ON"));
-    {
-        Transaction transaction(sqlite);
-        if (sqlite.value(QStringLiteral("SELECT COUNT(*) FROM participants WHERE id = ?"), {toQt(id)}).toInt() == 0)
-            throw protocols::badInput(
-                {"unknown participant " + id, folder, "an enrolled participant", "see vis2hap study status"});
-        sqlite.run(QStringLiteral("DELETE FROM participant_facts WHERE participant = ?"), {toQt(id)});
-        if (erasure.answersToo) removeAnswers(sqlite, id);
-        const std::string wallTime = wallTimeNow();
-        const std::int64_t event = store(
-            sqlite,
-            actOnStudy("erased",
-                       {{"participant", id}, {"answers_too", erasure.answersToo}, {"who", erasure.who}, {"why", erasure.why}},
-                       wallTime));
-        sqlite.run(QStringLiteral(
-                       "INSERT INTO erasures(event, participant, answers_too, who, why, wall_time) VALUES (?, ?, ?, ?, ?, ?)"),
-                   {qlonglong(event), toQt(id), int(erasure.answersToo), toQt(erasure.who), toQt(erasure.why), toQt(wallTime)});
-        transaction.commit();
-    }
-    sqlite.run(QStringLiteral("PRAGMA wal_checkpoint(TRUNCATE)"));
+    removeFromTables(sqlite, erasure, record);
+    sqlite.run(QStringLiteral("VACUUM"));
+    if (!logIsEmptied(sqlite))
+        throw protocols::environmentFault({"the data are removed, but another program keeps an older state in study.db-wal",
+                                           folder, "no open monitor, report or database browser",
+                                           "close it and run the command again, which completes the erasure"});
+    const ByteSearch search = searchFiles(sqlite.file().parent_path(), {texts.begin(), texts.end()});
+    record.searchedFiles = search.files;
+    record.searchedTexts = texts.size();
+    record.found = search.found;
+    return record;
 }
 
 }  // namespace database

@@ -1,6 +1,9 @@
-// Removes what is known about a participant without breaking the log: an erased entry keeps its hash and its place in the
-// chain, and the recorded act names the participant whose earlier entries were emptied.
+// Removes what is stored about a participant: facts and debriefing, or every answer and note too, from the tables, the log, the
+// write-ahead log and the free pages of the file. The hashes stay, so that the rest can be verified.
 #pragma once
+
+#include <string>
+#include <vector>
 
 #include "database/sqlite_connection.h"
 #include "database/study_store.h"
@@ -8,6 +11,6 @@
 namespace database {
 
 /// As StudyStore::erase.
-void eraseFrom(const SqliteConnection& sqlite, const Erasure& erasure);
+ErasureRecord eraseFrom(const SqliteConnection& sqlite, const Erasure& erasure);
 
 }  // namespace database

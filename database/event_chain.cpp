@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "database/canonical_bytes.h"
+#include "protocols/secrets/secret_key.h"
 
 namespace database {
 
@@ -11,18 +12,18 @@ namespace {
 
 // Columns by name, so that a column of a later schema does not change the hash of an older study.
 constexpr const char* fixedRows[] = {
-    "SELECT name, protocol_json, protocol_sha256, design_seed, key_sha256, masked_key_sha256, dataset_path, dataset_sha256, "
-    "dataset_procedural, model_sha256, stamps, signals_json, created_at, program_version FROM study",
+    "SELECT name, protocol_json, protocol_sha256, design_seed, key_sha256, station_key_sha256, has_passphrase, dataset_path, "
+    "dataset_sha256, dataset_procedural, model_sha256, stamps, signals_json, planned_balance, created_at, program_version, "
+    "made_with FROM study",
     "SELECT position, id, name FROM fabrics ORDER BY position",
     "SELECT file_code, sha256 FROM stimuli ORDER BY file_code",
     "SELECT number FROM slots ORDER BY number",
-    "SELECT slot, number, phase, file_code, presentation_code, alternatives FROM trials ORDER BY slot, number",
+    "SELECT slot, number, phase, presentation_code, alternatives, sealed_code FROM trials ORDER BY slot, number",
+    "SELECT slot, fabric, code FROM swatches ORDER BY slot, fabric",
+    "SELECT position, name, sealed_code FROM familiarisation ORDER BY position",
 };
 
-constexpr const char* laterFixedRows[] = {
-    "SELECT slot, fabric, code FROM swatches ORDER BY slot, fabric",
-    "SELECT position, name, file_code FROM familiarisation ORDER BY position",
-};
+constexpr std::size_t saltBytes = 32;
 
 void addRows(CanonicalBytes& bytes, const SqliteConnection& connection, const char* rows)
 {
@@ -40,14 +41,17 @@ void insertResponse(const SqliteConnection& connection, std::int64_t event, cons
         QVariantList{qlonglong(event)} + valuesOf(row));
 }
 
-void insertEvent(const SqliteConnection& connection, const EventRecord& event, const std::string& previous,
-                 const std::string& hash)
+struct Links {
+    std::string places, salt, commitment, previous, hash;
+};
+
+void insertEvent(const SqliteConnection& connection, const EventRecord& event, const Links& links)
 {
-    connection.run(
-        QStringLiteral("INSERT INTO events(sequence, participant, sitting, kind, payload, at_ns, wall_time, previous_hash, hash) "
-                       "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)"),
-        {qlonglong(event.sequence), toQt(event.participant.value), event.sitting, toQt(event.kind), toQt(event.payloadJson),
-         qlonglong(event.atNs), toQt(event.wallTime), toQt(previous), toQt(hash)});
+    connection.run(QStringLiteral("INSERT INTO events(sequence, participant, sitting, kind, places, payload, at_ns, wall_time, "
+                                  "salt, commitment, previous_hash, hash) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"),
+                   {qlonglong(event.sequence), toQt(event.participant.value), event.sitting, toQt(event.kind), toQt(links.places),
+                    toQt(event.payloadJson), qlonglong(event.atNs), toQt(event.wallTime), toQt(links.salt),
+                    toQt(links.commitment), toQt(links.previous), toQt(links.hash)});
 }
 
 void insertRows(const SqliteConnection& connection, const LogEntry& entry)
@@ -70,22 +74,32 @@ void insertRows(const SqliteConnection& connection, const LogEntry& entry)
 
 }  // namespace
 
-std::string chainHash(const std::string& previous, const LogEntry& entry)
+std::string placesOf(const LogEntry& entry)
 {
     CanonicalBytes bytes;
-    const EventRecord& event = entry.event;
-    bytes << previous << event.sequence << event.participant.value << std::int64_t(event.sitting) << event.kind
-          << event.payloadJson << event.atNs << event.wallTime;
-    for (const ResponseRow& row : entry.responses) addTo(bytes, row);
-    for (const VoidRow& row : entry.voids)
-        bytes << std::string("void") << row.participant << std::int64_t(row.trial) << std::int64_t(row.attempt);
-    for (const NoteRow& row : entry.notes) {
-        bytes << std::string("note") << row.participant << std::int64_t(row.trial) << std::int64_t(row.attempt) << row.question
-              << row.text;
-        if (row.isFlag) bytes << std::string("flag");
-    }
+    for (const ResponseRow& row : entry.responses) addPlaceTo(bytes, row);
+    for (const VoidRow& row : entry.voids) bytes << std::string("void") << row.participant << row.trial << row.attempt;
+    for (const NoteRow& row : entry.notes)
+        bytes << std::string("note") << row.participant << row.trial << row.attempt << row.question << row.isFlag;
+    return bytes.text();
+}
+
+std::string commitmentOf(const LogEntry& entry, const std::string& salt)
+{
+    CanonicalBytes bytes;
+    bytes << salt << entry.event.payloadJson << entry.event.atNs << entry.event.wallTime;
+    for (const ResponseRow& row : entry.responses) addContentTo(bytes, row);
+    for (const NoteRow& row : entry.notes) bytes << std::string("note") << row.text;
     if (entry.unblinding)
         bytes << std::string("unblinding") << entry.unblinding->who << entry.unblinding->why << entry.unblinding->wallTime;
+    return bytes.hash();
+}
+
+std::string chainHash(const std::string& previous, const EventRecord& event, const std::string& places,
+                      const std::string& commitment)
+{
+    CanonicalBytes bytes;
+    bytes << previous << event.sequence << event.participant.value << event.sitting << event.kind << places << commitment;
     return bytes.hash();
 }
 
@@ -108,17 +122,18 @@ std::int64_t store(const SqliteConnection& connection, LogEntry entry)
         previous = fromQt(last.value(1));
     }
     last.finish();
-    insertEvent(connection, entry.event, previous, chainHash(previous, entry));
+    Links links{placesOf(entry), protocols::drawHex(saltBytes), {}, previous, {}};
+    links.commitment = commitmentOf(entry, links.salt);
+    links.hash = chainHash(previous, entry.event, links.places, links.commitment);
+    insertEvent(connection, entry.event, links);
     insertRows(connection, entry);
     return entry.event.sequence;
 }
 
-std::string hashOfFixedTables(const SqliteConnection& connection, int version)
+std::string hashOfFixedTables(const SqliteConnection& connection)
 {
     CanonicalBytes bytes;
     for (const char* rows : fixedRows) addRows(bytes, connection, rows);
-    if (version >= 2)
-        for (const char* rows : laterFixedRows) addRows(bytes, connection, rows);
     return bytes.hash();
 }
 

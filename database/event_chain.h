@@ -1,5 +1,7 @@
-// The hash chain of the log: the hash of an entry is the SHA-256 of the hash before it and of everything stored with the entry.
-// A changed, removed or inserted row breaks the chain from there on.
+// The hash chain of the log. An entry has a clear part (number, participant, sitting, kind, and the places of its rows) and a
+// content (payload, stamps, answers, notes). The commitment is the SHA-256 of a random salt and the content; the hash is that of
+// the hash before it, the clear part and the commitment. A changed, removed or inserted row breaks the chain from there on. An
+// erasure removes content and salt: the chain still verifies, and nobody can guess the content from its commitment.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -37,8 +39,15 @@ struct LogEntry {
     std::optional<UnblindingRecord> unblinding;
 };
 
+/// The places of the entry's rows, which stay after an erasure: canonical bytes, empty for an entry without rows.
+std::string placesOf(const LogEntry& entry);
+
+/// `salt`: hexadecimal.
+std::string commitmentOf(const LogEntry& entry, const std::string& salt);
+
 /// The entry's hash in lower-case hexadecimal. `previous`: the hash before it; empty for the first entry.
-std::string chainHash(const std::string& previous, const LogEntry& entry);
+std::string chainHash(const std::string& previous, const EventRecord& event, const std::string& places,
+                      const std::string& commitment);
 
 /// An entry for an act on the study itself, outside any session.
 LogEntry actOnStudy(const std::string& kind, const nlohmann::ordered_json& payload, const std::string& wallTime);
@@ -46,8 +55,7 @@ LogEntry actOnStudy(const std::string& kind, const nlohmann::ordered_json& paylo
 /// Writes the entry with the next sequence number and all its rows, in the caller's transaction. Returns the number.
 std::int64_t store(const SqliteConnection& connection, LogEntry entry);
 
-/// SHA-256 over the rows that never change: facts, fabrics, stimuli, trials and, from schema version 2, swatch codes and
-/// familiarisation. `version`: the schema version that made the study.
-std::string hashOfFixedTables(const SqliteConnection& connection, int version);
+/// SHA-256 over the rows that never change: facts, fabrics, stimuli, slots, trials, swatch codes and familiarisation.
+std::string hashOfFixedTables(const SqliteConnection& connection);
 
 }  // namespace database

@@ -1,13 +1,20 @@
-// Reads and writes the keys, and says who may read which one ("Who may know what" in the README). The session and the app do not
-// include this header; tests/layering_test.cpp checks it.
+// Reads and writes the allocation key, and says who may read it ("Who may know what" in the README). The session and the app do
+// not include this header; tests/layering_test.cpp checks it. The key lies in the study folder sealed with the owner's passphrase
+// (allocation-key.sealed). After the unblinding, and in a study without a passphrase, it lies open (allocation-key.json).
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <string>
 
+#include "database/station_key.h"
 #include "database/study_store.h"
 #include "protocols/allocation.h"
 
 namespace database {
+
+/// Where the owner's passphrase comes from. Called only where a study has one; empty where nobody gives it.
+using Passphrase = std::function<std::optional<std::string>()>;
 
 /// Proof that the unblinding of a study is recorded. Results with condition names require it.
 class Unblinded {
@@ -16,30 +23,38 @@ public:
 
 private:
     explicit Unblinded(UnblindingRecord record) : m_record(std::move(record)) {}
-    friend Unblinded unblind(StudyStore&, const std::string&, const std::string&, const std::string&);
+    friend Unblinded unblind(StudyStore&, const UnblindingRecord&, const Passphrase&);
     friend std::optional<Unblinded> recordedUnblinding(const StudyStore&);
     UnblindingRecord m_record;
 };
 
-/// Records the unblinding (who, why, when) and permits reading condition names. `wallTime`: ISO 8601.
-Unblinded unblind(StudyStore& store, const std::string& who, const std::string& why, const std::string& wallTime);
+/// Opens the key, records the unblinding and then leaves the key open in the folder. Nothing is recorded where the key does not
+/// open. Throws badInput without the right passphrase.
+Unblinded unblind(StudyStore& store, const UnblindingRecord& record, const Passphrase& passphrase);
 std::optional<Unblinded> recordedUnblinding(const StudyStore& store);
 
-/// Both check the key against its hash in the database. They throw workFailed if it differs.
+/// The key of an unblinded study. Throws workFailed where it is not the one committed in the database.
 protocols::AllocationKey readAllocationKey(const StudyStore& store, const Unblinded& permission);
-protocols::MaskedKey readMaskedKey(const StudyStore& store);
 
-/// For scripted and simulated participants only, which must know what is shown. Throws workFailed for a human.
-protocols::AllocationKey readAllocationKeyForTestDriver(const StudyStore& store, ParticipantKind kind);
+/// The key for aggregates under K-labels, before the unblinding. Empty where the study has a passphrase and nobody gives it.
+/// Throws badInput for a wrong one.
+std::optional<protocols::AllocationKey> readKeyForAggregates(const StudyStore& store, const Passphrase& passphrase);
 
-/// Writes allocation-key.json (mode 0600) and masked-key.json into a new study folder, which is synced as a whole. Returns
-/// their SHA-256. Throws environmentFault, also where a key stands already.
+/// For scripted and simulated participants only, which must know what is shown. Throws workFailed for a human, badInput without
+/// the right passphrase.
+protocols::AllocationKey readAllocationKeyForTestDriver(const StudyStore& store, ParticipantKind kind,
+                                                        const Passphrase& passphrase);
+
+/// Writes the allocation key and the station key into a new study folder (mode 0600), which is synced as a whole. An empty
+/// passphrase leaves the allocation key open. Returns the commitments. Throws environmentFault, also where a key stands already.
 struct KeyHashes {
-    std::string allocation, masked;
+    std::string allocation, station;
 };
-KeyHashes writeKeys(const StudyFolder& folder, const protocols::AllocationKey& key);
+KeyHashes writeKeys(const StudyFolder& folder, const protocols::AllocationKey& key,
+                    const std::optional<std::string>& passphrase = std::nullopt);
 
-/// One line for each fault of the two key files: unreadable, altered, readable by others.
+/// One line for each fault of the key files: missing, altered, readable by others. A sealed key cannot be compared with its
+/// commitment without the passphrase.
 std::vector<std::string> faultsOfKeys(const StudyStore& store);
 
 }  // namespace database

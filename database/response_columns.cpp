@@ -1,6 +1,5 @@
 #include "database/response_columns.h"
 
-#include <algorithm>
 #include <array>
 #include <variant>
 
@@ -26,18 +25,18 @@ struct Column {
     const char* declaration;
     Field field;
     AfterCorrection afterCorrection = AfterCorrection::OfFirst;
-    int since = 1;  ///< version of the schema
+    bool isPlace = false;  ///< says which answer it is; stays after an erasure
 };
 
 constexpr const char* text = "TEXT NOT NULL";
 constexpr const char* whole = "INTEGER NOT NULL";
 
 constexpr std::array<Column, 14> allColumns{{
-    {"participant", "TEXT NOT NULL REFERENCES participants(id)", &ResponseRow::participant},
-    {"trial", whole, &ResponseRow::trial},
-    {"attempt", whole, &ResponseRow::attempt},
-    {"question", text, &ResponseRow::question},
-    {"file_code", "TEXT NOT NULL REFERENCES stimuli(file_code)", &ResponseRow::fileCode},
+    {"participant", "TEXT NOT NULL REFERENCES participants(id)", &ResponseRow::participant, AfterCorrection::OfFirst, true},
+    {"trial", whole, &ResponseRow::trial, AfterCorrection::OfFirst, true},
+    {"attempt", whole, &ResponseRow::attempt, AfterCorrection::OfFirst, true},
+    {"question", text, &ResponseRow::question, AfterCorrection::OfFirst, true},
+    {"presentation_code", text, &ResponseRow::presentationCode},
     {"alternatives", text, &ResponseRow::alternatives},
     {"choice", "TEXT", &ResponseRow::choice, AfterCorrection::OfLatest},
     {"rating_tenths", "INTEGER", &ResponseRow::ratingTenths, AfterCorrection::OfLatest},
@@ -45,8 +44,8 @@ constexpr std::array<Column, 14> allColumns{{
     {"touched_at", "INTEGER", &ResponseRow::touchedAt},
     {"answered_at", whole, &ResponseRow::answeredAt},
     {"stored_at", whole, &ResponseRow::storedAt, AfterCorrection::OfLatest},
-    {"is_correction", whole, &ResponseRow::isCorrection, AfterCorrection::NotShown},
-    {"touched_by", "TEXT", &ResponseRow::touchedBy, AfterCorrection::OfFirst, 2},
+    {"is_correction", whole, &ResponseRow::isCorrection, AfterCorrection::NotShown, true},
+    {"touched_by", "TEXT", &ResponseRow::touchedBy},
 }};
 
 bool isAmong(const Column& column, ResponseColumns columns)
@@ -75,23 +74,11 @@ void read(std::optional<T>& value, const QVariant& stored)
     if (!stored.isNull()) read(value.emplace(), stored);
 }
 
-/// "is correction" for the column is_correction.
-std::string labelOf(const Column& column)
+void add(CanonicalBytes& bytes, const ResponseRow& row, bool places)
 {
-    std::string label = column.name;
-    std::ranges::replace(label, '_', ' ');
-    return label;
-}
-
-template <class T>
-bool isThere(const T&)
-{
-    return true;
-}
-template <class T>
-bool isThere(const std::optional<T>& value)
-{
-    return value.has_value();
+    bytes << std::string("response");
+    for (const Column& column : allColumns)
+        if (column.isPlace == places) std::visit([&](auto field) { bytes << row.*field; }, column.field);
 }
 
 /// One text for each column that `wanted` takes, joined by commas.
@@ -106,9 +93,9 @@ QString joined(Wanted wanted, TextOf textOf)
 
 }  // namespace
 
-QString definitionsSince(int version)
+QString definitions()
 {
-    return joined([&](const Column& column) { return column.since == version; },
+    return joined([](const Column&) { return true; },
                   [](const Column& column) { return QLatin1String(column.name) + ' ' + QLatin1String(column.declaration); });
 }
 
@@ -148,18 +135,8 @@ ResponseRow rowFrom(const QSqlQuery& query, ResponseColumns columns, int first)
     return row;
 }
 
-void addTo(CanonicalBytes& bytes, const ResponseRow& row)
-{
-    bytes << std::string("response");
-    for (const Column& column : allColumns)
-        std::visit(
-            [&](auto field) {
-                if (column.since == 1)
-                    bytes << row.*field;
-                else if (isThere(row.*field))
-                    bytes << labelOf(column) << row.*field;
-            },
-            column.field);
-}
+void addPlaceTo(CanonicalBytes& bytes, const ResponseRow& row) { add(bytes, row, true); }
+
+void addContentTo(CanonicalBytes& bytes, const ResponseRow& row) { add(bytes, row, false); }
 
 }  // namespace database

@@ -1,5 +1,5 @@
 // The columns of the table `responses` as one list. It drives the table's creation, every INSERT and SELECT, the hash chain and
-// the audit: a new column is one more row of it and one more migration (schema.cpp).
+// the audit.
 #pragma once
 
 #include <QSqlQuery>
@@ -18,7 +18,7 @@ struct ResponseRow {
     std::string participant;
     int trial = 0;
     int attempt = 1;
-    std::string question, fileCode, alternatives;
+    std::string question, presentationCode, alternatives;
     std::optional<std::string> choice;
     std::optional<int> ratingTenths;
     std::int64_t readyAt = 0;
@@ -31,11 +31,11 @@ struct ResponseRow {
 /// Which columns a statement reads.
 enum class ResponseColumns {
     OfTable,           ///< all of `responses`
-    OfCurrentAnswers,  ///< those of the view `current_responses`: no column that only marks a row as a correction
+    OfCurrentAnswers,  ///< no column that only marks a row as a correction
 };
 
-/// "participant TEXT NOT NULL, trial INTEGER NOT NULL, …": the columns that came with this version of the schema.
-QString definitionsSince(int version);
+/// "participant TEXT NOT NULL, trial INTEGER NOT NULL, …": the columns of the table.
+QString definitions();
 
 /// "first.participant AS participant, …, latest.choice AS choice, …": a correction replaces the answer and keeps its times.
 QString currentAnswerColumns();
@@ -52,8 +52,10 @@ QVariantList valuesOf(const ResponseRow& row);
 /// The row that a query on namesOf(columns) stands on. `first`: the place of the first of these columns in the query.
 ResponseRow rowFrom(const QSqlQuery& query, ResponseColumns columns, int first);
 
-/// Adds the row to the bytes that are hashed. A column of a later version is added with its name, and only if it has a value.
-/// So the hashes of older rows stay.
-void addTo(CanonicalBytes& bytes, const ResponseRow& row);
+/// Adds to the bytes what stays after an erasure: the place of the answer.
+void addPlaceTo(CanonicalBytes& bytes, const ResponseRow& row);
+
+/// Adds to the bytes what an erasure removes: everything else.
+void addContentTo(CanonicalBytes& bytes, const ResponseRow& row);
 
 }  // namespace database

@@ -1,17 +1,23 @@
-// The tables of study.db and the migrations from older versions. A new study is a migration from version 0. PRAGMA user_version
-// holds the version, PRAGMA application_id identifies the program.
+// The tables of study.db. PRAGMA user_version holds the version of the schema, PRAGMA application_id identifies the program.
 #pragma once
+
+#include <QString>
 
 #include "database/sqlite_connection.h"
 
 namespace database {
 
-inline constexpr int schemaVersion = 2;
+inline constexpr int schemaVersion = 3;
 inline constexpr int applicationId = 0x56324850;  ///< "V2HP"
 
-/// Migrates the file to schemaVersion in the caller's transaction. Foreign keys must be off for an older file, because a table is
-/// rebuilt.
-void migrate(const SqliteConnection& connection);
+/// Makes all tables, the view and the triggers in an empty file, in the caller's transaction.
+void makeSchema(const SqliteConnection& connection);
+
+/// The latest answer to each question of each attempt, with the time stamps of the first: event, corrections, voided, wall_time,
+/// note and sitting, then ResponseColumns::OfCurrentAnswers. It reads tables only, so that a view that somebody changed cannot
+/// change a result.
+QString currentAnswersQuery();
+inline constexpr int firstResponseColumn = 6;  ///< of currentAnswersQuery()
 
 /// Makes a table refuse UPDATE and DELETE by triggers, or lifts that.
 void guardAgainstChanges(const SqliteConnection& connection, const char* table);

@@ -16,13 +16,15 @@ namespace {
 void insertFacts(const SqliteConnection& sqlite, const StudyFacts& facts)
 {
     sqlite.run(
-        QStringLiteral("INSERT INTO study(id, name, protocol_json, protocol_sha256, design_seed, key_sha256, masked_key_sha256, "
-                       "dataset_path, dataset_sha256, dataset_procedural, model_sha256, stamps, signals_json, created_at, "
-                       "program_version) VALUES (1, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"),
+        QStringLiteral("INSERT INTO study(id, name, protocol_json, protocol_sha256, design_seed, key_sha256, station_key_sha256, "
+                       "has_passphrase, dataset_path, dataset_sha256, dataset_procedural, model_sha256, stamps, signals_json, "
+                       "planned_balance, created_at, program_version, made_with) "
+                       "VALUES (1, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"),
         {toQt(facts.name), toQt(facts.protocolJson), toQt(facts.protocolSha256), toQt(std::to_string(facts.designSeed)),
-         toQt(facts.keySha256), toQt(facts.maskedKeySha256), toQt(facts.datasetPath), toQt(facts.datasetSha256),
-         int(facts.datasetProcedural), toQt(facts.modelSha256), toQt(jsonOf(facts.stamps)), toQt(facts.signalsJson),
-         toQt(facts.createdAt), toQt(facts.programVersion)});
+         toQt(facts.keySha256), toQt(facts.stationKeySha256), int(facts.hasPassphrase), toQt(facts.datasetPath),
+         toQt(facts.datasetSha256), int(facts.datasetProcedural), toQt(facts.modelSha256), toQt(jsonOf(facts.stamps)),
+         toQt(facts.signalsJson), toQt(facts.plannedBalance), toQt(facts.createdAt), toQt(facts.programVersion),
+         toQt(facts.madeWith)});
     int position = 0;
     for (const protocols::FabricId& fabric : facts.fabrics) {
         const auto name = facts.fabricNames.find(fabric);
@@ -35,8 +37,8 @@ void insertFamiliarisation(const SqliteConnection& sqlite, const StudyFacts& fac
 {
     int position = 0;
     for (const FamiliarisationItem& item : facts.familiarisation)
-        sqlite.run(QStringLiteral("INSERT INTO familiarisation(position, name, file_code) VALUES (?, ?, ?)"),
-                   {++position, toQt(item.name), toQt(item.fileCode.value)});
+        sqlite.run(QStringLiteral("INSERT INTO familiarisation(position, name, sealed_code) VALUES (?, ?, ?)"),
+                   {++position, toQt(item.name), toQt(item.sealedCode.value)});
 }
 
 void insertSwatches(const SqliteConnection& sqlite, const StudyFacts& facts)
@@ -51,18 +53,17 @@ void insertSlot(const SqliteConnection& sqlite, int slot, const std::vector<prot
 {
     sqlite.run(QStringLiteral("INSERT INTO slots(number) VALUES (?)"), {slot});
     for (const protocols::BlindedTrial& trial : trials)
-        sqlite.run(QStringLiteral("INSERT INTO trials(slot, number, phase, file_code, presentation_code, alternatives) "
+        sqlite.run(QStringLiteral("INSERT INTO trials(slot, number, phase, presentation_code, alternatives, sealed_code) "
                                   "VALUES (?, ?, ?, ?, ?, ?)"),
-                   {slot, trial.number.value, trial.phase, toQt(trial.fileCode.value), toQt(trial.presentationCode.value),
-                    toQt(jsonOf(trial.alternatives))});
+                   {slot, trial.number.value, trial.phase, toQt(trial.presentationCode.value), toQt(jsonOf(trial.alternatives)),
+                    toQt(trial.sealedCode.value)});
 }
 
 void recordCreation(const SqliteConnection& sqlite, const StudyFacts& facts)
 {
     LogEntry entry;
     entry.event.kind = "created";
-    entry.event.payloadJson =
-        nlohmann::json{{"fixed_sha256", hashOfFixedTables(sqlite, schemaVersion)}, {"schema", schemaVersion}}.dump();
+    entry.event.payloadJson = nlohmann::json{{"fixed_sha256", hashOfFixedTables(sqlite)}, {"schema", schemaVersion}}.dump();
     entry.event.wallTime = facts.createdAt;
     store(sqlite, entry);
 }
@@ -100,7 +101,7 @@ void createDatabase(const StudyFolder& folder, const StudyFacts& facts,
     {
         const SqliteConnection sqlite(draft.path(), SqliteConnection::Mode::Create);
         Transaction transaction(sqlite);
-        migrate(sqlite);
+        makeSchema(sqlite);
         insertFacts(sqlite, facts);
         for (const auto& [code, hash] : stimulusHashes)
             sqlite.run(QStringLiteral("INSERT INTO stimuli(file_code, sha256) VALUES (?, ?)"), {toQt(code.value), toQt(hash)});

@@ -12,7 +12,8 @@ struct StudyFolder {
     std::filesystem::path protocol() const { return folder / "protocol.json"; }
     std::filesystem::path stimuli() const { return folder / "stimuli"; }
     std::filesystem::path allocationKey() const { return folder / "allocation-key.json"; }
-    std::filesystem::path maskedKey() const { return folder / "masked-key.json"; }
+    std::filesystem::path sealedAllocationKey() const { return folder / "allocation-key.sealed"; }
+    std::filesystem::path stationKey() const { return folder / "station-key.json"; }
     std::filesystem::path lock() const { return folder / ".lock"; }
 };
 

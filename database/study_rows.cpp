@@ -3,6 +3,7 @@
 #include <charconv>
 
 #include "database/response_columns.h"
+#include "database/schema.h"
 #include "database/stored_texts.h"
 #include "protocols/files/errors.h"
 
@@ -24,7 +25,7 @@ AnswerRecord recordOf(const ResponseRow& row)
     AnswerRecord record;
     record.trial = {row.trial};
     record.question = protocols::QuestionId(row.question);
-    record.fileCode = protocols::FileCode(row.fileCode);
+    record.presentationCode = protocols::PresentationCode(row.presentationCode);
     record.alternatives = fabricsOf(row.alternatives);
     record.answer = row.choice;
     if (row.ratingTenths) record.rating = protocols::Tenths{*row.ratingTenths};
@@ -34,11 +35,6 @@ AnswerRecord recordOf(const ResponseRow& row)
     record.answeredAtNs = row.answeredAt;
     return record;
 }
-
-/// The columns of the view that come before those of the response.
-constexpr const char* viewColumns =
-    "event, corrections, voided, wall_time, note, (SELECT e.sitting FROM events e WHERE e.sequence = current_responses.event)";
-constexpr int firstResponseColumn = 6;
 
 CurrentAnswer currentAnswerOf(const QSqlQuery& query)
 {
@@ -65,20 +61,24 @@ StudyFacts factsIn(const SqliteConnection& sqlite)
 {
     StudyFacts facts;
     QSqlQuery row = sqlite.run(QStringLiteral(
-        "SELECT name, protocol_json, protocol_sha256, design_seed, key_sha256, masked_key_sha256, dataset_path, "
-        "dataset_sha256, dataset_procedural, model_sha256, stamps, signals_json, created_at, program_version FROM study"));
+        "SELECT name, protocol_json, protocol_sha256, design_seed, key_sha256, station_key_sha256, has_passphrase, "
+        "dataset_path, dataset_sha256, dataset_procedural, model_sha256, stamps, signals_json, planned_balance, created_at, "
+        "program_version, made_with FROM study"));
     if (!row.next())
         throw protocols::workFailed(
             {"the study's facts are missing", sqlite.file().string(), "one row in the table study", "restore it from a backup"});
     int column = 0;
     for (std::string* text : {&facts.name, &facts.protocolJson, &facts.protocolSha256}) *text = fromQt(row.value(column++));
     facts.designSeed = seedOf(fromQt(row.value(column++)));
-    for (std::string* text : {&facts.keySha256, &facts.maskedKeySha256, &facts.datasetPath, &facts.datasetSha256})
-        *text = fromQt(row.value(column++));
+    for (std::string* text : {&facts.keySha256, &facts.stationKeySha256}) *text = fromQt(row.value(column++));
+    facts.hasPassphrase = row.value(column++).toInt() != 0;
+    for (std::string* text : {&facts.datasetPath, &facts.datasetSha256}) *text = fromQt(row.value(column++));
     facts.datasetProcedural = row.value(column++).toInt() != 0;
     facts.modelSha256 = fromQt(row.value(column++));
     facts.stamps = textsOf(fromQt(row.value(column++)));
-    for (std::string* text : {&facts.signalsJson, &facts.createdAt, &facts.programVersion}) *text = fromQt(row.value(column++));
+    for (std::string* text :
+         {&facts.signalsJson, &facts.plannedBalance, &facts.createdAt, &facts.programVersion, &facts.madeWith})
+        *text = fromQt(row.value(column++));
     QSqlQuery fabric = sqlite.run(QStringLiteral("SELECT id, name FROM fabrics ORDER BY position"));
     while (fabric.next()) {
         facts.fabrics.emplace_back(fromQt(fabric.value(0)));
@@ -89,8 +89,8 @@ StudyFacts factsIn(const SqliteConnection& sqlite)
         facts.swatches.resize(static_cast<std::size_t>(swatch.value(0).toInt()));
         facts.swatches.back()[protocols::FabricId(fromQt(swatch.value(1)))] = fromQt(swatch.value(2));
     }
-    QSqlQuery item = sqlite.run(QStringLiteral("SELECT name, file_code FROM familiarisation ORDER BY position"));
-    while (item.next()) facts.familiarisation.push_back({fromQt(item.value(0)), protocols::FileCode(fromQt(item.value(1)))});
+    QSqlQuery item = sqlite.run(QStringLiteral("SELECT name, sealed_code FROM familiarisation ORDER BY position"));
+    while (item.next()) facts.familiarisation.push_back({fromQt(item.value(0)), protocols::SealedCode(fromQt(item.value(1)))});
     return facts;
 }
 
@@ -127,11 +127,11 @@ std::vector<protocols::BlindedTrial> trialsIn(const SqliteConnection& sqlite, in
     std::vector<protocols::BlindedTrial> trials;
     QSqlQuery row = sqlite.run(
         QStringLiteral(
-            "SELECT number, phase, file_code, presentation_code, alternatives FROM trials WHERE slot = ? ORDER BY number"),
+            "SELECT number, phase, sealed_code, presentation_code, alternatives FROM trials WHERE slot = ? ORDER BY number"),
         {slot});
     while (row.next())
         trials.push_back({protocols::TrialNumber{row.value(0).toInt()}, row.value(1).toInt(),
-                          protocols::FileCode(fromQt(row.value(2))), protocols::PresentationCode(fromQt(row.value(3))),
+                          protocols::SealedCode(fromQt(row.value(2))), protocols::PresentationCode(fromQt(row.value(3))),
                           fabricsOf(fromQt(row.value(4)))});
     return trials;
 }
@@ -175,8 +175,7 @@ std::vector<EventRecord> eventsIn(const SqliteConnection& sqlite, const protocol
 std::vector<CurrentAnswer> answersIn(const SqliteConnection& sqlite)
 {
     std::vector<CurrentAnswer> answers;
-    QSqlQuery query = sqlite.run(QStringLiteral("SELECT %1, %2 FROM current_responses ORDER BY slot, trial, first_id")
-                                     .arg(QString(viewColumns), namesOf(ResponseColumns::OfCurrentAnswers)));
+    QSqlQuery query = sqlite.run(currentAnswersQuery());
     while (query.next()) answers.push_back(currentAnswerOf(query));
     return answers;
 }

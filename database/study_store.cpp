@@ -1,10 +1,14 @@
 #include "database/study_store.h"
 
 #include <algorithm>
+#include <optional>
 #include <system_error>
+#include <type_traits>
 
 #include "database/audit.h"
 #include "database/erasure.h"
+#include "database/open_files.h"
+#include "database/rescue.h"
 #include "database/schema.h"
 #include "database/sqlite_connection.h"
 #include "database/study_creation.h"
@@ -20,7 +24,39 @@ struct StudyStore::Connection {
     StudyFolder folder;
     std::unique_ptr<WriteLock> lock;  ///< null for a reader
     SqliteConnection sqlite;
+    std::optional<OpenFiles> files = {};   ///< of a writer
+    std::filesystem::path keptAside = {};  ///< the rescue file, once the open files are no longer in place
+
+    /// Stops a writer whose files somebody deleted, replaced or moved. Everything stored so far is kept aside first.
+    void requireFilesInPlace()
+    {
+        if (!files || (keptAside.empty() && files->areInPlace())) return;
+        if (keptAside.empty()) keptAside = keepAside(sqlite, folder);
+        throw protocols::environmentFault({"the database of the study was deleted, replaced or moved while it was open",
+                                           folder.database().string(), "the file that the session began with",
+                                           "every stored answer is kept in " + keptAside.string() +
+                                               "; close the study, then run vis2hap rescue " + folder.folder.string()});
+    }
 };
+
+namespace {
+
+/// Runs a write with the open files in place before it and after it, so that an acknowledged answer is in the folder.
+template <class Connection, class Write>
+auto written(Connection& connection, const Write& write)
+{
+    connection.requireFilesInPlace();
+    if constexpr (std::is_void_v<decltype(write())>) {
+        write();
+        connection.requireFilesInPlace();
+    } else {
+        auto result = write();
+        connection.requireFilesInPlace();
+        return result;
+    }
+}
+
+}  // namespace
 
 std::string nameOf(ParticipantKind kind)
 {
@@ -72,17 +108,12 @@ StudyStore::StudyStore(const StudyFolder& folder, Access access)
     const auto mode = writes ? SqliteConnection::Mode::Write : SqliteConnection::Mode::Read;
     m_connection.reset(new Connection{folder, std::move(lock), {folder.database(), mode}});
     const SqliteConnection& sqlite = m_connection->sqlite;
-    if (checkedVersion(sqlite) == schemaVersion) return;
-    if (!writes)
-        throw protocols::badInput({"an older version of this program made the study", folder.folder.string(), "",
-                                   "open it once in the app, which updates it"});
-    sqlite.run(QStringLiteral("PRAGMA foreign_keys = OFF"));
-    {
-        Transaction transaction(sqlite);
-        migrate(sqlite);
-        transaction.commit();
+    if (checkedVersion(sqlite) == schemaVersion) {
+        if (writes) m_connection->files.emplace(folder.database());
+        return;
     }
-    sqlite.run(QStringLiteral("PRAGMA foreign_keys = ON"));
+    throw protocols::badInput({"an older version of this program made the study", folder.folder.string(), "",
+                               "open it once in the app, which updates it"});
 }
 
 StudyStore::~StudyStore() = default;
@@ -102,14 +133,21 @@ std::vector<Enrolment> StudyStore::enrolments() const { return enrolmentsIn(m_co
 
 std::vector<ProtocolVersion> StudyStore::protocolVersions() const { return protocolVersionsIn(m_connection->sqlite); }
 
+StudyStore::Rescued StudyStore::rescue(const StudyFolder& folder, const std::filesystem::path& file)
+{
+    const WriteLock lock(folder);
+    const Rescue done = bringBack(folder, file);
+    return {done.events, done.earlier};
+}
+
 void StudyStore::takeProtocol(const std::string& json, const std::string& who, const std::string& why)
 {
-    takeProtocolInto(m_connection->sqlite, json, who, why);
+    written(*m_connection, [&] { takeProtocolInto(m_connection->sqlite, json, who, why); });
 }
 
 Slot StudyStore::enrol(const protocols::ParticipantId& participant, ParticipantKind kind)
 {
-    return enrolIn(m_connection->sqlite, participant, kind);
+    return written(*m_connection, [&] { return enrolIn(m_connection->sqlite, participant, kind); });
 }
 
 protocols::ParticipantId StudyStore::nextParticipantId() const { return nextParticipantIds("P", 1).front(); }
@@ -128,10 +166,13 @@ std::vector<protocols::ParticipantId> StudyStore::nextParticipantIds(const std::
 
 void StudyStore::setSlotState(const protocols::ParticipantId& participant, SlotState state)
 {
-    setSlotStateIn(m_connection->sqlite, participant, state);
+    written(*m_connection, [&] { setSlotStateIn(m_connection->sqlite, participant, state); });
 }
 
-void StudyStore::append(const Append& entry) { appendTo(m_connection->sqlite, entry); }
+void StudyStore::append(const Append& entry)
+{
+    written(*m_connection, [&] { appendTo(m_connection->sqlite, entry); });
+}
 
 std::vector<StudyStore::Flag> StudyStore::flags() const { return flagsIn(m_connection->sqlite); }
 
@@ -147,7 +188,10 @@ std::map<protocols::ParticipantId, std::map<std::string, std::string>> StudyStor
     return personalFactsIn(m_connection->sqlite);
 }
 
-void StudyStore::erase(const Erasure& erasure) { eraseFrom(m_connection->sqlite, erasure); }
+ErasureRecord StudyStore::erase(const Erasure& erasure)
+{
+    return written(*m_connection, [&] { return eraseFrom(m_connection->sqlite, erasure); });
+}
 
 std::vector<Erasure> StudyStore::erasures() const { return erasuresIn(m_connection->sqlite); }
 
@@ -158,7 +202,10 @@ void StudyStore::copyTo(const std::filesystem::path& file) const
     m_connection->sqlite.run(QStringLiteral("VACUUM INTO ?"), {toQt(file.string())});
 }
 
-void StudyStore::recordUnblinding(const UnblindingRecord& record) { recordUnblindingIn(m_connection->sqlite, record); }
+void StudyStore::recordUnblinding(const UnblindingRecord& record)
+{
+    written(*m_connection, [&] { recordUnblindingIn(m_connection->sqlite, record); });
+}
 
 std::optional<UnblindingRecord> StudyStore::unblinding() const { return unblindingIn(m_connection->sqlite); }
 

@@ -21,7 +21,7 @@ namespace database {
 /// A fabric outside the study with one friction image, which lets the participant get to know the display.
 struct FamiliarisationItem {
     std::string name;
-    protocols::FileCode fileCode;
+    protocols::SealedCode sealedCode;
     bool operator==(const FamiliarisationItem&) const = default;
 };
 
@@ -31,8 +31,9 @@ struct StudyFacts {
     std::string protocolJson;  ///< byte for byte as in protocol.json
     std::string protocolSha256;
     std::uint64_t designSeed = 0;
-    std::string keySha256;  ///< commitment to allocation-key.json
-    std::string maskedKeySha256;
+    std::string keySha256;         ///< commitment to the text of the allocation key
+    std::string stationKeySha256;  ///< commitment to station-key.json
+    bool hasPassphrase = false;    ///< false: the allocation key lies open in the folder
     std::string datasetPath;
     std::string datasetSha256;
     bool datasetProcedural = false;
@@ -42,8 +43,10 @@ struct StudyFacts {
     std::map<protocols::FabricId, std::string> fabricNames;
     std::vector<protocols::SwatchLabels> swatches;  ///< [slot]; empty: fabric pieces have no codes
     std::vector<FamiliarisationItem> familiarisation;
-    std::string signalsJson;  ///< generated against measured signals; "{}" if none
-    std::string createdAt;    ///< wall clock, ISO 8601 with zone
+    std::string signalsJson;     ///< generated against measured signals; "{}" if none
+    std::string plannedBalance;  ///< of the running orders, as JSON: the design cannot be drawn again without the secret
+    std::string madeWith;        ///< program, compiler, libraries and settings that made the study, as JSON
+    std::string createdAt;       ///< wall clock, ISO 8601 with zone
     std::string programVersion;
 };
 
@@ -93,7 +96,7 @@ struct EventRecord {
 struct AnswerRecord {
     protocols::TrialNumber trial;
     protocols::QuestionId question;
-    protocols::FileCode fileCode;
+    protocols::PresentationCode presentationCode;  ///< of this attempt at the trial
     std::vector<protocols::FabricId> alternatives;
     std::optional<std::string> answer;        ///< a fabric id, "same", "different", or words
     std::optional<protocols::Tenths> rating;  ///< rating questions only
@@ -131,6 +134,16 @@ struct Erasure {
     std::string who, why, wallTime;
 };
 
+/// What an erasure did.
+struct ErasureRecord {
+    std::int64_t event = 0;  ///< entry of the log
+    int answers = 0, notes = 0, facts = 0;
+    std::string wallTime;
+    std::size_t searchedFiles = 0;   ///< files of the study in which the removed texts were looked for
+    std::size_t searchedTexts = 0;   ///< salts, facts, notes and words that no other participant has
+    std::vector<std::string> found;  ///< files that still hold one of them, relative to the study
+};
+
 class StudyStore {
 public:
     /// Makes study.db in an existing folder, in one transaction, with the blinded lists of all slots and the hash of every
@@ -138,6 +151,13 @@ public:
     static void create(const StudyFolder& folder, const StudyFacts& facts,
                        const std::vector<std::vector<protocols::BlindedTrial>>& slots,
                        const std::map<protocols::FileCode, std::string>& stimulusHashes);
+
+    /// Brings back a rescue file (rescue.h) in the place of study.db. `file`: one of rescueFiles().
+    struct Rescued {
+        std::size_t events = 0;         ///< entries of the log that the study gained
+        std::filesystem::path earlier;  ///< the database that stood there, kept under another name
+    };
+    static Rescued rescue(const StudyFolder& folder, const std::filesystem::path& file);
 
     enum class Access { Read, Write };
     /// Throws badInput if the folder is no study, environmentFault if another writer holds the lock (naming its process) or the
@@ -185,7 +205,8 @@ public:
         std::int64_t storedAtNs = 0;                             ///< the session's clock just before the transaction
     };
     /// Returns after the sync. Throws environmentFault (disk full, read-only) and then stores nothing; workFailed for an answer
-    /// that is stored already, or a correction without an answer.
+    /// that is stored already, or a correction without an answer. Every writing call throws environmentFault where somebody
+    /// deleted, replaced or moved the open database; a rescue file then holds everything that was acknowledged.
     void append(const Append& entry);
 
     /// A presentation that the operator marked for a later check.
@@ -203,8 +224,10 @@ public:
     std::map<protocols::ParticipantId, std::map<std::string, std::string>> personalFacts() const;
 
     /// Removes facts and, if `answersToo`, every answer and note; the participant then counts as withdrawn. The erasure is
-    /// recorded, and the log can still be verified. Throws badInput for an unknown participant or an empty who or why.
-    void erase(const Erasure& erasure);
+    /// recorded, and the log can still be verified. Afterwards every file of the study is searched for what was removed. Throws
+    /// badInput for an unknown participant or an empty who or why, environmentFault while another program reads the study: the
+    /// same call later completes the erasure.
+    ErasureRecord erase(const Erasure& erasure);
     std::vector<Erasure> erasures() const;
 
     /// Writes a consistent copy of study.db into one new file, also during a session. Throws badInput if the file exists.

@@ -70,7 +70,7 @@ ResponseRow rowOf(const SqliteConnection& sqlite, const StudyStore::Append& entr
     row.trial = answer.trial.value;
     row.attempt = attemptOf(sqlite, row.participant, row.trial);
     row.question = answer.question.value;
-    row.fileCode = answer.fileCode.value;
+    row.presentationCode = answer.presentationCode.value;
     row.alternatives = jsonOf(answer.alternatives);
     row.choice = answer.answer;
     row.ratingTenths = answer.rating ? std::optional<int>(answer.rating->value) : std::nullopt;

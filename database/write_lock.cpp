@@ -37,7 +37,7 @@ protocols::Error heldByAnother(const StudyFolder& folder, int descriptor)
 
 WriteLock::WriteLock(const StudyFolder& folder)
 {
-    m_descriptor = ::open(folder.lock().c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
+    m_descriptor = ::open(folder.lock().c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
     if (m_descriptor < 0)
         throw protocols::environmentFault({std::string("the study cannot be opened for writing: ") + std::strerror(errno),
                                            folder.folder.string(), "a folder that may be written",

@@ -8,6 +8,8 @@
 #include <utility>
 
 #include "protocols/condition.h"
+#include "protocols/files/errors.h"
+#include "protocols/secrets/sealing.h"
 
 namespace protocols {
 
@@ -34,6 +36,9 @@ std::string drawUnusedCode(std::string_view letters, int length, std::set<std::s
     return code;
 }
 
+/// Each purpose has a seed of its own, so that the draws that a session shows tell nothing about the others.
+Random drawsFor(std::string_view purpose, const SecretKey& secret) { return Random(secret.seedFor(purpose)); }
+
 std::vector<std::size_t> permutation(std::size_t count, Random random)
 {
     std::vector<std::size_t> order(count);
@@ -43,9 +48,9 @@ std::vector<std::size_t> permutation(std::size_t count, Random random)
 }
 
 /// [label][fabric]. Only the secret seed decides which condition a label is.
-std::vector<std::vector<FileCode>> drawFileCodes(std::size_t labels, std::size_t fabrics, std::uint64_t secretSeed)
+std::vector<std::vector<FileCode>> drawFileCodes(std::size_t labels, std::size_t fabrics, const SecretKey& secret)
 {
-    Random random = Random::stream(secretSeed, "allocation/file codes");
+    Random random = drawsFor("allocation/file codes", secret);
     std::set<std::string> used;
     std::vector<std::vector<FileCode>> codes(labels);
     for (auto& perFabric : codes)
@@ -55,12 +60,12 @@ std::vector<std::vector<FileCode>> drawFileCodes(std::size_t labels, std::size_t
 }
 
 AllocationKey keyOf(const Protocol& protocol, const std::vector<FabricId>& fabrics,
-                    const std::vector<std::vector<FileCode>>& codes, std::uint64_t secretSeed)
+                    const std::vector<std::vector<FileCode>>& codes, const SecretKey& secret)
 {
     const std::size_t labels = protocol.conditions.size();
-    const auto conditions = permutation(labels, Random::stream(secretSeed, "allocation/conditions"));
-    const auto masks = permutation(labels, Random::stream(secretSeed, "allocation/masked labels"));
-    AllocationKey key;
+    const auto conditions = permutation(labels, drawsFor("allocation/conditions", secret));
+    const auto masks = permutation(labels, drawsFor("allocation/masked labels", secret));
+    AllocationKey key{{}, secret};
     for (std::size_t label = 0; label < labels; ++label)
         for (std::size_t fabric = 0; fabric < fabrics.size(); ++fabric)
             key.entries[codes[label][fabric]] = {fabrics[fabric], protocol.conditions[conditions[label]],
@@ -71,9 +76,9 @@ AllocationKey keyOf(const Protocol& protocol, const std::vector<FabricId>& fabri
     return key;
 }
 
-std::vector<FileCode> drawMoreFileCodes(const AllocationKey& key, int count, std::uint64_t secretSeed)
+std::vector<FileCode> drawMoreFileCodes(const AllocationKey& key, int count, const SecretKey& secret)
 {
-    Random random = Random::stream(secretSeed, "allocation/familiarisation codes");
+    Random random = drawsFor("allocation/familiarisation codes", secret);
     std::set<std::string> used;
     for (const auto& [code, entry] : key.entries) used.insert(code.value);
     std::vector<FileCode> codes;
@@ -83,9 +88,9 @@ std::vector<FileCode> drawMoreFileCodes(const AllocationKey& key, int count, std
 
 /// Three digits each, all different within the study as long as there are enough.
 std::vector<SwatchLabels> drawSwatches(const Protocol& protocol, const std::vector<FabricId>& fabrics, std::size_t slots,
-                                       std::uint64_t secretSeed)
+                                       const SecretKey& secret)
 {
-    Random random = Random::stream(secretSeed, "allocation/swatch codes");
+    Random random = drawsFor("allocation/swatch codes", secret);
     std::vector<SwatchLabels> drawn;
     std::vector<int> numbers;
     const std::size_t sets = protocol.swatchCodes == SwatchCodes::PerParticipant ? slots : 1;
@@ -108,8 +113,8 @@ std::vector<SwatchLabels> drawSwatches(const Protocol& protocol, const std::vect
 /// Draws presentation codes: unique in the study if there are enough codes, always unique within a participant.
 class PresentationCodes {
 public:
-    PresentationCodes(const Design& design, std::uint64_t secretSeed)
-        : m_random(Random::stream(secretSeed, "allocation/presentation codes"))
+    PresentationCodes(const Design& design, const SecretKey& secret)
+        : m_random(drawsFor("allocation/presentation codes", secret))
     {
         std::size_t needed = 0;
         for (const auto& participant : design.participants) needed += participant.size();
@@ -138,19 +143,50 @@ private:
     int m_length = presentationCodeLength;
 };
 
+constexpr std::string_view boundToCodes = "vis2hap presentation";
+
 }  // namespace
 
-Allocation allocate(const Protocol& protocol, const Design& design, const std::vector<FabricId>& fabrics,
-                    std::uint64_t secretSeed, int familiarisation)
+const AllocationKey::Entry& AllocationKey::entryOf(const BlindedTrial& trial) const
+{
+    const auto found = entries.find(opened(trial.sealedCode, stationKeyOf(secret)));
+    if (found == entries.end())
+        throw workFailed({"a presentation shows an image that the allocation key does not know",
+                          "trial " + std::to_string(trial.number.value), "the key of this study", "run vis2hap verify"});
+    return found->second;
+}
+
+SecretKey stationKeyOf(const SecretKey& secret) { return secret.derived("station key"); }
+
+SealedCode sealed(const FileCode& code, const SecretKey& stationKey)
+{
+    return SealedCode(hexText(seal(stationKey, code.value, boundToCodes)));
+}
+
+FileCode opened(const SealedCode& code, const SecretKey& stationKey)
+{
+    if (auto text = open(stationKey, ofHexText(code.value, "the sealed code of a presentation"), boundToCodes))
+        return FileCode(std::move(*text));
+    throw workFailed({"the sealed code of a presentation cannot be opened", "the list of trials in study.db",
+                      "the code and the station key of this study", "run vis2hap verify; restore the study from a backup"});
+}
+
+std::uint64_t designSeedOf(const SecretKey& secret, std::uint64_t publicSeed)
+{
+    return secret.seedFor("design " + std::to_string(publicSeed));
+}
+
+Allocation allocate(const Protocol& protocol, const Design& design, const std::vector<FabricId>& fabrics, const SecretKey& secret,
+                    int familiarisation)
 {
     assert(static_cast<int>(fabrics.size()) == protocol.fabricCount && "one fabric id for each number of the design");
     const bool hasCatchTrials = std::ranges::any_of(protocol.phases, [](const Phase& phase) { return phase.catchTrials > 0; });
-    const auto codes = drawFileCodes(protocol.conditions.size() + std::size_t(hasCatchTrials), fabrics.size(), secretSeed);
-    PresentationCodes presentationCodesOf(design, secretSeed);
-    Allocation allocation;
-    allocation.key = keyOf(protocol, fabrics, codes, secretSeed);
-    allocation.familiarisation = drawMoreFileCodes(allocation.key, familiarisation, secretSeed);
-    allocation.swatches = drawSwatches(protocol, fabrics, design.participants.size(), secretSeed);
+    const auto codes = drawFileCodes(protocol.conditions.size() + std::size_t(hasCatchTrials), fabrics.size(), secret);
+    PresentationCodes presentationCodesOf(design, secret);
+    const SecretKey station = stationKeyOf(secret);
+    Allocation allocation{{}, keyOf(protocol, fabrics, codes, secret), {}, {}};
+    allocation.familiarisation = drawMoreFileCodes(allocation.key, familiarisation, secret);
+    allocation.swatches = drawSwatches(protocol, fabrics, design.participants.size(), secret);
     for (const auto& trials : design.participants) {
         auto& list = allocation.participants.emplace_back();
         presentationCodesOf.beginParticipant();
@@ -159,7 +195,7 @@ Allocation allocate(const Protocol& protocol, const Design& design, const std::v
             blinded.number = TrialNumber{static_cast<int>(list.size()) + 1};
             blinded.phase = trial.phase;
             const auto& row = trial.label == catchTrialLabel ? codes.back() : codes.at(static_cast<std::size_t>(trial.label));
-            blinded.fileCode = row.at(static_cast<std::size_t>(trial.fabric));
+            blinded.sealedCode = sealed(row.at(static_cast<std::size_t>(trial.fabric)), station);
             blinded.presentationCode = presentationCodesOf.next();
             for (const int fabric : trial.alternatives)
                 blinded.alternatives.push_back(fabrics.at(static_cast<std::size_t>(fabric)));
@@ -177,13 +213,6 @@ PresentationCode codeOfAttempt(const std::vector<BlindedTrial>& list, std::size_
     for (const BlindedTrial& trial : list) used.insert(trial.presentationCode.value);
     Random random = Random::stream(static_cast<std::uint64_t>(attempt), "presentation again/" + own);
     return PresentationCode(drawUnusedCode(presentationLetters, static_cast<int>(own.size()), used, random));
-}
-
-MaskedKey masked(const AllocationKey& key)
-{
-    MaskedKey result;
-    for (const auto& [code, entry] : key.entries) result.entries[code] = {entry.fabric, entry.label};
-    return result;
 }
 
 }  // namespace protocols

@@ -1,5 +1,6 @@
-// Turns a design over abstract labels into the contents of a study folder. Blinded trial lists hold file codes and presentation
-// codes. The allocation key holds the fabric and condition of each file code; the masked key its fabric and K-label only.
+// Turns a design over abstract labels into the contents of a study folder. Blinded trial lists hold presentation codes and sealed
+// file codes. The station key opens a sealed code: it leads from a presentation to its file, and says nothing else. The
+// allocation key holds the fabric and condition of each file.
 #pragma once
 
 #include <cstdint>
@@ -10,20 +11,22 @@
 #include "protocols/counterbalancing.h"
 #include "protocols/ids.h"
 #include "protocols/protocol.h"
+#include "protocols/secrets/secret_key.h"
 
 namespace protocols {
 
 /// One presentation as the session and the app know it.
 struct BlindedTrial {
     TrialNumber number;
-    int phase = 0;  ///< index into Protocol::phases
-    FileCode fileCode;
+    int phase = 0;          ///< index into Protocol::phases
+    SealedCode sealedCode;  ///< of its image
     PresentationCode presentationCode;
     std::vector<FabricId> alternatives;  ///< on the tray, in slot order; one fabric in rating phases
     bool operator==(const BlindedTrial&) const = default;
 };
 
-/// File code -> condition and fabric. Only scripted and simulated participants and the recorded unblinding may read it.
+/// File code -> condition and fabric, and the secret that the study was drawn from. Only scripted and simulated participants, the
+/// recorded unblinding and aggregates under K-labels may read it.
 struct AllocationKey {
     struct Entry {
         FabricId fabric;
@@ -32,19 +35,20 @@ struct AllocationKey {
         bool operator==(const Entry&) const = default;
     };
     std::map<FileCode, Entry> entries;
-    bool operator==(const AllocationKey&) const = default;
+    SecretKey secret;
+
+    /// What a presentation shows. Throws workFailed for a code that the secret does not open.
+    const Entry& entryOf(const BlindedTrial& trial) const;
 };
 
-/// File code -> fabric and K-label. Report, status and export may read it.
-struct MaskedKey {
-    struct Entry {
-        FabricId fabric;
-        ConditionLabel label;
-        bool operator==(const Entry&) const = default;
-    };
-    std::map<FileCode, Entry> entries;
-    bool operator==(const MaskedKey&) const = default;
-};
+/// The key that a station needs to show images, derived from the study's secret.
+SecretKey stationKeyOf(const SecretKey& secret);
+
+/// Seals a file code for one presentation. Two seals of one code differ.
+SealedCode sealed(const FileCode& code, const SecretKey& stationKey);
+
+/// Throws workFailed where the code was sealed with another key or altered.
+FileCode opened(const SealedCode& code, const SecretKey& stationKey);
 
 /// The neutral codes on the fabric pieces: three digits, all different on one tray.
 using SwatchLabels = std::map<FabricId, std::string>;
@@ -56,16 +60,17 @@ struct Allocation {
     std::vector<FileCode> familiarisation;                ///< images that no trial shows
 };
 
-/// `fabrics`: those of the study, in the order of the design's numbers. `secretSeed` draws the condition of each label, the file
-/// codes, the K-labels and the presentation codes; outside tests it comes from drawSecretSeed(). `familiarisation`: number of
-/// images that let the participant get to know the display.
-Allocation allocate(const Protocol& protocol, const Design& design, const std::vector<FabricId>& fabrics,
-                    std::uint64_t secretSeed, int familiarisation = 0);
+/// The seed of drawDesign(): the public seed and the secret, so that who knows the public seed cannot draw the design again.
+std::uint64_t designSeedOf(const SecretKey& secret, std::uint64_t publicSeed);
+
+/// `fabrics`: those of the study, in the order of the design's numbers. The secret draws the condition of each label, the file
+/// codes, the K-labels, the presentation codes and the station key; outside tests it comes from SecretKey::drawn().
+/// `familiarisation`: number of images that let the participant get to know the display.
+Allocation allocate(const Protocol& protocol, const Design& design, const std::vector<FabricId>& fabrics, const SecretKey& secret,
+                    int familiarisation = 0);
 
 /// The code of a presentation that is repeated after a void. It has the same form, differs from every code of the list, and is
 /// the same in every call. `attempt` counts from 1; the first attempt has the trial's own code.
 PresentationCode codeOfAttempt(const std::vector<BlindedTrial>& list, std::size_t index, int attempt);
-
-MaskedKey masked(const AllocationKey& key);
 
 }  // namespace protocols

@@ -22,6 +22,7 @@ using FabricId = Id<struct FabricTag>;                ///< "F01"
 using ConditionId = Id<struct ConditionTag>;          ///< "h_g&f_g"
 using QuestionId = Id<struct QuestionTag>;            ///< "Q1"
 using FileCode = Id<struct FileCodeTag>;              ///< opaque name of a stimulus file in the study folder
+using SealedCode = Id<struct SealedCodeTag>;          ///< the file code of one presentation, sealed with the station key
 using ConditionLabel = Id<struct ConditionLabelTag>;  ///< "K3": a condition's masked name
 using PresentationCode = Id<struct PresentationTag>;  ///< shown on the console; new for each participant and trial
 

@@ -100,19 +100,4 @@ double Random::normal()
     return u * scale;
 }
 
-std::uint64_t drawSecretSeed()
-{
-    std::uint64_t seed = 0;
-    ssize_t got = -1;
-    do {
-        got = getrandom(&seed, sizeof seed, 0);
-    } while (got < 0 && errno == EINTR);
-    if (got != static_cast<ssize_t>(sizeof seed))
-        throw environmentFault({.what = std::string("the system gives no random numbers: ") + std::strerror(errno),
-                                .where = "getrandom",
-                                .expected = "a working random source of the system",
-                                .nextStep = "run the command again"});
-    return seed;
-}
-
 }  // namespace protocols

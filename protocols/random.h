@@ -45,7 +45,4 @@ private:
     bool m_hasSpare = false;
 };
 
-/// 64 bits from the random source of the system (getrandom). Throws environmentFault if it fails.
-std::uint64_t drawSecretSeed();
-
 }  // namespace protocols

@@ -40,8 +40,9 @@ void writeAll(const StudyAnalysis& analysis, const protocols::FolderDraft& draft
     write(draft.file("index.html"), reportPage(analysis, tables, figures));
 }
 
-/// A folder with files of these names that no report wrote is somebody's work.
-void requireReplaceable(const fs::path& folder)
+}  // namespace
+
+void requireReplaceableReport(const fs::path& folder)
 {
     if (fs::exists(folder) && !fs::is_directory(folder))
         throw protocols::badInput({"the place of the report is a file", folder.string(), "a folder, or a new name", ""});
@@ -51,11 +52,9 @@ void requireReplaceable(const fs::path& folder)
                                        "an empty folder, a new name, or an earlier report", "choose another folder with --out"});
 }
 
-}  // namespace
-
 void writeReport(const StudyAnalysis& analysis, const std::filesystem::path& folder)
 {
-    requireReplaceable(folder);
+    requireReplaceableReport(folder);
     protocols::FolderDraft draft(folder, protocols::Earlier::EntriesReplaced);
     writeAll(analysis, draft);
     draft.putInPlace();

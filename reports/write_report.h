@@ -12,4 +12,7 @@ namespace reports {
 /// cannot write, badInput where the folder holds somebody's files of these names; no half-written report is left.
 void writeReport(const StudyAnalysis& analysis, const std::filesystem::path& folder);
 
+/// Throws badInput where the place is a file, or a folder with files of a report's names that no report wrote.
+void requireReplaceableReport(const std::filesystem::path& folder);
+
 }  // namespace reports

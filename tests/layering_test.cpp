@@ -20,9 +20,10 @@ const QList<Room>& rooms()
 {
     static const QList<Room> table{
         {"protocols/files/", "the ground floor: errors, whole files, CSV, strict JSON, SHA-256", {}},
+        {"protocols/secrets/", "secrets and seals: derived keys, authenticated encryption, passphrases", {"protocols/files/"}},
         {"protocols/",
          "the words of a study: ids, conditions, protocols, the seeded generator, running orders, keys",
-         {"protocols/files/"}},
+         {"protocols/files/", "protocols/secrets/"}},
         {"protocols/records/", "what is kept of an allocation: the texts of the keys, the balance", {"protocols/"}},
         {"stats/kernels/", "sums, moments, ranks, tail probabilities, matrices; the value that may be undefined", {}},
         {"stats/metrics/", "measures of images and traces", {"stats/kernels/"}},
@@ -91,7 +92,8 @@ const QList<Room>& rooms()
         {"reports/", "the files of a report", {"reports/", "stats/", "protocols/"}, true},
         {"study/session/",
          "the session as a pure state machine, and its driver",
-         {"database/study_store.h", "rendering/display/display.h", "rendering/display/stimulus_bank.h", "protocols/"},
+         {"database/study_store.h", "database/station_key.h", "rendering/display/display.h", "rendering/display/stimulus_bank.h",
+          "protocols/"},
          true},
         {"study/app/state/",
          "what the window holds: the open study, the running session, settings",
@@ -212,7 +214,7 @@ QStringList blindingFaults(const QString& file, const QString& text)
         file.startsWith("study/session/") || file.startsWith("study/app/") || file.startsWith("study/looking/");
     if (!isBlinded) return {};
     QStringList faults;
-    static const QRegularExpression keys("\\b(AllocationKey|MaskedKey|readAllocationKey\\w*|readMaskedKey|Unblinded)\\b");
+    static const QRegularExpression keys("\\b(AllocationKey|readAllocationKey\\w*|readKeyForAggregates|Unblinded)\\b");
     const auto match = keys.match(withoutComments(text));
     if (match.hasMatch()) faults << file + " names " + match.captured(1);
     return faults;
@@ -341,7 +343,7 @@ private Q_SLOTS:
     void namedKeysAreSeen()
     {
         QCOMPARE(blindingFaults("study/app/a.cpp", "protocols::AllocationKey key;").size(), 1);
-        const QString remarks = QString("%1 no MaskedKey here\nint x; %2* nor an\nAllocationKey *%2").arg("//", "/");
+        const QString remarks = QString("%1 no Unblinded here\nint x; %2* nor an\nAllocationKey *%2").arg("//", "/");
         QCOMPARE(blindingFaults("study/session/a.h", remarks).size(), 0);
         QCOMPARE(blindingFaults("study/commands/a.cpp", "protocols::AllocationKey key;").size(), 0);
     }

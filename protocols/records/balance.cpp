@@ -1,5 +1,7 @@
 #include "protocols/records/balance.h"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <map>
 #include <set>
@@ -195,6 +197,15 @@ BalanceCertificate balanceOf(const Design& design, const Protocol& protocol)
         certificate.repeatedFoilPairs += repeatedFoilSets(trials);
     }
     return certificate;
+}
+
+nlohmann::ordered_json jsonOf(const BalanceCertificate& certificate)
+{
+    nlohmann::ordered_json ranges = nlohmann::ordered_json::array();
+    for (const auto& range : certificate.ranges) ranges.push_back({{"what", range.what}, {"min", range.min}, {"max", range.max}});
+    return {{"balance", ranges},
+            {"immediate_repeats", certificate.immediateRepeats},
+            {"repeated_foil_pairs", certificate.repeatedFoilPairs}};
 }
 
 std::string describe(const BalanceCertificate& certificate)

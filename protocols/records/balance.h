@@ -2,6 +2,7 @@
 // that drew it.
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,9 @@ struct BalanceCertificate {
 
 /// Balance of a planned design, or of what was presented.
 BalanceCertificate balanceOf(const Design& design, const Protocol& protocol);
+
+/// "balance", "immediate_repeats" and "repeated_foil_pairs".
+nlohmann::ordered_json jsonOf(const BalanceCertificate& certificate);
 
 /// The certificate in lines for people.
 std::string describe(const BalanceCertificate& certificate);

@@ -16,23 +16,21 @@ namespace {
 using nlohmann::json;
 using nlohmann::ordered_json;
 
-constexpr const char* allocationSchema = "vis2hap.allocation-key/1";
-constexpr const char* maskedSchema = "vis2hap.masked-key/1";
+constexpr const char* allocationSchema = "vis2hap.allocation-key/2";
 
 Error malformed(const std::string& what, const std::string& where, const std::string& expected)
 {
     return badInput({.what = what, .where = where, .expected = expected, .nextStep = "restore the file from a backup"});
 }
 
-/// The entries of a key file with this schema.
-json entriesOf(std::string_view text, const std::string& where, const std::string& schema)
+json documentOf(std::string_view text, const std::string& where)
 {
-    const json document = parseStrictJson(text, where);
-    if (!document.is_object() || !document.contains("schema") || document.at("schema") != schema)
-        throw malformed("not a key of this kind", where, "\"schema\": \"" + schema + "\"");
+    json document = parseStrictJson(text, where);
+    if (!document.is_object() || !document.contains("schema") || document.at("schema") != allocationSchema)
+        throw malformed("not a key of this kind", where, std::string("\"schema\": \"") + allocationSchema + "\"");
     if (!document.contains("entries") || !document.at("entries").is_object())
         throw malformed("entries are missing", where, "an object from file codes to their meaning");
-    return document.at("entries");
+    return document;
 }
 
 std::string textIn(const json& entry, const char* name, const std::string& where)
@@ -57,28 +55,20 @@ std::string inLines(const ordered_json& document) { return document.dump(2) + "\
 
 std::string toJson(const AllocationKey& key)
 {
-    ordered_json document{{"schema", allocationSchema}, {"entries", ordered_json::object()}};
+    ordered_json document{{"schema", allocationSchema}, {"secret", key.secret.hex()}, {"entries", ordered_json::object()}};
     for (const auto& [code, entry] : key.entries)
         document["entries"][code.value] = {
             {"fabric", entry.fabric.value}, {"condition", entry.condition.value}, {"label", entry.label.value}};
     return inLines(document);
 }
 
-std::string toJson(const MaskedKey& key)
-{
-    ordered_json document{{"schema", maskedSchema}, {"entries", ordered_json::object()}};
-    for (const auto& [code, entry] : key.entries)
-        document["entries"][code.value] = {{"fabric", entry.fabric.value}, {"label", entry.label.value}};
-    return inLines(document);
-}
-
 AllocationKey allocationKeyFromJson(std::string_view text, const std::string& where)
 {
-    AllocationKey key;
+    const json document = documentOf(text, where);
+    AllocationKey key{{}, SecretKey::ofHex(textIn(document, "secret", where), where)};
     std::set<std::pair<FabricId, ConditionId>> seen;
     std::map<ConditionLabel, ConditionId> meanings;
-    const json entries = entriesOf(text, where, allocationSchema);
-    for (const auto& [code, entry] : entries.items()) {
+    for (const auto& [code, entry] : document.at("entries").items()) {
         const std::string place = where + ", " + code;
         const FabricId fabric(textIn(entry, "fabric", place));
         const ConditionId condition = conditionIn(entry, place);
@@ -89,17 +79,6 @@ AllocationKey allocationKeyFromJson(std::string_view text, const std::string& wh
         if (meanings.emplace(label, condition).first->second != condition)
             throw malformed(label.value + " stands for two conditions", place, "one condition for each label");
         key.entries[FileCode(code)] = {fabric, condition, label};
-    }
-    return key;
-}
-
-MaskedKey maskedKeyFromJson(std::string_view text, const std::string& where)
-{
-    MaskedKey key;
-    const json entries = entriesOf(text, where, maskedSchema);
-    for (const auto& [code, entry] : entries.items()) {
-        const std::string place = where + ", " + code;
-        key.entries[FileCode(code)] = {FabricId(textIn(entry, "fabric", place)), ConditionLabel(textIn(entry, "label", place))};
     }
     return key;
 }

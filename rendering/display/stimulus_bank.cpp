@@ -8,8 +8,11 @@
 #include <cstring>
 #include <utility>
 
+#include "protocols/allocation.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/sha256.h"
+#include "protocols/files/whole_file.h"
+#include "protocols/secrets/sealing.h"
 #include "rendering/images/image_io.h"
 
 namespace rendering {
@@ -21,7 +24,15 @@ constexpr std::size_t keptReady = 4;
 
 std::filesystem::path pathOf(const std::filesystem::path& stimuli, const protocols::FileCode& code)
 {
-    return stimuli / (code.value + ".pgm");
+    return stimuli / (code.value + ".sealed");
+}
+
+protocols::Error notUsable(const std::string& what, const std::filesystem::path& file)
+{
+    return protocols::workFailed({.what = what,
+                                  .where = file.string(),
+                                  .expected = "the file from the making of the study",
+                                  .nextStep = "restore it from a backup; vis2hap verify lists all faults"});
 }
 
 /// Fault of a stimulus; empty for a sound one.
@@ -36,52 +47,59 @@ std::string faultOf(const std::filesystem::path& file, const std::string& hash)
     }
 }
 
-protocols::Error notUsable(const std::string& what, const std::filesystem::path& file)
-{
-    return protocols::workFailed({.what = what,
-                                  .where = file.string(),
-                                  .expected = "the file from the making of the study",
-                                  .nextStep = "restore it from a backup; vis2hap verify lists all faults"});
-}
-
 }  // namespace
 
-std::string writeStimulus(const std::filesystem::path& stimuli, const protocols::FileCode& code, const cv::Mat& image)
+std::string writeStimulus(const std::filesystem::path& stimuli, const protocols::FileCode& code, const cv::Mat& image,
+                          const protocols::SecretKey& stationKey)
 {
     const auto file = pathOf(stimuli, code);
-    writePgm(file, image, protocols::Sync::Later);
-    // Different times or permissions would distinguish stimuli.
+    const std::string bytes = protocols::seal(stationKey, pgmBytes(image), code.value);
+    protocols::writeWholeFile(file, bytes, protocols::Sync::Later, protocols::Readers::OwnerOnly);
+    // Different times would distinguish stimuli.
     const timespec times[2] = {{stimulusTime, 0}, {stimulusTime, 0}};
-    if (chmod(file.c_str(), 0644) != 0 || utimensat(AT_FDCWD, file.c_str(), times, 0) != 0)
+    if (utimensat(AT_FDCWD, file.c_str(), times, 0) != 0)
         throw protocols::environmentFault({.what = std::string("the time stamp cannot be set (") + std::strerror(errno) + ")",
                                            .where = file.string(),
                                            .expected = "a folder of this user on a local disk",
                                            .nextStep = "choose another folder for the study"});
-    return protocols::sha256OfFile(file);
+    return protocols::sha256(bytes);
 }
 
-StimulusBank::StimulusBank(std::filesystem::path stimuli, std::map<protocols::FileCode, std::string> hashes)
-    : m_stimuli(std::move(stimuli)), m_hashes(std::move(hashes))
+StimulusBank::StimulusBank(const std::filesystem::path& stimuli, const StimulusHashes& hashes,
+                           const protocols::SecretKey& stationKey)
+    : m_stimuli(stimuli), m_stationKey(stationKey)
 {
+    for (const auto& [code, hash] : hashes) {
+        const auto file = pathOf(stimuli, code);
+        auto sealed = protocols::readIfPossible(file);
+        if (!sealed) throw notUsable("the stimulus is missing", file);
+        if (!protocols::open(stationKey, *sealed, code.value)) throw notUsable("the stimulus was altered", file);
+        m_sealed.emplace(code, std::move(*sealed));
+    }
 }
 
-const cv::Mat& StimulusBank::image(const protocols::FileCode& code)
+const cv::Mat& StimulusBank::image(const protocols::SealedCode& code) { return imageOf(protocols::opened(code, m_stationKey)); }
+
+const cv::Mat& StimulusBank::imageOf(const protocols::FileCode& code)
 {
-    prefetch(code);
+    makeReady(code);
     return m_ready.at(code);
 }
 
-void StimulusBank::prefetch(const protocols::FileCode& code)
+void StimulusBank::prefetch(const protocols::SealedCode& code) { makeReady(protocols::opened(code, m_stationKey)); }
+
+void StimulusBank::makeReady(const protocols::FileCode& code)
 {
-    const auto file = pathOf(m_stimuli, code);
     if (const auto place = std::find(m_order.begin(), m_order.end(), code); place != m_order.end()) {
         std::rotate(place, place + 1, m_order.end());
         return;
     }
-    const auto hash = m_hashes.find(code);
-    if (hash == m_hashes.end()) throw notUsable("the study has no stimulus of this name", file);
-    if (const auto fault = faultOf(file, hash->second); !fault.empty()) throw notUsable(fault, file);
-    m_ready[code] = readPgm(file);
+    const auto file = pathOf(m_stimuli, code);
+    const auto sealed = m_sealed.find(code);
+    if (sealed == m_sealed.end()) throw notUsable("the study has no stimulus of this name", file);
+    const auto bytes = protocols::open(m_stationKey, sealed->second, code.value);
+    if (!bytes) throw notUsable("the stimulus was altered", file);
+    m_ready[code] = pgmOfBytes(*bytes, file);
     m_order.push_back(code);
     if (m_order.size() > keptReady) {
         m_ready.erase(m_order.front());
@@ -89,11 +107,11 @@ void StimulusBank::prefetch(const protocols::FileCode& code)
     }
 }
 
-std::vector<std::string> StimulusBank::faults() const
+std::vector<std::string> faultsOfStimuli(const std::filesystem::path& stimuli, const StimulusHashes& hashes)
 {
     std::vector<std::string> lines;
-    for (const auto& [code, hash] : m_hashes) {
-        const auto file = pathOf(m_stimuli, code);
+    for (const auto& [code, hash] : hashes) {
+        const auto file = pathOf(stimuli, code);
         if (const auto fault = faultOf(file, hash); !fault.empty()) lines.push_back(file.string() + ": " + fault);
     }
     return lines;

@@ -1,5 +1,6 @@
-// Friction images by file code, the only part of rendering that a session uses. It knows no fabrics and no conditions.
-// Stimulus files have equal size (PGM) and equal time stamps.
+// The sealed friction images of a study, the only part of rendering that a session uses. It knows no fabrics and no conditions.
+// Each file is encrypted and bound to its name. All have equal size and equal time stamps, and all are read when the bank is
+// made: neither a file nor the time to show it tells which image a presentation has.
 #pragma once
 
 #include <filesystem>
@@ -9,33 +10,41 @@
 #include <vector>
 
 #include "protocols/ids.h"
+#include "protocols/secrets/secret_key.h"
 
 namespace rendering {
 
-/// Writes stimuli/<code>.pgm with the fixed time stamp and returns its SHA-256. The bytes reach the disk with the study
-/// folder, which is synced as a whole.
-std::string writeStimulus(const std::filesystem::path& stimuli, const protocols::FileCode& code, const cv::Mat& image);
+/// SHA-256 of each stimulus file, from the study's database.
+using StimulusHashes = std::map<protocols::FileCode, std::string>;
+
+/// Writes stimuli/<code>.sealed (mode 0600) with the fixed time stamp and returns its SHA-256. The bytes reach the disk with the
+/// study folder, which is synced as a whole. `image`: CV_8UC1, of equal size in one study.
+std::string writeStimulus(const std::filesystem::path& stimuli, const protocols::FileCode& code, const cv::Mat& image,
+                          const protocols::SecretKey& stationKey);
 
 class StimulusBank {
 public:
-    /// `hashes`: SHA-256 of each stimulus, from the study's database.
-    StimulusBank(std::filesystem::path stimuli, std::map<protocols::FileCode, std::string> hashes);
+    /// Reads all files. Throws workFailed where one is missing or altered, or was sealed with another key.
+    StimulusBank(const std::filesystem::path& stimuli, const StimulusHashes& hashes, const protocols::SecretKey& stationKey);
 
-    /// CV_8UC1 [800 x 1280]; the reference is valid until three other images are requested. Throws workFailed where the file
-    /// is missing or altered.
-    const cv::Mat& image(const protocols::FileCode& code);
+    /// CV_8UC1 [800 x 1280]; the reference is valid until three other images are requested.
+    const cv::Mat& image(const protocols::SealedCode& code);
+    const cv::Mat& imageOf(const protocols::FileCode& code);
 
-    /// Reads the image now, so that the time to show it later reveals nothing. Keeps the last few images.
-    void prefetch(const protocols::FileCode& code);
-
-    /// One line for each stimulus that is missing or altered.
-    std::vector<std::string> faults() const;
+    /// Decrypts the image now, while the operator fills the tray. Keeps the last few images.
+    void prefetch(const protocols::SealedCode& code);
 
 private:
+    void makeReady(const protocols::FileCode& code);
+
     std::filesystem::path m_stimuli;
-    std::map<protocols::FileCode, std::string> m_hashes;
+    protocols::SecretKey m_stationKey;
+    std::map<protocols::FileCode, std::string> m_sealed;
     std::map<protocols::FileCode, cv::Mat> m_ready;
     std::vector<protocols::FileCode> m_order;  ///< codes in m_ready, oldest use first
 };
+
+/// One line for each stimulus that is missing or altered. Needs no key.
+std::vector<std::string> faultsOfStimuli(const std::filesystem::path& stimuli, const StimulusHashes& hashes);
 
 }  // namespace rendering

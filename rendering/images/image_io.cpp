@@ -194,9 +194,10 @@ void writeNpy(const std::filesystem::path& file, const cv::Mat& array, protocols
     protocols::writeWholeFile(file, bytes, sync);
 }
 
-cv::Mat readPgm(const std::filesystem::path& file)
+cv::Mat readPgm(const std::filesystem::path& file) { return pgmOfBytes(protocols::readWholeFile(file), file); }
+
+cv::Mat pgmOfBytes(std::string_view bytes, const std::filesystem::path& file)
 {
-    const std::string bytes = protocols::readWholeFile(file);
     if (!bytes.starts_with("P5")) throw notReadable(file, "PGM", "no P5 signature");
     std::size_t at = 2;
     const int width = pgmNumber(bytes, at, file);
@@ -213,11 +214,16 @@ cv::Mat readPgm(const std::filesystem::path& file)
 
 void writePgm(const std::filesystem::path& file, const cv::Mat& image, protocols::Sync sync)
 {
+    protocols::writeWholeFile(file, pgmBytes(image), sync);
+}
+
+std::string pgmBytes(const cv::Mat& image)
+{
     CV_Assert(!image.empty() && image.type() == CV_8UC1);
     std::string bytes = "P5\n" + std::to_string(image.cols) + " " + std::to_string(image.rows) + "\n255\n";
     for (int row = 0; row < image.rows; ++row)
         bytes.append(reinterpret_cast<const char*>(image.ptr(row)), std::size_t(image.cols));
-    protocols::writeWholeFile(file, bytes, sync);
+    return bytes;
 }
 
 cv::Mat readImage(const std::filesystem::path& file)

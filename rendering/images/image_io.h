@@ -22,6 +22,10 @@ void writeNpy(const std::filesystem::path& file, const cv::Mat& array, protocols
 cv::Mat readPgm(const std::filesystem::path& file);
 void writePgm(const std::filesystem::path& file, const cv::Mat& image, protocols::Sync sync = protocols::Sync::Now);
 
+/// The bytes of a PGM file in memory. `where` names their source in errors.
+std::string pgmBytes(const cv::Mat& image);
+cv::Mat pgmOfBytes(std::string_view bytes, const std::filesystem::path& where);
+
 /// Reads an image in the format of the file's ending: .png, .tif, .tiff, .npy or .pgm. Throws badInput for any other.
 cv::Mat readImage(const std::filesystem::path& file);
 

@@ -19,6 +19,7 @@
 #include "study/app/gui_operator.h"
 #include "study/app/main_window.h"
 #include "study/session/driver.h"
+#include "study/session/stimuli.h"
 #include "study/session/preparation.h"
 
 namespace study::bench {
@@ -38,16 +39,17 @@ database::StudyFolder makeStudy(const std::filesystem::path& path, const std::st
     const auto protocol = protocols::protocolFromJson(protocolJson, "bench");
     database::StudyFacts facts;
     for (int fabric = 1; fabric <= protocol.fabricCount; ++fabric) facts.fabrics.emplace_back("F" + std::to_string(100 + fabric));
-    const auto allocation = allocate(protocol, draw(protocol), facts.fabrics, 2);
+    const auto allocation = allocate(protocol, draw(protocol), facts.fabrics, protocols::SecretKey::ofSeed(2));
     std::map<protocols::FileCode, std::string> hashes;
     for (const auto& [code, entry] : allocation.key.entries)
-        hashes[code] = rendering::writeStimulus(folder.stimuli(), code, image);
+        hashes[code] = rendering::writeStimulus(folder.stimuli(), code, image, stationKeyOf(allocation.key.secret));
     const auto keys = database::writeKeys(folder, allocation.key);
     facts.name = "bench";
     facts.protocolJson = protocolJson;
     facts.protocolSha256 = protocols::sha256(protocolJson);
     facts.keySha256 = keys.allocation;
-    facts.maskedKeySha256 = keys.masked;
+    facts.stationKeySha256 = keys.station;
+    facts.plannedBalance = facts.madeWith = "{}";
     facts.swatches = allocation.swatches;
     facts.signalsJson = "{}";
     database::StudyStore::create(folder, facts, allocation.participants, hashes);
@@ -117,7 +119,7 @@ double megabytesInUse()
 struct Session {
     Session(const database::StudyFolder& folder, const std::string& participant)
         : store(folder, database::StudyStore::Access::Write),
-          bank(folder.stimuli(), store.stimulusHashes()),
+          bank(session::stimuliOf(store)),
           display(rendering::openDisplay("none")),
           driver(store, protocols::ParticipantId(participant), database::ParticipantKind::Scripted, bank, *display, clock)
     {

@@ -28,6 +28,7 @@ void makeForApp(const app::NewStudyRequest& form, const app::MakingProgress& pro
     request.protocol = form.protocol.value_or(std::filesystem::path());
     request.participants = form.participants;
     request.seed = form.seed;
+    request.passphrase = form.passphrase;
     request.programVersion = versionText();
     const auto show = [&](int done, int total, const std::string& what) { progress(total > 0 ? 1.0 * done / total : 0.0, what); };
     making::makeStudy(request, {show, [&](const std::string& stage, int done, int total) { show(done, total, stage); }});
@@ -45,7 +46,7 @@ const char* weaknessOf(reports::FlagKind kind)
 std::vector<app::MonitorFlag> flagsOf(const database::StudyStore& store)
 {
     std::vector<app::MonitorFlag> flags;
-    for (const reports::QualityFlag& flag : reports::qualityFlags(records::studyData(store)))
+    for (const reports::QualityFlag& flag : reports::qualityFlags(records::sealedStudyData(store)))
         if (flag.kind != reports::FlagKind::MissingAnswers && flag.kind != reports::FlagKind::VoidedPresentations)
             flags.push_back({flag.participant.value_or(""), nameOf(flag.kind), flag.why + weaknessOf(flag.kind)});
     return flags;
@@ -89,6 +90,7 @@ void addApp(CLI::App& app, Action& action)
     app.callback([&app, call, &action] {
         if (!app.get_subcommands().empty()) return;
         action.surroundings = Surroundings::Window;
+        action.handlesStudy = true;
         action.work = [call] { return runWindow(*call); };
     });
 }

@@ -21,6 +21,7 @@ enum class Surroundings {
 
 struct Action {
     Surroundings surroundings = Surroundings::None;
+    bool handlesStudy = false;  ///< its files are for this user only, and no debugger may read its memory
     std::function<int()> work;  ///< returns the exit code
 };
 
@@ -40,6 +41,7 @@ void addUnblind(CLI::App& app, Action& action);
 void addVerify(CLI::App& app, Action& action);
 void addErase(CLI::App& app, Action& action);
 void addBackup(CLI::App& app, Action& action);
+void addRescue(CLI::App& app, Action& action);
 void addNumbers(CLI::App& app, Action& action);  ///< describe, compare, metrics
 void addAnalyse(CLI::App& app, Action& action);
 void addPower(CLI::App& app, Action& action);

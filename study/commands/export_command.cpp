@@ -1,4 +1,4 @@
-// vis2hap export STUDY --out DIR [--format csv|json|script]
+// vis2hap export STUDY --out DIR [--format csv|json|script]: answers after the unblinding, before it progress and aggregates
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <functional>
@@ -12,10 +12,13 @@
 #include "protocols/files/number_text.h"
 #include "protocols/files/whole_file.h"
 #include "protocols/question_ids.h"
+#include "reports/formats/table_formats.h"
 #include "reports/text/plain_words.h"
 #include "study/commands/command_line.h"
 #include "study/commands/json_output.h"
+#include "study/commands/passphrase_option.h"
 #include "study/players/session_script.h"
+#include "study/records/blinded_report.h"
 #include "study/records/stored_study.h"
 
 namespace study::commands {
@@ -30,15 +33,15 @@ struct Export {
     const database::StudyStore& store;
     database::StudyFacts facts;
     protocols::Protocol protocol;
-    records::Naming naming;
-    fs::path out;  ///< a draft, which is synced as a whole
+    const records::Naming* naming;  ///< null while the study is blinded
+    fs::path out;                   ///< a draft, which is synced as a whole
 };
 
-/// One answer, blinded where the study is. A value that does not exist is null.
+/// One answer of an unblinded study. A value that does not exist is null.
 ordered_json rowOf(const Export& job, const CurrentAnswer& answer)
 {
     const auto& record = answer.record;
-    const auto& entry = job.naming.entries.at(record.fileCode);
+    const auto& entry = job.naming->of(answer.participant, record.trial);
     ordered_json alternatives = ordered_json::array();
     for (const auto& fabric : record.alternatives) alternatives.push_back(fabric.value);
     ordered_json row{{"participant", answer.participant.value},
@@ -124,33 +127,62 @@ void writeCsv(const Export& job)
     write(job, "participants.csv", csvOf(participantRows(job), {"slot", "participant", "kind", "state", "protocol_version"}));
 }
 
+ordered_json headOf(const Export& job)
+{
+    return {{"schema", "vis2hap.export/1"},
+            {"study", job.facts.name},
+            {"protocol_sha256", job.facts.protocolSha256},
+            {"blinded", job.naming == nullptr},
+            {"stamps", job.facts.stamps},
+            {"participants", participantRows(job)},
+            {"preregistrations", registrationRows(job)}};
+}
+
 void writeJsonExport(const Export& job)
 {
-    ordered_json json{
-        {"schema", "vis2hap.export/1"},  {"study", job.facts.name},    {"protocol_sha256", job.facts.protocolSha256},
-        {"blinded", job.naming.blinded}, {"stamps", job.facts.stamps}, {"participants", participantRows(job)}};
-    json["preregistrations"] = registrationRows(job);
+    ordered_json json = headOf(job);
     json["answers"] = ordered_json::array();
     for (const auto& answer : job.store.answers()) json["answers"].push_back(rowOf(job, answer));
     write(job, "export.json", json.dump(1) + "\n");
 }
 
-int exportStudy(const std::string& study, const std::string& out, const std::string& format)
+/// Progress, balance and flags; with the key also aggregates under K-labels.
+void writeBlinded(const Export& job, const std::string& format, const std::optional<reports::StudyData>& data)
+{
+    const auto report = records::blindedReport(job.store);
+    const auto aggregates = data ? records::aggregatesOf(*data) : ordered_json();
+    if (format == "csv") {
+        for (const auto& table : report.tables) write(job, (table.name + ".csv").c_str(), toCsv(table));
+        if (data) write(job, "conditions.csv", csvOf(aggregates, {"question", "condition", "n", "correct", "mean"}));
+        return;
+    }
+    ordered_json json = headOf(job);
+    json["progress"] = ordered_json::parse(report.results)["progress"];
+    json["conditions"] = aggregates;
+    if (!data) json["why"] = {{"conditions", "the study is blinded, and nobody gave its passphrase"}};
+    write(job, "export.json", json.dump(1) + "\n");
+}
+
+int exportStudy(const std::string& study, const std::string& out, const std::string& format, const PassphraseOption& passphrase)
 {
     const auto store = records::openStudy(study);
     auto facts = store.facts();
     const auto protocol = records::protocolOf(facts);
+    const bool blinded = !store.unblinding();
+    const auto naming = blinded ? std::nullopt : records::namingOf(store, protocol, {});
     protocols::FolderDraft draft(out, protocols::Earlier::FilesJoined);
-    const Export job{store, facts, protocol, records::namingOf(store, protocol, recordedUnblinding(store)), draft.path()};
-    if (format == "csv")
-        writeCsv(job);
-    else if (format == "json")
-        writeJsonExport(job);
-    else
+    const Export job{store, facts, protocol, naming ? &*naming : nullptr, draft.path()};
+    if (format == "script")
         players::writeScripts(job.store, job.naming, job.out);
+    else if (blinded)
+        writeBlinded(job, format, records::studyData(store, passphraseFrom(passphrase)));
+    else if (format == "csv")
+        writeCsv(job);
+    else
+        writeJsonExport(job);
     draft.putInPlace();
     std::printf("%s: %s as %s%s\n", out.c_str(), reports::counted(store.answers().size(), "answer").c_str(), format.c_str(),
-                job.naming.blinded ? ", blinded (conditions as K-labels)" : "");
+                blinded ? ", blinded (no condition, no fabric)" : "");
     return 0;
 }
 
@@ -160,6 +192,7 @@ void addExport(CLI::App& app, Action& action)
 {
     struct Call {
         std::string study, out, format = "csv";
+        PassphraseOption passphrase;
     };
     auto* command = app.add_subcommand("export", "answers and participants as files; blinded until the study is unblinded");
     auto call = std::make_shared<Call>();
@@ -168,9 +201,11 @@ void addExport(CLI::App& app, Action& action)
     command->add_option("--format", call->format, "csv, json, or script (sessions that `replay` takes)")
         ->check(CLI::IsMember({"csv", "json", "script"}))
         ->capture_default_str();
+    addPassphraseOption(*command, call->passphrase);
     command->callback([call, &action] {
         action.surroundings = Surroundings::Core;
-        action.work = [call] { return exportStudy(call->study, call->out, call->format); };
+        action.handlesStudy = true;
+        action.work = [call] { return exportStudy(call->study, call->out, call->format, call->passphrase); };
     });
 }
 

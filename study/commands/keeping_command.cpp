@@ -1,4 +1,4 @@
-// vis2hap erase STUDY --participant ID, and vis2hap backup STUDY --out FILE
+// vis2hap erase STUDY --participant ID, vis2hap backup STUDY --out FILE, and vis2hap rescue STUDY
 #include <sys/stat.h>
 
 #include <CLI/CLI.hpp>
@@ -6,10 +6,12 @@
 #include <cstdio>
 #include <memory>
 
+#include "database/rescue.h"
 #include "database/study_store.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/folder_draft.h"
 #include "study/commands/command_line.h"
+#include "study/records/erasure_certificate.h"
 #include "study/records/stored_study.h"
 
 namespace study::commands {
@@ -21,11 +23,14 @@ namespace fs = std::filesystem;
 int erase(const std::string& study, const database::Erasure& erasure)
 {
     database::StudyStore store({study}, database::StudyStore::Access::Write);
-    store.erase(erasure);
+    const auto record = store.erase(erasure);
+    const auto certificate = records::writeErasureCertificate(store, erasure, record);
     std::printf("%s: erased %s of %s; the erasure is recorded\n", study.c_str(),
                 erasure.answersToo ? "facts, debriefing, answers and notes" : "facts and debriefing",
                 erasure.participant.value.c_str());
-    return 0;
+    for (const auto& file : record.found) std::printf("  still in %s\n", file.c_str());
+    std::printf("  %s: what was removed, where it was searched, and which copies may exist\n", certificate.c_str());
+    return static_cast<int>(record.found.empty() ? protocols::ExitCode::Done : protocols::ExitCode::WorkFailed);
 }
 
 /// Copies everything except the live database, its lock and the files that SQLite keeps beside it.
@@ -89,6 +94,20 @@ int backup(const std::string& study, const std::string& out)
     return 0;
 }
 
+int rescue(const std::string& study, const std::string& from)
+{
+    const database::StudyFolder folder{study};
+    const auto files = database::rescueFiles(folder);
+    if (from.empty() && files.empty())
+        throw protocols::badInput({"there is no rescue file of this study", study, "rescue-N.db in the folder or beside it",
+                                   "name it with --from FILE"});
+    const fs::path file = from.empty() ? files.back() : fs::path(from);
+    const auto done = database::StudyStore::rescue(folder, file);
+    std::printf("%s: brought back from %s, new entries of the log: %zu\n", study.c_str(), file.c_str(), done.events);
+    if (!done.earlier.empty()) std::printf("  the database that stood there is now %s\n", done.earlier.c_str());
+    return 0;
+}
+
 }  // namespace
 
 void addErase(CLI::App& app, Action& action)
@@ -97,7 +116,8 @@ void addErase(CLI::App& app, Action& action)
         std::string study, participant, who, why;
         bool answers = false;
     };
-    auto* command = app.add_subcommand("erase", "erase personal data of a participant; who and why are recorded");
+    auto* command =
+        app.add_subcommand("erase", "erase personal data of a participant; who and why are recorded, a certificate is written");
     auto call = std::make_shared<EraseCall>();
     command->add_option("STUDY", call->study, "the study")->required();
     command->add_option("--participant", call->participant, "the participant")->required();
@@ -106,6 +126,7 @@ void addErase(CLI::App& app, Action& action)
     command->add_flag("--answers", call->answers, "erase every answer and note too; the participant then counts as withdrawn");
     command->callback([call, &action] {
         action.surroundings = Surroundings::Core;
+        action.handlesStudy = true;
         action.work = [call] {
             return erase(call->study, {protocols::ParticipantId(call->participant), call->answers, call->who, call->why, {}});
         };
@@ -123,7 +144,24 @@ void addBackup(CLI::App& app, Action& action)
     command->add_option("--out", call->out, "file to write")->required();
     command->callback([call, &action] {
         action.surroundings = Surroundings::Core;
+        action.handlesStudy = true;
         action.work = [call] { return backup(call->study, call->out); };
+    });
+}
+
+void addRescue(CLI::App& app, Action& action)
+{
+    struct RescueCall {
+        std::string study, from;
+    };
+    auto* command = app.add_subcommand("rescue", "bring back the answers that were kept aside when study.db vanished");
+    auto call = std::make_shared<RescueCall>();
+    command->add_option("STUDY", call->study, "the study")->required();
+    command->add_option("--from", call->from, "the rescue file (default: the newest of this study)");
+    command->callback([call, &action] {
+        action.surroundings = Surroundings::Core;
+        action.handlesStudy = true;
+        action.work = [call] { return rescue(call->study, call->from); };
     });
 }
 

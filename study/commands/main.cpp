@@ -1,5 +1,8 @@
 // The program `vis2hap`: parses the command line, makes the Qt application that the command needs and runs the command. Every
 // fault becomes one line and an exit code.
+#include <sys/prctl.h>
+#include <sys/stat.h>
+
 #include <CLI/CLI.hpp>
 #include <QApplication>
 #include <QCoreApplication>
@@ -17,6 +20,13 @@ namespace {
 using protocols::ExitCode;
 using study::commands::Action;
 using study::commands::Surroundings;
+
+/// New files get mode 0600 and folders 0700. Other programs of the same user cannot read the memory, which holds keys.
+void keepToOneself()
+{
+    ::umask(0077);
+    ::prctl(PR_SET_DUMPABLE, 0);
+}
 
 bool screenIsThere()
 {
@@ -68,6 +78,7 @@ int run(int argc, char** argv)
     study::commands::addVerify(app, action);
     study::commands::addErase(app, action);
     study::commands::addBackup(app, action);
+    study::commands::addRescue(app, action);
     study::commands::addNumbers(app, action);
     study::commands::addAnalyse(app, action);
     study::commands::addPower(app, action);
@@ -88,6 +99,7 @@ int run(int argc, char** argv)
     int programNameAlone = 1;
     const auto application = surroundingsFor(action.surroundings, programNameAlone, argv);
     std::setlocale(LC_NUMERIC, "C");  // Qt has set the user's locale, in which C functions may read 5.4 as 5
+    if (action.handlesStudy) keepToOneself();
     return action.work();
 }
 

@@ -76,6 +76,7 @@ void addPreregister(CLI::App& study, Action& action)
     addJsonOption(*command, call->target);
     command->callback([call, &action] {
         action.surroundings = Surroundings::Core;
+        action.handlesStudy = true;
         action.work = [call] { return preregister(*call); };
     });
 }

@@ -10,14 +10,15 @@
 #include "protocols/files/errors.h"
 #include "protocols/files/whole_file.h"
 #include "rendering/display/display.h"
-#include "rendering/display/stimulus_bank.h"
 #include "study/app/gui_operator.h"
 #include "study/app/main_window.h"
 #include "study/commands/command_line.h"
 #include "study/commands/json_output.h"
+#include "study/commands/passphrase_option.h"
 #include "study/commands/progress.h"
 #include "study/players/scripted_participant.h"
 #include "study/records/stored_study.h"
+#include "study/session/stimuli.h"
 
 namespace study::commands {
 
@@ -72,20 +73,21 @@ bool finishedAlready(const database::Slot& slot, const players::Script& script)
     return true;
 }
 
-players::ScriptedTrials trialsFor(const StudyStore& store, int slot, const protocols::Protocol& protocol)
-{
-    return {store.trials(slot), readAllocationKeyForTestDriver(store, ParticipantKind::Scripted), protocol};
-}
-
 struct Playing {
     const protocols::Protocol& protocol;
+    const protocols::AllocationKey& key;
     int answersInAll;
 };
+
+players::ScriptedTrials trialsFor(const StudyStore& store, int slot, const Playing& playing)
+{
+    return {store.trials(slot), playing.key, playing.protocol};
+}
 
 void play(const players::Script& script, StudyStore& store, players::Hands& hands, session::VirtualClock& clock,
           const std::vector<database::EventRecord>& logged, const Playing& playing)
 {
-    const auto trials = trialsFor(store, slotOf(store, script.participant).number, playing.protocol);
+    const auto trials = trialsFor(store, slotOf(store, script.participant).number, playing);
     Progress progress(script.participant.value);
     players::playScript(script, trials, logged, hands, clock, [&](int stored) { progress.show(stored, playing.answersInAll); });
     std::printf("%s: %d answers stored, %s\n", script.participant.value.c_str(), hands.state().answersStored,
@@ -94,7 +96,7 @@ void play(const players::Script& script, StudyStore& store, players::Hands& hand
 
 void playDirectly(const std::vector<players::Script>& scripts, StudyStore& store, const Playing& playing)
 {
-    rendering::StimulusBank bank(store.folder().stimuli(), store.stimulusHashes());
+    auto bank = session::stimuliOf(store);
     const auto display = rendering::openDisplay("none");
     for (const auto& script : scripts) {
         const auto slot = slotOf(store, script.participant);
@@ -129,11 +131,13 @@ void playThroughWindow(const std::vector<players::Script>& scripts, const std::f
     }
 }
 
-int replay(const std::string& study, const std::vector<std::string>& files, bool gui)
+int replay(const std::string& study, const std::vector<std::string>& files, bool gui, const PassphraseOption& passphrase)
 {
     const auto protocol = records::protocolOf(records::openStudy(study).facts());
     const auto scripts = readScripts(files, protocol);
-    const Playing playing{protocol, protocol.answersPerParticipant()};
+    const auto key =
+        readAllocationKeyForTestDriver(records::openStudy(study), ParticipantKind::Scripted, passphraseFrom(passphrase));
+    const Playing playing{protocol, key, protocol.answersPerParticipant()};
     if (gui) {
         playThroughWindow(scripts, study, playing);
         return 0;
@@ -151,15 +155,18 @@ void addReplay(CLI::App& app, Action& action)
         std::string study;
         std::vector<std::string> scripts;
         bool gui = false;
+        PassphraseOption passphrase;
     };
     auto* command = app.add_subcommand("replay", "let scripted participants answer; resumes where it stopped");
     auto call = std::make_shared<ReplayCall>();
     command->add_option("STUDY", call->study, "the study")->required();
     command->add_option("SCRIPT", call->scripts, "scripts, one for each participant")->required();
     command->add_flag("--gui", call->gui, "press the keys of the window, with or without a screen");
+    addPassphraseOption(*command, call->passphrase);
     command->callback([call, &action] {
         action.surroundings = call->gui ? Surroundings::Offscreen : Surroundings::Core;
-        action.work = [call] { return replay(call->study, call->scripts, call->gui); };
+        action.handlesStudy = true;
+        action.work = [call] { return replay(call->study, call->scripts, call->gui, call->passphrase); };
     });
 }
 

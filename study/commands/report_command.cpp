@@ -11,7 +11,9 @@
 #include "reports/write_report.h"
 #include "study/commands/command_line.h"
 #include "study/commands/json_output.h"
+#include "study/commands/passphrase_option.h"
 #include "study/commands/progress.h"
+#include "study/records/blinded_report.h"
 #include "study/records/stored_study.h"
 
 namespace study::commands {
@@ -26,11 +28,13 @@ struct ReportCall {
     bool quick = false;
     bool resimulate = false;
     bool everyPair = false;
+    PassphraseOption passphrase;
 };
 
-reports::StudyData dataFor(const ReportCall& call)
+/// Empty for a blinded study whose passphrase nobody gives.
+std::optional<reports::StudyData> dataFor(const ReportCall& call)
 {
-    if (call.from.empty()) return records::studyData(records::openStudy(call.study));
+    if (call.from.empty()) return records::studyData(records::openStudy(call.study), passphraseFrom(call.passphrase));
     reports::AnswersCsvOptions options;
     options.alternatives = call.alternatives;
     if (!call.protocol.empty()) {
@@ -45,13 +49,18 @@ int report(const ReportCall& call)
     if (call.study.empty() == call.from.empty())
         throw protocols::badInput(
             {"there is nothing to report on", "", "either a STUDY or --from ANSWERS.csv", "see `vis2hap report --help`"});
-    reports::StudyData data = dataFor(call);
-    data.everyPair = call.everyPair;
+    std::optional<reports::StudyData> data = dataFor(call);
+    if (!data) {
+        reports::writeProgressReport(records::blindedReport(records::openStudy(call.study)), call.out);
+        std::printf("%s/index.html: progress, balance and flags; the rest needs the owner's passphrase\n", call.out.c_str());
+        return 0;
+    }
+    data->everyPair = call.everyPair;
     Progress progress("analysing");
     reports::AnalysisOptions options{call.quick ? reports::Depth::Quick : reports::Depth::Whole,
                                      call.resimulate ? resimulatedStudies : 0,
                                      [&](int done, int total, const std::string& step) { progress.show(done, total, step); }};
-    const reports::StudyAnalysis analysis = reports::analyse(std::move(data), options);
+    const reports::StudyAnalysis analysis = reports::analyse(std::move(*data), options);
     reports::writeReport(analysis, call.out);
     std::printf("%s\n%s/index.html\n", reports::overviewText(analysis).c_str(), call.out.c_str());
     return 0;
@@ -74,8 +83,10 @@ void addReport(CLI::App& app, Action& action)
     command->add_flag("--resimulate", call->resimulate,
                       "count false claims in 2000 simulated studies like this one (takes longer)");
     command->add_flag("--quick", call->quick, "leave out what only stands beside the claims; the report says so");
+    addPassphraseOption(*command, call->passphrase);
     command->callback([call, &action] {
         action.surroundings = Surroundings::Core;
+        action.handlesStudy = true;
         action.work = [call] { return report(*call); };
     });
 }

@@ -9,13 +9,14 @@
 #include "protocols/files/errors.h"
 #include "protocols/files/sha256.h"
 #include "rendering/display/display.h"
-#include "rendering/display/stimulus_bank.h"
 #include "reports/text/plain_words.h"
 #include "study/commands/command_line.h"
+#include "study/commands/passphrase_option.h"
 #include "study/commands/progress.h"
 #include "study/players/expected_touch.h"
 #include "study/players/simulated_participant.h"
 #include "study/records/stored_study.h"
+#include "study/session/stimuli.h"
 
 namespace study::commands {
 
@@ -29,6 +30,7 @@ struct SimulateCall {
     std::string study, dataset;
     std::optional<int> participants;
     std::uint64_t seed = 1;
+    PassphraseOption passphrase;
 };
 
 /// The participants of started sessions, then new ones for `wanted` free slots, or for all free slots.
@@ -56,12 +58,13 @@ int simulate(const SimulateCall& call)
     const auto facts = store.facts();
     const auto protocol = records::protocolOf(facts);
     const auto participants = participantsToPlay(store, call.participants);
-    const auto key = readAllocationKeyForTestDriver(store, ParticipantKind::Simulated);
-    rendering::StimulusBank bank(store.folder().stimuli(), store.stimulusHashes());
+    const auto key = readAllocationKeyForTestDriver(store, ParticipantKind::Simulated, passphraseFrom(call.passphrase));
+    auto bank = session::stimuliOf(store);
 
     players::Percepts percepts;
+    percepts.stationKey = stationKeyOf(key.secret);
     percepts.fabrics = players::expectedTouch(facts, call.dataset.empty() ? facts.datasetPath : call.dataset);
-    for (const auto& [code, entry] : key.entries) percepts.stimuli[code] = players::feel(bank.image(code));
+    for (const auto& [code, entry] : key.entries) percepts.stimuli[code] = players::feel(bank.imageOf(code));
 
     const auto display = rendering::openDisplay("none");
     Progress progress("simulated participants");
@@ -89,8 +92,10 @@ void addSimulate(CLI::App& app, Action& action)
         ->check(CLI::Range(1, 10000));
     command->add_option("--seed", call->seed, "seed of the participants and their noise")->capture_default_str();
     command->add_option("--dataset", call->dataset, "folder of the data set, if it was moved");
+    addPassphraseOption(*command, call->passphrase);
     command->callback([call, &action] {
         action.surroundings = Surroundings::Core;
+        action.handlesStudy = true;
         action.work = [call] { return simulate(*call); };
     });
 }

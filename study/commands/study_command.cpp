@@ -14,6 +14,7 @@
 #include "protocols/records/balance.h"
 #include "study/commands/command_line.h"
 #include "study/commands/json_output.h"
+#include "study/commands/passphrase_option.h"
 #include "study/commands/progress.h"
 #include "study/making/new_study.h"
 #include "study/making/study_sheets.h"
@@ -65,9 +66,9 @@ int makeNew(const making::NewStudy& request)
     return 0;
 }
 
-int status(const std::string& study, const JsonTarget& target)
+int status(const std::string& study, const JsonTarget& target, const PassphraseOption& passphrase)
 {
-    const auto json = records::statusOf(records::openStudy(study));
+    const auto json = records::statusOf(records::openStudy(study), givenPassphrase(passphrase));
     if (target)
         writeJson(target, json);
     else
@@ -128,6 +129,8 @@ void addNew(CLI::App& study, Action& action)
 {
     auto* command = study.add_subcommand("new", "make a study from a data set and a protocol");
     auto call = std::make_shared<making::NewStudy>();
+    auto passphrase = std::make_shared<PassphraseOption>();
+    auto hasNone = std::make_shared<bool>(false);
     call->programVersion = versionText();
     command->add_option("STUDY", call->study, "folder to make")->required();
     command->add_option("--dataset", call->dataset, "the data set")->required();
@@ -145,9 +148,16 @@ void addNew(CLI::App& study, Action& action)
     command->add_option("--images", call->images,
                         "folder to keep the friction images in under their names, and to reuse them from");
     command->add_flag("--replace-simulated", call->replaceSimulated, "replace a study in which no human took part");
-    command->callback([call, &action] {
+    addPassphraseOption(*command, *passphrase);
+    command->add_flag("--no-passphrase", *hasNone,
+                      "for simulated studies and tests: leave the allocation key open in the folder; the report says so");
+    command->callback([call, passphrase, hasNone, &action] {
         action.surroundings = Surroundings::Core;
-        action.work = [call] { return makeNew(*call); };
+        action.handlesStudy = true;
+        action.work = [call, passphrase, hasNone] {
+            if (!*hasNone) call->passphrase = newPassphrase(*passphrase);
+            return makeNew(*call);
+        };
     });
 }
 
@@ -163,11 +173,14 @@ void addStudy(CLI::App& app, Action& action)
     auto* statusCommand = study->add_subcommand("status", "show progress, balance and data-quality flags; blinded");
     auto folder = std::make_shared<std::string>();
     auto target = std::make_shared<JsonTarget>();
+    auto passphrase = std::make_shared<PassphraseOption>();
     statusCommand->add_option("STUDY", *folder, "the study")->required();
     addJsonOption(*statusCommand, *target);
-    statusCommand->callback([folder, target, &action] {
+    addPassphraseOption(*statusCommand, *passphrase);
+    statusCommand->callback([folder, target, passphrase, &action] {
         action.surroundings = Surroundings::Core;
-        action.work = [folder, target] { return status(*folder, *target); };
+        action.handlesStudy = true;
+        action.work = [folder, target, passphrase] { return status(*folder, *target, *passphrase); };
     });
 
     auto* amendCommand = study->add_subcommand("amend", "use an edited protocol.json for later participants, or undo the edit");
@@ -178,6 +191,7 @@ void addStudy(CLI::App& app, Action& action)
     amendCommand->add_flag("--undo", amendment->undo, "restore the protocol that the study stores");
     amendCommand->callback([amendment, &action] {
         action.surroundings = Surroundings::Core;
+        action.handlesStudy = true;
         action.work = [amendment] { return amend(*amendment); };
     });
 
@@ -188,6 +202,7 @@ void addStudy(CLI::App& app, Action& action)
     sheetsCommand->add_option("--out", *out, "folder to write the pages to")->required();
     sheetsCommand->callback([folder, out, &action] {
         action.surroundings = Surroundings::Core;
+        action.handlesStudy = true;
         action.work = [folder, out] {
             making::writeSheets(records::openStudy(*folder), *out);
             std::printf("%s: pages to print\n", out->c_str());
@@ -201,6 +216,7 @@ void addStudy(CLI::App& app, Action& action)
     planCommand->add_option("--csv", *csv, "file to write")->required();
     planCommand->callback([folder, csv, &action] {
         action.surroundings = Surroundings::Core;
+        action.handlesStudy = true;
         action.work = [folder, csv] { return plan(*folder, *csv); };
     });
 }

@@ -8,6 +8,7 @@
 #include "protocols/files/errors.h"
 #include "study/commands/command_line.h"
 #include "study/commands/json_output.h"
+#include "study/commands/passphrase_option.h"
 #include "study/records/stored_study.h"
 #include "study/records/study_faults.h"
 #include "study/session/clock.h"
@@ -37,7 +38,7 @@ int verify(const std::string& study, const JsonTarget& target)
     return static_cast<int>(faults.empty() ? protocols::ExitCode::Done : protocols::ExitCode::WorkFailed);
 }
 
-int unblind(const std::string& study, const std::string& who, const std::string& why)
+int unblind(const std::string& study, const std::string& who, const std::string& why, const PassphraseOption& passphrase)
 {
     database::StudyStore store({study}, database::StudyStore::Access::Write);
     if (const auto earlier = store.unblinding()) {
@@ -45,7 +46,7 @@ int unblind(const std::string& study, const std::string& who, const std::string&
                     earlier->why.c_str());
         return 0;
     }
-    const auto done = database::unblind(store, who, why, session::SystemClock().wallTime());
+    const auto done = database::unblind(store, {who, why, session::SystemClock().wallTime()}, passphraseFrom(passphrase));
     const auto key = readAllocationKey(store, done);
     std::printf("%s: unblinded by %s; this is recorded\n", study.c_str(), who.c_str());
     std::map<protocols::ConditionLabel, protocols::ConditionId> names;
@@ -70,6 +71,7 @@ void addVerify(CLI::App& app, Action& action)
     addJsonOption(*command, *target);
     command->callback([study, target, &action] {
         action.surroundings = Surroundings::Core;
+        action.handlesStudy = true;
         action.work = [study, target] { return verify(*study, *target); };
     });
 }
@@ -78,15 +80,18 @@ void addUnblind(CLI::App& app, Action& action)
 {
     struct UnblindCall {
         std::string study, who, why;
+        PassphraseOption passphrase;
     };
     auto* command = app.add_subcommand("unblind", "reveal the conditions of a study; who and why are recorded");
     auto call = std::make_shared<UnblindCall>();
     command->add_option("STUDY", call->study, "the study")->required();
     command->add_option("--who", call->who, "your name")->required()->check(nonEmpty);
     command->add_option("--why", call->why, "the reason")->required()->check(nonEmpty);
+    addPassphraseOption(*command, call->passphrase);
     command->callback([call, &action] {
         action.surroundings = Surroundings::Core;
-        action.work = [call] { return unblind(call->study, call->who, call->why); };
+        action.handlesStudy = true;
+        action.work = [call] { return unblind(call->study, call->who, call->why, call->passphrase); };
     });
 }
 

@@ -1,6 +1,7 @@
 #include "study/making/new_study.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "database/keys.h"
 #include "protocols/allocation.h"
@@ -19,6 +20,9 @@ namespace study::making {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr const char* noPassphraseStamp =
+    "The allocation key of this study has no passphrase: whoever could read its folder could name every condition.";
 
 /// True for a study of this program in which no human took part.
 bool mayBeReplaced(const fs::path& study)
@@ -59,6 +63,8 @@ database::StudyFacts factsOf(const NewStudy& request, const StudyMaterial& mater
     for (const auto& fabric : facts.fabrics) facts.fabricNames[fabric] = material.dataset.fabric(fabric).name;
     facts.createdAt = session::SystemClock().wallTime();
     facts.programVersion = request.programVersion;
+    facts.hasPassphrase = request.passphrase.has_value();
+    if (!facts.hasPassphrase) facts.stamps.emplace_back(noPassphraseStamp);
     return facts;
 }
 
@@ -77,7 +83,8 @@ void noteAllocation(const protocols::Allocation& allocation, const Familiarisati
 {
     facts.swatches = allocation.swatches;
     for (std::size_t item = 0; item < familiarisation.names.size(); ++item)
-        facts.familiarisation.push_back({familiarisation.names[item], allocation.familiarisation[item]});
+        facts.familiarisation.push_back(
+            {familiarisation.names[item], sealed(allocation.familiarisation[item], stationKeyOf(allocation.key.secret))});
 }
 
 /// Returns the hash of each file.
@@ -85,15 +92,16 @@ std::map<protocols::FileCode, std::string> writeStimuli(const fs::path& folder, 
                                                         const StudyImages& images, const FamiliarisationImages& familiarisation)
 {
     std::map<protocols::FileCode, std::string> hashes;
+    const auto station = stationKeyOf(allocation.key.secret);
     const cv::Mat blank = cv::Mat::zeros(rendering::displayHeightPx, rendering::displayWidthPx, CV_8UC1);
     for (const auto& [code, entry] : allocation.key.entries) {
         const bool isCatchTrial = entry.condition == protocols::catchTrialId();
-        hashes[code] = rendering::writeStimulus(folder, code,
-                                                isCatchTrial ? blank : images.byCondition.at(entry.condition).at(entry.fabric));
+        hashes[code] = rendering::writeStimulus(
+            folder, code, isCatchTrial ? blank : images.byCondition.at(entry.condition).at(entry.fabric), station);
     }
     for (std::size_t item = 0; item < familiarisation.images.size(); ++item) {
         const auto& code = allocation.familiarisation[item];
-        hashes[code] = rendering::writeStimulus(folder, code, familiarisation.images[item]);
+        hashes[code] = rendering::writeStimulus(folder, code, familiarisation.images[item], station);
     }
     return hashes;
 }
@@ -107,9 +115,9 @@ void writeStudy(const NewStudy& request, const protocols::Allocation& allocation
     const database::StudyFolder folder{draft.path()};
     protocols::makeFolders(folder.stimuli(), protocols::Sync::Later);
     const auto hashes = writeStimuli(folder.stimuli(), allocation, images, familiarisation);
-    const auto keys = database::writeKeys(folder, allocation.key);
+    const auto keys = database::writeKeys(folder, allocation.key, request.passphrase);
     facts.keySha256 = keys.allocation;
-    facts.maskedKeySha256 = keys.masked;
+    facts.stationKeySha256 = keys.station;
     protocols::writeWholeFile(folder.protocol(), facts.protocolJson, protocols::Sync::Later);
     database::StudyStore::create(folder, facts, allocation.participants, hashes);
     draft.putInPlace();
@@ -129,9 +137,10 @@ MadeStudy makeStudy(const NewStudy& request, const StudyProgress& progress)
         made.warnings.push_back(std::move(warning));
     const FamiliarisationImages familiarisation = familiarisationFor(request, material);
 
-    const auto design = protocols::drawDesign(material.protocol, request.seed);
+    const auto secret = request.keySeed ? protocols::SecretKey::ofSeed(*request.keySeed) : protocols::SecretKey::drawn();
+    const auto design = protocols::drawDesign(material.protocol, designSeedOf(secret, request.seed));
     made.balance = balanceOf(design, material.protocol);
-    const auto secret = request.keySeed ? *request.keySeed : protocols::drawSecretSeed();
+    made.facts.plannedBalance = jsonOf(made.balance).dump();
     const auto allocation =
         allocate(material.protocol, design, material.fabrics, secret, static_cast<int>(familiarisation.names.size()));
     noteAllocation(allocation, familiarisation, made.facts);

@@ -17,12 +17,13 @@ namespace study::making {
 struct NewStudy {
     std::filesystem::path study;
     std::filesystem::path dataset;
-    std::filesystem::path protocol;        ///< empty: the protocol of the paper
-    std::filesystem::path model;           ///< empty: the shipped weights
-    std::filesystem::path control;         ///< L1-only control of the model; empty: the shipped one of the shipped weights
-    std::optional<int> participants;       ///< replaces the number of the protocol
-    std::uint64_t seed = 1;                ///< for fabrics, samples and running orders
-    std::optional<std::uint64_t> keySeed;  ///< for tests; otherwise a secret of the system
+    std::filesystem::path protocol;         ///< empty: the protocol of the paper
+    std::filesystem::path model;            ///< empty: the shipped weights
+    std::filesystem::path control;          ///< L1-only control of the model; empty: the shipped one of the shipped weights
+    std::optional<int> participants;        ///< replaces the number of the protocol
+    std::uint64_t seed = 1;                 ///< for fabrics, samples and running orders
+    std::optional<std::uint64_t> keySeed;   ///< for tests; otherwise a secret of the system
+    std::optional<std::string> passphrase;  ///< seals the allocation key; empty: the key lies open, and the report says so
     bool allowTrainingSamples = false;
     std::string programVersion;     ///< stored with the study, e.g. "vis2hap 0.5.0"
     std::filesystem::path images;   ///< folder for the friction images under their names; reused if their inputs are the same

@@ -150,9 +150,9 @@ void Player::act(const EventBody& event)
 GivenAnswer Player::answerFor(const ScriptedResponse& scripted, int index, const protocols::Question& question) const
 {
     const auto& trial = m_trials.trials[index];
-    return scriptedAnswer(scripted, question.kind,
-                          {trial.alternatives, m_trials.key.entries.at(trial.fileCode).fabric,
-                           m_script.where + ": " + placeName(index, question.id)});
+    return scriptedAnswer(
+        scripted, question.kind,
+        {trial.alternatives, m_trials.key.entryOf(trial).fabric, m_script.where + ": " + placeName(index, question.id)});
 }
 
 Corrected Player::correctionOf(const ScriptedEvent& event) const
@@ -226,7 +226,7 @@ void Player::answer(const Presenting& presenting)
 {
     const auto& trial = m_trials.trials[presenting.index];
     const auto& question = m_trials.protocol.phases[trial.phase].questions[presenting.question];
-    const auto& entry = m_trials.key.entries.at(trial.fileCode);
+    const auto& entry = m_trials.key.entryOf(trial);
     const State& state = m_hands.state();
     const int attempt = attemptAt(state, state.position);
     const auto* scripted = m_script.answerTo(question.id, {trial.number, {}, {}, attempt});

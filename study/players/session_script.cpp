@@ -27,8 +27,9 @@ ordered_json jsonOf(const GivenAnswer& answer)
 /// Follows one log through the session and writes the script that repeats it.
 class Recorder {
 public:
-    Recorder(const Plan& plan, const records::Naming& naming, ordered_json& script, bool hasVoids)
-        : m_plan(plan), m_naming(naming), m_script(script), m_hasVoids(hasVoids)
+    Recorder(const Plan& plan, const protocols::ParticipantId& participant, const records::Naming* naming, ordered_json& script,
+             bool hasVoids)
+        : m_plan(plan), m_participant(participant), m_naming(naming), m_script(script), m_hasVoids(hasVoids)
     {
     }
 
@@ -78,11 +79,12 @@ private:
     {
         const auto& trial = m_plan.trials[static_cast<std::size_t>(asked.index)];
         ordered_json entry{{"question", questionOf(m_plan, asked.index, asked.question).id.value}};
-        if (m_naming.blinded)
+        if (!m_naming)
             entry["trial"] = trial.number.value;
         else {
-            entry["condition"] = m_naming.entries.at(trial.fileCode).condition;
-            entry["fabric"] = m_naming.entries.at(trial.fileCode).fabric.value;
+            const auto& shown = m_naming->of(m_participant, trial.number);
+            entry["condition"] = shown.condition;
+            entry["fabric"] = shown.fabric.value;
         }
         if (m_hasVoids) entry["attempt"] = attemptAt(m_state, m_state.position);
         entry["answer"] = jsonOf(answered.response);
@@ -96,7 +98,8 @@ private:
     }
 
     const Plan& m_plan;
-    const records::Naming& m_naming;
+    const protocols::ParticipantId& m_participant;
+    const records::Naming* m_naming;  ///< null while the study is blinded
     ordered_json& m_script;
     bool m_hasVoids;
     State m_state;
@@ -104,7 +107,7 @@ private:
 
 }  // namespace
 
-void writeScripts(const database::StudyStore& store, const records::Naming& naming, const std::filesystem::path& out)
+void writeScripts(const database::StudyStore& store, const records::Naming* naming, const std::filesystem::path& out)
 {
     std::set<protocols::ParticipantId> erased;
     for (const auto& erasure : store.erasures())
@@ -119,7 +122,7 @@ void writeScripts(const database::StudyStore& store, const records::Naming& nami
         const bool hasVoids =
             std::any_of(log.begin(), log.end(), [](const auto& record) { return record.kind == kindOf(Voided{}); });
         const Plan plan = readPlan(store, enrolment.participant);
-        Recorder recorder(plan, naming, script, hasVoids);
+        Recorder recorder(plan, enrolment.participant, naming, script, hasVoids);
         for (const auto& record : log) recorder.follow(record);
         protocols::writeWholeFile(out / (enrolment.participant.value + ".json"), script.dump(1) + "\n", protocols::Sync::Later);
     }

@@ -7,8 +7,8 @@
 
 namespace study::players {
 
-/// Writes one file for each participant. Answers are identified by rendering in an unblinded study, otherwise by trial. Facts,
+/// Writes one file for each participant. Answers are identified by rendering, or by trial where `naming` is null. Facts,
 /// debriefing and the times of the preparation are left out. Erased participants have no script.
-void writeScripts(const database::StudyStore& store, const records::Naming& naming, const std::filesystem::path& out);
+void writeScripts(const database::StudyStore& store, const records::Naming* naming, const std::filesystem::path& out);
 
 }  // namespace study::players

@@ -34,9 +34,10 @@ SimulatedParticipant::SimulatedParticipant(const Percepts& percepts, std::uint64
 {
 }
 
-double SimulatedParticipant::distance(const protocols::FileCode& code, const protocols::FabricId& fabric, double weight) const
+double SimulatedParticipant::distance(const protocols::BlindedTrial& trial, const protocols::FabricId& fabric,
+                                      double weight) const
 {
-    const auto& felt = m_percepts.stimuli.at(code);
+    const auto& felt = m_percepts.stimuli.at(protocols::opened(trial.sealedCode, m_percepts.stationKey));
     const auto& expected = m_percepts.fabrics.at(fabric);
     const double slipperiness = slipperinessDistance(felt, expected);
     const double texture = textureDistance(felt, expected);
@@ -47,8 +48,7 @@ SimulatedParticipant::Judgement SimulatedParticipant::match(const protocols::Bli
 {
     std::vector<double> distances;
     for (const auto& fabric : trial.alternatives)
-        distances.push_back(distance(trial.fileCode, fabric, m_model.slipperinessWeight) +
-                            m_model.sensoryNoise * m_random.normal());
+        distances.push_back(distance(trial, fabric, m_model.slipperinessWeight) + m_model.sensoryNoise * m_random.normal());
     auto nearest = std::min_element(distances.begin(), distances.end()) - distances.begin();
     auto sorted = distances;
     std::sort(sorted.begin(), sorted.end());
@@ -62,7 +62,7 @@ SimulatedParticipant::Judgement SimulatedParticipant::rate(const protocols::Blin
                                                            const protocols::QuestionId& question,
                                                            const protocols::RatingScale& scale)
 {
-    const double noisy = distance(trial.fileCode, trial.alternatives.front(), slipperinessWeightOf(question, m_model)) +
+    const double noisy = distance(trial, trial.alternatives.front(), slipperinessWeightOf(question, m_model)) +
                          m_model.sensoryNoise * m_random.normal();
     const double likeness = std::exp(-std::max(0.0, noisy) / m_model.ratingFall);
     const double span = scale.max.value - scale.min.value;
@@ -75,8 +75,8 @@ SimulatedParticipant::Judgement SimulatedParticipant::rate(const protocols::Blin
 
 SimulatedParticipant::Judgement SimulatedParticipant::compare(const protocols::BlindedTrial& trial)
 {
-    const double noisy = distance(trial.fileCode, trial.alternatives.front(), m_model.slipperinessWeight) +
-                         m_model.sensoryNoise * m_random.normal();
+    const double noisy =
+        distance(trial, trial.alternatives.front(), m_model.slipperinessWeight) + m_model.sensoryNoise * m_random.normal();
     // "Same" if a rating of the similarity would lie in the upper half of the scale.
     const bool same = std::exp(-std::max(0.0, noisy) / m_model.ratingFall) >= 0.5;
     const bool lapses = m_random.uniform() < m_model.lapseRate;

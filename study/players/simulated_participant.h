@@ -38,6 +38,7 @@ struct PerceptualModel {
 struct Percepts {
     std::map<protocols::FileCode, Percept> stimuli;
     std::map<protocols::FabricId, Percept> fabrics;
+    protocols::SecretKey stationKey;  ///< leads from a trial to its stimulus
 };
 
 class SimulatedParticipant {
@@ -58,7 +59,7 @@ public:
     Judgement compare(const protocols::BlindedTrial& trial);
 
 private:
-    double distance(const protocols::FileCode& code, const protocols::FabricId& fabric, double slipperinessWeight) const;
+    double distance(const protocols::BlindedTrial& trial, const protocols::FabricId& fabric, double slipperinessWeight) const;
 
     const Percepts& m_percepts;
     PerceptualModel m_model;

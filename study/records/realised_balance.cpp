@@ -4,7 +4,7 @@
 #include <map>
 #include <set>
 
-#include "database/keys.h"
+#include "protocols/allocation.h"
 #include "protocols/condition.h"
 
 namespace study::records {
@@ -23,14 +23,14 @@ std::map<Name, int> numbered(const std::set<Name>& names)
 }
 
 struct Numbers {
-    protocols::MaskedKey key;
+    const protocols::AllocationKey& key;
     std::map<protocols::ConditionLabel, int> labels;
     std::map<protocols::FabricId, int> fabrics;
 };
 
-Numbers numbersOf(const database::StudyStore& store)
+Numbers numbersOf(const protocols::AllocationKey& key)
 {
-    Numbers numbers{readMaskedKey(store), {}, {}};
+    Numbers numbers{key, {}, {}};
     std::set<protocols::ConditionLabel> labels;
     std::set<protocols::FabricId> fabrics;
     for (const auto& [code, entry] : numbers.key.entries) {
@@ -44,7 +44,7 @@ Numbers numbersOf(const database::StudyStore& store)
 
 DesignTrial designTrialOf(const protocols::BlindedTrial& trial, const Numbers& numbers)
 {
-    const auto& entry = numbers.key.entries.at(trial.fileCode);
+    const auto& entry = numbers.key.entryOf(trial);
     const auto label = numbers.labels.find(entry.label);
     DesignTrial design{trial.phase,
                        label == numbers.labels.end() ? protocols::catchTrialLabel : label->second,
@@ -72,9 +72,10 @@ std::map<protocols::ParticipantId, std::vector<int>> presentedTrials(const datab
 
 }  // namespace
 
-protocols::BalanceCertificate realisedBalance(const database::StudyStore& store, const protocols::Protocol& protocol)
+protocols::BalanceCertificate realisedBalance(const database::StudyStore& store, const protocols::Protocol& protocol,
+                                              const protocols::AllocationKey& key)
 {
-    const Numbers numbers = numbersOf(store);
+    const Numbers numbers = numbersOf(key);
     const auto presented = presentedTrials(store);
     protocols::Design design;
     for (const auto& enrolment : store.enrolments()) {

@@ -7,8 +7,8 @@
 namespace study::records {
 
 /// Covers all sessions of participants who did not withdraw, in the order of presentation. For a voided trial, the
-/// presentation that is analysed counts. Conditions are K-labels of the masked key, so the certificate names no condition.
-/// Contains no ranges before the first presentation.
-protocols::BalanceCertificate realisedBalance(const database::StudyStore& store, const protocols::Protocol& protocol);
+/// presentation that is analysed counts. The certificate names no condition. Contains no ranges before the first presentation.
+protocols::BalanceCertificate realisedBalance(const database::StudyStore& store, const protocols::Protocol& protocol,
+                                              const protocols::AllocationKey& key);
 
 }  // namespace study::records

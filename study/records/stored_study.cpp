@@ -88,7 +88,7 @@ void readAnswers(const database::StudyStore& store, const protocols::Protocol& p
     const auto places = placesInTime(answers);
     for (const auto& answer : answers) {
         if (!analysed.contains(answer.participant.value)) continue;
-        const auto& entry = naming.entries.at(answer.record.fileCode);
+        const auto& entry = naming.of(answer.participant, answer.record.trial);
         const auto* question = questionWith(protocol, answer.record.question);
         if (answer.voided)
             voided.insert(keyOf(answer));
@@ -97,6 +97,22 @@ void readAnswers(const database::StudyStore& store, const protocols::Protocol& p
                 .push_back(responseOf(answer, entry, question->kind, places.at(keyOf(answer))));
     }
     data.voided = voided.size();
+}
+
+/// Everything but the answers and their names.
+reports::StudyData describedStudy(const database::StudyStore& store, const database::StudyFacts& facts,
+                                  const protocols::Protocol& protocol)
+{
+    reports::StudyData data;
+    data.name = facts.name;
+    data.protocolSha256 = facts.protocolSha256;
+    data.stamps = facts.stamps;
+    describeProtocol(protocol, data);
+    describePlan(store, data);
+    describeParticipants(store, data);
+    data.expectedResponses =
+        store.slots().size() * static_cast<std::size_t>(protocol.presentationsPerPhase()) * data.questions.size();
+    return data;
 }
 
 }  // namespace
@@ -111,42 +127,53 @@ protocols::Protocol protocolOf(const database::StudyFacts& facts)
     return protocols::keptProtocolFromJson(facts.protocolJson, "the study's protocol", facts.programVersion);
 }
 
-Naming namingOf(const database::StudyStore& store, const protocols::Protocol& protocol,
-                const std::optional<database::Unblinded>& permission)
+std::optional<Naming> namingOf(const database::StudyStore& store, const protocols::Protocol& protocol,
+                               const database::Passphrase& passphrase)
 {
+    const auto permission = recordedUnblinding(store);
+    const auto key = permission ? std::optional(readAllocationKey(store, *permission)) : readKeyForAggregates(store, passphrase);
+    if (!key) return std::nullopt;
     Naming naming;
     naming.blinded = !permission;
-    if (permission) {
-        for (const auto& [code, entry] : readAllocationKey(store, *permission).entries)
-            naming.entries[code] = {entry.fabric, entry.condition.value};
-        for (const auto& condition : protocol.conditions) naming.conditions.push_back(condition.value);
-        return naming;
-    }
-    for (const auto& [code, entry] : readMaskedKey(store).entries) naming.entries[code] = {entry.fabric, entry.label.value};
-    for (std::size_t k = 1; k <= protocol.conditions.size(); ++k) naming.conditions.push_back("K" + std::to_string(k));
+    for (const auto& enrolment : store.enrolments())
+        for (const auto& trial : store.trials(enrolment.slot)) {
+            const auto& entry = key->entryOf(trial);
+            naming.entries[{enrolment.participant, trial.number}] = {entry.fabric,
+                                                                     permission ? entry.condition.value : entry.label.value};
+        }
+    for (std::size_t k = 0; k < protocol.conditions.size(); ++k)
+        naming.conditions.push_back(permission ? protocol.conditions[k].value : "K" + std::to_string(k + 1));
     return naming;
 }
 
-reports::StudyData studyData(const database::StudyStore& store)
+std::optional<reports::StudyData> studyData(const database::StudyStore& store, const database::Passphrase& passphrase)
 {
     const auto facts = store.facts();
     const auto protocol = protocolOf(facts);
-    const auto naming = namingOf(store, protocol, recordedUnblinding(store));
-
-    reports::StudyData data;
-    data.name = facts.name;
-    data.protocolSha256 = facts.protocolSha256;
-    data.blinded = naming.blinded;
-    data.stamps = facts.stamps;
-    data.conditions = naming.conditions;
-    describeProtocol(protocol, data);
-    describePlan(store, data);
+    const auto naming = namingOf(store, protocol, passphrase);
+    if (!naming) return std::nullopt;
+    auto data = describedStudy(store, facts, protocol);
+    data.blinded = naming->blinded;
+    data.conditions = naming->conditions;
     if (!data.blinded) data.signals = reports::signalsFromJson(facts.signalsJson);
     for (const auto& fabric : facts.fabrics) data.fabrics.push_back(fabric.value);
-    describeParticipants(store, data);
-    data.expectedResponses =
-        store.slots().size() * static_cast<std::size_t>(protocol.presentationsPerPhase()) * data.questions.size();
-    readAnswers(store, protocol, naming, data);
+    readAnswers(store, protocol, *naming, data);
+    return data;
+}
+
+reports::StudyData sealedStudyData(const database::StudyStore& store)
+{
+    const auto facts = store.facts();
+    const auto protocol = protocolOf(facts);
+    Naming sealed;
+    for (const auto& enrolment : store.enrolments())
+        for (const auto& trial : store.trials(enrolment.slot))
+            sealed.entries[{enrolment.participant, trial.number}] = {protocols::FabricId("sealed"), "sealed"};
+    auto data = describedStudy(store, facts, protocol);
+    data.blinded = true;
+    data.conditions = data.fabrics = {"sealed"};
+    data.answersPerCell = static_cast<std::size_t>(protocol.presentationsPerPhase());
+    readAnswers(store, protocol, sealed, data);
     return data;
 }
 

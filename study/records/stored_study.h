@@ -16,22 +16,33 @@ namespace study::records {
 /// Opens the study for reading. Throws badInput where the folder is no study.
 database::StudyStore openStudy(const std::filesystem::path& study);
 
-/// The fabric and the condition of each file code. The condition is a K-label, or with the permission its id.
+/// The fabric and the condition of each presentation. The condition is a K-label, or after the unblinding its id.
 struct Naming {
     struct Entry {
         protocols::FabricId fabric;
         std::string condition;
     };
     bool blinded = true;
-    std::map<protocols::FileCode, Entry> entries;
+    std::map<std::pair<protocols::ParticipantId, protocols::TrialNumber>, Entry> entries;
     std::vector<std::string> conditions;  ///< K-labels sorted, or ids in the order of the protocol
+
+    const Entry& of(const protocols::ParticipantId& participant, protocols::TrialNumber trial) const
+    {
+        return entries.at({participant, trial});
+    }
 };
-Naming namingOf(const database::StudyStore& store, const protocols::Protocol& protocol,
-                const std::optional<database::Unblinded>& permission);
+/// K-labels with the key before the unblinding, ids after it. Empty where the study is blinded and nobody gives its passphrase.
+std::optional<Naming> namingOf(const database::StudyStore& store, const protocols::Protocol& protocol,
+                               const database::Passphrase& passphrase);
 
 protocols::Protocol protocolOf(const database::StudyFacts& facts);
 
-/// The data of the report. Throws badInput or workFailed if the stored study cannot be read.
-reports::StudyData studyData(const database::StudyStore& store);
+/// The data of the report; empty where the study is blinded and nobody gives its passphrase. Throws badInput for a wrong one,
+/// workFailed if the stored study cannot be read.
+std::optional<reports::StudyData> studyData(const database::StudyStore& store, const database::Passphrase& passphrase);
+
+/// What can be known of a running study without its key: the answers, all of one unnamed condition and fabric. It serves the
+/// flags on data quality, except those on blank glass.
+reports::StudyData sealedStudyData(const database::StudyStore& store);
 
 }  // namespace study::records

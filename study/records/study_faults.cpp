@@ -12,7 +12,7 @@ std::vector<std::string> faultsOf(const database::StudyStore& store)
     auto faults = store.faults();
     const auto add = [&](const std::vector<std::string>& more) { faults.insert(faults.end(), more.begin(), more.end()); };
     add(faultsOfKeys(store));
-    add(rendering::StimulusBank(store.folder().stimuli(), store.stimulusHashes()).faults());
+    add(rendering::faultsOfStimuli(store.folder().stimuli(), store.stimulusHashes()));
     const auto file = store.folder().protocol();
     if (!std::filesystem::exists(file))
         faults.push_back("protocol.json: missing");

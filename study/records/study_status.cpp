@@ -59,13 +59,6 @@ ordered_json withdrawnOf(const database::StudyStore& store, const std::vector<da
     return rows;
 }
 
-ordered_json rangesOf(const protocols::BalanceCertificate& balance)
-{
-    ordered_json ranges = ordered_json::array();
-    for (const auto& range : balance.ranges) ranges.push_back({{"what", range.what}, {"min", range.min}, {"max", range.max}});
-    return ranges;
-}
-
 ordered_json flagsOf(const reports::StudyData& data)
 {
     ordered_json rows = ordered_json::array();
@@ -141,12 +134,11 @@ std::string balanceText(const ordered_json& ranges)
 
 }  // namespace
 
-ordered_json statusOf(const database::StudyStore& store)
+ordered_json statusOf(const database::StudyStore& store, const database::Passphrase& passphrase)
 {
     const auto facts = store.facts();
     const auto protocol = protocolOf(facts);
     const auto answers = store.answers();
-    const auto balance = balanceOf(protocols::drawDesign(protocol, facts.designSeed), protocol);
     ordered_json json{{"schema", "vis2hap.status/1"}, {"study", facts.name}, {"protocol_sha256", facts.protocolSha256}};
     json["protocol_versions"] = store.protocolVersions().size();
     json["blinded"] = !store.unblinding().has_value();
@@ -162,12 +154,13 @@ ordered_json statusOf(const database::StudyStore& store)
     }
     json["kinds"] = kinds;
     json["states"] = states;
-    json["balance"] = rangesOf(balance);
-    json["immediate_repeats"] = balance.immediateRepeats;
-    json["repeated_foil_pairs"] = balance.repeatedFoilPairs;
-    json["balance_presented"] = rangesOf(realisedBalance(store, protocol));
+    json.update(ordered_json::parse(facts.plannedBalance));
+    const auto key = readKeyForAggregates(store, passphrase);
+    json["balance_presented"] = key ? jsonOf(realisedBalance(store, protocol, *key))["balance"] : ordered_json();
+    if (!key) json["why"] = {{"balance_presented", "the study has a passphrase, and none was given"}};
+    json["passphrase"] = facts.hasPassphrase;
     json["stamps"] = facts.stamps;
-    const reports::StudyData data = studyData(store);
+    const reports::StudyData data = store.unblinding() ? *studyData(store, passphrase) : sealedStudyData(store);
     json["preregistration"] = preregistrationOf(data);
     json["quality"] = flagsOf(data);
     return json;
@@ -181,7 +174,9 @@ std::string textOf(const ordered_json& status)
     text += preregistrationText(status["preregistration"]);
     text += peopleText(status);
     text += "balance of the running orders:\n" + balanceText(status["balance"]);
-    if (!status["balance_presented"].empty())
+    if (status["balance_presented"].is_null())
+        text += "balance of the presentations so far: " + word(status["why"], "balance_presented") + "\n";
+    else if (!status["balance_presented"].empty())
         text += "balance of the presentations so far:\n" + balanceText(status["balance_presented"]);
     for (const auto& stamp : status["stamps"]) text += "note: " + stamp.get<std::string>() + "\n";
     for (const auto& flag : status["quality"])

@@ -4,12 +4,13 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
+#include "database/keys.h"
 #include "database/study_store.h"
 
 namespace study::records {
 
-/// The object of `study status --json`, schema vis2hap.status/1.
-nlohmann::ordered_json statusOf(const database::StudyStore& store);
+/// The object of `study status --json`, schema vis2hap.status/1. The balance of the presentations needs the key.
+nlohmann::ordered_json statusOf(const database::StudyStore& store, const database::Passphrase& passphrase);
 
 /// The same object as lines of text.
 std::string textOf(const nlohmann::ordered_json& status);

@@ -35,25 +35,27 @@ Plan planOf(const StudyStore& store, const database::Enrolment& enrolment)
     const std::size_t slot = static_cast<std::size_t>(enrolment.slot) - 1;
     if (slot < facts.swatches.size()) plan.fabricNames = facts.swatches[slot];
     for (const database::FamiliarisationItem& item : facts.familiarisation)
-        plan.familiarisation.push_back({item.name, item.fileCode});
+        plan.familiarisation.push_back({item.name, item.sealedCode});
     return plan;
 }
 
-AnswerRecord recordOf(const Plan& plan, const StoredAnswer& answer)
+AnswerRecord recordOf(const Plan& plan, const State& state, const StoredAnswer& answer)
 {
     const protocols::BlindedTrial& trial = trialOf(plan, answer.index);
     AnswerRecord record;
     record.trial = trial.number;
     record.question = questionOf(plan, answer.index, answer.question).id;
-    record.fileCode = trial.fileCode;
+    record.presentationCode =
+        codeOfAttempt(plan.trials, static_cast<std::size_t>(answer.index), attemptSoFar(state, answer.index));
     record.alternatives = trial.alternatives;
     putInto(record, answer.response);
     return record;
 }
 
-AnswerRecord firstAnswer(const Plan& plan, const Presenting& asked, const StoredAnswer& answer, std::int64_t atNs)
+AnswerRecord firstAnswer(const Plan& plan, const State& state, const Presenting& asked, const StoredAnswer& answer,
+                         std::int64_t atNs)
 {
-    AnswerRecord record = recordOf(plan, answer);
+    AnswerRecord record = recordOf(plan, state, answer);
     record.readyAtNs = asked.readyAtNs;
     record.touchedAtNs = asked.touchedAtNs;
     if (asked.touchedAtNs) record.touchedBy = asked.touchedBy == TouchSource::Display ? "display" : "operator";
@@ -63,7 +65,7 @@ AnswerRecord firstAnswer(const Plan& plan, const Presenting& asked, const Stored
 
 AnswerRecord correction(const Plan& plan, const State& next, const Corrected& event)
 {
-    AnswerRecord record = recordOf(plan, next.answers[*latestAnswerTo(plan, next, event.question)]);
+    AnswerRecord record = recordOf(plan, next, next.answers[*latestAnswerTo(plan, next, event.question)]);
     record.isCorrection = true;
     record.note = event.why;
     return record;
@@ -88,7 +90,8 @@ std::optional<int> trialNotedOn(const State& state)
 void addWhatItStores(StudyStore::Append& entry, const Plan& plan, const State& before, const State& next, const EventBody& body)
 {
     if (std::holds_alternative<Answered>(body))
-        entry.answers.push_back(firstAnswer(plan, std::get<Presenting>(before.stage), next.answers.back(), entry.event.atNs));
+        entry.answers.push_back(
+            firstAnswer(plan, before, std::get<Presenting>(before.stage), next.answers.back(), entry.event.atNs));
     if (const auto* corrected = std::get_if<Corrected>(&body)) entry.answers.push_back(correction(plan, next, *corrected));
     if (const auto* voided = std::get_if<Voided>(&body)) {
         entry.voids = trialOf(plan, voidedTrial(before, next)).number;
@@ -199,7 +202,7 @@ void Driver::perform(const Effect& effect)
         m_display.clear();
 }
 
-void Driver::prefetchIfPossible(const protocols::FileCode& code)
+void Driver::prefetchIfPossible(const protocols::SealedCode& code)
 {
     try {
         m_bank.prefetch(code);

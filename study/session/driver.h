@@ -44,7 +44,7 @@ private:
     void commit(const EventBody& body, std::int64_t atNs, SessionStep step);
     void letOut(const std::vector<Effect>& effects);
     void perform(const Effect& effect);
-    void prefetchIfPossible(const protocols::FileCode& code);
+    void prefetchIfPossible(const protocols::SealedCode& code);
     void pauseAfterFault();
 
     database::StudyStore& m_store;

@@ -65,7 +65,7 @@ struct Transition {
         if (shown.item < 0 || shown.item >= static_cast<int>(plan.familiarisation.size()))
             return Refusal{"There is no such fabric for getting to know the display."};
         SessionStep step = moved(Familiarising{shown.item});
-        step.effects.emplace_back(ShowStimulus{plan.familiarisation[static_cast<std::size_t>(shown.item)].fileCode});
+        step.effects.emplace_back(ShowStimulus{plan.familiarisation[static_cast<std::size_t>(shown.item)].sealedCode});
         return step;
     }
     Outcome operator()(const Familiarising&, const FamiliarisationDone&) const
@@ -99,8 +99,8 @@ struct Transition {
     Outcome operator()(const PlacingTray& tray, const TrayReady&) const
     {
         SessionStep step = moved(Presenting{tray.index, answersTo(state, tray.index), atNs, std::nullopt, TouchSource::Operator});
-        step.effects.emplace_back(ShowStimulus{plan.trials[static_cast<std::size_t>(tray.index)].fileCode});
-        if (const auto next = fileCodeAt(plan, state, state.position + 1)) step.effects.emplace_back(Prefetch{*next});
+        step.effects.emplace_back(ShowStimulus{plan.trials[static_cast<std::size_t>(tray.index)].sealedCode});
+        if (const auto next = sealedCodeAt(plan, state, state.position + 1)) step.effects.emplace_back(Prefetch{*next});
         return step;
     }
 

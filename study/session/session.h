@@ -32,7 +32,7 @@ namespace study::session {
 /// A fabric outside the study with its friction image. It lets the participant get to know the display.
 struct FamiliarisationImage {
     std::string name;
-    protocols::FileCode fileCode;
+    protocols::SealedCode sealedCode;
 };
 
 /// The fixed parts of one participant's session.
@@ -199,14 +199,14 @@ struct Event {
 
 // ---- effects; the driver performs them after the event is on the disk.
 struct ShowStimulus {
-    protocols::FileCode code;
+    protocols::SealedCode code;
     bool operator==(const ShowStimulus&) const = default;
 };
 struct ClearDisplay {
     bool operator==(const ClearDisplay&) const = default;
 };
 struct Prefetch {
-    protocols::FileCode code;
+    protocols::SealedCode code;
     bool operator==(const Prefetch&) const = default;
 };
 using Effect = std::variant<ShowStimulus, ClearDisplay, Prefetch>;

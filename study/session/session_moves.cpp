@@ -74,16 +74,23 @@ std::optional<std::size_t> latestAnswerTo(const Plan& plan, const State& state, 
     return std::nullopt;
 }
 
-std::optional<protocols::FileCode> fileCodeAt(const Plan& plan, const State& state, int position)
+std::optional<protocols::SealedCode> sealedCodeAt(const Plan& plan, const State& state, int position)
 {
     if (position >= static_cast<int>(state.order.size())) return std::nullopt;
-    return plan.trials[static_cast<std::size_t>(placeAt(state, position).index)].fileCode;
+    return plan.trials[static_cast<std::size_t>(placeAt(state, position).index)].sealedCode;
 }
 
 int attemptAt(const State& state, int position)
 {
     const int index = placeAt(state, position).index;
     return static_cast<int>(std::count_if(state.order.begin(), state.order.begin() + position + 1,
+                                          [&](const PlaceInOrder& place) { return place.index == index; }));
+}
+
+int attemptSoFar(const State& state, int index)
+{
+    const auto end = std::min<std::ptrdiff_t>(state.position + 1, static_cast<std::ptrdiff_t>(state.order.size()));
+    return static_cast<int>(std::count_if(state.order.begin(), state.order.begin() + end,
                                           [&](const PlaceInOrder& place) { return place.index == index; }));
 }
 
@@ -158,7 +165,7 @@ void placeTray(const Plan& plan, SessionStep& step, std::int64_t atNs)
     step.next.stage = PlacingTray{placeAt(step.next, step.next.position).index};
     step.next.trayAskedAtNs = atNs;
     // Read the image while the operator fills the tray, so that it can be shown at once.
-    step.effects.emplace_back(Prefetch{*fileCodeAt(plan, step.next, step.next.position)});
+    step.effects.emplace_back(Prefetch{*sealedCodeAt(plan, step.next, step.next.position)});
 }
 
 void endPresentation(const Plan& plan, SessionStep& step, std::int64_t atNs)

@@ -22,11 +22,14 @@ int answersTo(const State& state, int index);
 /// Place of the answer in state.answers; empty if there is none.
 std::optional<std::size_t> latestAnswerTo(const Plan& plan, const State& state, const protocols::QuestionId& question);
 
-/// File code of the presentation at this place of the order; empty after its end.
-std::optional<protocols::FileCode> fileCodeAt(const Plan& plan, const State& state, int position);
+/// Sealed code of the presentation at this place of the order; empty after its end.
+std::optional<protocols::SealedCode> sealedCodeAt(const Plan& plan, const State& state, int position);
 
 /// Number of presentations of this trial up to this place of the order: 1, and one more for each void.
 int attemptAt(const State& state, int position);
+
+/// The same for a trial up to the present place: the attempt that its current answers belong to.
+int attemptSoFar(const State& state, int index);
 
 /// Whether order[position - 1] ends a block or phase.
 bool blockEndsBefore(const State& state, int position);

@@ -6,14 +6,18 @@
 #include <QTemporaryDir>
 #include <QtTest>
 #include <fstream>
+#include <optional>
 
 #include "protocols/files/errors.h"
+#include "protocols/files/whole_file.h"
 #include "tests/support/study_builder.h"
 
 using namespace database;
 using namespace tests::support;
 
 namespace {
+
+constexpr const char* passphrase = "four plain short words";
 
 unsigned modeOf(const std::filesystem::path& file)
 {
@@ -39,46 +43,73 @@ class KeysTest : public QObject {
     QTemporaryDir m_place;
     int m_studies = 0;
 
-    StudyFolder newStudy() { return buildStudy(m_place.filePath(QString("study%1").arg(++m_studies)).toStdString()); }
-
-private Q_SLOTS:
-    void theFullKeyIsForItsOwnerOnly()
+    StudyFolder newStudy(const char* sealedWith = nullptr)
     {
-        const StudyFolder folder = newStudy();
-        QCOMPARE(modeOf(folder.allocationKey()), 0600u);
-        QCOMPARE(modeOf(folder.maskedKey()), 0644u);
+        StudyRecipe recipe;
+        if (sealedWith) recipe.passphrase = sealedWith;
+        return buildStudy(m_place.filePath(QString("study%1").arg(++m_studies)).toStdString(), recipe);
     }
 
-    void theMaskedKeyTellsFabricAndLabelAlone()
+private Q_SLOTS:
+    void keysAreForTheirOwnerOnly()
     {
-        const StudyStore store(newStudy(), StudyStore::Access::Read);
-        const auto masked = readMaskedKey(store);
-        const auto full = readAllocationKeyForTestDriver(store, ParticipantKind::Scripted);
-        QCOMPARE(masked.entries.size(), 6u);
-        QVERIFY(masked == protocols::masked(full));
-        std::ifstream file(store.folder().maskedKey());
-        const std::string text{std::istreambuf_iterator<char>(file), {}};
-        QVERIFY(text.find("v_grey") == std::string::npos && text.find("h&f") == std::string::npos);
+        const StudyFolder open = newStudy(), sealed = newStudy(passphrase);
+        QCOMPARE(modeOf(open.allocationKey()), 0600u);
+        QCOMPARE(modeOf(open.stationKey()), 0600u);
+        QCOMPARE(modeOf(sealed.sealedAllocationKey()), 0600u);
+        QVERIFY(!std::filesystem::exists(sealed.allocationKey()));
+    }
+
+    void aSealedKeyNamesNothing()
+    {
+        const StudyFolder folder = newStudy(passphrase);
+        const std::string text = protocols::readWholeFile(folder.sealedAllocationKey());
+        for (const char* name : {"v_grey", "h&f", "F01", "K1"}) QVERIFY2(text.find(name) == std::string::npos, name);
+    }
+
+    void thePassphraseOpensTheKey()
+    {
+        const StudyStore store(newStudy(passphrase), StudyStore::Access::Read);
+        const auto giving = [](const char* text) { return [text] { return std::optional<std::string>(text); }; };
+        QCOMPARE(readKeyForAggregates(store, giving(passphrase))->entries.size(), 6u);
+        QVERIFY(!readKeyForAggregates(store, {}));
+        QVERIFY(!readKeyForAggregates(store, [] { return std::optional<std::string>(); }));
+        QVERIFY(errorOf([&] { readKeyForAggregates(store, giving("another passphrase")); }).startsWith("2:"));
+        QVERIFY(errorOf([&] { readAllocationKeyForTestDriver(store, ParticipantKind::Scripted, {}); })
+                    .contains("needs the owner's passphrase"));
     }
 
     void theFullKeyStaysClosedWhileAHumanTakesPart()
     {
         const StudyStore store(newStudy(), StudyStore::Access::Read);
         QVERIFY(errorOf([&] {
-                    readAllocationKeyForTestDriver(store, ParticipantKind::Human);
+                    readAllocationKeyForTestDriver(store, ParticipantKind::Human, {});
                 }).contains("must not be read for a human participant"));
-        QVERIFY(readAllocationKeyForTestDriver(store, ParticipantKind::Simulated).entries.size() == 6);
+        QVERIFY(readAllocationKeyForTestDriver(store, ParticipantKind::Simulated, {}).entries.size() == 6);
+    }
+
+    void unblindingIsRecordedAndOpensTheKey_data()
+    {
+        QTest::addColumn<bool>("sealed");
+        QTest::newRow("without a passphrase") << false;
+        QTest::newRow("with one") << true;
     }
 
     void unblindingIsRecordedAndOpensTheKey()
     {
-        const StudyFolder folder = newStudy();
+        QFETCH(bool, sealed);
+        const StudyFolder folder = newStudy(sealed ? passphrase : nullptr);
+        const Passphrase given = [] { return std::optional<std::string>(passphrase); };
         {
             StudyStore store(folder, StudyStore::Access::Write);
             QVERIFY(!recordedUnblinding(store));
-            QVERIFY(errorOf([&] { unblind(store, "", "curious", "2026-01-01T00:00:00Z"); }).startsWith("2:"));
+            QVERIFY(errorOf([&] { unblind(store, {"", "curious", "2026-01-01T00:00:00Z"}, {}); }).startsWith("2:"));
             QVERIFY(!recordedUnblinding(store));
-            const Unblinded act = unblind(store, "A. Lab", "the study is over", "2026-01-01T00:00:00Z");
+            if (sealed) {
+                QVERIFY(errorOf([&] { unblind(store, {"A. Lab", "curious", "2026"}, {}); }).startsWith("2:"));
+                QVERIFY(!recordedUnblinding(store));
+            }
+            const Unblinded act = unblind(store, {"A. Lab", "the study is over", "2026-01-01T00:00:00Z"}, given);
             QCOMPARE(readAllocationKey(store, act).entries.size(), 6u);
         }
         const StudyStore store(folder, StudyStore::Access::Read);
@@ -86,32 +117,33 @@ private Q_SLOTS:
         QVERIFY(act.has_value());
         QCOMPARE(act->record().who, std::string("A. Lab"));
         QCOMPARE(act->record().why, std::string("the study is over"));
-        QVERIFY(store.faults().empty());
+        QCOMPARE(readAllocationKey(store, *act).entries.size(), 6u);
+        QVERIFY(store.faults().empty() && faultsOfKeys(store).empty());
     }
 
     void aKeyThatWasNotCommittedIsRefused_data()
     {
-        QTest::addColumn<bool>("masked");
+        QTest::addColumn<bool>("station");
         QTest::addColumn<bool>("removed");
         QTest::newRow("allocation key altered") << false << false;
         QTest::newRow("allocation key missing") << false << true;
-        QTest::newRow("masked key altered") << true << false;
-        QTest::newRow("masked key missing") << true << true;
+        QTest::newRow("station key altered") << true << false;
+        QTest::newRow("station key missing") << true << true;
     }
 
     void aKeyThatWasNotCommittedIsRefused()
     {
-        QFETCH(bool, masked);
+        QFETCH(bool, station);
         QFETCH(bool, removed);
         const StudyStore store(newStudy(), StudyStore::Access::Read);
         QVERIFY(faultsOfKeys(store).empty());
-        const auto file = masked ? store.folder().maskedKey() : store.folder().allocationKey();
+        const auto file = station ? store.folder().stationKey() : store.folder().allocationKey();
         if (removed)
             std::filesystem::remove(file);
         else
             std::ofstream(file, std::ios::app) << "\n";
         QVERIFY(errorOf([&] {
-                    masked ? void(readMaskedKey(store)) : void(readAllocationKeyForTestDriver(store, ParticipantKind::Scripted));
+                    station ? void(readStationKey(store)) : void(readAllocationKeyForTestDriver(store, ParticipantKind::Scripted, {}));
                 }).startsWith("1:"));
         QCOMPARE(faultsOfKeys(store).size(), 1u);
         QVERIFY(faultsOfKeys(store).front().find(file.filename().string()) != std::string::npos);

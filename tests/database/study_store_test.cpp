@@ -45,7 +45,7 @@ StudyStore::Append answerOf(const StudyStore& store, const char* question, std::
     AnswerRecord answer;
     answer.trial = trial.number;
     answer.question = protocols::QuestionId(question);
-    answer.fileCode = trial.fileCode;
+    answer.presentationCode = trial.presentationCode;
     answer.alternatives = trial.alternatives;
     if (tenths)
         answer.rating = protocols::Tenths{*tenths};
@@ -351,10 +351,10 @@ private Q_SLOTS:
         for (const std::string& name : raw.rows("SELECT name FROM pragma_table_info('answers')"))
             columns += (columns.empty() ? "" : ", ") + name;
         QCOMPARE(columns,
-                 std::string("participant, trial, question, file_code, alternatives, answer, rating, ready_at, touched_at, "
+                 std::string("participant, trial, question, presentation_code, alternatives, answer, rating, ready_at, touched_at, "
                              "answered_at, stored_at, seconds, corrections, voided, wall_time, note"));
         const auto trial = store.trials(1).front();
-        const std::string expected = "S01|1|Q1|" + trial.fileCode.value + "|[\"" + trial.alternatives[0].value + "\",\"" +
+        const std::string expected = "S01|1|Q1|" + trial.presentationCode.value + "|[\"" + trial.alternatives[0].value + "\",\"" +
                                      trial.alternatives[1].value + "\",\"" + trial.alternatives[2].value + "\"]|" +
                                      trial.alternatives[0].value +
                                      "||5000000000|8000000000|10000000000|10000000100|2.0|0|0|2026-01-01T10:00:00.000Z|";
@@ -438,7 +438,7 @@ private Q_SLOTS:
         QTest::newRow("an answer taken out") << "DELETE FROM responses WHERE id = 5"
                                              << "were altered";
         QTest::newRow("an answer put in")
-            << "INSERT INTO responses SELECT 999, event, participant, 77, attempt, question, file_code, alternatives, choice, "
+            << "INSERT INTO responses SELECT 999, event, participant, 77, attempt, question, presentation_code, alternatives, choice, "
                "rating_tenths, ready_at, touched_at, answered_at, stored_at, 0, touched_by FROM responses WHERE id = 4"
             << "were altered";
         QTest::newRow("an event's payload") << "UPDATE events SET payload = '{\"fabric\":\"F99\"}' WHERE sequence = 9"

@@ -27,6 +27,19 @@ std::vector<FabricId> fabricIds(int count)
     return ids;
 }
 
+/// What a session sees of each presentation, and the file that it shows.
+std::vector<std::string> listsIn(const Allocation& allocation)
+{
+    std::vector<std::string> lines;
+    for (const auto& list : allocation.participants)
+        for (const BlindedTrial& trial : list) {
+            lines.push_back(trial.presentationCode.value + " " +
+                            opened(trial.sealedCode, stationKeyOf(allocation.key.secret)).value);
+            for (const FabricId& fabric : trial.alternatives) lines.back() += " " + fabric.value;
+        }
+    return lines;
+}
+
 }  // namespace
 
 class AllocationTest : public QObject {
@@ -36,7 +49,7 @@ private Q_SLOTS:
     void initTestCase()
     {
         m_design = drawDesign(m_protocol, 11);
-        m_allocation = allocate(m_protocol, m_design, m_fabrics, 12);
+        m_allocation = allocate(m_protocol, m_design, m_fabrics, SecretKey::ofSeed(12));
     }
 
     void keyAnswersForEachRenderingOnce()
@@ -63,7 +76,7 @@ private Q_SLOTS:
                 const DesignTrial& planned = m_design.participants[participant][i];
                 QCOMPARE(list[i].number.value, static_cast<int>(i) + 1);
                 QCOMPARE(list[i].phase, planned.phase);
-                const FabricId shown = m_allocation.key.entries.at(list[i].fileCode).fabric;
+                const FabricId shown = m_allocation.key.entryOf(list[i]).fabric;
                 QCOMPARE(shown, m_fabrics[static_cast<std::size_t>(planned.fabric)]);
                 QCOMPARE(list[i].alternatives.size(), planned.alternatives.size());
                 QCOMPARE(std::ranges::count(list[i].alternatives, shown), 1);
@@ -77,7 +90,7 @@ private Q_SLOTS:
         for (std::size_t participant = 0; participant < m_design.participants.size(); ++participant)
             for (std::size_t i = 0; i < m_design.participants[participant].size(); ++i)
                 meanings[m_design.participants[participant][i].label].insert(
-                    m_allocation.key.entries.at(m_allocation.participants[participant][i].fileCode).condition);
+                    m_allocation.key.entryOf(m_allocation.participants[participant][i]).condition);
         QCOMPARE(meanings.size(), std::size_t{9});
         for (const auto& [label, conditions] : meanings) QCOMPARE(conditions.size(), std::size_t{1});
     }
@@ -100,10 +113,9 @@ private Q_SLOTS:
     {
         Protocol other = m_protocol;
         std::ranges::reverse(other.conditions);
-        const Allocation swapped = allocate(other, m_design, m_fabrics, 12);
-        QVERIFY(swapped.participants == m_allocation.participants);
-        QVERIFY(swapped.key != m_allocation.key);
-        QVERIFY(masked(swapped.key) == masked(m_allocation.key));
+        const Allocation swapped = allocate(other, m_design, m_fabrics, SecretKey::ofSeed(12));
+        QCOMPARE(listsIn(swapped), listsIn(m_allocation));
+        QVERIFY(swapped.key.entries != m_allocation.key.entries);
     }
 
     void seedOfTheDesignDoesNotTellTheConditions()
@@ -114,8 +126,8 @@ private Q_SLOTS:
         std::set<ConditionLabel> masks;
         std::set<ConditionId> firstInOrder;
         for (std::uint64_t secret = 0; secret < 60; ++secret) {
-            const Allocation allocation = allocate(m_protocol, m_design, m_fabrics, secret);
-            const auto& entry = allocation.key.entries.at(allocation.participants[0][0].fileCode);
+            const Allocation allocation = allocate(m_protocol, m_design, m_fabrics, SecretKey::ofSeed(secret));
+            const auto& entry = allocation.key.entryOf(allocation.participants[0][0]);
             meanings.insert(entry.condition);
             masks.insert(entry.label);
             firstInOrder.insert(allocation.key.entries.begin()->second.condition);
@@ -127,36 +139,61 @@ private Q_SLOTS:
 
     void sameSecretGivesTheSameAllocation()
     {
-        const Allocation again = allocate(m_protocol, drawDesign(m_protocol, 11), m_fabrics, 12);
-        QVERIFY(again.participants == m_allocation.participants);
-        QVERIFY(again.key == m_allocation.key);
+        const Allocation again = allocate(m_protocol, drawDesign(m_protocol, 11), m_fabrics, SecretKey::ofSeed(12));
+        QCOMPARE(listsIn(again), listsIn(m_allocation));
+        QVERIFY(again.key.entries == m_allocation.key.entries);
     }
 
     void keysReadBackAsWritten()
     {
-        QVERIFY(allocationKeyFromJson(toJson(m_allocation.key), "key") == m_allocation.key);
-        const MaskedKey mask = masked(m_allocation.key);
-        QVERIFY(maskedKeyFromJson(toJson(mask), "key") == mask);
-        QVERIFY(toJson(m_allocation.key).starts_with("{\n  \"schema\": \"vis2hap.allocation-key/1\""));
-        QVERIFY(toJson(mask).starts_with("{\n  \"schema\": \"vis2hap.masked-key/1\""));
+        const std::string text = toJson(m_allocation.key);
+        const AllocationKey read = allocationKeyFromJson(text, "key");
+        QVERIFY(read.entries == m_allocation.key.entries);
+        QCOMPARE(read.secret.hex(), m_allocation.key.secret.hex());
+        QVERIFY(text.starts_with("{\n  \"schema\": \"vis2hap.allocation-key/2\""));
     }
 
-    void maskedKeyNamesNoCondition()
+    void noTwoPresentationsHaveEqualSealedCodes()
     {
-        const std::string text = toJson(masked(m_allocation.key));
-        QVERIFY(text.find("condition") == std::string::npos);
-        for (const ConditionId& id : m_protocol.conditions) QVERIFY(text.find("\"" + id.value + "\"") == std::string::npos);
+        std::set<SealedCode> codes;
+        std::set<std::size_t> lengths;
+        std::size_t trials = 0;
+        for (const auto& list : m_allocation.participants)
+            for (const BlindedTrial& trial : list) {
+                ++trials;
+                codes.insert(trial.sealedCode);
+                lengths.insert(trial.sealedCode.value.size());
+            }
+        QCOMPARE(codes.size(), trials);
+        QCOMPARE(lengths.size(), std::size_t{1});
+    }
+
+    void onlyTheStationKeyOpensASealedCode()
+    {
+        const SealedCode code = m_allocation.participants[0][0].sealedCode;
+        QVERIFY(m_allocation.key.entries.contains(opened(code, stationKeyOf(m_allocation.key.secret))));
+        QVERIFY_EXCEPTION_THROWN(opened(code, stationKeyOf(SecretKey::ofSeed(13))), protocols::Error);
+        QVERIFY_EXCEPTION_THROWN(opened(code, m_allocation.key.secret), protocols::Error);
+    }
+
+    void thePublicSeedDoesNotDrawTheDesignAgain()
+    {
+        std::set<std::uint64_t> seeds{1};
+        for (std::uint64_t secret = 0; secret < 20; ++secret) seeds.insert(designSeedOf(SecretKey::ofSeed(secret), 1));
+        QCOMPARE(seeds.size(), std::size_t{21});
+        QVERIFY(designSeedOf(SecretKey::ofSeed(1), 1) != designSeedOf(SecretKey::ofSeed(1), 2));
     }
 
     void malformedKeysAreRefused_data()
     {
         QTest::addColumn<QByteArray>("text");
         const auto key = [](const char* entries) {
-            return QByteArray(R"({"schema": "vis2hap.allocation-key/1", "entries": {)") + entries + "}}";
+            return QByteArray(R"({"schema": "vis2hap.allocation-key/2", "secret": ")") + QByteArray(64, '0') +
+                   "\", \"entries\": {" + entries + "}}";
         };
         QTest::newRow("not JSON") << QByteArray("{");
         QTest::newRow("masked key in its place") << QByteArray(R"({"schema": "vis2hap.masked-key/1", "entries": {}})");
-        QTest::newRow("no entries") << QByteArray(R"({"schema": "vis2hap.allocation-key/1"})");
+        QTest::newRow("no entries") << QByteArray(R"({"schema": "vis2hap.allocation-key/2"})");
         const auto entry = [](const char* code, const char* fabric, const char* condition) {
             return QStringLiteral(R"("%1": {"fabric": "%2", "condition": "%3", "label": "K1"})").arg(code, fabric, condition);
         };

@@ -82,7 +82,6 @@ private Q_SLOTS:
         QVERIFY(least >= 0 && least < 0.01 && most > 0.99 && most < 1);
     }
 
-    void secretsDiffer() { QVERIFY(protocols::drawSecretSeed() != protocols::drawSecretSeed()); }
 };
 
 QTEST_GUILESS_MAIN(RandomTest)

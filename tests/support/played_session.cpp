@@ -6,6 +6,7 @@
 #include "protocols/files/errors.h"
 #include "study/session/preparation.h"
 #include "study/session/session_record.h"
+#include "study/session/stimuli.h"
 
 namespace tests::support {
 
@@ -66,7 +67,7 @@ void FakeDisplay::clear() { calls.push_back("clear"); }
 
 OpenSession::OpenSession(const database::StudyFolder& folder, const std::string& participant, database::ParticipantKind kind)
     : store(folder, database::StudyStore::Access::Write),
-      bank(folder.stimuli(), store.stimulusHashes()),
+      bank(stimuliOf(store)),
       driver(std::make_unique<Driver>(store, protocols::ParticipantId(participant), kind, bank, display, clock))
 {
 }

@@ -9,6 +9,7 @@
 #include "protocols/counterbalancing.h"
 #include "protocols/files/sha256.h"
 #include "protocols/protocol_json.h"
+#include "protocols/records/balance.h"
 #include "rendering/display/stimulus_bank.h"
 
 namespace tests::support {
@@ -23,16 +24,16 @@ std::vector<protocols::FabricId> fabricsOf(const StudyRecipe& recipe)
     return fabrics;
 }
 
-std::map<protocols::FileCode, std::string> writeStimuli(const database::StudyFolder& folder, const protocols::AllocationKey& key,
-                                                        const StudyRecipe& recipe)
+rendering::StimulusHashes writeStimuli(const database::StudyFolder& folder, const protocols::AllocationKey& key,
+                                       const StudyRecipe& recipe)
 {
     std::filesystem::create_directory(folder.stimuli());
-    std::map<protocols::FileCode, std::string> hashes;
+    rendering::StimulusHashes hashes;
     int number = 0;
     for (const auto& [code, entry] : key.entries) {
         const int grey = 10 * ++number + (recipe.keyNames.empty() ? 0 : 5);
         const cv::Mat image(recipe.imageHeightPx, recipe.imageWidthPx, CV_8UC1, cv::Scalar(grey % 256));
-        hashes[code] = rendering::writeStimulus(folder.stimuli(), code, image);
+        hashes[code] = rendering::writeStimulus(folder.stimuli(), code, image, stationKeyOf(key.secret));
     }
     return hashes;
 }
@@ -62,12 +63,13 @@ database::StudyFolder buildStudy(const std::filesystem::path& path, const StudyR
     std::ofstream(folder.protocol(), std::ios::binary) << text;
     const protocols::Protocol protocol = protocols::protocolFromJson(text, "small study");
     const auto fabrics = fabricsOf(recipe);
-    auto allocation = protocols::allocate(protocol, protocols::drawDesign(protocol, recipe.designSeed), fabrics, recipe.keySeed,
-                                          recipe.familiarisationImages);
+    const auto secret = protocols::SecretKey::ofSeed(recipe.keySeed);
+    const auto design = protocols::drawDesign(protocol, designSeedOf(secret, recipe.designSeed));
+    auto allocation = protocols::allocate(protocol, design, fabrics, secret, recipe.familiarisationImages);
     for (auto& [code, entry] : allocation.key.entries)
         if (const auto other = recipe.keyNames.find(entry.condition.value); other != recipe.keyNames.end())
             entry.condition = protocols::ConditionId(other->second);
-    const database::KeyHashes keys = database::writeKeys(folder, allocation.key);
+    const database::KeyHashes keys = database::writeKeys(folder, allocation.key, recipe.passphrase);
 
     database::StudyFacts facts;
     facts.name = protocol.name;
@@ -75,20 +77,24 @@ database::StudyFolder buildStudy(const std::filesystem::path& path, const StudyR
     facts.protocolSha256 = protocols::sha256(text);
     facts.designSeed = recipe.designSeed;
     facts.keySha256 = keys.allocation;
-    facts.maskedKeySha256 = keys.masked;
+    facts.stationKeySha256 = keys.station;
+    facts.hasPassphrase = recipe.passphrase.has_value();
+    facts.plannedBalance = jsonOf(balanceOf(design, protocol)).dump();
+    facts.madeWith = "{}";
     facts.datasetProcedural = true;
     facts.fabrics = fabrics;
     for (const protocols::FabricId& fabric : fabrics) facts.fabricNames[fabric] = "fabric " + fabric.value.substr(1);
     if (recipe.hasSwatchCodes) facts.swatches = allocation.swatches;
     for (const protocols::FileCode& code : allocation.familiarisation)
-        facts.familiarisation.push_back({"known fabric " + std::to_string(facts.familiarisation.size() + 1), code});
+        facts.familiarisation.push_back(
+            {"known fabric " + std::to_string(facts.familiarisation.size() + 1), sealed(code, stationKeyOf(secret))});
     facts.signalsJson = "{}";
     facts.createdAt = "2000-01-01T00:00:00.000Z";
     facts.programVersion = "test";
     auto hashes = writeStimuli(folder, allocation.key, recipe);
     const cv::Mat black = cv::Mat::zeros(recipe.imageHeightPx, recipe.imageWidthPx, CV_8UC1);
     for (const protocols::FileCode& code : allocation.familiarisation)
-        hashes[code] = rendering::writeStimulus(folder.stimuli(), code, black);
+        hashes[code] = rendering::writeStimulus(folder.stimuli(), code, black, stationKeyOf(secret));
     database::StudyStore::create(folder, facts, allocation.participants, hashes);
     return folder;
 }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,7 @@ struct StudyRecipe {
     int breakAfter = 4;  ///< presentations between two breaks
     std::uint64_t designSeed = 1;
     std::uint64_t keySeed = 2;
+    std::optional<std::string> passphrase = {};  ///< none: the allocation key lies open
     int imageWidthPx = 16, imageHeightPx = 10;  ///< every pixel of image n has the value 10 n
     std::string protocol = {};                  ///< JSON text used instead of the options above
     bool hasSwatchCodes = false;                ///< false: pieces of fabric have the names of the fabrics

@@ -27,6 +27,8 @@ std::optional<Number> wholeNumberFrom(const QString& typed)
     return fault == std::errc() && end == text.data() + text.size() ? std::optional(number) : std::nullopt;
 }
 
+constexpr int shortestPassphrase = 8;
+
 std::filesystem::path pathOf(const QLineEdit& line) { return line.text().trimmed().toStdString(); }
 
 }  // namespace
@@ -36,6 +38,8 @@ NewStudyPage::NewStudyPage(MakeStudy make, QWidget* parent)
       m_make(std::move(make)),
       m_participants(field("participantsField", tr("Number of participants"), this)),
       m_seed(field("seedField", tr("Seed of the running orders"), this)),
+      m_passphrase(field("passphraseField", tr("Passphrase of the allocation key"), this)),
+      m_passphraseAgain(field("passphraseAgainField", tr("The same passphrase again"), this)),
       m_makeButton(mainButton("makeButton", tr("Create the study (Enter)"), this)),
       m_back(button("backButton", tr("Back (Esc)"), this)),
       m_doing(label("makingText", Type::Body, this)),
@@ -48,7 +52,7 @@ NewStudyPage::NewStudyPage(MakeStudy make, QWidget* parent)
     title->setText(tr("New study"));
     auto* lead = quietLabel("newStudyLead", page);
     lead->setText(
-        tr("The seed determines the running orders. The key from stimuli to conditions stays sealed in the study folder."));
+        tr("Sessions need no passphrase. Reports before the end and the unblinding do; nobody can restore a lost one."));
     m_participants->setPlaceholderText(tr("empty: the number in the protocol"));
     m_seed->setText(QStringLiteral("1"));
     name(*m_bar, "makingBar", tr("Progress of creating the study"));
@@ -66,7 +70,13 @@ NewStudyPage::NewStudyPage(MakeStudy make, QWidget* parent)
     m_protocol = addPath(*form, "protocolField", tr("Protocol file"), tr("empty: the study of the paper"), Browse::File);
     addRow(*form, tr("Participants"), m_participants);
     addRow(*form, tr("Seed"), m_seed);
-    m_inputs.insert(m_inputs.end(), {m_participants, m_seed, m_makeButton});
+    addRow(*form, tr("Passphrase"), m_passphrase);
+    addRow(*form, tr("Passphrase again"), m_passphraseAgain);
+    for (QLineEdit* line : {m_passphrase, m_passphraseAgain}) {
+        line->setEchoMode(QLineEdit::Password);
+        line->setPlaceholderText(tr("8 characters or more; it seals which condition is shown when"));
+    }
+    m_inputs.insert(m_inputs.end(), {m_participants, m_seed, m_passphrase, m_passphraseAgain, m_makeButton});
     auto* actions = new QHBoxLayout;
     actions->setSpacing(14);
     actions->addWidget(m_makeButton);
@@ -148,7 +158,12 @@ std::optional<NewStudyRequest> NewStudyPage::request()
         return refuse(m_dataset, tr("No data set is given. Choose the fabric data set that the stimuli are made from."));
     const auto seed = wholeNumberFrom<std::uint64_t>(m_seed->text());
     if (!seed) return refuse(m_seed, tr("The seed is not valid. Type a whole number, 0 or larger."));
-    NewStudyRequest filled{pathOf(*m_study), pathOf(*m_dataset), std::nullopt, std::nullopt, *seed};
+    if (m_passphrase->text().size() < shortestPassphrase)
+        return refuse(m_passphrase, tr("The passphrase is too short. Type 8 characters or more, such as four words."));
+    if (m_passphrase->text() != m_passphraseAgain->text())
+        return refuse(m_passphraseAgain, tr("The two passphrases differ. Type the same one twice."));
+    NewStudyRequest filled{
+        pathOf(*m_study), pathOf(*m_dataset), std::nullopt, std::nullopt, *seed, m_passphrase->text().toStdString()};
     if (!m_protocol->text().trimmed().isEmpty()) filled.protocol = pathOf(*m_protocol);
     if (!m_participants->text().trimmed().isEmpty()) {
         filled.participants = wholeNumberFrom<int>(m_participants->text());

@@ -53,6 +53,8 @@ private:
     QLineEdit* m_protocol;
     QLineEdit* m_participants;
     QLineEdit* m_seed;
+    QLineEdit* m_passphrase;
+    QLineEdit* m_passphraseAgain;
     QPushButton* m_makeButton;
     QPushButton* m_back;
     QLabel* m_doing;

@@ -26,6 +26,7 @@ struct NewStudyRequest {
     std::optional<std::filesystem::path> protocol;  ///< none: the study of the paper
     std::optional<int> participants;                ///< none: the number in the protocol
     std::uint64_t seed = 1;
+    std::optional<std::string> passphrase;  ///< seals the allocation key; none: the key lies open
     bool operator==(const NewStudyRequest&) const = default;
 };
 

@@ -7,6 +7,7 @@
 #include "protocols/files/errors.h"
 #include "protocols/protocol_json.h"
 #include "study/session/driver.h"
+#include "study/session/stimuli.h"
 
 namespace study::app {
 
@@ -14,9 +15,14 @@ OpenStudy::OpenStudy(const std::filesystem::path& folder)
     : m_store(database::StudyFolder{folder}, database::StudyStore::Access::Write),
       m_facts(m_store.facts()),
       m_protocol(protocols::keptProtocolFromJson(m_store.protocolVersions().back().json,
-                                                 database::StudyFolder{folder}.protocol().string(), m_facts.programVersion)),
-      m_bank(database::StudyFolder{folder}.stimuli(), m_store.stimulusHashes())
+                                                 database::StudyFolder{folder}.protocol().string(), m_facts.programVersion))
 {
+}
+
+rendering::StimulusBank& OpenStudy::bank()
+{
+    if (!m_bank) m_bank.emplace(session::stimuliOf(m_store));
+    return *m_bank;
 }
 
 QString OpenStudy::name() const { return QString::fromStdString(m_facts.name); }

@@ -4,6 +4,7 @@
 
 #include <QString>
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "database/study_store.h"
@@ -40,7 +41,8 @@ public:
     explicit OpenStudy(const std::filesystem::path& folder);
 
     database::StudyStore& store() { return m_store; }
-    rendering::StimulusBank& bank() { return m_bank; }
+    /// Reads the stimuli at the first call. Throws workFailed where one is missing or altered.
+    rendering::StimulusBank& bank();
     const protocols::Protocol& protocol() const { return m_protocol; }
     QString name() const;
     StudyOverview overview() const;
@@ -51,7 +53,7 @@ private:
     database::StudyStore m_store;
     database::StudyFacts m_facts;
     protocols::Protocol m_protocol;
-    rendering::StimulusBank m_bank;
+    std::optional<rendering::StimulusBank> m_bank;
 };
 
 }  // namespace study::app

@@ -8,13 +8,17 @@
 #include <fstream>
 #include <opencv2/core.hpp>
 
+#include "protocols/allocation.h"
 #include "protocols/files/sha256.h"
+#include "protocols/files/whole_file.h"
 #include "tests/rendering/refusal.h"
 
 using namespace rendering;
 using protocols::FileCode;
 
 namespace {
+
+const protocols::SecretKey key = protocols::SecretKey::ofSeed(3);
 
 cv::Mat image(int level) { return cv::Mat(800, 1280, CV_8UC1, cv::Scalar(level)); }
 
@@ -24,14 +28,14 @@ struct Stimuli {
     {
         for (int i = 0; i < count; ++i) {
             const FileCode code(std::string(1, static_cast<char>('a' + i)));
-            hashes[code] = writeStimulus(path, code, image(10 * i));
+            hashes[code] = writeStimulus(path, code, image(10 * i), key);
         }
     }
-    std::filesystem::path file(const char* name) const { return path / (std::string(name) + ".pgm"); }
+    std::filesystem::path file(const char* name) const { return path / (std::string(name) + ".sealed"); }
 
     QTemporaryDir folder;
     std::filesystem::path path{folder.path().toStdString()};
-    std::map<FileCode, std::string> hashes;
+    StimulusHashes hashes;
 };
 
 }  // namespace
@@ -46,39 +50,55 @@ private Q_SLOTS:
         cv::Mat noise(800, 1280, CV_8UC1);
         cv::theRNG().state = 5;
         cv::randu(noise, 0, 256);
-        const auto hash = writeStimulus(path, FileCode("flat"), image(0));
-        writeStimulus(path, FileCode("rough"), noise);
+        const auto hash = writeStimulus(path, FileCode("flat"), image(0), key);
+        writeStimulus(path, FileCode("rough"), noise, key);
         struct stat flat, rough;
-        QCOMPARE(stat((path / "flat.pgm").c_str(), &flat), 0);
-        QCOMPARE(stat((path / "rough.pgm").c_str(), &rough), 0);
+        QCOMPARE(stat((path / "flat.sealed").c_str(), &flat), 0);
+        QCOMPARE(stat((path / "rough.sealed").c_str(), &rough), 0);
         QCOMPARE(flat.st_size, rough.st_size);
         QCOMPARE(flat.st_mtime, 946684800);
         QCOMPARE(rough.st_mtim.tv_sec, flat.st_mtim.tv_sec);
         QCOMPARE(rough.st_mtim.tv_nsec, 0);
-        QCOMPARE(flat.st_mode & 0777, 0644U);
-        QCOMPARE(hash, protocols::sha256OfFile(path / "flat.pgm"));
+        QCOMPARE(flat.st_mode & 0777, 0600U);
+        QCOMPARE(hash, protocols::sha256OfFile(path / "flat.sealed"));
     }
 
     void imageComesBackByItsCode()
     {
         const Stimuli stimuli(6);
-        StimulusBank bank(stimuli.path, stimuli.hashes);
+        StimulusBank bank(stimuli.path, stimuli.hashes, key);
         for (int round = 0; round < 2; ++round)
             for (int i = 0; i < 6; ++i) {
-                const cv::Mat& shown = bank.image(FileCode(std::string(1, static_cast<char>('a' + i))));
+                const FileCode code(std::string(1, static_cast<char>('a' + i)));
+                const cv::Mat& shown = bank.image(protocols::sealed(code, key));
                 QCOMPARE(shown.type(), CV_8UC1);
                 QCOMPARE(cv::norm(shown, image(10 * i), cv::NORM_INF), 0.0);
             }
-        QVERIFY(bank.faults().empty());
+        QVERIFY(faultsOfStimuli(stimuli.path, stimuli.hashes).empty());
     }
 
-    void prefetchedImageNeedsNoFile()
+    void noFileIsReadDuringASession()
     {
         const Stimuli stimuli(2);
-        StimulusBank bank(stimuli.path, stimuli.hashes);
-        bank.prefetch(FileCode("b"));
+        StimulusBank bank(stimuli.path, stimuli.hashes, key);
         std::filesystem::remove(stimuli.file("b"));
-        QCOMPARE(int(bank.image(FileCode("b")).at<unsigned char>(3, 3)), 10);
+        bank.prefetch(protocols::sealed(FileCode("b"), key));
+        QCOMPARE(int(bank.imageOf(FileCode("b")).at<unsigned char>(3, 3)), 10);
+    }
+
+    void equalImagesHaveFilesWithoutAnythingInCommon()
+    {
+        const QTemporaryDir folder;
+        const std::filesystem::path path(folder.path().toStdString());
+        writeStimulus(path, FileCode("one"), image(7), key);
+        writeStimulus(path, FileCode("two"), image(7), key);
+        const auto first = protocols::readWholeFile(path / "one.sealed"), second = protocols::readWholeFile(path / "two.sealed");
+        QCOMPARE(first.size(), second.size());
+        std::size_t equal = 0;
+        for (std::size_t i = 0; i < first.size(); ++i) equal += first[i] == second[i];
+        // One byte in 256 agrees by chance, with a standard deviation of 63.
+        QVERIFY2(std::abs(static_cast<double>(equal) - static_cast<double>(first.size()) / 256) < 320, qPrintable(QString::number(equal)));
+        QVERIFY(qCompress(QByteArray::fromStdString(first)).size() >= static_cast<qsizetype>(first.size()));
     }
 
     void unusableStimulusIsRefused_data()
@@ -104,19 +124,33 @@ private Q_SLOTS:
         if (harm == "folder") std::filesystem::create_directory(file);
         if (harm == "flip") std::fstream(file, std::ios::in | std::ios::out | std::ios::binary).seekp(500000).put('\x7f');
         if (harm == "cut") std::filesystem::resize_file(file, 1000);
-        StimulusBank bank(stimuli.path, stimuli.hashes);
-        const auto refusal = refusalOf([&] { bank.image(FileCode("b")); });
-        QVERIFY2(refusal.contains(said) && refusal.contains("b.pgm"), qPrintable(refusal));
-        QCOMPARE(bank.faults().size(), std::size_t(1));
-        QVERIFY(QString::fromStdString(bank.faults().front()).contains(said));
-        QCOMPARE(int(bank.image(FileCode("c")).at<unsigned char>(0, 0)), 20);
+        const auto refusal = refusalOf([&] { StimulusBank(stimuli.path, stimuli.hashes, key); });
+        QVERIFY2(refusal.contains(said) && refusal.contains("b.sealed"), qPrintable(refusal));
+        const auto faults = faultsOfStimuli(stimuli.path, stimuli.hashes);
+        QCOMPARE(faults.size(), std::size_t(1));
+        QVERIFY(QString::fromStdString(faults.front()).contains(said));
+    }
+
+    void swappedFilesAreRefused()
+    {
+        const Stimuli stimuli(2);
+        std::filesystem::rename(stimuli.file("a"), stimuli.file("x"));
+        std::filesystem::rename(stimuli.file("b"), stimuli.file("a"));
+        std::filesystem::rename(stimuli.file("x"), stimuli.file("b"));
+        QVERIFY(refusalOf([&] { StimulusBank(stimuli.path, stimuli.hashes, key); }).contains("altered"));
+    }
+
+    void anotherKeyOpensNothing()
+    {
+        const Stimuli stimuli(1);
+        QVERIFY(refusalOf([&] { StimulusBank(stimuli.path, stimuli.hashes, protocols::SecretKey::ofSeed(4)); }).contains("altered"));
     }
 
     void unknownCodeIsRefused()
     {
         const Stimuli stimuli(1);
-        StimulusBank bank(stimuli.path, stimuli.hashes);
-        QVERIFY(refusalOf([&] { bank.image(FileCode("zz")); }).contains("no stimulus"));
+        StimulusBank bank(stimuli.path, stimuli.hashes, key);
+        QVERIFY(refusalOf([&] { bank.imageOf(FileCode("zz")); }).contains("no stimulus"));
     }
 };
 

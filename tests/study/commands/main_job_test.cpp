@@ -76,7 +76,7 @@ private:
 /// All studies of this test have the same seeds, so they differ only in their answers.
 QString MainJobTest::newStudy(const QString& name)
 {
-    mustRun({"study", "new", path(name), "--dataset", m_fabrics, "--seed", "3", "--key-seed", "4", "--images", path("images")});
+    mustRun({"study", "new", "--no-passphrase", path(name), "--dataset", m_fabrics, "--seed", "3", "--key-seed", "4", "--images", path("images")});
     return path(name);
 }
 
@@ -263,7 +263,7 @@ void MainJobTest::sessionsLoadNeitherTorchNorCodecs()
 
 void MainJobTest::aStudyWithGeneratedSignalsNeedsTheSecondProgram()
 {
-    const auto ended = runProgram({"study", "new", path("without"), "--dataset", m_fabrics}, {"VIS2HAP_NN=/nowhere/vis2hap-nn"});
+    const auto ended = runProgram({"study", "new", "--no-passphrase", path("without"), "--dataset", m_fabrics}, {"VIS2HAP_NN=/nowhere/vis2hap-nn"});
     QCOMPARE(ended.exitCode, 3);
     QCOMPARE(ended.messages().size(), 1);
     QVERIFY(!QFile::exists(path("without")));
@@ -280,8 +280,8 @@ void MainJobTest::badInputIsOneLineAndTheRightExitCode_data()
         "conditions":["v_grey","w_grey"],"phases":[{"questions":["Q1"],"alternatives":2}]})");
     writeText(path("unknown.json"), protocol.dump());
     QTest::newRow("unknown condition in the protocol")
-        << QStringList{"study", "new", path("bad1"), "--dataset", m_fabrics, "--protocol", path("unknown.json")} << 2 << "w_grey";
-    QTest::newRow("a study folder that exists") << QStringList{"study", "new", m_study, "--dataset", m_fabrics} << 2 << "exists";
+        << QStringList{"study", "new", "--no-passphrase", path("bad1"), "--dataset", m_fabrics, "--protocol", path("unknown.json")} << 2 << "w_grey";
+    QTest::newRow("a study folder that exists") << QStringList{"study", "new", "--no-passphrase", m_study, "--dataset", m_fabrics} << 2 << "exists";
     QTest::newRow("unknown condition to render")
         << QStringList{"render", m_fabrics, "--condition", "h_x", "--out", path("bad2")} << 2 << "h_x";
     QTest::newRow("unknown fabric") << QStringList{"render",      m_fabrics, "--fabric", "F99",

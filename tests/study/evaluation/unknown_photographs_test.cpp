@@ -95,7 +95,7 @@ private Q_SLOTS:
         const QString model = modelKnowing("for-study.safetensors", {"F01"});
         for (const QString& study : {QString("study"), QString("again")}) {  // the second study reuses the images of the first
             const auto made =
-                mustRun({"study", "new", path(study), "--dataset", m_fabrics, "--seed", "3", "--key-seed", "4", "--model", model,
+                mustRun({"study", "new", "--no-passphrase", path(study), "--dataset", m_fabrics, "--seed", "3", "--key-seed", "4", "--model", model,
                          "--images", path("images"), "--allow-training-samples", "--participants", "2"});
             QVERIFY2(countIn(made.err, "differs from all training photographs") >= 6, qPrintable(made.err));
             mustRun({"study", "status", path(study), "--json", path(study + ".json")});

@@ -27,7 +27,7 @@ std::vector<std::string> rowsOf(const database::StudyStore& store)
     for (const auto& answer : store.answers()) {
         const auto& record = answer.record;
         rows.push_back(answer.participant.value + " " + std::to_string(record.trial.value) + " " +
-                       std::to_string(answer.attempt) + " " + record.question.value + " " + record.fileCode.value + " " +
+                       std::to_string(answer.attempt) + " " + record.question.value + " " + record.presentationCode.value + " " +
                        (record.answer ? *record.answer : std::to_string(record.rating->value)) + " " +
                        std::to_string(answer.seconds) + " touched " +
                        (record.touchedAtNs ? std::to_string(*record.touchedAtNs - record.readyAtNs) + record.touchedBy : "no") +
@@ -63,7 +63,8 @@ void playEventfully(OpenSession& session)
 std::string scriptOf(const database::StudyStore& store, const std::filesystem::path& out)
 {
     const auto protocol = study::records::protocolOf(store.facts());
-    study::players::writeScripts(store, study::records::namingOf(store, protocol, recordedUnblinding(store)), out);
+    const auto naming = recordedUnblinding(store) ? study::records::namingOf(store, protocol, {}) : std::nullopt;
+    study::players::writeScripts(store, naming ? &*naming : nullptr, out);
     return protocols::readWholeFile(out / "S01.json");
 }
 
@@ -73,7 +74,7 @@ void replay(const std::string& text, OpenSession& session)
     const auto script = study::players::scriptFromJson(text, "exported", plan.protocol);
     study::players::DriverHands hands(*session.driver);
     const study::players::ScriptedTrials trials{
-        plan.trials, readAllocationKeyForTestDriver(session.store, database::ParticipantKind::Scripted), plan.protocol};
+        plan.trials, readAllocationKeyForTestDriver(session.store, database::ParticipantKind::Scripted, {}), plan.protocol};
     study::players::playScript(script, trials, {}, hands, session.clock);
 }
 
@@ -99,7 +100,7 @@ private Q_SLOTS:
         QFETCH(bool, unblinded);
         OpenSession recorded(buildStudy(newPath()), "S01");
         playEventfully(recorded);
-        if (unblinded) unblind(recorded.store, "Ada", "it is over", "2026-01-01T00:00:00Z");
+        if (unblinded) unblind(recorded.store, {"Ada", "it is over", "2026-01-01T00:00:00Z"}, {});
         const auto out = newPath();
         std::filesystem::create_directory(out);
         const std::string text = scriptOf(recorded.store, out);

@@ -32,7 +32,7 @@ Scores simulateStudy(const protocols::Protocol& protocol, const protocols::Alloc
     for (std::size_t p = 0; p < allocation.participants.size(); ++p) {
         SimulatedParticipant participant(percepts, seed, "SIM" + std::to_string(p));
         for (const auto& trial : allocation.participants[p]) {
-            const auto& entry = allocation.key.entries.at(trial.fileCode);
+            const auto& entry = allocation.key.entryOf(trial);
             const auto& phase = protocol.phases[trial.phase];
             if (std::holds_alternative<protocols::ForcedChoice>(phase.task)) {
                 const auto answer = std::get<protocols::FabricId>(participant.match(trial).response);
@@ -77,12 +77,13 @@ private Q_SLOTS:
         m_protocol.planned.clear();
         for (const auto& fabric : dataset.fabrics) m_facts.fabrics.push_back(fabric.id);
         m_facts.datasetSha256 = hashOf(dataset);
-        m_allocation = allocate(m_protocol, protocols::drawDesign(m_protocol, 1), m_facts.fabrics, 5);
+        m_allocation = allocate(m_protocol, protocols::drawDesign(m_protocol, 1), m_facts.fabrics, protocols::SecretKey::ofSeed(5));
 
         rendering::RenderRequest request;
         request.fabrics = m_facts.fabrics;
         request.conditions = m_protocol.conditions;
         const auto rendering = renderFabrics(dataset, request);
+        m_percepts.stationKey = stationKeyOf(m_allocation.key.secret);
         m_percepts.fabrics = expectedTouch(m_facts, set);
         for (const auto& [code, entry] : m_allocation.key.entries)
             for (const auto& condition : rendering.conditions)

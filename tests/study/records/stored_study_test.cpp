@@ -27,7 +27,7 @@ private Q_SLOTS:
         }
         OpenSession session(folder, "S01");
         session.playToEnd();
-        const reports::StudyData data = study::records::studyData(session.store);
+        const reports::StudyData data = *study::records::studyData(session.store, {});
         QCOMPARE(data.responses.size(), std::size_t(24));
         std::map<int, std::size_t> answersAt;
         std::map<std::string, std::map<int, int>> sittings;

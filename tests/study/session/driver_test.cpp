@@ -26,7 +26,7 @@ std::string withoutTimes(const CurrentAnswer& answer)
 {
     const auto& record = answer.record;
     return answer.participant.value + " " + std::to_string(record.trial.value) + " " + record.question.value + " " +
-           record.fileCode.value + " " + (record.answer ? *record.answer : std::to_string(record.rating->value)) +
+           record.presentationCode.value + " " + (record.answer ? *record.answer : std::to_string(record.rating->value)) +
            (answer.voided ? " void" : "");
 }
 
@@ -77,7 +77,7 @@ private Q_SLOTS:
         session.playToEnd();
         std::vector<std::string> expected{"clear", "clear"};  // at the start of the sitting, and for familiarisation
         for (const auto& trial : session.driver->plan().trials) {
-            const int value = session.bank.image(trial.fileCode).at<unsigned char>(0, 0);
+            const int value = session.bank.image(trial.sealedCode).at<unsigned char>(0, 0);
             expected.push_back("show " + std::to_string(value));
             expected.push_back("clear");
         }
@@ -92,7 +92,7 @@ private Q_SLOTS:
         View view = session.driver->view();
         const auto& trial = session.driver->plan().trials.front();
         QCOMPARE(view.code, trial.presentationCode);
-        QVERIFY(view.code.value != trial.fileCode.value);
+        QVERIFY(view.code.value != trial.sealedCode.value);
         QCOMPARE(view.tray.size(), 3u);
         QCOMPARE(view.tray.front(), "fabric " + trial.alternatives.front().value.substr(1));
         QCOMPARE(view.question->id.value, std::string("Q1"));
@@ -232,16 +232,15 @@ private Q_SLOTS:
         QCOMPARE(session.store.answers().size(), 24u);
     }
 
-    void aMissingStimulusPausesTheSession()
+    void aMissingStimulusIsToldBeforeTheSession()
     {
         const auto folder = newStudy();
+        const auto file = std::filesystem::directory_iterator(folder.stimuli())->path();
+        std::filesystem::rename(file, folder.folder / "aside");
+        QVERIFY_EXCEPTION_THROWN(OpenSession(folder, "S01"), protocols::Error);
+        std::filesystem::rename(folder.folder / "aside", file);
         OpenSession session(folder, "S01");
-        session.stepUntil("ScaleTraining");
-        const auto file = folder.stimuli() / (session.driver->plan().trials.front().fileCode.value + ".pgm");
-        std::filesystem::rename(file, folder.folder / "aside.pgm");
-        QVERIFY_EXCEPTION_THROWN(session.stepUntil("Presenting"), protocols::Error);
-        QVERIFY(session.driver->state().paused);
-        std::filesystem::rename(folder.folder / "aside.pgm", file);
+        std::filesystem::remove(file);  // all files are read when the session opens
         session.playToEnd();
         QCOMPARE(session.store.answers().size(), 24u);
     }

@@ -20,7 +20,7 @@ constexpr int answersInAll = 6 + 18;
 std::string lineOf(const database::CurrentAnswer& answer)
 {
     const auto& record = answer.record;
-    return std::to_string(record.trial.value) + " " + record.question.value + " " + record.fileCode.value + " " +
+    return std::to_string(record.trial.value) + " " + record.question.value + " " + record.presentationCode.value + " " +
            (record.answer ? *record.answer : std::to_string(record.rating->value));
 }
 

@@ -8,7 +8,7 @@
 
 using namespace study::session;
 using protocols::FabricId;
-using protocols::FileCode;
+using protocols::SealedCode;
 using protocols::QuestionId;
 using protocols::Tenths;
 
@@ -34,12 +34,12 @@ Plan smallPlan()
         const std::string digit = std::to_string(number);
         plan.trials.push_back({{number},
                                isChoice ? 0 : 1,
-                               FileCode("file" + digit),
+                               SealedCode("file" + digit),
                                protocols::PresentationCode("COD" + digit),
                                isChoice ? fabrics : std::vector<FabricId>{fabrics[2]}});
     }
     plan.fabricNames = {{fabrics[0], "501"}, {fabrics[1], "502"}, {fabrics[2], "503"}};
-    plan.familiarisation = {{"jersey", FileCode("fam1")}, {"velvet", FileCode("fam2")}};
+    plan.familiarisation = {{"jersey", SealedCode("fam1")}, {"velvet", SealedCode("fam2")}};
     return plan;
 }
 

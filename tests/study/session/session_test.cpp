@@ -9,7 +9,7 @@
 
 using namespace study::session;
 using protocols::FabricId;
-using protocols::FileCode;
+using protocols::SealedCode;
 using protocols::QuestionId;
 using protocols::Tenths;
 
@@ -35,7 +35,7 @@ Plan smallPlan()
         std::vector<FabricId> tray = plan.protocol.fabrics;
         if (!isChoice) tray.resize(1);
         plan.trials.push_back(
-            {{number}, isChoice ? 0 : 1, FileCode("file" + digit), protocols::PresentationCode("code" + digit), tray});
+            {{number}, isChoice ? 0 : 1, SealedCode("file" + digit), protocols::PresentationCode("code" + digit), tray});
     }
     return plan;
 }
@@ -47,7 +47,7 @@ Plan fullPlan()
     plan.protocol.consent = "The participant agrees";
     plan.protocol.facts = {"age"};
     plan.protocol.checklist = {"The mask is on"};
-    plan.familiarisation = {{"jersey", FileCode("fam1")}, {"velvet", FileCode("fam2")}};
+    plan.familiarisation = {{"jersey", SealedCode("fam1")}, {"velvet", SealedCode("fam2")}};
     return plan;
 }
 
@@ -262,11 +262,11 @@ private Q_SLOTS:
     void aConfirmedTrayShowsItsStimulusAndReadsTheNextAhead()
     {
         Session session = atFirstTray();
-        QCOMPARE(session.effects(), std::vector<Effect>{Prefetch{FileCode("file1")}});
+        QCOMPARE(session.effects(), std::vector<Effect>{Prefetch{SealedCode("file1")}});
         session << TrayReady{};
-        QCOMPARE(session.effects(), (std::vector<Effect>{ShowStimulus{FileCode("file1")}, Prefetch{FileCode("file2")}}));
+        QCOMPARE(session.effects(), (std::vector<Effect>{ShowStimulus{SealedCode("file1")}, Prefetch{SealedCode("file2")}}));
         session << Answered{FabricId("F02")};
-        QCOMPARE(session.effects(), (std::vector<Effect>{ClearDisplay{}, Prefetch{FileCode("file2")}}));
+        QCOMPARE(session.effects(), (std::vector<Effect>{ClearDisplay{}, Prefetch{SealedCode("file2")}}));
     }
 
     void laterQuestionsAreReadyWhenTheOneBeforeIsAnswered()
@@ -373,7 +373,7 @@ private Q_SLOTS:
         Session session = atFirstTray() << TrayReady{} << Voided{"wrong swatch"};
         QCOMPARE(session.order(), (std::vector<int>{0, 1, 2, 0, 3, 4, 5, 6}));
         QCOMPARE(session.index(), 1);
-        QCOMPARE(session.effects(), (std::vector<Effect>{ClearDisplay{}, Prefetch{FileCode("file2")}}));
+        QCOMPARE(session.effects(), (std::vector<Effect>{ClearDisplay{}, Prefetch{SealedCode("file2")}}));
         session.choose();
         session << Voided{"seen by the participant"};
         QCOMPARE(session.order(), (std::vector<int>{0, 1, 2, 0, 1, 3, 4, 5, 6}));
@@ -454,7 +454,7 @@ private Q_SLOTS:
     void familiarisationShowsItsOwnImages()
     {
         Session session = familiarising() << FamiliarisationShown{1};
-        QCOMPARE(session.effects(), std::vector<Effect>{ShowStimulus{FileCode("fam2")}});
+        QCOMPARE(session.effects(), std::vector<Effect>{ShowStimulus{SealedCode("fam2")}});
         QVERIFY(!session.refusalOf(FamiliarisationShown{2}).isEmpty());
         session << FamiliarisationDone{};
         QCOMPARE(session.effects(), std::vector<Effect>{ClearDisplay{}});

@@ -10,6 +10,7 @@
 
 #include "study/session/clock.h"
 #include "study/session/driver.h"
+#include "study/session/stimuli.h"
 #include "study/session/preparation.h"
 #include "study/session/session_moves.h"
 #include "study/session/session_record.h"
@@ -40,7 +41,7 @@ private:
 struct TickingSession {
     explicit TickingSession(const database::StudyFolder& folder)
         : store(folder, database::StudyStore::Access::Write),
-          bank(folder.stimuli(), store.stimulusHashes()),
+          bank(stimuliOf(store)),
           driver(store, protocols::ParticipantId("S01"), database::ParticipantKind::Scripted, bank, display, clock)
     {
     }
@@ -78,12 +79,12 @@ Plan sevenChoices()
         const std::string digit = std::to_string(number);
         plan.trials.push_back({{number},
                                number <= 7 ? 0 : 1,
-                               protocols::FileCode("file" + digit),
+                               protocols::SealedCode("file" + digit),
                                protocols::PresentationCode("COD" + digit),
                                number <= 7 ? fabrics : std::vector<FabricId>{fabrics[0]}});
     }
     plan.fabricNames = {{fabrics[0], "501"}, {fabrics[1], "502"}};
-    plan.familiarisation = {{"jersey", protocols::FileCode("fam1")}};
+    plan.familiarisation = {{"jersey", protocols::SealedCode("fam1")}};
     return plan;
 }
 

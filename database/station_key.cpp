@@ -1,0 +1,34 @@
+#include "database/station_key.h"
+
+#include <nlohmann/json.hpp>
+
+#include "protocols/files/errors.h"
+#include "protocols/files/sha256.h"
+#include "protocols/files/strict_json.h"
+#include "protocols/files/whole_file.h"
+
+namespace database {
+
+std::string writeStationKey(const StudyFolder& folder, const protocols::SecretKey& key)
+{
+    const std::string text = nlohmann::ordered_json{{"schema", "vis2hap.station-key/1"}, {"key", key.hex()}}.dump(2) + "\n";
+    protocols::writeWholeFile(folder.stationKey(), text, protocols::Sync::Later, protocols::Readers::OwnerOnly);
+    return protocols::sha256(text);
+}
+
+protocols::SecretKey readStationKey(const StudyStore& store)
+{
+    const std::filesystem::path file = store.folder().stationKey();
+    const auto text = protocols::readIfPossible(file);
+    const auto refused = [&](const std::string& what) {
+        return protocols::workFailed({what, file.string(), "the file that was made with the study",
+                                      "restore it from a backup; the owner's passphrase opens the reports without it"});
+    };
+    if (!text) throw refused("the station key cannot be read");
+    if (protocols::sha256(*text) != store.facts().stationKeySha256)
+        throw refused("the station key is not the one committed in the database");
+    return protocols::SecretKey::ofHex(protocols::parseStrictJson(*text, file.string()).at("key").get<std::string>(),
+                                       file.string());
+}
+
+}  // namespace database

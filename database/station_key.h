@@ -1,0 +1,16 @@
+// The station key: all that a session needs to show the image of a presentation. It leads from a presentation to its image, but
+// not to a fabric or a condition. It lies in station-key.json (mode 0600).
+#pragma once
+
+#include "database/study_store.h"
+#include "protocols/secrets/secret_key.h"
+
+namespace database {
+
+/// Writes the file of a new study, which is synced as a whole, and returns its SHA-256.
+std::string writeStationKey(const StudyFolder& folder, const protocols::SecretKey& key);
+
+/// Throws workFailed where the file is missing or is not the one committed in the database.
+protocols::SecretKey readStationKey(const StudyStore& store);
+
+}  // namespace database

@@ -1,0 +1,49 @@
+#include "study/records/erasure_certificate.h"
+
+#include "protocols/files/folder_draft.h"
+#include "protocols/files/whole_file.h"
+
+namespace study::records {
+
+namespace {
+
+std::string line(const std::string& name, const std::string& value) { return name + ": " + value + "\n"; }
+
+std::string whereFound(const std::vector<std::string>& files)
+{
+    std::string text;
+    for (const auto& file : files) text += (text.empty() ? "" : ", ") + file;
+    return text.empty() ? "nowhere" : text;
+}
+
+}  // namespace
+
+std::filesystem::path writeErasureCertificate(const database::StudyStore& store, const database::Erasure& erasure,
+                                              const database::ErasureRecord& record)
+{
+    std::string text = "Certificate of erasure\n\n";
+    text += line("Study", store.facts().name);
+    text += line("Participant", erasure.participant.value);
+    text +=
+        line("Erased", erasure.answersToo ? "facts, debriefing, answers, notes, times and the salts of their entries in the log"
+                                          : "facts and debriefing");
+    text += line("Rows removed", std::to_string(record.answers) + " answers, " + std::to_string(record.notes) + " notes, " +
+                                     std::to_string(record.facts) + " facts");
+    text += line("Ordered by", erasure.who);
+    text += line("Reason", erasure.why);
+    text += line("Time", record.wallTime);
+    text += line("Entry of the log", std::to_string(record.event));
+    text += line("Files searched for " + std::to_string(record.searchedTexts) + " removed texts",
+                 std::to_string(record.searchedFiles));
+    text += line("Found in", whereFound(record.found));
+    text +=
+        "\nCopies made before this erasure are not changed by it: backups, exports, reports, and copies of the folder. "
+        "Erase or delete them, too.\n";
+    const auto folder = store.folder().folder / "erasures";
+    protocols::makeFolders(folder);
+    const auto file = folder / ("erasure-" + std::to_string(record.event) + ".txt");
+    protocols::writeWholeFile(file, text, protocols::Sync::Now, protocols::Readers::OwnerOnly);
+    return file;
+}
+
+}  // namespace study::records

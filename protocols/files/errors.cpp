@@ -1,5 +1,7 @@
 #include "protocols/files/errors.h"
 
+#include "protocols/files/safe_text.h"
+
 namespace protocols {
 
 namespace {
@@ -9,9 +11,7 @@ std::string inOneLine(const Fault& fault)
     std::string line = fault.where.empty() ? fault.what : fault.where + ": " + fault.what;
     if (!fault.expected.empty()) line += "; expected " + fault.expected;
     if (!fault.nextStep.empty()) line += "; " + fault.nextStep;
-    for (char& c : line)
-        if (c == '\n' || c == '\r') c = ' ';
-    return line;
+    return printable(line);
 }
 
 }  // namespace

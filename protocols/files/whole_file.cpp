@@ -1,6 +1,7 @@
 #include "protocols/files/whole_file.h"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -19,6 +20,8 @@ namespace protocols {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr int longestWaitMs = 10'000;
 
 Error cannotRead(const fs::path& file, int reason)
 {
@@ -51,11 +54,26 @@ private:
     int m_number;
 };
 
+bool isPipe(const fs::path& file)
+{
+    struct stat status {};
+    return ::stat(file.c_str(), &status) == 0 && S_ISFIFO(status.st_mode);
+}
+
+/// Waits for the first bytes of a pipe, into which perhaps nobody writes.
+bool getsSomething(int pipe)
+{
+    pollfd waiting{pipe, POLLIN, 0};
+    return ::poll(&waiting, 1, longestWaitMs) > 0 && ::fcntl(pipe, F_SETFL, 0) == 0;
+}
+
 /// Gives every block to `take`. Returns 0 or the reason of the failure.
 int eachBlock(const fs::path& file, const std::function<void(std::string_view)>& take)
 {
-    const Descriptor open(file, O_RDONLY);
+    const bool waits = isPipe(file);
+    const Descriptor open(file, waits ? O_RDONLY | O_NONBLOCK : O_RDONLY);
     if (!open.isOpen()) return errno;
+    if (waits && !getsSomething(open.number())) return ETIMEDOUT;
     std::vector<char> block(std::size_t{1} << 16);
     while (true) {
         const ssize_t count = ::read(open.number(), block.data(), block.size());

@@ -72,6 +72,10 @@ int backup(const std::string& study, const std::string& out)
 {
     if (fs::exists(out))
         throw protocols::badInput({"the file exists", out, "the name of a new file", "choose another name; nothing was written"});
+    const auto inStudy = fs::weakly_canonical(fs::absolute(out)).lexically_relative(fs::weakly_canonical(study));
+    if (!inStudy.empty() && *inStudy.begin() != "..")
+        throw protocols::badInput({"the backup would lie in the study and hold itself", out, "a file outside " + study,
+                                   "choose another folder; nothing was written"});
     const auto store = records::openStudy(study);
     const std::string name = nameOfFolder(study);
     // Collect the files of the backup in a temporary folder beside it.

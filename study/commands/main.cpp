@@ -13,6 +13,7 @@
 #include <new>
 
 #include "protocols/files/errors.h"
+#include "protocols/files/safe_text.h"
 #include "study/commands/command_line.h"
 
 namespace {
@@ -92,7 +93,8 @@ int run(int argc, char** argv)
         if (problem.get_exit_code() == 0) return app.exit(problem);  // help and version
         const auto called = app.get_subcommands();
         const std::string command = called.empty() ? "" : called.front()->get_name() + " ";
-        std::fprintf(stderr, "vis2hap: %s; see `vis2hap %s--help`\n", problem.what(), command.c_str());
+        std::fprintf(stderr, "vis2hap: %s; see `vis2hap %s--help`\n", protocols::printable(problem.what()).c_str(),
+                     command.c_str());
         return static_cast<int>(ExitCode::BadInput);
     }
     // Qt gets no options, because it would read ours: to Qt, --display names a screen of the X server.
@@ -100,7 +102,11 @@ int run(int argc, char** argv)
     const auto application = surroundingsFor(action.surroundings, programNameAlone, argv);
     std::setlocale(LC_NUMERIC, "C");  // Qt has set the user's locale, in which C functions may read 5.4 as 5
     if (action.handlesStudy) keepToOneself();
-    return action.work();
+    const int code = action.work();
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+        throw protocols::environmentFault({"the output cannot be written", "standard output",
+                                           "a terminal, a pipe or a disk with room", "write into a file on another disk"});
+    return code;
 }
 
 }  // namespace
@@ -116,7 +122,8 @@ int main(int argc, char** argv)
         std::fputs("vis2hap: the memory is used up; close other programs or use smaller input\n", stderr);
         return static_cast<int>(ExitCode::Environment);
     } catch (const std::exception& error) {
-        std::fprintf(stderr, "vis2hap: unexpected failure: %s; report it with the command that you ran\n", error.what());
+        std::fprintf(stderr, "vis2hap: unexpected failure: %s; report it with the command that you ran\n",
+                     protocols::printable(error.what()).c_str());
         return static_cast<int>(ExitCode::WorkFailed);
     }
 }

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "protocols/files/safe_text.h"
 #include "protocols/files/whole_file.h"
 #include "study/players/player_answers.h"
 #include "study/session/driver.h"
@@ -124,7 +125,8 @@ void writeScripts(const database::StudyStore& store, const records::Naming* nami
         const Plan plan = readPlan(store, enrolment.participant);
         Recorder recorder(plan, enrolment.participant, naming, script, hasVoids);
         for (const auto& record : log) recorder.follow(record);
-        protocols::writeWholeFile(out / (enrolment.participant.value + ".json"), script.dump(1) + "\n", protocols::Sync::Later);
+        protocols::writeWholeFile(out / (protocols::fileNameOf(enrolment.participant.value) + ".json"), script.dump(1) + "\n",
+                                  protocols::Sync::Later);
     }
 }
 

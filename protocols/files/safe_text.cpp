@@ -1,0 +1,47 @@
+#include "protocols/files/safe_text.h"
+
+namespace protocols {
+
+namespace {
+
+std::string hexOf(char byte, std::string_view digits)
+{
+    const auto value = static_cast<unsigned char>(byte);
+    return {digits[value >> 4], digits[value & 15]};
+}
+
+bool isPlain(char c)
+{
+    return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-' || c == '_' || c == '.';
+}
+
+}  // namespace
+
+std::string printable(std::string_view text)
+{
+    std::string safe;
+    for (std::size_t at = 0; at < text.size(); ++at) {
+        const auto byte = static_cast<unsigned char>(text[at]);
+        const bool isC1 = byte == 0xc2 && at + 1 < text.size() && static_cast<unsigned char>(text[at + 1]) >= 0x80 &&
+                          static_cast<unsigned char>(text[at + 1]) < 0xa0;
+        if (text[at] == '\n' || text[at] == '\r')
+            safe += ' ';
+        else if (byte < 0x20 || byte == 0x7f)
+            safe += "\\x" + hexOf(text[at], "0123456789abcdef");
+        else if (isC1)
+            safe += "\\x" + hexOf(text[++at], "0123456789abcdef");
+        else
+            safe += text[at];
+    }
+    return safe;
+}
+
+std::string fileNameOf(std::string_view id)
+{
+    std::string name;
+    for (const char c : id)
+        name += isPlain(c) && !(name.empty() && c == '.') ? std::string(1, c) : "%" + hexOf(c, "0123456789ABCDEF");
+    return name.empty() ? "%" : name;
+}
+
+}  // namespace protocols

@@ -1,0 +1,16 @@
+// Text from outside made harmless: for a terminal, and as the name of a file.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace protocols {
+
+/// Control characters (also those of C1, as UTF-8) written as "\x1b"; a terminal would obey them. Line ends become blanks.
+std::string printable(std::string_view text);
+
+/// A name without any path: letters, digits, "-", "_" and "." stay, every other byte becomes "%" with two hexadecimal digits, and
+/// so does a dot at the beginning. Different texts have different names.
+std::string fileNameOf(std::string_view id);
+
+}  // namespace protocols

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "database/byte_search.h"
+#include "database/disk/byte_search.h"
 #include "database/event_chain.h"
 #include "database/schema.h"
 #include "database/stored_texts.h"

@@ -7,7 +7,7 @@
 
 #include "database/audit.h"
 #include "database/erasure.h"
-#include "database/open_files.h"
+#include "database/disk/open_files.h"
 #include "database/rescue.h"
 #include "database/schema.h"
 #include "database/sqlite_connection.h"

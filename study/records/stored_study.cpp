@@ -1,6 +1,7 @@
 #include "study/records/stored_study.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <tuple>
 
@@ -88,7 +89,9 @@ void readAnswers(const database::StudyStore& store, const protocols::Protocol& p
     const auto places = placesInTime(answers);
     for (const auto& answer : answers) {
         if (!analysed.contains(answer.participant.value)) continue;
-        const auto& entry = naming.of(answer.participant, answer.record.trial);
+        const auto named = naming.entries.find({answer.participant, answer.record.trial});
+        if (named == naming.entries.end()) continue;  // in sealed data, a presentation more than the phase has renderings
+        const auto& entry = named->second;
         const auto* question = questionWith(protocol, answer.record.question);
         if (answer.voided)
             voided.insert(keyOf(answer));
@@ -165,14 +168,20 @@ reports::StudyData sealedStudyData(const database::StudyStore& store)
 {
     const auto facts = store.facts();
     const auto protocol = protocolOf(facts);
-    Naming sealed;
-    for (const auto& enrolment : store.enrolments())
-        for (const auto& trial : store.trials(enrolment.slot))
-            sealed.entries[{enrolment.participant, trial.number}] = {protocols::FabricId("sealed"), "sealed"};
     auto data = describedStudy(store, facts, protocol);
     data.blinded = true;
-    data.conditions = data.fabrics = {"sealed"};
-    data.answersPerCell = static_cast<std::size_t>(protocol.presentationsPerPhase());
+    data.conditions = {"sealed"};
+    // The place of a presentation in its phase stands for its fabric, so that every answer has a cell of its own.
+    const int places = protocol.presentationsPerPhase();
+    for (int place = 1; place <= places; ++place) data.fabrics.push_back("presentation " + std::to_string(place));
+    Naming sealed;
+    for (const auto& enrolment : store.enrolments()) {
+        std::map<int, int> placeInPhase;
+        for (const auto& trial : store.trials(enrolment.slot))
+            if (const int place = ++placeInPhase[trial.phase]; place <= places)
+                sealed.entries[{enrolment.participant, trial.number}] = {
+                    protocols::FabricId("presentation " + std::to_string(place)), "sealed"};
+    }
     readAnswers(store, protocol, sealed, data);
     return data;
 }

@@ -45,6 +45,13 @@ private:
     sqlite3* m_database = nullptr;
 };
 
+/// Puts a copy of a database back, without the write-ahead log of the one that stood there.
+void putInPlace(const std::filesystem::path& copy, const StudyFolder& folder)
+{
+    for (const char* ending : {"", "-wal", "-shm"}) std::filesystem::remove(folder.database().string() + ending);
+    std::filesystem::copy_file(copy, folder.database());
+}
+
 }  // namespace
 
 class RescueTest : public QObject {
@@ -111,7 +118,7 @@ private Q_SLOTS:
             errorOf([&] { session.playUntilAnswers(7); });
         }
         const auto rescue = rescueFiles(folder).front();
-        std::filesystem::copy_file(older, folder.database());
+        putInPlace(older, folder);
         {
             OpenSession session(folder, "S01");  // the older one goes its own way
             session.playUntilAnswers(4);
@@ -119,8 +126,7 @@ private Q_SLOTS:
         }
         QVERIFY(errorOf([&] { StudyStore::rescue(folder, rescue); }).contains("answers that the rescue file lacks"));
         QCOMPARE(StudyStore(folder, StudyStore::Access::Read).answers().size(), 4u);
-        for (const char* ending : {"", "-wal", "-shm"}) std::filesystem::remove(folder.database().string() + ending);
-        std::filesystem::copy_file(older, folder.database());
+        putInPlace(older, folder);
         const auto done = StudyStore::rescue(folder, rescue);
         QVERIFY(done.events > 0 && std::filesystem::exists(done.earlier));
         QCOMPARE(StudyStore(folder, StudyStore::Access::Read).answers().size(), 6u);

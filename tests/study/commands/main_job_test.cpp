@@ -1,6 +1,7 @@
 // The main job through the program, as users run it: fabrics -> study -> scripted participants ->
 // report; killed and resumed; through the window; and what happens on bad input.
 #include <QDir>
+#include <QDirIterator>
 #include <QImage>
 #include <QProcess>
 #include <QRandomGenerator>
@@ -56,6 +57,7 @@ private Q_SLOTS:
     void aKilledReplayGoesOnWhereItWas();
     void aScriptsOwnCrashIsSurvivedToo();
     void reportsStayBlindedUntilTheStudyIsUnblinded();
+    void aSealedStudyShowsProgressOnly();
     void sessionsLoadNeitherTorchNorCodecs();
     void aStudyWithGeneratedSignalsNeedsTheSecondProgram();
     void badInputIsOneLineAndTheRightExitCode_data();
@@ -76,7 +78,8 @@ private:
 /// All studies of this test have the same seeds, so they differ only in their answers.
 QString MainJobTest::newStudy(const QString& name)
 {
-    mustRun({"study", "new", "--no-passphrase", path(name), "--dataset", m_fabrics, "--seed", "3", "--key-seed", "4", "--images", path("images")});
+    mustRun({"study", "new", "--no-passphrase", path(name), "--dataset", m_fabrics, "--seed", "3", "--key-seed", "4", "--images",
+             path("images")});
     return path(name);
 }
 
@@ -91,8 +94,13 @@ QStringList MainJobTest::writeScripts(const QString& name, int participants)
     return files;
 }
 
-QStringList MainJobTest::exportedRows(const QString& study)
+QStringList MainJobTest::exportedRows(const QString& played)
 {
+    // Rows with fabrics and conditions exist after the unblinding only, so a copy is unblinded.
+    const QString study = played + "-unblinded";
+    QDir(study).removeRecursively();
+    if (QProcess::execute("cp", {"-a", played, study}) != 0) qFatal("cannot copy");
+    mustRun({"unblind", study, "--who", "test", "--why", "to compare rows"});
     mustRun({"export", study, "--out", study + "-export"});
     return rowsWithoutTimes(study + "-export/answers.csv");
 }
@@ -239,6 +247,50 @@ void MainJobTest::reportsStayBlindedUntilTheStudyIsUnblinded()
     for (const char* id : {"v_grey", "v_shape", "t_grey", "h_g&amp;f_g", "h&amp;f"}) QVERIFY2(!text.contains(id), id);
 }
 
+void MainJobTest::aSealedStudyShowsProgressOnly()
+{
+    const QStringList passphrase{"VIS2HAP_PASSPHRASE=four plain short words"};
+    const auto study = path("sealed");
+    const QStringList making{"study", "new", study, "--dataset", m_fabrics, "--seed", "3", "--images", path("images")};
+    const auto refused = runProgram(making);
+    QVERIFY2(refused.exitCode == 2 && refused.err.contains("--passphrase-file"), qPrintable(refused.err));
+    mustRun(making, passphrase);
+    QVERIFY(!QFile::exists(study + "/allocation-key.json"));
+    QCOMPARE(runProgram({"replay", study, writeScripts("sealed", 1)[0]}).exitCode, 2);
+    mustRun({"replay", study, path("sealed0.json")}, passphrase);
+    mustRun({"verify", study});
+
+    mustRun({"report", study, "--out", path("sealed-report")});
+    const auto sealed = readJson(path("sealed-report/results.json"));
+    QVERIFY(sealed["questions"].is_null() && sealed["study"]["blinded"] == true);
+    QCOMPARE(sealed["progress"]["slots"][0]["answers"].get<int>(), 252);
+    for (const char* format : {"csv", "json"}) mustRun({"export", study, "--out", path("sealed-export"), "--format", format});
+    QVERIFY(!QFile::exists(path("sealed-export/answers.csv")) && !QFile::exists(path("sealed-export/conditions.csv")));
+    for (const QString& folder : {path("sealed-report"), path("sealed-export")}) {
+        QDirIterator files(folder, QDir::Files, QDirIterator::Subdirectories);
+        while (files.hasNext()) {
+            QFile file(files.next());
+            QVERIFY(file.open(QIODevice::ReadOnly));
+            const auto text = file.readAll();
+            for (const char* word : {"v_grey", "t_grey", "h_g", "\"K1\"", "correct\":"})
+                QVERIFY2(!text.contains(word), qPrintable(file.fileName() + ": " + word));
+        }
+    }
+
+    mustRun({"report", study, "--out", path("masked-report"), "--quick"}, passphrase);
+    QCOMPARE(readJson(path("masked-report/results.json"))["conditions"][0].get<std::string>(), std::string("K1"));
+    mustRun({"export", study, "--out", path("masked-export")}, passphrase);
+    QVERIFY(QFile::exists(path("masked-export/conditions.csv")) && !QFile::exists(path("masked-export/answers.csv")));
+
+    const QStringList unblinding{"unblind", study, "--who", "test", "--why", "the end"};
+    QCOMPARE(runProgram(unblinding).exitCode, 2);
+    QCOMPARE(runProgram(unblinding, {"VIS2HAP_PASSPHRASE=another one of words"}).exitCode, 2);
+    mustRun(unblinding, passphrase);
+    mustRun({"export", study, "--out", path("open-export")});
+    QVERIFY(QFile::exists(path("open-export/answers.csv")));
+    mustRun({"verify", study});
+}
+
 void MainJobTest::sessionsLoadNeitherTorchNorCodecs()
 {
     const auto study = newStudy("lean");
@@ -263,7 +315,8 @@ void MainJobTest::sessionsLoadNeitherTorchNorCodecs()
 
 void MainJobTest::aStudyWithGeneratedSignalsNeedsTheSecondProgram()
 {
-    const auto ended = runProgram({"study", "new", "--no-passphrase", path("without"), "--dataset", m_fabrics}, {"VIS2HAP_NN=/nowhere/vis2hap-nn"});
+    const auto ended = runProgram({"study", "new", "--no-passphrase", path("without"), "--dataset", m_fabrics},
+                                  {"VIS2HAP_NN=/nowhere/vis2hap-nn"});
     QCOMPARE(ended.exitCode, 3);
     QCOMPARE(ended.messages().size(), 1);
     QVERIFY(!QFile::exists(path("without")));
@@ -280,8 +333,11 @@ void MainJobTest::badInputIsOneLineAndTheRightExitCode_data()
         "conditions":["v_grey","w_grey"],"phases":[{"questions":["Q1"],"alternatives":2}]})");
     writeText(path("unknown.json"), protocol.dump());
     QTest::newRow("unknown condition in the protocol")
-        << QStringList{"study", "new", "--no-passphrase", path("bad1"), "--dataset", m_fabrics, "--protocol", path("unknown.json")} << 2 << "w_grey";
-    QTest::newRow("a study folder that exists") << QStringList{"study", "new", "--no-passphrase", m_study, "--dataset", m_fabrics} << 2 << "exists";
+        << QStringList{"study",     "new",     "--no-passphrase", path("bad1"),
+                       "--dataset", m_fabrics, "--protocol",      path("unknown.json")}
+        << 2 << "w_grey";
+    QTest::newRow("a study folder that exists")
+        << QStringList{"study", "new", "--no-passphrase", m_study, "--dataset", m_fabrics} << 2 << "exists";
     QTest::newRow("unknown condition to render")
         << QStringList{"render", m_fabrics, "--condition", "h_x", "--out", path("bad2")} << 2 << "h_x";
     QTest::newRow("unknown fabric") << QStringList{"render",      m_fabrics, "--fabric", "F99",

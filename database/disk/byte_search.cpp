@@ -1,4 +1,4 @@
-#include "database/byte_search.h"
+#include "database/disk/byte_search.h"
 
 #include <algorithm>
 #include <map>

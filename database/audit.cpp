@@ -5,7 +5,7 @@
 #include <set>
 
 #include "database/event_chain.h"
-#include "database/preregistration_payload.h"
+#include "database/preregistrations.h"
 #include "database/response_columns.h"
 #include "protocols/files/sha256.h"
 
@@ -138,6 +138,27 @@ void checkEnd(const SqliteConnection& sqlite, const Log& log, std::vector<std::s
         faults.push_back("the log ends at entry " + std::to_string(last) + ", " + std::to_string(written) + " were written");
 }
 
+/// The entry that an upgrade from an older schema left.
+std::optional<LogEntry> upgradeIn(const Log& log)
+{
+    for (auto entry = log.rbegin(); entry != log.rend(); ++entry)
+        if (entry->second.event.kind == upgradedKind && entry->second.event.participant.empty()) return entry->second;
+    return std::nullopt;
+}
+
+/// An upgrade chains a log anew, and so it must not hide what was wrong before.
+void checkUpgrade(const Log& log, std::vector<std::string>& faults)
+{
+    const auto upgrade = upgradeIn(log);
+    if (!upgrade) return;
+    const nlohmann::json before = nlohmann::json::parse(upgrade->event.payloadJson, nullptr, false);
+    if (!before.is_object() || !before.contains("faults_before") || !before["faults_before"].is_array())
+        faults.push_back(nameOfEntry(upgrade->event) + ": cannot be read");
+    else
+        for (const nlohmann::json& fault : before["faults_before"])
+            faults.push_back("before the upgrade: " + (fault.is_string() ? fault.get<std::string>() : fault.dump()));
+}
+
 void checkFixedTables(const SqliteConnection& sqlite, const Log& log, std::vector<std::string>& faults)
 {
     const auto first = log.find(1);
@@ -145,7 +166,7 @@ void checkFixedTables(const SqliteConnection& sqlite, const Log& log, std::vecto
         faults.push_back("the log does not begin with the creation of the study");
         return;
     }
-    const nlohmann::json payload = payloadOf(first->second);
+    const nlohmann::json payload = payloadOf(upgradeIn(log).value_or(first->second));
     if (!payload.is_object() || payload.value("fixed_sha256", std::string()) != hashOfFixedTables(sqlite))
         faults.push_back(
             "study facts, fabrics, stimulus hashes, trial lists or swatch codes were altered after the study was made");
@@ -223,6 +244,7 @@ std::vector<std::string> faultsOfLog(const SqliteConnection& sqlite)
     const auto links = readEvents(sqlite, log);
     std::vector<std::string> faults = faultsOfChain(log, links);
     checkEnd(sqlite, log, faults);
+    checkUpgrade(log, faults);
     checkFixedTables(sqlite, log, faults);
     checkPlaces(sqlite, log, faults);
     checkProtocols(sqlite, log, faults);

@@ -4,11 +4,12 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "database/disk/byte_search.h"
 #include "database/event_chain.h"
 #include "database/schema.h"
 #include "database/stored_texts.h"
 #include "database/study_rows.h"
+#include "database/study_upgrade.h"
+#include "protocols/files/byte_search.h"
 #include "protocols/files/errors.h"
 
 namespace database {
@@ -124,10 +125,13 @@ ErasureRecord eraseFrom(const SqliteConnection& sqlite, const Erasure& erasure)
         throw protocols::environmentFault({"the data are removed, but another program keeps an older state in study.db-wal",
                                            folder, "no open monitor, report or database browser",
                                            "close it and run the command again, which completes the erasure"});
-    const ByteSearch search = searchFiles(sqlite.file().parent_path(), {texts.begin(), texts.end()});
+    const protocols::ByteSearch search = protocols::searchFiles(sqlite.file().parent_path(), {texts.begin(), texts.end()});
     record.searchedFiles = search.files;
     record.searchedTexts = texts.size();
     record.found = search.found;
+    // Numbers and times are too short for the search, so that a copy of the older study counts as found.
+    for (const std::string& copy : copiesBeforeUpgradeOf(erasure.participant.value, {sqlite.file().parent_path()}))
+        if (std::ranges::find(record.found, copy) == record.found.end()) record.found.push_back(copy);
     return record;
 }
 

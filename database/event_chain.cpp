@@ -3,7 +3,7 @@
 #include <QSqlRecord>
 #include <nlohmann/json.hpp>
 
-#include "database/canonical_bytes.h"
+#include "protocols/files/canonical_bytes.h"
 #include "protocols/secrets/secret_key.h"
 
 namespace database {
@@ -25,7 +25,7 @@ constexpr const char* fixedRows[] = {
 
 constexpr std::size_t saltBytes = 32;
 
-void addRows(CanonicalBytes& bytes, const SqliteConnection& connection, const char* rows)
+void addRows(protocols::CanonicalBytes& bytes, const SqliteConnection& connection, const char* rows)
 {
     bytes << std::string(rows);
     QSqlQuery query = connection.run(QString::fromLatin1(rows));
@@ -76,7 +76,7 @@ void insertRows(const SqliteConnection& connection, const LogEntry& entry)
 
 std::string placesOf(const LogEntry& entry)
 {
-    CanonicalBytes bytes;
+    protocols::CanonicalBytes bytes;
     for (const ResponseRow& row : entry.responses) addPlaceTo(bytes, row);
     for (const VoidRow& row : entry.voids) bytes << std::string("void") << row.participant << row.trial << row.attempt;
     for (const NoteRow& row : entry.notes)
@@ -86,7 +86,7 @@ std::string placesOf(const LogEntry& entry)
 
 std::string commitmentOf(const LogEntry& entry, const std::string& salt)
 {
-    CanonicalBytes bytes;
+    protocols::CanonicalBytes bytes;
     bytes << salt << entry.event.payloadJson << entry.event.atNs << entry.event.wallTime;
     for (const ResponseRow& row : entry.responses) addContentTo(bytes, row);
     for (const NoteRow& row : entry.notes) bytes << std::string("note") << row.text;
@@ -98,7 +98,7 @@ std::string commitmentOf(const LogEntry& entry, const std::string& salt)
 std::string chainHash(const std::string& previous, const EventRecord& event, const std::string& places,
                       const std::string& commitment)
 {
-    CanonicalBytes bytes;
+    protocols::CanonicalBytes bytes;
     bytes << previous << event.sequence << event.participant.value << event.sitting << event.kind << places << commitment;
     return bytes.hash();
 }
@@ -122,19 +122,29 @@ std::int64_t store(const SqliteConnection& connection, LogEntry entry)
         previous = fromQt(last.value(1));
     }
     last.finish();
-    Links links{placesOf(entry), protocols::drawHex(saltBytes), {}, previous, {}};
-    links.commitment = commitmentOf(entry, links.salt);
-    links.hash = chainHash(previous, entry.event, links.places, links.commitment);
-    insertEvent(connection, entry.event, links);
+    storeUnderItsNumber(connection, entry, previous, drawnSalt());
     insertRows(connection, entry);
     return entry.event.sequence;
 }
 
-std::string hashOfFixedTables(const SqliteConnection& connection)
+std::string storeUnderItsNumber(const SqliteConnection& connection, const LogEntry& entry, const std::string& previous,
+                                const std::string& salt)
 {
-    CanonicalBytes bytes;
-    for (const char* rows : fixedRows) addRows(bytes, connection, rows);
+    Links links{placesOf(entry), salt, commitmentOf(entry, salt), previous, {}};
+    links.hash = chainHash(previous, entry.event, links.places, links.commitment);
+    insertEvent(connection, entry.event, links);
+    return links.hash;
+}
+
+std::string drawnSalt() { return protocols::drawHex(saltBytes); }
+
+std::string hashOfRows(const SqliteConnection& connection, std::span<const char* const> queries)
+{
+    protocols::CanonicalBytes bytes;
+    for (const char* query : queries) addRows(bytes, connection, query);
     return bytes.hash();
 }
+
+std::string hashOfFixedTables(const SqliteConnection& connection) { return hashOfRows(connection, fixedRows); }
 
 }  // namespace database

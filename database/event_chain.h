@@ -6,6 +6,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -49,11 +50,24 @@ std::string commitmentOf(const LogEntry& entry, const std::string& salt);
 std::string chainHash(const std::string& previous, const EventRecord& event, const std::string& places,
                       const std::string& commitment);
 
+/// The kind of the entry that an upgrade from an older schema leaves.
+inline constexpr const char* upgradedKind = "upgraded";
+
 /// An entry for an act on the study itself, outside any session.
 LogEntry actOnStudy(const std::string& kind, const nlohmann::ordered_json& payload, const std::string& wallTime);
 
 /// Writes the entry with the next sequence number and all its rows, in the caller's transaction. Returns the number.
 std::int64_t store(const SqliteConnection& connection, LogEntry entry);
+
+/// Writes an entry under the number that it has, without its rows, and returns its hash. `salt`: empty for an erased entry.
+std::string storeUnderItsNumber(const SqliteConnection& connection, const LogEntry& entry, const std::string& previous,
+                                const std::string& salt);
+
+/// 32 random bytes, in hexadecimal.
+std::string drawnSalt();
+
+/// SHA-256 over the results of queries, each with its text.
+std::string hashOfRows(const SqliteConnection& connection, std::span<const char* const> queries);
 
 /// SHA-256 over the rows that never change: facts, fabrics, stimuli, slots, trials, swatch codes and familiarisation.
 std::string hashOfFixedTables(const SqliteConnection& connection);

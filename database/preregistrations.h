@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -32,5 +33,13 @@ std::vector<PreregistrationRecord> preregistrationsOf(const StudyStore& store);
 
 /// preregistration.txt and preregistration-2.txt in the study folder; `kind`: "txt" or "json".
 std::filesystem::path preregistrationFile(const StudyFolder& folder, int number, const std::string& kind);
+
+nlohmann::ordered_json payloadOf(const PreregistrationRecord& record);
+
+/// Whether the payload has all fields with their types.
+bool isPreregistration(const nlohmann::json& payload);
+
+/// What is wrong with a payload that should have this number; empty where nothing is.
+std::string faultOfPreregistration(const nlohmann::json& payload, int number);
 
 }  // namespace database

@@ -74,7 +74,7 @@ void read(std::optional<T>& value, const QVariant& stored)
     if (!stored.isNull()) read(value.emplace(), stored);
 }
 
-void add(CanonicalBytes& bytes, const ResponseRow& row, bool places)
+void add(protocols::CanonicalBytes& bytes, const ResponseRow& row, bool places)
 {
     bytes << std::string("response");
     for (const Column& column : allColumns)
@@ -135,8 +135,8 @@ ResponseRow rowFrom(const QSqlQuery& query, ResponseColumns columns, int first)
     return row;
 }
 
-void addPlaceTo(CanonicalBytes& bytes, const ResponseRow& row) { add(bytes, row, true); }
+void addPlaceTo(protocols::CanonicalBytes& bytes, const ResponseRow& row) { add(bytes, row, true); }
 
-void addContentTo(CanonicalBytes& bytes, const ResponseRow& row) { add(bytes, row, false); }
+void addContentTo(protocols::CanonicalBytes& bytes, const ResponseRow& row) { add(bytes, row, false); }
 
 }  // namespace database

@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-#include "database/canonical_bytes.h"
+#include "protocols/files/canonical_bytes.h"
 
 namespace database {
 
@@ -53,9 +53,9 @@ QVariantList valuesOf(const ResponseRow& row);
 ResponseRow rowFrom(const QSqlQuery& query, ResponseColumns columns, int first);
 
 /// Adds to the bytes what stays after an erasure: the place of the answer.
-void addPlaceTo(CanonicalBytes& bytes, const ResponseRow& row);
+void addPlaceTo(protocols::CanonicalBytes& bytes, const ResponseRow& row);
 
 /// Adds to the bytes what an erasure removes: everything else.
-void addContentTo(CanonicalBytes& bytes, const ResponseRow& row);
+void addContentTo(protocols::CanonicalBytes& bytes, const ResponseRow& row);
 
 }  // namespace database

@@ -102,17 +102,24 @@ void createDatabase(const StudyFolder& folder, const StudyFacts& facts,
         const SqliteConnection sqlite(draft.path(), SqliteConnection::Mode::Create);
         Transaction transaction(sqlite);
         makeSchema(sqlite);
-        insertFacts(sqlite, facts);
-        for (const auto& [code, hash] : stimulusHashes)
-            sqlite.run(QStringLiteral("INSERT INTO stimuli(file_code, sha256) VALUES (?, ?)"), {toQt(code.value), toQt(hash)});
-        for (std::size_t slot = 0; slot < slots.size(); ++slot) insertSlot(sqlite, static_cast<int>(slot) + 1, slots[slot]);
-        insertSwatches(sqlite, facts);
-        insertFamiliarisation(sqlite, facts);
+        insertFixedRows(sqlite, facts, slots, stimulusHashes);
         recordCreation(sqlite, facts);
         transaction.commit();
         sqlite.run(QStringLiteral("PRAGMA wal_checkpoint(TRUNCATE)"));
     }
     draft.putInPlace();
+}
+
+void insertFixedRows(const SqliteConnection& sqlite, const StudyFacts& facts,
+                     const std::vector<std::vector<protocols::BlindedTrial>>& slots,
+                     const std::map<protocols::FileCode, std::string>& stimulusHashes)
+{
+    insertFacts(sqlite, facts);
+    for (const auto& [code, hash] : stimulusHashes)
+        sqlite.run(QStringLiteral("INSERT INTO stimuli(file_code, sha256) VALUES (?, ?)"), {toQt(code.value), toQt(hash)});
+    for (std::size_t slot = 0; slot < slots.size(); ++slot) insertSlot(sqlite, static_cast<int>(slot) + 1, slots[slot]);
+    insertSwatches(sqlite, facts);
+    insertFamiliarisation(sqlite, facts);
 }
 
 }  // namespace database

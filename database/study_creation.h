@@ -1,10 +1,11 @@
-// Makes the database of a new study, whole or not at all.
+// Makes the database of a new study, whole or not at all, and the rows that never change.
 #pragma once
 
 #include <map>
 #include <string>
 #include <vector>
 
+#include "database/sqlite_connection.h"
 #include "database/study_store.h"
 
 namespace database {
@@ -14,5 +15,10 @@ namespace database {
 void createDatabase(const StudyFolder& folder, const StudyFacts& facts,
                     const std::vector<std::vector<protocols::BlindedTrial>>& slots,
                     const std::map<protocols::FileCode, std::string>& stimulusHashes);
+
+/// Fills the tables of a new schema whose rows never change, in the caller's transaction.
+void insertFixedRows(const SqliteConnection& sqlite, const StudyFacts& facts,
+                     const std::vector<std::vector<protocols::BlindedTrial>>& slots,
+                     const std::map<protocols::FileCode, std::string>& stimulusHashes);
 
 }  // namespace database

@@ -14,6 +14,9 @@ struct StudyFolder {
     std::filesystem::path allocationKey() const { return folder / "allocation-key.json"; }
     std::filesystem::path sealedAllocationKey() const { return folder / "allocation-key.sealed"; }
     std::filesystem::path stationKey() const { return folder / "station-key.json"; }
+    std::filesystem::path maskedKey() const { return folder / "masked-key.json"; }  ///< up to version 0.6.0
+    std::filesystem::path upgrade() const { return folder / ".upgrade"; }           ///< what an upgrade prepares
+    std::filesystem::path beforeUpgrade() const { return folder / "before-upgrade"; }
     std::filesystem::path lock() const { return folder / ".lock"; }
 };
 

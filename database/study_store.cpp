@@ -1,18 +1,19 @@
 #include "database/study_store.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <optional>
 #include <system_error>
 #include <type_traits>
 
 #include "database/audit.h"
 #include "database/erasure.h"
-#include "database/disk/open_files.h"
+#include "database/open_files.h"
 #include "database/rescue.h"
-#include "database/schema.h"
 #include "database/sqlite_connection.h"
 #include "database/study_creation.h"
 #include "database/study_rows.h"
+#include "database/study_upgrade.h"
 #include "database/study_writing.h"
 #include "database/write_lock.h"
 #include "protocols/files/errors.h"
@@ -21,6 +22,7 @@
 namespace database {
 
 struct StudyStore::Connection {
+    std::unique_ptr<protocols::TemporaryFolder> copy;  ///< of a study of an earlier version that is only read
     StudyFolder folder;
     std::unique_ptr<WriteLock> lock;  ///< null for a reader
     SqliteConnection sqlite;
@@ -40,6 +42,20 @@ struct StudyStore::Connection {
 };
 
 namespace {
+
+/// Upgrades a study of an earlier version in its place for a writer, and a copy of it for a reader. Returns the copy.
+std::unique_ptr<protocols::TemporaryFolder> upgraded(const StudyFolder& folder, StudyStore::Access access)
+{
+    if (access == StudyStore::Access::Write) {
+        std::fprintf(stderr, "%s\n", upgrade(folder).c_str());
+        return nullptr;
+    }
+    std::fprintf(stderr,
+                 "%s: an earlier version of this program made this study. This command reads an upgraded copy. Open the study in "
+                 "the app to upgrade it.\n",
+                 folder.folder.c_str());
+    return upgradedCopy(folder);
+}
 
 /// Runs a write with the open files in place before it and after it, so that an acknowledged answer is in the folder.
 template <class Connection, class Write>
@@ -105,15 +121,11 @@ StudyStore::StudyStore(const StudyFolder& folder, Access access)
                                    "a folder made by vis2hap study new", "check the path"});
     const bool writes = access == Access::Write;
     auto lock = writes ? std::make_unique<WriteLock>(folder) : nullptr;
+    auto copy = needsUpgrade(folder) ? upgraded(folder, access) : nullptr;
     const auto mode = writes ? SqliteConnection::Mode::Write : SqliteConnection::Mode::Read;
-    m_connection.reset(new Connection{folder, std::move(lock), {folder.database(), mode}});
-    const SqliteConnection& sqlite = m_connection->sqlite;
-    if (checkedVersion(sqlite) == schemaVersion) {
-        if (writes) m_connection->files.emplace(folder.database());
-        return;
-    }
-    throw protocols::badInput({"an older version of this program made the study", folder.folder.string(), "",
-                               "open it once in the app, which updates it"});
+    const StudyFolder opened = copy ? StudyFolder{copy->path()} : folder;
+    m_connection.reset(new Connection{std::move(copy), opened, std::move(lock), {opened.database(), mode}});
+    if (writes) m_connection->files.emplace(opened.database());
 }
 
 StudyStore::~StudyStore() = default;

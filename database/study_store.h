@@ -25,6 +25,10 @@ struct FamiliarisationItem {
     bool operator==(const FamiliarisationItem&) const = default;
 };
 
+/// The sentence that the report of a study without a passphrase must show.
+inline constexpr const char* noPassphraseStamp =
+    "The allocation key of this study has no passphrase: whoever could read its folder could name every condition.";
+
 /// The facts that never change after a study is made.
 struct StudyFacts {
     std::string name;

@@ -113,8 +113,7 @@ std::vector<SwatchLabels> drawSwatches(const Protocol& protocol, const std::vect
 /// Draws presentation codes: unique in the study if there are enough codes, always unique within a participant.
 class PresentationCodes {
 public:
-    PresentationCodes(const Design& design, const SecretKey& secret)
-        : m_random(drawsFor("allocation/presentation codes", secret))
+    PresentationCodes(const Design& design, const SecretKey& secret) : m_random(drawsFor("allocation/presentation codes", secret))
     {
         std::size_t needed = 0;
         for (const auto& participant : design.participants) needed += participant.size();
@@ -204,6 +203,8 @@ Allocation allocate(const Protocol& protocol, const Design& design, const std::v
     }
     return allocation;
 }
+
+std::vector<FileCode> newFileCodes(std::size_t count, const SecretKey& secret) { return drawFileCodes(1, count, secret).front(); }
 
 PresentationCode codeOfAttempt(const std::vector<BlindedTrial>& list, std::size_t index, int attempt)
 {

@@ -69,6 +69,9 @@ std::uint64_t designSeedOf(const SecretKey& secret, std::uint64_t publicSeed);
 Allocation allocate(const Protocol& protocol, const Design& design, const std::vector<FabricId>& fabrics, const SecretKey& secret,
                     int familiarisation = 0);
 
+/// New file codes, all different, for the images of a study that is sealed after it was made.
+std::vector<FileCode> newFileCodes(std::size_t count, const SecretKey& secret);
+
 /// The code of a presentation that is repeated after a void. It has the same form, differs from every code of the list, and is
 /// the same in every call. `attempt` counts from 1; the first attempt has the trial's own code.
 PresentationCode codeOfAttempt(const std::vector<BlindedTrial>& list, std::size_t index, int attempt);

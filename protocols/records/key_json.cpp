@@ -17,17 +17,18 @@ using nlohmann::json;
 using nlohmann::ordered_json;
 
 constexpr const char* allocationSchema = "vis2hap.allocation-key/2";
+constexpr const char* olderSchema = "vis2hap.allocation-key/1";
 
 Error malformed(const std::string& what, const std::string& where, const std::string& expected)
 {
     return badInput({.what = what, .where = where, .expected = expected, .nextStep = "restore the file from a backup"});
 }
 
-json documentOf(std::string_view text, const std::string& where)
+json documentOf(std::string_view text, const std::string& schema, const std::string& where)
 {
     json document = parseStrictJson(text, where);
-    if (!document.is_object() || !document.contains("schema") || document.at("schema") != allocationSchema)
-        throw malformed("not a key of this kind", where, std::string("\"schema\": \"") + allocationSchema + "\"");
+    if (!document.is_object() || !document.contains("schema") || document.at("schema") != schema)
+        throw malformed("not a key of this kind", where, "\"schema\": \"" + schema + "\"");
     if (!document.contains("entries") || !document.at("entries").is_object())
         throw malformed("entries are missing", where, "an object from file codes to their meaning");
     return document;
@@ -49,6 +50,26 @@ ConditionId conditionIn(const json& entry, const std::string& where)
     throw malformed("unknown condition '" + id + "'", where, "the id of a condition");
 }
 
+std::map<FileCode, AllocationKey::Entry> entriesOf(const json& document, const std::string& where)
+{
+    std::map<FileCode, AllocationKey::Entry> entries;
+    std::set<std::pair<FabricId, ConditionId>> seen;
+    std::map<ConditionLabel, ConditionId> meanings;
+    for (const auto& [code, entry] : document.at("entries").items()) {
+        const std::string place = where + ", " + code;
+        const FabricId fabric(textIn(entry, "fabric", place));
+        const ConditionId condition = conditionIn(entry, place);
+        const ConditionLabel label(textIn(entry, "label", place));
+        if (!seen.insert({fabric, condition}).second)
+            throw malformed("a second file code for " + fabric.value + " and " + condition.value, place,
+                            "one for each rendering");
+        if (meanings.emplace(label, condition).first->second != condition)
+            throw malformed(label.value + " stands for two conditions", place, "one condition for each label");
+        entries[FileCode(code)] = {fabric, condition, label};
+    }
+    return entries;
+}
+
 std::string inLines(const ordered_json& document) { return document.dump(2) + "\n"; }
 
 }  // namespace
@@ -64,23 +85,13 @@ std::string toJson(const AllocationKey& key)
 
 AllocationKey allocationKeyFromJson(std::string_view text, const std::string& where)
 {
-    const json document = documentOf(text, where);
-    AllocationKey key{{}, SecretKey::ofHex(textIn(document, "secret", where), where)};
-    std::set<std::pair<FabricId, ConditionId>> seen;
-    std::map<ConditionLabel, ConditionId> meanings;
-    for (const auto& [code, entry] : document.at("entries").items()) {
-        const std::string place = where + ", " + code;
-        const FabricId fabric(textIn(entry, "fabric", place));
-        const ConditionId condition = conditionIn(entry, place);
-        const ConditionLabel label(textIn(entry, "label", place));
-        if (!seen.insert({fabric, condition}).second)
-            throw malformed("a second file code for " + fabric.value + " and " + condition.value, place,
-                            "one for each rendering");
-        if (meanings.emplace(label, condition).first->second != condition)
-            throw malformed(label.value + " stands for two conditions", place, "one condition for each label");
-        key.entries[FileCode(code)] = {fabric, condition, label};
-    }
-    return key;
+    const json document = documentOf(text, allocationSchema, where);
+    return {entriesOf(document, where), SecretKey::ofHex(textIn(document, "secret", where), where)};
+}
+
+std::map<FileCode, AllocationKey::Entry> olderKeyEntriesFromJson(std::string_view text, const std::string& where)
+{
+    return entriesOf(documentOf(text, olderSchema, where), where);
 }
 
 }  // namespace protocols

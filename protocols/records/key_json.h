@@ -1,6 +1,7 @@
 // The allocation key of a study as text.
 #pragma once
 
+#include <map>
 #include <string>
 #include <string_view>
 
@@ -12,5 +13,8 @@ std::string toJson(const AllocationKey& key);
 
 /// `where` names the source in errors. Throws badInput on malformed text.
 AllocationKey allocationKeyFromJson(std::string_view json, const std::string& where);
+
+/// The entries of a key of the versions up to 0.6.0, which holds no secret.
+std::map<FileCode, AllocationKey::Entry> olderKeyEntriesFromJson(std::string_view json, const std::string& where);
 
 }  // namespace protocols

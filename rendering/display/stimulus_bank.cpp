@@ -1,17 +1,13 @@
 #include "rendering/display/stimulus_bank.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
 #include <utility>
 
 #include "protocols/allocation.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/sha256.h"
 #include "protocols/files/whole_file.h"
+#include "protocols/records/sealed_stimulus.h"
 #include "protocols/secrets/sealing.h"
 #include "rendering/images/image_io.h"
 
@@ -19,13 +15,7 @@ namespace rendering {
 
 namespace {
 
-constexpr std::time_t stimulusTime = 946684800;  // 2000-01-01 00:00:00 UTC
 constexpr std::size_t keptReady = 4;
-
-std::filesystem::path pathOf(const std::filesystem::path& stimuli, const protocols::FileCode& code)
-{
-    return stimuli / (code.value + ".sealed");
-}
 
 protocols::Error notUsable(const std::string& what, const std::filesystem::path& file)
 {
@@ -52,17 +42,7 @@ std::string faultOf(const std::filesystem::path& file, const std::string& hash)
 std::string writeStimulus(const std::filesystem::path& stimuli, const protocols::FileCode& code, const cv::Mat& image,
                           const protocols::SecretKey& stationKey)
 {
-    const auto file = pathOf(stimuli, code);
-    const std::string bytes = protocols::seal(stationKey, pgmBytes(image), code.value);
-    protocols::writeWholeFile(file, bytes, protocols::Sync::Later, protocols::Readers::OwnerOnly);
-    // Different times would distinguish stimuli.
-    const timespec times[2] = {{stimulusTime, 0}, {stimulusTime, 0}};
-    if (utimensat(AT_FDCWD, file.c_str(), times, 0) != 0)
-        throw protocols::environmentFault({.what = std::string("the time stamp cannot be set (") + std::strerror(errno) + ")",
-                                           .where = file.string(),
-                                           .expected = "a folder of this user on a local disk",
-                                           .nextStep = "choose another folder for the study"});
-    return protocols::sha256(bytes);
+    return protocols::writeSealedStimulus(stimuli, code, pgmBytes(image), stationKey);
 }
 
 StimulusBank::StimulusBank(const std::filesystem::path& stimuli, const StimulusHashes& hashes,
@@ -70,7 +50,7 @@ StimulusBank::StimulusBank(const std::filesystem::path& stimuli, const StimulusH
     : m_stimuli(stimuli), m_stationKey(stationKey)
 {
     for (const auto& [code, hash] : hashes) {
-        const auto file = pathOf(stimuli, code);
+        const auto file = protocols::stimulusFile(stimuli, code);
         auto sealed = protocols::readIfPossible(file);
         if (!sealed) throw notUsable("the stimulus is missing", file);
         if (!protocols::open(stationKey, *sealed, code.value)) throw notUsable("the stimulus was altered", file);
@@ -94,7 +74,7 @@ void StimulusBank::makeReady(const protocols::FileCode& code)
         std::rotate(place, place + 1, m_order.end());
         return;
     }
-    const auto file = pathOf(m_stimuli, code);
+    const auto file = protocols::stimulusFile(m_stimuli, code);
     const auto sealed = m_sealed.find(code);
     if (sealed == m_sealed.end()) throw notUsable("the study has no stimulus of this name", file);
     const auto bytes = protocols::open(m_stationKey, sealed->second, code.value);
@@ -111,7 +91,7 @@ std::vector<std::string> faultsOfStimuli(const std::filesystem::path& stimuli, c
 {
     std::vector<std::string> lines;
     for (const auto& [code, hash] : hashes) {
-        const auto file = pathOf(stimuli, code);
+        const auto file = protocols::stimulusFile(stimuli, code);
         if (const auto fault = faultOf(file, hash); !fault.empty()) lines.push_back(file.string() + ": " + fault);
     }
     return lines;

@@ -83,7 +83,7 @@ int backup(const std::string& study, const std::string& out)
     try {
         fs::permissions(staging.path(), fs::perms::owner_all);
         fs::create_directory(staging.path() / name);
-        copyFiles(study, staging.path() / name);
+        copyFiles(store.folder().folder, staging.path() / name);
         store.copyTo(staging.path() / name / "study.db");
         const fs::path archive = staging.path() / "archive.tar";
         pack(staging.path(), name, archive);

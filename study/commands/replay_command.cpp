@@ -133,17 +133,18 @@ void playThroughWindow(const std::vector<players::Script>& scripts, const std::f
 
 int replay(const std::string& study, const std::vector<std::string>& files, bool gui, const PassphraseOption& passphrase)
 {
-    const auto protocol = records::protocolOf(records::openStudy(study).facts());
+    // Opened for writing, so that the key read is that of an upgraded study.
+    auto store = std::make_unique<StudyStore>(database::StudyFolder{study}, StudyStore::Access::Write);
+    const auto protocol = records::protocolOf(store->facts());
     const auto scripts = readScripts(files, protocol);
-    const auto key =
-        readAllocationKeyForTestDriver(records::openStudy(study), ParticipantKind::Scripted, passphraseFrom(passphrase));
+    const auto key = readAllocationKeyForTestDriver(*store, ParticipantKind::Scripted, passphraseFrom(passphrase));
     const Playing playing{protocol, key, protocol.answersPerParticipant()};
     if (gui) {
+        store.reset();  // the window opens the study itself
         playThroughWindow(scripts, study, playing);
         return 0;
     }
-    StudyStore store({study}, StudyStore::Access::Write);
-    playDirectly(scripts, store, playing);
+    playDirectly(scripts, *store, playing);
     return 0;
 }
 

@@ -21,9 +21,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* noPassphraseStamp =
-    "The allocation key of this study has no passphrase: whoever could read its folder could name every condition.";
-
 /// True for a study of this program in which no human took part.
 bool mayBeReplaced(const fs::path& study)
 {
@@ -64,7 +61,7 @@ database::StudyFacts factsOf(const NewStudy& request, const StudyMaterial& mater
     facts.createdAt = session::SystemClock().wallTime();
     facts.programVersion = request.programVersion;
     facts.hasPassphrase = request.passphrase.has_value();
-    if (!facts.hasPassphrase) facts.stamps.emplace_back(noPassphraseStamp);
+    if (!facts.hasPassphrase) facts.stamps.emplace_back(database::noPassphraseStamp);
     return facts;
 }
 

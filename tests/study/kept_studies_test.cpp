@@ -60,6 +60,9 @@ Json inTheOldShape(const Json& results)
     return old;
 }
 
+/// The export of `half` with the K-labels of 0.5.0 in place of the conditions. The key of `half` gives them.
+QByteArray labelled(QByteArray csv) { return csv.replace(",f_g,\"[", ",K2,\"[").replace(",f,\"[", ",K1,\"["); }
+
 }  // namespace
 
 class KeptStudiesTest : public QObject {
@@ -126,8 +129,22 @@ private Q_SLOTS:
         const auto ended = mustRun({"replay", at("half"), kept("S03.json")});
         QVERIFY2(ended.out.contains("S03: 40 answers stored, finished"), qPrintable(ended.out));
         mustRun({"verify", at("half")});
+        // Before the unblinding an export holds no answers since 0.7.0.
+        mustRun({"export", at("half"), "--out", at("blinded"), "--format", "csv"});
+        QVERIFY(!QFile::exists(at("blinded/answers.csv")) && QFile::exists(at("blinded/conditions.csv")));
+        mustRun({"unblind", at("half"), "--who", "Ada", "--why", "the last session is over"});
         mustRun({"export", at("half"), "--out", at("out"), "--format", "csv"});
-        QCOMPARE(bytesOf(at("out/answers.csv")), bytesOf(kept("resumed-answers.csv")));
+        QCOMPARE(labelled(bytesOf(at("out/answers.csv"))), bytesOf(kept("resumed-answers.csv")));
+    }
+
+    void openingForWritingUpgradesAndKeepsTheStudyAsItWas()
+    {
+        const auto first = mustRun({"study", "preregister", at("finished")});
+        QVERIFY2(first.err.contains("lies in " + at("finished/before-upgrade")), qPrintable(first.err));
+        QVERIFY(QDir(at("finished/stimuli")).entryList({"*.pgm"}).isEmpty());
+        QCOMPARE(QDir(at("finished/before-upgrade/stimuli")).entryList({"*.pgm"}).size(), 10);
+        QVERIFY(!mustRun({"verify", at("finished")}).err.contains("earlier version"));
+        mustRun({"verify", at("finished/before-upgrade")});
     }
 
 private:

@@ -1,4 +1,4 @@
-#include "database/disk/open_files.h"
+#include "database/open_files.h"
 
 #include <sys/stat.h>
 

@@ -1,4 +1,4 @@
-#include "database/disk/byte_search.h"
+#include "protocols/files/byte_search.h"
 
 #include <algorithm>
 #include <map>
@@ -6,7 +6,7 @@
 
 #include "protocols/files/whole_file.h"
 
-namespace database {
+namespace protocols {
 
 namespace {
 
@@ -56,7 +56,7 @@ bool holds(const std::filesystem::path& file, const Sequences& sequences)
 {
     bool isFound = false;
     std::string carried;  // the end of the block before, for a sequence that two blocks share
-    protocols::readInBlocks(file, [&](std::string_view block) {
+    readInBlocks(file, [&](std::string_view block) {
         if (isFound) return;
         carried.append(block);
         isFound = sequences.areIn(carried);
@@ -81,4 +81,4 @@ ByteSearch searchFiles(const std::filesystem::path& folder, const std::vector<st
     return search;
 }
 
-}  // namespace database
+}  // namespace protocols

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace database {
+namespace protocols {
 
 struct ByteSearch {
     std::size_t files = 0;           ///< regular files that were read, in all sub-folders
@@ -17,4 +17,4 @@ struct ByteSearch {
 /// followed. Throws badInput where a file cannot be read.
 ByteSearch searchFiles(const std::filesystem::path& folder, const std::vector<std::string>& sequences);
 
-}  // namespace database
+}  // namespace protocols

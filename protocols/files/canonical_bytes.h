@@ -8,7 +8,7 @@
 
 #include "protocols/files/sha256.h"
 
-namespace database {
+namespace protocols {
 
 class CanonicalBytes {
 public:
@@ -30,10 +30,10 @@ public:
 
     const std::string& text() const { return m_bytes; }
     /// SHA-256 in lower-case hexadecimal.
-    std::string hash() const { return protocols::sha256(m_bytes); }
+    std::string hash() const { return sha256(m_bytes); }
 
 private:
     std::string m_bytes;
 };
 
-}  // namespace database
+}  // namespace protocols

@@ -1,0 +1,439 @@
+#include "database/study_upgrade.h"
+
+#include <QSqlRecord>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <set>
+#include <system_error>
+
+#include "database/keys.h"
+#include "database/older_study.h"
+#include "database/schema.h"
+#include "database/stored_texts.h"
+#include "database/study_creation.h"
+#include "protocols/files/disk_sync.h"
+#include "protocols/files/errors.h"
+#include "protocols/files/folder_draft.h"
+#include "protocols/files/sha256.h"
+#include "protocols/files/whole_file.h"
+#include "protocols/protocol_json.h"
+#include "protocols/records/balance.h"
+#include "protocols/records/key_json.h"
+#include "protocols/records/sealed_stimulus.h"
+
+namespace database {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What takes the place of open file codes and keys.
+struct NewSeals {
+    std::map<protocols::FileCode, protocols::FileCode> codes;  ///< of the older study -> new and drawn in secret
+    std::map<protocols::FileCode, std::string> hashes;         ///< of the sealed stimuli; empty for one that was not usable
+    protocols::SecretKey stationKey;
+    std::string keySha256, stationKeySha256;
+};
+
+using BlindedLists = std::vector<std::vector<protocols::BlindedTrial>>;
+
+/// The older design was drawn from the public seed itself.
+std::string plannedBalanceOf(const StudyFacts& facts)
+{
+    const auto protocol = protocols::keptProtocolFromJson(facts.protocolJson, "the study's protocol", facts.programVersion);
+    return jsonOf(balanceOf(protocols::drawDesign(protocol, facts.designSeed), protocol)).dump();
+}
+
+protocols::SealedCode newlySealed(const protocols::FileCode& image, const NewSeals& seals)
+{
+    return protocols::sealed(seals.codes.at(image), seals.stationKey);
+}
+
+StudyFacts upgradedFacts(const OlderStudy& study, const NewSeals& seals)
+{
+    StudyFacts facts = study.facts;
+    facts.keySha256 = seals.keySha256;
+    facts.stationKeySha256 = seals.stationKeySha256;
+    facts.hasPassphrase = false;
+    facts.stamps.emplace_back(noPassphraseStamp);
+    facts.plannedBalance = plannedBalanceOf(study.facts);
+    facts.madeWith = "{}";
+    for (const auto& [name, image] : study.familiarisation) facts.familiarisation.push_back({name, newlySealed(image, seals)});
+    return facts;
+}
+
+BlindedLists upgradedLists(const OlderStudy& study, const NewSeals& seals)
+{
+    BlindedLists lists;
+    for (const auto& slot : study.slots) {
+        auto& list = lists.emplace_back();
+        for (const OlderTrial& older : slot) {
+            list.push_back(older.trial);
+            list.back().sealedCode = newlySealed(older.image, seals);
+        }
+    }
+    return lists;
+}
+
+/// Copies the rows of a table that schema 3 did not change.
+void copyRows(const SqliteConnection& older, const SqliteConnection& made, const QString& table, int version)
+{
+    const QString columns = olderColumnsOf(table, version);
+    if (columns.isEmpty()) return;
+    const QString order = table == QLatin1String("participant_facts") ? "participant, fact" : "rowid";
+    QSqlQuery row = older.run(QStringLiteral("SELECT %1 FROM %2 ORDER BY %3").arg(columns, table, order));
+    const int count = row.record().count();
+    const QString places = QStringList(count, QStringLiteral("?")).join(QStringLiteral(", "));
+    while (row.next()) {
+        QVariantList values;
+        for (int column = 0; column < count; ++column) values << row.value(column);
+        made.run(QStringLiteral("INSERT INTO %1(%2) VALUES (%3)").arg(table, olderColumnsOf(table, schemaVersion), places),
+                 values);
+    }
+}
+
+/// The list of trials of each participant.
+std::map<std::string, const std::vector<protocols::BlindedTrial>*> listsOfParticipants(const SqliteConnection& made,
+                                                                                       const BlindedLists& lists)
+{
+    std::map<std::string, const std::vector<protocols::BlindedTrial>*> found;
+    QSqlQuery row = made.run(QStringLiteral("SELECT id, slot FROM participants"));
+    while (row.next())
+        if (const auto slot = row.value(1).toULongLong(); slot >= 1 && slot <= lists.size())
+            found[fromQt(row.value(0))] = &lists[slot - 1];
+    return found;
+}
+
+/// Answers stand under the code of their presentation, no longer under that of their image.
+void renamePresentations(OlderStudy& study, const SqliteConnection& made, const BlindedLists& lists)
+{
+    const auto byParticipant = listsOfParticipants(made, lists);
+    for (auto& one : study.responses) {
+        ResponseRow& row = one.row;
+        const auto list = byParticipant.find(row.participant);
+        const bool isPlanned =
+            list != byParticipant.end() && row.trial >= 1 && row.trial <= static_cast<int>(list->second->size());
+        row.presentationCode =
+            isPlanned ? codeOfAttempt(*list->second, static_cast<std::size_t>(row.trial) - 1, row.attempt).value : std::string();
+    }
+}
+
+void insertNumberedRows(const SqliteConnection& made, const OlderStudy& study)
+{
+    const QString response = QStringLiteral("INSERT INTO responses(id, event, %1) VALUES (?, ?, %2)")
+                                 .arg(namesOf(ResponseColumns::OfTable), placeholders());
+    for (const auto& one : study.responses) made.run(response, QVariantList{one.id, one.event} + valuesOf(one.row));
+    for (const auto& [id, event, row] : study.voids)
+        made.run(QStringLiteral("INSERT INTO voids(event, participant, trial, attempt) VALUES (?, ?, ?, ?)"),
+                 {event, toQt(row.participant), row.trial, row.attempt});
+    for (const auto& [id, event, row] : study.notes)
+        made.run(QStringLiteral("INSERT INTO notes(id, event, participant, trial, attempt, question, text, is_flag) "
+                                "VALUES (?, ?, ?, ?, ?, ?, ?, ?)"),
+                 {id, event, toQt(row.participant), row.trial, row.attempt,
+                  row.question ? QVariant(toQt(*row.question)) : QVariant(), toQt(row.text), int(row.isFlag)});
+    for (const auto& [event, record] : study.unblindings)
+        made.run(QStringLiteral("INSERT INTO unblindings(event, who, why, wall_time) VALUES (?, ?, ?, ?)"),
+                 {event, toQt(record.who), toQt(record.why), toQt(record.wallTime)});
+}
+
+/// Writes the log with new commitments and hashes. An erased entry has no content, and so it gets no salt.
+void chainAnew(const SqliteConnection& made, const OlderStudy& study)
+{
+    const auto erasedBefore = erasuresInOlderLog(study);
+    std::string previous;
+    for (auto& [sequence, entry] : entriesOf(study)) {
+        if (!study.events.contains(sequence)) continue;
+        const bool isErased = isErasedInOlderLog(entry, erasedBefore);
+        LogEntry chained = entry;
+        if (isErased) {
+            chained.event.atNs = 0;
+            chained.event.wallTime.clear();
+        }
+        previous = storeUnderItsNumber(made, chained, previous, isErased ? std::string() : drawnSalt());
+    }
+}
+
+void recordUpgrade(const SqliteConnection& made, const OlderStudy& study, const std::vector<std::string>& faults)
+{
+    const std::string oldHead = study.links.empty() ? std::string() : study.links.rbegin()->second.own;
+    store(made, actOnStudy(upgradedKind,
+                           {{"from_schema", study.version},
+                            {"schema", schemaVersion},
+                            {"old_head", oldHead},
+                            {"faults_before", faults},
+                            {"fixed_sha256", hashOfFixedTables(made)},
+                            {"program_version", "vis2hap " VIS2HAP_VERSION}},
+                           wallTimeNow()));
+}
+
+/// Makes `file` in one transaction, every row with its number and its times. `faults`: what was wrong with the older study.
+void makeUpgradedDatabase(const std::filesystem::path& file, const SqliteConnection& older, const OlderStudy& study,
+                          const NewSeals& seals, const std::vector<std::string>& faults)
+{
+    const BlindedLists lists = upgradedLists(study, seals);
+    const SqliteConnection made(file, SqliteConnection::Mode::Create);
+    // A damaged older study may hold rows that refer to missing ones. They are kept, and `verify` lists them.
+    made.run(QStringLiteral("PRAGMA foreign_keys = OFF"));
+    {
+        Transaction transaction(made);
+        makeSchema(made);
+        insertFixedRows(made, upgradedFacts(study, seals), lists, seals.hashes);
+        for (const char* table : {"participants", "participant_facts", "protocol_versions", "erasures"})
+            copyRows(older, made, QLatin1String(table), study.version);
+        OlderStudy renamed = study;
+        renamePresentations(renamed, made, lists);
+        insertNumberedRows(made, renamed);
+        chainAnew(made, renamed);
+        recordUpgrade(made, renamed, faults);
+        transaction.commit();
+    }
+    made.run(QStringLiteral("PRAGMA wal_checkpoint(TRUNCATE)"));
+}
+
+bool isOlder(const StudyFolder& folder)
+{
+    return checkedVersion({folder.database(), SqliteConnection::Mode::Read}) < schemaVersion;
+}
+
+/// Runs steps on files. Throws environmentFault where one fails.
+template <class Steps>
+auto onFiles(const StudyFolder& folder, Steps steps)
+{
+    try {
+        return steps();
+    } catch (const fs::filesystem_error& fault) {
+        throw protocols::environmentFault({std::string("the study cannot be upgraded (") + fault.what() + ")",
+                                           folder.folder.string(), "a writable folder with room for a copy of the study",
+                                           "make room and open the study again; no answer was lost"});
+    }
+}
+
+/// Copies the database as one consistent file and every file beside it but the lock.
+void copyTopFiles(const StudyFolder& folder, const fs::path& to)
+{
+    SqliteConnection(folder.database(), SqliteConnection::Mode::Read)
+        .run(QStringLiteral("VACUUM INTO ?"), {toQt((to / "study.db").string())});
+    for (const auto& entry : fs::directory_iterator(folder.folder)) {
+        const std::string name = entry.path().filename().string();
+        if (!entry.is_regular_file() || name == ".lock" || name.starts_with("study.db")) continue;
+        fs::copy_file(entry.path(), to / name);
+    }
+    for (const auto& entry : fs::directory_iterator(to))
+        fs::permissions(entry.path(), fs::perms::owner_read | fs::perms::owner_write);
+}
+
+/// The stimuli need no room of their own: the copy has other names of the same files.
+void linkStimuli(const fs::path& stimuli, const fs::path& to)
+{
+    if (!fs::is_directory(stimuli)) return;
+    fs::create_directory(to);
+    fs::permissions(to, fs::perms::owner_all);
+    for (const auto& entry : fs::directory_iterator(stimuli)) {
+        const fs::path target = to / entry.path().filename();
+        std::error_code notLinked;
+        fs::create_hard_link(entry.path(), target, notLinked);
+        if (notLinked) fs::copy_file(entry.path(), target);
+    }
+}
+
+fs::path firstFreeName(const fs::path& wanted)
+{
+    fs::path name = wanted;
+    for (int number = 2; fs::exists(name); ++number) name = wanted.string() + "-" + std::to_string(number);
+    return name;
+}
+
+fs::path backUp(const StudyFolder& folder)
+{
+    const fs::path place = firstFreeName(folder.beforeUpgrade());
+    protocols::FolderDraft draft(place, protocols::Earlier::Refused);
+    fs::permissions(draft.path(), fs::perms::owner_all);
+    copyTopFiles(folder, draft.path());
+    linkStimuli(folder.stimuli(), draft.path() / "stimuli");
+    draft.putInPlace();
+    return place;
+}
+
+using KeyEntries = std::map<protocols::FileCode, protocols::AllocationKey::Entry>;
+
+/// The entries of the older key. Empty for a bare database, which has neither keys nor stimuli.
+std::optional<KeyEntries> olderKeyOf(const StudyFolder& folder, const OlderStudy& study)
+{
+    const fs::path file = folder.allocationKey();
+    const auto text = protocols::readIfPossible(file);
+    if (!text && !fs::exists(folder.stimuli())) return std::nullopt;
+    if (!text || protocols::sha256(*text) != study.facts.keySha256)
+        throw protocols::workFailed(
+            {text ? "the allocation key is not the one committed in the database" : "the allocation key cannot be read",
+             file.string(), "the file that was made with the study",
+             "restore it from a backup; the study cannot be upgraded without it"});
+    return protocols::olderKeyEntriesFromJson(*text, file.string());
+}
+
+NewSeals newSealsOf(const OlderStudy& study, const std::optional<KeyEntries>& key, const protocols::SecretKey& secret)
+{
+    std::set<protocols::FileCode> known;
+    for (const auto& [code, hash] : study.stimuli) known.insert(code);
+    if (key)
+        for (const auto& [code, entry] : *key) known.insert(code);
+    const auto drawn = protocols::newFileCodes(known.size(), secret);
+    NewSeals seals{{}, {}, stationKeyOf(secret), study.facts.keySha256, {}};
+    auto next = drawn.begin();
+    for (const auto& code : known) seals.codes[code] = *next++;
+    return seals;
+}
+
+/// Seals the images that are as the database says. The others are not trusted: they stay in the copy of the older study.
+void sealStimuli(const StudyFolder& folder, const OlderStudy& study, NewSeals& seals, std::vector<std::string>& faults)
+{
+    if (!fs::exists(folder.stimuli())) {
+        for (const auto& [code, hash] : study.stimuli) seals.hashes[seals.codes.at(code)] = "";
+        return;
+    }
+    const fs::path sealedFolder = folder.upgrade() / "stimuli";
+    fs::create_directory(sealedFolder);
+    fs::permissions(sealedFolder, fs::perms::owner_all);
+    for (const auto& [code, hash] : study.stimuli) {
+        const auto bytes = protocols::readIfPossible(folder.stimuli() / (code.value + ".pgm"));
+        const bool isUsable = bytes && protocols::sha256(*bytes) == hash;
+        const auto& fresh = seals.codes.at(code);
+        seals.hashes[fresh] = isUsable ? writeSealedStimulus(sealedFolder, fresh, *bytes, seals.stationKey) : std::string();
+        if (!isUsable) faults.push_back("stimulus " + code.value + (bytes ? " was altered" : " is missing"));
+    }
+}
+
+void writeNewKeys(const StudyFolder& folder, const KeyEntries& entries, const protocols::SecretKey& secret, NewSeals& seals)
+{
+    protocols::AllocationKey key{{}, secret};
+    for (const auto& [code, entry] : entries) key.entries[seals.codes.at(code)] = entry;
+    const KeyHashes hashes = writeKeys({folder.upgrade()}, key);
+    seals.keySha256 = hashes.allocation;
+    seals.stationKeySha256 = hashes.station;
+}
+
+/// Fills .upgrade/ with all that is new.
+void prepare(const StudyFolder& folder)
+{
+    fs::create_directory(folder.upgrade());
+    fs::permissions(folder.upgrade(), fs::perms::owner_all);
+    const SqliteConnection older(folder.database(), SqliteConnection::Mode::Read);
+    const ReadSnapshot snapshot(older);
+    const OlderStudy study = readOlderStudy(older);
+    const auto key = olderKeyOf(folder, study);
+    auto faults = faultsOfOlderLog(older, study);
+    if (key && protocols::sha256(protocols::readIfPossible(folder.maskedKey()).value_or("")) != study.maskedKeySha256)
+        faults.emplace_back("masked-key.json was missing or altered");
+    const auto secret = protocols::SecretKey::drawn();
+    NewSeals seals = newSealsOf(study, key, secret);
+    sealStimuli(folder, study, seals, faults);
+    if (key) writeNewKeys(folder, *key, secret, seals);
+    const fs::path made = folder.upgrade() / "study.db";
+    makeUpgradedDatabase(made, older, study, seals, faults);
+    fs::permissions(made, fs::perms::owner_read | fs::perms::owner_write);
+    protocols::syncTree(folder.upgrade());
+}
+
+/// SQLite would take the log of the older file for one of the new file, so that the older one must end first.
+void replaceDatabase(const StudyFolder& folder)
+{
+    {
+        const SqliteConnection older(folder.database(), SqliteConnection::Mode::Write);
+        if (fromQt(older.value(QStringLiteral("PRAGMA journal_mode = DELETE"))) != "delete")
+            throw protocols::environmentFault({"another program reads the study", folder.folder.string(), "no other program",
+                                               "close it and open the study again"});
+    }
+    protocols::putFileInPlace(folder.upgrade() / "study.db", folder.database());
+}
+
+/// Step 4 may find any part of itself done.
+void finish(const StudyFolder& folder, const UpgradeStep& reached)
+{
+    if (const fs::path made = folder.upgrade() / "stimuli"; fs::exists(made)) {
+        fs::remove_all(folder.stimuli());
+        reached("open stimuli removed");
+        fs::rename(made, folder.stimuli());
+        reached("sealed stimuli in place");
+    }
+    for (const fs::path& key : {folder.allocationKey(), folder.stationKey()})
+        if (const fs::path made = folder.upgrade() / key.filename(); fs::exists(made)) {
+            fs::rename(made, key);
+            reached(key.filename().string() + " in place");
+        }
+    fs::remove(folder.maskedKey());
+    fs::permissions(folder.folder, fs::perms::owner_all);
+    if (fs::exists(folder.protocol())) fs::permissions(folder.protocol(), fs::perms::owner_read | fs::perms::owner_write);
+    protocols::syncFolder(folder.folder);
+    reached("masked key removed");
+    fs::remove_all(folder.upgrade());
+    protocols::syncFolder(folder.folder);
+}
+
+void upgradeOlder(const StudyFolder& folder, const UpgradeStep& reached)
+{
+    fs::remove_all(folder.upgrade());
+    prepare(folder);
+    reached("prepared");
+    replaceDatabase(folder);
+    reached("database in place");
+}
+
+void ignoreStep(const std::string&) {}
+
+}  // namespace
+
+bool needsUpgrade(const StudyFolder& folder) { return isOlder(folder) || fs::exists(folder.upgrade()); }
+
+std::string upgrade(const StudyFolder& folder, const UpgradeStep& step)
+{
+    const UpgradeStep reached = step ? step : ignoreStep;
+    return onFiles(folder, [&]() -> std::string {
+        if (!isOlder(folder)) {
+            finish(folder, reached);
+            return folder.folder.string() + ": an upgrade that was interrupted is finished";
+        }
+        const fs::path copy = backUp(folder);
+        reached("copied");
+        upgradeOlder(folder, reached);
+        finish(folder, reached);
+        return folder.folder.string() +
+               ": an earlier version of this program made this study. It is upgraded. The study as it was "
+               "lies in " +
+               copy.string() +
+               ". That copy is not sealed: it names the condition of every trial, and answers erased "
+               "before can be guessed from it. Delete it when the upgraded study works.";
+    });
+}
+
+std::unique_ptr<protocols::TemporaryFolder> upgradedCopy(const StudyFolder& folder)
+{
+    auto copy = std::make_unique<protocols::TemporaryFolder>();
+    const StudyFolder copied{copy->path()};
+    return onFiles(copied, [&] {
+        copyTopFiles(folder, copied.folder);
+        if (fs::exists(folder.upgrade())) fs::copy(folder.upgrade(), copied.upgrade(), fs::copy_options::recursive);
+        if (fs::is_directory(folder.stimuli())) {
+            fs::create_directory(copied.stimuli());
+            for (const auto& entry : fs::directory_iterator(folder.stimuli()))
+                fs::create_symlink(fs::absolute(entry.path()), copied.stimuli() / entry.path().filename());
+        }
+        if (isOlder(copied)) upgradeOlder(copied, ignoreStep);
+        finish(copied, ignoreStep);
+        return std::move(copy);
+    });
+}
+
+std::vector<std::string> copiesBeforeUpgradeOf(const std::string& participant, const StudyFolder& folder)
+{
+    std::vector<std::string> copies;
+    const std::string first = folder.beforeUpgrade().filename().string();
+    for (const auto& entry : fs::directory_iterator(folder.folder)) {
+        const fs::path copy = entry.path() / "study.db";
+        if (!entry.path().filename().string().starts_with(first) || !fs::exists(copy)) continue;
+        const SqliteConnection older(copy, SqliteConnection::Mode::Read);
+        if (older.value(QStringLiteral("SELECT COUNT(*) FROM participants WHERE id = ?"), {toQt(participant)}).toInt() > 0)
+            copies.push_back((entry.path().filename() / "study.db").string());
+    }
+    return copies;
+}
+
+}  // namespace database

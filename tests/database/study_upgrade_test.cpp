@@ -1,0 +1,259 @@
+// A study of version 0.5.0 is upgraded whole or not at all, wherever the program is killed.
+#include "database/study_upgrade.h"
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <QDirIterator>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include "database/study_store.h"
+#include "database/write_lock.h"
+#include "protocols/files/canonical_bytes.h"
+#include "protocols/files/errors.h"
+#include "study/records/study_faults.h"
+#include "tests/support/raw_sqlite.h"
+
+using namespace database;
+using tests::support::RawSqlite;
+using Access = StudyStore::Access;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Numbers of the kept study `half`, from its README and its script.
+constexpr std::size_t answersOfHalf = 17;
+constexpr int stepsOfUpgrade = 8;
+
+/// What `erase --answers` did in 0.5.0.
+constexpr const char* removedBy050 =
+    "DELETE FROM responses; DELETE FROM notes; DELETE FROM voids; UPDATE events SET payload = '{}' WHERE participant = 'S03'; "
+    "UPDATE participants SET state = 'withdrawn'";
+
+/// The entry that 0.5.0 wrote then, under its unsalted hash.
+std::string entryOfErasure(RawSqlite& raw)
+{
+    const std::string payload = R"({"participant":"S03","answers_too":true,"who":"Ada","why":"wish"})";
+    const std::string last = raw.rows("SELECT hash FROM events ORDER BY sequence DESC LIMIT 1").front();
+    const std::string number = raw.rows("SELECT MAX(sequence) + 1 FROM events").front();
+    const std::string time = "2026-01-01T10:00:00.000Z", empty;
+    protocols::CanonicalBytes bytes;
+    bytes << last << number << empty << 0 << std::string("erased") << payload << 0 << time;
+    return "INSERT INTO events VALUES (" + number + ", '', 0, 'erased', '" + payload + "', 0, '" + time + "', '" + last + "', '" +
+           bytes.hash() + "'); INSERT INTO erasures VALUES (" + number + ", 'S03', 1, 'Ada', 'wish', '" + time + "')";
+}
+
+/// Everything that an answer holds but its code, which the upgrade renames.
+QStringList answersOf(const StudyStore& store)
+{
+    QStringList lines;
+    for (const CurrentAnswer& answer : store.answers())
+        lines << QString("%1 %2 %3 %4 %5 %6 %7 %8 %9")
+                     .arg(QString::fromStdString(answer.participant.value))
+                     .arg(answer.record.trial.value)
+                     .arg(QString::fromStdString(answer.record.question.value),
+                          QString::fromStdString(answer.record.answer.value_or("-")))
+                     .arg(answer.record.rating ? answer.record.rating->value : -1)
+                     .arg(answer.attempt)
+                     .arg(answer.voided)
+                     .arg(answer.storedAtNs)
+                     .arg(QString::fromStdString(answer.wallTime + answer.record.note));
+    return lines;
+}
+
+/// Names and bytes of every file but the shared memory of SQLite.
+QMap<QString, QByteArray> contentOf(const fs::path& folder)
+{
+    QMap<QString, QByteArray> content;
+    QDirIterator files(QString::fromStdString(folder.string()), QDir::Files | QDir::Hidden, QDirIterator::Subdirectories);
+    while (files.hasNext()) {
+        QFile file(files.next());
+        if (!file.fileName().endsWith("-shm") && file.open(QIODevice::ReadOnly)) content[file.fileName()] = file.readAll();
+    }
+    return content;
+}
+
+/// Upgrades in a program of its own that ends without any cleaning at its `last`-th step. Returns its exit code.
+int upgradeAndDie(const StudyFolder& folder, int last)
+{
+    const pid_t child = ::fork();
+    if (child == 0) {
+        int steps = 0;
+        try {
+            const WriteLock lock(folder);
+            upgrade(folder, [&](const std::string&) {
+                if (++steps == last) ::_exit(9);
+            });
+        } catch (const protocols::Error&) {
+            ::_exit(1);
+        }
+        ::_exit(0);
+    }
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    return WEXITSTATUS(status);
+}
+
+QString joined(const std::vector<std::string>& lines)
+{
+    QStringList texts;
+    for (const std::string& line : lines) texts << QString::fromStdString(line);
+    return texts.join('\n');
+}
+
+}  // namespace
+
+class StudyUpgradeTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init()
+    {
+        m_place = std::make_unique<QTemporaryDir>();
+        const QString kept = VIS2HAP_SOURCE_DIR "/tests/study/kept/studies-0.5.0.tar.gz";
+        QCOMPARE(QProcess::execute("tar", {"xzf", kept, "-C", m_place->path()}), 0);
+    }
+
+    void readersLeaveTheFolderAsItIs()
+    {
+        const StudyFolder folder = half();
+        const auto before = contentOf(folder.folder);
+        const StudyStore store(folder, Access::Read);
+        QCOMPARE(store.answers().size(), answersOfHalf);
+        QVERIFY2(study::records::faultsOf(store).empty(), qPrintable(joined(study::records::faultsOf(store))));
+        QCOMPARE(contentOf(folder.folder), before);
+    }
+
+    void aKilledUpgradeIsFinishedByTheNextOpening_data()
+    {
+        QTest::addColumn<int>("last");
+        for (int step = 1; step <= stepsOfUpgrade; ++step) QTest::addRow("step %d", step) << step;
+    }
+
+    void aKilledUpgradeIsFinishedByTheNextOpening()
+    {
+        QFETCH(int, last);
+        const StudyFolder folder = half();
+        const QStringList expected = answersOf(StudyStore(folder, Access::Read));
+        QCOMPARE(upgradeAndDie(folder, last), 9);
+        {
+            const StudyStore reader(folder, Access::Read);
+            QCOMPARE(answersOf(reader), expected);
+            QVERIFY2(study::records::faultsOf(reader).empty(), qPrintable(joined(study::records::faultsOf(reader))));
+        }
+        const StudyStore store(folder, Access::Write);
+        QCOMPARE(answersOf(store), expected);
+        QVERIFY2(study::records::faultsOf(store).empty(), qPrintable(joined(study::records::faultsOf(store))));
+        QVERIFY(!fs::exists(folder.upgrade()) && !fs::exists(folder.maskedKey()) && !needsUpgrade(folder));
+        for (const auto& entry : fs::directory_iterator(folder.stimuli()))
+            QCOMPARE(entry.path().extension(), fs::path(".sealed"));
+        const StudyStore asItWas({folder.beforeUpgrade()}, Access::Read);
+        QCOMPARE(answersOf(asItWas), expected);
+    }
+
+    void theListOfStepsIsWhole() { QCOMPARE(upgradeAndDie(half(), stepsOfUpgrade + 1), 0); }
+
+    void whatAKilledPreparationLeftIsRemoved()
+    {
+        const StudyFolder folder = half();
+        fs::create_directories(folder.upgrade() / "stimuli");
+        QFile(QString::fromStdString((folder.upgrade() / "study.db").string())).open(QIODevice::WriteOnly);
+        const StudyStore store(folder, Access::Write);
+        QCOMPARE(store.answers().size(), answersOfHalf);
+        QVERIFY(!fs::exists(folder.upgrade()));
+    }
+
+    void noOldFileCodeIsLeft()
+    {
+        const StudyFolder folder = half();
+        std::vector<QByteArray> codes;
+        for (const auto& entry : fs::directory_iterator(folder.stimuli()))
+            codes.push_back(QByteArray::fromStdString(entry.path().stem().string()));
+        QCOMPARE(codes.size(), 10u);
+        StudyStore(folder, Access::Write).facts();
+        fs::remove_all(folder.beforeUpgrade());
+        const auto content = contentOf(folder.folder);
+        for (auto file = content.begin(); file != content.end(); ++file)
+            for (const QByteArray& code : codes)
+                QVERIFY2(!file.key().contains(QString(code)) && !file.value().contains(code), qPrintable(file.key()));
+    }
+
+    void whatWasWrongBeforeIsStillFound()
+    {
+        const StudyFolder folder = half();
+        {
+            RawSqlite raw(folder.database());
+            raw.dropTriggers();
+            QCOMPARE(raw.run("UPDATE responses SET answered_at = answered_at + 1 WHERE id = 3"), std::string());
+        }
+        const StudyStore store(folder, Access::Write);
+        const QString faults = joined(store.faults());
+        QVERIFY2(faults.contains("before the upgrade: log entry") && faults.contains("the entry or its rows were altered"),
+                 qPrintable(faults));
+        QCOMPARE(store.faults().size(), 1u);
+    }
+
+    void anErasureNamesTheCopyThatStillHoldsTheAnswers()
+    {
+        StudyStore store(half(), Access::Write);
+        store.enrol(protocols::ParticipantId("S04"), ParticipantKind::Scripted);
+        QCOMPARE(store.erase({protocols::ParticipantId("S03"), true, "Ada", "wish", {}}).found,
+                 std::vector<std::string>{"before-upgrade/study.db"});
+        QCOMPARE(store.erase({protocols::ParticipantId("S04"), true, "Ada", "wish", {}}).found, std::vector<std::string>());
+        QVERIFY2(store.faults().empty(), qPrintable(joined(store.faults())));
+    }
+
+    void anOlderErasureStaysOneAndAFalseOneIsFound_data()
+    {
+        QTest::addColumn<bool>("recorded");
+        QTest::newRow("recorded") << true;
+        QTest::newRow("without an entry") << false;
+    }
+
+    void anOlderErasureStaysOneAndAFalseOneIsFound()
+    {
+        QFETCH(bool, recorded);
+        const StudyFolder folder = half();
+        {
+            RawSqlite raw(folder.database());
+            raw.dropTriggers();
+            QCOMPARE(raw.run(removedBy050), std::string());
+            if (recorded) QCOMPARE(raw.run(entryOfErasure(raw)), std::string());
+        }
+        const StudyStore store(folder, Access::Write);
+        QVERIFY(store.answers().empty());
+        QCOMPARE(store.erasures().size(), recorded ? 1u : 0u);
+        QVERIFY2(store.faults().empty() == recorded, qPrintable(joined(store.faults())));
+    }
+
+    void aStudyWithAnotherKeyIsNotUpgraded()
+    {
+        const StudyFolder folder = half();
+        fs::copy_file(at("finished").allocationKey(), folder.allocationKey(), fs::copy_options::overwrite_existing);
+        QVERIFY_EXCEPTION_THROWN(StudyStore(folder, Access::Write), protocols::Error);
+        QCOMPARE(RawSqlite(folder.database()).rows("PRAGMA user_version"), std::vector<std::string>{"2"});
+        QVERIFY(fs::exists(folder.maskedKey()));
+    }
+
+    void aReaderOfTheOlderFileIsWaitedForAndThenNamed()
+    {
+        const StudyFolder folder = half();
+        RawSqlite reader(folder.database());
+        QCOMPARE(reader.run("BEGIN"), std::string());
+        QCOMPARE(reader.rows("SELECT COUNT(*) FROM study"), std::vector<std::string>{"1"});
+        QVERIFY_EXCEPTION_THROWN(StudyStore(folder, Access::Write), protocols::Error);
+        QCOMPARE(reader.run("COMMIT"), std::string());
+        QCOMPARE(reader.rows("PRAGMA user_version"), std::vector<std::string>{"2"});
+    }
+
+private:
+    StudyFolder at(const char* name) const { return {m_place->filePath(name).toStdString()}; }
+    StudyFolder half() const { return at("half"); }
+    std::unique_ptr<QTemporaryDir> m_place;
+};
+
+QTEST_GUILESS_MAIN(StudyUpgradeTest)
+#include "study_upgrade_test.moc"

@@ -113,6 +113,7 @@ const QList<Room>& rooms()
          "the statistics by name, for scripts",
          {"rendering/images/", "rendering/signals/", "stats/", "protocols/"}},
         {"study/analyse/power/", "what a planned study can detect", {"study/analyse/", "stats/", "protocols/"}},
+        {"study/leaks/", "attacks on a blinded study: what each role could learn", {"database/", "stats/", "protocols/"}, true},
         {"study/records/",
          "a stored study as reports, status and export see it",
          {"study/session/", "reports/", "database/", "rendering/display/stimulus_bank.h", "stats/", "protocols/"},

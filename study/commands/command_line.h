@@ -39,6 +39,7 @@ void addReport(CLI::App& app, Action& action);
 void addExport(CLI::App& app, Action& action);
 void addUnblind(CLI::App& app, Action& action);
 void addVerify(CLI::App& app, Action& action);
+void addLeakCheck(CLI::App& app, Action& action);
 void addErase(CLI::App& app, Action& action);
 void addBackup(CLI::App& app, Action& action);
 void addRescue(CLI::App& app, Action& action);

@@ -1,4 +1,6 @@
 // vis2hap export STUDY --out DIR [--format csv|json|script]: answers after the unblinding, before it progress and aggregates
+#include "study/commands/export_command.h"
+
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <functional>
@@ -166,6 +168,17 @@ void writeBlinded(const Export& job, const std::string& format, const std::optio
 int exportStudy(const std::string& study, const std::string& out, const std::string& format, const PassphraseOption& passphrase)
 {
     const auto store = records::openStudy(study);
+    writeExport(store, out, format, passphraseFrom(passphrase));
+    std::printf("%s: %s as %s%s\n", out.c_str(), reports::counted(store.answers().size(), "answer").c_str(), format.c_str(),
+                store.unblinding() ? "" : ", blinded (no condition, no fabric)");
+    return 0;
+}
+
+}  // namespace
+
+void writeExport(const database::StudyStore& store, const fs::path& out, const std::string& format,
+                 const database::Passphrase& passphrase)
+{
     auto facts = store.facts();
     const auto protocol = records::protocolOf(facts);
     const bool blinded = !store.unblinding();
@@ -175,18 +188,13 @@ int exportStudy(const std::string& study, const std::string& out, const std::str
     if (format == "script")
         players::writeScripts(job.store, job.naming, job.out);
     else if (blinded)
-        writeBlinded(job, format, records::studyData(store, passphraseFrom(passphrase)));
+        writeBlinded(job, format, records::studyData(store, passphrase));
     else if (format == "csv")
         writeCsv(job);
     else
         writeJsonExport(job);
     draft.putInPlace();
-    std::printf("%s: %s as %s%s\n", out.c_str(), reports::counted(store.answers().size(), "answer").c_str(), format.c_str(),
-                blinded ? ", blinded (no condition, no fabric)" : "");
-    return 0;
 }
-
-}  // namespace
 
 void addExport(CLI::App& app, Action& action)
 {

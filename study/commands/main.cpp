@@ -77,6 +77,7 @@ int run(int argc, char** argv)
     study::commands::addExport(app, action);
     study::commands::addUnblind(app, action);
     study::commands::addVerify(app, action);
+    study::commands::addLeakCheck(app, action);
     study::commands::addErase(app, action);
     study::commands::addBackup(app, action);
     study::commands::addRescue(app, action);

@@ -183,6 +183,8 @@ reports::StudyData sealedStudyData(const database::StudyStore& store)
                     protocols::FabricId("presentation " + std::to_string(place)), "sealed"};
     }
     readAnswers(store, protocol, sealed, data);
+    // All presentations lie in one cell here, so that each is a repetition of its own.
+    for (auto& response : data.responses) response.repetition = std::to_string(response.trial.value_or(0));
     return data;
 }
 

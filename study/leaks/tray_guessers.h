@@ -7,7 +7,7 @@
 #include "protocols/counterbalancing.h"
 #include "protocols/random.h"
 
-namespace tray_guessers {
+namespace study::leaks {
 
 /// Everything that an operator can collect over a study: fabrics by [participant][presentation][slot].
 using SeenTrays = std::vector<std::vector<std::vector<int>>>;
@@ -30,4 +30,4 @@ Belief beliefOfChain(const SeenTrays& trays);
 /// counts how often each slot is true in them.
 Belief beliefOfSampler(const SeenTrays& trays, std::int64_t moves, protocols::Random& random);
 
-}  // namespace tray_guessers
+}  // namespace study::leaks

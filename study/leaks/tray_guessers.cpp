@@ -1,4 +1,4 @@
-#include "tests/protocols/tray_guessers.h"
+#include "study/leaks/tray_guessers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 
 using namespace protocols;
 
-namespace tray_guessers {
+namespace study::leaks {
 
 namespace {
 
@@ -346,8 +346,7 @@ Belief beliefOfChain(const SeenTrays& trays) { return Chain(trays).run(40); }
 Belief beliefOfSampler(const SeenTrays& trays, std::int64_t moves, Random& random)
 {
     constexpr double hot = 4;
-    const char* env = std::getenv("TL_COLD");
-    const double cold = env ? std::atof(env) : 0.7;
+    constexpr double cold = 0.7;
     Assignment assignment(trays, random);
     Belief belief = evenBelief(trays);
     const std::int64_t cooling = moves / 4;
@@ -366,4 +365,4 @@ Belief beliefOfSampler(const SeenTrays& trays, std::int64_t moves, Random& rando
     return belief;
 }
 
-}  // namespace tray_guessers
+}  // namespace study::leaks

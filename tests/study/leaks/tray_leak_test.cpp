@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "protocols/protocol_json.h"
-#include "tests/protocols/tray_guessers.h"
+#include "study/leaks/tray_guessers.h"
 
 using namespace protocols;
 
@@ -71,7 +71,7 @@ private Q_SLOTS:
         Share share;
         for (quint64 seed = 1; seed <= designs(); ++seed) {
             const Design design = drawDesign(paper(), seed);
-            share.hits += tray_guessers::hitsOf(tray_guessers::beliefOfChain(tray_guessers::seenOf(design)), design);
+            share.hits += study::leaks::hitsOf(study::leaks::beliefOfChain(study::leaks::seenOf(design)), design);
             share.trials += presentations;
         }
         QVERIFY(isAtChance(share, 3));

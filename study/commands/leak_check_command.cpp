@@ -1,0 +1,73 @@
+// vis2hap leak-check STUDY [--json [FILE]]: attacks the study as each role could and prints what the role learns
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "protocols/files/errors.h"
+#include "protocols/files/whole_file.h"
+#include "study/commands/command_line.h"
+#include "study/commands/export_command.h"
+#include "study/commands/json_output.h"
+#include "study/commands/passphrase_option.h"
+#include "study/leaks/leak_text.h"
+#include "study/records/blinded_report.h"
+#include "study/records/stored_study.h"
+#include "study/records/study_status.h"
+
+namespace study::commands {
+
+namespace {
+
+/// Everything that the program writes about a blinded study without its key.
+std::vector<leaks::Exporter> exportersOf(const database::StudyStore& store)
+{
+    const database::Passphrase nobody = [] { return std::nullopt; };
+    std::vector<leaks::Exporter> exporters;
+    for (const char* format : {"csv", "json", "script"})
+        exporters.push_back({std::string("export --format ") + format, [&store, format, nobody](const auto& folder) {
+                                 writeExport(store, folder / "out", format, nobody);
+                             }});
+    exporters.push_back({"report", [&store](const auto& folder) {
+                             reports::writeProgressReport(records::blindedReport(store), folder / "out");
+                         }});
+    exporters.push_back({"study status", [&store, nobody](const auto& folder) {
+                             protocols::writeWholeFile(folder / "status.json", records::statusOf(store, nobody).dump(1),
+                                                       protocols::Sync::Later);
+                         }});
+    return exporters;
+}
+
+int leakCheck(const std::string& study, const PassphraseOption& passphrase, const JsonTarget& target)
+{
+    const auto store = records::openStudy(study);
+    const auto key = readKeyForAggregates(store, passphraseFrom(passphrase));
+    const auto report = leaks::leakReport(store, key, exportersOf(store));
+    if (target)
+        writeJson(target, leaks::jsonOf(report));
+    else
+        std::fputs(leaks::textOf(report).c_str(), stdout);
+    return static_cast<int>(report.learnsNothing() ? protocols::ExitCode::Done : protocols::ExitCode::WorkFailed);
+}
+
+}  // namespace
+
+void addLeakCheck(CLI::App& app, Action& action)
+{
+    struct Call {
+        std::string study;
+        PassphraseOption passphrase;
+        JsonTarget target;
+    };
+    auto* command = app.add_subcommand("leak-check", "attack a blinded study and print what each role could learn");
+    auto call = std::make_shared<Call>();
+    command->add_option("STUDY", call->study, "the study")->required();
+    addPassphraseOption(*command, call->passphrase);
+    addJsonOption(*command, call->target);
+    command->callback([call, &action] {
+        action.surroundings = Surroundings::Core;
+        action.work = [call] { return leakCheck(call->study, call->passphrase, call->target); };
+    });
+}
+
+}  // namespace study::commands

@@ -1,0 +1,152 @@
+#include "study/leaks/leak_report.h"
+
+#include <algorithm>
+#include <set>
+
+#include "database/station_key.h"
+#include "protocols/files/errors.h"
+#include "protocols/files/temporary_folder.h"
+#include "study/leaks/readable_files.h"
+
+namespace study::leaks {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+Truth truthOf(const database::StudyStore& store, const protocols::AllocationKey& key, const SeenStudy& seen)
+{
+    Truth truth;
+    std::map<int, std::vector<protocols::BlindedTrial>> lists;
+    for (const SeenTrial& trial : seen.trials) {
+        if (!lists.contains(trial.slot)) lists[trial.slot] = store.trials(trial.slot);
+        const auto& entry = key.entryOf(lists[trial.slot].at(static_cast<std::size_t>(trial.number) - 1));
+        truth.trials.push_back({entry.fabric.value, entry.condition.value});
+    }
+    for (const auto& [code, entry] : key.entries) truth.files[code.value] = {entry.fabric.value, entry.condition.value};
+    return truth;
+}
+
+/// The images that the station key leads to, and the pieces that they name through the rating trials.
+LeakReport::StationKey withStationKey(const database::StudyStore& store, const SeenStudy& seen, const std::optional<Truth>& truth)
+{
+    LeakReport::StationKey result;
+    std::optional<protocols::SecretKey> key;
+    try {
+        key = database::readStationKey(store);
+    } catch (const protocols::Error&) {
+        return result;
+    }
+    result.isReadable = true;
+    std::map<int, std::vector<protocols::BlindedTrial>> lists;
+    std::vector<std::string> images;
+    std::map<std::string, std::string> fabrics;
+    for (const SeenTrial& trial : seen.trials) {
+        if (!lists.contains(trial.slot)) lists[trial.slot] = store.trials(trial.slot);
+        const auto& stored = lists[trial.slot].at(static_cast<std::size_t>(trial.number) - 1);
+        images.push_back(opened(stored.sealedCode, *key).value);
+        if (seen.showsTruth(trial)) fabrics[images.back()] = trial.tray.front();
+    }
+    for (std::size_t i = 0; i < images.size(); ++i) {
+        const auto named = fabrics.find(images[i]);
+        if (!seen.isChoice(seen.trials[i]) || named == fabrics.end()) continue;
+        ++result.named;
+        result.hits += truth && truth->trials[i].fabric == named->second;
+    }
+    result.images = std::set<std::string>(images.begin(), images.end()).size();
+    return result;
+}
+
+/// A secret drawn from a small number can be found by trying all small numbers: a sealed code opens with the right one.
+std::vector<std::string> guessedSecrets(const database::StudyStore& store, const SeenStudy& seen)
+{
+    constexpr std::uint64_t most = 1000;
+    const auto list = store.trials(seen.trials.front().slot);
+    for (std::uint64_t seed = 0; seed <= most; ++seed) try {
+            const std::uint64_t tried = seed == most ? seen.publicSeed : seed;
+            opened(list.front().sealedCode, stationKeyOf(protocols::SecretKey::ofSeed(tried)));
+            return {"the secret was drawn from the number " + std::to_string(tried) +
+                    " (--key-seed): whoever tries small numbers opens the station key and the allocation"};
+        } catch (const protocols::Error&) {
+            continue;  // a wrong key, as expected
+        }
+    return {};
+}
+
+std::set<std::string> codesOf(const SeenStudy& seen)
+{
+    std::set<std::string> codes;
+    for (const SeenTrial& trial : seen.trials) codes.insert(trial.code);
+    return codes;
+}
+
+/// Every export that needs no key: words that it must not hold, and its tables for the guessers.
+void readExports(const std::vector<Exporter>& exporters, const SeenStudy& seen, LeakReport& report,
+                 std::vector<TextTable>& tables)
+{
+    for (const Exporter& exporter : exporters) {
+        const protocols::TemporaryFolder folder;
+        exporter.write(folder.path());
+        for (const auto& line : namedInTexts(folder.path(), seen.protocol))
+            report.findings.push_back(exporter.name + ": " + line);
+        for (auto& table : tablesOfFolder(folder.path(), codesOf(seen))) {
+            table.name = exporter.name + "/" + table.name;
+            tables.push_back(std::move(table));
+        }
+    }
+}
+
+}  // namespace
+
+std::vector<const Guess*> LeakReport::aboveChance() const
+{
+    std::vector<const Guess*> found;
+    for (const Guess& guess : guesses)
+        if (guess.pAdjusted < alpha) found.push_back(&guess);
+    std::ranges::stable_sort(found, {}, [](const Guess* guess) { return guess->p; });
+    return found;
+}
+
+bool LeakReport::learnsNothing() const
+{
+    return hasTruth && !isUnblinded && findings.empty() && modes.empty() && aboveChance().empty();
+}
+
+LeakReport leakReport(const database::StudyStore& store, const std::optional<protocols::AllocationKey>& key,
+                      const std::vector<Exporter>& exporters)
+{
+    const auto& folder = store.folder();
+    LeakReport report;
+    report.study = store.facts().name;
+    report.isUnblinded = store.unblinding().has_value();
+    report.modes = openModes(folder.folder);
+    auto tables = tablesOfDatabase(folder.database());
+    const SeenStudy seen = seenStudy(tables);
+    report.trials = seen.trials.size();
+    report.choices = static_cast<std::size_t>(
+        std::ranges::count_if(seen.trials, [&](const SeenTrial& trial) { return seen.isChoice(trial); }));
+    if (fs::exists(folder.allocationKey()))
+        report.findings.push_back("allocation-key.json lies open: whoever reads it knows everything");
+    for (const auto& line : differencesOfStimuli(folder.stimuli())) report.findings.push_back(line);
+    for (const auto& line : guessedSecrets(store, seen)) report.findings.push_back(line);
+    const std::set<fs::path> left{"study.db", "study.db-wal",     "study.db-shm",          "allocation-key.json",
+                                  ".lock",    "station-key.json", "allocation-key.sealed", "stimuli"};
+    for (auto& table : tablesOfFolder(folder.folder, codesOf(seen), left)) tables.push_back(std::move(table));
+    if (!report.isUnblinded) readExports(exporters, seen, report, tables);
+    const auto features = featuresOf(seen, tables, folder.database());
+    report.features = features.size();
+    std::optional<Truth> truth;
+    if (key) truth = truthOf(store, *key, seen);
+    report.hasTruth = truth.has_value();
+    report.stationKey = withStationKey(store, seen, truth);
+    if (!truth) return report;
+    for (auto guesses : {guessesByValues(seen, features, *truth), guessesByTrays(seen, *truth),
+                         guessesByFiles(marksOfStimuli(folder.stimuli()), *truth)})
+        report.guesses.insert(report.guesses.end(), guesses.begin(), guesses.end());
+    std::vector<Guess*> all;
+    for (Guess& guess : report.guesses) all.push_back(&guess);
+    correctForNumber(all);
+    return report;
+}
+
+}  // namespace study::leaks

@@ -1,0 +1,339 @@
+#include "study/leaks/seen_study.h"
+
+#include <algorithm>
+#include <charconv>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <set>
+
+#include "protocols/counterbalancing.h"
+#include "protocols/files/errors.h"
+#include "protocols/files/whole_file.h"
+#include "protocols/protocol_json.h"
+
+namespace study::leaks {
+
+namespace {
+
+/// Columns that hold what a participant answered, or how long the answer took. Answers are evidence that no seal can hide.
+constexpr const char* answerColumnNames[] = {"choice", "rating_tenths", "answer", "rating", "seconds", "n", "mean"};
+
+long long whole(const std::string& text)
+{
+    long long number = 0;
+    std::from_chars(text.data(), text.data() + text.size(), number);
+    return number;
+}
+
+const TextTable* tableNamed(const std::vector<TextTable>& tables, const char* name)
+{
+    const auto found = std::ranges::find(tables, name, &TextTable::name);
+    return found == tables.end() ? nullptr : &*found;
+}
+
+/// Each row as a function from column to cell.
+template <class Take>
+void eachRow(const std::vector<TextTable>& tables, const char* name, const Take& take)
+{
+    const TextTable* table = tableNamed(tables, name);
+    if (table == nullptr) return;
+    for (const auto& row : table->rows)
+        take([&](const char* column) {
+            const auto at = table->column(column);
+            return at ? row[*at] : std::string();
+        });
+}
+
+using Place = std::pair<int, int>;  ///< slot and number
+
+/// Finds the trial that a row names.
+class Trials {
+public:
+    explicit Trials(const SeenStudy& study)
+    {
+        for (std::size_t i = 0; i < study.trials.size(); ++i) {
+            const SeenTrial& trial = study.trials[i];
+            m_byPlace[{trial.slot, trial.number}] = i;
+            m_byCode[trial.code] = i;
+            if (!trial.participant.empty()) m_slots[trial.participant] = trial.slot;
+        }
+    }
+
+    std::optional<std::size_t> of(const TextTable& table, const std::vector<std::string>& row) const
+    {
+        const auto cell = [&](const char* column) {
+            const auto at = table.column(column);
+            return at ? row[*at] : std::string();
+        };
+        if (const auto found = m_byCode.find(cell("presentation_code")); found != m_byCode.end()) return found->second;
+        int slot = static_cast<int>(whole(cell("slot")));
+        if (const auto found = m_slots.find(cell("participant")); found != m_slots.end()) slot = found->second;
+        const std::string number = table.column("trial") ? cell("trial") : cell("number");
+        const auto found = m_byPlace.find({slot, static_cast<int>(whole(number))});
+        return found == m_byPlace.end() ? std::nullopt : std::optional(found->second);
+    }
+
+private:
+    std::map<Place, std::size_t> m_byPlace;
+    std::map<std::string, std::size_t> m_byCode;
+    std::map<std::string, int> m_slots;
+};
+
+bool isAnswer(const std::string& column)
+{
+    return std::ranges::any_of(answerColumnNames, [&](const char* name) { return column == name; });
+}
+
+class Features {
+public:
+    Features(const SeenStudy& study, const std::vector<TextTable>& tables) : m_study(study), m_tables(tables), m_trials(study) {}
+
+    std::vector<Feature> all(const std::filesystem::path& database)
+    {
+        for (const TextTable& table : m_tables) addTable(table);
+        addEvents();
+        addTimes();
+        addOrder();
+        addPlacesInFile(database);
+        addDesign();
+        addJoins();
+        return std::move(m_features);
+    }
+
+private:
+    std::vector<std::string> none() const { return std::vector<std::string>(m_study.trials.size()); }
+
+    void add(std::string name, std::vector<std::string> values)
+    {
+        std::set<std::string> different(values.begin(), values.end());
+        different.erase("");
+        if (different.size() < 2 || !m_known.insert(values).second) return;
+        m_features.push_back({std::move(name), std::move(values)});
+    }
+
+    /// The first and the last row of each trial, and the number of rows.
+    void addTable(const TextTable& table)
+    {
+        std::vector<std::vector<const std::vector<std::string>*>> rows(m_study.trials.size());
+        bool any = false;
+        for (const auto& row : table.rows)
+            if (const auto trial = m_trials.of(table, row)) {
+                rows[*trial].push_back(&row);
+                any = true;
+            }
+        if (!any) {
+            m_others.push_back(&table);
+            return;
+        }
+        auto counts = none();
+        for (std::size_t trial = 0; trial < rows.size(); ++trial) counts[trial] = std::to_string(rows[trial].size());
+        add(table.name + ": number of rows", counts);
+        for (std::size_t column = 0; column < table.columns.size(); ++column) {
+            if (isAnswer(table.columns[column])) continue;
+            auto first = none(), last = none();
+            for (std::size_t trial = 0; trial < rows.size(); ++trial) {
+                if (rows[trial].empty()) continue;
+                first[trial] = (*rows[trial].front())[column];
+                last[trial] = (*rows[trial].back())[column];
+            }
+            add(table.name + "." + table.columns[column], std::move(first));
+            add(table.name + "." + table.columns[column] + " (last row)", std::move(last));
+        }
+    }
+
+    /// The entry of each kind in the log that comes last before the first answer of a trial.
+    void addEvents()
+    {
+        const TextTable* events = tableNamed(m_tables, "events");
+        if (events == nullptr) return;
+        std::map<long long, std::size_t> answers;  // number of the entry -> trial
+        eachRow(m_tables, "responses", [&](const auto& cell) {
+            const TextTable place{"", {"participant", "trial"}, {}};
+            if (const auto trial = m_trials.of(place, {cell("participant"), cell("trial")}))
+                answers[whole(cell("event"))] = *trial;
+        });
+        std::map<std::string, std::vector<std::vector<std::string>>> values;                   // kind and column
+        std::map<std::string, std::map<std::string, const std::vector<std::string>*>> latest;  // participant, kind
+        const auto participant = events->column("participant"), kind = events->column("kind"),
+                   number = events->column("sequence");
+        if (!participant || !kind || !number) return;
+        for (const auto& row : events->rows) {
+            auto& own = latest[row[*participant]];
+            own[row[*kind]] = &row;
+            const auto trial = answers.find(whole(row[*number]));
+            if (trial == answers.end()) continue;
+            for (const auto& [name, entry] : own) {
+                auto& columns = values[name];
+                columns.resize(events->columns.size(), none());
+                for (std::size_t column = 0; column < entry->size(); ++column)
+                    if (columns[column][trial->second].empty()) columns[column][trial->second] = (*entry)[column];
+            }
+        }
+        for (auto& [name, columns] : values)
+            for (std::size_t column = 0; column < columns.size(); ++column)
+                if (!holdsAnswer(name, events->columns[column]))
+                    add("events (" + name + ")." + events->columns[column], std::move(columns[column]));
+    }
+
+    static bool holdsAnswer(const std::string& kind, const std::string& column)
+    {
+        return column == "payload" && (kind == "answered" || kind == "corrected");
+    }
+
+    /// Differences of stamps, without those that hold a participant's response time.
+    void addTimes()
+    {
+        auto changing = none(), touching = none(), storing = none();
+        std::map<std::string, long long> storedBefore;
+        std::set<std::size_t> seen;
+        eachRow(m_tables, "responses", [&](const auto& cell) {
+            const TextTable place{"", {"participant", "trial"}, {}};
+            const auto trial = m_trials.of(place, {cell("participant"), cell("trial")});
+            if (!trial) return;
+            auto& before = storedBefore[cell("participant")];
+            if (seen.insert(*trial).second) {
+                if (before > 0) changing[*trial] = std::to_string(whole(cell("ready_at")) - before);
+                if (!cell("touched_at").empty())
+                    touching[*trial] = std::to_string(whole(cell("touched_at")) - whole(cell("ready_at")));
+                storing[*trial] = std::to_string(whole(cell("stored_at")) - whole(cell("answered_at")));
+            }
+            before = whole(cell("stored_at"));
+        });
+        add("time from the last answer to the next image", std::move(changing));
+        add("time from the image to the touch", std::move(touching));
+        add("time that storing took", std::move(storing));
+    }
+
+    void addOrder()
+    {
+        auto forward = none(), backward = none();
+        std::map<std::pair<int, int>, int> counts;
+        for (const auto& trial : m_study.trials) ++counts[{trial.slot, trial.phase}];
+        std::map<std::pair<int, int>, int> done;
+        for (std::size_t i = 0; i < m_study.trials.size(); ++i) {
+            const std::pair<int, int> list{m_study.trials[i].slot, m_study.trials[i].phase};
+            const std::string slot = std::to_string(list.first) + "/";
+            forward[i] = slot + std::to_string(++done[list]);
+            backward[i] = slot + std::to_string(list.second == 0 ? done[list] : counts[list] + 1 - done[list]);
+        }
+        add("place in the phase", std::move(forward));
+        add("place in the phase, reversed", std::move(backward));
+    }
+
+    void addPlacesInFile(const std::filesystem::path& database)
+    {
+        const std::string bytes = protocols::readIfPossible(database).value_or("");
+        auto places = none();
+        for (std::size_t i = 0; i < places.size(); ++i)
+            if (const auto at = bytes.find(m_study.trials[i].code); at != std::string::npos) places[i] = std::to_string(at);
+        add("place in the bytes of study.db", std::move(places));
+    }
+
+    void addDesign()
+    {
+        const auto design = protocols::drawDesign(m_study.protocol, m_study.publicSeed);
+        auto labels = none(), fabrics = none();
+        for (std::size_t i = 0; i < m_study.trials.size(); ++i) {
+            const auto slot = static_cast<std::size_t>(m_study.trials[i].slot) - 1;
+            const auto number = static_cast<std::size_t>(m_study.trials[i].number) - 1;
+            if (slot >= design.participants.size() || number >= design.participants[slot].size()) continue;
+            const auto& trial = design.participants[slot][number];
+            labels[i] = std::to_string(trial.label);
+            fabrics[i] = m_study.fabrics.at(static_cast<std::size_t>(trial.fabric));
+        }
+        add("design of the public seed: label", std::move(labels));
+        add("design of the public seed: fabric", std::move(fabrics));
+    }
+
+    /// Values of other tables that a value beside a trial leads to.
+    void addJoins()
+    {
+        constexpr std::size_t fewest = 5, shortest = 4;
+        const std::size_t own = m_features.size();
+        for (std::size_t f = 0; f < own; ++f)
+            for (const TextTable* table : m_others)
+                for (std::size_t from = 0; from < table->columns.size(); ++from) {
+                    std::map<std::string, const std::vector<std::string>*> rows;
+                    for (const auto& row : table->rows)
+                        if (row[from].size() >= shortest) rows[row[from]] = &row;
+                    if (rows.empty()) continue;
+                    std::size_t found = 0;
+                    for (const auto& value : m_features[f].values) found += rows.contains(value);
+                    if (found < fewest) continue;
+                    for (std::size_t to = 0; to < table->columns.size(); ++to) addJoin(m_features[f], *table, from, to, rows);
+                }
+    }
+
+    void addJoin(const Feature& feature, const TextTable& table, std::size_t from, std::size_t to,
+                 const std::map<std::string, const std::vector<std::string>*>& rows)
+    {
+        if (from == to) return;
+        auto values = none();
+        for (std::size_t i = 0; i < values.size(); ++i)
+            if (const auto row = rows.find(feature.values[i]); row != rows.end()) values[i] = (*row->second)[to];
+        const std::string name = feature.name + " = " + table.name + "." + table.columns[from] + ": " + table.columns[to];
+        add(name, std::move(values));
+    }
+
+    const SeenStudy& m_study;
+    const std::vector<TextTable>& m_tables;
+    Trials m_trials;
+    std::vector<const TextTable*> m_others;
+    std::set<std::vector<std::string>> m_known;
+    std::vector<Feature> m_features;
+};
+
+}  // namespace
+
+bool SeenStudy::showsTruth(const SeenTrial& trial) const
+{
+    const auto rule = trayRuleOf(protocol.phases.at(static_cast<std::size_t>(trial.phase)).task);
+    return std::holds_alternative<protocols::TrueAlone>(rule);
+}
+
+bool SeenStudy::isChoice(const SeenTrial& trial) const
+{
+    const auto rule = trayRuleOf(protocol.phases.at(static_cast<std::size_t>(trial.phase)).task);
+    return std::holds_alternative<protocols::TrueAmongFoils>(rule);
+}
+
+SeenStudy seenStudy(const std::vector<TextTable>& database, std::size_t most)
+{
+    SeenStudy study;
+    eachRow(database, "study", [&](const auto& cell) {
+        study.protocol = protocols::protocolFromJson(cell("protocol_json"), "protocol of the study");
+        const std::string seed = cell("design_seed");
+        std::from_chars(seed.data(), seed.data() + seed.size(), study.publicSeed);
+    });
+    eachRow(database, "fabrics", [&](const auto& cell) { study.fabrics.push_back(cell("id")); });
+    std::map<std::string, std::string> participants;  // slot -> participant
+    eachRow(database, "participants", [&](const auto& cell) {
+        if (cell("state") != "withdrawn") participants[cell("slot")] = cell("id");
+    });
+    eachRow(database, "swatches", [&](const auto& cell) {
+        const auto slot = static_cast<std::size_t>(whole(cell("slot")));
+        if (study.pieceCodes.size() < slot) study.pieceCodes.resize(slot);
+        study.pieceCodes[slot - 1][cell("fabric")] = cell("code");
+    });
+    eachRow(database, "trials", [&](const auto& cell) {
+        study.trials.push_back({static_cast<int>(whole(cell("slot"))), static_cast<int>(whole(cell("number"))),
+                                static_cast<int>(whole(cell("phase"))), participants[cell("slot")], cell("presentation_code"),
+                                nlohmann::json::parse(cell("alternatives")).template get<std::vector<std::string>>()});
+    });
+    if (study.trials.empty())
+        throw protocols::workFailed({"the study has no trials", "study.db", "the trials of a study", "run vis2hap verify"});
+    std::ranges::sort(study.trials, {}, [](const SeenTrial& trial) { return Place{trial.slot, trial.number}; });
+    if (study.trials.size() > most) {
+        const int lastSlot = study.trials[most].slot - 1;
+        std::erase_if(study.trials, [&](const SeenTrial& trial) { return trial.slot > std::max(lastSlot, 1); });
+    }
+    return study;
+}
+
+std::vector<Feature> featuresOf(const SeenStudy& study, const std::vector<TextTable>& tables,
+                                const std::filesystem::path& database)
+{
+    return Features(study, tables).all(database);
+}
+
+}  // namespace study::leaks

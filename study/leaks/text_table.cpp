@@ -1,0 +1,150 @@
+#include "study/leaks/text_table.h"
+
+#include <QSqlRecord>
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "database/sqlite_connection.h"
+#include "protocols/files/csv_table.h"
+#include "protocols/files/errors.h"
+#include "protocols/files/whole_file.h"
+
+namespace study::leaks {
+
+namespace {
+
+namespace fs = std::filesystem;
+using database::SqliteConnection;
+using nlohmann::json;
+
+TextTable tableInDatabase(const SqliteConnection& sqlite, const QString& name, const QString& columns)
+{
+    QSqlQuery query = sqlite.run(QStringLiteral("SELECT %1 FROM \"%2\"").arg(columns, name));
+    TextTable table{database::fromQt(name), {}, {}};
+    const QSqlRecord record = query.record();
+    for (int column = 0; column < record.count(); ++column) table.columns.push_back(record.fieldName(column).toStdString());
+    while (query.next()) {
+        auto& row = table.rows.emplace_back();
+        for (int column = 0; column < record.count(); ++column) row.push_back(database::fromQt(query.value(column)));
+    }
+    return table;
+}
+
+bool isWithoutRowid(const QString& sql) { return sql.contains(QStringLiteral("WITHOUT ROWID")); }
+
+std::string textOfCell(const json& value) { return value.is_string() ? value.get<std::string>() : value.dump(); }
+
+/// The plain fields of an object and of the objects around it.
+using Fields = std::vector<std::pair<std::string, std::string>>;
+
+Fields fieldsOf(const json& object, Fields around)
+{
+    for (const auto& [name, value] : object.items())
+        if (!value.is_object() && !(value.is_array() && !value.empty() && value.front().is_object())) {
+            std::erase_if(around, [&, &key = name](const auto& field) { return field.first == key; });
+            around.emplace_back(name, textOfCell(value));
+        }
+    return around;
+}
+
+void addRow(TextTable& table, const Fields& fields)
+{
+    std::vector<std::string> row(table.columns.size());
+    for (const auto& [name, value] : fields) {
+        const auto found = table.column(name);
+        if (!found) {
+            table.columns.push_back(name);
+            row.push_back(value);
+        } else {
+            row.at(*found) = value;
+        }
+    }
+    table.rows.push_back(std::move(row));
+}
+
+void collectTables(const json& value, const std::string& name, const Fields& around, std::vector<TextTable>& tables)
+{
+    if (value.is_object()) {
+        const Fields fields = fieldsOf(value, around);
+        for (const auto& [key, inner] : value.items())
+            if (inner.is_structured()) collectTables(inner, name + "/" + key, fields, tables);
+    } else if (value.is_array()) {
+        TextTable table{name, {}, {}};
+        for (const auto& item : value) {
+            if (!item.is_object()) continue;
+            addRow(table, fieldsOf(item, around));
+            collectTables(item, name, around, tables);
+        }
+        for (auto& row : table.rows) row.resize(table.columns.size());
+        if (!table.rows.empty()) tables.push_back(std::move(table));
+    }
+}
+
+/// One row for each word in each line.
+TextTable linesWith(const std::set<std::string>& words, const std::string& text, const std::string& name)
+{
+    TextTable table{name, {"presentation_code", "line"}, {}};
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);)
+        for (std::size_t at = 0; at < line.size();) {
+            const auto isLetter = [&](std::size_t i) { return std::isalnum(static_cast<unsigned char>(line[i])) != 0; };
+            std::size_t end = at;
+            while (end < line.size() && isLetter(end)) ++end;
+            if (const auto word = line.substr(at, end - at); words.contains(word)) table.rows.push_back({word, line});
+            at = end + 1;
+        }
+    return table;
+}
+
+std::vector<TextTable> tablesOfFile(const fs::path& file, const std::string& name, const std::set<std::string>& words)
+{
+    const std::string text = protocols::readIfPossible(file).value_or("");
+    std::vector<TextTable> tables;
+    if (file.extension() == ".csv") try {
+            auto csv = protocols::csvTableFrom(text, name);
+            return {{name, std::move(csv.columns), std::move(csv.rows)}};
+        } catch (const protocols::Error&) {
+            // Read as lines below.
+        }
+    if (const auto content = json::parse(text, nullptr, false); !content.is_discarded() && content.is_structured())
+        collectTables(content, name, {}, tables);
+    else if (auto lines = linesWith(words, text, name); !lines.rows.empty())
+        tables.push_back(std::move(lines));
+    return tables;
+}
+
+}  // namespace
+
+std::optional<std::size_t> TextTable::column(const std::string& wanted) const
+{
+    const auto found = std::ranges::find(columns, wanted);
+    return found == columns.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - columns.begin()));
+}
+
+std::vector<TextTable> tablesOfDatabase(const fs::path& file)
+{
+    const SqliteConnection sqlite(file, SqliteConnection::Mode::Read);
+    std::vector<TextTable> tables;
+    QSqlQuery names = sqlite.run(QStringLiteral("SELECT name, type, sql FROM sqlite_master WHERE type IN ('table', 'view')"));
+    while (names.next()) {
+        const bool hasRowid = names.value(1).toString() == "table" && !isWithoutRowid(names.value(2).toString());
+        tables.push_back(tableInDatabase(sqlite, names.value(0).toString(),
+                                         hasRowid ? QStringLiteral("rowid AS rowid, *") : QStringLiteral("*")));
+    }
+    return tables;
+}
+
+std::vector<TextTable> tablesOfFolder(const fs::path& folder, const std::set<std::string>& words, const std::set<fs::path>& left)
+{
+    std::vector<TextTable> tables;
+    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+        const fs::path name = entry.path().lexically_relative(folder);
+        if (!entry.is_regular_file() || left.contains(name) || left.contains(*name.begin())) continue;
+        for (auto& table : tablesOfFile(entry.path(), name.string(), words)) tables.push_back(std::move(table));
+    }
+    std::ranges::sort(tables, {}, &TextTable::name);
+    return tables;
+}
+
+}  // namespace study::leaks

@@ -1,0 +1,290 @@
+// The leak check finds nothing in studies of the paper's size, and finds every leak that is planted in them.
+#include <sys/stat.h>
+
+#include <QTemporaryDir>
+#include <QtTest>
+#include <algorithm>
+#include <fstream>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "database/keys.h"
+#include "protocols/files/whole_file.h"
+#include "protocols/protocol_json.h"
+#include "study/leaks/leak_text.h"
+#include "study/players/session_script.h"
+#include "study/records/blinded_report.h"
+#include "tests/support/played_session.h"
+#include "tests/support/program.h"
+#include "tests/support/raw_sqlite.h"
+#include "tests/support/study_builder.h"
+
+using namespace study::leaks;
+using namespace tests::support;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A secret that nobody tries.
+constexpr std::uint64_t secretSeeds[] = {0x51ab3e6f0c24d987, 0x7e0d92c4418fb365, 0x2f86a1d95be73c08, 0xc4907fe31d52ab6e,
+                                         0x98d3016b7cfae542};
+
+void closeToOthers(const fs::path& study)
+{
+    fs::permissions(study, fs::perms::owner_all);
+    for (const auto& entry : fs::recursive_directory_iterator(study))
+        fs::permissions(entry.path(),
+                        entry.is_directory() ? fs::perms::owner_all : fs::perms::owner_read | fs::perms::owner_write);
+}
+
+/// A study of the paper with images of 16 x 10 pixels. Where no session is played, the key leaves the folder instead of being
+/// sealed: a passphrase costs half a second.
+struct PaperStudy {
+    explicit PaperStudy(std::uint64_t designSeed, std::uint64_t keySeed, int sessions = 0)
+    {
+        StudyRecipe recipe;
+        recipe.fabrics = 7;
+        recipe.protocol = std::string(protocols::paperProtocolJson());
+        recipe.designSeed = designSeed;
+        recipe.keySeed = keySeed;
+        recipe.hasSwatchCodes = true;
+        if (sessions > 0) recipe.passphrase = "four words of wool";
+        folder = buildStudy(fs::path(temporary.path().toStdString()) / "study", recipe);
+        key = readAllocationKeyForTestDriver(store(), database::ParticipantKind::Scripted, [&] { return recipe.passphrase; });
+        fs::remove(folder.allocationKey());
+        for (int number = 1; number <= sessions; ++number) OpenSession(folder, "S" + std::to_string(number)).playToEnd();
+        closeToOthers(folder.folder);
+    }
+
+    database::StudyStore store() const { return {folder, database::StudyStore::Access::Read}; }
+
+    /// What the trial shows.
+    const protocols::AllocationKey::Entry& shown(const protocols::BlindedTrial& trial) const { return key.entryOf(trial); }
+
+    /// A new table with a text beside each trial.
+    void plant(const std::function<std::string(const protocols::BlindedTrial&, protocols::Random&)>& textOf) const
+    {
+        RawSqlite sqlite(folder.database());
+        QCOMPARE(sqlite.run("CREATE TABLE planted(slot INTEGER, number INTEGER, text TEXT); BEGIN"), "");
+        protocols::Random random(3);
+        const auto open = store();
+        for (const auto& slot : open.slots())
+            for (const auto& trial : open.trials(slot.number))
+                QCOMPARE(sqlite.run("INSERT INTO planted VALUES(" + std::to_string(slot.number) + ", " +
+                                    std::to_string(trial.number.value) + ", '" + textOf(trial, random) + "')"),
+                         "");
+        QCOMPARE(sqlite.run("COMMIT"), "");
+    }
+
+    LeakReport check(const std::vector<Exporter>& exporters = {}) const { return leakReport(store(), key, exporters); }
+
+    QTemporaryDir temporary;
+    database::StudyFolder folder;
+    protocols::AllocationKey key;
+};
+
+std::vector<Exporter> exportersOf(const database::StudyStore& store)
+{
+    return {{"script", [&store](const auto& out) { study::players::writeScripts(store, nullptr, out); }},
+            {"report",
+             [&store](const auto& out) { reports::writeProgressReport(study::records::blindedReport(store), out / "report"); }}};
+}
+
+bool finds(const LeakReport& report, const std::string& attack, const std::string& target)
+{
+    const auto above = report.aboveChance();
+    return std::ranges::any_of(
+        above, [&](const Guess* guess) { return guess->attack.find(attack) != std::string::npos && guess->target == target; });
+}
+
+void show(const LeakReport& report) { std::printf("%s", textOf(report).c_str()); }
+
+}  // namespace
+
+class LeakCheckTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void studiesOfThePaperLeakNothing_data()
+    {
+        QTest::addColumn<int>("seed");
+        for (int seed = 0; seed < 5; ++seed) QTest::addRow("seed %d", seed + 1) << seed;
+    }
+
+    /// 630 choice trials each. All sessions are played, so that the log and the times are full.
+    void studiesOfThePaperLeakNothing()
+    {
+        QFETCH(const int, seed);
+        const PaperStudy study(static_cast<std::uint64_t>(seed) + 1, secretSeeds[seed], 10);
+        const auto store = study.store();
+        const auto report = study.check(exportersOf(store));
+        if (seed == 0 || !report.learnsNothing()) show(report);
+        QCOMPARE(report.choices, std::size_t{630});
+        QVERIFY(report.guesses.size() > 300);
+        QVERIFY(report.aboveChance().empty());
+        QCOMPARE(report.findings, std::vector<std::string>());
+        QVERIFY(report.learnsNothing());
+        // The station key names every piece, as the README says.
+        QCOMPARE(report.stationKey.hits, std::size_t{630});
+        QCOMPARE(report.stationKey.images, std::size_t{63});
+    }
+
+    void equalCodesOfEqualRenderingsAreFound()
+    {
+        const PaperStudy study(1, secretSeeds[0]);
+        const auto stationKey = stationKeyOf(study.key.secret);
+        study.plant([&](const auto& trial, auto&) { return opened(trial.sealedCode, stationKey).value; });
+        const auto report = study.check();
+        QVERIFY(finds(report, "equal to a rating trial", "true piece"));
+        QVERIFY(std::ranges::any_of(report.guesses, [](const Guess& guess) {
+            return guess.attack == "equal to a rating trial" && guess.hits == 630;  // as in 0.5.0
+        }));
+        QVERIFY(finds(report, "learned condition", "condition"));
+        QVERIFY(!report.learnsNothing());
+    }
+
+    void partsThatRenderingsShareAreFound()
+    {
+        const PaperStudy study(1, secretSeeds[0]);
+        const auto stationKey = stationKeyOf(study.key.secret);
+        study.plant([&](const auto& trial, auto& random) {
+            const std::string code = opened(trial.sealedCode, stationKey).value;
+            return std::to_string(random.below(100'000'000) + 100'000'000) + code.substr(0, 5) + std::to_string(random.below(9));
+        });
+        const auto report = study.check();
+        QVERIFY(finds(report, "nearest by letters", "true piece"));
+        QVERIFY(finds(report, "all letters together", "true piece"));
+    }
+
+    void timesOfTheImagesAreFound()
+    {
+        const PaperStudy study(1, secretSeeds[0]);
+        const auto stationKey = stationKeyOf(study.key.secret);
+        study.plant([&](const auto& trial, auto& random) {
+            std::size_t time = 0;
+            for (const char letter : opened(trial.sealedCode, stationKey).value)
+                time = (time * 31 + static_cast<std::size_t>(letter)) % 1'000'003;
+            return std::to_string(time * 100 + random.below(900));
+        });
+        QVERIFY(finds(study.check(), "nearest by order: rating trial", "true piece"));
+    }
+
+    void aColumnOfUnknownLabelsIsFound()
+    {
+        const PaperStudy study(1, secretSeeds[0]);
+        study.plant(
+            [&](const auto& trial, auto&) { return "w" + std::to_string(study.shown(trial).label.value[1] * 7919 % 1013); });
+        QVERIFY(finds(study.check(), "equal values: learned condition", "condition"));
+    }
+
+    /// One third of the trials name their piece; the others hold a word drawn at random.
+    void aColumnThatNamesSomePiecesIsFound()
+    {
+        const PaperStudy study(1, secretSeeds[0]);
+        study.plant([&](const auto& trial, auto& random) {
+            const auto& tray = trial.alternatives;
+            return random.below(3) == 0 ? study.shown(trial).fabric.value : tray[random.below(tray.size())].value;
+        });
+        QVERIFY(finds(study.check(), "names a piece", "true piece"));
+    }
+
+    void theTrueSlotAsANumberIsFound()
+    {
+        const PaperStudy study(1, secretSeeds[0]);
+        study.plant([&](const auto& trial, auto& random) {
+            const auto slot = std::ranges::find(trial.alternatives, study.shown(trial).fabric) - trial.alternatives.begin();
+            return std::to_string(random.below(1000) * trial.alternatives.size() + static_cast<std::size_t>(slot));
+        });
+        QVERIFY(finds(study.check(), "number modulo", "true piece"));
+    }
+
+    void filesOfOtherSizesAndContentsAreFound()
+    {
+        const PaperStudy study(1, secretSeeds[0]);
+        for (const auto& [code, entry] : study.key.entries)
+            if (entry.condition.value == "f")
+                std::ofstream(study.folder.stimuli() / (code.value + ".sealed"), std::ios::app) << std::string(4000, 'a');
+        const auto report = study.check();
+        QVERIFY(std::ranges::find(report.findings, "the stimuli have 2 different sizes") != report.findings.end());
+        QVERIFY(std::ranges::find(report.findings, "the stimuli have 2 different time stamps") == report.findings.end());
+        QVERIFY(std::ranges::find(report.findings, "7 stimuli can be compressed: their content shows") != report.findings.end());
+        QVERIFY(!report.learnsNothing());
+    }
+
+    void filesWrittenInTheOrderOfConditionsAreFound()
+    {
+        const PaperStudy study(1, secretSeeds[0]);
+        std::vector<std::pair<std::string, fs::path>> files;
+        for (const auto& [code, entry] : study.key.entries)
+            files.emplace_back(entry.condition.value, study.folder.stimuli() / (code.value + ".sealed"));
+        std::ranges::sort(files);
+        for (const auto& [condition, file] : files) {
+            QCOMPARE(::chmod(file.c_str(), 0600), 0);  // the time of the last change of its status is now
+            std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        }
+        QVERIFY(finds(study.check(), "nearest file", "condition of a file"));
+    }
+
+    void exportsThatNameConditionsOrFabricsAreFound()
+    {
+        const PaperStudy study(1, secretSeeds[0], 1);
+        const Exporter careless{"careless", [&](const fs::path& out) {
+                                    std::ofstream csv(out / "answers.csv");
+                                    csv << "participant,trial,fabric,condition,correct\n";
+                                    const auto open = study.store();
+                                    for (const auto& trial : open.trials(1))
+                                        csv << "S1," << trial.number.value << ',' << study.shown(trial).fabric.value << ','
+                                            << study.shown(trial).label.value << ",1\n";
+                                }};
+        const auto report = study.check({careless});
+        QVERIFY(finds(report, "names a piece", "true piece"));
+        QVERIFY(!report.findings.empty() && report.findings.front().starts_with("careless: answers.csv names correct, "));
+    }
+
+    void openFilesAndSmallSecretsAreFound()
+    {
+        const PaperStudy study(1, 2);
+        fs::permissions(study.folder.protocol(), fs::perms::others_read, fs::perm_options::add);
+        const auto report = study.check();
+        QCOMPARE(report.modes, std::vector<std::string>{"protocol.json has mode 0604 (expected 0600)"});
+        QCOMPARE(report.findings.size(), std::size_t{1});
+        QVERIFY(report.findings.front().starts_with("the secret was drawn from the number 2 "));
+        QVERIFY(!report.learnsNothing());
+    }
+
+    void nothingIsCountedWithoutTheKey()
+    {
+        const PaperStudy study(1, secretSeeds[0]);
+        const auto report = leakReport(study.store(), std::nullopt, {});
+        QVERIFY(report.guesses.empty() && !report.learnsNothing());
+        QVERIFY(jsonOf(report)["guessers"].is_null());
+        QVERIFY(QString::fromStdString(textOf(report)).contains("hits cannot be counted"));
+    }
+
+    /// The program itself, with its own exports and a real passphrase.
+    void theCommandPrintsTheVerdicts()
+    {
+        QTemporaryDir temporary;
+        StudyRecipe recipe;
+        recipe.keySeed = secretSeeds[0];
+        recipe.passphrase = "four words of wool";
+        const auto folder = buildStudy(fs::path(temporary.path().toStdString()) / "study", recipe);
+        closeToOthers(folder.folder);
+        const auto word = fs::path(temporary.path().toStdString()) / "passphrase";
+        protocols::writeWholeFile(word, "four words of wool\n");
+        const auto run = support::runProgram({"leak-check", QString::fromStdString(folder.folder.string()), "--json",
+                                              "--passphrase-file", QString::fromStdString(word.string())});
+        QVERIFY2(run.exitCode == 0, qPrintable(run.err + run.out));
+        const auto json = nlohmann::json::parse(run.out.toStdString());
+        QCOMPARE(json["schema"].get<std::string>(), "vis2hap.leak-check/1");
+        QVERIFY(json["learns_nothing"].get<bool>());
+        QVERIFY(json["guessers"].size() > 100);
+        const auto text = support::runProgram({"leak-check", QString::fromStdString(folder.folder.string())});
+        QCOMPARE(text.exitCode, 1);
+        QVERIFY2(text.out.contains("hits cannot be counted"), qPrintable(text.out));
+    }
+};
+
+QTEST_GUILESS_MAIN(LeakCheckTest)
+#include "leak_check_test.moc"

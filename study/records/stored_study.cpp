@@ -111,6 +111,7 @@ reports::StudyData describedStudy(const database::StudyStore& store, const datab
     data.protocolSha256 = facts.protocolSha256;
     data.stamps = facts.stamps;
     describeProtocol(protocol, data);
+    data.blinded = !store.unblinding().has_value();  // decides whether the plan may name conditions
     describePlan(store, data);
     describeParticipants(store, data);
     data.expectedResponses =
@@ -156,7 +157,6 @@ std::optional<reports::StudyData> studyData(const database::StudyStore& store, c
     const auto naming = namingOf(store, protocol, passphrase);
     if (!naming) return std::nullopt;
     auto data = describedStudy(store, facts, protocol);
-    data.blinded = naming->blinded;
     data.conditions = naming->conditions;
     if (!data.blinded) data.signals = reports::signalsFromJson(facts.signalsJson);
     for (const auto& fabric : facts.fabrics) data.fabrics.push_back(fabric.value);

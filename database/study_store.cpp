@@ -125,7 +125,9 @@ StudyStore::StudyStore(const StudyFolder& folder, Access access)
     const auto mode = writes ? SqliteConnection::Mode::Write : SqliteConnection::Mode::Read;
     const StudyFolder opened = copy ? StudyFolder{copy->path()} : folder;
     m_connection.reset(new Connection{std::move(copy), opened, std::move(lock), {opened.database(), mode}});
-    if (writes) m_connection->files.emplace(opened.database());
+    if (!writes) return;
+    m_connection->sqlite.value(QStringLiteral("SELECT COUNT(*) FROM sqlite_master"));  // opens the write-ahead log
+    m_connection->files.emplace(opened.database());
 }
 
 StudyStore::~StudyStore() = default;

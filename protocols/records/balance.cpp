@@ -1,9 +1,8 @@
 #include "protocols/records/balance.h"
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "protocols/foil_sets.h"

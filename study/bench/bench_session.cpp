@@ -19,8 +19,8 @@
 #include "study/app/gui_operator.h"
 #include "study/app/main_window.h"
 #include "study/session/driver.h"
-#include "study/session/stimuli.h"
 #include "study/session/preparation.h"
+#include "study/session/stimuli.h"
 
 namespace study::bench {
 

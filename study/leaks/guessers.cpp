@@ -1,9 +1,10 @@
 #include "study/leaks/guessers.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
-#include <functional>
+#include <cstring>
 #include <limits>
 #include <optional>
 #include <set>
@@ -75,26 +76,40 @@ std::optional<double> numberIn(const std::string& text)
                                                                                              : std::nullopt;
 }
 
-/// What a guess can be: the classes of a trial, by name. For a piece they differ from trial to trial.
+/// What a guess can be. Classes are numbers: of a fabric, of a place on the tray, or of a condition.
 struct Question {
     std::string target;
-    std::vector<std::size_t> trials;                ///< guessed at
-    std::vector<std::vector<std::string>> classes;  ///< [of those trials]
-    std::vector<std::size_t> truth;                 ///< index into its classes
+    std::vector<std::size_t> trials;        ///< guessed at
+    std::vector<std::vector<int>> classes;  ///< [of those trials]
+    std::vector<std::size_t> truth;         ///< index into its classes
     std::vector<double> chance;
+    int kinds = 0;  ///< number of different classes
 };
 
 Question pieces(const SeenStudy& study, const Truth& truth)
 {
-    Question question{"true piece", {}, {}, {}, {}};
+    Question question{"true piece", {}, {}, {}, {}, static_cast<int>(study.fabrics.size())};
     for (std::size_t i = 0; i < study.trials.size(); ++i) {
         const auto& tray = study.trials[i].tray;
         const auto at = std::ranges::find(tray, truth.trials[i].fabric);
         if (!study.isChoice(study.trials[i]) || at == tray.end()) continue;
         question.trials.push_back(i);
-        question.classes.push_back(tray);
+        auto& classes = question.classes.emplace_back();
+        for (const auto& fabric : tray)
+            classes.push_back(static_cast<int>(std::ranges::find(study.fabrics, fabric) - study.fabrics.begin()));
         question.truth.push_back(static_cast<std::size_t>(at - tray.begin()));
         question.chance.push_back(1.0 / static_cast<double>(tray.size()));
+    }
+    return question;
+}
+
+/// The same question with the places on the tray as classes.
+Question places(Question question)
+{
+    question.kinds = 0;
+    for (auto& classes : question.classes) {
+        for (std::size_t place = 0; place < classes.size(); ++place) classes[place] = static_cast<int>(place);
+        question.kinds = std::max(question.kinds, static_cast<int>(classes.size()));
     }
     return question;
 }
@@ -103,16 +118,26 @@ Question pieces(const SeenStudy& study, const Truth& truth)
 Question classesOf(const std::string& target, const std::vector<std::size_t>& trials, const std::vector<std::string>& truth)
 {
     const std::set<std::string> names(truth.begin(), truth.end());
-    const std::vector<std::string> classes(names.begin(), names.end());
-    std::size_t commonest = 0;
-    for (const auto& name : classes) commonest = std::max(commonest, static_cast<std::size_t>(std::ranges::count(truth, name)));
+    std::vector<int> classes;
+    std::ptrdiff_t commonest = 0;
+    for (const auto& name : names) {
+        classes.push_back(static_cast<int>(classes.size()));
+        commonest = std::max(commonest, std::ranges::count(truth, name));
+    }
     const double chance = truth.empty() ? 1 : static_cast<double>(commonest) / static_cast<double>(truth.size());
-    Question question{target, trials, {}, {}, std::vector<double>(trials.size(), chance)};
+    Question question{target, trials, {}, {}, std::vector<double>(trials.size(), chance), static_cast<int>(classes.size())};
     for (const auto& own : truth) {
         question.classes.push_back(classes);
-        question.truth.push_back(static_cast<std::size_t>(std::ranges::find(classes, own) - classes.begin()));
+        question.truth.push_back(static_cast<std::size_t>(std::distance(names.begin(), names.find(own))));
     }
     return question;
+}
+
+std::vector<std::string> conditionNames(const Truth& truth)
+{
+    std::set<std::string> names;
+    for (const auto& shown : truth.trials) names.insert(shown.condition);
+    return {names.begin(), names.end()};
 }
 
 Question conditions(const SeenStudy& study, const Truth& truth)
@@ -139,273 +164,325 @@ Question sameness(const SeenStudy& study, const Truth& truth)
     return classesOf("same or different", trials, names);
 }
 
-/// Trials of which the guesser knows a class: the fabric on the tray of a rating trial, or the truth of another half.
+/// Trials of which the guesser knows the class: the fabric on the tray of a rating trial, or the truth of the other slots.
 struct Known {
     std::vector<std::size_t> trials;
-    std::vector<std::string> classes;
-};
-
-/// The classes of known trials with an equal value, each by its share of the class.
-class ByEqualValues {
-public:
-    ByEqualValues(const Known& known, const std::vector<std::string>& values)
-    {
-        std::map<std::string, double> totals;
-        for (std::size_t i = 0; i < known.trials.size(); ++i) {
-            const auto& value = values[known.trials[i]];
-            if (value.empty()) continue;
-            m_counts[value][known.classes[i]] += 1;
-            totals[known.classes[i]] += 1;
-        }
-        for (auto& [value, counts] : m_counts)
-            for (auto& [name, count] : counts) count /= totals[name];
-    }
-
-    double score(const std::string& value, const std::string& name) const
-    {
-        const auto found = m_counts.find(value);
-        if (found == m_counts.end()) return 0;
-        const auto count = found->second.find(name);
-        return count == found->second.end() ? 0 : count->second;
-    }
-
-    bool knows(const std::string& value) const { return m_counts.contains(value); }
-
-private:
-    std::map<std::string, std::map<std::string, double>> m_counts;
-};
-
-/// The distance of each class from the value: that of its nearest known value by number, or by rank among all.
-class ByOrder {
-public:
-    ByOrder(const Known& known, const std::vector<std::string>& values) : m_places(placesOf(values))
-    {
-        for (std::size_t i = 0; i < known.trials.size(); ++i)
-            if (!values[known.trials[i]].empty()) m_known[known.classes[i]].insert(m_places[known.trials[i]]);
-    }
-
-    double score(std::size_t trial, const std::string& name) const
-    {
-        const auto found = m_known.find(name);
-        if (found == m_known.end()) return -std::numeric_limits<double>::max();
-        const double place = m_places[trial];
-        const auto above = found->second.lower_bound(place);
-        double nearest = std::numeric_limits<double>::max();
-        if (above != found->second.end()) nearest = *above - place;
-        if (above != found->second.begin()) nearest = std::min(nearest, place - *std::prev(above));
-        return -nearest;
-    }
-
-private:
-    static std::vector<double> placesOf(const std::vector<std::string>& values)
-    {
-        std::vector<double> numbers;
-        for (const auto& value : values) {
-            const auto number = numberIn(value.empty() ? "0" : value);
-            if (!number) break;
-            numbers.push_back(*number);
-        }
-        if (numbers.size() == values.size()) return numbers;
-        std::vector<std::string> sorted = values;
-        std::ranges::sort(sorted);
-        numbers.clear();
-        for (const auto& value : values)
-            numbers.push_back(static_cast<double>(std::ranges::lower_bound(sorted, value) - sorted.begin()));
-        return numbers;
-    }
-
-    std::vector<double> m_places;
-    std::map<std::string, std::set<double>> m_known;
-};
-
-/// Number of equal letters at equal places in the most similar known value of the class.
-class ByLetters {
-public:
-    ByLetters(const Known& known, const std::vector<std::string>& values)
-    {
-        for (std::size_t i = 0; i < known.trials.size(); ++i)
-            if (const auto& value = values[known.trials[i]]; !value.empty()) m_known[known.classes[i]].push_back(&value);
-    }
-
-    double score(const std::string& value, const std::string& name) const
-    {
-        constexpr std::size_t most = 64;
-        const auto found = m_known.find(name);
-        if (found == m_known.end()) return -1;
-        std::size_t best = 0;
-        for (const std::string* other : found->second) {
-            const std::size_t length = std::min({value.size(), other->size(), most});
-            std::size_t equal = 0;
-            for (std::size_t at = 0; at < length; ++at) equal += value[at] == (*other)[at];
-            best = std::max(best, equal);
-        }
-        return static_cast<double>(best);
-    }
-
-private:
-    std::map<std::string, std::vector<const std::string*>> m_known;
-};
-
-/// Log likelihood of all letters, each place taken as independent (naive Bayes).
-class ByAllLetters {
-public:
-    ByAllLetters(const Known& known, const std::vector<std::string>& values)
-    {
-        for (std::size_t i = 0; i < known.trials.size(); ++i) {
-            auto& own = m_known[known.classes[i]];
-            ++own.values;
-            const auto& value = values[known.trials[i]];
-            for (std::size_t at = 0; at < std::min(value.size(), most); ++at) ++own.letters[{at, value[at]}];
-        }
-    }
-
-    double score(const std::string& value, const std::string& name) const
-    {
-        const auto found = m_known.find(name);
-        if (found == m_known.end()) return -std::numeric_limits<double>::max();
-        double sum = 0;
-        for (std::size_t at = 0; at < std::min(value.size(), most); ++at) {
-            const auto count = found->second.letters.find({at, value[at]});
-            const double seen = count == found->second.letters.end() ? 0 : count->second;
-            sum += std::log((seen + 0.5) / (found->second.values + 8));
-        }
-        return sum;
-    }
-
-private:
-    static constexpr std::size_t most = 200;
-    struct Letters {
-        double values = 0;
-        std::map<std::pair<std::size_t, char>, double> letters;
-    };
-    std::map<std::string, Letters> m_known;
+    std::vector<int> classes;
+    int kinds = 0;
+    int serves = -1;  ///< parity of the slots that it is used for; -1: all
 };
 
 Known ratingsOf(const SeenStudy& study)
 {
     Known known;
+    known.kinds = static_cast<int>(study.fabrics.size());
     for (std::size_t i = 0; i < study.trials.size(); ++i)
         if (study.showsTruth(study.trials[i])) {
             known.trials.push_back(i);
-            known.classes.push_back(study.trials[i].tray.front());
+            const auto fabric = std::ranges::find(study.fabrics, study.trials[i].tray.front()) - study.fabrics.begin();
+            known.classes.push_back(static_cast<int>(fabric));
         }
     return known;
 }
 
-/// The classes of each trial of the question as the guesser learns them: the fabric, or the number of the slot.
-using NameOf = std::function<std::string(const Question&, std::size_t item, std::size_t which)>;
-
-std::string byName(const Question& question, std::size_t item, std::size_t which) { return question.classes[item][which]; }
-std::string byPlace(const Question&, std::size_t, std::size_t which) { return std::to_string(which); }
-
-Known knownHalf(const SeenStudy& study, const Question& question, int parity, const NameOf& nameOf)
+/// The truth about one half of the slots, for the other.
+std::vector<Known> halvesOf(const SeenStudy& study, const Question& question)
 {
-    Known known;
-    for (std::size_t item = 0; item < question.trials.size(); ++item)
-        if (study.trials[question.trials[item]].slot % 2 == parity) {
-            known.trials.push_back(question.trials[item]);
-            known.classes.push_back(nameOf(question, item, question.truth[item]));
-        }
-    return known;
+    std::vector<Known> halves;
+    for (const int serves : {0, 1}) {
+        Known& known = halves.emplace_back();
+        known.kinds = question.kinds;
+        known.serves = serves;
+        for (std::size_t item = 0; item < question.trials.size(); ++item)
+            if (study.trials[question.trials[item]].slot % 2 != serves) {
+                known.trials.push_back(question.trials[item]);
+                known.classes.push_back(question.classes[item][question.truth[item]]);
+            }
+    }
+    return halves;
 }
+
+/// A value beside each trial in the forms that guessers compare.
+struct Coded {
+    std::vector<int> equal;      ///< equal numbers for equal values; -1: none
+    bool repeats = false;        ///< some value stands beside two trials
+    std::vector<double> places;  ///< the number, or the rank of the text
+    bool isText = false;         ///< not a number
+};
+
+std::vector<int> numbersOfEqual(const std::vector<std::string>& values, bool& repeats)
+{
+    std::map<std::string_view, int> known;
+    std::vector<int> numbers;
+    repeats = false;
+    for (const auto& value : values) {
+        if (value.empty()) {
+            numbers.push_back(-1);
+            continue;
+        }
+        const auto [at, isNew] = known.emplace(value, static_cast<int>(known.size()));
+        repeats = repeats || !isNew;
+        numbers.push_back(at->second);
+    }
+    return numbers;
+}
+
+std::vector<double> placesOf(const std::vector<std::string>& values, bool& isText)
+{
+    std::vector<double> numbers;
+    for (const auto& value : values) {
+        const auto number = numberIn(value.empty() ? "0" : value);
+        if (!number) break;
+        numbers.push_back(*number);
+    }
+    isText = numbers.size() != values.size();
+    if (!isText) return numbers;
+    std::vector<std::string> sorted = values;
+    std::ranges::sort(sorted);
+    numbers.clear();
+    for (const auto& value : values)
+        numbers.push_back(static_cast<double>(std::ranges::lower_bound(sorted, value) - sorted.begin()));
+    return numbers;
+}
+
+/// The share of each class that has an equal value.
+class ByEqualValues {
+public:
+    ByEqualValues(const Known& known, const std::vector<int>& values)
+    {
+        std::vector<double> totals(static_cast<std::size_t>(known.kinds));
+        for (std::size_t i = 0; i < known.trials.size(); ++i) {
+            const int value = values[known.trials[i]];
+            if (value < 0) continue;
+            const auto at = static_cast<std::size_t>(value);
+            if (m_shares.size() <= at) m_shares.resize(at + 1);
+            m_shares[at].resize(totals.size());
+            ++m_shares[at][static_cast<std::size_t>(known.classes[i])];
+            ++totals[static_cast<std::size_t>(known.classes[i])];
+        }
+        for (auto& shares : m_shares)
+            for (std::size_t kind = 0; kind < shares.size(); ++kind) shares[kind] /= std::max(1.0, totals[kind]);
+    }
+
+    double score(int value, int kind) const
+    {
+        const auto at = static_cast<std::size_t>(value);
+        return at >= m_shares.size() || m_shares[at].empty() ? 0 : m_shares[at][static_cast<std::size_t>(kind)];
+    }
+
+private:
+    std::vector<std::vector<double>> m_shares;  ///< [value][class]
+};
+
+/// The distance to the nearest known value of the class.
+class ByOrder {
+public:
+    ByOrder(const Known& known, const Coded& values) : m_known(static_cast<std::size_t>(known.kinds))
+    {
+        for (std::size_t i = 0; i < known.trials.size(); ++i)
+            if (values.equal[known.trials[i]] >= 0)
+                m_known[static_cast<std::size_t>(known.classes[i])].push_back(values.places[known.trials[i]]);
+        for (auto& own : m_known) std::ranges::sort(own);
+    }
+
+    double score(double place, int kind) const
+    {
+        const auto& own = m_known[static_cast<std::size_t>(kind)];
+        const auto above = std::ranges::lower_bound(own, place);
+        double nearest = std::numeric_limits<double>::max();
+        if (above != own.end()) nearest = *above - place;
+        if (above != own.begin()) nearest = std::min(nearest, place - *std::prev(above));
+        return -nearest;
+    }
+
+private:
+    std::vector<std::vector<double>> m_known;
+};
+
+/// The beginning of a text in words of eight letters.
+constexpr std::size_t mostLetters = 96;
+using Letters = std::array<std::uint64_t, mostLetters / 8>;
+
+Letters lettersOf(const std::string& text)
+{
+    Letters letters{};
+    std::memcpy(letters.data(), text.data(), std::min(text.size(), mostLetters));
+    return letters;
+}
+
+/// Number of equal letters at equal places.
+int equalLetters(const Letters& a, const Letters& b)
+{
+    constexpr std::uint64_t low = 0x7f7f7f7f7f7f7f7f, ones = 0x0101010101010101;
+    std::uint64_t differences = 0;  // one count in each byte; faster than counting bits
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        const std::uint64_t bits = a[i] ^ b[i];
+        differences += ((((bits & low) + low) | bits) >> 7) & ones;
+    }
+    const int different = static_cast<int>((differences * ones) >> 56);
+    return static_cast<int>(mostLetters) - different;
+}
+
+/// The most equal letters with a known value of the class.
+class ByLetters {
+public:
+    ByLetters(const Known& known, const Feature& feature) : m_known(static_cast<std::size_t>(known.kinds))
+    {
+        for (std::size_t i = 0; i < known.trials.size(); ++i)
+            if (const auto& value = feature.values[known.trials[i]]; !value.empty())
+                m_known[static_cast<std::size_t>(known.classes[i])].push_back(lettersOf(value));
+    }
+
+    double score(const std::string& value, int kind) const
+    {
+        const Letters own = lettersOf(value);
+        int best = 0;
+        for (const Letters& other : m_known[static_cast<std::size_t>(kind)]) best = std::max(best, equalLetters(own, other));
+        return best;
+    }
+
+private:
+    std::vector<std::vector<Letters>> m_known;
+};
+
+/// Log likelihood of all letters, each place taken as independent (naive Bayes).
+class ByAllLetters {
+public:
+    ByAllLetters(const Known& known, const Feature& feature)
+        : m_counts(static_cast<std::size_t>(known.kinds) * mostLetters * letterKinds),
+          m_values(static_cast<std::size_t>(known.kinds))
+    {
+        for (std::size_t i = 0; i < known.trials.size(); ++i) {
+            const auto kind = static_cast<std::size_t>(known.classes[i]);
+            const auto& value = feature.values[known.trials[i]];
+            if (value.empty()) continue;
+            ++m_values[kind];
+            for (std::size_t at = 0; at < std::min(value.size(), mostLetters); ++at) ++m_counts[cell(kind, at, value[at])];
+        }
+    }
+
+    double score(const std::string& value, int which) const
+    {
+        const auto kind = static_cast<std::size_t>(which);
+        double sum = 0;
+        for (std::size_t at = 0; at < std::min(value.size(), mostLetters); ++at)
+            sum += std::log((m_counts[cell(kind, at, value[at])] + 0.5F) / (m_values[kind] + 8));
+        return sum;
+    }
+
+private:
+    static constexpr std::size_t letterKinds = 128;
+    static std::size_t cell(std::size_t kind, std::size_t at, char letter)
+    {
+        return (kind * mostLetters + at) * letterKinds + (static_cast<unsigned char>(letter) & 127U);
+    }
+
+    std::vector<float> m_counts;
+    std::vector<float> m_values;
+};
 
 class Values {
 public:
     Values(const SeenStudy& study, const Truth& truth)
         : m_study(study),
           m_pieces(pieces(study, truth)),
+          m_places(places(m_pieces)),
           m_conditions(conditions(study, truth)),
           m_sameness(sameness(study, truth)),
-          m_ratings(ratingsOf(study))
+          m_conditionNames(conditionNames(truth)),
+          m_ratings{ratingsOf(study)},
+          m_learnedPlaces(halvesOf(study, m_places)),
+          m_learnedPieces(halvesOf(study, m_pieces)),
+          m_learnedConditions(halvesOf(study, m_conditions)),
+          m_learnedSameness(halvesOf(study, m_sameness))
     {
     }
 
     std::vector<Guess> all(const std::vector<Feature>& features)
     {
         for (const Feature& feature : features) {
-            fromRatings(feature);
             fromNames(feature);
-            learned(m_pieces, feature, byPlace, "learned slot");
-            learned(m_pieces, feature, byName, "learned fabric");
-            learned(m_conditions, feature, byName, "learned condition");
-            if (!m_sameness.trials.empty()) learned(m_sameness, feature, byName, "learned sameness");
+            byEqual(feature);
+            byNearest(feature);
         }
         return std::move(m_guesses);
     }
 
 private:
-    /// One set of known trials serves the trials of the question for which `guesses` says so.
-    template <class Score>
-    void score(Tally& tally, const Question& question, const std::vector<std::string>& values, const NameOf& nameOf, int parity,
-               const Score& scoreOf)
+    struct Source {
+        const char* name;
+        const Question* question;
+        const std::vector<Known>* known;
+        bool isQuadratic;  ///< also compares every two texts
+    };
+    std::array<Source, 5> sources() const
     {
+        return {{{"a rating trial", &m_pieces, &m_ratings, true},
+                 {"learned slot", &m_places, &m_learnedPlaces, false},
+                 {"learned fabric", &m_pieces, &m_learnedPieces, false},
+                 {"learned condition", &m_conditions, &m_learnedConditions, true},
+                 {"learned sameness", &m_sameness, &m_learnedSameness, false}}};
+    }
+
+    /// `scoreOf`: of a trial and a class.
+    template <class Score>
+    void count(Tally& tally, const Question& question, const std::vector<int>& values, int serves, const Score& scoreOf) const
+    {
+        std::vector<double> scores;
         for (std::size_t item = 0; item < question.trials.size(); ++item) {
             const std::size_t trial = question.trials[item];
-            if ((parity >= 0 && m_study.trials[trial].slot % 2 != parity) || values[trial].empty()) continue;
-            std::vector<double> scores;
-            for (std::size_t which = 0; which < question.classes[item].size(); ++which)
-                scores.push_back(scoreOf(trial, nameOf(question, item, which)));
+            if ((serves >= 0 && m_study.trials[trial].slot % 2 != serves) || values[trial] < 0) continue;
+            scores.clear();
+            for (const int kind : question.classes[item]) scores.push_back(scoreOf(trial, kind));
             tally.take(scores, question.truth[item], question.chance[item]);
         }
     }
 
-    static std::vector<std::string> seen(const View& view, const Feature& feature)
+    void byEqual(const Feature& feature)
     {
-        std::vector<std::string> values;
-        for (const auto& value : feature.values) values.push_back(view.of(value));
-        return values;
-    }
-
-    void fromRatings(const Feature& feature)
-    {
+        std::set<std::vector<int>> seen;
         for (const View& view : views) {
-            const auto values = seen(view, feature);
-            Tally tally("equal to a rating trial", view.name + feature.name, m_pieces.target);
-            const ByEqualValues equal(m_ratings, values);
-            score(tally, m_pieces, values, byName, -1,
-                  [&](std::size_t trial, const std::string& name) { return equal.score(values[trial], name); });
-            tally.addTo(m_guesses);
-        }
-        near("rating trial", feature, m_pieces, byName, {{-1, m_ratings}});
-    }
-
-    /// The nearest by order and by letters, and all letters together. `known`: by the parity of the slots that it serves.
-    void near(const std::string& source, const Feature& feature, const Question& question, const NameOf& nameOf,
-              const std::vector<std::pair<int, Known>>& known)
-    {
-        Tally order("nearest by order: " + source, feature.name, question.target);
-        Tally letters("nearest by letters: " + source, feature.name, question.target);
-        Tally allLetters("all letters together: " + source, feature.name, question.target);
-        for (const auto& [parity, own] : known) {
-            const ByOrder byOrder(own, feature.values);
-            const ByLetters byLetters(own, feature.values);
-            const ByAllLetters byAllLetters(own, feature.values);
-            const auto& values = feature.values;
-            score(order, question, values, nameOf, parity,
-                  [&](std::size_t trial, const std::string& name) { return byOrder.score(trial, name); });
-            score(letters, question, values, nameOf, parity,
-                  [&](std::size_t trial, const std::string& name) { return byLetters.score(values[trial], name); });
-            score(allLetters, question, values, nameOf, parity,
-                  [&](std::size_t trial, const std::string& name) { return byAllLetters.score(values[trial], name); });
-        }
-        for (Tally* tally : {&order, &letters, &allLetters}) tally->addTo(m_guesses);
-    }
-
-    void learned(const Question& question, const Feature& feature, const NameOf& nameOf, const std::string& source)
-    {
-        const std::vector<std::pair<int, Known>> halves{{0, knownHalf(m_study, question, 1, nameOf)},
-                                                        {1, knownHalf(m_study, question, 0, nameOf)}};
-        for (const View& view : views) {
-            const auto values = seen(view, feature);
-            Tally tally("equal values: " + source, view.name + feature.name, question.target);
-            for (const auto& [parity, known] : halves) {
-                const ByEqualValues equal(known, values);
-                score(tally, question, values, nameOf, parity,
-                      [&](std::size_t trial, const std::string& name) { return equal.score(values[trial], name); });
+            std::vector<std::string> texts;
+            for (const auto& value : feature.values) texts.push_back(view.of(value));
+            bool repeats = false;
+            const auto values = numbersOfEqual(texts, repeats);
+            if (!repeats || !seen.insert(values).second) continue;
+            for (const Source& source : sources()) {
+                Tally tally(std::string("equal values: ") + source.name, view.name + feature.name, source.question->target);
+                for (const Known& known : *source.known) {
+                    const ByEqualValues equal(known, values);
+                    count(tally, *source.question, values, known.serves,
+                          [&](std::size_t trial, int kind) { return equal.score(values[trial], kind); });
+                }
+                tally.addTo(m_guesses);
             }
-            tally.addTo(m_guesses);
         }
-        near(source, feature, question, nameOf, halves);
+    }
+
+    void byNearest(const Feature& feature)
+    {
+        Coded coded;
+        coded.equal = numbersOfEqual(feature.values, coded.repeats);
+        coded.places = placesOf(feature.values, coded.isText);
+        for (const Source& source : sources()) {
+            Tally order(std::string("nearest by order: ") + source.name, feature.name, source.question->target);
+            Tally letters(std::string("nearest by letters: ") + source.name, feature.name, source.question->target);
+            Tally allLetters(std::string("all letters together: ") + source.name, feature.name, source.question->target);
+            for (const Known& known : *source.known) {
+                const ByOrder byOrder(known, coded);
+                count(order, *source.question, coded.equal, known.serves,
+                      [&](std::size_t trial, int kind) { return byOrder.score(coded.places[trial], kind); });
+                if (!coded.isText) continue;
+                const ByAllLetters byAllLetters(known, feature);
+                count(allLetters, *source.question, coded.equal, known.serves,
+                      [&](std::size_t trial, int kind) { return byAllLetters.score(feature.values[trial], kind); });
+                if (!source.isQuadratic) continue;
+                const ByLetters byLetters(known, feature);
+                count(letters, *source.question, coded.equal, known.serves,
+                      [&](std::size_t trial, int kind) { return byLetters.score(feature.values[trial], kind); });
+            }
+            for (Tally* tally : {&order, &letters, &allLetters}) tally->addTo(m_guesses);
+        }
     }
 
     void fromNames(const Feature& feature)
@@ -427,8 +504,7 @@ private:
         Tally condition("names a condition", feature.name, m_conditions.target);
         for (std::size_t item = 0; item < m_conditions.trials.size(); ++item) {
             std::vector<double> scores;
-            for (const auto& name : m_conditions.classes[item])
-                scores.push_back(feature.values[m_conditions.trials[item]] == name);
+            for (const auto& name : m_conditionNames) scores.push_back(feature.values[m_conditions.trials[item]] == name);
             condition.take(scores, m_conditions.truth[item], m_conditions.chance[item]);
         }
         condition.addTo(m_guesses);
@@ -467,8 +543,9 @@ private:
     }
 
     const SeenStudy& m_study;
-    Question m_pieces, m_conditions, m_sameness;
-    Known m_ratings;
+    Question m_pieces, m_places, m_conditions, m_sameness;
+    std::vector<std::string> m_conditionNames;
+    std::vector<Known> m_ratings, m_learnedPlaces, m_learnedPieces, m_learnedConditions, m_learnedSameness;
     std::vector<Guess> m_guesses;
 };
 

@@ -48,7 +48,8 @@ struct LeakReport {
     bool learnsNothing() const;
 };
 
-/// `key`: the truth; none: nobody gave the passphrase. Throws as StudyStore does.
+/// `key`: the truth; none: nobody gave the passphrase. Throws as StudyStore does. The test counts trials as independent. In a
+/// study of a dozen presentations they are not: it has few running orders, and a wrong one can be the true one by luck.
 LeakReport leakReport(const database::StudyStore& store, const std::optional<protocols::AllocationKey>& key,
                       const std::vector<Exporter>& exporters);
 

@@ -103,12 +103,58 @@ public:
 private:
     std::vector<std::string> none() const { return std::vector<std::string>(m_study.trials.size()); }
 
+    /// Leaves out what is equal in all trials of each slot: every slot has the same pieces and conditions. What only counts up is
+    /// replaced by its steps.
     void add(std::string name, std::vector<std::string> values)
     {
-        std::set<std::string> different(values.begin(), values.end());
-        different.erase("");
-        if (different.size() < 2 || !m_known.insert(values).second) return;
-        m_features.push_back({std::move(name), std::move(values)});
+        if (countsUp(values)) {
+            name = "steps of " + name;
+            values = stepsOf(values);
+        }
+        if (differsInSlots(values) && m_known.insert(values).second) m_features.push_back({std::move(name), std::move(values)});
+    }
+
+    bool differsInSlots(const std::vector<std::string>& values) const
+    {
+        std::map<int, const std::string*> first;
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            if (values[i].empty()) continue;
+            const auto [known, isNew] = first.emplace(m_study.trials[i].slot, &values[i]);
+            if (!isNew && *known->second != values[i]) return true;
+        }
+        return false;
+    }
+
+    /// Calls `take` with each trial and the trial before it in its slot, both with values.
+    template <class Take>
+    void eachPair(const std::vector<std::string>& values, const Take& take) const
+    {
+        std::map<int, std::size_t> before;
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            if (values[i].empty()) continue;
+            if (const auto found = before.find(m_study.trials[i].slot); found != before.end()) take(found->second, i);
+            before[m_study.trials[i].slot] = i;
+        }
+    }
+
+    bool countsUp(const std::vector<std::string>& values) const
+    {
+        const auto isWhole = [](const std::string& text) { return text.find_first_not_of("0123456789") == std::string::npos; };
+        if (!std::ranges::all_of(values, isWhole)) return false;
+        bool rises = true, any = false;
+        eachPair(values, [&](std::size_t from, std::size_t to) {
+            any = true;
+            rises = rises && whole(values[to]) > whole(values[from]);
+        });
+        return any && rises;
+    }
+
+    std::vector<std::string> stepsOf(const std::vector<std::string>& values) const
+    {
+        auto steps = none();
+        eachPair(values,
+                 [&](std::size_t from, std::size_t to) { steps[to] = std::to_string(whole(values[to]) - whole(values[from])); });
+        return steps;
     }
 
     /// The first and the last row of each trial, and the number of rows.

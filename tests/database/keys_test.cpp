@@ -75,8 +75,9 @@ private Q_SLOTS:
         QVERIFY(!readKeyForAggregates(store, {}));
         QVERIFY(!readKeyForAggregates(store, [] { return std::optional<std::string>(); }));
         QVERIFY(errorOf([&] { readKeyForAggregates(store, giving("another passphrase")); }).startsWith("2:"));
-        QVERIFY(errorOf([&] { readAllocationKeyForTestDriver(store, ParticipantKind::Scripted, {}); })
-                    .contains("needs the owner's passphrase"));
+        QVERIFY(errorOf([&] {
+                    readAllocationKeyForTestDriver(store, ParticipantKind::Scripted, {});
+                }).contains("needs the owner's passphrase"));
     }
 
     void theFullKeyStaysClosedWhileAHumanTakesPart()
@@ -143,7 +144,8 @@ private Q_SLOTS:
         else
             std::ofstream(file, std::ios::app) << "\n";
         QVERIFY(errorOf([&] {
-                    station ? void(readStationKey(store)) : void(readAllocationKeyForTestDriver(store, ParticipantKind::Scripted, {}));
+                    station ? void(readStationKey(store))
+                            : void(readAllocationKeyForTestDriver(store, ParticipantKind::Scripted, {}));
                 }).startsWith("1:"));
         QCOMPARE(faultsOfKeys(store).size(), 1u);
         QVERIFY(faultsOfKeys(store).front().find(file.filename().string()) != std::string::npos);

@@ -352,9 +352,10 @@ private Q_SLOTS:
         std::string columns;
         for (const std::string& name : raw.rows("SELECT name FROM pragma_table_info('answers')"))
             columns += (columns.empty() ? "" : ", ") + name;
-        QCOMPARE(columns,
-                 std::string("participant, trial, question, presentation_code, alternatives, answer, rating, ready_at, touched_at, "
-                             "answered_at, stored_at, seconds, corrections, voided, wall_time, note"));
+        QCOMPARE(
+            columns,
+            std::string("participant, trial, question, presentation_code, alternatives, answer, rating, ready_at, touched_at, "
+                        "answered_at, stored_at, seconds, corrections, voided, wall_time, note"));
         const auto trial = store.trials(1).front();
         const std::string expected = "S01|1|Q1|" + trial.presentationCode.value + "|[\"" + trial.alternatives[0].value + "\",\"" +
                                      trial.alternatives[1].value + "\",\"" + trial.alternatives[2].value + "\"]|" +
@@ -440,7 +441,8 @@ private Q_SLOTS:
         QTest::newRow("an answer taken out") << "DELETE FROM responses WHERE id = 5"
                                              << "were altered";
         QTest::newRow("an answer put in")
-            << "INSERT INTO responses SELECT 999, event, participant, 77, attempt, question, presentation_code, alternatives, choice, "
+            << "INSERT INTO responses SELECT 999, event, participant, 77, attempt, question, presentation_code, alternatives, "
+               "choice, "
                "rating_tenths, ready_at, touched_at, answered_at, stored_at, 0, touched_by FROM responses WHERE id = 4"
             << "were altered";
         QTest::newRow("an event's payload") << "UPDATE events SET payload = '{\"fabric\":\"F99\"}' WHERE sequence = 9"

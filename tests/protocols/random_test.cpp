@@ -81,7 +81,6 @@ private Q_SLOTS:
         }
         QVERIFY(least >= 0 && least < 0.01 && most > 0.99 && most < 1);
     }
-
 };
 
 QTEST_GUILESS_MAIN(RandomTest)

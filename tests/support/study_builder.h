@@ -24,9 +24,9 @@ struct StudyRecipe {
     std::uint64_t designSeed = 1;
     std::uint64_t keySeed = 2;
     std::optional<std::string> passphrase = {};  ///< none: the allocation key lies open
-    int imageWidthPx = 16, imageHeightPx = 10;  ///< every pixel of image n has the value 10 n
-    std::string protocol = {};                  ///< JSON text used instead of the options above
-    bool hasSwatchCodes = false;                ///< false: pieces of fabric have the names of the fabrics
+    int imageWidthPx = 16, imageHeightPx = 10;   ///< every pixel of image n has the value 10 n
+    std::string protocol = {};                   ///< JSON text used instead of the options above
+    bool hasSwatchCodes = false;                 ///< false: pieces of fabric have the names of the fabrics
     int familiarisationImages = 0;
     /// Replaces conditions in the keys, by id. If it is not empty, the images have other values.
     std::map<std::string, std::string> keyNames = {};

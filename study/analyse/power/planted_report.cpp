@@ -17,7 +17,7 @@ std::string percentWithError(const stats::StudyMean& mean)
     return text;
 }
 
-void put(ordered_json& json, const std::string& name, const stats::StudyMean& mean)
+void putMean(ordered_json& json, const std::string& name, const stats::StudyMean& mean)
 {
     json[name] = mean.mean();
     json[name + "_se"] = mean.se();
@@ -49,10 +49,10 @@ void putPlanted(ordered_json& json, const std::vector<stats::PlantedCell>& cells
         for (const stats::PlantedRow& row : cell.rows) {
             ordered_json one{{"truth", cell.truth.text()}, {"what", row.name}};
             one["studies"] = row.alike.studies;
-            put(one, "these_fabrics", row.these);
-            put(one, "fabrics_like_these", row.alike);
-            put(one, "lmer_test", row.reference);
-            put(one, "difference", row.alikeMinusReference);
+            putMean(one, "these_fabrics", row.these);
+            putMean(one, "fabrics_like_these", row.alike);
+            putMean(one, "lmer_test", row.reference);
+            putMean(one, "difference", row.alikeMinusReference);
             json["planted"].push_back(std::move(one));
         }
 }

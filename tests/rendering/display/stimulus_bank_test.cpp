@@ -97,7 +97,8 @@ private Q_SLOTS:
         std::size_t equal = 0;
         for (std::size_t i = 0; i < first.size(); ++i) equal += first[i] == second[i];
         // One byte in 256 agrees by chance, with a standard deviation of 63.
-        QVERIFY2(std::abs(static_cast<double>(equal) - static_cast<double>(first.size()) / 256) < 320, qPrintable(QString::number(equal)));
+        QVERIFY2(std::abs(static_cast<double>(equal) - static_cast<double>(first.size()) / 256) < 320,
+                 qPrintable(QString::number(equal)));
         QVERIFY(qCompress(QByteArray::fromStdString(first)).size() >= static_cast<qsizetype>(first.size()));
     }
 
@@ -143,7 +144,8 @@ private Q_SLOTS:
     void anotherKeyOpensNothing()
     {
         const Stimuli stimuli(1);
-        QVERIFY(refusalOf([&] { StimulusBank(stimuli.path, stimuli.hashes, protocols::SecretKey::ofSeed(4)); }).contains("altered"));
+        QVERIFY(
+            refusalOf([&] { StimulusBank(stimuli.path, stimuli.hashes, protocols::SecretKey::ofSeed(4)); }).contains("altered"));
     }
 
     void unknownCodeIsRefused()

@@ -47,7 +47,7 @@ private Q_SLOTS:
     void studyPageShowsThatTheProtocolWasEdited();
     void studyPageChecksTheProtocolBeforeEachSession();
     void messageForALockedStudyNamesTheProcess();
-    void alteredStimulusPausesAndNamesTheFile();
+    void alteredStimulusIsToldBeforeTheSession();
     void fullDiskKeepsTheEntryUntilSpaceIsFree_data();
     void fullDiskKeepsTheEntryUntilSpaceIsFree();
     void studyPageShowsWhyTheDisplayCannotBeOpened();
@@ -97,29 +97,21 @@ void AppFaultsTest::messageForALockedStudyNamesTheProcess()
     QVERIFY2(message->text().contains(QString::number(::getpid())), qPrintable(message->text()));
 }
 
-void AppFaultsTest::alteredStimulusPausesAndNamesTheFile()
+void AppFaultsTest::alteredStimulusIsToldBeforeTheSession()
 {
     const auto folder = newStudy(wholeStudy());
     OpenWindow open(folder);
-    open.enrolAndBegin();
-    open.playTo("OnBreak");  // the next stimuli are loaded only at the tray
-    const auto before = answersIn(folder);
     for (const auto& file : std::filesystem::directory_iterator(folder.stimuli())) {
         QFile stimulus(QString::fromStdString(file.path().string()));
         QVERIFY(stimulus.open(QIODevice::Append));
         stimulus.write("x");
     }
-    while (!open.view().state.paused && !std::holds_alternative<Finished>(open.view().state.stage)) {
-        if (!std::holds_alternative<Presenting>(open.view().state.stage))
-            pressKey(open, Qt::Key_Return);
-        else
-            answerByKeys(open, responseTo(open.view()));
-    }
-    QVERIFY(open.view().state.paused);
-    QVERIFY2(open.message().contains("stimulus was altered") && open.message().contains(".pgm"), qPrintable(open.message()));
-    QVERIFY2(open.message().contains("backup") && open.message().contains("no answer is lost"), qPrintable(open.message()));
-    const auto after = answersIn(folder);
-    for (const auto& [asked, answer] : before) QCOMPARE(after.at(asked), answer);
+    open.widget<QLineEdit>("participantField").setText("P01");
+    open.gui().click("enrolButton");
+    QVERIFY(!open.window().session());
+    const QString told = open.message("studyMessage");
+    QVERIFY2(told.contains("stimulus was altered") && told.contains(".sealed") && told.contains("backup"), qPrintable(told));
+    QVERIFY(database::StudyStore(folder, database::StudyStore::Access::Read).enrolments().empty());
 }
 
 void AppFaultsTest::fullDiskKeepsTheEntryUntilSpaceIsFree_data()

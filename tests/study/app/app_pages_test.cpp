@@ -191,6 +191,20 @@ void AppPagesTest::takenOrInvalidCodesAreNotEnrolled()
     QVERIFY(!open.message("studyMessage").isEmpty());
 }
 
+namespace {
+
+constexpr const char* passphrase = "four plain short words";
+
+void typePassphrase(ShownWindow& shown)
+{
+    for (const char* line : {"passphraseField", "passphraseAgainField"}) {
+        shown.gui.focusOn(line);
+        shown.gui.type(passphrase);
+    }
+}
+
+}  // namespace
+
 void AppPagesTest::newStudyIsMadeOnAWorkerThread()
 {
     const auto made = newStudy();
@@ -212,10 +226,11 @@ void AppPagesTest::newStudyIsMadeOnAWorkerThread()
     shown.gui.type("42");
     shown.gui.focusOn("participantsField");
     shown.gui.type("4");
+    typePassphrase(shown);
     shown.gui.focusOn("protocolField");
     shown.gui.pressKey(Qt::Key_Return);
     QTRY_COMPARE(shown.window.currentPage()->objectName(), QString("studyPage"));
-    QCOMPARE(asked, (NewStudyRequest{made.folder, "/data/fabrics", std::nullopt, 4, 42}));
+    QCOMPARE(asked, (NewStudyRequest{made.folder, "/data/fabrics", std::nullopt, 4, 42, passphrase}));
     QVERIFY(thread != QThread::currentThread());
 }
 
@@ -230,6 +245,7 @@ void AppPagesTest::pageShowsWhyTheStudyCouldNotBeMade()
     shown.gui.type("/tmp/new-study");
     shown.gui.focusOn("datasetField");
     shown.gui.type("/data/poor");
+    typePassphrase(shown);
     shown.gui.click("makeButton");
     const auto* message = &shown.widget<QLabel>("newStudyMessage");
     QTRY_VERIFY(message->isVisible());
@@ -259,6 +275,7 @@ void AppPagesTest::makingCanBeStopped()
     shown.gui.type("/tmp/new-study");
     shown.gui.focusOn("datasetField");
     shown.gui.type("/data/fabrics");
+    typePassphrase(shown);
     shown.gui.pressKey(Qt::Key_Return);
     QTRY_COMPARE(shown.widget<QLabel>("makingText").text(), QString("working"));
     shown.gui.pressKey(Qt::Key_Escape);
@@ -286,6 +303,10 @@ void AppPagesTest::incompleteFormShowsAHintAndMakesNothing()
     shown.widget<QLineEdit>("seedField").setText("-3");
     QVERIFY(messageAfterEnter().contains("seed"));
     shown.widget<QLineEdit>("seedField").setText("3");
+    QVERIFY(messageAfterEnter().contains("passphrase is too short"));
+    shown.widget<QLineEdit>("passphraseField").setText(passphrase);
+    QVERIFY(messageAfterEnter().contains("passphrases differ"));
+    shown.widget<QLineEdit>("passphraseAgainField").setText(passphrase);
     shown.widget<QLineEdit>("participantsField").setText("0");
     QVERIFY(messageAfterEnter().contains("number of participants"));
     QTest::qWait(20);

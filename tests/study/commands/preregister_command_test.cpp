@@ -58,7 +58,7 @@ class PreregisterCommandTest : public QObject {
     QString newStudy()
     {
         const QString study = at(QString("study%1").arg(++m_studies));
-        tests::support::buildStudy(study.toStdString(), {.protocol = plannedProtocol});
+        tests::support::buildStudy(study.toStdString(), {.designSeed = 2, .protocol = plannedProtocol});
         return study;
     }
 

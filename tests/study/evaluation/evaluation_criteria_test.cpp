@@ -32,7 +32,8 @@ Evaluation good(SplitKind split = SplitKind::Sample, bool aligned = false)
     evaluation.dataset = "cloths";
     evaluation.split = split;
     evaluation.aligned = aligned;
-    evaluation.models = {{"ours", "ours.safetensors", "00", "default", {}, 6000, {}}, {"l1", "l1.safetensors", "01", "l1-only", {}, 6000, {}}};
+    evaluation.models = {{"ours", "ours.safetensors", "00", "default", {}, 6000, {}},
+                         {"l1", "l1.safetensors", "01", "l1-only", {}, 6000, {}}};
     evaluation.pairs = 12;
     evaluation.fabrics = 3;
     evaluation.rangeMm = 0.5;

@@ -81,8 +81,8 @@ private Q_SLOTS:
 
     void weightsWithoutAPhotographListWarnOnce()
     {
-        const auto ended = mustRun(
-            {"render", m_fabrics, "--condition", "h_g,f_g", "--out", path("untold"), "--model", modelKnowing("old.safetensors", {})});
+        const auto ended = mustRun({"render", m_fabrics, "--condition", "h_g,f_g", "--out", path("untold"), "--model",
+                                    modelKnowing("old.safetensors", {})});
         QCOMPARE(countIn(ended.err, "the weights do not state"), 1);
         const auto saved = readJson(path("untold/render.json"))["photographs"]["F01"];
         QVERIFY(saved["distance"].is_null() && !saved["why"]["distance"].get<std::string>().empty());
@@ -95,8 +95,8 @@ private Q_SLOTS:
         const QString model = modelKnowing("for-study.safetensors", {"F01"});
         for (const QString& study : {QString("study"), QString("again")}) {  // the second study reuses the images of the first
             const auto made =
-                mustRun({"study", "new", "--no-passphrase", path(study), "--dataset", m_fabrics, "--seed", "3", "--key-seed", "4", "--model", model,
-                         "--images", path("images"), "--allow-training-samples", "--participants", "2"});
+                mustRun({"study", "new", "--no-passphrase", path(study), "--dataset", m_fabrics, "--seed", "3", "--key-seed", "4",
+                         "--model", model, "--images", path("images"), "--allow-training-samples", "--participants", "2"});
             QVERIFY2(countIn(made.err, "differs from all training photographs") >= 6, qPrintable(made.err));
             mustRun({"study", "status", path(study), "--json", path(study + ".json")});
             QString stamps;

@@ -440,7 +440,8 @@ private Q_SLOTS:
             database::StudyStore store(study, database::StudyStore::Access::Write);
             store.recordUnblinding({"A. Tester", "the study is over", "2026-11-21T12:00:00.000Z"});
         }
-        QCOMPARE(refusalOf([&] { readSignal(stimulus); }), std::string());
+        // Then its file is still sealed: an encrypted file is no picture.
+        QVERIFY(contains(refusalOf([&] { readSignal(stimulus); }), "file ending"));
     }
 
     void unreadableStudyCountsAsBlinded()

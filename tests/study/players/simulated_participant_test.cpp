@@ -77,7 +77,8 @@ private Q_SLOTS:
         m_protocol.planned.clear();
         for (const auto& fabric : dataset.fabrics) m_facts.fabrics.push_back(fabric.id);
         m_facts.datasetSha256 = hashOf(dataset);
-        m_allocation = allocate(m_protocol, protocols::drawDesign(m_protocol, 1), m_facts.fabrics, protocols::SecretKey::ofSeed(5));
+        m_allocation =
+            allocate(m_protocol, protocols::drawDesign(m_protocol, 1), m_facts.fabrics, protocols::SecretKey::ofSeed(5));
 
         rendering::RenderRequest request;
         request.fabrics = m_facts.fabrics;

@@ -9,8 +9,8 @@
 
 using namespace study::session;
 using protocols::FabricId;
-using protocols::SealedCode;
 using protocols::QuestionId;
+using protocols::SealedCode;
 using protocols::Tenths;
 
 namespace {

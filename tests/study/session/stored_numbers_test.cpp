@@ -10,10 +10,10 @@
 
 #include "study/session/clock.h"
 #include "study/session/driver.h"
-#include "study/session/stimuli.h"
 #include "study/session/preparation.h"
 #include "study/session/session_moves.h"
 #include "study/session/session_record.h"
+#include "study/session/stimuli.h"
 #include "tests/support/played_session.h"
 #include "tests/support/raw_sqlite.h"
 #include "tests/support/study_builder.h"

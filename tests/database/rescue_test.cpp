@@ -10,6 +10,7 @@
 
 #include "protocols/files/errors.h"
 #include "protocols/files/whole_file.h"
+#include "tests/support/folder_harm.h"
 #include "tests/support/played_session.h"
 #include "tests/support/study_builder.h"
 
@@ -60,37 +61,27 @@ class RescueTest : public QObject {
 private Q_SLOTS:
     void aVanishedDatabaseStopsTheSessionAndLosesNothing_data()
     {
-        QTest::addColumn<QString>("harm");
-        for (const char* harm : {"deleted", "replaced", "renamed", "log deleted", "folder moved"}) QTest::newRow(harm) << harm;
+        QTest::addColumn<int>("harm");
+        for (const auto& [harm, name] : tests::support::folderHarms()) QTest::newRow(name) << static_cast<int>(harm);
     }
     void aVanishedDatabaseStopsTheSessionAndLosesNothing()
     {
-        QFETCH(QString, harm);
+        QFETCH(int, harm);
+        const auto folderHarm = static_cast<tests::support::FolderHarm>(harm);
         const StudyFolder folder = newStudy();
-        const std::filesystem::path aside = folder.folder.string() + "-aside";
         int acknowledged = 0;
         QString told;
         {
             OpenSession session(folder, "S01");
             session.playUntilAnswers(5);
             acknowledged = session.driver->state().answersStored;
-            if (harm == "deleted" || harm == "replaced") std::filesystem::remove(folder.database());
-            if (harm == "replaced") protocols::writeWholeFile(folder.database(), "something else");
-            if (harm == "renamed") std::filesystem::rename(folder.database(), aside);
-            if (harm == "log deleted") std::filesystem::remove(folder.database().string() + "-wal");
-            if (harm == "folder moved") std::filesystem::rename(folder.folder, aside);
+            doHarm(folderHarm, folder);
             told = errorOf([&] { session.playUntilAnswers(6); });
             QVERIFY2(told.startsWith("3:") && told.contains("vis2hap rescue"), qPrintable(told));
             QCOMPARE(session.driver->state().answersStored, acknowledged);
             QVERIFY(errorOf([&] { session.playUntilAnswers(6); }).contains("vis2hap rescue"));
         }
-        if (harm == "folder moved") {
-            std::filesystem::rename(aside, folder.folder);
-        } else {
-            // Whatever stands there now is in the way; the experimenter moves it.
-            std::error_code none;
-            std::filesystem::remove(folder.database(), none);
-        }
+        putRight(folderHarm, folder);
         const auto files = rescueFiles(folder);
         QCOMPARE(files.size(), 1u);
         StudyStore::rescue(folder, files.front());

@@ -2,6 +2,7 @@
 
 #include <cstring>
 #include <new>
+#include <thread>
 
 namespace tests::support {
 
@@ -13,37 +14,73 @@ struct SharedState {
     LogTraffic traffic;
     int writeFault = SQLITE_OK;
     int syncFault = SQLITE_OK;
+    DiskFault fault;
+    std::int64_t operations = 0;
+    std::chrono::milliseconds delay{0};
+    std::function<void(DiskOperation)> show;
 } shared;
 
 /// Our part of an open file. The real file follows it in the memory that SQLite allocates.
 struct File {
     sqlite3_file base;
     bool isLog;
+    const char* name;  ///< SQLite keeps it until the file is closed; null for temporary files
 };
 
 sqlite3_file* realOf(sqlite3_file* file) { return reinterpret_cast<sqlite3_file*>(reinterpret_cast<File*>(file) + 1); }
+const char* nameOf(sqlite3_file* file) { return reinterpret_cast<File*>(file)->name; }
 bool isLog(sqlite3_file* file) { return reinterpret_cast<File*>(file)->isLog; }
 const sqlite3_io_methods& methodsOf(sqlite3_file* file) { return *realOf(file)->pMethods; }
+
+/// Counts an operation. True if it must fail.
+bool failsNow()
+{
+    const std::int64_t number = shared.operations++;
+    return shared.fault.first >= 0 && (shared.fault.lasts ? number >= shared.fault.first : number == shared.fault.first);
+}
+
+/// Shows an operation of a named file, if it succeeded.
+int shown(int result, const char* name, DiskOperation::Kind kind, std::int64_t offset = 0, std::string bytes = {})
+{
+    if (result == SQLITE_OK && shared.show && name) shared.show({kind, name, offset, std::move(bytes)});
+    return result;
+}
 
 int writeFile(sqlite3_file* file, const void* bytes, int count, sqlite3_int64 offset)
 {
     if (shared.writeFault != SQLITE_OK) return shared.writeFault;
+    if (failsNow()) return shared.fault.ofWrites;
     if (isLog(file)) {
         ++shared.traffic.writes;
         ++shared.traffic.writesSinceSync;
     }
-    return methodsOf(file).xWrite(realOf(file), bytes, count, offset);
+    const int result = methodsOf(file).xWrite(realOf(file), bytes, count, offset);
+    if (!shared.show) return result;
+    return shown(result, nameOf(file), DiskOperation::Kind::Write, offset,
+                 std::string(static_cast<const char*>(bytes), static_cast<std::size_t>(count)));
 }
 
 int syncFile(sqlite3_file* file, int flags)
 {
     if (shared.syncFault != SQLITE_OK) return shared.syncFault;
+    if (failsNow()) return shared.fault.ofSyncs;
+    std::this_thread::sleep_for(shared.delay);
     const int result = methodsOf(file).xSync(realOf(file), flags);
     if (result == SQLITE_OK && isLog(file)) {
         ++shared.traffic.completedSyncs;
         shared.traffic.writesSinceSync = 0;
     }
-    return result;
+    return shown(result, nameOf(file), DiskOperation::Kind::Sync);
+}
+
+int truncateFile(sqlite3_file* file, sqlite3_int64 size)
+{
+    return shown(methodsOf(file).xTruncate(realOf(file), size), nameOf(file), DiskOperation::Kind::Truncate, size);
+}
+
+int removeFile(sqlite3_vfs*, const char* name, int syncsFolder)
+{
+    return shown(shared.real->xDelete(shared.real, name, syncsFolder), name, DiskOperation::Kind::Remove);
 }
 
 const sqlite3_io_methods countingMethods = {
@@ -53,7 +90,7 @@ const sqlite3_io_methods countingMethods = {
         return methodsOf(f).xRead(realOf(f), bytes, count, offset);
     },
     writeFile,
-    [](sqlite3_file* f, sqlite3_int64 size) { return methodsOf(f).xTruncate(realOf(f), size); },
+    truncateFile,
     syncFile,
     [](sqlite3_file* f, sqlite3_int64* size) { return methodsOf(f).xFileSize(realOf(f), size); },
     [](sqlite3_file* f, int level) { return methodsOf(f).xLock(realOf(f), level); },
@@ -74,7 +111,7 @@ const sqlite3_io_methods countingMethods = {
 
 int openFile(sqlite3_vfs*, const char* name, sqlite3_file* file, int flags, int* outFlags)
 {
-    auto* counting = new (file) File{{nullptr}, (flags & SQLITE_OPEN_WAL) != 0};
+    auto* counting = new (file) File{{nullptr}, (flags & SQLITE_OPEN_WAL) != 0, name};
     const int result = shared.real->xOpen(shared.real, name, realOf(file), flags, outFlags);
     if (realOf(file)->pMethods) counting->base.pMethods = &countingMethods;
     return result;
@@ -91,6 +128,7 @@ CountingVfs::CountingVfs()
     m_vfs.zName = "counting";
     m_vfs.szOsFile = static_cast<int>(sizeof(File)) + shared.real->szOsFile;
     m_vfs.xOpen = openFile;
+    m_vfs.xDelete = removeFile;
     sqlite3_vfs_register(&m_vfs, 1);
 }
 
@@ -103,5 +141,15 @@ CountingVfs::~CountingVfs()
 LogTraffic CountingVfs::traffic() const { return shared.traffic; }
 void CountingVfs::letWritesFailWith(int code) { shared.writeFault = code; }
 void CountingVfs::letSyncsFailWith(int code) { shared.syncFault = code; }
+
+void CountingVfs::setFault(const DiskFault& fault)
+{
+    shared.fault = fault;
+    shared.operations = 0;
+}
+
+std::int64_t CountingVfs::operations() const { return shared.operations; }
+void CountingVfs::slowDown(std::chrono::milliseconds sync) { shared.delay = sync; }
+void CountingVfs::showOperations(std::function<void(DiskOperation)> show) { shared.show = std::move(show); }
 
 }  // namespace tests::support

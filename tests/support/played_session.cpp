@@ -83,7 +83,7 @@ bool OpenSession::step()
     const auto* presenting = std::get_if<Presenting>(&driver->state().stage);
     if (presenting && !driver->state().paused) {
         clock.advanceSeconds(1.25);
-        if (presenting->question == 0) send(Touched{});
+        if (presenting->question == 0 && !presenting->touchedAtNs) send(Touched{});
         clock.advanceSeconds(2.5);
     }
     const auto event = nextEvent(driver->view(), driver->plan());
@@ -113,6 +113,17 @@ std::optional<EventBody> nextEvent(const View& view, const Plan& plan)
 {
     if (view.state.paused) return Resumed{};
     return std::visit(NextEventOfView{view, plan}, view.state.stage);
+}
+
+std::vector<std::string> linesOf(const database::StudyStore& store)
+{
+    std::vector<std::string> lines;
+    for (const database::CurrentAnswer& answer : store.answers()) {
+        const database::AnswerRecord& record = answer.record;
+        lines.push_back(std::to_string(record.trial.value) + " " + record.question.value + " " + record.presentationCode.value +
+                        " " + (record.answer ? *record.answer : std::to_string(record.rating->value)));
+    }
+    return lines;
 }
 
 GivenAnswer responseTo(const View& view)

@@ -51,6 +51,9 @@ struct OpenSession {
 /// of the checklist and fills in every fact and reading. Empty at the end of the session.
 std::optional<study::session::EventBody> nextEvent(const study::session::View& view, const study::session::Plan& plan);
 
+/// "TRIAL QUESTION CODE ANSWER" for each stored answer, in the order of slots and trials.
+std::vector<std::string> linesOf(const database::StudyStore& store);
+
 /// GivenAnswer that depends only on the code of the presentation and the question.
 study::session::GivenAnswer responseTo(const study::session::View& view);
 

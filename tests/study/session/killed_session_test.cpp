@@ -17,20 +17,6 @@ namespace {
 
 constexpr int answersInAll = 6 + 18;
 
-std::string lineOf(const database::CurrentAnswer& answer)
-{
-    const auto& record = answer.record;
-    return std::to_string(record.trial.value) + " " + record.question.value + " " + record.presentationCode.value + " " +
-           (record.answer ? *record.answer : std::to_string(record.rating->value));
-}
-
-std::vector<std::string> linesOf(const database::StudyStore& store)
-{
-    std::vector<std::string> lines;
-    for (const auto& answer : store.answers()) lines.push_back(lineOf(answer));
-    return lines;
-}
-
 /// The trial (from 0) of the next answer.
 int trialAfter(int answers) { return answers < 6 ? answers : 6 + (answers - 6) / 3; }
 

@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "protocols/files/errors.h"
+#include "protocols/files/open_files.h"
 
 namespace database {
 
@@ -33,6 +34,7 @@ int primaryCode(const QSqlError& error)
 protocols::Error faultOf(const QSqlError& error, const std::string& file)
 {
     const std::string detail = error.databaseText().toStdString();
+    if (protocols::canOpenNoMoreFiles()) return protocols::tooManyOpenFiles(file);
     switch (primaryCode(error)) {
         case Full:
             return protocols::environmentFault(
@@ -76,6 +78,7 @@ SqliteConnection::SqliteConnection(std::filesystem::path file, Mode mode) : m_fi
 {
     m_connection = QSqlDatabase::addDatabase(QStringLiteral("QSQLITE"), m_name);
     try {
+        if (!m_connection.isValid() && protocols::canOpenNoMoreFiles()) throw protocols::tooManyOpenFiles(m_file.string());
         if (!m_connection.isValid())
             throw protocols::environmentFault(
                 {"Qt's SQLite driver cannot be loaded", "", "the package libqt6sql6-sqlite", "install it"});

@@ -7,6 +7,7 @@
 #include "database/stored_texts.h"
 #include "database/study_rows.h"
 #include "protocols/files/errors.h"
+#include "protocols/files/id_rule.h"
 #include "protocols/files/sha256.h"
 
 namespace database {
@@ -14,15 +15,6 @@ namespace database {
 namespace {
 
 std::string folderOf(const SqliteConnection& sqlite) { return sqlite.file().parent_path().string(); }
-
-void checkId(const protocols::ParticipantId& participant)
-{
-    const std::string& id = participant.value;
-    const bool isPrintable = std::none_of(id.begin(), id.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; });
-    if (id.empty() || id.size() > 64 || !isPrintable)
-        throw protocols::badInput(
-            {"\"" + id + "\" cannot name a participant", "", "1 to 64 printable characters", "choose another id"});
-}
 
 /// Number of the present attempt at a trial: one more than its voids.
 int attemptOf(const SqliteConnection& sqlite, const std::string& participant, int trial)
@@ -121,7 +113,6 @@ void moveState(const SqliteConnection& sqlite, const protocols::ParticipantId& p
 
 Slot enrolIn(const SqliteConnection& sqlite, const protocols::ParticipantId& participant, ParticipantKind kind)
 {
-    checkId(participant);
     Transaction transaction(sqlite);
     for (const Erasure& erasure : erasuresIn(sqlite))
         if (erasure.participant == participant && erasure.answersToo)
@@ -134,6 +125,7 @@ Slot enrolIn(const SqliteConnection& sqlite, const protocols::ParticipantId& par
                                        folderOf(sqlite), "another id", ""});
         return {known.slot, known.state, participant, kind};
     }
+    protocols::requireGoodId(participant.value, "a participant", folderOf(sqlite));
     std::optional<Slot> free;
     for (const Slot& slot : slotsIn(sqlite))
         if (!free && slot.state == SlotState::Free) free = slot;

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "protocols/files/errors.h"
+#include "protocols/files/open_files.h"
 
 namespace database {
 
@@ -38,6 +39,7 @@ protocols::Error heldByAnother(const StudyFolder& folder, int descriptor)
 WriteLock::WriteLock(const StudyFolder& folder)
 {
     m_descriptor = ::open(folder.lock().c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
+    if (m_descriptor < 0 && protocols::isTooManyOpenFiles(errno)) throw protocols::tooManyOpenFiles(folder.lock().string());
     if (m_descriptor < 0)
         throw protocols::environmentFault({std::string("the study cannot be opened for writing: ") + std::strerror(errno),
                                            folder.folder.string(), "a folder that may be written",

@@ -5,6 +5,7 @@
 
 #include "protocols/condition.h"
 #include "protocols/files/errors.h"
+#include "protocols/files/id_rule.h"
 #include "protocols/files/strict_json.h"
 #include "protocols/files/whole_file.h"
 #include "protocols/protocol_part.h"
@@ -165,8 +166,13 @@ Protocol readBy(ProtocolEdition edition, std::string_view text, const std::strin
     if (!document.root().is_object()) refuse(faults.all(), document);
     const Protocol protocol = protocolFrom(ProtocolPart(document.root(), "", faults), edition);
     for (const std::string& fault : faultsOf(protocol)) faults.add(fault);
-    if (edition == ProtocolEdition::Current)
+    if (edition == ProtocolEdition::Current) {
         for (const std::string& fault : faultsOfQuestionIds(protocol)) faults.add(fault);
+        for (std::size_t i = 0; i < protocol.fabrics.size(); ++i)
+            // An empty id is one that the schema has refused.
+            if (const std::string why = faultOfId(protocol.fabrics[i].value); !why.empty() && !protocol.fabrics[i].empty())
+                faults.add("fabrics[" + std::to_string(i) + "]: the id " + why + ", expected " + idRule());
+    }
     if (const SchemaFaults all = faults.all(); !all.empty()) refuse(all, document);
     return protocol;
 }

@@ -8,7 +8,7 @@ namespace protocols {
 
 namespace {
 
-constexpr std::size_t longestId = 40;
+constexpr std::size_t longestQuestionId = 40;
 
 constexpr std::array<std::string_view, 19> columnsOfAnswers{
     "participant", "trial",       "question", "fabric",    "condition",  "alternatives", "answer",
@@ -66,7 +66,7 @@ std::string faultOfColumns(const AskedAt& asked, const Columns& taken)
 
 bool isQuestionId(std::string_view id)
 {
-    if (id.empty() || id.size() > longestId || !isLetter(id.front())) return false;
+    if (id.empty() || id.size() > longestQuestionId || !isLetter(id.front())) return false;
     return std::ranges::all_of(id, [](char c) { return isLetter(c) || isDigit(c) || c == '_'; });
 }
 

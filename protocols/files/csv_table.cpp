@@ -11,6 +11,16 @@ namespace protocols {
 
 namespace {
 
+/// Longest name of a column, bytes. Messages list the names.
+constexpr std::size_t longestColumnName = 1000;
+
+/// The beginning of a long cell, for messages.
+std::string inBrief(const std::string& cell)
+{
+    constexpr std::size_t longestShown = 60;
+    return cell.size() <= longestShown ? cell : cell.substr(0, longestShown) + "...";
+}
+
 std::optional<std::size_t> placeOf(const std::vector<std::string>& columns, std::string_view name)
 {
     const auto found = std::find(columns.begin(), columns.end(), name);
@@ -24,8 +34,8 @@ std::string rowText(const std::string& where, std::size_t row, std::size_t line)
 
 Error notANumber(const std::string& cell, const std::string& row, const std::string& column, const std::string& expected)
 {
-    return badInput(
-        {cell.empty() ? "the cell is empty" : "\"" + cell + "\" is not a number", row + ", column " + column, expected, ""});
+    return badInput({cell.empty() ? "the cell is empty" : "\"" + inBrief(cell) + "\" is not a number", row + ", column " + column,
+                     expected, ""});
 }
 
 }  // namespace
@@ -41,6 +51,10 @@ CsvReader::CsvReader(std::string_view text, std::string where, char separator)
     } while (isEmptyLine());
     std::set<std::string_view> seen;
     for (const std::string& name : m_cells) m_columns.emplace_back(withoutBlanks(name));
+    for (const std::string& name : m_columns)
+        if (name.size() > longestColumnName)
+            throw badInput({"a column name has " + std::to_string(name.size()) + " bytes", lineName(),
+                            "at most " + std::to_string(longestColumnName), "check that the file is a table"});
     for (const std::string& name : m_columns)
         if (!name.empty() && !seen.insert(name).second)
             throw badInput({"the column \"" + name + "\" occurs twice", lineName(), "each column once", ""});

@@ -14,7 +14,8 @@ namespace protocols {
 class CsvReader {
 public:
     /// Reads the header row. `text` must outlive the reader; `where` names it in errors; `separator` is a comma, a
-    /// semicolon or a tab. Throws badInput where the text is empty or a column name occurs twice.
+    /// semicolon or a tab. Throws badInput where the text is empty, or a column name occurs twice or
+    /// has more than 1000 bytes.
     CsvReader(std::string_view text, std::string where, char separator = ',');
 
     /// Without the blanks around each name.

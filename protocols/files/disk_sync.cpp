@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "protocols/files/errors.h"
+#include "protocols/files/open_files.h"
 
 namespace protocols {
 
@@ -21,6 +22,7 @@ constexpr std::size_t mostSyncedOneByOne = 32;
 
 Error cannotSync(const fs::path& place, int reason)
 {
+    if (isTooManyOpenFiles(reason)) return tooManyOpenFiles(place.string());
     return environmentFault({std::string("cannot be stored safely (") + std::strerror(reason) + ")", place.string(),
                              "a disk that works and has free space", "check the disk and its free space"});
 }

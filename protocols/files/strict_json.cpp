@@ -7,40 +7,11 @@
 #include <utility>
 #include <vector>
 
+#include "protocols/files/utf8.h"
+
 namespace protocols {
 
 namespace {
-
-/// Length of the well-formed UTF-8 sequence at the front of `text` (RFC 3629), or 0.
-std::size_t sequenceLength(std::string_view text)
-{
-    const auto at = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
-    const auto continues = [&](std::size_t i) { return (at(i) & 0xC0u) == 0x80u; };
-    const unsigned lead = at(0);
-    if (lead < 0x80) return 1;
-    if (lead >= 0xC2 && lead <= 0xDF) return continues(1) ? 2 : 0;
-    if (lead >= 0xE0 && lead <= 0xEF) {
-        const bool overlong = lead == 0xE0 && at(1) < 0xA0;
-        const bool surrogate = lead == 0xED && at(1) > 0x9F;
-        return continues(1) && continues(2) && !overlong && !surrogate ? 3 : 0;
-    }
-    if (lead >= 0xF0 && lead <= 0xF4) {
-        const bool overlong = lead == 0xF0 && at(1) < 0x90;
-        const bool beyond = lead == 0xF4 && at(1) > 0x8F;
-        return continues(1) && continues(2) && continues(3) && !overlong && !beyond ? 4 : 0;
-    }
-    return 0;
-}
-
-std::optional<std::size_t> firstByteThatIsNotUtf8(std::string_view text)
-{
-    for (std::size_t i = 0; i < text.size();) {
-        const std::size_t length = sequenceLength(text.substr(i));
-        if (length == 0) return i;
-        i += length;
-    }
-    return std::nullopt;
-}
 
 /// "line 3, column 5" of a byte.
 std::string placeOfByte(std::string_view text, std::size_t offset)
@@ -60,6 +31,13 @@ std::string reasonIn(std::string message)
     if (const std::size_t place = message.find(": "); message.starts_with("parse error") && place != std::string::npos)
         message.erase(0, place + 2);
     return message;
+}
+
+/// The number in "... number overflow parsing '1e999'".
+std::string quotedIn(const std::string& message)
+{
+    const std::size_t end = message.rfind('\''), begin = message.find('\'');
+    return begin < end && end != std::string::npos ? message.substr(begin + 1, end - begin - 1) : "";
 }
 
 /// Steps through a well-formed text. Nothing here is recursive, because a text may nest to any depth.
@@ -193,6 +171,42 @@ std::string_view withoutByteOrderMark(std::string_view text)
     return text.starts_with(mark) ? text.substr(mark.size()) : text;
 }
 
+/// The first byte at which more than `deepestJson` objects and arrays are open. The text need not be well-formed.
+std::optional<std::size_t> firstByteTooDeep(std::string_view text)
+{
+    std::size_t depth = 0;
+    bool isInString = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (isInString && c == '\\')
+            ++i;
+        else if (c == '"')
+            isInString = !isInString;
+        else if (!isInString && (c == '{' || c == '[') && ++depth > deepestJson)
+            return i;
+        else if (!isInString && (c == '}' || c == ']') && depth > 0)
+            --depth;
+    }
+    return std::nullopt;
+}
+
+/// Refuses what the parser would read but should not, or reports in words that mislead.
+void requireReadable(std::string_view text, const std::string& where)
+{
+    if (text.size() > largestJson)
+        throw badInput({"has " + std::to_string(text.size()) + " bytes", where,
+                        "JSON of at most " + std::to_string(largestJson) + " bytes", "check the path"});
+    const auto placed = [&](std::size_t offset) { return where + ", " + placeOfByte(text, offset); };
+    if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos)
+        throw badInput({"the text holds a zero byte", placed(zero), "JSON in UTF-8", "save the file in UTF-8"});
+    if (const auto offset = firstByteThatIsNotUtf8(text))
+        throw badInput({"the text is not UTF-8", placed(*offset), "JSON in UTF-8", "save the file in UTF-8"});
+    if (const auto offset = firstByteTooDeep(text))
+        throw badInput({"the text nests too deeply", placed(*offset),
+                        "at most " + std::to_string(deepestJson) + " objects and arrays inside each other",
+                        "correct the text at that place"});
+}
+
 /// "/phases/0" is "phases" and "0".
 std::vector<std::string> stepsOf(std::string_view pointer)
 {
@@ -215,11 +229,7 @@ template <class Json>
 Json parsed(std::string_view text, const std::string& where)
 {
     text = withoutByteOrderMark(text);
-    if (const auto offset = firstByteThatIsNotUtf8(text))
-        throw badInput({.what = "the text is not UTF-8",
-                        .where = where + ", " + placeOfByte(text, *offset),
-                        .expected = "JSON in UTF-8",
-                        .nextStep = "save the file in UTF-8"});
+    requireReadable(text, where);
     Json root;
     try {
         root = Json::parse(text.begin(), text.end());
@@ -230,7 +240,7 @@ Json parsed(std::string_view text, const std::string& where)
                         .nextStep = "correct the text at that place"});
     } catch (const typename Json::exception& fault) {
         throw badInput({.what = "malformed JSON (" + reasonIn(fault.what()) + ")",
-                        .where = where,
+                        .where = where + ", " + placeOfByte(text, text.find(quotedIn(fault.what()))),
                         .expected = "numbers within the range of 64-bit floating point",
                         .nextStep = "correct the number"});
     }

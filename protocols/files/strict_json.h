@@ -1,5 +1,6 @@
 // JSON read strictly: malformed text, bytes that are not UTF-8 and keys that occur twice in an object are refused with
-// line and column. A document knows the place of each of its values, so that later faults can name it, too.
+// line and column. Texts that are too large or nested too deeply are refused before they take memory. A document knows the place
+// of each of its values, so that later faults can name it, too.
 #pragma once
 
 #include <memory>
@@ -10,6 +11,12 @@
 #include "protocols/files/errors.h"
 
 namespace protocols {
+
+/// Largest text, bytes. Its values take up to 16 times as much memory.
+inline constexpr std::size_t largestJson = std::size_t{1} << 27;
+
+/// Most objects and arrays inside each other. Copies and comparisons of values are recursive.
+inline constexpr std::size_t deepestJson = 100;
 
 /// `where` names the source in errors. Throws badInput.
 nlohmann::json parseStrictJson(std::string_view text, const std::string& where);

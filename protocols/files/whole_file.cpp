@@ -13,6 +13,7 @@
 
 #include "protocols/files/disk_sync.h"
 #include "protocols/files/errors.h"
+#include "protocols/files/open_files.h"
 #include "protocols/files/unfinished.h"
 
 namespace protocols {
@@ -21,16 +22,30 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int longestWaitMs = 10'000;
+// Reasons beside those of errno, which are positive.
+constexpr int nobodyWrites = -1, isDevice = -2, isTooLarge = -3;
+
+Error hasTooManyBytes(const fs::path& file, const std::string& bytes, std::uint64_t mostBytes)
+{
+    return badInput(
+        {"has " + bytes + " bytes", file.string(), "at most " + std::to_string(mostBytes) + " bytes", "check the path"});
+}
 
 Error cannotRead(const fs::path& file, int reason)
 {
+    if (reason == nobodyWrites)
+        return badInput({"nobody wrote into this pipe for " + std::to_string(longestWaitForPipeS) + " s", file.string(),
+                         "a file, or a pipe into which a program writes", "start that program first, or name a file"});
+    if (reason == isDevice) return badInput({"is a device", file.string(), "a file or a pipe", "check the path"});
+    if (reason == isTooLarge) return hasTooManyBytes(file, "more than " + std::to_string(largestFile), largestFile);
+    if (isTooManyOpenFiles(reason)) return tooManyOpenFiles(file.string());
     return badInput({std::string("cannot be read (") + std::strerror(reason) + ")", file.string(), "a readable file",
                      "check the path and its permissions"});
 }
 
 Error cannotWrite(const fs::path& file, int reason)
 {
+    if (isTooManyOpenFiles(reason)) return tooManyOpenFiles(file.string());
     return environmentFault({std::string("cannot be written (") + std::strerror(reason) + ")", file.string(),
                              "a writable folder with free space", "free space or choose another folder"});
 }
@@ -54,34 +69,38 @@ private:
     int m_number;
 };
 
-bool isPipe(const fs::path& file)
+/// The kind of a file, as bits of stat(); 0 where there is none.
+mode_t kindAt(const fs::path& file)
 {
     struct stat status {};
-    return ::stat(file.c_str(), &status) == 0 && S_ISFIFO(status.st_mode);
+    return ::stat(file.c_str(), &status) == 0 ? status.st_mode & S_IFMT : 0;
 }
+
+/// Devices such as /dev/zero never end; a terminal does.
+bool isEndless(mode_t kind, int descriptor) { return (kind == S_IFCHR && ::isatty(descriptor) == 0) || kind == S_IFBLK; }
 
 /// Waits for the first bytes of a pipe, into which perhaps nobody writes.
 bool getsSomething(int pipe)
 {
     pollfd waiting{pipe, POLLIN, 0};
-    return ::poll(&waiting, 1, longestWaitMs) > 0 && ::fcntl(pipe, F_SETFL, 0) == 0;
+    return ::poll(&waiting, 1, 1000 * longestWaitForPipeS) > 0 && ::fcntl(pipe, F_SETFL, 0) == 0;
 }
 
-/// Gives every block to `take`. Returns 0 or the reason of the failure.
-int eachBlock(const fs::path& file, const std::function<void(std::string_view)>& take)
+/// Gives every block to `take` until that returns false. Returns 0 or the reason of the failure.
+int eachBlock(const fs::path& file, const std::function<bool(std::string_view)>& take)
 {
-    const bool waits = isPipe(file);
+    const mode_t kind = kindAt(file);
+    const bool waits = kind == S_IFIFO;
     const Descriptor open(file, waits ? O_RDONLY | O_NONBLOCK : O_RDONLY);
     if (!open.isOpen()) return errno;
-    if (waits && !getsSomething(open.number())) return ETIMEDOUT;
+    if (isEndless(kind, open.number())) return isDevice;
+    if (waits && !getsSomething(open.number())) return nobodyWrites;
     std::vector<char> block(std::size_t{1} << 16);
     while (true) {
         const ssize_t count = ::read(open.number(), block.data(), block.size());
         if (count == 0) return 0;
-        if (count > 0)
-            take({block.data(), static_cast<std::size_t>(count)});
-        else if (errno != EINTR)
-            return errno;
+        if (count < 0 && errno != EINTR) return errno;
+        if (count > 0 && !take({block.data(), static_cast<std::size_t>(count)})) return 0;
     }
 }
 
@@ -89,8 +108,15 @@ int eachBlock(const fs::path& file, const std::function<void(std::string_view)>&
 int readInto(const fs::path& file, std::string& bytes)
 {
     std::error_code unknown;
-    if (const auto size = fs::file_size(file, unknown); !unknown) bytes.reserve(size);
-    return eachBlock(file, [&](std::string_view block) { bytes += block; });
+    if (const auto size = fs::file_size(file, unknown); !unknown) {
+        if (size > largestFile) return isTooLarge;
+        bytes.reserve(size);
+    }
+    const int reason = eachBlock(file, [&](std::string_view block) {
+        bytes += block;
+        return bytes.size() <= largestFile;
+    });
+    return bytes.size() > largestFile ? isTooLarge : reason;
 }
 
 const char* kindOf(mode_t mode)
@@ -179,7 +205,6 @@ int writeTemporary(const fs::path& temporary, const MakeBytes& make, Sync sync, 
     ::unlink(temporary.c_str());  // left by an earlier process of this number
     Descriptor open(temporary, O_WRONLY | O_CREAT | O_EXCL, readers == Readers::OwnerOnly ? 0600 : 0666);
     if (!open.isOpen()) return errno;
-    if (readers == Readers::Everyone && ::fchmod(open.number(), 0644) != 0) return errno;
     if (const int reason = writePieces(open.number(), make); reason != 0) return reason;
     if (sync == Sync::Now && ::fsync(open.number()) != 0) return errno;
     return open.close() ? 0 : errno;
@@ -216,16 +241,16 @@ std::string readWholeFile(const fs::path& file)
 std::optional<std::string> readIfPossible(const fs::path& file)
 {
     std::string bytes;
-    return readInto(file, bytes) == 0 ? std::optional(std::move(bytes)) : std::nullopt;
+    const int reason = readInto(file, bytes);
+    if (isTooManyOpenFiles(reason)) throw cannotRead(file, reason);  // not a fault of the file
+    return reason == 0 ? std::optional(std::move(bytes)) : std::nullopt;
 }
 
 std::string readRegularFile(const fs::path& file, std::uint64_t mostBytes)
 {
     std::uint64_t size = 0;
     const Descriptor open = regularFile(file, size);
-    if (size > mostBytes)
-        throw badInput({"has " + std::to_string(size) + " bytes", file.string(),
-                        "at most " + std::to_string(mostBytes) + " bytes", "check the path"});
+    if (size > mostBytes) throw hasTooManyBytes(file, std::to_string(size), mostBytes);
     return firstBytes(file, open, static_cast<std::size_t>(size));
 }
 
@@ -238,7 +263,11 @@ std::string beginningOf(const fs::path& file, std::size_t count)
 
 void readInBlocks(const fs::path& file, const std::function<void(std::string_view)>& take)
 {
-    if (const int reason = eachBlock(file, take); reason != 0) throw cannotRead(file, reason);
+    const auto takeOn = [&](std::string_view block) {
+        take(block);
+        return true;
+    };
+    if (const int reason = eachBlock(file, takeOn); reason != 0) throw cannotRead(file, reason);
 }
 
 void writeWholeFile(const fs::path& file, std::string_view bytes, Sync sync, Readers readers)

@@ -12,10 +12,18 @@
 
 namespace protocols {
 
-/// All bytes. Throws badInput where the file is missing, is a folder or cannot be read.
+/// Largest file that is read in one piece, bytes. Records of 10^7 rows have 0.3 GB.
+inline constexpr std::uint64_t largestFile = std::uint64_t{1} << 31;
+
+/// How long a reader waits for the first bytes of a pipe, s.
+inline constexpr int longestWaitForPipeS = 10;
+
+/// All bytes of a regular file, a pipe or a terminal. Throws badInput where the file is missing, is a folder or another device,
+/// has more than `largestFile` bytes, or cannot be read, and for a pipe into which nobody writes. Throws environmentFault where
+/// this process has too many open files.
 std::string readWholeFile(const std::filesystem::path& file);
 
-/// All bytes, or nothing where they cannot be read: for callers with a message of their own.
+/// All bytes, or nothing where readWholeFile() throws badInput: for callers with a message of their own.
 std::optional<std::string> readIfPossible(const std::filesystem::path& file);
 
 /// All bytes of a regular file of at most `mostBytes`. Throws badInput for a folder, pipe, socket or device, which is not even
@@ -25,7 +33,7 @@ std::string readRegularFile(const std::filesystem::path& file, std::uint64_t mos
 /// The first `count` bytes of a regular file, or all bytes of a shorter one. Throws as readRegularFile() does.
 std::string beginningOf(const std::filesystem::path& file, std::size_t count);
 
-/// All bytes, one block after the other, for files that may be larger than the memory. Throws as readWholeFile() does.
+/// All bytes, one block after the other, for files of any size. Throws as readWholeFile() does.
 void readInBlocks(const std::filesystem::path& file, const std::function<void(std::string_view)>& take);
 
 /// When the bytes of a new file must have reached the disk.
@@ -37,7 +45,6 @@ enum class Sync {
 /// Who may read a new file.
 enum class Readers {
     AsUsual,    ///< as the user's umask says
-    Everyone,   ///< mode 0644
     OwnerOnly,  ///< mode 0600 from the first byte on
 };
 

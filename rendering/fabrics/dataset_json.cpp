@@ -5,6 +5,7 @@
 #include <set>
 
 #include "protocols/files/errors.h"
+#include "protocols/files/id_rule.h"
 #include "protocols/files/strict_json.h"
 
 namespace rendering::fabrics {
@@ -79,7 +80,8 @@ std::vector<FabricInfo> fabricsIn(const Fields& fields, const std::string& where
     for (std::size_t i = 0; i < list.size(); ++i) {
         const Fields entry(list[i], where, "fabrics[" + std::to_string(i) + "]");
         const std::string id = entry.text("id");
-        if (!isFolderName(id)) throw entry.fault("id", "is \"" + id + "\"", "a folder name of letters, digits, - and _");
+        if (const std::string why = protocols::faultOfId(id); !why.empty())
+            throw entry.fault("id", "is \"" + id + "\", which " + why, protocols::idRule());
         if (!seen.insert(id).second) throw entry.fault("id", "repeats \"" + id + "\"", "each id once");
         fabrics.push_back({protocols::FabricId(id), entry.text("name", id), entry.text("structure", "")});
     }
@@ -113,14 +115,6 @@ void readTactile(const Fields& fields, const std::string& where, Dataset& datase
 json orNull(const std::optional<double>& value) { return value ? json(*value) : json(nullptr); }
 
 }  // namespace
-
-bool isFolderName(std::string_view id)
-{
-    const auto allowed = [](char c) {
-        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
-    };
-    return !id.empty() && id.size() <= 40 && std::all_of(id.begin(), id.end(), allowed);
-}
 
 Dataset datasetFromJson(std::string_view text, const std::string& where)
 {

@@ -8,12 +8,10 @@
 
 namespace rendering::fabrics {
 
-/// Reads a data set whose `folder` stays empty. `where` names the file in faults. Throws badInput.
+/// Reads a data set whose `folder` stays empty. Ids of fabrics obey the rule of protocols/files/id_rule.h. `where` names the file
+/// in faults. Throws badInput.
 Dataset datasetFromJson(std::string_view text, const std::string& where);
 
 std::string toJson(const Dataset& dataset);
-
-/// Whether a fabric's id can be the name of its folder: letters, digits, '-' and '_', at most 40.
-bool isFolderName(std::string_view id);
 
 }  // namespace rendering::fabrics

@@ -10,6 +10,7 @@
 #include "database/study_store.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/folder_draft.h"
+#include "protocols/files/open_files.h"
 #include "study/commands/command_line.h"
 #include "study/records/erasure_certificate.h"
 #include "study/records/stored_study.h"
@@ -90,6 +91,7 @@ int backup(const std::string& study, const std::string& out)
         ::chmod(archive.c_str(), 0600);  // it contains the allocation key
         protocols::putFileInPlace(archive, out);
     } catch (const fs::filesystem_error& fault) {
+        if (protocols::isTooManyOpenFiles(fault.code().value())) throw protocols::tooManyOpenFiles(out);
         throw protocols::environmentFault({std::string("cannot write the backup: ") + fault.what(), out,
                                            "room for a copy of the study",
                                            "make room or choose another disk; the study itself is untouched"});

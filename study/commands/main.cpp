@@ -1,6 +1,7 @@
 // The program `vis2hap`: parses the command line, makes the Qt application that the command needs and runs the command. Every
 // fault becomes one line and an exit code.
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 
 #include <CLI/CLI.hpp>
@@ -9,10 +10,12 @@
 #include <clocale>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <memory>
 #include <new>
 
 #include "protocols/files/errors.h"
+#include "protocols/files/open_files.h"
 #include "protocols/files/safe_text.h"
 #include "study/commands/command_line.h"
 
@@ -53,6 +56,15 @@ std::unique_ptr<QCoreApplication> surroundingsFor(Surroundings kind, int& argc, 
         qInstallMessageHandler(printFaultsOnly);
     }
     return std::make_unique<QApplication>(argc, argv);
+}
+
+/// Qt's event loop and tar end without a message of ours below this number of open files.
+constexpr rlim_t fewestOpenFiles = 16;
+
+void requireOpenFiles()
+{
+    rlimit limit{};
+    if (::getrlimit(RLIMIT_NOFILE, &limit) == 0 && limit.rlim_cur < fewestOpenFiles) throw protocols::tooManyOpenFiles("vis2hap");
 }
 
 int run(int argc, char** argv)
@@ -98,6 +110,7 @@ int run(int argc, char** argv)
                      command.c_str());
         return static_cast<int>(ExitCode::BadInput);
     }
+    requireOpenFiles();
     // Qt gets no options, because it would read ours: to Qt, --display names a screen of the X server.
     int programNameAlone = 1;
     const auto application = surroundingsFor(action.surroundings, programNameAlone, argv);
@@ -110,6 +123,16 @@ int run(int argc, char** argv)
     return code;
 }
 
+/// A folder or file of which the file system refuses something.
+protocols::Error faultOf(const std::filesystem::filesystem_error& error)
+{
+    const std::string where = error.path2().empty() ? error.path1().string() : error.path2().string();
+    if (protocols::isTooManyOpenFiles(error.code().value())) return protocols::tooManyOpenFiles(where);
+    return protocols::environmentFault({"the file system refuses it (" + error.code().message() + ")", where,
+                                        "files and folders that this account may read and write",
+                                        "check the path, its permissions and the free space"});
+}
+
 }  // namespace
 
 int main(int argc, char** argv)
@@ -119,6 +142,10 @@ int main(int argc, char** argv)
     } catch (const protocols::Error& error) {
         std::fprintf(stderr, "vis2hap: %s\n", error.what());
         return static_cast<int>(error.exitCode());
+    } catch (const std::filesystem::filesystem_error& error) {
+        const protocols::Error fault = faultOf(error);
+        std::fprintf(stderr, "vis2hap: %s\n", fault.what());
+        return static_cast<int>(fault.exitCode());
     } catch (const std::bad_alloc&) {
         std::fputs("vis2hap: the memory is used up; close other programs or use smaller input\n", stderr);
         return static_cast<int>(ExitCode::Environment);

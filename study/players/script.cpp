@@ -1,14 +1,17 @@
 #include "study/players/script.h"
 
 #include <algorithm>
+#include <climits>
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <tuple>
+#include <utility>
 
 #include "protocols/condition.h"
 #include "protocols/files/errors.h"
+#include "protocols/files/id_rule.h"
 #include "protocols/files/strict_json.h"
 
 namespace study::players {
@@ -18,124 +21,189 @@ namespace {
 using nlohmann::json;
 using What = ScriptedEvent::What;
 
+constexpr const char* nextStep = "correct the script and run the same command again";
+
 const std::map<std::string, What> eventNames{{"pause", What::Pause},       {"resume", What::Resume}, {"correct", What::Correct},
                                              {"void", What::Void},         {"crash", What::Crash},   {"note", What::Note},
                                              {"withdraw", What::Withdraw}, {"answer", What::Answer}, {"touch", What::Touch},
                                              {"expect", What::Expect}};
 
-protocols::Error fault(const std::string& what, const std::string& where, const std::string& expected)
-{
-    return protocols::badInput({what, where, expected, "correct the script and run the same command again"});
-}
+/// An object of the script with its place for faults.
+class Entry {
+public:
+    /// `pointer` leads to the object, `name` is what messages call it: "answer 3". Throws badInput where it is no object.
+    Entry(const protocols::JsonDocument& document, std::string pointer, std::string name)
+        : m_document(document),
+          m_object(document.root().at(json::json_pointer(pointer))),
+          m_pointer(std::move(pointer)),
+          m_name(std::move(name))
+    {
+        if (!m_object.is_object()) throw fault("", "it is no object", "{...}");
+    }
 
-std::string textField(const json& entry, const char* field, const std::string& where)
-{
-    if (!entry.contains(field) || !entry[field].is_string())
-        throw fault(std::string("the text \"") + field + "\" is missing", where, std::string("\"") + field + "\": \"...\"");
-    return entry[field].get<std::string>();
-}
+    bool has(const char* field) const { return m_object.contains(field); }
 
-ScriptedResponse responseFrom(const json& value, const std::string& where)
+    /// Null where the field is missing.
+    const json& operator[](const char* field) const
+    {
+        static const json nothing;
+        const auto found = m_object.find(field);
+        return found == m_object.end() ? nothing : *found;
+    }
+
+    /// The fault of a field, or of the entry where the field is missing or "".
+    protocols::Error fault(const std::string& field, const std::string& what, const std::string& expected) const
+    {
+        const std::string pointer = field.empty() ? m_pointer : m_pointer + "/" + protocols::pointerStep(field);
+        const std::string name = m_name.empty() ? "" : m_name + ": ";
+        return m_document.faultAt(pointer, name + what, expected, nextStep);
+    }
+
+    std::string text(const char* field) const
+    {
+        const json& value = (*this)[field];
+        if (!value.is_string() || value.get_ref<const std::string&>().empty())
+            throw fault(field, std::string("the text \"") + field + "\" is missing", std::string("\"") + field + "\": \"...\"");
+        return value.get<std::string>();
+    }
+
+    /// A text that may be left out.
+    std::string textOrNothing(const char* field) const
+    {
+        if (!has(field)) return "";
+        if (!(*this)[field].is_string())
+            throw fault(field, std::string(field) + " is no text", std::string("\"") + field + "\": \"...\"");
+        return (*this)[field].get<std::string>();
+    }
+
+    int whole(const char* field, int least) const
+    {
+        const json& value = (*this)[field];
+        const bool isInRange = value.is_number_unsigned() ? value.get<std::uint64_t>() <= INT_MAX : value.is_number_integer();
+        if (!isInRange || value.get<std::int64_t>() < least || value.get<std::int64_t>() > INT_MAX)
+            throw fault(field, std::string(field) + " is not a whole number from " + std::to_string(least),
+                        std::string("\"") + field + "\": N");
+        return value.get<int>();
+    }
+
+    /// False where the field is missing.
+    bool yes(const char* field) const
+    {
+        if (has(field) && !(*this)[field].is_boolean())
+            throw fault(field, std::string(field) + " is neither true nor false", "true or false");
+        return has(field) && (*this)[field].get<bool>();
+    }
+
+    /// A time in seconds by which the clock can advance.
+    double seconds(const char* field, double least) const
+    {
+        const json& value = (*this)[field];
+        const double seconds = value.is_number() ? value.get<double>() : -1;
+        if (!(seconds >= least && seconds < 86400))
+            throw fault(field, std::string(field) + " is out of range", "a number above 0 and below a day");
+        return seconds;
+    }
+
+private:
+    const protocols::JsonDocument& m_document;
+    const json& m_object;
+    std::string m_pointer, m_name;
+};
+
+ScriptedResponse responseIn(const Entry& entry)
 {
+    if (!entry.has("answer")) throw entry.fault("", "the answer is missing", "\"answer\": ...");
+    const json& value = entry["answer"];
     if (value.is_string()) return value.get<std::string>();
     if (!value.is_number())
-        throw fault("the answer is neither text nor a number", where, "correct, foil:1, a fabric id, or a rating");
+        throw entry.fault("answer", "the answer is neither text nor a number", "correct, foil:1, a fabric id, or a rating");
     const double tenths = value.get<double>() * 10;
-    if (std::abs(tenths) > 1e6 || std::abs(tenths - std::round(tenths)) > 1e-6)
-        throw fault("rating " + value.dump() + " is not a whole number of tenths", where, "a rating like 5.4");
+    if (!(std::abs(tenths) <= 1e6) || std::abs(tenths - std::round(tenths)) > 1e-6)
+        throw entry.fault("answer", "rating " + value.dump() + " is not a whole number of tenths", "a rating like 5.4");
     return protocols::Tenths{static_cast<int>(std::lround(tenths))};
 }
 
-ScriptedPlace placeFrom(const json& entry, const std::string& where)
+ScriptedPlace placeFrom(const Entry& entry)
 {
     ScriptedPlace place;
-    if (entry.contains("attempt")) {
-        if (!entry["attempt"].is_number_integer() || entry["attempt"].get<int>() < 1)
-            throw fault("attempt is not a whole number from 1", where, "\"attempt\": N");
-        place.attempt = entry["attempt"].get<int>();
-    }
-    if (entry.contains("trial")) {
-        if (!entry["trial"].is_number_integer()) throw fault("trial is not a whole number", where, "\"trial\": N, from 1");
-        place.trial = protocols::TrialNumber{entry["trial"].get<int>()};
+    if (entry.has("attempt")) place.attempt = entry.whole("attempt", 1);
+    if (entry.has("trial")) {
+        place.trial = protocols::TrialNumber{entry.whole("trial", 1)};
         return place;
     }
-    place.fabric = protocols::FabricId(textField(entry, "fabric", where));
-    if (entry.value("condition", json()) == protocols::catchTrialId().value) {
+    place.fabric = protocols::FabricId(entry.text("fabric"));
+    const std::string condition = entry.text("condition");
+    if (condition == protocols::catchTrialId().value) {
         place.condition = protocols::catchTrialId();
         return place;
     }
     try {
-        place.condition = protocols::conditionNamed(textField(entry, "condition", where)).conditionId();
+        place.condition = protocols::conditionNamed(condition).conditionId();
     } catch (const protocols::Error& unknown) {
-        throw fault(unknown.what(), where, "");
+        throw entry.fault("condition", unknown.what(), "");
     }
     return place;
 }
 
-/// A time in seconds by which the clock can advance.
-double secondsIn(const json& entry, const char* field, double least, const std::string& where)
-{
-    const double seconds = entry[field].is_number() ? entry[field].get<double>() : -1;
-    if (!(seconds >= least && seconds < 86400))
-        throw fault(std::string(field) + " is out of range", where, "a number above 0 and below a day");
-    return seconds;
-}
-
-ScriptedAnswer answerFrom(const json& entry, const std::string& where)
+ScriptedAnswer answerFrom(const Entry& entry)
 {
     ScriptedAnswer answer;
-    answer.question = protocols::QuestionId(textField(entry, "question", where));
-    answer.place = placeFrom(entry, where);
-    if (!entry.contains("answer")) throw fault("the answer is missing", where, "\"answer\": ...");
-    answer.response = responseFrom(entry["answer"], where);
-    answer.seconds = entry.contains("seconds") ? secondsIn(entry, "seconds", 1e-9, where) : 1.0;
-    if (entry.contains("touch_seconds")) answer.touchSeconds = secondsIn(entry, "touch_seconds", 0, where);
-    answer.touchedByDisplay = entry.value("touched_by", json()) == "display";
+    answer.question = protocols::QuestionId(entry.text("question"));
+    answer.place = placeFrom(entry);
+    answer.response = responseIn(entry);
+    answer.seconds = entry.has("seconds") ? entry.seconds("seconds", 1e-9) : 1.0;
+    if (entry.has("touch_seconds")) answer.touchSeconds = entry.seconds("touch_seconds", 0);
+    const std::string toucher = entry.textOrNothing("touched_by");
+    if (entry.has("touched_by") && toucher != "display" && toucher != "operator")
+        throw entry.fault("touched_by", "unknown touched_by \"" + toucher + "\"", "\"display\" or \"operator\"");
+    answer.touchedByDisplay = toucher == "display";
     return answer;
 }
 
 /// The fields of an expectation. Each is optional.
-ScriptedExpectation expectationFrom(const json& entry, const std::string& where)
+ScriptedExpectation expectationFrom(const Entry& entry)
 {
     ScriptedExpectation expectation;
     for (const auto& [field, target] : {std::pair{"stage", &expectation.stage}, {"question", &expectation.question}})
-        if (entry.contains(field)) *target = textField(entry, field, where);
+        if (entry.has(field)) *target = entry.text(field);
     for (const auto& [field, target] : {std::pair{"presentation", &expectation.presentation}, {"trial", &expectation.trial}})
-        if (entry.contains(field)) {
-            if (!entry[field].is_number_integer())
-                throw fault(std::string(field) + " is not a whole number", where, std::string("\"") + field + "\": N");
-            *target = entry[field].get<int>();
-        }
+        if (entry.has(field)) *target = entry.whole(field, 0);
     return expectation;
 }
 
-ScriptedEvent eventFrom(const json& entry, const std::string& where)
+ScriptedEvent::What whatIn(const Entry& entry)
+{
+    const auto name = eventNames.find(entry.text("do"));
+    if (name == eventNames.end())
+        throw entry.fault("do", "unknown event \"" + entry.text("do") + "\"",
+                          "pause, resume, correct, void, crash, note, withdraw, answer, touch or expect");
+    return name->second;
+}
+
+ScriptedEvent eventFrom(const Entry& entry)
 {
     ScriptedEvent event;
-    const auto name = eventNames.find(textField(entry, "do", where));
-    if (name == eventNames.end())
-        throw fault("unknown event \"" + entry["do"].get<std::string>() + "\"", where,
-                    "pause, resume, correct, void, crash, note, withdraw, answer, touch or expect");
-    event.what = name->second;
-    event.beforeAnswer = entry.contains("before_answer");
-    const char* count = event.beforeAnswer ? "before_answer" : "after_answer";
-    if (!entry.contains(count) || !entry[count].is_number_integer() || entry[count].get<int>() < (event.beforeAnswer ? 1 : 0))
-        throw fault("the event has no place", where, "before_answer or after_answer: N, counted from 1");
-    event.answersStoredBefore = entry[count].get<int>() - (event.beforeAnswer ? 1 : 0);
-    if (event.what == What::Correct) event.question = protocols::QuestionId(textField(entry, "question", where));
-    if (event.what == What::Correct || event.what == What::Answer) {
-        if (!entry.contains("answer")) throw fault("the event has no answer", where, "\"answer\": ...");
-        event.response = responseFrom(entry["answer"], where);
-    }
-    if (event.what == What::Expect) event.expectation = expectationFrom(entry, where);
-    event.isFlag = entry.value("flag", json()) == true;
-    event.mustFail = entry.value("must_fail", json()) == true;
+    event.what = whatIn(entry);
+    event.beforeAnswer = entry.has("before_answer");
+    if (!event.beforeAnswer && !entry.has("after_answer"))
+        throw entry.fault("", "the event has no place", "before_answer or after_answer: N, counted from 1");
+    event.answersStoredBefore = event.beforeAnswer ? entry.whole("before_answer", 1) - 1 : entry.whole("after_answer", 0);
+    if (event.what == What::Correct) event.question = protocols::QuestionId(entry.text("question"));
+    if (event.what == What::Correct || event.what == What::Answer) event.response = responseIn(entry);
+    if (event.what == What::Expect) event.expectation = expectationFrom(entry);
+    event.isFlag = entry.yes("flag");
+    event.mustFail = entry.yes("must_fail");
     if (event.what == What::Answer && !event.mustFail)
-        throw fault("an answer among the events must have \"must_fail\"", where,
-                    "\"must_fail\": true; other answers stand under \"answers\"");
-    if (entry.contains("refusal")) event.refusal = textField(entry, "refusal", where);
-    event.text = entry.value(event.what == What::Note ? "text" : "why", std::string());
+        throw entry.fault("", "an answer among the events must have \"must_fail\"",
+                          "\"must_fail\": true; other answers stand under \"answers\"");
+    event.refusal = entry.textOrNothing("refusal");
+    event.text = entry.textOrNothing(event.what == What::Note ? "text" : "why");
     return event;
+}
+
+protocols::Error fault(const std::string& what, const std::string& where, const std::string& expected)
+{
+    return protocols::badInput({what, where, expected, nextStep});
 }
 
 void checkQuestions(const Script& script, const protocols::Protocol& protocol)
@@ -178,20 +246,21 @@ const ScriptedAnswer* Script::answerTo(const protocols::QuestionId& question, co
 
 Script scriptFromJson(std::string_view text, const std::string& where, const protocols::Protocol& protocol)
 {
-    json root = protocols::parseStrictJson(text, where);
-    if (!root.is_object() || root.value("schema", "") != "vis2hap.script/1")
-        throw fault("the file is not a script of this program", where, "\"schema\": \"vis2hap.script/1\"");
+    const protocols::JsonDocument document(text, where);
+    const Entry root(document, "", "");
+    if (root["schema"] != "vis2hap.script/1")
+        throw root.fault("schema", "the file is not a script of this program", "\"schema\": \"vis2hap.script/1\"");
     Script script;
     script.where = where;
-    script.participant = protocols::ParticipantId(textField(root, "participant", where));
-    if (script.participant.empty()) throw fault("the participant id is empty", where, "\"participant\": \"S01\"");
-    if (!root.contains("answers") || !root["answers"].is_array())
-        throw fault("the list of answers is missing", where, "\"answers\": [...]");
+    script.participant = protocols::ParticipantId(root.text("participant"));
+    protocols::requireGoodId(script.participant.value, "a participant", where + ", " + document.placeOf("/participant"));
+    if (!root["answers"].is_array()) throw root.fault("answers", "the list of answers is missing", "\"answers\": [...]");
+    if (root.has("events") && !root["events"].is_array())
+        throw root.fault("events", "the events are no list", "\"events\": [...]");
     for (std::size_t i = 0; i < root["answers"].size(); ++i)
-        script.answers.push_back(answerFrom(root["answers"][i], where + ", answer " + std::to_string(i + 1)));
-    if (root.contains("events"))
-        for (std::size_t i = 0; i < root["events"].size(); ++i)
-            script.events.push_back(eventFrom(root["events"][i], where + ", event " + std::to_string(i + 1)));
+        script.answers.push_back(answerFrom({document, "/answers/" + std::to_string(i), "answer " + std::to_string(i + 1)}));
+    for (std::size_t i = 0; i < root["events"].size(); ++i)
+        script.events.push_back(eventFrom({document, "/events/" + std::to_string(i), "event " + std::to_string(i + 1)}));
     checkQuestions(script, protocol);
     checkDoubled(script);
     return script;

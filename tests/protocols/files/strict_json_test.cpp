@@ -166,9 +166,13 @@ private Q_SLOTS:
         QTest::newRow("cut short") << QByteArray("{\n  \"a\": 1,\n") << "2: p.json, line 3, column 1: malformed JSON";
         QTest::newRow("comma too many") << QByteArray("{\n  \"ä\": [1,],\n}") << "2: p.json, line 2, column 11: malformed JSON";
         QTest::newRow("two values") << QByteArray("{}\n{}") << "2: p.json, line 2, column 1: malformed JSON";
+        QTest::newRow("zero byte") << QByteArray("{\"a\": \0}", 8) << "2: p.json, line 1, column 7: the text holds a zero byte";
+        QTest::newRow("too deep") << QByteArray(100'000, '[') << "2: p.json, line 1, column 101: the text nests too deeply";
+        QTest::newRow("too deep, closed") << QByteArray(101, '[') + QByteArray(101, ']')
+                                          << "2: p.json, line 1, column 101: the text nests too deeply; expected at most 100";
         QTest::newRow("no UTF-8") << QByteArray("{\"a\": \"\xE4\"}") << "2: p.json, line 1, column 8: the text is not UTF-8";
         QTest::newRow("too large") << QByteArray("{\"a\": 1e999}")
-                                   << "2: p.json: malformed JSON (number overflow parsing '1e999')";
+                                   << "2: p.json, line 1, column 7: malformed JSON (number overflow parsing '1e999')";
         QTest::newRow("doubled key") << QByteArray("{\"a\": {\"b\": 1,\n \"b\" : [{\"b\": 2}]}, \"c\": \"b\",\n \"\\u0061\": 2}")
                                      << "2: p.json: doubled key 'b' (line 2, column 2), 'a' (line 3, column 2); expected each "
                                         "key once in its object; remove "
@@ -191,9 +195,9 @@ private Q_SLOTS:
         QCOMPARE(parseStrictJson("{\"b\":1,\"a\":2}", "p.json").dump(), std::string("{\"a\":2,\"b\":1}"));
     }
 
-    void depthHasNoEnd()
+    void theDeepestTextHasPlaces()
     {
-        const std::size_t depth = 100'000;
+        const std::size_t depth = deepestJson - 1;
         const JsonDocument document(std::string(depth, '[') + "{\"a\":7}" + std::string(depth, ']'), "deep.json");
         std::string pointer;
         for (std::size_t i = 0; i < depth; ++i) pointer += "/0";

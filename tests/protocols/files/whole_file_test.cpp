@@ -1,6 +1,7 @@
 // A file is always complete, either old or new, whatever happens while it is written.
 #include "protocols/files/whole_file.h"
 
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -94,6 +95,41 @@ private Q_SLOTS:
         QVERIFY(errorOf([&] { readWholeFile(folder()); }).contains("Is a directory"));
         QVERIFY(!readIfPossible(file()));
         QVERIFY(!readIfPossible(folder()));
+    }
+
+    void whatNeverEndsIsNotRead()
+    {
+        fs::create_symlink("/dev/zero", file());
+        QVERIFY(errorOf([&] { readWholeFile(file()); }).contains("is a device"));
+        QVERIFY(errorOf([&] { readInBlocks(file(), [](std::string_view) {}); }).contains("is a device"));
+        const fs::path sparse = folder() / "sparse";
+        QCOMPARE(::truncate((writeWholeFile(sparse, ""), sparse.c_str()), static_cast<off_t>(largestFile) + 1), 0);
+        QCOMPARE(errorOf([&] { readWholeFile(sparse); }),
+                 "2: " + QString::fromStdString(sparse.string()) +
+                     ": has more than 2147483648 bytes; expected at most 2147483648 bytes; check the path");
+        QVERIFY(!readIfPossible(sparse));
+    }
+
+    void pipeWithoutAWriterIsNamed()
+    {
+        QCOMPARE(::mkfifo(file().c_str(), 0600), 0);
+        QVERIFY(errorOf([&] { readWholeFile(file()); }).contains("nobody wrote into this pipe for 10 s"));
+    }
+
+    void tooManyOpenFilesAreNoFaultOfTheFile()
+    {
+        writeWholeFile(file(), "x");
+        rlimit before{};
+        QCOMPARE(::getrlimit(RLIMIT_NOFILE, &before), 0);
+        const rlimit none{3, before.rlim_max};
+        QCOMPARE(::setrlimit(RLIMIT_NOFILE, &none), 0);
+        const QString whole = errorOf([&] { readWholeFile(file()); }), ifPossible = errorOf([&] { readIfPossible(file()); }),
+                      written = errorOf([&] { writeWholeFile(folder() / "new", "x"); });
+        QCOMPARE(::setrlimit(RLIMIT_NOFILE, &before), 0);
+        for (const QString& error : {whole, ifPossible, written}) {
+            QVERIFY2(error.startsWith("3: "), qPrintable(error));
+            QVERIFY2(error.contains("ulimit -n"), qPrintable(error));
+        }
     }
 
     void fileIsSyncedBeforeItsRenameAndItsFolderAfterwards()
@@ -217,11 +253,9 @@ private Q_SLOTS:
         const mode_t usual = ::umask(0027);
         writeWholeFile(file(), "x");
         writeWholeFile(folder() / "key", "x", Sync::Now, Readers::OwnerOnly);
-        writeWholeFile(folder() / "masked", "x", Sync::Now, Readers::Everyone);
         ::umask(usual);
         QCOMPARE(modeOf(file()), 0640u);
         QCOMPARE(modeOf(folder() / "key"), 0600u);
-        QCOMPARE(modeOf(folder() / "masked"), 0644u);
     }
 
     void deviceStaysADevice()

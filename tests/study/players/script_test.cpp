@@ -79,6 +79,49 @@ private Q_SLOTS:
         QTest::newRow("unknown event") << "[]"
                                        << R"([{"after_answer":1,"do":"dance"}])"
                                        << "dance";
+        const auto answer = [](const char* field) {
+            return QString(R"([{"question":"Q2","trial":1,"answer":5,%1}])").arg(field);
+        };
+        const auto event = [](const char* field) { return QString(R"([{"after_answer":1,"do":"note",%1}])").arg(field); };
+        QTest::newRow("no object") << "[7]"
+                                   << "[]"
+                                   << "answer 1: it is no object";
+        QTest::newRow("null") << "[null]"
+                              << "[]"
+                              << "answer 1: it is no object";
+        QTest::newRow("question of a number") << R"([{"question":7,"trial":1,"answer":5}])"
+                                              << "[]"
+                                              << "line 1";
+        QTest::newRow("answer of a list") << R"([{"question":"Q2","trial":1,"answer":[5]}])"
+                                          << "[]"
+                                          << "answer 1";
+        QTest::newRow("huge rating") << R"([{"question":"Q2","trial":1,"answer":1e300}])"
+                                     << "[]"
+                                     << "tenths";
+        QTest::newRow("huge trial") << R"([{"question":"Q2","trial":4294967297,"answer":5}])"
+                                    << "[]"
+                                    << "trial is not a whole number";
+        QTest::newRow("trial 0") << R"([{"question":"Q2","trial":0,"answer":5}])"
+                                 << "[]"
+                                 << "trial is not a whole number from 1";
+        QTest::newRow("attempt of words") << answer("\"attempt\":\"one\"") << "[]"
+                                          << "attempt is not a whole number";
+        QTest::newRow("time of a list") << answer("\"seconds\":[1]") << "[]"
+                                        << "seconds is out of range";
+        QTest::newRow("unknown finger") << answer("\"touched_by\":\"nobody\"") << "[]"
+                                        << "touched_by";
+        QTest::newRow("events of a number") << "[]"
+                                            << "7"
+                                            << "the events are no list";
+        QTest::newRow("event of words") << "[]"
+                                        << R"(["pause"])"
+                                        << "event 1: it is no object";
+        QTest::newRow("note of a number") << "[]" << event("\"text\":7") << "event 1: text is no text";
+        QTest::newRow("flag of a word") << "[]" << event("\"flag\":\"yes\"") << "flag is neither true nor false";
+        QTest::newRow("huge count") << "[]"
+                                    << R"([{"after_answer":99999999999999999999,"do":"pause"}])"
+                                    << "after_answer is not a whole number";
+        QTest::newRow("refusal of null") << "[]" << event("\"refusal\":null") << "refusal is no text";
         QTest::newRow("event without place") << "[]"
                                              << R"([{"do":"pause"}])"
                                              << "before_answer";
@@ -96,6 +139,37 @@ private Q_SLOTS:
             QCOMPARE(error.exitCode(), protocols::ExitCode::BadInput);
             QVERIFY2(QString(error.what()).contains(named), error.what());
             QVERIFY2(QString(error.what()).contains("s.json"), error.what());
+        }
+    }
+
+    void wholeFilesThatAreNoScriptsAreRefused_data()
+    {
+        QTest::addColumn<QByteArray>("text");
+        QTest::addColumn<QString>("named");
+        const auto script = [](QByteArray text) { return text.replace('\'', '"'); };
+        QTest::newRow("schema of a number") << script("{'schema':1,'participant':'S01','answers':[]}") << "not a script";
+        QTest::newRow("schema of null") << script("{'schema':null,'participant':'S01','answers':[]}") << "not a script";
+        QTest::newRow("a list") << QByteArray("[]") << "it is no object";
+        QTest::newRow("Latin-1") << script("{'schema':'vis2hap.script/1','participant':'Bj\xF6rn','answers':[]}")
+                                 << "line 1, column 47: the text is not UTF-8";
+        QTest::newRow("zero byte") << QByteArray("{\0}", 3) << "line 1, column 2: the text holds a zero byte";
+        QTest::newRow("participant of a list") << script("{'schema':'vis2hap.script/1','participant':['S01'],'answers':[]}")
+                                               << "the text \"participant\" is missing";
+        QTest::newRow("participant of a path") << script("{'schema':'vis2hap.script/1','participant':'../victim','answers':[]}")
+                                               << "\"../victim\" cannot name a participant: it begins with a dot";
+        QTest::newRow("no answers") << script("{'schema':'vis2hap.script/1','participant':'S01'}") << "list of answers";
+    }
+    void wholeFilesThatAreNoScriptsAreRefused()
+    {
+        QFETCH(QByteArray, text);
+        QFETCH(QString, named);
+        try {
+            scriptFromJson(text.toStdString(), "s.json", paper());
+            QFAIL("the faulty script was accepted");
+        } catch (const protocols::Error& error) {
+            QCOMPARE(error.exitCode(), protocols::ExitCode::BadInput);
+            QVERIFY2(QString(error.what()).startsWith("s.json, line 1, column "), error.what());
+            QVERIFY2(QString(error.what()).contains(named), error.what());
         }
     }
 };

@@ -1,0 +1,88 @@
+#include "protocols/files/id_rule.h"
+
+#include <array>
+
+#include "protocols/files/errors.h"
+#include "protocols/files/utf8.h"
+
+namespace protocols {
+
+namespace {
+
+struct Range {
+    char32_t first, last;
+};
+
+/// Characters that a reader does not see, but that make two ids look alike or show one in another order. The joiners U+200C and
+/// U+200D are not among them: Persian and Hindi are written with them.
+constexpr std::array<Range, 11> invisible{{{0x00AD, 0x00AD},
+                                           {0x061C, 0x061C},
+                                           {0x180E, 0x180E},
+                                           {0x200B, 0x200B},
+                                           {0x200E, 0x200F},
+                                           {0x2028, 0x202E},
+                                           {0x2060, 0x206F},
+                                           {0xFEFF, 0xFEFF},
+                                           {0xFFF9, 0xFFFB},
+                                           {0xFFFE, 0xFFFF},
+                                           {0xE0000, 0xE007F}}};
+
+bool isControl(char32_t c) { return c < 0x20 || (c >= 0x7F && c < 0xA0); }
+
+bool isInvisible(char32_t c)
+{
+    for (const Range& range : invisible)
+        if (c >= range.first && c <= range.last) return true;
+    return false;
+}
+
+/// Blanks of Unicode (category Zs).
+bool isBlank(char32_t c)
+{
+    return c == ' ' || c == 0xA0 || c == 0x1680 || (c >= 0x2000 && c <= 0x200A) || c == 0x202F || c == 0x205F || c == 0x3000;
+}
+
+std::string faultOfCharacter(char32_t c)
+{
+    if (isControl(c)) return "holds a control character";
+    if (isInvisible(c)) return "holds an invisible character";
+    if (c == '/' || c == '\\') return "holds a slash or backslash";
+    return c == ',' ? "holds a comma" : "";
+}
+
+}  // namespace
+
+std::string idRule()
+{
+    return "1 to " + std::to_string(longestId) +
+           " bytes of UTF-8 without control or invisible characters, slashes, backslashes and commas, that begin with no dot, "
+           "dash "
+           "or blank and end with no blank";
+}
+
+std::string faultOfId(std::string_view id)
+{
+    if (id.empty()) return "is empty";
+    if (id.size() > longestId) return "has " + std::to_string(id.size()) + " bytes";
+    if (firstByteThatIsNotUtf8(id)) return "is not UTF-8";
+    if (id.front() == '.' || id.front() == '-') return id.front() == '.' ? "begins with a dot" : "begins with a dash";
+    bool endsBlank = false;
+    for (std::size_t at = 0; at < id.size(); at += utf8Length(id.substr(at))) {
+        const char32_t character = utf8Character(id.substr(at));
+        if (const std::string fault = faultOfCharacter(character); !fault.empty()) return fault;
+        endsBlank = isBlank(character);
+        if (at == 0 && endsBlank) return "begins with a blank";
+    }
+    return endsBlank ? "ends with a blank" : "";
+}
+
+void requireGoodId(std::string_view id, const std::string& named, const std::string& where)
+{
+    const std::string fault = faultOfId(id);
+    if (fault.empty()) return;
+    // A longer text would fill the screen.
+    const std::string shown = id.size() > longestId ? "an id of " + named : "\"" + std::string(id) + "\"";
+    throw badInput({shown + " cannot name " + named + ": it " + fault, where, idRule(), "choose another id"});
+}
+
+}  // namespace protocols

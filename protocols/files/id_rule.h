@@ -1,0 +1,26 @@
+// The one rule for ids that come from outside: of participants, fabrics, and whatever else a lab names. Conditions keep their
+// table, and question ids are narrower, because they name columns (question_ids.h). Stored ids are read without this rule.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace protocols {
+
+/// Most bytes of an id in UTF-8: 64 Latin letters, or 21 Japanese ones. As part of a file name it becomes three times as long.
+inline constexpr std::size_t longestId = 64;
+
+/// The rule in words, for messages: "1 to 64 bytes of UTF-8 without ...".
+std::string idRule();
+
+/// What the id breaks in the rule, such as "begins with a dot"; empty for a good id. Letters, digits and signs of every script
+/// are good, and so are blanks between them. Refused are: an empty or too long id; bytes that are not UTF-8; control characters;
+/// invisible characters that separate words or change the direction of the text; "/", "\" and ","; a dot or dash at the
+/// beginning; a blank at either end. So an id is never a path, an option, a part of a list, or another id in disguise.
+std::string faultOfId(std::string_view id);
+
+/// Throws badInput for an id that breaks the rule. `named` is what it names ("a participant"), `where` the place it came from.
+void requireGoodId(std::string_view id, const std::string& named, const std::string& where);
+
+}  // namespace protocols

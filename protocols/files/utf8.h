@@ -1,0 +1,19 @@
+// Text in UTF-8, character by character (RFC 3629: no overlong forms, no surrogates, at most U+10FFFF).
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string_view>
+
+namespace protocols {
+
+/// Number of bytes of the well-formed character at the front of `text`, or 0.
+std::size_t utf8Length(std::string_view text);
+
+/// The character at the front of `text`, which begins with a well-formed one.
+char32_t utf8Character(std::string_view text);
+
+/// Offset of the first byte that begins no well-formed character.
+std::optional<std::size_t> firstByteThatIsNotUtf8(std::string_view text);
+
+}  // namespace protocols

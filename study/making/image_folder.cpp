@@ -23,6 +23,25 @@ fs::path imagePath(const fs::path& folder, const protocols::FabricId& fabric, co
     return folder / fabric.value / (protocols::fileNameOf(condition) + ".png");
 }
 
+/// Throws nlohmann's exceptions for a manifest with other fields.
+std::optional<KeptImages> keptIn(const fs::path& folder, const std::string& key, const rendering::RenderRequest& request)
+{
+    if (!fs::exists(folder / manifestName)) return std::nullopt;
+    const auto manifest = ordered_json::parse(protocols::readWholeFile(folder / manifestName), nullptr, false);
+    if (manifest.is_discarded() || manifest.value("key", "") != key || !manifest.contains("stamps")) return std::nullopt;
+    KeptImages kept;
+    kept.signalsJson = manifest.at("signals").dump();
+    kept.stamps = manifest.at("stamps").get<std::vector<std::string>>();
+    for (const auto& condition : request.conditions)
+        for (const auto& fabric : request.fabrics) {
+            const auto file = imagePath(folder, fabric, condition);
+            const auto expected = manifest.at("sha256").value(fs::relative(file, folder).string(), "");
+            if (!fs::exists(file) || protocols::sha256OfFile(file) != expected) return std::nullopt;
+            kept.images[condition][fabric] = rendering::readPng(file);
+        }
+    return kept;
+}
+
 }  // namespace
 
 std::string imageFolderKey(const database::StudyFacts& facts, const rendering::RenderRequest& request)
@@ -41,20 +60,11 @@ std::string imageFolderKey(const database::StudyFacts& facts, const rendering::R
 
 std::optional<KeptImages> readImageFolder(const fs::path& folder, const std::string& key, const rendering::RenderRequest& request)
 {
-    if (!fs::exists(folder / manifestName)) return std::nullopt;
-    const auto manifest = ordered_json::parse(protocols::readWholeFile(folder / manifestName), nullptr, false);
-    if (manifest.is_discarded() || manifest.value("key", "") != key || !manifest.contains("stamps")) return std::nullopt;
-    KeptImages kept;
-    kept.signalsJson = manifest["signals"].dump();
-    kept.stamps = manifest["stamps"].get<std::vector<std::string>>();
-    for (const auto& condition : request.conditions)
-        for (const auto& fabric : request.fabrics) {
-            const auto file = imagePath(folder, fabric, condition);
-            const auto expected = manifest["sha256"].value(fs::relative(file, folder).string(), "");
-            if (!fs::exists(file) || protocols::sha256OfFile(file) != expected) return std::nullopt;
-            kept.images[condition][fabric] = rendering::readPng(file);
-        }
-    return kept;
+    try {
+        return keptIn(folder, key, request);
+    } catch (const nlohmann::json::exception&) {
+        return std::nullopt;  // a damaged folder is made anew
+    }
 }
 
 void writeImageFolder(const fs::path& folder, const std::string& key, const std::string& renderJson,

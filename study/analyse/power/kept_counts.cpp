@@ -67,6 +67,9 @@ void KeptCounts::require(const std::string& kind, const ordered_json& settings)
         return;
     }
     const ordered_json& counted = m_root->at(kind);
+    if (counted.is_object() && counted.contains("finished") && !counted.at("finished").is_object())
+        throw protocols::badInput({"the counts of \"" + kind + "\" are damaged", m_file.string(),
+                                   "counts as this program writes them", "name another file after --resume"});
     // Another program may have written the file with its keys in another order.
     const auto isSame = [&](const ordered_json& earlier) {
         return nlohmann::json::parse(earlier.dump()) == nlohmann::json::parse(settings.dump());

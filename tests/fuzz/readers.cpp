@@ -1,0 +1,320 @@
+#include "tests/fuzz/readers.h"
+
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <opencv2/core.hpp>
+#include <stdexcept>
+#include <utility>
+
+#include "protocols/files/csv_table.h"
+#include "protocols/files/errors.h"
+#include "protocols/files/id_rule.h"
+#include "protocols/files/safe_text.h"
+#include "protocols/files/strict_json.h"
+#include "protocols/files/whole_file.h"
+#include "protocols/protocol_json.h"
+#include "protocols/records/key_json.h"
+#include "protocols/secrets/sealing.h"
+#include "rendering/composition/earlier_render.h"
+#include "rendering/display/driver_messages.h"
+#include "rendering/fabrics/dataset_json.h"
+#include "rendering/fabrics/friction_record.h"
+#include "rendering/fabrics/recordings/friction_tables.h"
+#include "rendering/fabrics/recordings/instrument_texts.h"
+#include "rendering/fabrics/sample_places.h"
+#include "rendering/images/image_io.h"
+#include "rendering/images/image_png.h"
+#include "rendering/images/image_tiff.h"
+#include "rendering/images/true_map.h"
+#include "rendering/models/model_card_fields.h"
+#include "rendering/models/tensors/tensor_file.h"
+#include "rendering/signals/spectrogram_file.h"
+#include "rendering/signals/tactile/calibration.h"
+#include "study/players/script.h"
+
+namespace fuzz {
+
+namespace {
+
+namespace fs = std::filesystem;
+using protocols::Sync;
+
+void put(const fs::path& file, const std::string& bytes) { std::ofstream(file, std::ios::binary | std::ios::trunc) << bytes; }
+
+std::string bytesOf(const fs::path& file)
+{
+    std::ifstream in(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// Reads every byte, so that the address sanitizer checks it.
+void use(const cv::Mat& image)
+{
+    if (image.empty()) throw std::runtime_error("an image without pixels was read");
+    volatile unsigned sum = 0;
+    for (int row = 0; row < image.rows; ++row)
+        for (std::size_t byte = 0; byte < static_cast<std::size_t>(image.cols) * image.elemSize(); ++byte)
+            sum = sum + image.ptr<unsigned char>(row)[byte];
+}
+
+void use(const std::vector<rendering::fabrics::RawRecord>& records)
+{
+    if (records.empty()) throw std::runtime_error("no record was read and none was refused");
+}
+
+cv::Mat ramp(int type)
+{
+    cv::Mat image(7, 9, type);
+    for (std::size_t byte = 0; byte < image.total() * image.elemSize(); ++byte)
+        image.data[byte] = static_cast<unsigned char>(byte * 7 % 61);
+    return image;
+}
+
+cv::Mat heights()
+{
+    cv::Mat_<float> map(7, 9);
+    for (int i = 0; i < 63; ++i) map(i / 9, i % 9) = static_cast<float>(i % 5) / 4;
+    return map;
+}
+
+// ------------------------------------------------------------------ texts
+
+const std::string smallProtocol =
+    R"({"schema":"vis2hap.protocol/1","name":"x","participants":3,"fabrics":["F01","F02","F03"],"conditions":["v_grey","h&f","f"],)"
+    R"("phases":[{"questions":["Q1"],"alternatives":3,"catch_trials":1},{"questions":["Q2"],"scale":{"min":0,"max":10,"step":0.1}}],)"
+    R"("question_texts":{"Q1":"Which?"},"equivalence_bounds":[-0.5,0.5],"planned":[["h&f","f"]],"primary":["h&f","f"],"facts":["age"]})";
+
+const std::string smallScript =
+    R"({"schema":"vis2hap.script/1","participant":"S01","answers":[{"question":"Q1","condition":"h","fabric":"F01","answer":"foil:1",)"
+    R"("seconds":2.5,"attempt":1,"touch_seconds":0.5,"touched_by":"display"},{"question":"Q2","trial":3,"answer":5.4}],)"
+    R"("events":[{"do":"pause","after_answer":1,"why":"x"},{"do":"note","before_answer":1,"text":"x","flag":true},)"
+    R"({"do":"correct","after_answer":2,"question":"Q2","answer":4,"why":"x"},{"do":"expect","after_answer":2,"stage":"Paused"},)"
+    R"({"do":"answer","before_answer":2,"answer":3,"must_fail":true,"refusal":"x"}]})";
+
+const std::string smallKey = R"({"schema":"vis2hap.allocation-key/2","secret":")" + std::string(64, '7') +
+                             R"(","entries":{"a1":{"fabric":"F01","condition":"h&f","label":"K1"}}})";
+
+const std::string smallDataset =
+    R"({"schema":"vis2hap.dataset/1","name":"d","fabrics":[{"id":"F01","name":"a","structure":"b"}],"camera":{"mm_per_pixel":0.05},)"
+    R"("tactile":{"mm_per_pixel":0.1,"calibration":"known"},"friction":{"sample_rate_hz":60,"speed_mm_per_s":5,"length_mm":40},)"
+    R"("pairing":"weak","procedural":true,"licence":"x"})";
+
+const std::string network =
+    R"({"schema":"vis2hap.calibration/1","kind":"network","light":"own","channels":1,"by_place":false,"light_scale":2,)"
+    R"("sizes":[1,2,2],"weights":[[1,2,3,4],[5,6,7,8,9,10]],"mm_per_pixel":0.1,"high_pass_cutoff_mm":null,"zero_percentile":2})";
+
+const std::string smallRender =
+    R"({"schema":"vis2hap.render/1","dataset":"d","conditions":{"h":{"range":{"min":0,"max":1},"mapping":"x","images":["F01"],)"
+    R"("range_over":["F01","F02"],"extension":{"F01":"tile"}}},"samples":{"F01":[0,0,0]},"photographs":{"F01":{"distance":1}}})";
+
+std::string recordText(const char* header, int columns, char separator)
+{
+    std::string text = std::string(header) + "\n";
+    for (int row = 0; row < 40; ++row) {
+        text += std::to_string(row * 0.05);
+        for (int column = 1; column < columns; ++column) text += separator + std::to_string(1 + column + 0.1 * (row % 7));
+        text += "\n";
+    }
+    return text;
+}
+
+const std::string labview =
+    "LabVIEW Measurement\t\r\nSeparator\tTab\r\nDecimal_Separator\t.\r\n***End_of_Header***\t\r\nChannels\t3\r\nDelta_X\t0.01\r\n"
+    "***End_of_Header***\r\nX_Value\tfx_N\tfy_N\tfz_N\tComment\r\n0\t0.3\t0.4\t-1\r\n0.01\t0.3\t0.4\t-1.1\r\n0.02\t0.3\t0.4\t-1."
+    "2\r\n";
+
+const std::string tribometer =
+    "MTM311 Test Data File\r\nLubricant name:\t\xB5\r\n\r\nStep 1 started at 20/09/2016 07:49:34\r\n"
+    "Step Time (s)\tTraction Coeff (-)\tBall Load (N)\tPin Load (N)\tSliding Speed (mm/s)\tTraction Force (N)\r\n"
+    "1\t0.2\t\t10.5\t25\t2.1\r\n2\t0.2\t\t10.4\t25\t2.2\r\n3\t0.2\t\t10.6\t25\t2.0\r\n\r\nAll steps completed\r\n";
+
+std::string trueMap()
+{
+    std::string bytes("Binary TrueMap Data File v2.0\r\n", 31);
+    bytes += std::string("\0comment\0", 9);
+    const std::uint32_t size[] = {9, 7};
+    const float extent[] = {1, 1, 0, 0};
+    bytes.append(reinterpret_cast<const char*>(size), sizeof size);
+    bytes.append(reinterpret_cast<const char*>(extent), sizeof extent);
+    const cv::Mat map = heights();
+    return bytes.append(reinterpret_cast<const char*>(map.data), map.total() * sizeof(float));
+}
+
+// ------------------------------------------------------------------ readers
+
+void readTable(const std::string& bytes)
+{
+    for (const char separator : {',', '\t'}) {
+        try {
+            const auto table = protocols::csvTableFrom(bytes, "a.csv", separator);
+            for (std::size_t row = 0; row < table.rows.size(); ++row)
+                for (std::size_t column = 0; column < table.columns.size(); ++column)
+                    if (const auto number = protocols::numberOrMissing(table, row, column); number && !std::isfinite(*number))
+                        throw std::runtime_error("a number that is not finite was read");
+        } catch (const protocols::Error&) {
+        }
+    }
+}
+
+void readJson(const std::string& bytes)
+{
+    const protocols::JsonDocument document(bytes, "a.json");
+    for (const char* pointer : {"", "/answers/1", "/phases/0/questions", "/a~1b/0"}) document.placeOf(pointer);
+    if (nlohmann::json::parse(document.root().dump()) != document.root()) throw std::runtime_error("the value changed");
+}
+
+void readId(const std::string& bytes)
+{
+    protocols::fileNameOf(bytes);
+    if (protocols::printable(bytes).find('\x1b') != std::string::npos) throw std::runtime_error("an escape was let through");
+    protocols::requireGoodId(bytes, "a participant", "a.json");
+}
+
+Reader imageReader(const std::string& name, const fs::path& file, std::vector<std::string> corpus)
+{
+    return {name, std::move(corpus), [file](const std::string& bytes) {
+                put(file, bytes);
+                use(rendering::readImage(file));
+            }};
+}
+
+std::vector<Reader> textReaders()
+{
+    const auto paper = protocols::protocolFromJson(protocols::paperProtocolJson(), "the paper's protocol");
+    const auto key = protocols::SecretKey::ofHex(std::string(64, '7'), "key");
+    const std::string content(400, 'x');
+    return {
+        {"json", {smallProtocol, smallScript, R"({"a/b":[1,-0.5e3,"\u00e4\\",null,true]})"}, readJson},
+        {"csv", {recordText("t_s,a,b", 3, ','), "a;b\n\"1,5\";2\n", "\"a\"\"b\",c\r\n\"x\ny\",NA\r\n"}, readTable},
+        {"id", {"P01", "P 01", "\xE5\x8F\x82", "../victim", "a\xE2\x80\xAE"}, readId},
+        {"protocol",
+         {smallProtocol, std::string(protocols::paperProtocolJson())},
+         [](const std::string& bytes) {
+             try {
+                 protocols::keptProtocolFromJson(bytes, "p.json", "0.5.0");
+             } catch (const protocols::Error&) {
+             }
+             protocols::protocolFromJson(bytes, "p.json");
+         }},
+        {"script", {smallScript}, [paper](const std::string& bytes) { study::players::scriptFromJson(bytes, "s.json", paper); }},
+        {"key",
+         {smallKey},
+         [](const std::string& bytes) {
+             try {
+                 protocols::olderKeyEntriesFromJson(bytes, "k.json");
+             } catch (const protocols::Error&) {
+             }
+             protocols::allocationKeyFromJson(bytes, "k.json");
+         }},
+        {"sealed-key",
+         {protocols::sealWithPassphrase("four words of mine", smallKey, protocols::PassphraseCost::ForTests)},
+         [](const std::string& bytes) { protocols::openWithPassphrase("four words of mine", bytes, "k.json"); }},
+        {"sealed-stimulus",
+         {protocols::seal(key, content, "code")},
+         [key, content](const std::string& bytes) {
+             const auto opened = protocols::open(key, bytes, "code");
+             if (opened && *opened != content) throw std::runtime_error("an altered stimulus was opened");
+         }},
+        {"dataset", {smallDataset}, [](const std::string& bytes) { rendering::fabrics::datasetFromJson(bytes, "d.json"); }},
+        {"calibration", {network}, [](const std::string& bytes) { rendering::signals::calibrationFromJson(bytes, "c.json"); }},
+        {"render", {smallRender}, [](const std::string& bytes) { rendering::joined(smallRender, bytes, "render.json"); }},
+        {"driver",
+         {R"({"type":"hello","id":1,"schema":"vis2hap.display/1","name":"x","width":1280,"height":800,"touches":true})",
+          R"({"type":"shown","id":2,"t_device":1.5})", R"({"type":"failed","id":3,"why":"x"})"},
+         [](const std::string& bytes) { rendering::driverMessageFrom(bytes); }},
+        {"true-map", {trueMap()}, [](const std::string& bytes) { use(rendering::trueMapFrom(bytes, "a.tmd").heightMm); }}};
+}
+
+std::vector<Reader> imageReaders(const fs::path& folder)
+{
+    rendering::writePng(folder / "grey.png", ramp(CV_8UC1), Sync::Later);
+    rendering::writePng(folder / "deep.png", ramp(CV_16UC3), Sync::Later);
+    rendering::writeTiff(folder / "height.tiff", heights(), Sync::Later);
+    rendering::writeNpy(folder / "array.npy", heights(), Sync::Later);
+    return {imageReader("png", folder / "a.png", {bytesOf(folder / "grey.png"), bytesOf(folder / "deep.png")}),
+            imageReader("tiff", folder / "a.tiff", {bytesOf(folder / "height.tiff")}),
+            imageReader("npy", folder / "a.npy", {bytesOf(folder / "array.npy")}),
+            imageReader("pgm", folder / "a.pgm", {rendering::pgmBytes(ramp(CV_8UC1)), "P5\n# c\n2 2\n65535\n12345678"})};
+}
+
+std::vector<Reader> modelReaders(const fs::path& folder)
+{
+    using namespace rendering::models;
+    const TensorKind kind{"a", Element::F32, {2, 3}};
+    const std::string tensors = tensorFileBytes({{{"format", "x"}}, {{kind, std::string(24, '\0')}}});
+    const TensorSource source{folder / "m.safetensors", "weights", "train again"};
+    const fs::path model = folder / "m.safetensors";
+    return {{"tensors",
+             {tensors},
+             [kind, source](const std::string& bytes) {
+                 tensorMetadata(bytes, source);
+                 parseTensorFile(bytes, {kind}, source);
+             }},
+            {"model-card", {cardText(ModelCardFields{})}, [model](const std::string& bytes) {
+                 put(cardOf(model), bytes);
+                 readModelCardFields(model);
+             }}};
+}
+
+using RecordReader = std::vector<rendering::fabrics::RawRecord> (*)(const fs::path&, const rendering::fabrics::FrictionOptions&);
+
+Reader recordReader(const std::string& name, const fs::path& file, std::vector<std::string> corpus, RecordReader reader)
+{
+    return {name, std::move(corpus), [file, reader](const std::string& bytes) {
+                put(file, bytes);
+                use(reader(file, {}));
+            }};
+}
+
+std::vector<Reader> recordReaders(const fs::path& folder)
+{
+    using namespace rendering::fabrics;
+    const fs::path spectrogram = folder / "s.json";
+    rendering::writeSpectrogram(spectrogram, rendering::signals::stft(std::vector<double>(200, 0.5)), Sync::Later);
+    const std::string header = bytesOf(spectrogram), values = bytesOf(folder / "s.npy");
+    Dataset dataset = datasetFromJson(smallDataset, "d.json");
+    dataset.folder = folder;
+    return {
+        recordReader("friction-csv", folder / "a.csv",
+                     {recordText("t_s,normal_n,tangential_n", 3, ','), recordText("Time [ms];Fn (mN);Fx (mN);Fy (mN)", 4, ';'),
+                      "\"t_s\",\"mu\"\r\n\"0\",\"0.25\"\r\n\"0.1\",\"0.5\"\r\n0.2,0.5\r\n"},
+                     readFrictionCsv),
+        recordReader("slide", folder / "a_F1_V-20mmps_0.csv", {recordText("timestamp, proximity1, channel1, channel2", 4, ',')},
+                     readSlide),
+        recordReader("tribometer", folder / "a.txt", {tribometer}, readTribometer),
+        recordReader("labview", folder / "a.lvm", {labview}, readLabview),
+        {"samples",
+         {"fabric,signal,index,x_mm,y_mm,rotation_deg,group\nF01,visual,0,908.981,739.053,-2.89,F01/visual/"
+          "0\nF01,tactile,1,3,4,,a\n"},
+         [dataset](const std::string& bytes) {
+             put(dataset.folder / "samples.csv", bytes);
+             readSamplePlaces(dataset);
+         }},
+        {"spectrogram",
+         {header},
+         [spectrogram, values](const std::string& bytes) {
+             put(spectrogram, bytes);
+             put(fs::path(spectrogram).replace_extension(".npy"), values);
+             rendering::readSpectrogram(spectrogram);
+         }},
+        {"spectrogram-values", {values}, [spectrogram, header](const std::string& bytes) {
+             put(spectrogram, header);
+             put(fs::path(spectrogram).replace_extension(".npy"), bytes);
+             rendering::readSpectrogram(spectrogram);
+         }}};
+}
+
+}  // namespace
+
+std::vector<Reader> allReaders(const fs::path& folder)
+{
+    std::vector<Reader> readers = textReaders();
+    for (auto& more : {imageReaders(folder), modelReaders(folder), recordReaders(folder)})
+        readers.insert(readers.end(), more.begin(), more.end());
+    return readers;
+}
+
+}  // namespace fuzz

@@ -20,13 +20,27 @@ std::uint64_t seedOf(const std::string& digits)
 
 std::string stateName(const QVariant& stored) { return stored.isNull() ? "free" : fromQt(stored); }
 
-AnswerRecord recordOf(const ResponseRow& row)
+/// The trays of many answers are the same few texts, so each is read once.
+class KnownTrays {
+public:
+    const std::vector<protocols::FabricId>& of(const std::string& json)
+    {
+        const auto [entry, isNew] = m_trays.try_emplace(json);
+        if (isNew) entry->second = fabricsOf(json);
+        return entry->second;
+    }
+
+private:
+    std::map<std::string, std::vector<protocols::FabricId>> m_trays;
+};
+
+AnswerRecord recordOf(const ResponseRow& row, KnownTrays& trays)
 {
     AnswerRecord record;
     record.trial = {row.trial};
     record.question = protocols::QuestionId(row.question);
     record.presentationCode = protocols::PresentationCode(row.presentationCode);
-    record.alternatives = fabricsOf(row.alternatives);
+    record.alternatives = trays.of(row.alternatives);
     record.answer = row.choice;
     if (row.ratingTenths) record.rating = protocols::Tenths{*row.ratingTenths};
     record.readyAtNs = row.readyAt;
@@ -36,12 +50,12 @@ AnswerRecord recordOf(const ResponseRow& row)
     return record;
 }
 
-CurrentAnswer currentAnswerOf(const QSqlQuery& query)
+CurrentAnswer currentAnswerOf(const QSqlQuery& query, KnownTrays& trays)
 {
     const ResponseRow row = rowFrom(query, ResponseColumns::OfCurrentAnswers, firstResponseColumn);
     CurrentAnswer answer;
     answer.participant = protocols::ParticipantId(row.participant);
-    answer.record = recordOf(row);
+    answer.record = recordOf(row, trays);
     answer.attempt = row.attempt;
     answer.storedAtNs = row.storedAt;
     answer.event = query.value(0).toLongLong();
@@ -175,8 +189,9 @@ std::vector<EventRecord> eventsIn(const SqliteConnection& sqlite, const protocol
 std::vector<CurrentAnswer> answersIn(const SqliteConnection& sqlite)
 {
     std::vector<CurrentAnswer> answers;
+    KnownTrays trays;
     QSqlQuery query = sqlite.run(currentAnswersQuery());
-    while (query.next()) answers.push_back(currentAnswerOf(query));
+    while (query.next()) answers.push_back(currentAnswerOf(query, trays));
     return answers;
 }
 

@@ -195,6 +195,11 @@ std::vector<EventRecord> StudyStore::events(const protocols::ParticipantId& part
     return eventsIn(m_connection->sqlite, participant);
 }
 
+std::size_t StudyStore::answerCount() const
+{
+    return m_connection->sqlite.value(QStringLiteral("SELECT COUNT(*) FROM responses WHERE is_correction = 0")).toULongLong();
+}
+
 std::vector<CurrentAnswer> StudyStore::answers() const { return answersIn(m_connection->sqlite); }
 
 std::map<protocols::ParticipantId, std::map<std::string, std::string>> StudyStore::personalFacts() const

@@ -222,6 +222,8 @@ public:
     std::vector<Flag> flags() const;
 
     std::vector<EventRecord> events(const protocols::ParticipantId& participant) const;
+    /// Number of current answers, without reading them.
+    std::size_t answerCount() const;
     std::vector<CurrentAnswer> answers() const;  ///< answers of all participants, by slot, trial and question
 
     /// Facts about participants that were given and not erased.

@@ -23,6 +23,7 @@ std::string inHexadecimal(SHA2_CTX& context)
     SHA256Final(digest.data(), &context);
     constexpr std::string_view digits = "0123456789abcdef";
     std::string text;
+    text.reserve(2 * digest.size());
     for (const std::uint8_t byte : digest) {
         text += digits[byte >> 4];
         text += digits[byte & 15];

@@ -26,14 +26,14 @@ int verify(const std::string& study, const JsonTarget& target)
                            {"study", store.facts().name},
                            {"sound", faults.empty()},
                            {"stimuli", store.stimulusHashes().size()},
-                           {"answers", store.answers().size()},
+                           {"answers", store.answerCount()},
                            {"faults", faults}});
     else {
         for (const auto& fault : faults) std::printf("%s\n", fault.c_str());
         std::printf(
             "%s: %s (%zu answers, %zu stimuli, hash chain, keys, protocol)\n", study.c_str(),
             faults.empty() ? "sound" : (std::to_string(faults.size()) + (faults.size() == 1 ? " fault" : " faults")).c_str(),
-            store.answers().size(), store.stimulusHashes().size());
+            store.answerCount(), store.stimulusHashes().size());
     }
     return static_cast<int>(faults.empty() ? protocols::ExitCode::Done : protocols::ExitCode::WorkFailed);
 }

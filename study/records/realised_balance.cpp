@@ -55,11 +55,11 @@ DesignTrial designTrialOf(const protocols::BlindedTrial& trial, const Numbers& n
 }
 
 /// Trial numbers of each participant's valid answers, in the order of answering.
-std::map<protocols::ParticipantId, std::vector<int>> presentedTrials(const database::StudyStore& store)
+std::map<protocols::ParticipantId, std::vector<int>> presentedTrials(const std::vector<database::CurrentAnswer>& answers)
 {
     std::map<protocols::ParticipantId, std::map<int, std::int64_t>> lastStored;
     std::map<protocols::ParticipantId, std::vector<std::pair<std::int64_t, int>>> order;
-    for (const auto& answer : store.answers())
+    for (const auto& answer : answers)
         if (!answer.voided) lastStored[answer.participant].emplace(answer.record.trial.value, answer.event);
     std::map<protocols::ParticipantId, std::vector<int>> trials;
     for (const auto& [participant, byTrial] : lastStored) {
@@ -72,11 +72,12 @@ std::map<protocols::ParticipantId, std::vector<int>> presentedTrials(const datab
 
 }  // namespace
 
-protocols::BalanceCertificate realisedBalance(const database::StudyStore& store, const protocols::Protocol& protocol,
-                                              const protocols::AllocationKey& key)
+protocols::BalanceCertificate realisedBalance(const database::StudyStore& store,
+                                              const std::vector<database::CurrentAnswer>& answers,
+                                              const protocols::Protocol& protocol, const protocols::AllocationKey& key)
 {
     const Numbers numbers = numbersOf(key);
-    const auto presented = presentedTrials(store);
+    const auto presented = presentedTrials(answers);
     protocols::Design design;
     for (const auto& enrolment : store.enrolments()) {
         const auto own = presented.find(enrolment.participant);

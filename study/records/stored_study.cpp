@@ -80,12 +80,11 @@ std::map<PresentationKey, int> placesInTime(const std::vector<database::CurrentA
 }
 
 /// Sorts the current answers into analysed answers, answers to blank glass, and a count of voided presentations.
-void readAnswers(const database::StudyStore& store, const protocols::Protocol& protocol, const Naming& naming,
+void readAnswers(const std::vector<database::CurrentAnswer>& answers, const protocols::Protocol& protocol, const Naming& naming,
                  reports::StudyData& data)
 {
     const std::set<std::string> analysed(data.participants.begin(), data.participants.end());
     std::set<PresentationKey> voided;
-    const auto answers = store.answers();
     const auto places = placesInTime(answers);
     for (const auto& answer : answers) {
         if (!analysed.contains(answer.participant.value)) continue;
@@ -152,6 +151,12 @@ std::optional<Naming> namingOf(const database::StudyStore& store, const protocol
 
 std::optional<reports::StudyData> studyData(const database::StudyStore& store, const database::Passphrase& passphrase)
 {
+    return studyData(store, passphrase, store.answers());
+}
+
+std::optional<reports::StudyData> studyData(const database::StudyStore& store, const database::Passphrase& passphrase,
+                                            const std::vector<database::CurrentAnswer>& answers)
+{
     const auto facts = store.facts();
     const auto protocol = protocolOf(facts);
     const auto naming = namingOf(store, protocol, passphrase);
@@ -160,11 +165,13 @@ std::optional<reports::StudyData> studyData(const database::StudyStore& store, c
     data.conditions = naming->conditions;
     if (!data.blinded) data.signals = reports::signalsFromJson(facts.signalsJson);
     for (const auto& fabric : facts.fabrics) data.fabrics.push_back(fabric.value);
-    readAnswers(store, protocol, *naming, data);
+    readAnswers(answers, protocol, *naming, data);
     return data;
 }
 
-reports::StudyData sealedStudyData(const database::StudyStore& store)
+reports::StudyData sealedStudyData(const database::StudyStore& store) { return sealedStudyData(store, store.answers()); }
+
+reports::StudyData sealedStudyData(const database::StudyStore& store, const std::vector<database::CurrentAnswer>& answers)
 {
     const auto facts = store.facts();
     const auto protocol = protocolOf(facts);
@@ -182,7 +189,7 @@ reports::StudyData sealedStudyData(const database::StudyStore& store)
                 sealed.entries[{enrolment.participant, trial.number}] = {
                     protocols::FabricId("presentation " + std::to_string(place)), "sealed"};
     }
-    readAnswers(store, protocol, sealed, data);
+    readAnswers(answers, protocol, sealed, data);
     // All presentations lie in one cell here, so that each is a repetition of its own.
     for (auto& response : data.responses) response.repetition = std::to_string(response.trial.value_or(0));
     return data;

@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "database/keys.h"
 #include "database/study_store.h"
@@ -40,9 +41,14 @@ protocols::Protocol protocolOf(const database::StudyFacts& facts);
 /// The data of the report; empty where the study is blinded and nobody gives its passphrase. Throws badInput for a wrong one,
 /// workFailed if the stored study cannot be read.
 std::optional<reports::StudyData> studyData(const database::StudyStore& store, const database::Passphrase& passphrase);
+/// The same for a caller who has read the answers of the store already.
+std::optional<reports::StudyData> studyData(const database::StudyStore& store, const database::Passphrase& passphrase,
+                                            const std::vector<database::CurrentAnswer>& answers);
 
 /// What can be known of a running study without its key: the answers, all of one unnamed condition and fabric. It serves the
 /// flags on data quality, except those on blank glass.
 reports::StudyData sealedStudyData(const database::StudyStore& store);
+/// The same for a caller who has read the answers of the store already.
+reports::StudyData sealedStudyData(const database::StudyStore& store, const std::vector<database::CurrentAnswer>& answers);
 
 }  // namespace study::records

@@ -18,20 +18,32 @@ namespace {
 
 using nlohmann::ordered_json;
 
-ordered_json answersOf(const database::StudyStore& store, const protocols::ParticipantId& participant,
-                       const std::vector<database::CurrentAnswer>& answers)
-{
+/// What a participant has answered so far.
+struct AnswerCounts {
     int answered = 0, voided = 0, corrected = 0, flagged = 0;
-    for (const auto& answer : answers)
-        if (answer.participant == participant) {
-            ++(answer.voided ? voided : answered);
-            corrected += answer.corrections > 0;
-        }
-    for (const auto& flag : store.flags()) flagged += flag.participant == participant;
-    return {{"answers", answered}, {"voided", voided}, {"corrected", corrected}, {"flagged", flagged}};
+};
+using CountsByParticipant = std::map<protocols::ParticipantId, AnswerCounts>;
+
+CountsByParticipant countsOf(const database::StudyStore& store, const std::vector<database::CurrentAnswer>& answers)
+{
+    CountsByParticipant counts;
+    for (const auto& answer : answers) {
+        AnswerCounts& own = counts[answer.participant];
+        ++(answer.voided ? own.voided : own.answered);
+        own.corrected += answer.corrections > 0;
+    }
+    for (const auto& flag : store.flags()) ++counts[flag.participant].flagged;
+    return counts;
 }
 
-ordered_json slotsOf(const database::StudyStore& store, const std::vector<database::CurrentAnswer>& answers)
+ordered_json answersOf(const protocols::ParticipantId& participant, const CountsByParticipant& counts)
+{
+    const auto found = counts.find(participant);
+    const AnswerCounts own = found == counts.end() ? AnswerCounts{} : found->second;
+    return {{"answers", own.answered}, {"voided", own.voided}, {"corrected", own.corrected}, {"flagged", own.flagged}};
+}
+
+ordered_json slotsOf(const database::StudyStore& store, const CountsByParticipant& counts)
 {
     ordered_json rows = ordered_json::array();
     for (const auto& slot : store.slots()) {
@@ -39,21 +51,21 @@ ordered_json slotsOf(const database::StudyStore& store, const std::vector<databa
         if (slot.state != database::SlotState::Free) {
             row["participant"] = slot.participant.value;
             row["kind"] = nameOf(slot.kind);
-            row.update(answersOf(store, slot.participant, answers));
+            row.update(answersOf(slot.participant, counts));
         }
         rows.push_back(row);
     }
     return rows;
 }
 
-ordered_json withdrawnOf(const database::StudyStore& store, const std::vector<database::CurrentAnswer>& answers)
+ordered_json withdrawnOf(const database::StudyStore& store, const CountsByParticipant& counts)
 {
     ordered_json rows = ordered_json::array();
     for (const auto& enrolment : store.enrolments())
         if (enrolment.state == database::SlotState::Withdrawn) {
             ordered_json row{
                 {"slot", enrolment.slot}, {"participant", enrolment.participant.value}, {"kind", nameOf(enrolment.kind)}};
-            row.update(answersOf(store, enrolment.participant, answers));
+            row.update(answersOf(enrolment.participant, counts));
             rows.push_back(row);
         }
     return rows;
@@ -139,14 +151,15 @@ ordered_json statusOf(const database::StudyStore& store, const database::Passphr
     const auto facts = store.facts();
     const auto protocol = protocolOf(facts);
     const auto answers = store.answers();
+    const CountsByParticipant counts = countsOf(store, answers);
     ordered_json json{{"schema", "vis2hap.status/1"}, {"study", facts.name}, {"protocol_sha256", facts.protocolSha256}};
     json["protocol_versions"] = store.protocolVersions().size();
     json["blinded"] = !store.unblinding().has_value();
     json["answers_per_participant"] = protocol.answersPerParticipant();
     json["minutes_per_participant"] = protocol.minutesPerParticipant();
     json["sittings_per_participant"] = protocol.sittingsPerParticipant();
-    json["slots"] = slotsOf(store, answers);
-    json["withdrawn"] = withdrawnOf(store, answers);
+    json["slots"] = slotsOf(store, counts);
+    json["withdrawn"] = withdrawnOf(store, counts);
     std::map<std::string, int> kinds{{"human", 0}, {"scripted", 0}, {"simulated", 0}}, states;
     for (const auto& slot : store.slots()) {
         ++states[nameOf(slot.state)];
@@ -156,11 +169,11 @@ ordered_json statusOf(const database::StudyStore& store, const database::Passphr
     json["states"] = states;
     json.update(ordered_json::parse(facts.plannedBalance));
     const auto key = readKeyForAggregates(store, passphrase);
-    json["balance_presented"] = key ? jsonOf(realisedBalance(store, protocol, *key))["balance"] : ordered_json();
+    json["balance_presented"] = key ? jsonOf(realisedBalance(store, answers, protocol, *key))["balance"] : ordered_json();
     if (!key) json["why"] = {{"balance_presented", "the study has a passphrase, and none was given"}};
     json["passphrase"] = facts.hasPassphrase;
     json["stamps"] = facts.stamps;
-    const reports::StudyData data = store.unblinding() ? *studyData(store, passphrase) : sealedStudyData(store);
+    const reports::StudyData data = store.unblinding() ? *studyData(store, passphrase, answers) : sealedStudyData(store, answers);
     json["preregistration"] = preregistrationOf(data);
     json["quality"] = flagsOf(data);
     return json;

@@ -21,7 +21,10 @@ struct Effort {
     int crashStates = 60;
     int faultPositions = 20;    ///< of one session, evenly spread; 0: every one
     int midSessionMoments = 2;  ///< of one session; 0: after every answer
+    int answers = 2520;         ///< of the large study; the smaller one has a tenth of them
+    int durableAnswers = 252;
     bool decidesTimes = false;  ///< times are limits, not only shown
+    std::string studies;        ///< folder that keeps the large studies; empty: a temporary one
 };
 
 /// The table in Markdown.

@@ -8,13 +8,12 @@
 #include "database/event_chain.h"
 #include "database/preregistrations.h"
 #include "database/response_columns.h"
-#include "protocols/files/sha256.h"
+#include "database/schema.h"
+#include "database/state_audit.h"
 
 namespace database {
 
 namespace {
-
-using Log = std::map<std::int64_t, LogEntry>;
 
 /// What an entry stores of the chain.
 struct StoredLinks {
@@ -26,23 +25,47 @@ std::optional<std::string> textOrNone(const QVariant& value)
     return value.isNull() ? std::nullopt : std::optional(fromQt(value));
 }
 
-void readResponses(const SqliteConnection& sqlite, Log& log)
+/// The latest row of a question counts, so rows that follow each other differently from their entries would change answers.
+class OrderCheck {
+public:
+    OrderCheck(const char* table, std::vector<std::string>& faults) : m_table(table), m_faults(faults) {}
+
+    /// Takes the entries of the rows as they lie in the table.
+    std::int64_t next(std::int64_t entry)
+    {
+        if (entry < m_before)
+            m_faults.push_back("study.db: the row of entry " + std::to_string(entry) + " in the table " + m_table +
+                               " does not follow the order of the log");
+        m_before = entry;
+        return entry;
+    }
+
+private:
+    const char* m_table;
+    std::vector<std::string>& m_faults;
+    std::int64_t m_before = 0;
+};
+
+void readResponses(const SqliteConnection& sqlite, Log& log, std::vector<std::string>& faults)
 {
+    OrderCheck order("responses", faults);
     QSqlQuery query =
         sqlite.run(QStringLiteral("SELECT event, %1 FROM responses ORDER BY id").arg(namesOf(ResponseColumns::OfTable)));
-    while (query.next()) log[query.value(0).toLongLong()].responses.push_back(rowFrom(query, ResponseColumns::OfTable, 1));
+    while (query.next())
+        log[order.next(query.value(0).toLongLong())].responses.push_back(rowFrom(query, ResponseColumns::OfTable, 1));
 }
 
-void readRest(const SqliteConnection& sqlite, Log& log)
+void readRest(const SqliteConnection& sqlite, Log& log, std::vector<std::string>& faults)
 {
+    OrderCheck order("notes", faults);
     QSqlQuery row = sqlite.run(QStringLiteral("SELECT event, participant, trial, attempt FROM voids ORDER BY rowid"));
     while (row.next())
         log[row.value(0).toLongLong()].voids.push_back({fromQt(row.value(1)), row.value(2).toInt(), row.value(3).toInt()});
     row = sqlite.run(QStringLiteral("SELECT event, participant, trial, attempt, question, text, is_flag FROM notes ORDER BY id"));
     while (row.next())
-        log[row.value(0).toLongLong()].notes.push_back({fromQt(row.value(1)), row.value(2).toInt(), row.value(3).toInt(),
-                                                        textOrNone(row.value(4)), fromQt(row.value(5)),
-                                                        row.value(6).toInt() != 0});
+        log[order.next(row.value(0).toLongLong())].notes.push_back({fromQt(row.value(1)), row.value(2).toInt(),
+                                                                    row.value(3).toInt(), textOrNone(row.value(4)),
+                                                                    fromQt(row.value(5)), row.value(6).toInt() != 0});
     row = sqlite.run(QStringLiteral("SELECT event, who, why, wall_time FROM unblindings"));
     while (row.next())
         log[row.value(0).toLongLong()].unblinding = {fromQt(row.value(1)), fromQt(row.value(2)), fromQt(row.value(3))};
@@ -106,18 +129,23 @@ std::string nameOfEntry(const EventRecord& event)
 
 nlohmann::json payloadOf(const LogEntry& entry) { return nlohmann::json::parse(entry.event.payloadJson, nullptr, false); }
 
-/// Whether a recorded erasure emptied this entry: one of the participant's entries before it.
-bool isErased(const LogEntry& entry, const StoredLinks& links, const std::map<std::string, std::int64_t>& erasedBefore)
+/// Whether a recorded erasure concerns this entry: one of the participant's entries before it.
+bool isErased(const LogEntry& entry, const std::map<std::string, std::int64_t>& erasedBefore)
 {
     const auto act = erasedBefore.find(entry.event.participant.value);
-    return act != erasedBefore.end() && entry.event.sequence < act->second && links.salt.empty() &&
-           entry.event.payloadJson == "{}" && entry.event.wallTime.empty() && entry.event.atNs == 0 && entry.responses.empty() &&
-           entry.voids.empty() && entry.notes.empty();
+    return act != erasedBefore.end() && entry.event.sequence < act->second;
 }
 
-/// Whether the rows, the content and the hash of an entry agree.
+bool isEmptied(const LogEntry& entry, const StoredLinks& links)
+{
+    return links.salt.empty() && entry.event.payloadJson == "{}" && entry.event.wallTime.empty() && entry.event.atNs == 0 &&
+           entry.responses.empty() && entry.voids.empty() && entry.notes.empty();
+}
+
+/// Whether the rows, the content and the hash of an entry agree, and nothing is left where the entry was erased.
 bool isWhole(const LogEntry& entry, const StoredLinks& links, bool erased)
 {
+    if (erased && !isEmptied(entry, links)) return false;
     if (!erased && (placesOf(entry) != links.places || commitmentOf(entry, links.salt) != links.commitment)) return false;
     return chainHash(links.previous, entry.event, links.places, links.commitment) == links.own;
 }
@@ -167,7 +195,7 @@ private:
             m_faults.push_back("log entries from " + std::to_string(m_expected) + " to " + std::to_string(sequence - 1) +
                                " are missing");
         if (links.previous != m_previous) m_faults.push_back(nameOfEntry(entry.event) + ": does not follow the entry before it");
-        if (!isWhole(entry, links, isErased(entry, links, m_erasedBefore)))
+        if (!isWhole(entry, links, isErased(entry, m_erasedBefore)))
             m_faults.push_back(nameOfEntry(entry.event) + ": the entry or its rows were altered");
         m_previous = links.own;
         m_expected = sequence + 1;
@@ -244,37 +272,6 @@ void checkFixedTables(const SqliteConnection& sqlite, const Log& log, std::vecto
             "study facts, fabrics, stimulus hashes, trial lists or swatch codes were altered after the study was made");
 }
 
-/// Compares the later versions of the protocol with their hashes in the log.
-void checkProtocols(const SqliteConnection& sqlite, const Log& log, std::vector<std::string>& faults)
-{
-    QSqlQuery row = sqlite.run(QStringLiteral("SELECT version, event, json FROM protocol_versions"));
-    while (row.next()) {
-        const auto act = log.find(row.value(1).toLongLong());
-        const nlohmann::json payload = act == log.end() ? nlohmann::json() : payloadOf(act->second);
-        if (!payload.is_object() || payload.value("sha256", std::string()) != protocols::sha256(fromQt(row.value(2))))
-            faults.push_back("version " + fromQt(row.value(0)) + " of the protocol was altered after it was taken over");
-    }
-}
-
-/// The table and the log must name the same participants as withdrawn.
-void checkStates(const SqliteConnection& sqlite, const Log& log, std::vector<std::string>& faults)
-{
-    std::set<std::string> withdrawn;
-    for (const auto& [sequence, entry] : log)
-        if (entry.event.kind == "withdrawn") withdrawn.insert(entry.event.participant.value);
-    for (const auto& [participant, act] : erasuresIn(log)) withdrawn.insert(participant);
-    for (const auto& [sequence, entry] : log)
-        if (entry.event.kind == "slot_state_set" && payloadOf(entry).value("state", std::string()) == "withdrawn")
-            withdrawn.insert(payloadOf(entry).value("participant", std::string()));
-    QSqlQuery row = sqlite.run(QStringLiteral("SELECT id, state FROM participants"));
-    while (row.next()) {
-        const std::string id = fromQt(row.value(0));
-        if ((fromQt(row.value(1)) == "withdrawn") != withdrawn.contains(id))
-            faults.push_back("participant " + id + " is " + fromQt(row.value(1)) + " in the table and " +
-                             (withdrawn.contains(id) ? "withdrawn" : "not withdrawn") + " in the log");
-    }
-}
-
 /// Compares "P01 in slot 1 (human)" of every participant in the log and in the table.
 void checkPlaces(const SqliteConnection& sqlite, const Log& log, std::vector<std::string>& faults)
 {
@@ -311,15 +308,16 @@ void checkPreregistrations(const Log& log, std::vector<std::string>& faults)
 std::vector<std::string> faultsOfLog(const SqliteConnection& sqlite)
 {
     Log log;
-    readResponses(sqlite, log);
-    readRest(sqlite, log);
+    std::vector<std::string> ofOrder;
+    readResponses(sqlite, log, ofOrder);
+    readRest(sqlite, log, ofOrder);
     std::vector<std::string> faults = faultsOfChain(sqlite, log);
+    faults.insert(faults.end(), ofOrder.begin(), ofOrder.end());
     checkEnd(sqlite, log, faults);
     checkUpgrade(log, faults);
     checkFixedTables(sqlite, log, faults);
     checkPlaces(sqlite, log, faults);
-    checkProtocols(sqlite, log, faults);
-    checkStates(sqlite, log, faults);
+    for (std::string& fault : faultsOfStates(sqlite, log)) faults.push_back(std::move(fault));
     checkPreregistrations(log, faults);
     return faults;
 }
@@ -348,7 +346,8 @@ std::vector<std::string> faultsOfDatabase(const SqliteConnection& sqlite)
     auto ofFile = std::async(std::launch::async, faultsOfFile, sqlite.file());
     // One snapshot for the whole chain, because a writer may add entries meanwhile.
     const ReadSnapshot snapshot(sqlite);
-    const std::vector<std::string> ofLog = faultsOfLog(sqlite);
+    std::vector<std::string> ofLog = faultsOfSchema(sqlite);
+    for (std::string& fault : faultsOfLog(sqlite)) ofLog.push_back(std::move(fault));
     std::vector<std::string> faults = ofFile.get();
     faults.insert(faults.end(), ofLog.begin(), ofLog.end());
     return faults;

@@ -40,6 +40,8 @@ std::set<std::string> textsOnlyOf(const SqliteConnection& sqlite, const Erasure&
     constexpr Source sources[] = {
         {"SELECT value FROM participant_facts WHERE participant = ?",
          "SELECT value FROM participant_facts WHERE participant <> ?", false},
+        {"SELECT salt FROM participant_facts WHERE participant = ?", "SELECT salt FROM participant_facts WHERE participant <> ?",
+         false},
         {"SELECT text FROM notes WHERE participant = ?", "SELECT text FROM notes WHERE participant <> ?", true},
         {"SELECT choice FROM responses WHERE participant = ? AND choice IS NOT NULL",
          "SELECT choice FROM responses WHERE participant <> ? AND choice IS NOT NULL", true},

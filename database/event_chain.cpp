@@ -103,6 +103,13 @@ std::string chainHash(const std::string& previous, const EventRecord& event, con
     return bytes.hash();
 }
 
+std::string commitmentOfFact(const std::string& salt, const std::string& fact, const std::string& value)
+{
+    protocols::CanonicalBytes bytes;
+    bytes << salt << fact << value;
+    return bytes.hash();
+}
+
 LogEntry actOnStudy(const std::string& kind, const nlohmann::ordered_json& payload, const std::string& wallTime)
 {
     LogEntry entry;

@@ -52,6 +52,8 @@ std::string chainHash(const std::string& previous, const EventRecord& event, con
 
 /// The kind of the entry that an upgrade from an older schema leaves.
 inline constexpr const char* upgradedKind = "upgraded";
+/// What the log keeps of a fact about a participant: the hash of a salt, which an erasure removes, and the value.
+std::string commitmentOfFact(const std::string& salt, const std::string& fact, const std::string& value);
 
 /// An entry for an act on the study itself, outside any session.
 LogEntry actOnStudy(const std::string& kind, const nlohmann::ordered_json& payload, const std::string& wallTime);

@@ -1,7 +1,5 @@
 #include "database/keys.h"
 
-#include <sys/stat.h>
-
 #include "protocols/files/errors.h"
 #include "protocols/files/sha256.h"
 #include "protocols/files/whole_file.h"
@@ -55,13 +53,6 @@ protocols::AllocationKey neededKey(const StudyStore& store, const Passphrase& pa
     if (auto key = readKey(store, passphrase)) return std::move(*key);
     throw protocols::badInput({"this needs the owner's passphrase", store.folder().folder.string(),
                                "a terminal to ask on, --passphrase-file FILE or VIS2HAP_PASSPHRASE", "give the passphrase"});
-}
-
-void addFaultOfMode(const fs::path& file, std::vector<std::string>& faults)
-{
-    struct stat status {};
-    if (::stat(file.c_str(), &status) == 0 && (status.st_mode & 0077) != 0)
-        faults.push_back(file.string() + ": other users may read it (expected mode 0600): run chmod 600 on it");
 }
 
 }  // namespace
@@ -128,8 +119,6 @@ std::vector<std::string> faultsOfKeys(const StudyStore& store)
     } catch (const protocols::Error& fault) {
         faults.push_back(fault.what());
     }
-    for (const fs::path& file : {folder.allocationKey(), folder.sealedAllocationKey(), folder.stationKey()})
-        addFaultOfMode(file, faults);
     if (store.facts().hasPassphrase && !store.unblinding() && fs::exists(folder.allocationKey()))
         faults.push_back(folder.allocationKey().string() + ": the allocation key lies open, and the study is not unblinded");
     return faults;

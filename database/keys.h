@@ -53,7 +53,7 @@ struct KeyHashes {
 KeyHashes writeKeys(const StudyFolder& folder, const protocols::AllocationKey& key,
                     const std::optional<std::string>& passphrase = std::nullopt);
 
-/// One line for each fault of the key files: missing, altered, readable by others. A sealed key cannot be compared with its
+/// One line for each fault of the key files: missing or altered. A sealed key cannot be compared with its
 /// commitment without the passphrase.
 std::vector<std::string> faultsOfKeys(const StudyStore& store);
 

@@ -8,6 +8,7 @@
 
 #include "database/audit.h"
 #include "database/schema.h"
+#include "database/study_rows.h"
 #include "protocols/files/errors.h"
 #include "protocols/files/whole_file.h"
 
@@ -62,17 +63,6 @@ void addRescues(const fs::path& where, const std::string& prefix, std::vector<fs
     }
 }
 
-struct Head {
-    std::int64_t sequence = 0;
-    std::string hash;
-};
-
-Head headOf(const SqliteConnection& sqlite)
-{
-    QSqlQuery row = sqlite.run(QStringLiteral("SELECT sequence, hash FROM events ORDER BY sequence DESC LIMIT 1"));
-    return row.next() ? Head{row.value(0).toLongLong(), fromQt(row.value(1))} : Head{};
-}
-
 void requireSound(const SqliteConnection& rescued)
 {
     checkedVersion(rescued);
@@ -86,7 +76,7 @@ void requireBeginning(const StudyFolder& folder, const SqliteConnection& rescued
 {
     const SqliteConnection present(folder.database(), SqliteConnection::Mode::Read);
     checkedVersion(present);
-    const Head head = headOf(present);
+    const LogHead head = headIn(present);
     if (fromQt(rescued.value(QStringLiteral("SELECT hash FROM events WHERE sequence = ?"), {qlonglong(head.sequence)})) !=
         head.hash)
         throw protocols::badInput({"the study has answers that the rescue file lacks", rescued.file().string(),
@@ -128,12 +118,12 @@ Rescue bringBack(const StudyFolder& folder, const std::filesystem::path& rescue)
         const SqliteConnection rescued(rescue, SqliteConnection::Mode::Read);
         requireSound(rescued);
         if (hasPresent) requireBeginning(folder, rescued);
-        result.events = static_cast<std::size_t>(headOf(rescued).sequence);
+        result.events = static_cast<std::size_t>(headIn(rescued).sequence);
     }
     if (hasPresent) {
         {
             const SqliteConnection present(folder.database(), SqliteConnection::Mode::Write);
-            result.events -= static_cast<std::size_t>(headOf(present).sequence);
+            result.events -= static_cast<std::size_t>(headIn(present).sequence);
             present.run(QStringLiteral("PRAGMA wal_checkpoint(TRUNCATE)"));
         }
         result.earlier = freeName(folder.folder, "study-before-rescue-");

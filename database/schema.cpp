@@ -1,5 +1,6 @@
 #include "database/schema.h"
 
+#include <map>
 #include <string>
 
 #include "database/response_columns.h"
@@ -62,10 +63,10 @@ constexpr const char* tables[] = {
     R"(CREATE TABLE unblindings(
         event INTEGER PRIMARY KEY REFERENCES events(sequence), who TEXT NOT NULL, why TEXT NOT NULL,
         wall_time TEXT NOT NULL) STRICT)",
-    // Facts about people stand outside the log, so that they can be erased.
+    // Facts about people stand outside the log, so that they can be erased. The log holds the hash of salt and value.
     R"(CREATE TABLE participant_facts(
         participant TEXT NOT NULL REFERENCES participants(id), fact TEXT NOT NULL, value TEXT NOT NULL,
-        PRIMARY KEY (participant, fact)) STRICT, WITHOUT ROWID)",
+        salt TEXT NOT NULL DEFAULT '', PRIMARY KEY (participant, fact)) STRICT, WITHOUT ROWID)",
     R"(CREATE TABLE swatches(
         slot INTEGER NOT NULL REFERENCES slots(number), fabric TEXT NOT NULL REFERENCES fabrics(id), code TEXT NOT NULL,
         PRIMARY KEY (slot, fabric)) STRICT, WITHOUT ROWID)",
@@ -170,6 +171,44 @@ void makeSchema(const SqliteConnection& connection)
     for (const char* table : appendOnlyTables) guardAgainstChanges(connection, table);
     connection.run(QStringLiteral("PRAGMA application_id = %1").arg(applicationId));
     connection.run(QStringLiteral("PRAGMA user_version = %1").arg(schemaVersion));
+}
+
+namespace {
+
+/// "view answers" -> the table it belongs to and its text.
+using Schema = std::map<std::string, std::string>;
+
+Schema schemaOf(const SqliteConnection& sqlite)
+{
+    Schema schema;
+    QSqlQuery row = sqlite.run(QStringLiteral("SELECT type, name, tbl_name, sql FROM sqlite_master"));
+    while (row.next())
+        schema[fromQt(row.value(0)) + " " + fromQt(row.value(1))] =
+            fromQt(row.value(2)) + ": " + row.value(3).toString().simplified().toStdString();
+    return schema;
+}
+
+Schema schemaOfProgram()
+{
+    const SqliteConnection memory(":memory:", SqliteConnection::Mode::Memory);
+    makeSchema(memory);
+    return schemaOf(memory);
+}
+
+}  // namespace
+
+std::vector<std::string> faultsOfSchema(const SqliteConnection& sqlite)
+{
+    std::vector<std::string> faults;
+    const Schema expected = schemaOfProgram(), found = schemaOf(sqlite);
+    for (const auto& [name, text] : expected)
+        if (const auto same = found.find(name); same == found.end())
+            faults.push_back("study.db: the " + name + " is missing");
+        else if (same->second != text)
+            faults.push_back("study.db: the " + name + " is not the one that this program makes");
+    for (const auto& [name, text] : found)
+        if (!expected.contains(name)) faults.push_back("study.db: the " + name + " is unknown to this program");
+    return faults;
 }
 
 int checkedVersion(const SqliteConnection& connection)

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <QString>
+#include <string>
+#include <vector>
 
 #include "database/sqlite_connection.h"
 
@@ -22,6 +24,9 @@ inline constexpr int firstResponseColumn = 6;  ///< of currentAnswersQuery()
 /// Makes a table refuse UPDATE and DELETE by triggers, or lifts that.
 void guardAgainstChanges(const SqliteConnection& connection, const char* table);
 void unguard(const SqliteConnection& connection, const char* table);
+
+/// One line for each table, index, view or trigger that is missing, unknown, or not the one that makeSchema() makes.
+std::vector<std::string> faultsOfSchema(const SqliteConnection& connection);
 
 /// The file's schema version. Throws badInput for a database that is no study's or has a newer schema.
 int checkedVersion(const SqliteConnection& connection);

@@ -129,7 +129,8 @@ void SqliteConnection::openForReading()
 
 void SqliteConnection::applyPragmas(Mode mode)
 {
-    if (mode != Mode::Read && fromQt(value(QStringLiteral("PRAGMA journal_mode = WAL"))) != "wal")
+    const bool isFile = mode == Mode::Create || mode == Mode::Write;
+    if (isFile && fromQt(value(QStringLiteral("PRAGMA journal_mode = WAL"))) != "wal")
         throw protocols::environmentFault({"the file system does not support the write-ahead log of SQLite", m_file.string(),
                                            "a local disk", "move the study there"});
     run(QStringLiteral("PRAGMA synchronous = FULL"));
@@ -137,6 +138,11 @@ void SqliteConnection::applyPragmas(Mode mode)
     if (value(QStringLiteral("PRAGMA synchronous")).toInt() != 2 || value(QStringLiteral("PRAGMA foreign_keys")).toInt() != 1)
         throw protocols::environmentFault(
             {"this SQLite does not support synchronous FULL and foreign keys", m_file.string(), "", "use Debian's libsqlite3-0"});
+}
+
+std::string sqliteVersion()
+{
+    return fromQt(SqliteConnection(":memory:", SqliteConnection::Mode::Memory).value(QStringLiteral("SELECT sqlite_version()")));
 }
 
 QSqlQuery SqliteConnection::run(const QString& sql, const QVariantList& values) const

@@ -17,7 +17,8 @@ public:
     enum class Mode {
         Create,  ///< makes the file
         Write,
-        Read,  ///< works in a read-only folder, too
+        Read,    ///< works in a read-only folder, too
+        Memory,  ///< no file: a database of its own that ends with the connection
     };
 
     /// Throws environmentFault if it cannot be opened, badInput if it is no SQLite database.
@@ -72,6 +73,9 @@ public:
 private:
     const SqliteConnection& m_connection;
 };
+
+/// The version of the SQLite library, such as "3.40.1".
+std::string sqliteVersion();
 
 QString toQt(const std::string& text);
 std::string fromQt(const QVariant& text);

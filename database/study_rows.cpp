@@ -211,6 +211,12 @@ std::optional<UnblindingRecord> unblindingIn(const SqliteConnection& sqlite)
     return UnblindingRecord{fromQt(row.value(0)), fromQt(row.value(1)), fromQt(row.value(2))};
 }
 
+LogHead headIn(const SqliteConnection& sqlite)
+{
+    QSqlQuery row = sqlite.run(QStringLiteral("SELECT sequence, hash FROM events ORDER BY sequence DESC LIMIT 1"));
+    return row.next() ? LogHead{row.value(0).toLongLong(), fromQt(row.value(1))} : LogHead{};
+}
+
 std::vector<Erasure> erasuresIn(const SqliteConnection& sqlite)
 {
     std::vector<Erasure> erasures;

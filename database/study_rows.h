@@ -21,6 +21,7 @@ std::vector<EventRecord> eventsIn(const SqliteConnection& sqlite, const protocol
 std::vector<CurrentAnswer> answersIn(const SqliteConnection& sqlite);  ///< by slot, trial and question
 std::vector<StudyStore::Flag> flagsIn(const SqliteConnection& sqlite);
 std::optional<UnblindingRecord> unblindingIn(const SqliteConnection& sqlite);
+LogHead headIn(const SqliteConnection& sqlite);
 std::vector<Erasure> erasuresIn(const SqliteConnection& sqlite);
 std::map<protocols::ParticipantId, std::map<std::string, std::string>> personalFactsIn(const SqliteConnection& sqlite);
 

@@ -7,8 +7,8 @@
 #include <type_traits>
 
 #include "database/audit.h"
+#include "database/disk/open_files.h"
 #include "database/erasure.h"
-#include "database/open_files.h"
 #include "database/rescue.h"
 #include "database/sqlite_connection.h"
 #include "database/study_creation.h"
@@ -135,6 +135,8 @@ StudyStore::StudyStore(StudyStore&&) noexcept = default;
 
 const StudyFolder& StudyStore::folder() const { return m_connection->folder; }
 
+bool StudyStore::isUpgradedCopy() const { return m_connection->copy != nullptr; }
+
 StudyFacts StudyStore::facts() const { return factsIn(m_connection->sqlite); }
 
 std::map<protocols::FileCode, std::string> StudyStore::stimulusHashes() const { return stimulusHashesIn(m_connection->sqlite); }
@@ -213,6 +215,28 @@ ErasureRecord StudyStore::erase(const Erasure& erasure)
 }
 
 std::vector<Erasure> StudyStore::erasures() const { return erasuresIn(m_connection->sqlite); }
+
+LogHead StudyStore::head() const { return headIn(m_connection->sqlite); }
+
+std::optional<std::int64_t> StudyStore::entryWithHash(const std::string& hash) const
+{
+    const QVariant sequence =
+        m_connection->sqlite.value(QStringLiteral("SELECT sequence FROM events WHERE hash = ?"), {toQt(hash)});
+    return sequence.isValid() ? std::optional<std::int64_t>(sequence.toLongLong()) : std::nullopt;
+}
+
+std::string StudyStore::hashOfEntry(std::int64_t sequence) const
+{
+    return fromQt(
+        m_connection->sqlite.value(QStringLiteral("SELECT hash FROM events WHERE sequence = ?"), {qlonglong(sequence)}));
+}
+
+std::string shortTextOf(const LogHead& head)
+{
+    return std::to_string(head.sequence) + ":" + head.hash.substr(0, shortHeadLength);
+}
+
+std::string textOf(const LogHead& head) { return std::to_string(head.sequence) + ":" + head.hash; }
 
 void StudyStore::copyTo(const std::filesystem::path& file) const
 {

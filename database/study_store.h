@@ -148,6 +148,18 @@ struct ErasureRecord {
     std::vector<std::string> found;  ///< files that still hold one of them, relative to the study
 };
 
+/// The last entry of the log. Its hash commits to every entry before it.
+struct LogHead {
+    std::int64_t sequence = 0;
+    std::string hash;
+    bool operator==(const LogHead&) const = default;
+};
+std::string textOf(const LogHead& head);  ///< "128:5c0f…", as `verify --against` takes it
+
+/// "128:5c0fa1b2c3d4e5f6": the number and the first 16 digits, short enough to be written down by hand.
+std::string shortTextOf(const LogHead& head);
+inline constexpr std::size_t shortHeadLength = 16;
+
 class StudyStore {
 public:
     /// Makes study.db in an existing folder, in one transaction, with the blinded lists of all slots and the hash of every
@@ -171,6 +183,8 @@ public:
     StudyStore(StudyStore&&) noexcept;
 
     const StudyFolder& folder() const;
+    /// Whether the folder is an upgraded copy of a study of an earlier version, which vanishes with the store.
+    bool isUpgradedCopy() const;
     StudyFacts facts() const;
     std::map<protocols::FileCode, std::string> stimulusHashes() const;
     std::vector<Slot> slots() const;
@@ -235,6 +249,13 @@ public:
     /// same call later completes the erasure.
     ErasureRecord erase(const Erasure& erasure);
     std::vector<Erasure> erasures() const;
+
+    /// Empty for a database without entries.
+    LogHead head() const;
+    /// The entry with this hash; empty where there is none.
+    std::optional<std::int64_t> entryWithHash(const std::string& hash) const;
+    /// Empty where there is no such entry.
+    std::string hashOfEntry(std::int64_t sequence) const;
 
     /// Writes a consistent copy of study.db into one new file, also during a session. Throws badInput if the file exists.
     void copyTo(const std::filesystem::path& file) const;

@@ -153,6 +153,15 @@ void chainAnew(const SqliteConnection& made, const OlderStudy& study)
     }
 }
 
+/// The logs of version 0.1.0 do not say that a session is finished, so that the upgrade says it.
+nlohmann::ordered_json statesIn(const SqliteConnection& made)
+{
+    auto states = nlohmann::ordered_json::object();
+    QSqlQuery row = made.run(QStringLiteral("SELECT id, state FROM participants ORDER BY slot"));
+    while (row.next()) states[fromQt(row.value(0))] = fromQt(row.value(1));
+    return states;
+}
+
 void recordUpgrade(const SqliteConnection& made, const OlderStudy& study, const std::vector<std::string>& faults)
 {
     const std::string oldHead = study.links.empty() ? std::string() : study.links.rbegin()->second.own;
@@ -161,6 +170,7 @@ void recordUpgrade(const SqliteConnection& made, const OlderStudy& study, const 
                             {"schema", schemaVersion},
                             {"old_head", oldHead},
                             {"faults_before", faults},
+                            {"states", statesIn(made)},
                             {"fixed_sha256", hashOfFixedTables(made)},
                             {"program_version", "vis2hap " VIS2HAP_VERSION}},
                            wallTimeNow()));
@@ -232,7 +242,7 @@ void linkStimuli(const fs::path& stimuli, const fs::path& to)
         const fs::path target = to / entry.path().filename();
         std::error_code notLinked;
         fs::create_hard_link(entry.path(), target, notLinked);
-        if (notLinked) fs::copy_file(entry.path(), target);
+        if (notLinked) fs::copy(entry.path(), target, fs::copy_options::recursive | fs::copy_options::copy_symlinks);
     }
 }
 
@@ -411,11 +421,7 @@ std::unique_ptr<protocols::TemporaryFolder> upgradedCopy(const StudyFolder& fold
     return onFiles(copied, [&] {
         copyTopFiles(folder, copied.folder);
         if (fs::exists(folder.upgrade())) fs::copy(folder.upgrade(), copied.upgrade(), fs::copy_options::recursive);
-        if (fs::is_directory(folder.stimuli())) {
-            fs::create_directory(copied.stimuli());
-            for (const auto& entry : fs::directory_iterator(folder.stimuli()))
-                fs::create_symlink(fs::absolute(entry.path()), copied.stimuli() / entry.path().filename());
-        }
+        if (fs::is_directory(folder.stimuli())) linkStimuli(folder.stimuli(), copied.stimuli());
         if (isOlder(copied)) upgradeOlder(copied, ignoreStep);
         finish(copied, ignoreStep);
         return std::move(copy);

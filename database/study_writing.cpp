@@ -9,10 +9,13 @@
 #include "protocols/files/errors.h"
 #include "protocols/files/id_rule.h"
 #include "protocols/files/sha256.h"
+#include "protocols/secrets/secret_key.h"
 
 namespace database {
 
 namespace {
+
+constexpr std::size_t factSaltBytes = 32;
 
 std::string folderOf(const SqliteConnection& sqlite) { return sqlite.file().parent_path().string(); }
 
@@ -98,6 +101,21 @@ LogEntry logEntryOf(const SqliteConnection& sqlite, const StudyStore::Append& en
     return log;
 }
 
+/// Stores the facts outside the log, and their commitments in the payload of the event.
+void storeFacts(const SqliteConnection& sqlite, const StudyStore::Append& entry, EventRecord& event)
+{
+    if (entry.facts.empty()) return;
+    nlohmann::ordered_json payload = nlohmann::ordered_json::parse(event.payloadJson, nullptr, false);
+    if (!payload.is_object()) payload = nlohmann::ordered_json::object();
+    for (const auto& [fact, value] : entry.facts) {
+        const std::string salt = protocols::drawHex(factSaltBytes);
+        payload["facts_sha256"][fact] = commitmentOfFact(salt, fact, value);
+        sqlite.run(QStringLiteral("INSERT OR REPLACE INTO participant_facts(participant, fact, value, salt) VALUES (?, ?, ?, ?)"),
+                   {toQt(event.participant.value), toQt(fact), toQt(value), toQt(salt)});
+    }
+    event.payloadJson = payload.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
 void moveState(const SqliteConnection& sqlite, const protocols::ParticipantId& participant, SlotState state)
 {
     if (state == SlotState::Free)
@@ -154,11 +172,10 @@ void setSlotStateIn(const SqliteConnection& sqlite, const protocols::Participant
 void appendTo(const SqliteConnection& sqlite, const StudyStore::Append& entry)
 {
     Transaction transaction(sqlite);
-    store(sqlite, logEntryOf(sqlite, entry));
+    LogEntry log = logEntryOf(sqlite, entry);
+    storeFacts(sqlite, entry, log.event);
+    store(sqlite, log);
     if (entry.slotState) moveState(sqlite, entry.event.participant, *entry.slotState);
-    for (const auto& [fact, value] : entry.facts)
-        sqlite.run(QStringLiteral("INSERT OR REPLACE INTO participant_facts(participant, fact, value) VALUES (?, ?, ?)"),
-                   {toQt(entry.event.participant.value), toQt(fact), toQt(value)});
     transaction.commit();
 }
 

@@ -19,16 +19,16 @@ const std::vector<std::string> entries{"index.html", "results.json", "statistics
 
 void write(const fs::path& file, const std::string& text) { protocols::writeWholeFile(file, text, protocols::Sync::Later); }
 
-void writeAll(const StudyAnalysis& analysis, const protocols::FolderDraft& draft)
+void writeAll(const StudyAnalysis& analysis, const ReportOrigin& origin, const protocols::FolderDraft& draft)
 {
     // A study may have no figure. The folder is then empty, and replaces that of an earlier report.
     for (const char* folder : {"tables", "figures"}) protocols::makeFolders(draft.path() / folder, protocols::Sync::Later);
     const auto writeJson = [&](const char* name, const auto& writeTo) {
         protocols::writeInPieces(
-            draft.file(name), [&](const protocols::TakeBytes& take) { writeTo(analysis, take); }, protocols::Sync::Later);
+            draft.file(name), [&](const protocols::TakeBytes& take) { writeTo(take); }, protocols::Sync::Later);
     };
-    writeJson("results.json", writeResults);
-    writeJson("statistics.json", writeStatistics);
+    writeJson("results.json", [&](const TakeText& take) { writeResults(analysis, origin, take); });
+    writeJson("statistics.json", [&](const TakeText& take) { writeStatistics(analysis, take); });
     std::vector<ReportTable> tables;  // of the page; the others may be large, and are held one at a time
     forEachTable(analysis, [&](ReportTable one) {
         write(draft.file("tables/" + one.table.name + ".csv"), toCsv(one.table));
@@ -37,7 +37,7 @@ void writeAll(const StudyAnalysis& analysis, const protocols::FolderDraft& draft
     });
     const std::vector<Figure> figures = reportFigures(analysis);
     for (const Figure& figure : figures) write(draft.file("figures/" + figure.name + ".svg"), figure.svg);
-    write(draft.file("index.html"), reportPage(analysis, tables, figures));
+    write(draft.file("index.html"), reportPage(analysis, tables, figures, origin.logHead));
 }
 
 }  // namespace
@@ -52,11 +52,11 @@ void requireReplaceableReport(const fs::path& folder)
                                        "an empty folder, a new name, or an earlier report", "choose another folder with --out"});
 }
 
-void writeReport(const StudyAnalysis& analysis, const std::filesystem::path& folder)
+void writeReport(const StudyAnalysis& analysis, const std::filesystem::path& folder, const ReportOrigin& origin)
 {
     requireReplaceableReport(folder);
     protocols::FolderDraft draft(folder, protocols::Earlier::EntriesReplaced);
-    writeAll(analysis, draft);
+    writeAll(analysis, origin, draft);
     draft.putInPlace();
 }
 

@@ -117,4 +117,6 @@ std::optional<std::string> openWithPassphrase(std::string_view passphrase, std::
     return open(keyOf(passphrase, derivation), ofHexText(textIn(document, "box", where), where), sealedSchema);
 }
 
+std::string sealingLibraryVersion() { return sodium_version_string(); }
+
 }  // namespace protocols

@@ -26,6 +26,9 @@ enum class PassphraseCost {
     ForTests,   ///< Argon2id with the least work that libsodium takes
 };
 
+/// The version of libsodium, such as "1.0.18".
+std::string sealingLibraryVersion();
+
 /// A JSON text "vis2hap.sealed/1" that holds the content, sealed with a key that Argon2id derives from the passphrase.
 std::string sealWithPassphrase(std::string_view passphrase, std::string_view content,
                                PassphraseCost cost = PassphraseCost::ForPeople);

@@ -13,7 +13,7 @@ namespace {
 
 const std::string schemaName = "vis2hap.results/";
 
-Json studyPart(const StudyData& data)
+Json studyPart(const StudyData& data, const ReportOrigin& origin)
 {
     Json study{{"name", data.name}};
     if (data.protocolSha256.empty())
@@ -24,6 +24,8 @@ Json studyPart(const StudyData& data)
     study["fabrics"] = data.fabrics.size();
     study["blinded"] = data.blinded;
     study["simulated"] = data.simulated;
+    if (!origin.logHead.empty()) study["log_head"] = origin.logHead;
+    if (Json made = Json::parse(origin.madeWith, nullptr, false); made.is_object()) study["made_with"] = std::move(made);
     putReasonsLast(study);
     return study;
 }
@@ -219,11 +221,11 @@ Json withoutFlaggedMember(const StudyAnalysis& analysis)
     return part;
 }
 
-JsonParts resultsParts(const StudyAnalysis& analysis)
+JsonParts resultsParts(const StudyAnalysis& analysis, const ReportOrigin& origin)
 {
     const auto* const of = &analysis;
     JsonParts parts{JsonMember{"schema", [] { return Json(schemaName + "2"); }},
-                    JsonMember{"study", [of] { return studyPart(of->data); }},
+                    JsonMember{"study", [of, origin] { return studyPart(of->data, origin); }},
                     JsonMember{"conditions", [of] { return Json(of->data.conditions); }},
                     JsonMember{"questions", [of] { return questionsPart(*of); }},
                     JsonMember{"comparisons", [of](const TakeRow& take) { addComparisons(take, *of); }},
@@ -240,9 +242,15 @@ JsonParts resultsParts(const StudyAnalysis& analysis)
 
 }  // namespace
 
-nlohmann::ordered_json resultsJson(const StudyAnalysis& analysis) { return objectOf(resultsParts(analysis)); }
+nlohmann::ordered_json resultsJson(const StudyAnalysis& analysis, const ReportOrigin& origin)
+{
+    return objectOf(resultsParts(analysis, origin));
+}
 
-void writeResults(const StudyAnalysis& analysis, const TakeText& take) { writeObject(resultsParts(analysis), take); }
+void writeResults(const StudyAnalysis& analysis, const ReportOrigin& origin, const TakeText& take)
+{
+    writeObject(resultsParts(analysis, origin), take);
+}
 
 bool isResultsFile(const std::filesystem::path& file)
 {

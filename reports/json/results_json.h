@@ -6,14 +6,15 @@
 
 #include "reports/analysis/study_analysis.h"
 #include "reports/json/json_members.h"
+#include "reports/json/report_origin.h"
 
 namespace reports {
 
-/// Every value that does not exist is null, with its reason in the object's "why".
-nlohmann::ordered_json resultsJson(const StudyAnalysis& analysis);
+/// Every value that does not exist is null, with its reason in the object's "why". Answers of a study carry its origin.
+nlohmann::ordered_json resultsJson(const StudyAnalysis& analysis, const ReportOrigin& origin = {});
 
 /// Gives the text of the file piece by piece.
-void writeResults(const StudyAnalysis& analysis, const TakeText& take);
+void writeResults(const StudyAnalysis& analysis, const ReportOrigin& origin, const TakeText& take);
 
 /// Whether a report of this or an earlier version wrote the file.
 bool isResultsFile(const std::filesystem::path& file);

@@ -53,14 +53,16 @@ std::string headOf(const StudyAnalysis& analysis)
            noticesOf(analysis) + "</header>\n";
 }
 
-std::string footerOf(const StudyData& data)
+std::string footerOf(const StudyData& data, const std::string& logHead)
 {
+    const std::string head =
+        logHead.empty() ? "" : " Head of the study's log: <code>" + protocols::escapedMarkup(logHead) + "</code>.";
     const std::string hash = data.protocolSha256.empty()
                                  ? ""
                                  : " Protocol SHA-256: <code>" + protocols::escapedMarkup(data.protocolSha256) + "</code>.";
     return "<footer>All numbers with full digits are in <code>results.json</code>, <code>statistics.json</code>, "
            "<code>tables/</code> and <code>figures/</code> beside this page." +
-           hash + "</footer>\n";
+           hash + head + "</footer>\n";
 }
 
 std::string htmlOf(const ReportTable& one)
@@ -110,7 +112,8 @@ private:
 
 }  // namespace
 
-std::string reportPage(const StudyAnalysis& analysis, const std::vector<ReportTable>& tables, const std::vector<Figure>& figures)
+std::string reportPage(const StudyAnalysis& analysis, const std::vector<ReportTable>& tables, const std::vector<Figure>& figures,
+                       const std::string& logHead)
 {
     const SectionWriter writer(analysis, tables, figures);
     std::string links;
@@ -122,7 +125,7 @@ std::string reportPage(const StudyAnalysis& analysis, const std::vector<ReportTa
         sections += section;
     }
     return headOf(analysis) + "<nav aria-label=\"Sections\">" + links + "</nav>\n<main>\n" + sections + "</main>\n" +
-           footerOf(analysis.data) + "</body>\n</html>\n";
+           footerOf(analysis.data, logHead) + "</body>\n</html>\n";
 }
 
 }  // namespace reports

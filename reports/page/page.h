@@ -10,6 +10,8 @@
 
 namespace reports {
 
-std::string reportPage(const StudyAnalysis& analysis, const std::vector<ReportTable>& tables, const std::vector<Figure>& figures);
+/// `logHead`: of the study whose answers these are; empty for answers without a log.
+std::string reportPage(const StudyAnalysis& analysis, const std::vector<ReportTable>& tables, const std::vector<Figure>& figures,
+                       const std::string& logHead = {});
 
 }  // namespace reports

@@ -133,9 +133,9 @@ void MainWindow::closeStudy()
 void MainWindow::startSession(const protocols::ParticipantId& participant)
 {
     m_session.reset();
-    m_session =
-        std::make_unique<SessionController>(m_study->store(), participant, m_study->bank(),
-                                            m_options.openDisplay(m_options.display), m_options.clock, m_options.kind, nullptr);
+    m_session = std::make_unique<SessionController>(m_study->store(), participant, m_study->bank(),
+                                                    m_options.openDisplay(m_options.display), m_options.clock, m_options.kind,
+                                                    m_options.operatedBy, nullptr);
     m_leavingWasRefused = false;
     connectSession();
     m_sessionPage->begin(m_session->facts());

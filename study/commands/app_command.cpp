@@ -17,6 +17,7 @@ namespace {
 struct AppCall {
     std::string study;
     std::string display = "none";
+    std::string operatorName;
     bool monitor = false;
 };
 
@@ -30,6 +31,7 @@ void makeForApp(const app::NewStudyRequest& form, const app::MakingProgress& pro
     request.seed = form.seed;
     request.passphrase = form.passphrase;
     request.programVersion = versionText();
+    request.programCommit = commitText();
     const auto show = [&](int done, int total, const std::string& what) { progress(total > 0 ? 1.0 * done / total : 0.0, what); };
     making::makeStudy(request, {show, [&](const std::string& stage, int done, int total) { show(done, total, stage); }});
 }
@@ -61,6 +63,7 @@ app::AppOptions optionsOf(const AppCall& call)
     options.settings = app::userSettings();
     options.lookAtData = looking::lookAtData();
     options.readFlags = flagsOf;
+    options.operatedBy = session::operatedBy(call.operatorName, versionText());
     return options;
 }
 
@@ -85,6 +88,7 @@ void addApp(CLI::App& app, Action& action)
                    "tcp:HOST:PORT (a driver on another computer); cover:N (a black window on touch screen N, which "
                    "reports the first touch); or a display under a cover: folder:DIR,cover:N")
         ->capture_default_str();
+    app.add_option("--operator", call->operatorName, "who runs the sessions (default: the name of this account)");
     app.add_flag("--monitor", call->monitor,
                  "watch this study: progress of each participant, missing answers, flags; read-only and blinded");
     app.callback([&app, call, &action] {

@@ -58,4 +58,7 @@ void addApp(CLI::App& app, Action& action);
 /// The text that `--version` prints and that studies store.
 std::string versionText();
 
+/// The commit of the sources when the build was configured; empty outside a repository.
+std::string commitText();
+
 }  // namespace study::commands

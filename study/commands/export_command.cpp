@@ -7,6 +7,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "database/evidence/acts.h"
 #include "database/preregistrations.h"
 #include "protocols/files/csv_table.h"
 #include "protocols/files/errors.h"
@@ -19,6 +20,7 @@
 #include "study/commands/command_line.h"
 #include "study/commands/json_output.h"
 #include "study/commands/passphrase_option.h"
+#include "study/commands/recorded_act.h"
 #include "study/players/session_script.h"
 #include "study/records/blinded_report.h"
 #include "study/records/stored_study.h"
@@ -105,6 +107,21 @@ ordered_json registrationRows(const Export& job)
     return rows;
 }
 
+/// Exports, backups and reports before this one.
+ordered_json actRows(const Export& job)
+{
+    ordered_json rows = ordered_json::array();
+    for (const auto& act : actsOf(job.store))
+        rows.push_back({{"act", act.kind},
+                        {"time", act.wallTime},
+                        {"who", act.who},
+                        {"program", act.program},
+                        {"host", act.host},
+                        {"path", act.path},
+                        {"log_head", textOf(act.head)}});
+    return rows;
+}
+
 std::string csvOf(const ordered_json& rows, const std::vector<std::string>& columns)
 {
     std::string text = protocols::csvRow(columns);
@@ -129,6 +146,13 @@ void writeCsv(const Export& job)
     write(job, "participants.csv", csvOf(participantRows(job), {"slot", "participant", "kind", "state", "protocol_version"}));
 }
 
+/// Studies of earlier versions may not know it.
+ordered_json madeWithOf(const Export& job)
+{
+    ordered_json made = ordered_json::parse(job.facts.madeWith, nullptr, false);
+    return made.is_object() ? made : ordered_json::object();
+}
+
 ordered_json headOf(const Export& job)
 {
     return {{"schema", "vis2hap.export/1"},
@@ -137,7 +161,10 @@ ordered_json headOf(const Export& job)
             {"blinded", job.naming == nullptr},
             {"stamps", job.facts.stamps},
             {"participants", participantRows(job)},
-            {"preregistrations", registrationRows(job)}};
+            {"preregistrations", registrationRows(job)},
+            {"acts", actRows(job)},
+            {"made_with", madeWithOf(job)},
+            {"log_head", textOf(job.store.head())}};
 }
 
 void writeJsonExport(const Export& job)
@@ -171,6 +198,8 @@ int exportStudy(const std::string& study, const std::string& out, const std::str
     writeExport(store, out, format, passphraseFrom(passphrase));
     std::printf("%s: %s as %s%s\n", out.c_str(), reports::counted(store.answers().size(), "answer").c_str(), format.c_str(),
                 store.unblinding() ? "" : ", blinded (no condition, no fabric)");
+    std::printf("  log head %s\n", textOf(store.head()).c_str());
+    recordAct(store, "export", out);
     return 0;
 }
 

@@ -12,6 +12,7 @@
 #include "protocols/files/folder_draft.h"
 #include "protocols/files/open_files.h"
 #include "study/commands/command_line.h"
+#include "study/commands/recorded_act.h"
 #include "study/records/erasure_certificate.h"
 #include "study/records/stored_study.h"
 
@@ -97,6 +98,8 @@ int backup(const std::string& study, const std::string& out)
                                            "make room or choose another disk; the study itself is untouched"});
     }
     std::printf("%s: a copy of %s with %zu answers; `tar xf` restores it\n", out.c_str(), study.c_str(), store.answers().size());
+    std::printf("  log head %s\n", textOf(store.head()).c_str());
+    recordAct(store, "backup", out);
     return 0;
 }
 

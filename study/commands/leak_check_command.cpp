@@ -10,6 +10,7 @@
 #include "study/commands/export_command.h"
 #include "study/commands/json_output.h"
 #include "study/commands/passphrase_option.h"
+#include "study/commands/recorded_act.h"
 #include "study/leaks/leak_text.h"
 #include "study/records/blinded_report.h"
 #include "study/records/stored_study.h"
@@ -43,6 +44,7 @@ int leakCheck(const std::string& study, const PassphraseOption& passphrase, cons
     const auto store = records::openStudy(study);
     const auto key = readKeyForAggregates(store, passphraseFrom(passphrase));
     const auto report = leaks::leakReport(store, key, exportersOf(store));
+    recordAct(store, "leak-check");
     if (target)
         writeJson(target, leaks::jsonOf(report));
     else
@@ -66,6 +68,7 @@ void addLeakCheck(CLI::App& app, Action& action)
     addJsonOption(*command, call->target);
     command->callback([call, &action] {
         action.surroundings = Surroundings::Core;
+        action.handlesStudy = true;
         action.work = [call] { return leakCheck(call->study, call->passphrase, call->target); };
     });
 }

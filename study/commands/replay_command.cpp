@@ -77,6 +77,7 @@ struct Playing {
     const protocols::Protocol& protocol;
     const protocols::AllocationKey& key;
     int answersInAll;
+    session::OperatedBy operatedBy;
 };
 
 players::ScriptedTrials trialsFor(const StudyStore& store, int slot, const Playing& playing)
@@ -92,6 +93,7 @@ void play(const players::Script& script, StudyStore& store, players::Hands& hand
     players::playScript(script, trials, logged, hands, clock, [&](int stored) { progress.show(stored, playing.answersInAll); });
     std::printf("%s: %d answers stored, %s\n", script.participant.value.c_str(), hands.state().answersStored,
                 std::holds_alternative<session::Finished>(hands.state().stage) ? "finished" : "withdrawn");
+    std::printf("  log head %s\n", textOf(store.head()).c_str());
 }
 
 void playDirectly(const std::vector<players::Script>& scripts, StudyStore& store, const Playing& playing)
@@ -104,7 +106,7 @@ void playDirectly(const std::vector<players::Script>& scripts, StudyStore& store
         if (finishedAlready(slot, script)) continue;
         const auto logged = store.events(script.participant);
         session::VirtualClock clock;
-        session::Driver driver(store, script.participant, ParticipantKind::Scripted, bank, *display, clock);
+        session::Driver driver(store, script.participant, ParticipantKind::Scripted, bank, *display, clock, playing.operatedBy);
         players::DriverHands hands(driver);
         play(script, store, hands, clock, logged, playing);
     }
@@ -117,6 +119,7 @@ void playThroughWindow(const std::vector<players::Script>& scripts, const std::f
         app::AppOptions options;
         options.kind = ParticipantKind::Scripted;
         options.clock = clock;
+        options.operatedBy = playing.operatedBy;
         app::MainWindow window(options);
         window.openStudy(study);
         auto& store = window.study()->store();
@@ -131,14 +134,15 @@ void playThroughWindow(const std::vector<players::Script>& scripts, const std::f
     }
 }
 
-int replay(const std::string& study, const std::vector<std::string>& files, bool gui, const PassphraseOption& passphrase)
+int replay(const std::string& study, const std::vector<std::string>& files, bool gui, const std::string& operatorName,
+           const PassphraseOption& passphrase)
 {
     // Opened for writing, so that the key read is that of an upgraded study.
     auto store = std::make_unique<StudyStore>(database::StudyFolder{study}, StudyStore::Access::Write);
     const auto protocol = records::protocolOf(store->facts());
     const auto scripts = readScripts(files, protocol);
     const auto key = readAllocationKeyForTestDriver(*store, ParticipantKind::Scripted, passphraseFrom(passphrase));
-    const Playing playing{protocol, key, protocol.answersPerParticipant()};
+    const Playing playing{protocol, key, protocol.answersPerParticipant(), session::operatedBy(operatorName, versionText())};
     if (gui) {
         store.reset();  // the window opens the study itself
         playThroughWindow(scripts, study, playing);
@@ -156,6 +160,7 @@ void addReplay(CLI::App& app, Action& action)
         std::string study;
         std::vector<std::string> scripts;
         bool gui = false;
+        std::string operatorName;
         PassphraseOption passphrase;
     };
     auto* command = app.add_subcommand("replay", "let scripted participants answer; resumes where it stopped");
@@ -163,11 +168,12 @@ void addReplay(CLI::App& app, Action& action)
     command->add_option("STUDY", call->study, "the study")->required();
     command->add_option("SCRIPT", call->scripts, "scripts, one for each participant")->required();
     command->add_flag("--gui", call->gui, "press the keys of the window, with or without a screen");
+    command->add_option("--operator", call->operatorName, "who runs the sessions (default: the name of this account)");
     addPassphraseOption(*command, call->passphrase);
     command->callback([call, &action] {
         action.surroundings = call->gui ? Surroundings::Offscreen : Surroundings::Core;
         action.handlesStudy = true;
-        action.work = [call] { return replay(call->study, call->scripts, call->gui, call->passphrase); };
+        action.work = [call] { return replay(call->study, call->scripts, call->gui, call->operatorName, call->passphrase); };
     });
 }
 

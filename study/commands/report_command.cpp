@@ -13,6 +13,7 @@
 #include "study/commands/json_output.h"
 #include "study/commands/passphrase_option.h"
 #include "study/commands/progress.h"
+#include "study/commands/recorded_act.h"
 #include "study/records/blinded_report.h"
 #include "study/records/stored_study.h"
 
@@ -44,6 +45,13 @@ std::optional<reports::StudyData> dataFor(const ReportCall& call)
     return reports::readAnswersCsv(call.from, options);
 }
 
+reports::ReportOrigin originOf(const ReportCall& call)
+{
+    if (call.study.empty()) return {};
+    const auto store = records::openStudy(call.study);
+    return {textOf(store.head()), store.facts().madeWith};
+}
+
 int report(const ReportCall& call)
 {
     if (call.study.empty() == call.from.empty())
@@ -51,7 +59,9 @@ int report(const ReportCall& call)
             {"there is nothing to report on", "", "either a STUDY or --from ANSWERS.csv", "see `vis2hap report --help`"});
     std::optional<reports::StudyData> data = dataFor(call);
     if (!data) {
-        reports::writeProgressReport(records::blindedReport(records::openStudy(call.study)), call.out);
+        const auto store = records::openStudy(call.study);
+        reports::writeProgressReport(records::blindedReport(store), call.out);
+        recordAct(store, "report", call.out);
         std::printf("%s/index.html: progress, balance and flags; the rest needs the owner's passphrase\n", call.out.c_str());
         return 0;
     }
@@ -61,8 +71,9 @@ int report(const ReportCall& call)
                                      call.resimulate ? resimulatedStudies : 0,
                                      [&](int done, int total, const std::string& step) { progress.show(done, total, step); }};
     const reports::StudyAnalysis analysis = reports::analyse(std::move(*data), options);
-    reports::writeReport(analysis, call.out);
+    reports::writeReport(analysis, call.out, originOf(call));
     std::printf("%s\n%s/index.html\n", reports::overviewText(analysis).c_str(), call.out.c_str());
+    if (!call.study.empty()) recordAct(records::openStudy(call.study), "report", call.out);
     return 0;
 }
 

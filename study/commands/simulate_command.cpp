@@ -71,13 +71,15 @@ int simulate(const SimulateCall& call)
     int played = 0;
     for (const auto& id : participants) {
         session::VirtualClock clock;
-        session::Driver driver(store, id, ParticipantKind::Simulated, bank, *display, clock);
+        session::Driver driver(store, id, ParticipantKind::Simulated, bank, *display, clock,
+                               session::operatedBy({}, versionText()));
         players::DriverHands hands(driver);
         players::SimulatedParticipant participant(percepts, call.seed, id.value);
         players::playSimulated(participant, driver.plan(), hands, clock);
         progress.show(++played, static_cast<int>(participants.size()), id.value);
     }
     std::printf("%s: %d simulated participants answered\n", call.study.c_str(), played);
+    std::printf("  log head %s\n", textOf(store.head()).c_str());
     return 0;
 }
 

@@ -132,6 +132,7 @@ void addNew(CLI::App& study, Action& action)
     auto passphrase = std::make_shared<PassphraseOption>();
     auto hasNone = std::make_shared<bool>(false);
     call->programVersion = versionText();
+    call->programCommit = commitText();
     command->add_option("STUDY", call->study, "folder to make")->required();
     command->add_option("--dataset", call->dataset, "the data set")->required();
     command->add_option("--protocol", call->protocol, "protocol file (default: the paper's study)");

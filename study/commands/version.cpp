@@ -4,4 +4,6 @@ namespace study::commands {
 
 std::string versionText() { return "vis2hap " VIS2HAP_VERSION; }
 
+std::string commitText() { return VIS2HAP_COMMIT; }
+
 }  // namespace study::commands

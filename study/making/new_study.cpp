@@ -11,6 +11,7 @@
 #include "protocols/files/sha256.h"
 #include "rendering/display/stimulus_bank.h"
 #include "study/analyse/power/planned_power.h"
+#include "study/making/made_with.h"
 #include "study/making/study_images.h"
 #include "study/making/study_material.h"
 #include "study/session/clock.h"
@@ -60,6 +61,7 @@ database::StudyFacts factsOf(const NewStudy& request, const StudyMaterial& mater
     for (const auto& fabric : facts.fabrics) facts.fabricNames[fabric] = material.dataset.fabric(fabric).name;
     facts.createdAt = session::SystemClock().wallTime();
     facts.programVersion = request.programVersion;
+    facts.madeWith = madeWith(request, facts.modelSha256);
     facts.hasPassphrase = request.passphrase.has_value();
     if (!facts.hasPassphrase) facts.stamps.emplace_back(database::noPassphraseStamp);
     return facts;

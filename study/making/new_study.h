@@ -26,6 +26,7 @@ struct NewStudy {
     std::optional<std::string> passphrase;  ///< seals the allocation key; empty: the key lies open, and the report says so
     bool allowTrainingSamples = false;
     std::string programVersion;     ///< stored with the study, e.g. "vis2hap 0.5.0"
+    std::string programCommit;      ///< of the sources; empty where the build does not know it
     std::filesystem::path images;   ///< folder for the friction images under their names; reused if their inputs are the same
     bool replaceSimulated = false;  ///< replaces a study in which no human took part
 };

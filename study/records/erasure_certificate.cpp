@@ -1,5 +1,6 @@
 #include "study/records/erasure_certificate.h"
 
+#include "database/evidence/acts.h"
 #include "protocols/files/folder_draft.h"
 #include "protocols/files/whole_file.h"
 
@@ -14,6 +15,19 @@ std::string whereFound(const std::vector<std::string>& files)
     std::string text;
     for (const auto& file : files) text += (text.empty() ? "" : ", ") + file;
     return text.empty() ? "nowhere" : text;
+}
+
+/// Backups, exports and reports that were recorded after the participant's first entry in the log.
+std::string copiesOf(const database::StudyStore& store, const protocols::ParticipantId& participant)
+{
+    const auto entries = store.events(participant);
+    if (entries.empty()) return "The participant has no entry in the log, so no recorded copy holds data about them.\n";
+    std::string text;
+    for (const auto& act : actsOf(store))
+        if (act.kind != "unblind" && !act.path.empty() && act.head.sequence >= entries.front().sequence)
+            text += "  " + act.kind + " " + act.path + " on " + act.host + ", " + act.wallTime + ", by " + act.who + "\n";
+    return text.empty() ? "The study has a record of no such copy since the participant's first entry in the log.\n"
+                        : "Copies on record since the participant's first entry in the log:\n" + text;
 }
 
 }  // namespace
@@ -33,12 +47,14 @@ std::filesystem::path writeErasureCertificate(const database::StudyStore& store,
     text += line("Reason", erasure.why);
     text += line("Time", record.wallTime);
     text += line("Entry of the log", std::to_string(record.event));
+    text += line("Log head", textOf(store.head()));
     text += line("Files searched for " + std::to_string(record.searchedTexts) + " removed texts",
                  std::to_string(record.searchedFiles));
     text += line("Found in", whereFound(record.found));
     text +=
         "\nCopies made before this erasure are not changed by it: backups, exports, reports, and copies of the folder. "
         "Erase or delete them, too.\n";
+    text += copiesOf(store, erasure.participant);
     const auto folder = store.folder().folder / "erasures";
     protocols::makeFolders(folder);
     const auto file = folder / ("erasure-" + std::to_string(record.event) + ".txt");

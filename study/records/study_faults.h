@@ -1,4 +1,4 @@
-// Checks a whole study for `vis2hap verify`: database and hash chain, keys, stimuli and protocol.
+// Checks a whole study for `vis2hap verify`: files, database and hash chains, keys, stimuli and protocol.
 #pragma once
 
 #include <string>
@@ -8,7 +8,11 @@
 
 namespace study::records {
 
-/// One line a fault; empty for a study without faults.
-std::vector<std::string> faultsOf(const database::StudyStore& store);
+struct Findings {
+    std::vector<std::string> faults;  ///< one line each; empty for a sound study
+    std::vector<std::string> notes;   ///< what the owner should know, although the study is sound
+};
+
+Findings findingsOf(const database::StudyStore& store);
 
 }  // namespace study::records

@@ -172,6 +172,7 @@ ordered_json statusOf(const database::StudyStore& store, const database::Passphr
     json["balance_presented"] = key ? jsonOf(realisedBalance(store, answers, protocol, *key))["balance"] : ordered_json();
     if (!key) json["why"] = {{"balance_presented", "the study has a passphrase, and none was given"}};
     json["passphrase"] = facts.hasPassphrase;
+    json["head"] = textOf(store.head());
     json["stamps"] = facts.stamps;
     const reports::StudyData data = store.unblinding() ? *studyData(store, passphrase, answers) : sealedStudyData(store, answers);
     json["preregistration"] = preregistrationOf(data);
@@ -195,6 +196,7 @@ std::string textOf(const ordered_json& status)
     for (const auto& flag : status["quality"])
         text += "flag: " + (flag["participant"].is_string() ? flag["participant"].get<std::string>() + " " : std::string()) +
                 word(flag, "flag") + ": " + word(flag, "why") + "\n";
+    text += "log head " + word(status, "head") + "\n";
     return text;
 }
 

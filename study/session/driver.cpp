@@ -111,8 +111,13 @@ void addWhatItStores(StudyStore::Append& entry, const Plan& plan, const State& b
 }  // namespace
 
 Driver::Driver(StudyStore& store, const protocols::ParticipantId& participant, database::ParticipantKind kind,
-               rendering::StimulusBank& bank, rendering::HapticDisplay& display, Clock& clock)
-    : m_store(store), m_participant(participant), m_bank(bank), m_display(display), m_clock(clock)
+               rendering::StimulusBank& bank, rendering::HapticDisplay& display, Clock& clock, OperatedBy operatedBy)
+    : m_store(store),
+      m_participant(participant),
+      m_bank(bank),
+      m_display(display),
+      m_clock(clock),
+      m_operatedBy(std::move(operatedBy))
 {
     requireKeptProtocol(store);
     store.enrol(participant, kind);
@@ -144,7 +149,13 @@ void requireKeptProtocol(const StudyStore& store)
                                    " --undo`"});
 }
 
-View Driver::view() const { return viewOf(m_plan, m_state, m_participant, m_clock.monotonicNs()); }
+View Driver::view() const
+{
+    View view = viewOf(m_plan, m_state, m_participant, m_clock.monotonicNs());
+    const bool hasEnded = std::holds_alternative<Finished>(m_state.stage) || std::holds_alternative<Withdrawn>(m_state.stage);
+    if (hasEnded || m_state.paused || std::holds_alternative<OnBreak>(m_state.stage)) view.logHead = shortTextOf(m_store.head());
+    return view;
+}
 
 void Driver::replayLog()
 {
@@ -173,7 +184,7 @@ std::optional<Refusal> Driver::send(const EventBody& body)
 void Driver::commit(const EventBody& body, std::int64_t atNs, SessionStep step)
 {
     StudyStore::Append entry;
-    entry.event = {0, m_participant, step.next.sitting, kindOf(body), payloadJson(body), atNs, m_clock.wallTime()};
+    entry.event = {0, m_participant, step.next.sitting, kindOf(body), payloadJson(body, m_operatedBy), atNs, m_clock.wallTime()};
     addWhatItStores(entry, m_plan, m_state, step.next, body);
     entry.storedAtNs = m_clock.monotonicNs();
     m_store.append(entry);

@@ -11,6 +11,7 @@
 #include "rendering/display/display.h"
 #include "rendering/display/stimulus_bank.h"
 #include "study/session/clock.h"
+#include "study/session/operated_by.h"
 #include "study/session/session.h"
 #include "study/session/view.h"
 
@@ -27,9 +28,10 @@ void requireKeptProtocol(const database::StudyStore& store);
 
 class Driver {
 public:
-    /// Enrols the participant, or continues their session. `store` must be open for writing.
+    /// Enrols the participant, or continues their session. `store` must be open for writing. `operatedBy` is recorded with the
+    /// sitting, and its operator with every correction and void.
     Driver(database::StudyStore& store, const protocols::ParticipantId& participant, database::ParticipantKind kind,
-           rendering::StimulusBank& bank, rendering::HapticDisplay& display, Clock& clock);
+           rendering::StimulusBank& bank, rendering::HapticDisplay& display, Clock& clock, OperatedBy operatedBy = {});
 
     /// Empty if the event was accepted and is on the disk; else the reason, and nothing has changed. Throws protocols::Error if
     /// the display or the disk fails. After a fault of the display the session is paused, and no answer is lost.
@@ -52,6 +54,7 @@ private:
     rendering::StimulusBank& m_bank;
     rendering::HapticDisplay& m_display;
     Clock& m_clock;
+    OperatedBy m_operatedBy;
     Plan m_plan;
     State m_state;
 };

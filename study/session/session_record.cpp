@@ -117,13 +117,26 @@ Json payloadOfEvent(const EventBody& body)
         body);
 }
 
+void addOperator(Json& payload, const EventBody& body, const OperatedBy& operatedBy)
+{
+    const bool isStart = std::holds_alternative<SittingStarted>(body);
+    const bool changesAnswers = std::holds_alternative<Corrected>(body) || std::holds_alternative<Voided>(body);
+    if (operatedBy == OperatedBy{} || (!isStart && !changesAnswers)) return;
+    payload["operator"] = operatedBy.operatorName;
+    if (!isStart) return;
+    payload["program"] = operatedBy.program;
+    payload["host"] = operatedBy.host;
+}
+
 }  // namespace
 
 std::string kindOf(const EventBody& body) { return kinds[body.index()].name; }
 
-std::string payloadJson(const EventBody& body)
+std::string payloadJson(const EventBody& body, const OperatedBy& operatedBy)
 {
-    return payloadOfEvent(body).dump(-1, ' ', false, Json::error_handler_t::replace);
+    Json payload = payloadOfEvent(body);
+    addOperator(payload, body, operatedBy);
+    return payload.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 EventBody eventFromRecord(const std::string& kind, const std::string& payloadJson)

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "study/session/operated_by.h"
 #include "study/session/session.h"
 
 namespace study::session {
@@ -10,8 +11,9 @@ namespace study::session {
 /// The event's kind in the log: "answered", "paused", ...
 std::string kindOf(const EventBody& body);
 
-/// What the log keeps of the event, as JSON. Personal values (facts, debriefing) are left out.
-std::string payloadJson(const EventBody& body);
+/// What the log keeps of the event, as JSON. Personal values (facts, debriefing) are left out. The start of a sitting names
+/// operator, program and host; corrections and voids name the operator; an empty `operatedBy` adds nothing.
+std::string payloadJson(const EventBody& body, const OperatedBy& operatedBy = {});
 
 /// The event of a record. Throws workFailed for a record that this version cannot read.
 EventBody eventFromRecord(const std::string& kind, const std::string& payloadJson);

@@ -28,6 +28,7 @@ struct View {
     std::vector<protocols::Tenths> placesToName;  ///< in scale training
     std::optional<std::string> lastAnswer;        ///< to read back: "Q3: 5.5"
     std::optional<protocols::QuestionId> lastQuestion;
+    std::string logHead;  ///< of the study, short, where a sitting may end here; set by Driver
 };
 
 /// `nowNs`: the session's monotonic clock.

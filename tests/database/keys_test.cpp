@@ -150,13 +150,6 @@ private Q_SLOTS:
         QCOMPARE(faultsOfKeys(store).size(), 1u);
         QVERIFY(faultsOfKeys(store).front().find(file.filename().string()) != std::string::npos);
     }
-
-    void aKeyOpenToOthersIsAFault()
-    {
-        const StudyStore store(newStudy(), StudyStore::Access::Read);
-        ::chmod(store.folder().allocationKey().c_str(), 0644);
-        QCOMPARE(faultsOfKeys(store).size(), 1u);
-    }
 };
 
 QTEST_GUILESS_MAIN(KeysTest)

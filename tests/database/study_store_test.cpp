@@ -236,7 +236,7 @@ private Q_SLOTS:
         QCOMPARE(RawSqlite(folder.database()).run("UPDATE participants SET state = 'withdrawn'"), std::string());
         const auto faults = StudyStore(folder, Access::Read).faults();
         QCOMPARE(faults.size(), 1u);
-        QCOMPARE(faults[0], std::string("participant S01 is withdrawn in the table and not withdrawn in the log"));
+        QCOMPARE(faults[0], std::string("participant S01 is withdrawn in the table and started in the log"));
     }
 
     void aChangedProtocolHoldsForParticipantsToCome()

@@ -123,7 +123,7 @@ private Q_SLOTS:
         const auto before = contentOf(folder.folder);
         const StudyStore store(folder, Access::Read);
         QCOMPARE(store.answers().size(), answersOfHalf);
-        QVERIFY2(study::records::faultsOf(store).empty(), qPrintable(joined(study::records::faultsOf(store))));
+        QCOMPARE(joined(study::records::findingsOf(store).faults), QString());
         QCOMPARE(contentOf(folder.folder), before);
     }
 
@@ -142,11 +142,11 @@ private Q_SLOTS:
         {
             const StudyStore reader(folder, Access::Read);
             QCOMPARE(answersOf(reader), expected);
-            QVERIFY2(study::records::faultsOf(reader).empty(), qPrintable(joined(study::records::faultsOf(reader))));
+            QCOMPARE(joined(study::records::findingsOf(reader).faults), QString());
         }
         const StudyStore store(folder, Access::Write);
         QCOMPARE(answersOf(store), expected);
-        QVERIFY2(study::records::faultsOf(store).empty(), qPrintable(joined(study::records::faultsOf(store))));
+        QCOMPARE(joined(study::records::findingsOf(store).faults), QString());
         QVERIFY(!fs::exists(folder.upgrade()) && !fs::exists(folder.maskedKey()) && !needsUpgrade(folder));
         for (const auto& entry : fs::directory_iterator(folder.stimuli()))
             QCOMPARE(entry.path().extension(), fs::path(".sealed"));

@@ -56,6 +56,12 @@ QString breakTitle(const OnBreak& onBreak, const View& view)
     return {};
 }
 
+/// An operator writes it down, so that nobody can later change the log unseen.
+QString headToNote(const View& view)
+{
+    return tr("Write down the head of the log: %1").arg(QString::fromStdString(view.logHead));
+}
+
 QString breakLead(const OnBreak& onBreak, const View& view)
 {
     const QString done = tr("%1 of %2 answers are stored. The display is off.").arg(view.answersStored).arg(view.answersInAll);
@@ -81,18 +87,19 @@ Guide breakGuide(const OnBreak& onBreak, const View& view)
                 .action = tr("Continue (Enter)"),
                 .event = BreakEnded{}};
     if (onBreak.reason == BreakReason::SittingOver) {
+        guide.steps << headToNote(view);
         guide.action = tr("Continue anyway (Enter)");
         guide.second = Guide::Second{tr("Stop here for today (Q)"), Qt::Key_Q, GuideAct::Leave};
     }
     return guide;
 }
 
-Guide paused()
+Guide paused(const View& view)
 {
     return {.title = tr("Paused"),
             .lead = tr("All answers so far are stored. The display is off."),
             .steps = {tr("An interrupted presentation starts again with the tray."),
-                      tr("You may close the window now. The session continues here later.")},
+                      tr("You may close the window now. The session continues here later."), headToNote(view)},
             .action = tr("Continue the session (Enter)"),
             .event = Resumed{}};
 }
@@ -114,7 +121,7 @@ Guide finished(const View& view)
 {
     return {.title = tr("The session is complete"),
             .lead = tr("All %1 answers are stored. Thank the participant for the time and care.").arg(view.answersStored),
-            .steps = {tr("Clean the glass and put the fabrics back in order.")},
+            .steps = {tr("Clean the glass and put the fabrics back in order."), headToNote(view)},
             .action = tr("Back to the study (Enter)"),
             .event = {},
             .act = GuideAct::Leave};
@@ -125,7 +132,7 @@ Guide withdrawn(const View& view)
     return {
         .title = tr("The participant has withdrawn"),
         .lead = tr("The session has ended. Stored answers: %1. Another participant can take this place.").arg(view.answersStored),
-        .steps = {tr("Thank the participant for coming.")},
+        .steps = {tr("Thank the participant for coming."), headToNote(view)},
         .action = tr("Back to the study (Enter)"),
         .event = {},
         .act = GuideAct::Leave};
@@ -152,7 +159,7 @@ struct GuideOfStage {
 std::optional<Guide> guideFor(const View& view, const SessionFacts& facts, bool isPreparationDue)
 {
     if (isPreparationDue) return laterSitting(view);
-    return view.state.paused ? std::optional(paused()) : std::visit(GuideOfStage{view, facts}, view.state.stage);
+    return view.state.paused ? std::optional(paused(view)) : std::visit(GuideOfStage{view, facts}, view.state.stage);
 }
 
 }  // namespace study::app

@@ -16,6 +16,7 @@
 #include "study/app/state/monitor.h"
 #include "study/app/state/screen_cover.h"
 #include "study/session/clock.h"
+#include "study/session/operated_by.h"
 
 namespace study::app {
 
@@ -49,6 +50,7 @@ struct AppOptions {
     LookAtData lookAtData;                  ///< empty: the window offers no data sets
     ReadFlags readFlags;                    ///< for the monitor; empty: no flags are shown
     database::ParticipantKind kind = database::ParticipantKind::Human;
+    session::OperatedBy operatedBy;  ///< recorded with every sitting
 };
 
 }  // namespace study::app

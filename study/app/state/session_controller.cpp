@@ -38,11 +38,12 @@ QString withNextStep(const QString& trouble, bool isPaused)
 
 SessionController::SessionController(database::StudyStore& store, const protocols::ParticipantId& participant,
                                      rendering::StimulusBank& bank, std::unique_ptr<rendering::HapticDisplay> display,
-                                     std::shared_ptr<session::Clock> clock, database::ParticipantKind kind, QObject* parent)
+                                     std::shared_ptr<session::Clock> clock, database::ParticipantKind kind,
+                                     const session::OperatedBy& operatedBy, QObject* parent)
     : QObject(parent),
       m_display(std::move(display)),
       m_clock(std::move(clock)),
-      m_driver(store, participant, kind, bank, *m_display, *m_clock),
+      m_driver(store, participant, kind, bank, *m_display, *m_clock, operatedBy),
       m_view(m_driver.view())
 {
     m_display->onTouched([this](const rendering::Touch& touch) { displayTouched(touch); });

@@ -38,7 +38,7 @@ public:
     /// Enrols the participant or restores the session. Throws the errors of Driver.
     SessionController(database::StudyStore& store, const protocols::ParticipantId& participant, rendering::StimulusBank& bank,
                       std::unique_ptr<rendering::HapticDisplay> display, std::shared_ptr<session::Clock> clock,
-                      database::ParticipantKind kind, QObject* parent);
+                      database::ParticipantKind kind, const session::OperatedBy& operatedBy, QObject* parent);
 
     /// Sends the event to the engine. Never throws: refusals and faults are reported by signal and kept in lastOutcome().
     void send(const session::EventBody& event);

@@ -60,6 +60,7 @@ private Q_SLOTS:
         const auto answers = session.store.answers();
         QCOMPARE(answers.size(), 6u + 18u);
         QCOMPARE(session.store.slots()[0].state, SlotState::Finished);
+        QCOMPARE(session.driver->view().logHead, shortTextOf(session.store.head()));
         QCOMPARE(session.store.slots()[1].state, SlotState::Free);
         QCOMPARE(answers.front().seconds, 2.5);
         QCOMPARE(answers.front().record.readyAtNs + 1250000000, *answers.front().record.touchedAtNs);
@@ -356,6 +357,29 @@ private Q_SLOTS:
             QCOMPARE(fault.exitCode(), protocols::ExitCode::WorkFailed);
             QVERIFY2(QString(fault.what()).contains("is inconsistent"), fault.what());
         }
+    }
+
+    /// An event of a log without operator reads back like one that names it.
+    void sittingsCorrectionsAndVoidsNameTheOperator()
+    {
+        const auto folder = tests::support::buildStudy(m_place.filePath("operated").toStdString());
+        OpenSession session(folder, "S01");
+        session.driver =
+            std::make_unique<Driver>(session.store, protocols::ParticipantId("S01"), database::ParticipantKind::Scripted,
+                                     session.bank, session.display, session.clock, OperatedBy{"Ada", "vis2hap test", "lab-1"});
+        session.playUntilAnswers(2);
+        session.send(Corrected{protocols::QuestionId("Q1"), session.driver->view().trayIds.front(), "misheard"});
+        session.send(Voided{"wrong swatch"});
+        std::map<std::string, std::string> last;
+        for (const auto& event : session.store.events(protocols::ParticipantId("S01"))) last[event.kind] = event.payloadJson;
+        QCOMPARE(last["sitting_started"], std::string(R"({"operator":"Ada","program":"vis2hap test","host":"lab-1"})"));
+        QVERIFY(last["corrected"].ends_with(R"("why":"misheard","operator":"Ada"})"));
+        QCOMPARE(last["voided"], std::string(R"({"why":"wrong swatch","operator":"Ada"})"));
+        const auto state = session.driver->state();
+        session.driver =
+            std::make_unique<Driver>(session.store, protocols::ParticipantId("S01"), database::ParticipantKind::Scripted,
+                                     session.bank, session.display, session.clock);
+        QCOMPARE(session.driver->state().answersStored, state.answersStored);
     }
 };
 

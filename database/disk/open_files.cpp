@@ -1,4 +1,4 @@
-#include "database/open_files.h"
+#include "database/disk/open_files.h"
 
 #include <sys/stat.h>
 

@@ -1,0 +1,133 @@
+#include "database/evidence/acts.h"
+
+#include <nlohmann/json.hpp>
+
+#include "database/sqlite_connection.h"
+#include "database/stored_texts.h"
+#include "protocols/files/canonical_bytes.h"
+#include "protocols/files/errors.h"
+
+namespace database {
+
+namespace {
+
+/// A row of the table.
+struct StoredAct {
+    std::int64_t number = 0;
+    std::string kind, details, wallTime, previous, own;
+};
+
+std::string detailsOf(const Act& act)
+{
+    return nlohmann::ordered_json{{"who", act.who},   {"program", act.program},     {"host", act.host},
+                                  {"path", act.path}, {"entry", act.head.sequence}, {"hash", act.head.hash}}
+        .dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+std::string hashOf(const StoredAct& act)
+{
+    protocols::CanonicalBytes bytes;
+    bytes << std::string("act") << act.previous << act.number << act.kind << act.details << act.wallTime;
+    return bytes.hash();
+}
+
+std::vector<StoredAct> rowsIn(const SqliteConnection& sqlite)
+{
+    std::vector<StoredAct> rows;
+    QSqlQuery row =
+        sqlite.run(QStringLiteral("SELECT number, kind, details, wall_time, previous_hash, hash FROM acts ORDER BY number"));
+    while (row.next())
+        rows.push_back({row.value(0).toLongLong(), fromQt(row.value(1)), fromQt(row.value(2)), fromQt(row.value(3)),
+                        fromQt(row.value(4)), fromQt(row.value(5))});
+    return rows;
+}
+
+/// Empty where the details cannot be read.
+std::optional<Act> actOf(const StoredAct& row)
+{
+    try {
+        const auto details = nlohmann::json::parse(row.details);
+        return Act{row.kind,
+                   details.at("who").get<std::string>(),
+                   details.at("program").get<std::string>(),
+                   details.at("host").get<std::string>(),
+                   details.at("path").get<std::string>(),
+                   {details.at("entry").get<std::int64_t>(), details.at("hash").get<std::string>()},
+                   row.wallTime};
+    } catch (const nlohmann::json::exception&) {
+        return std::nullopt;
+    }
+}
+
+void insert(const SqliteConnection& sqlite, const Act& act)
+{
+    Transaction transaction(sqlite);
+    const std::vector<StoredAct> earlier = rowsIn(sqlite);
+    StoredAct row;
+    row.number = earlier.empty() ? 1 : earlier.back().number + 1;
+    row.kind = act.kind;
+    row.details = detailsOf(act);
+    row.wallTime = act.wallTime;
+    row.previous = earlier.empty() ? "" : earlier.back().own;
+    sqlite.run(
+        QStringLiteral("INSERT INTO acts(number, kind, details, wall_time, previous_hash, hash) VALUES (?, ?, ?, ?, ?, ?)"),
+        {qlonglong(row.number), toQt(row.kind), toQt(row.details), toQt(row.wallTime), toQt(row.previous), toQt(hashOf(row))});
+    transaction.commit();
+    // A reader closes the database last and cannot empty the write-ahead log. Do not make a session wait for it.
+    sqlite.run(QStringLiteral("PRAGMA busy_timeout = 100"));
+    sqlite.run(QStringLiteral("PRAGMA wal_checkpoint(TRUNCATE)"));
+}
+
+}  // namespace
+
+std::optional<std::string> recordAct(const StudyFolder& folder, Act act)
+{
+    if (act.wallTime.empty()) act.wallTime = wallTimeNow();
+    try {
+        insert(SqliteConnection(folder.database(), SqliteConnection::Mode::Write), act);
+        return std::nullopt;
+    } catch (const protocols::Error& fault) {
+        return fault.what();
+    }
+}
+
+std::vector<Act> actsOf(const StudyStore& store)
+{
+    const SqliteConnection sqlite(store.folder().database(), SqliteConnection::Mode::Read);
+    std::vector<Act> acts;
+    for (const StoredAct& row : rowsIn(sqlite)) {
+        auto act = actOf(row);
+        if (!act)
+            throw protocols::workFailed({"act " + std::to_string(row.number) + " cannot be read", sqlite.file().string(), "",
+                                         "see `vis2hap verify`; restore the study from a backup"});
+        acts.push_back(std::move(*act));
+    }
+    return acts;
+}
+
+std::vector<std::string> faultsOfActs(const StudyStore& store)
+{
+    const SqliteConnection sqlite(store.folder().database(), SqliteConnection::Mode::Read);
+    const ReadSnapshot snapshot(sqlite);
+    std::vector<std::string> faults;
+    std::string previous;
+    std::int64_t last = 0;
+    for (const StoredAct& row : rowsIn(sqlite)) {
+        const std::string name = "act " + std::to_string(row.number) + " (" + row.kind + ")";
+        const auto act = actOf(row);
+        if (row.number != last + 1 || row.previous != previous) faults.push_back(name + ": does not follow the act before it");
+        if (!act || hashOf(row) != row.own)
+            faults.push_back(name + ": was altered");
+        else if (fromQt(sqlite.value(QStringLiteral("SELECT hash FROM events WHERE sequence = ?"),
+                                     {qlonglong(act->head.sequence)})) != act->head.hash)
+            faults.push_back(name + ": the log no longer has the head of that time, " + textOf(act->head));
+        previous = row.own;
+        last = row.number;
+    }
+    const std::int64_t written = sqlite.value(QStringLiteral("SELECT seq FROM sqlite_sequence WHERE name = 'acts'")).toLongLong();
+    if (written != last)
+        faults.push_back("the acts end at number " + std::to_string(last) + ", " + std::to_string(written) + " were written");
+    return faults;
+}
+
+}  // namespace database

@@ -1,0 +1,32 @@
+// What was done with a study outside its sessions: exports, backups, reports, unblindings. The acts have a hash chain of their
+// own (table acts). A short transaction writes them without the lock of the session, so an export during a session is recorded,
+// too. Each act names the head of the log at that time. A log that was chained anew without the acts disagrees with them.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "database/study_store.h"
+
+namespace database {
+
+struct Act {
+    std::string kind;                ///< "export", "backup", "report", "unblind", "leak-check"
+    std::string who, program, host;  ///< account or --operator, program version, machine
+    std::string path;                ///< what was written; empty if nothing
+    LogHead head;                    ///< of the log at that time
+    std::string wallTime;            ///< set by recordAct where it is empty
+};
+
+/// Returns why the act could not be recorded (a read-only folder, a locked database), or nothing. Never throws for that, because
+/// the act itself is done.
+std::optional<std::string> recordAct(const StudyFolder& folder, Act act);
+
+/// In the order in which they were done.
+std::vector<Act> actsOf(const StudyStore& store);
+
+/// One line for each fault of the chain, and for each act whose head is not in the log.
+std::vector<std::string> faultsOfActs(const StudyStore& store);
+
+}  // namespace database

@@ -1,0 +1,205 @@
+#include "database/state_audit.h"
+
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "protocols/files/sha256.h"
+
+namespace database {
+
+namespace {
+
+using nlohmann::json;
+
+/// What the log says about one participant.
+struct Told {
+    std::string state = "started";
+    int protocolVersion = 1;
+    std::map<std::string, std::string> facts;  ///< commitments of the facts that no erasure removed; empty in older studies
+};
+
+json payloadAt(const LogEntry& entry)
+{
+    json payload = json::parse(entry.event.payloadJson, nullptr, false);
+    return payload.is_object() ? payload : json::object();
+}
+
+std::string textIn(const json& payload, const char* field)
+{
+    const auto value = payload.find(field);
+    return value != payload.end() && value->is_string() ? value->get<std::string>() : std::string();
+}
+
+bool yesIn(const json& payload, const char* field)
+{
+    const auto value = payload.find(field);
+    return value != payload.end() && value->is_boolean() && value->get<bool>();
+}
+
+int numberIn(const json& payload, const char* field, int otherwise)
+{
+    const auto value = payload.find(field);
+    return value != payload.end() && value->is_number_integer() ? value->get<int>() : otherwise;
+}
+
+/// Studies of earlier versions name the facts without commitments.
+void takeFacts(const LogEntry& entry, const json& payload, Told& told)
+{
+    if (const auto given = payload.find("given"); given != payload.end() && given->is_array())
+        for (const json& fact : *given)
+            if (fact.is_string()) told.facts[fact.get<std::string>()];
+    if (entry.event.kind == "debriefed") told.facts["debriefing"];
+    if (const auto hashes = payload.find("facts_sha256"); hashes != payload.end() && hashes->is_object())
+        for (const auto& [fact, hash] : hashes->items()) told.facts[fact] = hash.is_string() ? hash.get<std::string>() : "?";
+}
+
+void takeStates(const json& payload, std::map<std::string, Told>& all)
+{
+    const auto states = payload.find("states");
+    if (states == payload.end() || !states->is_object()) return;
+    for (const auto& [participant, state] : states->items())
+        if (const auto told = all.find(participant); told != all.end() && state.is_string()) told->second.state = state;
+}
+
+void takeActOnStudy(const LogEntry& entry, const json& payload, std::map<std::string, Told>& all)
+{
+    const std::string participant = textIn(payload, "participant");
+    if (entry.event.kind == "enrolled") all[participant].protocolVersion = numberIn(payload, "protocol_version", 1);
+    if (entry.event.kind == upgradedKind) takeStates(payload, all);
+    const auto told = all.find(participant);
+    if (told == all.end()) return;
+    if (entry.event.kind == "slot_state_set") told->second.state = textIn(payload, "state");
+    if (entry.event.kind == "erased") {
+        told->second.facts.clear();
+        if (yesIn(payload, "answers_too")) told->second.state = "withdrawn";
+    }
+}
+
+std::map<std::string, Told> toldBy(const Log& log)
+{
+    std::map<std::string, Told> all;
+    for (const auto& [sequence, entry] : log) {
+        const json payload = payloadAt(entry);
+        if (entry.event.participant.empty()) {
+            takeActOnStudy(entry, payload, all);
+            continue;
+        }
+        Told& told = all[entry.event.participant.value];
+        if (entry.event.kind == "debriefed") told.state = "finished";
+        if (entry.event.kind == "withdrawn") told.state = "withdrawn";
+        takeFacts(entry, payload, told);
+    }
+    return all;
+}
+
+void checkParticipants(const SqliteConnection& sqlite, const std::map<std::string, Told>& all, std::vector<std::string>& faults)
+{
+    QSqlQuery row = sqlite.run(QStringLiteral("SELECT id, state, protocol_version FROM participants"));
+    while (row.next()) {
+        const std::string id = fromQt(row.value(0)), state = fromQt(row.value(1));
+        const auto told = all.find(id);
+        if (told == all.end()) continue;  // the audit of the places reports it
+        if (state != told->second.state)
+            faults.push_back("participant " + id + " is " + state + " in the table and " + told->second.state + " in the log");
+        if (row.value(2).toInt() != told->second.protocolVersion)
+            faults.push_back("participant " + id + " follows version " + fromQt(row.value(2)) +
+                             " of the protocol in the table and version " + std::to_string(told->second.protocolVersion) +
+                             " in the log");
+    }
+}
+
+/// Null for a fact that the log does not know.
+const std::string* commitmentIn(const std::map<std::string, Told>& all, const std::string& participant, const std::string& fact)
+{
+    const auto told = all.find(participant);
+    if (told == all.end()) return nullptr;
+    const auto found = told->second.facts.find(fact);
+    return found == told->second.facts.end() ? nullptr : &found->second;
+}
+
+void checkFacts(const SqliteConnection& sqlite, const std::map<std::string, Told>& all, std::vector<std::string>& faults)
+{
+    std::set<std::pair<std::string, std::string>> stored;
+    QSqlQuery row = sqlite.run(QStringLiteral("SELECT participant, fact, value, salt FROM participant_facts"));
+    while (row.next()) {
+        const std::string id = fromQt(row.value(0)), name = fromQt(row.value(1));
+        stored.emplace(id, name);
+        const std::string* commitment = commitmentIn(all, id, name);
+        if (commitment == nullptr)
+            faults.push_back("the fact \"" + name + "\" of participant " + id + " is not in the log");
+        else if (!commitment->empty() && *commitment != commitmentOfFact(fromQt(row.value(3)), name, fromQt(row.value(2))))
+            faults.push_back("the fact \"" + name + "\" of participant " + id + " was altered");
+    }
+    for (const auto& [id, told] : all)
+        for (const auto& [name, hash] : told.facts)
+            if (!hash.empty() && !stored.contains({id, name}))
+                faults.push_back("the fact \"" + name + "\" of participant " + id + " is missing, and no erasure is recorded");
+}
+
+using Rows = std::set<std::vector<std::string>>;
+
+Rows rowsOf(const SqliteConnection& sqlite, const char* select, int columns)
+{
+    Rows rows;
+    QSqlQuery row = sqlite.run(QString::fromLatin1(select));
+    while (row.next()) {
+        std::vector<std::string> cells;
+        for (int column = 0; column < columns; ++column) cells.push_back(fromQt(row.value(column)));
+        rows.insert(std::move(cells));
+    }
+    return rows;
+}
+
+/// Reports the rows of the table that the log does not know, and the acts of the log that are not in the table.
+void compareActs(const std::string& what, const Rows& table, const Rows& log, std::vector<std::string>& faults)
+{
+    for (const auto& cells : table)
+        if (!log.contains(cells)) faults.push_back(what + " " + cells[1] + " (entry " + cells[0] + ") is not in the log");
+    for (const auto& cells : log)
+        if (!table.contains(cells)) faults.push_back(what + " " + cells[1] + " (entry " + cells[0] + ") is in the log only");
+}
+
+void checkErasures(const SqliteConnection& sqlite, const Log& log, std::vector<std::string>& faults)
+{
+    Rows expected;
+    for (const auto& [sequence, entry] : log) {
+        if (entry.event.kind != "erased" || !entry.event.participant.empty()) continue;
+        const json payload = payloadAt(entry);
+        expected.insert({std::to_string(sequence), textIn(payload, "participant"), yesIn(payload, "answers_too") ? "1" : "0",
+                         textIn(payload, "who"), textIn(payload, "why"), entry.event.wallTime});
+    }
+    compareActs("the erasure of", rowsOf(sqlite, "SELECT event, participant, answers_too, who, why, wall_time FROM erasures", 6),
+                expected, faults);
+}
+
+void checkProtocols(const SqliteConnection& sqlite, const Log& log, std::vector<std::string>& faults)
+{
+    Rows expected;
+    for (const auto& [sequence, entry] : log) {
+        if (entry.event.kind != "protocol_taken" || !entry.event.participant.empty()) continue;
+        const json payload = payloadAt(entry);
+        expected.insert({std::to_string(sequence), std::to_string(numberIn(payload, "version", 0)), textIn(payload, "sha256"),
+                         textIn(payload, "who"), textIn(payload, "why"), entry.event.wallTime});
+    }
+    compareActs("the protocol's version",
+                rowsOf(sqlite, "SELECT event, version, sha256, who, why, wall_time FROM protocol_versions", 6), expected, faults);
+    QSqlQuery row = sqlite.run(QStringLiteral("SELECT version, json, sha256 FROM protocol_versions"));
+    while (row.next())
+        if (protocols::sha256(fromQt(row.value(1))) != fromQt(row.value(2)))
+            faults.push_back("version " + fromQt(row.value(0)) + " of the protocol was altered after it was taken over");
+}
+
+}  // namespace
+
+std::vector<std::string> faultsOfStates(const SqliteConnection& sqlite, const Log& log)
+{
+    std::vector<std::string> faults;
+    const std::map<std::string, Told> all = toldBy(log);
+    checkParticipants(sqlite, all, faults);
+    checkFacts(sqlite, all, faults);
+    checkErasures(sqlite, log, faults);
+    checkProtocols(sqlite, log, faults);
+    return faults;
+}
+
+}  // namespace database

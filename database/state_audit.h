@@ -1,0 +1,18 @@
+// What the log says about participants, protocols, facts and erasures, compared with the tables that hold them outside the log.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "database/event_chain.h"
+#include "database/sqlite_connection.h"
+
+namespace database {
+
+using Log = std::map<std::int64_t, LogEntry>;  ///< by sequence number
+
+/// One line for each difference.
+std::vector<std::string> faultsOfStates(const SqliteConnection& sqlite, const Log& log);
+
+}  // namespace database

@@ -1,0 +1,15 @@
+// Records in a study what a command did with it: an export, a backup, a report, an unblinding.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "database/study_store.h"
+
+namespace study::commands {
+
+/// Adds the act to the study's chain of acts, with the account, the program and the machine. Where that is not possible, as in a
+/// read-only folder, it prints "not recorded: " and why on standard error.
+void recordAct(const database::StudyStore& store, const std::string& kind, const std::filesystem::path& path = {});
+
+}  // namespace study::commands

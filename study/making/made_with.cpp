@@ -1,0 +1,35 @@
+#include "study/making/made_with.h"
+
+#include <QtGlobal>
+#include <nlohmann/json.hpp>
+#include <opencv2/core/version.hpp>
+
+#include "database/sqlite_connection.h"
+#include "protocols/secrets/sealing.h"
+
+namespace study::making {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json textOrNull(const std::string& text) { return text.empty() ? ordered_json() : ordered_json(text); }
+
+}  // namespace
+
+std::string madeWith(const NewStudy& request, const std::string& weightsSha256)
+{
+    ordered_json made{{"program", request.programVersion}, {"commit", textOrNull(request.programCommit)}};
+    made["compiler"] = "GCC " __VERSION__;
+    made["libraries"] = {{"qt", qVersion()},
+                         {"sqlite", database::sqliteVersion()},
+                         {"opencv", CV_VERSION},
+                         {"libsodium", protocols::sealingLibraryVersion()}};
+    made["weights_sha256"] = textOrNull(weightsSha256);
+    made["settings"] = {{"seed", request.seed},
+                        {"key_seed_given", request.keySeed.has_value()},  // the seed itself would open the key
+                        {"allow_training_samples", request.allowTrainingSamples}};
+    return made.dump();
+}
+
+}  // namespace study::making

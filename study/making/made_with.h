@@ -1,0 +1,13 @@
+// What a study was made with, so that its stimuli can be made again: program, compiler, libraries, weights and settings.
+#pragma once
+
+#include <string>
+
+#include "study/making/new_study.h"
+
+namespace study::making {
+
+/// A JSON object for StudyFacts::madeWith. A commit that the build did not know, and weights that no condition needs, are null.
+std::string madeWith(const NewStudy& request, const std::string& weightsSha256);
+
+}  // namespace study::making

@@ -1,0 +1,19 @@
+// Heads of the log that were given out: on a session's end, in reports, exports and backups, on certificates. A study that still
+// contains them was not rolled back, cut or chained anew.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "database/study_store.h"
+
+namespace study::records {
+
+/// The heads in `headOrFile`: SEQUENCE:HASH with at least 16 digits of the hash, or a whole hash alone (sequence 0), or else
+/// every SEQUENCE:HASH in the text of this file. Throws badInput where there is none, or where the file cannot be read.
+std::vector<database::LogHead> headsIn(const std::string& headOrFile);
+
+/// Why the log does not contain the head; empty where it does.
+std::string faultAgainst(const database::StudyStore& store, const database::LogHead& head);
+
+}  // namespace study::records

@@ -1,0 +1,397 @@
+// What `vis2hap verify` finds: changes that a person with a shell and the tools of SQLite can make to a study. Each case leaves
+// the triggers as they were, so that only the change itself shows.
+#include <QTemporaryDir>
+#include <QtTest>
+#include <filesystem>
+#include <fstream>
+#include <random>
+
+#include "database/event_chain.h"
+#include "database/evidence/acts.h"
+#include "protocols/files/errors.h"
+#include "protocols/files/whole_file.h"
+#include "study/records/erasure_certificate.h"
+#include "study/records/log_heads.h"
+#include "study/records/study_faults.h"
+#include "tests/support/played_session.h"
+#include "tests/support/raw_sqlite.h"
+#include "tests/support/study_builder.h"
+
+namespace fs = std::filesystem;
+using database::LogHead;
+using database::StudyFolder;
+using database::StudyStore;
+using study::records::findingsOf;
+using tests::support::OpenSession;
+using tests::support::RawSqlite;
+
+namespace {
+
+/// Bytes that are flipped: VIS2HAP_FLIPS, or a few where it is not set.
+int flipsWanted()
+{
+    bool isNumber = false;
+    const int wanted = qEnvironmentVariableIntValue("VIS2HAP_FLIPS", &isNumber);
+    return isNumber ? wanted : 100;
+}
+
+StudyStore reading(const StudyFolder& folder) { return {folder, StudyStore::Access::Read}; }
+
+QString faultsOf(const StudyFolder& folder)
+{
+    QStringList lines;
+    for (const auto& fault : findingsOf(reading(folder)).faults) lines << QString::fromStdString(fault);
+    return lines.join('\n');
+}
+
+/// Runs the statements without the triggers, and puts these back as they were.
+void meddle(const StudyFolder& folder, const std::string& sql)
+{
+    RawSqlite raw(folder.database());
+    const auto triggers = raw.rows("SELECT sql FROM sqlite_master WHERE type = 'trigger'");
+    raw.dropTriggers();
+    const std::string fault = raw.run("PRAGMA foreign_keys = 0; " + sql);
+    if (!fault.empty()) throw std::runtime_error(fault + ": " + sql);
+    for (const auto& trigger : triggers) raw.run(trigger);
+}
+
+/// Computes commitments and hashes of the whole log anew, as somebody with this program's source could.
+void chainAnew(const StudyFolder& folder)
+{
+    std::vector<std::pair<std::int64_t, std::array<std::string, 3>>> chained;
+    {
+        const database::SqliteConnection sqlite(folder.database(), database::SqliteConnection::Mode::Read);
+        QSqlQuery row = sqlite.run(
+            "SELECT sequence, participant, sitting, kind, payload, at_ns, wall_time, places, salt FROM events ORDER BY sequence");
+        std::string previous;
+        while (row.next()) {
+            database::LogEntry entry;
+            entry.event = {row.value(0).toLongLong(),      protocols::ParticipantId(database::fromQt(row.value(1))),
+                           row.value(2).toInt(),           database::fromQt(row.value(3)),
+                           database::fromQt(row.value(4)), row.value(5).toLongLong(),
+                           database::fromQt(row.value(6))};
+            QSqlQuery answer = sqlite.run(
+                QString("SELECT %1 FROM responses WHERE event = ? ORDER BY id").arg(namesOf(database::ResponseColumns::OfTable)),
+                {row.value(0)});
+            while (answer.next()) entry.responses.push_back(rowFrom(answer, database::ResponseColumns::OfTable, 0));
+            const std::string commitment = commitmentOf(entry, database::fromQt(row.value(8)));
+            const std::string hash = chainHash(previous, entry.event, database::fromQt(row.value(7)), commitment);
+            chained.push_back({entry.event.sequence, {commitment, previous, hash}});
+            previous = hash;
+        }
+    }
+    std::string sql;
+    for (const auto& [sequence, texts] : chained)
+        sql += "UPDATE events SET commitment = '" + texts[0] + "', previous_hash = '" + texts[1] + "', hash = '" + texts[2] +
+               "' WHERE sequence = " + std::to_string(sequence) + ";";
+    meddle(folder, sql);
+}
+
+/// Every cell of every table, and the schema; a fault of SQLite where they cannot be read.
+std::string contentOf(const fs::path& file)
+{
+    try {
+        RawSqlite raw(file);
+        std::string content;
+        for (const auto& line : raw.rows("SELECT type, name, tbl_name, sql FROM sqlite_master ORDER BY name"))
+            content += line + "\n";
+        for (const auto& table : raw.rows("SELECT name FROM sqlite_master WHERE type = 'table' ORDER BY name")) {
+            std::string cells;
+            for (const auto& column : raw.rows("SELECT name FROM pragma_table_info('" + table + "')"))
+                cells += (cells.empty() ? "quote(" : " || ',' || quote(") + column + ")";
+            for (const auto& line : raw.rows("SELECT " + cells + " FROM " + table)) content += line + "\n";
+        }
+        return content;
+    } catch (const std::exception& fault) {
+        return std::string("unreadable: ") + fault.what();
+    }
+}
+
+}  // namespace
+
+class TamperingTest : public QObject {
+    Q_OBJECT
+
+private:
+    QTemporaryDir m_place;
+    StudyFolder m_study;
+    int m_copies = 0;
+
+    StudyFolder copy()
+    {
+        const fs::path to = m_place.filePath(QString("copy%1").arg(++m_copies)).toStdString();
+        fs::copy(m_study.folder, to, fs::copy_options::recursive);
+        return {to};
+    }
+
+private Q_SLOTS:
+    /// S01 finished, S02 started, S03 erased; one act.
+    void initTestCase()
+    {
+        tests::support::StudyRecipe recipe;
+        recipe.participants = 4;
+        m_study = tests::support::buildStudy(m_place.filePath("study").toStdString(), recipe);
+        {
+            OpenSession session(m_study, "S01");
+            session.playUntilAnswers(2);
+            session.send(
+                study::session::Corrected{protocols::QuestionId("Q1"), session.driver->view().trayIds.front(), "misheard"});
+            session.playToEnd();
+        }
+        OpenSession(m_study, "S02").playUntilAnswers(3);
+        OpenSession session(m_study, "S03");
+        session.playUntilAnswers(2);
+        QCOMPARE(database::recordAct(m_study, {"backup", "Ada", "test", "here", "/copies/b.tar", session.store.head(), {}}),
+                 std::nullopt);
+        const database::Erasure erasure{protocols::ParticipantId("S03"), true, "Ada", "asked for it", {}};
+        const auto certificate = study::records::writeErasureCertificate(session.store, erasure, session.store.erase(erasure));
+        QVERIFY(protocols::readWholeFile(certificate).find("backup /copies/b.tar on here") != std::string::npos);
+    }
+
+    void anUntouchedStudyIsSound() { QCOMPARE(faultsOf(m_study), QString()); }
+
+    void aChangedDatabaseIsFound_data()
+    {
+        QTest::addColumn<QString>("sql");
+        QTest::addColumn<QString>("said");
+        QTest::newRow("view redefined")
+            << "DROP VIEW answers; CREATE VIEW answers AS SELECT rating_tenths + 30 AS rating FROM responses"
+            << "the view answers is not the one that this program makes";
+        QTest::newRow("view dropped") << "DROP VIEW answers"
+                                      << "the view answers is missing";
+        QTest::newRow("index dropped") << "DROP INDEX one_first_answer"
+                                       << "the index one_first_answer is missing";
+        QTest::newRow("trigger added") << "CREATE TRIGGER more AFTER INSERT ON voids BEGIN DELETE FROM notes; END"
+                                       << "the trigger more is unknown to this program";
+        QTest::newRow("table added") << "CREATE TABLE extra(a)"
+                                     << "the table extra is unknown to this program";
+        QTest::newRow("started made finished") << "UPDATE participants SET state = 'finished' WHERE id = 'S02'"
+                                               << "participant S02 is finished in the table and started in the log";
+        QTest::newRow("finished made started") << "UPDATE participants SET state = 'started' WHERE id = 'S01'"
+                                               << "participant S01 is started in the table and finished in the log";
+        QTest::newRow("erased brought back") << "UPDATE participants SET state = 'started' WHERE id = 'S03'"
+                                             << "participant S03 is started in the table and withdrawn in the log";
+        QTest::newRow("protocol version") << "UPDATE participants SET protocol_version = 7 WHERE id = 'S01'"
+                                          << "participant S01 follows version 7";
+        QTest::newRow("fact inserted") << "INSERT INTO participant_facts(participant, fact, value) VALUES ('S01', 'mood', 'good')"
+                                       << "the fact \"mood\" of participant S01 is not in the log";
+        QTest::newRow("fact of an erased participant")
+            << "INSERT INTO participant_facts(participant, fact, value) VALUES ('S03', 'debriefing', 'good')"
+            << "the fact \"debriefing\" of participant S03 is not in the log";
+        QTest::newRow("fact changed") << "UPDATE participant_facts SET value = 'awful' WHERE fact = 'debriefing'"
+                                      << "the fact \"debriefing\" of participant S01 was altered";
+        QTest::newRow("fact removed") << "DELETE FROM participant_facts WHERE fact = 'debriefing'"
+                                      << "the fact \"debriefing\" of participant S01 is missing";
+        QTest::newRow("erasure without an entry") << "INSERT INTO erasures VALUES (3, 'S01', 1, 'Ada', 'no reason', '')"
+                                                  << "the erasure of S01 (entry 3) is not in the log";
+        QTest::newRow("erasure removed") << "DELETE FROM erasures"
+                                         << "the erasure of S03";
+        QTest::newRow("erasure by somebody else") << "UPDATE erasures SET who = 'Bob'"
+                                                  << "the erasure of S03";
+        QTest::newRow("entries emptied")
+            << "DELETE FROM responses WHERE participant = 'S01'; DELETE FROM notes; UPDATE events SET payload = '{}', at_ns = 0, "
+               "wall_time = '', salt = '' WHERE participant = 'S01'"
+            << "the entry or its rows were altered";
+        QTest::newRow("protocol added") << "INSERT INTO protocol_versions VALUES (2, 2, '{}', 'a', 'Ada', 'why', '')"
+                                        << "the protocol's version 2 (entry 2) is not in the log";
+        QTest::newRow("correction undone by order") << "UPDATE responses SET id = -id WHERE is_correction = 1"
+                                                    << "does not follow the order of the log";
+        QTest::newRow("act changed") << "UPDATE acts SET details = replace(details, 'b.tar', 'c.tar')"
+                                     << "act 1 (backup): was altered";
+        QTest::newRow("act removed") << "DELETE FROM acts"
+                                     << "the acts end at number 0, 1 were written";
+        QTest::newRow("seed changed") << "UPDATE study SET design_seed = '8'"
+                                      << "were altered after the study was made";
+    }
+    void aChangedDatabaseIsFound()
+    {
+        QFETCH(QString, sql);
+        QFETCH(QString, said);
+        const auto folder = copy();
+        meddle(folder, sql.toStdString());
+        const QString faults = faultsOf(folder);
+        QVERIFY2(faults.contains(said), qPrintable(faults));
+    }
+
+    void aDroppedTriggerIsFound()
+    {
+        const auto folder = copy();
+        QCOMPARE(RawSqlite(folder.database()).run("DROP TRIGGER responses_no_UPDATE"), std::string());
+        QCOMPARE(faultsOf(folder), QString("study.db: the trigger responses_no_UPDATE is missing"));
+    }
+
+    void aChangedFolderIsFound_data()
+    {
+        QTest::addColumn<QString>("harm");
+        QTest::addColumn<QString>("said");
+        QTest::newRow("stray file") << "printf x > notes.txt"
+                                    << "notes.txt: does not belong to the study";
+        QTest::newRow("stray folder") << "mkdir other"
+                                      << "other: does not belong to the study";
+        QTest::newRow("stray stimulus") << "cp stimuli/$(ls stimuli | head -1) stimuli/other.sealed"
+                                        << "stimuli/other.sealed: does not belong to the study";
+        QTest::newRow("stray link") << "ln -s /etc/passwd stimuli/link"
+                                    << "stimuli/link: does not belong to the study";
+        QTest::newRow("unregistered plan") << "printf x > preregistration.txt"
+                                           << "preregistration.txt: does not belong to the study";
+        QTest::newRow("link to a stimulus")
+            << "f=stimuli/$(ls stimuli | head -1); mv $f ../$(basename $PWD).moved; ln -s ../../$(basename $PWD).moved $f"
+            << "a link stands in the place of the file";
+        QTest::newRow("link to the protocol")
+            << "cp protocol.json ../$(basename $PWD).json; ln -sf ../$(basename $PWD).json protocol.json"
+            << "protocol.json: a link stands in the place of the file";
+        QTest::newRow("pipe for the protocol") << "rm protocol.json; mkfifo protocol.json"
+                                               << "protocol.json: is no file";
+        QTest::newRow("stimuli swapped") << "cd stimuli; a=$(ls | sed -n 1p); b=$(ls | sed -n 2p); mv $a x; mv $b $a; mv x $b"
+                                         << "the stimulus was altered";
+        QTest::newRow("stimulus removed") << "rm stimuli/$(ls stimuli | head -1)"
+                                          << "the stimulus is missing";
+        QTest::newRow("allocation key") << "printf x >> allocation-key.json"
+                                        << "allocation-key.json";
+        QTest::newRow("station key") << "printf x >> station-key.json"
+                                     << "station-key.json";
+        QTest::newRow("protocol") << "printf ' ' >> protocol.json"
+                                  << "protocol.json: changed since";
+    }
+    void aChangedFolderIsFound()
+    {
+        QFETCH(QString, harm);
+        QFETCH(QString, said);
+        const auto folder = copy();
+        QCOMPARE(std::system(("cd " + folder.folder.string() + " && " + harm.toStdString()).c_str()), 0);
+        const QString faults = faultsOf(folder);
+        QVERIFY2(faults.contains(said), qPrintable(faults));
+    }
+
+    void modesAreNotedOnly()
+    {
+        const auto folder = copy();
+        fs::permissions(folder.stationKey(), fs::perms(0644));
+        const auto findings = findingsOf(reading(folder));
+        QVERIFY(findings.faults.empty());
+        QVERIFY(!findings.notes.empty() && findings.notes.front().find("chmod -R go-rwx") != std::string::npos);
+        QCOMPARE(std::system(("chmod -R go-rwx " + folder.folder.string()).c_str()), 0);
+        QVERIFY(findingsOf(reading(folder)).notes.empty());
+    }
+
+    void flippedBytesAreFoundOrLieOutsideTheData()
+    {
+        const auto folder = copy();
+        std::string bytes = protocols::readWholeFile(folder.database());
+        const std::string content = contentOf(folder.database());
+        QVERIFY(content.size() > 10000 && !content.starts_with("unreadable"));
+        const int flips = flipsWanted();
+        std::mt19937 random(20260101);
+        int found = 0, outside = 0;
+        for (int flip = 0; flip < flips; ++flip) {
+            const std::size_t place = random() % bytes.size();
+            const char before = bytes[place];
+            bytes[place] = static_cast<char>(before ^ static_cast<char>(1 + random() % 255));
+            std::ofstream(folder.database(), std::ios::binary | std::ios::trunc) << bytes;
+            bool isFound = true;
+            try {
+                isFound = !findingsOf(reading(folder)).faults.empty();
+            } catch (const protocols::Error&) {
+                // A database that cannot be read is a fault, too.
+            }
+            if (isFound)
+                ++found;
+            else if (contentOf(folder.database()) == content)
+                ++outside;
+            else
+                QFAIL(qPrintable(QString("the flip at byte %1 changed the content and was not found").arg(place)));
+            bytes[place] = before;
+        }
+        qInfo("%d flips: %d found, %d outside the data", flips, found, outside);
+        QVERIFY(found > flips / 10);
+    }
+
+    void aKnownHeadFindsALogWrittenAnew()
+    {
+        const StudyFolder folder = tests::support::buildStudy(m_place.filePath("anew").toStdString());
+        LogHead early, end;
+        {
+            OpenSession session(folder, "S01");
+            session.playUntilAnswers(5);
+            early = session.store.head();
+            session.playToEnd();
+            end = session.store.head();
+        }
+        for (const auto& head : {early, end, LogHead{0, early.hash}, LogHead{end.sequence, end.hash.substr(0, 16)}})
+            QCOMPARE(study::records::faultAgainst(reading(folder), head), std::string());
+        meddle(folder,
+               "UPDATE responses SET rating_tenths = 100 WHERE rating_tenths IS NOT NULL;"
+               "UPDATE events SET payload = '{\"tenths\":100}' WHERE payload LIKE '{\"tenths\":%'");
+        QVERIFY(faultsOf(folder).contains("altered"));
+        chainAnew(folder);
+        QCOMPARE(faultsOf(folder), QString());  // nothing in the folder itself shows it
+        QVERIFY(study::records::faultAgainst(reading(folder), end).find("written anew") != std::string::npos);
+    }
+
+    void aKnownHeadFindsEntriesThatWereCutOff()
+    {
+        const StudyFolder folder = tests::support::buildStudy(m_place.filePath("cut").toStdString());
+        OpenSession(folder, "S01").playToEnd();
+        const LogHead end = reading(folder).head();
+        const std::string last = std::to_string(end.sequence - 50);
+        meddle(folder, "DELETE FROM responses WHERE event > " + last + "; DELETE FROM events WHERE sequence > " + last +
+                           "; UPDATE sqlite_sequence SET seq = " + last +
+                           " WHERE name = 'events'; DELETE FROM participant_facts; UPDATE participants SET state = 'started'");
+        QCOMPARE(faultsOf(folder), QString());
+        QVERIFY(study::records::faultAgainst(reading(folder), end).find("entries were cut off") != std::string::npos);
+        QVERIFY(!study::records::faultAgainst(reading(folder), {0, end.hash}).empty());
+    }
+
+    void aKnownHeadFindsAnOlderDatabase()
+    {
+        const StudyFolder folder = tests::support::buildStudy(m_place.filePath("older").toStdString());
+        OpenSession(folder, "S01").playUntilAnswers(4);
+        const std::string older = protocols::readWholeFile(folder.database());
+        OpenSession(folder, "S01").playToEnd();
+        const LogHead end = reading(folder).head();
+        std::ofstream(folder.database(), std::ios::binary | std::ios::trunc) << older;
+        QCOMPARE(faultsOf(folder), QString());
+        QVERIFY(study::records::faultAgainst(reading(folder), end).find("an earlier database was put back") != std::string::npos);
+    }
+
+    void headsOutliveAnErasure()
+    {
+        const StudyFolder folder = tests::support::buildStudy(m_place.filePath("erased").toStdString());
+        OpenSession(folder, "S01").playToEnd();
+        const LogHead before = reading(folder).head();
+        StudyStore(folder, StudyStore::Access::Write).erase({protocols::ParticipantId("S01"), true, "Ada", "asked for it", {}});
+        QCOMPARE(faultsOf(folder), QString());
+        QCOMPARE(study::records::faultAgainst(reading(folder), before), std::string());
+    }
+
+    void anActHoldsTheHeadOfItsTime()
+    {
+        const auto folder = copy();
+        meddle(folder,
+               "UPDATE events SET hash = upper(hash) WHERE sequence = (SELECT json_extract(details, '$.entry') FROM acts)");
+        QVERIFY(faultsOf(folder).contains("act 1 (backup): the log no longer has the head of that time"));
+    }
+
+    void headsAreReadFromFiles()
+    {
+        const LogHead head{12, std::string(64, 'a')};
+        using Heads = std::vector<LogHead>;
+        QVERIFY(study::records::headsIn(textOf(head)) == Heads{head});
+        QVERIFY(study::records::headsIn(head.hash) == (Heads{{0, head.hash}}));
+        const LogHead shortHead{12, std::string(database::shortHeadLength, 'a')};
+        QVERIFY(study::records::headsIn(shortTextOf(head)) == Heads{shortHead});
+        QVERIFY_EXCEPTION_THROWN(study::records::headsIn(shortTextOf(head).substr(0, 18)), protocols::Error);
+        const std::string file = m_place.filePath("heads.txt").toStdString();
+        const std::string other = "7:" + std::string(64, 'b');
+        std::ofstream(file) << "{\"log_head\":\"" << textOf(head) << "\",\"sha256\":\"" << head.hash
+                            << "\",\"x\":\"sha256:" << head.hash << "\"} again " << textOf(head) << ", " << other << "c " << other
+                            << "\n";
+        QVERIFY(study::records::headsIn(file) == (Heads{head, {7, std::string(64, 'b')}}));
+        std::ofstream(file) << "nothing";
+        QVERIFY_EXCEPTION_THROWN(study::records::headsIn(file), protocols::Error);
+        QVERIFY_EXCEPTION_THROWN(study::records::headsIn("no such file"), protocols::Error);
+    }
+};
+
+QTEST_GUILESS_MAIN(TamperingTest)
+#include "tampering_test.moc"

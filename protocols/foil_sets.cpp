@@ -70,21 +70,20 @@ Deal leastUsedFirst(const StudySize& size, const Pools& pools, Random& random)
     return deal;
 }
 
-/// State of the search: the deal with its counts. A move lets two participants exchange a set, or one participant take a set that
-/// is used once less. Both keep the numbers of uses even.
+/// State of the search: the deal with its counts. Foils are not balanced within participant x true fabric: with that rule, too,
+/// few assignments of true fabrics would fit the trays, and a search among them would find many of the true ones. A move lets two
+/// participants exchange a set, or one participant take a set that is used once less. Both keep the numbers of uses even.
 class FoilSearch {
 public:
     FoilSearch(const StudySize& size, int foils, const Pools& pools, Deal deal)
         : m_fabrics(static_cast<std::size_t>(size.fabrics)),
           m_pools(pools),
           m_deal(std::move(deal)),
-          m_perParticipant(m_deal.size() * m_fabrics),
-          m_perTrueFabric(m_deal.size() * m_fabrics * m_fabrics)
+          m_perParticipant(m_deal.size() * m_fabrics)
     {
         for (const auto& pool : pools) m_uses.emplace_back(pool.size(), 0);
         const std::int64_t slots = std::int64_t{size.labels} * foils;
-        m_excess = -size.participants *
-                   (leastSquares(slots * size.fabrics, size.fabrics) + size.fabrics * leastSquares(slots, size.fabrics - 1));
+        m_excess = -size.participants * leastSquares(slots * size.fabrics, size.fabrics);
         for (std::size_t participant = 0; participant < m_deal.size(); ++participant)
             for (std::size_t fabric = 0; fabric < m_fabrics; ++fabric)
                 for (const std::size_t set : m_deal[participant][fabric]) {
@@ -156,9 +155,7 @@ private:
     {
         for (const int foil : m_pools[fabric][set]) {
             const std::size_t own = participant * m_fabrics + static_cast<std::size_t>(foil);
-            const std::size_t within = (participant * m_fabrics + fabric) * m_fabrics + static_cast<std::size_t>(foil);
             m_excess += adding ? m_perParticipant.add(own) : m_perParticipant.remove(own);
-            m_excess += adding ? m_perTrueFabric.add(within) : m_perTrueFabric.remove(within);
         }
     }
 
@@ -167,7 +164,6 @@ private:
     Deal m_deal;
     std::vector<std::vector<int>> m_uses;  ///< [true fabric][set], over the study
     SquaredCounts m_perParticipant;        ///< [participant][foil]
-    SquaredCounts m_perTrueFabric;         ///< [participant][true fabric][foil]
     std::int64_t m_excess = 0;
     std::size_t m_fabric = 0, m_giver = 0, m_taker = 0, m_givenAt = 0, m_takenAt = 0, m_given = 0, m_taken = 0;
     bool m_moved = false;

@@ -19,8 +19,8 @@ std::int64_t combinations(std::int64_t n, std::int64_t k, std::int64_t limit);
 std::vector<FoilSet> allFoilSets(int fabrics, int trueFabric, int count);
 
 /// [participant][true fabric][label]: one set for each label, different as long as there are enough sets. Over the study each
-/// set is equally frequent per true fabric; each foil is equally frequent within participant x true fabric and within
-/// participant. `foils`: number of fabrics in a set.
+/// set is equally frequent per true fabric; each foil is equally frequent within participant. `foils`: number of fabrics in a
+/// set.
 std::vector<std::vector<std::vector<FoilSet>>> drawFoilSets(const StudySize& size, int foils, Random& random);
 
 }  // namespace protocols

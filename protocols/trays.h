@@ -12,8 +12,8 @@ namespace protocols {
 using Tray = std::vector<int>;
 
 /// [participant][position] for the given running orders. Foil sets are equally frequent per true fabric and do not repeat within
-/// participant x true fabric; each foil is equally frequent there. True slots are equally frequent per participant x fabric and
-/// per label, slots of each foil per participant. A participant can notice that a fabric also lay on the tray before
+/// participant x true fabric; each foil is equally frequent per participant. True slots are equally frequent per participant x
+/// fabric and per label, slots of each foil per participant. A participant can notice that a fabric also lay on the tray before
 /// or after, how often it appears, and its slot. All this is as frequent for foils as for true fabrics, so it does not reveal
 /// the true slot. Where this is impossible, a bounded search comes as close as it can.
 std::vector<std::vector<Tray>> drawTrays(const std::vector<std::vector<Rendering>>& orders, const StudySize& size,

@@ -189,8 +189,7 @@ public:
           m_byFabric(trays.size() * m_fabrics),
           m_byPlace(trays.size() * m_fabrics * m_slots),
           m_byPair(m_fabrics * m_fabrics),
-          m_byStretch((trays[0].size() / m_fabrics + 1) * m_fabrics),
-          m_byFoil(trays.size() * m_fabrics * m_fabrics)
+          m_byStretch((trays[0].size() / m_fabrics + 1) * m_fabrics)
     {
         Sets sets;
         for (const auto& list : trays) {
@@ -281,8 +280,6 @@ private:
         const std::size_t set = m_setIds[participant][at][slot];
         tally(m_bySet, set, sign, 0.7);
         tally(m_byOwnSet, participant * m_setKinds + set, sign, 2.0);
-        for (const int foil : tray)
-            if (foil != tray[slot]) tally(m_byFoil, row * m_fabrics + static_cast<std::size_t>(foil), sign, 0.7);
     }
 
     void countStep(std::size_t participant, std::size_t at, int sign)
@@ -305,7 +302,6 @@ private:
     std::vector<int> m_byPlace;    ///< [participant][fabric][slot]
     std::vector<int> m_byPair;     ///< [fabric][next fabric]
     std::vector<int> m_byStretch;  ///< [stretch][fabric]
-    std::vector<int> m_byFoil;     ///< [participant][fabric][foil]
     std::vector<int> m_bySet;      ///< [fabric and foils]
     std::vector<int> m_byOwnSet;   ///< [participant][fabric and foils]
     double m_cost = 0;

@@ -77,6 +77,22 @@ private Q_SLOTS:
         QVERIFY(isAtChance(share, 3));
     }
 
+    /// VIS2HAP_TRAY_MOVES=20000000 lets the sampler search longer.
+    void aGuesserWhoKnowsEveryRuleOfBalanceStaysAtChance()
+    {
+        const auto moves = static_cast<std::int64_t>(qEnvironmentVariableIntValue("VIS2HAP_TRAY_MOVES"));
+        Share share;
+        for (quint64 seed = 1; seed <= 5; ++seed) {
+            const Design design = drawDesign(paper(), seed);
+            const auto trays = study::leaks::seenOf(design);
+            Random random(seed);
+            const auto belief = study::leaks::beliefOfSampler(trays, moves > 0 ? moves : 1'000'000, random);
+            share.hits += study::leaks::hitsOf(belief, design);
+            share.trials += presentations;
+        }
+        QVERIFY(isAtChance(share, 3));
+    }
+
     void aFabricThatLiesInTwoTraysRunningIsTrueAsOftenAsAnother()
     {
         Repeated all;

@@ -173,17 +173,32 @@ std::vector<ProtocolVersion> protocolVersionsIn(const SqliteConnection& sqlite)
     return versions;
 }
 
-std::vector<EventRecord> eventsIn(const SqliteConnection& sqlite, const protocols::ParticipantId& participant)
+namespace {
+
+std::vector<EventRecord> eventsWhere(const SqliteConnection& sqlite, const char* column, const std::string& value)
 {
     std::vector<EventRecord> events;
-    QSqlQuery row = sqlite.run(
-        QStringLiteral(
-            "SELECT sequence, sitting, kind, payload, at_ns, wall_time FROM events WHERE participant = ? ORDER BY sequence"),
-        {toQt(participant.value)});
+    QSqlQuery row =
+        sqlite.run(QStringLiteral("SELECT sequence, participant, sitting, kind, payload, at_ns, wall_time FROM events "
+                                  "WHERE %1 = ? ORDER BY sequence")
+                       .arg(QLatin1String(column)),
+                   {toQt(value)});
     while (row.next())
-        events.push_back({row.value(0).toLongLong(), participant, row.value(1).toInt(), fromQt(row.value(2)),
-                          fromQt(row.value(3)), row.value(4).toLongLong(), fromQt(row.value(5))});
+        events.push_back({row.value(0).toLongLong(), protocols::ParticipantId(fromQt(row.value(1))), row.value(2).toInt(),
+                          fromQt(row.value(3)), fromQt(row.value(4)), row.value(5).toLongLong(), fromQt(row.value(6))});
     return events;
+}
+
+}  // namespace
+
+std::vector<EventRecord> eventsIn(const SqliteConnection& sqlite, const protocols::ParticipantId& participant)
+{
+    return eventsWhere(sqlite, "participant", participant.value);
+}
+
+std::vector<EventRecord> eventsOfKindIn(const SqliteConnection& sqlite, const std::string& kind)
+{
+    return eventsWhere(sqlite, "kind", kind);
 }
 
 std::vector<CurrentAnswer> answersIn(const SqliteConnection& sqlite)

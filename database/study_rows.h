@@ -18,6 +18,7 @@ std::vector<protocols::BlindedTrial> trialsIn(const SqliteConnection& sqlite, in
 std::vector<Enrolment> enrolmentsIn(const SqliteConnection& sqlite);  ///< by slot, in each by time
 std::vector<ProtocolVersion> protocolVersionsIn(const SqliteConnection& sqlite);
 std::vector<EventRecord> eventsIn(const SqliteConnection& sqlite, const protocols::ParticipantId& participant);
+std::vector<EventRecord> eventsOfKindIn(const SqliteConnection& connection, const std::string& kind);
 std::vector<CurrentAnswer> answersIn(const SqliteConnection& sqlite);  ///< by slot, trial and question
 std::vector<StudyStore::Flag> flagsIn(const SqliteConnection& sqlite);
 std::optional<UnblindingRecord> unblindingIn(const SqliteConnection& sqlite);

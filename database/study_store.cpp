@@ -197,6 +197,11 @@ std::vector<EventRecord> StudyStore::events(const protocols::ParticipantId& part
     return eventsIn(m_connection->sqlite, participant);
 }
 
+std::vector<EventRecord> StudyStore::eventsOfKind(const std::string& kind) const
+{
+    return eventsOfKindIn(m_connection->sqlite, kind);
+}
+
 std::size_t StudyStore::answerCount() const
 {
     return m_connection->sqlite.value(QStringLiteral("SELECT COUNT(*) FROM responses WHERE is_correction = 0")).toULongLong();

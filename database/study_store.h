@@ -236,6 +236,8 @@ public:
     std::vector<Flag> flags() const;
 
     std::vector<EventRecord> events(const protocols::ParticipantId& participant) const;
+    /// Those of one kind, of every participant.
+    std::vector<EventRecord> eventsOfKind(const std::string& kind) const;
     /// Number of current answers, without reading them.
     std::size_t answerCount() const;
     std::vector<CurrentAnswer> answers() const;  ///< answers of all participants, by slot, trial and question

@@ -19,6 +19,7 @@ struct AppCall {
     std::string display = "none";
     std::string operatorName;
     bool monitor = false;
+    bool plainImages = false;
 };
 
 void makeForApp(const app::NewStudyRequest& form, const app::MakingProgress& progress)
@@ -54,6 +55,8 @@ std::vector<app::MonitorFlag> flagsOf(const database::StudyStore& store)
     return flags;
 }
 
+bool leavesPlainImages(const AppCall& call) { return call.display.starts_with("folder:"); }
+
 app::AppOptions optionsOf(const AppCall& call)
 {
     app::AppOptions options;
@@ -64,7 +67,16 @@ app::AppOptions optionsOf(const AppCall& call)
     options.lookAtData = looking::lookAtData();
     options.readFlags = flagsOf;
     options.operatedBy = session::operatedBy(call.operatorName, versionText());
+    options.operatedBy.plainImages = leavesPlainImages(call);
     return options;
+}
+
+void requireAllowedDisplay(const AppCall& call)
+{
+    if (leavesPlainImages(call) && !call.plainImages)
+        throw protocols::badInput({"this display leaves every image as a plain file, which an operator can open", call.display,
+                                   "a driver (exec:COMMAND or tcp:HOST:PORT), or the option --plain-images",
+                                   "see \"The display\" in the README; reports will state --plain-images"});
 }
 
 int runWindow(const AppCall& call)
@@ -89,10 +101,12 @@ void addApp(CLI::App& app, Action& action)
                    "reports the first touch); or a display under a cover: folder:DIR,cover:N")
         ->capture_default_str();
     app.add_option("--operator", call->operatorName, "who runs the sessions (default: the name of this account)");
+    app.add_flag("--plain-images", call->plainImages, "allow --display folder:DIR with people; every report states it");
     app.add_flag("--monitor", call->monitor,
                  "watch this study: progress of each participant, missing answers, flags; read-only and blinded");
     app.callback([&app, call, &action] {
         if (!app.get_subcommands().empty()) return;
+        requireAllowedDisplay(*call);
         action.surroundings = Surroundings::Window;
         action.handlesStudy = true;
         action.work = [call] { return runWindow(*call); };

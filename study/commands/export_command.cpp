@@ -159,7 +159,7 @@ ordered_json headOf(const Export& job)
             {"study", job.facts.name},
             {"protocol_sha256", job.facts.protocolSha256},
             {"blinded", job.naming == nullptr},
-            {"stamps", job.facts.stamps},
+            {"stamps", records::stampsOf(job.store, job.facts)},
             {"participants", participantRows(job)},
             {"preregistrations", registrationRows(job)},
             {"acts", actRows(job)},

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <tuple>
 
 #include "protocols/condition.h"
 #include "protocols/protocol_json.h"
 #include "reports/json/signals_json.h"
+#include "reports/text/plain_words.h"
 #include "study/records/participants_sentence.h"
 #include "study/records/registered_plan.h"
 
@@ -108,7 +110,7 @@ reports::StudyData describedStudy(const database::StudyStore& store, const datab
     reports::StudyData data;
     data.name = facts.name;
     data.protocolSha256 = facts.protocolSha256;
-    data.stamps = facts.stamps;
+    data.stamps = stampsOf(store, facts);
     describeProtocol(protocol, data);
     data.blinded = !store.unblinding().has_value();  // decides whether the plan may name conditions
     describePlan(store, data);
@@ -128,6 +130,21 @@ database::StudyStore openStudy(const std::filesystem::path& study)
 protocols::Protocol protocolOf(const database::StudyFacts& facts)
 {
     return protocols::keptProtocolFromJson(facts.protocolJson, "the study's protocol", facts.programVersion);
+}
+
+std::vector<std::string> stampsOf(const database::StudyStore& store, const database::StudyFacts& facts)
+{
+    std::set<protocols::ParticipantId> seen;
+    for (const auto& sitting : store.eventsOfKind("sitting_started")) {
+        const auto payload = nlohmann::json::parse(sitting.payloadJson, nullptr, false);
+        if (payload.is_object() && payload.contains("plain_images")) seen.insert(sitting.participant);
+    }
+    std::vector<std::string> stamps = facts.stamps;
+    if (!seen.empty())
+        stamps.push_back("The display left its images as plain files in sessions of " +
+                         reports::counted(seen.size(), "participant") +
+                         " (--plain-images): an operator could have seen what was rendered.");
+    return stamps;
 }
 
 std::optional<Naming> namingOf(const database::StudyStore& store, const protocols::Protocol& protocol,

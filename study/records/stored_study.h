@@ -38,6 +38,9 @@ std::optional<Naming> namingOf(const database::StudyStore& store, const protocol
 
 protocols::Protocol protocolOf(const database::StudyFacts& facts);
 
+/// The sentences that every report must show: those of the study's facts and, where it is so, that images lay open.
+std::vector<std::string> stampsOf(const database::StudyStore& store, const database::StudyFacts& facts);
+
 /// The data of the report; empty where the study is blinded and nobody gives its passphrase. Throws badInput for a wrong one,
 /// workFailed if the stored study cannot be read.
 std::optional<reports::StudyData> studyData(const database::StudyStore& store, const database::Passphrase& passphrase);

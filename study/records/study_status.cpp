@@ -173,7 +173,7 @@ ordered_json statusOf(const database::StudyStore& store, const database::Passphr
     if (!key) json["why"] = {{"balance_presented", "the study has a passphrase, and none was given"}};
     json["passphrase"] = facts.hasPassphrase;
     json["head"] = textOf(store.head());
-    json["stamps"] = facts.stamps;
+    json["stamps"] = stampsOf(store, facts);
     const reports::StudyData data = store.unblinding() ? *studyData(store, passphrase, answers) : sealedStudyData(store, answers);
     json["preregistration"] = preregistrationOf(data);
     json["quality"] = flagsOf(data);

@@ -30,7 +30,7 @@ std::string hostName()
 
 OperatedBy operatedBy(const std::string& name, const std::string& program)
 {
-    return {name.empty() ? accountName() : name, program, hostName()};
+    return {name.empty() ? accountName() : name, program, hostName(), false};
 }
 
 }  // namespace study::session

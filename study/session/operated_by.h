@@ -9,6 +9,7 @@ struct OperatedBy {
     std::string operatorName;  ///< empty: nobody is recorded, as in logs of earlier versions
     std::string program;       ///< "vis2hap 0.6.0"
     std::string host;
+    bool plainImages = false;  ///< the display leaves each image as a plain file while it can be felt
     bool operator==(const OperatedBy&) const = default;
 };
 

@@ -126,6 +126,7 @@ void addOperator(Json& payload, const EventBody& body, const OperatedBy& operate
     if (!isStart) return;
     payload["program"] = operatedBy.program;
     payload["host"] = operatedBy.host;
+    if (operatedBy.plainImages) payload["plain_images"] = true;
 }
 
 }  // namespace

@@ -299,9 +299,11 @@ private Q_SLOTS:
         for (const StudyData& data : {builders::paperSized(), unanswered, blinded}) {
             const reports::StudyAnalysis analysis = reports::analyse(data);
             std::string results, statistics;
-            reports::writeResults(analysis, [&](std::string_view piece) { results += piece; });
+            const reports::ReportOrigin origin{"12:ab", R"({"program":"vis2hap"})"};
+            reports::writeResults(analysis, origin, [&](std::string_view piece) { results += piece; });
             reports::writeStatistics(analysis, [&](std::string_view piece) { statistics += piece; });
-            QCOMPARE(results, reports::resultsJson(analysis).dump(2) + "\n");
+            QCOMPARE(results, reports::resultsJson(analysis, origin).dump(2) + "\n");
+            QVERIFY(results.find("\"log_head\": \"12:ab\"") != std::string::npos);
             QCOMPARE(statistics, reports::statisticsJson(analysis).dump(2) + "\n");
         }
     }

@@ -65,10 +65,11 @@ void FakeDisplay::show(const cv::Mat& image)
 
 void FakeDisplay::clear() { calls.push_back("clear"); }
 
-OpenSession::OpenSession(const database::StudyFolder& folder, const std::string& participant, database::ParticipantKind kind)
+OpenSession::OpenSession(const database::StudyFolder& folder, const std::string& participant, database::ParticipantKind kind,
+                         const study::session::OperatedBy& operatedBy)
     : store(folder, database::StudyStore::Access::Write),
       bank(stimuliOf(store)),
-      driver(std::make_unique<Driver>(store, protocols::ParticipantId(participant), kind, bank, display, clock))
+      driver(std::make_unique<Driver>(store, protocols::ParticipantId(participant), kind, bank, display, clock, operatedBy))
 {
 }
 

@@ -28,7 +28,8 @@ public:
 /// A store that is open for writing, with driver, stimulus bank, display and clock of one participant.
 struct OpenSession {
     OpenSession(const database::StudyFolder& folder, const std::string& participant,
-                database::ParticipantKind kind = database::ParticipantKind::Scripted);
+                database::ParticipantKind kind = database::ParticipantKind::Scripted,
+                const study::session::OperatedBy& operatedBy = {});
 
     database::StudyStore store;
     rendering::StimulusBank bank;

@@ -243,7 +243,7 @@ void AppBlindingTest::nothingNamesACondition()
     std::set<QString> shown;
     for (const auto& texts : traces.texts) shown.insert(texts.begin(), texts.end());
     QVERIFY(shown.size() > 400);
-    // Windows must hide the file codes of the stimuli and the labels of the masked key, too.
+    // Windows must hide the file codes of the stimuli and the labels of the conditions, too.
     std::set<QString> hiddenInWindows = ids;
     const database::StudyStore store({filePath("study").toStdString()}, database::StudyStore::Access::Read);
     for (const auto& [code, hash] : store.stimulusHashes()) hiddenInWindows.insert(QString::fromStdString(code.value));

@@ -15,6 +15,7 @@
 #include "study/session/session_record.h"
 #include "tests/support/open_window.h"
 #include "tests/support/played_session.h"
+#include "tests/support/program.h"
 
 using namespace study::app;
 using namespace study::session;
@@ -78,6 +79,7 @@ private Q_SLOTS:
     void messageForADeadDriverNamesTheNextStep();
     void studyPageShowsWhyTheDriverCannotStart();
     void driverClearsTheDisplayAfterTheProgramIsKilled();
+    void plainImagesMustBeAllowed();
 };
 
 void AppDisplayTest::displayShowsImagesOnlyWhilePresenting()
@@ -224,6 +226,15 @@ void AppDisplayTest::driverClearsTheDisplayAfterTheProgramIsKilled()
     child.kill();
     QVERIFY(child.waitForFinished());
     QTRY_COMPARE(displayedIn(displayFolder()), 0);
+}
+
+void AppDisplayTest::plainImagesMustBeAllowed()
+{
+    const auto refused = support::runProgram({"--display", "folder:" + displayFolder()});
+    QCOMPARE(refused.exitCode, 2);
+    QVERIFY2(refused.err.contains("--plain-images"), qPrintable(refused.err));
+    const auto allowed = support::runProgram({"no such study", "--display", "folder:" + displayFolder(), "--plain-images"});
+    QVERIFY2(!allowed.err.contains("plain"), qPrintable(allowed.err));
 }
 
 int main(int argc, char** argv)

@@ -156,10 +156,10 @@ void AppMonitorTest::monitorShowsWhyFlagsCannotBeRead()
 {
     AppOptions options;
     options.readFlags = [](const database::StudyStore&) -> std::vector<MonitorFlag> {
-        throw protocols::workFailed({.what = "the masked key was altered", .where = {}, .expected = {}, .nextStep = {}});
+        throw protocols::workFailed({.what = "the station key was altered", .where = {}, .expected = {}, .nextStep = {}});
     };
     MonitorWindow monitor(newStudy(wholeStudy()).folder, options);
-    QTRY_COMPARE(monitor.findChild<QLabel*>("flags")->text(), QString("the masked key was altered"));
+    QTRY_COMPARE(monitor.findChild<QLabel*>("flags")->text(), QString("the station key was altered"));
 }
 
 void AppMonitorTest::folderThatIsNoStudyIsRefused()

@@ -43,6 +43,21 @@ private Q_SLOTS:
         QVERIFY(sittings["Q1"][1] >= 2 && sittings["Q1"][2] >= 3);
         QCOMPARE(sittings["Q2"], (std::map<int, int>{{2, 6}}));
     }
+
+    void imagesThatLayOpenAreStated()
+    {
+        QTemporaryDir place;
+        const auto folder = tests::support::buildStudy(place.filePath("study").toStdString());
+        const auto kind = database::ParticipantKind::Scripted;
+        OpenSession(folder, "S01", kind, {"Ada", "vis2hap", "lab", false}).playUntilAnswers(1);
+        const database::StudyStore before(folder, database::StudyStore::Access::Read);
+        QCOMPARE(study::records::stampsOf(before, before.facts()), before.facts().stamps);
+        OpenSession(folder, "S01", kind, {"Ada", "vis2hap", "lab", true}).playUntilAnswers(2);
+        const database::StudyStore store(folder, database::StudyStore::Access::Read);
+        const auto stamps = study::records::sealedStudyData(store).stamps;
+        QCOMPARE(stamps.size(), store.facts().stamps.size() + 1);
+        QVERIFY(stamps.back().starts_with("The display left its images as plain files in sessions of 1 participant "));
+    }
 };
 
 QTEST_GUILESS_MAIN(StoredStudyTest)

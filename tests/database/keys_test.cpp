@@ -10,6 +10,7 @@
 
 #include "protocols/files/errors.h"
 #include "protocols/files/whole_file.h"
+#include "tests/support/error_text.h"
 #include "tests/support/study_builder.h"
 
 using namespace database;
@@ -23,17 +24,6 @@ unsigned modeOf(const std::filesystem::path& file)
 {
     struct stat status {};
     return ::stat(file.c_str(), &status) == 0 ? status.st_mode & 0777 : 0;
-}
-
-template <class Call>
-QString errorOf(Call call)
-{
-    try {
-        call();
-    } catch (const protocols::Error& fault) {
-        return QString("%1: %2").arg(static_cast<int>(fault.exitCode())).arg(fault.what());
-    }
-    return {};
 }
 
 }  // namespace

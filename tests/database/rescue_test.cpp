@@ -10,25 +10,16 @@
 
 #include "protocols/files/errors.h"
 #include "protocols/files/whole_file.h"
+#include "tests/support/error_text.h"
 #include "tests/support/folder_harm.h"
 #include "tests/support/played_session.h"
 #include "tests/support/study_builder.h"
 
+using tests::support::errorOf;
 using namespace database;
 using tests::support::OpenSession;
 
 namespace {
-
-template <class Call>
-QString errorOf(Call call)
-{
-    try {
-        call();
-    } catch (const protocols::Error& fault) {
-        return QString("%1: %2").arg(static_cast<int>(fault.exitCode())).arg(fault.what());
-    }
-    return {};
-}
 
 /// Another program that reads the database and keeps its state.
 class Reader {

@@ -10,6 +10,7 @@
 #include <fstream>
 
 #include "protocols/files/errors.h"
+#include "tests/support/error_text.h"
 #include "tests/support/played_session.h"
 #include "tests/support/raw_sqlite.h"
 #include "tests/support/study_builder.h"
@@ -22,17 +23,6 @@ namespace {
 
 constexpr std::int64_t oneSecondNs = 1000000000;
 const protocols::ParticipantId s01("S01");
-
-template <class Call>
-QString errorOf(Call call)
-{
-    try {
-        call();
-    } catch (const protocols::Error& fault) {
-        return QString("%1: %2").arg(static_cast<int>(fault.exitCode())).arg(fault.what());
-    }
-    return {};
-}
 
 QString childProgram() { return QCoreApplication::applicationDirPath() + "/session_child"; }
 

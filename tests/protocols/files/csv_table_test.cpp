@@ -4,22 +4,14 @@
 #include <QtTest>
 
 #include "protocols/files/errors.h"
+#include "tests/support/error_text.h"
 
+using tests::support::errorOf;
 using namespace protocols;
 
 namespace {
 
 using Rows = std::vector<std::vector<std::string>>;
-
-QString errorOf(const std::function<void()>& call)
-{
-    try {
-        call();
-    } catch (const Error& fault) {
-        return QString("%1: %2").arg(static_cast<int>(fault.exitCode())).arg(fault.what());
-    }
-    return {};
-}
 
 }  // namespace
 

@@ -12,8 +12,10 @@
 
 #include "protocols/files/errors.h"
 #include "protocols/files/temporary_folder.h"
+#include "tests/support/error_text.h"
 #include "tests/support/observed_disk.h"
 
+using tests::support::errorOf;
 using namespace protocols;
 using tests::support::DiskCall;
 using tests::support::DiskStep;
@@ -52,16 +54,6 @@ void write(const fs::path& place, Earlier earlier, const Contents& contents, con
     FolderDraft draft(place, earlier);
     fill(draft, contents);
     draft.putInPlace(last);
-}
-
-QString errorOf(const std::function<void()>& call)
-{
-    try {
-        call();
-    } catch (const Error& fault) {
-        return QString("%1: %2").arg(static_cast<int>(fault.exitCode())).arg(fault.what());
-    }
-    return {};
 }
 
 const Contents earlierReport{{"index.html", "old"}, {"notes.txt", "mine"}, {"tables/gone.csv", "old"}, {"tables/q1.csv", "old"}};

@@ -6,8 +6,10 @@
 
 #include "protocols/files/errors.h"
 #include "protocols/random.h"
+#include "tests/support/error_text.h"
 #include "tests/support/mutated_files.h"
 
+using tests::support::errorOf;
 using namespace protocols;
 
 namespace {
@@ -24,16 +26,6 @@ const std::string protocol =
     "  ],\n"
     "  \"a/b~c\": {\"\": 1, \"\\u00e4\": 2}\n"
     "}\n";
-
-QString errorOf(const std::function<void()>& call)
-{
-    try {
-        call();
-    } catch (const Error& fault) {
-        return QString("%1: %2").arg(static_cast<int>(fault.exitCode())).arg(fault.what());
-    }
-    return {};
-}
 
 /// Every value of a text by its pointer.
 void addPointers(const json& value, const std::string& pointer, std::vector<std::pair<std::string, json>>& all)

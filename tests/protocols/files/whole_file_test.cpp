@@ -11,8 +11,10 @@
 #include <cerrno>
 
 #include "protocols/files/errors.h"
+#include "tests/support/error_text.h"
 #include "tests/support/observed_disk.h"
 
+using tests::support::errorOf;
 using namespace protocols;
 using tests::support::DiskCall;
 using tests::support::DiskStep;
@@ -34,17 +36,6 @@ unsigned modeOf(const fs::path& file)
 {
     struct stat status {};
     return ::stat(file.c_str(), &status) == 0 ? status.st_mode & 0777 : 0;
-}
-
-template <class Call>
-QString errorOf(Call call)
-{
-    try {
-        call();
-    } catch (const Error& fault) {
-        return QString("%1: %2").arg(static_cast<int>(fault.exitCode())).arg(fault.what());
-    }
-    return {};
 }
 
 /// The exit status of `call` in a separate process.

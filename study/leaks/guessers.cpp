@@ -17,13 +17,17 @@ namespace study::leaks {
 
 namespace {
 
-/// Counts hits. Ties are broken by a draw whose seed never changes.
+/// Counts hits. Ties are broken by a draw whose seed never changes. A guesser who learns from each half of the slots for the
+/// other has two parts. By chance the halves may agree, and then both parts hit more often together. So each part has a test of
+/// its own, with Bonferroni's correction.
 class Tally {
 public:
     Tally(std::string attack, std::string what, std::string target)
         : m_guess{std::move(attack), std::move(what), std::move(target)}
     {
     }
+
+    void beginPart() { m_parts.emplace_back(); }
 
     /// `scores`: one for each class. All equal: no opinion.
     void take(const std::vector<double>& scores, std::size_t truth, double chance)
@@ -33,23 +37,40 @@ public:
         std::vector<std::size_t> best;
         for (std::size_t i = 0; i < scores.size(); ++i)
             if (scores[i] >= most - 1e-12) best.push_back(i);
-        m_guess.hits += best[m_random.below(best.size())] == truth;
-        ++m_guess.trials;
-        m_chances += chance;
+        if (m_parts.empty()) beginPart();
+        Part& part = m_parts.back();
+        part.hits += best[m_random.below(best.size())] == truth;
+        ++part.trials;
+        part.chances += chance;
     }
 
     void addTo(std::vector<Guess>& guesses)
     {
+        std::erase_if(m_parts, [](const Part& part) { return part.trials == 0; });
+        double chances = 0;
+        for (const Part& part : m_parts) {
+            m_guess.hits += part.hits;
+            m_guess.trials += part.trials;
+            chances += part.chances;
+        }
         if (m_guess.trials == 0) return;
-        m_guess.chance = m_chances / static_cast<double>(m_guess.trials);
+        m_guess.chance = chances / static_cast<double>(m_guess.trials);
         if (m_guess.chance >= 1) return;
-        m_guess.p = *stats::binomialTest(m_guess.hits, m_guess.trials, m_guess.chance).pGreater;
+        for (const Part& part : m_parts) {
+            const double chance = std::min(1.0, part.chances / static_cast<double>(part.trials));
+            const double p = *stats::binomialTest(part.hits, part.trials, chance).pGreater;
+            m_guess.p = std::min(m_guess.p, p * static_cast<double>(m_parts.size()));
+        }
         guesses.push_back(m_guess);
     }
 
 private:
+    struct Part {
+        long long hits = 0, trials = 0;
+        double chances = 0;
+    };
     Guess m_guess;
-    double m_chances = 0;
+    std::vector<Part> m_parts;
     protocols::Random m_random{1};
 };
 
@@ -428,6 +449,7 @@ private:
     template <class Score>
     void count(Tally& tally, const Question& question, const std::vector<int>& values, int serves, const Score& scoreOf) const
     {
+        tally.beginPart();
         std::vector<double> scores;
         for (std::size_t item = 0; item < question.trials.size(); ++item) {
             const std::size_t trial = question.trials[item];

@@ -27,7 +27,7 @@ struct Guess {
     long long hits = 0;
     long long trials = 0;  ///< guessed at; trials about which the guesser has no opinion are left out
     double chance = 0;
-    double p = 1;          ///< P(hits or more) by chance
+    double p = 1;          ///< P(hits or more) by chance; twice that of the better half where two halves serve each other
     double pAdjusted = 1;  ///< after Holm's correction over all guessers of the report
 };
 

@@ -314,9 +314,13 @@ private:
                  const std::map<std::string, const std::vector<std::string>*>& rows)
     {
         if (from == to) return;
+        const auto kind = table.name == "events" ? table.column("kind") : std::nullopt;
         auto values = none();
-        for (std::size_t i = 0; i < values.size(); ++i)
-            if (const auto row = rows.find(feature.values[i]); row != rows.end()) values[i] = (*row->second)[to];
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            const auto row = rows.find(feature.values[i]);
+            if (row == rows.end() || (kind && holdsAnswer((*row->second)[*kind], table.columns[to]))) continue;
+            values[i] = (*row->second)[to];
+        }
         const std::string name = feature.name + " = " + table.name + "." + table.columns[from] + ": " + table.columns[to];
         add(name, std::move(values));
     }

@@ -13,6 +13,8 @@
 #include "protocols/files/whole_file.h"
 #include "protocols/protocol_json.h"
 #include "study/leaks/leak_text.h"
+#include "study/leaks/seen_study.h"
+#include "study/leaks/text_table.h"
 #include "study/players/session_script.h"
 #include "study/records/blinded_report.h"
 #include "tests/support/played_session.h"
@@ -128,6 +130,18 @@ private Q_SLOTS:
         // The station key names every piece, as the README says.
         QCOMPARE(report.stationKey.hits, std::size_t{630});
         QCOMPARE(report.stationKey.images, std::size_t{63});
+    }
+
+    /// A good participant names true pieces, and that is no leak. The log holds the answers, too, and times lead to it.
+    void whatParticipantsAnsweredIsNoAttack()
+    {
+        const PaperStudy study(1, secretSeeds[0], 1);
+        const auto tables = tablesOfDatabase(study.folder.database());
+        const auto features = featuresOf(seenStudy(tables), tables, study.folder.database());
+        QVERIFY(std::ranges::any_of(features, [](const Feature& one) { return one.name.ends_with("events.wall_time: kind"); }));
+        for (const Feature& feature : features)
+            for (const std::string& value : feature.values)
+                QVERIFY2(!value.starts_with("{\"fabric\"") && !value.starts_with("{\"tenths\""), feature.name.c_str());
     }
 
     void equalCodesOfEqualRenderingsAreFound()

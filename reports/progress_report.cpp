@@ -21,7 +21,8 @@ std::string progressPage(const ProgressReport& report)
     for (const std::string& sentence : report.sentences)
         html += "<p class=\"notice plain\">" + protocols::escapedMarkup(sentence) + "</p>\n";
     html += "</header>\n<main>\n<section>\n";
-    for (const Table& table : report.tables) html += toHtml(table);
+    for (const Table& table : report.tables)
+        if (!table.rows.empty()) html += toHtml(table);
     return html + "</section>\n</main>\n</body>\n</html>\n";
 }
 

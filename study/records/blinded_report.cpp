@@ -72,11 +72,8 @@ reports::ProgressReport blindedReport(const database::StudyStore& store)
         "This study is blinded. Without the owner's passphrase its report holds progress, balance and flags only."};
     for (const auto& stamp : status["stamps"]) report.sentences.push_back(stamp.get<std::string>());
     report.sentences.push_back("Head of the log: " + textIn(status, "head"));
-    report.tables = {progressTable(status), balanceTable(status)};
-    if (status["quality"].empty())
-        report.sentences.emplace_back("The data have no flags.");
-    else
-        report.tables.push_back(flagTable(status));
+    if (status["quality"].empty()) report.sentences.emplace_back("The data have no flags.");
+    report.tables = {progressTable(status), balanceTable(status), flagTable(status)};
     const ordered_json results{{"schema", "vis2hap.results/2"},
                                {"study",
                                 {{"name", status["study"]},

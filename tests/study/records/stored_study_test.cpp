@@ -5,6 +5,8 @@
 #include <QtTest>
 #include <map>
 
+#include "protocols/files/whole_file.h"
+#include "study/records/blinded_report.h"
 #include "tests/support/played_session.h"
 #include "tests/support/study_builder.h"
 
@@ -42,6 +44,19 @@ private Q_SLOTS:
         QCOMPARE(sittings["Q1"][1] + sittings["Q1"][2], 6);
         QVERIFY(sittings["Q1"][1] >= 2 && sittings["Q1"][2] >= 3);
         QCOMPARE(sittings["Q2"], (std::map<int, int>{{2, 6}}));
+    }
+
+    void aBlindedReportHasTheHeadOfTheLogAndNoEmptyTable()
+    {
+        QTemporaryDir place;
+        const auto folder = tests::support::buildStudy(place.filePath("study").toStdString());
+        const database::StudyStore store(folder, database::StudyStore::Access::Read);
+        const std::filesystem::path report = place.filePath("report").toStdString();
+        reports::writeProgressReport(study::records::blindedReport(store), report);
+        const std::string page = protocols::readWholeFile(report / "index.html");
+        QVERIFY(page.find("Head of the log: " + textOf(store.head())) != std::string::npos);
+        QVERIFY(page.find("The data have no flags.") != std::string::npos && page.find("Flags on the data") == std::string::npos);
+        QCOMPARE(protocols::readWholeFile(report / "tables/flags.csv"), "participant,flag,reason\r\n");
     }
 
     void imagesThatLayOpenAreStated()

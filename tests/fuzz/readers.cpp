@@ -34,6 +34,7 @@
 #include "rendering/signals/spectrogram_file.h"
 #include "rendering/signals/tactile/calibration.h"
 #include "study/players/script.h"
+#include "tests/support/true_map_bytes.h"
 
 namespace fuzz {
 
@@ -131,18 +132,6 @@ const std::string tribometer =
     "Step Time (s)\tTraction Coeff (-)\tBall Load (N)\tPin Load (N)\tSliding Speed (mm/s)\tTraction Force (N)\r\n"
     "1\t0.2\t\t10.5\t25\t2.1\r\n2\t0.2\t\t10.4\t25\t2.2\r\n3\t0.2\t\t10.6\t25\t2.0\r\n\r\nAll steps completed\r\n";
 
-std::string trueMap()
-{
-    std::string bytes("Binary TrueMap Data File v2.0\r\n", 31);
-    bytes += std::string("\0comment\0", 9);
-    const std::uint32_t size[] = {9, 7};
-    const float extent[] = {1, 1, 0, 0};
-    bytes.append(reinterpret_cast<const char*>(size), sizeof size);
-    bytes.append(reinterpret_cast<const char*>(extent), sizeof extent);
-    const cv::Mat map = heights();
-    return bytes.append(reinterpret_cast<const char*>(map.data), map.total() * sizeof(float));
-}
-
 // ------------------------------------------------------------------ readers
 
 void readTable(const std::string& bytes)
@@ -225,7 +214,9 @@ std::vector<Reader> textReaders()
          {R"({"type":"hello","id":1,"schema":"vis2hap.display/1","name":"x","width":1280,"height":800,"touches":true})",
           R"({"type":"shown","id":2,"t_device":1.5})", R"({"type":"failed","id":3,"why":"x"})"},
          [](const std::string& bytes) { rendering::driverMessageFrom(bytes); }},
-        {"true-map", {trueMap()}, [](const std::string& bytes) { use(rendering::trueMapFrom(bytes, "a.tmd").heightMm); }}};
+        {"true-map", {tests::support::trueMapBytes(heights())}, [](const std::string& bytes) {
+             use(rendering::trueMapFrom(bytes, "a.tmd").heightMm);
+         }}};
 }
 
 std::vector<Reader> imageReaders(const fs::path& folder)

@@ -3,7 +3,6 @@
 #include <QElapsedTimer>
 #include <QTemporaryDir>
 #include <QTest>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -16,6 +15,7 @@
 #include "rendering/images/true_map.h"
 #include "rendering/signals/tactile/calibration.h"
 #include "tests/support/mutated_files.h"
+#include "tests/support/true_map_bytes.h"
 
 namespace {
 
@@ -43,19 +43,6 @@ std::string bytesIn(const fs::path& file)
 {
     std::ifstream in(file, std::ios::binary);
     return {std::istreambuf_iterator<char>(in), {}};
-}
-
-std::string trueMapBytes()
-{
-    std::string bytes("Binary TrueMap Data File v2.0\r\n", 31);
-    bytes += std::string("\0comment\0", 9);
-    const std::uint32_t size[] = {9, 7};
-    const float extent[] = {1, 1, 0, 0};
-    bytes.append(reinterpret_cast<const char*>(size), sizeof size);
-    bytes.append(reinterpret_cast<const char*>(extent), sizeof extent);
-    const cv::Mat map = heights(7, 9);
-    bytes.append(reinterpret_cast<const char*>(map.data), map.total() * sizeof(float));
-    return bytes;
 }
 
 const char* const sensorJson =
@@ -129,7 +116,7 @@ private:
     static std::string soundBytes(const fs::path& file)
     {
         const std::string name = file.filename().string();
-        if (name == "map.tmd") return trueMapBytes();
+        if (name == "map.tmd") return tests::support::trueMapBytes(heights(7, 9));
         if (name == "sensor.json") return sensorJson;
         if (name == "height.tiff") rendering::writeTiff(file, heights(11, 13));
         if (name == "array.npy") rendering::writeNpy(file, heights(11, 13));

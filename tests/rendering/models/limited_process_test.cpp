@@ -17,10 +17,12 @@
 #include "protocols/files/whole_file.h"
 #include "rendering/fabrics/procedural/procedural_fabrics.h"
 #include "rendering/models/process/child_process.h"
+#include "tests/support/error_text.h"
 
 using namespace rendering;
 using models::LimitedProcess;
 using models::ProcessLimits;
+using tests::support::errorOf;
 namespace fs = std::filesystem;
 
 namespace {
@@ -33,16 +35,6 @@ ProcessLimits wide()
     limits.memoryBytes = 4096 * mebibyte;
     limits.fileBytes = 4096 * mebibyte;
     return limits;
-}
-
-QString faultOf(const std::function<void()>& work)
-{
-    try {
-        work();
-    } catch (const protocols::Error& fault) {
-        return QString::number(static_cast<int>(fault.exitCode())) + " " + fault.what();
-    }
-    return "0";
 }
 
 /// True where the process is gone, or only its exit status is left.
@@ -124,8 +116,8 @@ private Q_SLOTS:
 
     void programThatIsMissingIsNamed()
     {
-        const QString fault = faultOf([&] { LimitedProcess("/nowhere/vis2hap-nn", {}, {}, at("output"), wide()); });
-        QVERIFY2(fault.startsWith("3 ") && fault.contains("vis2hap-nn cannot be started: No such file") && !fault.contains('\n'),
+        const QString fault = errorOf([&] { LimitedProcess("/nowhere/vis2hap-nn", {}, {}, at("output"), wide()); });
+        QVERIFY2(fault.startsWith("3: ") && fault.contains("vis2hap-nn cannot be started: No such file") && !fault.contains('\n'),
                  qPrintable(fault));
     }
 
@@ -138,8 +130,8 @@ private Q_SLOTS:
         ::kill(child, SIGSTOP);
         QElapsedTimer time;
         time.start();
-        const QString fault = faultOf([&] { process.wait(); });
-        QVERIFY2(fault.startsWith("3 ") && fault.contains("sleep did not finish in time and was ended") &&
+        const QString fault = errorOf([&] { process.wait(); });
+        QVERIFY2(fault.startsWith("3: ") && fault.contains("sleep did not finish in time and was ended") &&
                      fault.contains("within 1 s") && fault.contains("VIS2HAP_NN_SECONDS") && !fault.contains('\n'),
                  qPrintable(fault));
         QVERIFY2(time.elapsed() < 3000, qPrintable(QString::number(time.elapsed())));
@@ -198,8 +190,8 @@ private Q_SLOTS:
         QVERIFY(!models::trainingLimits().time);
         for (const char* wrong : {"0", "-3", "soon", "7s", "99999999999"}) {
             qputenv("VIS2HAP_NN_SECONDS", wrong);
-            const QString fault = faultOf([] { (void)models::generationLimits(1); });
-            QVERIFY2(fault.startsWith("2 ") && fault.contains("VIS2HAP_NN_SECONDS") && fault.contains(wrong), qPrintable(fault));
+            const QString fault = errorOf([] { (void)models::generationLimits(1); });
+            QVERIFY2(fault.startsWith("2: ") && fault.contains("VIS2HAP_NN_SECONDS") && fault.contains(wrong), qPrintable(fault));
         }
         qunsetenv("VIS2HAP_NN_SECONDS");
         qunsetenv("VIS2HAP_NN_MEMORY_MB");

@@ -20,9 +20,11 @@
 #include "protocols/files/whole_file.h"
 #include "protocols/random.h"
 #include "rendering/models/model_card_fields.h"
+#include "tests/support/error_text.h"
 #include "tests/support/mutated_files.h"
 
 using namespace rendering::models;
+using tests::support::errorOf;
 namespace fs = std::filesystem;
 
 namespace {
@@ -55,17 +57,6 @@ std::vector<TensorKind> kindsIn(const TensorFile& file)
     std::vector<TensorKind> kinds;
     for (const StoredTensor& tensor : file.tensors) kinds.push_back(tensor.kind);
     return kinds;
-}
-
-/// "0" or the exit code and the message.
-QString faultOf(const std::function<void()>& work)
-{
-    try {
-        work();
-    } catch (const protocols::Error& fault) {
-        return QString::number(static_cast<int>(fault.exitCode())) + " " + fault.what();
-    }
-    return "0";
 }
 
 /// A sound file, of which the first `changeable` bytes are mutated, and its tensors.
@@ -224,14 +215,14 @@ print(len(tensors), sum(t.size for t in tensors.values()), all(numpy.isfinite(t)
         QFETCH(QByteArray, bytes);
         QFETCH(QString, named);
         const std::vector<TensorKind> wanted{{"a", Element::F32, {2}}};
-        const QString fault = faultOf([&] {
+        const QString fault = errorOf([&] {
             (void)parseTensorFile({bytes.data(), static_cast<std::size_t>(bytes.size())}, wanted, source);
         });
         if (named.isEmpty()) {
-            QCOMPARE(fault, "0");
+            QCOMPARE(fault, "");
             return;
         }
-        QVERIFY2(fault.startsWith("2 ") && fault.contains("weights.safetensors") && fault.contains(named), qPrintable(fault));
+        QVERIFY2(fault.startsWith("2: ") && fault.contains("weights.safetensors") && fault.contains(named), qPrintable(fault));
         QVERIFY2(!fault.contains('\n') && fault.size() < 600, qPrintable(fault));
     }
 
@@ -240,7 +231,7 @@ print(len(tensors), sum(t.size for t in tensors.values()), all(numpy.isfinite(t)
         for (const char* number : {"\x00\x7C", "\x00\xFC", "\x01\x7E"}) {
             TensorFile file = smallFile();
             file.tensors[2].bytes.replace(4, 2, std::string(number, 2));
-            const QString fault = faultOf([&] { (void)parseTensorFile(tensorFileBytes(file), kindsIn(file), source); });
+            const QString fault = errorOf([&] { (void)parseTensorFile(tensorFileBytes(file), kindsIn(file), source); });
             QVERIFY2(fault.contains("'weight' holds numbers that are not finite"), qPrintable(fault));
         }
     }
@@ -249,7 +240,7 @@ print(len(tensors), sum(t.size for t in tensors.values()), all(numpy.isfinite(t)
     {
         const std::string entry = R"({"dtype":"F32","shape":[0],"data_offsets":[0,0]})";
         const QString fault =
-            faultOf([&] { (void)parseTensorFile(withHeader("{\"\\u001b[2J\\n\":" + entry + "}", ""), {}, source); });
+            errorOf([&] { (void)parseTensorFile(withHeader("{\"\\u001b[2J\\n\":" + entry + "}", ""), {}, source); });
         QVERIFY2(fault.contains("'?[2J?' does not belong"), qPrintable(fault));
     }
 
@@ -269,10 +260,10 @@ print(len(tensors), sum(t.size for t in tensors.values()), all(numpy.isfinite(t)
                                                            {at(""), "is a folder"},
                                                            {at("absent"), "cannot be read"},
                                                            {"/dev/zero", "is a device"}}) {
-            const QString fault = faultOf([&, path = file] {
+            const QString fault = errorOf([&, path = file] {
                 (void)readTensorBytes(wanted, {path, "a weights file", "use another"});
             });
-            QVERIFY2(fault.startsWith("2 ") && fault.contains(named) && !fault.contains('\n'), qPrintable(fault));
+            QVERIFY2(fault.startsWith("2: ") && fault.contains(named) && !fault.contains('\n'), qPrintable(fault));
         }
         QVERIFY(time.elapsed() < 1000);
     }
@@ -291,15 +282,15 @@ print(len(tensors), sum(t.size for t in tensors.values()), all(numpy.isfinite(t)
             const Seed& seed = seeds[static_cast<std::size_t>(read + refused) % std::size(seeds)];
             const std::string bytes =
                 mutated_files::mutated(seed.bytes.substr(0, seed.changeable), random) + seed.bytes.substr(seed.changeable);
-            const QString fault = faultOf([&] {
+            const QString fault = errorOf([&] {
                 (void)tensorMetadata(bytes, source);
                 const TensorFile file = parseTensorFile(bytes, seed.wanted, source);
                 if (!(kindsIn(file) == seed.wanted)) throw std::logic_error("other tensors than the wanted ones");
                 for (const StoredTensor& tensor : file.tensors)
                     if (tensor.bytes.size() != byteCount(tensor.kind)) throw std::logic_error("a tensor of another size");
             });
-            QVERIFY2(fault == "0" || (fault.startsWith("2 ") && !fault.contains('\n')), qPrintable(fault));
-            ++(fault == "0" ? read : refused);
+            QVERIFY2(fault.isEmpty() || (fault.startsWith("2: ") && !fault.contains('\n')), qPrintable(fault));
+            ++(fault.isEmpty() ? read : refused);
         }
         QVERIFY2(read > 20 && refused > 1000, qPrintable(QString("%1 read, %2 refused").arg(read).arg(refused)));
         qInfo("%d files read, %d refused", read, refused);

@@ -56,6 +56,7 @@ std::set<std::string> textsOnlyOf(const SqliteConnection& sqlite, const Erasure&
     for (const Source& source : sources)
         for (const std::string& text : textsFrom(sqlite, source.others, erasure.participant.value)) only.erase(text);
     for (const protocols::FabricId& fabric : factsIn(sqlite).fabrics) only.erase(fabric.value);
+    only.erase("different");  // an answer that every protocol with such a question names, too
     return only;
 }
 

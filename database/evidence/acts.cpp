@@ -105,6 +105,16 @@ std::vector<Act> actsOf(const StudyStore& store)
     return acts;
 }
 
+std::vector<Act> copiesSince(const StudyStore& store, std::int64_t sequence)
+{
+    std::vector<Act> copies;
+    for (Act& act : actsOf(store)) {
+        const bool leavesCopy = act.kind == "export" || act.kind == "backup" || act.kind == "report";
+        if (leavesCopy && !act.path.empty() && act.head.sequence >= sequence) copies.push_back(std::move(act));
+    }
+    return copies;
+}
+
 std::vector<std::string> faultsOfActs(const StudyStore& store)
 {
     const SqliteConnection sqlite(store.folder().database(), SqliteConnection::Mode::Read);

@@ -12,7 +12,7 @@
 namespace database {
 
 struct Act {
-    std::string kind;                ///< "export", "backup", "report", "unblind", "leak-check"
+    std::string kind;                ///< "export", "backup", "report", "unblind", "leak-check", "sign"
     std::string who, program, host;  ///< account or --operator, program version, machine
     std::string path;                ///< what was written; empty if nothing
     LogHead head;                    ///< of the log at that time
@@ -25,6 +25,9 @@ std::optional<std::string> recordAct(const StudyFolder& folder, Act act);
 
 /// In the order in which they were done.
 std::vector<Act> actsOf(const StudyStore& store);
+
+/// The exports, backups and reports that were recorded when the log had entry `sequence`: they may hold its content.
+std::vector<Act> copiesSince(const StudyStore& store, std::int64_t sequence);
 
 /// One line for each fault of the chain, and for each act whose head is not in the log.
 std::vector<std::string> faultsOfActs(const StudyStore& store);

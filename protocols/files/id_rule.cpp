@@ -76,6 +76,25 @@ std::string faultOfId(std::string_view id)
     return endsBlank ? "ends with a blank" : "";
 }
 
+std::string lineRule(std::size_t mostBytes)
+{
+    return "one line of 1 to " + std::to_string(mostBytes) + " bytes of UTF-8 without control or invisible characters";
+}
+
+std::string faultOfLine(std::string_view line, std::size_t mostBytes)
+{
+    if (line.size() > mostBytes) return "has " + std::to_string(line.size()) + " bytes";
+    if (firstByteThatIsNotUtf8(line)) return "is not UTF-8";
+    bool hasWords = false;
+    for (std::size_t at = 0; at < line.size(); at += utf8Length(line.substr(at))) {
+        const char32_t character = utf8Character(line.substr(at));
+        if (isControl(character)) return "holds a control character";
+        if (isInvisible(character)) return "holds an invisible character";
+        hasWords = hasWords || !isBlank(character);
+    }
+    return hasWords ? "" : "is empty";
+}
+
 void requireGoodId(std::string_view id, const std::string& named, const std::string& where)
 {
     const std::string fault = faultOfId(id);

@@ -23,4 +23,14 @@ std::string faultOfId(std::string_view id);
 /// Throws badInput for an id that breaks the rule. `named` is what it names ("a participant"), `where` the place it came from.
 void requireGoodId(std::string_view id, const std::string& named, const std::string& where);
 
+/// Most bytes of a person's name, and of a reason, in UTF-8.
+inline constexpr std::size_t longestName = 200, longestReason = 1000;
+
+/// The rule for one line of free words, such as an operator's name, in words for messages.
+std::string lineRule(std::size_t mostBytes);
+
+/// What the line breaks in the rule; empty for a good one. Every script and every sign is good. Refused are: nothing but blanks;
+/// more than `mostBytes`; bytes that are not UTF-8; control characters, and so line ends; invisible characters.
+std::string faultOfLine(std::string_view line, std::size_t mostBytes);
+
 }  // namespace protocols

@@ -6,6 +6,7 @@
 #include "reports/analysis/quality_flags.h"
 #include "study/app/app.h"
 #include "study/commands/command_line.h"
+#include "study/commands/text_checks.h"
 #include "study/looking/look_at_data.h"
 #include "study/making/new_study.h"
 #include "study/records/stored_study.h"
@@ -100,7 +101,8 @@ void addApp(CLI::App& app, Action& action)
                    "tcp:HOST:PORT (a driver on another computer); cover:N (a black window on touch screen N, which "
                    "reports the first touch); or a display under a cover: folder:DIR,cover:N")
         ->capture_default_str();
-    app.add_option("--operator", call->operatorName, "who runs the sessions (default: the name of this account)");
+    app.add_option("--operator", call->operatorName, "who runs the sessions (default: the name of this account)")
+        ->check(isName());
     app.add_flag("--plain-images", call->plainImages, "allow --display folder:DIR with people; every report states it");
     app.add_flag("--monitor", call->monitor,
                  "watch this study: progress of each participant, missing answers, flags; read-only and blinded");

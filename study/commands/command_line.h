@@ -52,6 +52,7 @@ void addStroke(CLI::App& app, Action& action);
 void addView(CLI::App& app, Action& action);
 /// `study preregister`; `study` is the command that it belongs to.
 void addPreregister(CLI::App& study, Action& action);
+void addProof(CLI::App& study, Action& action);  ///< study data-sheet, signing-key, sign
 /// The window: `vis2hap [STUDY]`, when no command is named.
 void addApp(CLI::App& app, Action& action);
 

@@ -1,4 +1,5 @@
-// vis2hap export STUDY --out DIR [--format csv|json|script]: answers after the unblinding, before it progress and aggregates
+// vis2hap export STUDY --out DIR [--format csv|json|script] [--with-log]: answers after the unblinding, before it progress and
+// aggregates. With --participant ID the data of one person, for this person.
 #include "study/commands/export_command.h"
 
 #include <CLI/CLI.hpp>
@@ -13,6 +14,7 @@
 #include "protocols/files/errors.h"
 #include "protocols/files/folder_draft.h"
 #include "protocols/files/number_text.h"
+#include "protocols/files/safe_text.h"
 #include "protocols/files/whole_file.h"
 #include "protocols/question_ids.h"
 #include "reports/formats/table_formats.h"
@@ -23,6 +25,8 @@
 #include "study/commands/recorded_act.h"
 #include "study/players/session_script.h"
 #include "study/records/blinded_report.h"
+#include "study/records/evidence/exported_log.h"
+#include "study/records/evidence/participant_data.h"
 #include "study/records/stored_study.h"
 
 namespace study::commands {
@@ -192,22 +196,58 @@ void writeBlinded(const Export& job, const std::string& format, const std::optio
     write(job, "export.json", json.dump(1) + "\n");
 }
 
-int exportStudy(const std::string& study, const std::string& out, const std::string& format, const PassphraseOption& passphrase)
+struct ExportCall {
+    std::string study, out, format = "csv", participant;
+    bool withLog = false;
+    PassphraseOption passphrase;
+};
+
+int exportStudy(const ExportCall& call)
 {
+    const auto& [study, out, format, participant, withLog, passphrase] = call;
     const auto store = records::openStudy(study);
-    writeExport(store, out, format, passphraseFrom(passphrase));
+    writeExport(store, out, {format, withLog}, passphraseFrom(passphrase));
     std::printf("%s: %s as %s%s\n", out.c_str(), reports::counted(store.answers().size(), "answer").c_str(), format.c_str(),
                 store.unblinding() ? "" : ", blinded (no condition, no fabric)");
     std::printf("  log head %s\n", textOf(store.head()).c_str());
+    if (withLog) std::printf("  log.csv holds the log; log.txt says how to compute its head\n");
     recordAct(store, "export", out);
+    return 0;
+}
+
+/// "2 answers, 1 fact, 0 notes"
+std::string countsOf(const ordered_json& data)
+{
+    return reports::counted(data["answers"].size(), "answer") + ", " + reports::counted(data["facts"].size(), "fact") + ", " +
+           reports::counted(data["notes"].size(), "note");
+}
+
+/// The data of one person, as the law of data protection asks for them.
+int exportPerson(const ExportCall& call)
+{
+    const auto store = records::openStudy(call.study);
+    const auto data = records::participantData(store, protocols::ParticipantId(call.participant));
+    protocols::FolderDraft draft(call.out, protocols::Earlier::FilesJoined);
+    records::writeParticipantData(store, data, draft.path());
+    draft.putInPlace();
+    std::printf("%s: data of %s: %s%s\n", call.out.c_str(), protocols::printable(call.participant).c_str(),
+                countsOf(data).c_str(),
+                data["blinded"].get<bool>() ? ", blinded (no condition, no fabric, nothing about right or wrong)" : "");
+    for (const auto& act : data["erasures"])
+        std::printf("  erased on %s: %s; what is left is in the files, with the certificate\n",
+                    act["time"].get<std::string>().c_str(),
+                    act["answers_too"].get<bool>() ? "facts, debriefing, answers, notes and times" : "facts and debriefing");
+    std::printf("  your-data.html is the sheet for this person\n");
+    recordAct(store, "export", call.out);
     return 0;
 }
 
 }  // namespace
 
-void writeExport(const database::StudyStore& store, const fs::path& out, const std::string& format,
+void writeExport(const database::StudyStore& store, const fs::path& out, const ExportForm& form,
                  const database::Passphrase& passphrase)
 {
+    const std::string& format = form.format;
     auto facts = store.facts();
     const auto protocol = records::protocolOf(facts);
     const bool blinded = !store.unblinding();
@@ -222,27 +262,31 @@ void writeExport(const database::StudyStore& store, const fs::path& out, const s
         writeCsv(job);
     else
         writeJsonExport(job);
+    if (form.withLog) records::writeExportedLog(store, draft.path());
     draft.putInPlace();
 }
 
 void addExport(CLI::App& app, Action& action)
 {
-    struct Call {
-        std::string study, out, format = "csv";
-        PassphraseOption passphrase;
-    };
     auto* command = app.add_subcommand("export", "answers and participants as files; blinded until the study is unblinded");
-    auto call = std::make_shared<Call>();
+    auto call = std::make_shared<ExportCall>();
     command->add_option("STUDY", call->study, "the study")->required();
     command->add_option("--out", call->out, "folder to write into")->required();
-    command->add_option("--format", call->format, "csv, json, or script (sessions that `replay` takes)")
-        ->check(CLI::IsMember({"csv", "json", "script"}))
-        ->capture_default_str();
+    auto* format = command->add_option("--format", call->format, "csv, json, or script (sessions that `replay` takes)")
+                       ->check(CLI::IsMember({"csv", "json", "script"}))
+                       ->capture_default_str();
+    auto* withLog = command->add_flag("--with-log", call->withLog,
+                                      "add the log (log.csv) and how to compute its head (log.txt); no content, no salts");
+    command
+        ->add_option("--participant", call->participant,
+                     "write the data of this participant only, with a sheet for the person (your-data.html)")
+        ->excludes(format)
+        ->excludes(withLog);
     addPassphraseOption(*command, call->passphrase);
     command->callback([call, &action] {
         action.surroundings = Surroundings::Core;
         action.handlesStudy = true;
-        action.work = [call] { return exportStudy(call->study, call->out, call->format, call->passphrase); };
+        action.work = [call] { return call->participant.empty() ? exportStudy(*call) : exportPerson(*call); };
     });
 }
 

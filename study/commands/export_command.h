@@ -8,8 +8,13 @@
 
 namespace study::commands {
 
-/// `format`: "csv", "json" or "script". `out`: a folder that need not exist.
-void writeExport(const database::StudyStore& store, const std::filesystem::path& out, const std::string& format,
+struct ExportForm {
+    std::string format;    ///< "csv", "json" or "script"
+    bool withLog = false;  ///< the log, too: log.csv and log.txt
+};
+
+/// `out`: a folder that need not exist.
+void writeExport(const database::StudyStore& store, const std::filesystem::path& out, const ExportForm& form,
                  const database::Passphrase& passphrase);
 
 }  // namespace study::commands

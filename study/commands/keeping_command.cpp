@@ -13,6 +13,7 @@
 #include "protocols/files/open_files.h"
 #include "study/commands/command_line.h"
 #include "study/commands/recorded_act.h"
+#include "study/commands/text_checks.h"
 #include "study/records/erasure_certificate.h"
 #include "study/records/stored_study.h"
 
@@ -130,8 +131,8 @@ void addErase(CLI::App& app, Action& action)
     auto call = std::make_shared<EraseCall>();
     command->add_option("STUDY", call->study, "the study")->required();
     command->add_option("--participant", call->participant, "the participant")->required();
-    command->add_option("--who", call->who, "your name")->required();
-    command->add_option("--why", call->why, "the reason")->required();
+    command->add_option("--who", call->who, "your name")->required()->check(isName());
+    command->add_option("--why", call->why, "the reason")->required()->check(isReason());
     command->add_flag("--answers", call->answers, "erase every answer and note too; the participant then counts as withdrawn");
     command->callback([call, &action] {
         action.surroundings = Surroundings::Core;

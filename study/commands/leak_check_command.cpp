@@ -13,6 +13,9 @@
 #include "study/commands/recorded_act.h"
 #include "study/leaks/leak_text.h"
 #include "study/records/blinded_report.h"
+#include "study/records/evidence/data_sheet.h"
+#include "study/records/evidence/exported_log.h"
+#include "study/records/evidence/participant_data.h"
 #include "study/records/stored_study.h"
 #include "study/records/study_status.h"
 
@@ -27,13 +30,20 @@ std::vector<leaks::Exporter> exportersOf(const database::StudyStore& store)
     std::vector<leaks::Exporter> exporters;
     for (const char* format : {"csv", "json", "script"})
         exporters.push_back({std::string("export --format ") + format, [&store, format, nobody](const auto& folder) {
-                                 writeExport(store, folder / "out", format, nobody);
+                                 writeExport(store, folder / "out", {format, false}, nobody);
                              }});
+    exporters.push_back({"export --with-log", [&store](const auto& folder) { records::writeExportedLog(store, folder); }});
+    exporters.push_back(
+        {"export --participant", [&store](const auto& folder) { records::writeEveryParticipant(store, folder); }});
     exporters.push_back({"report", [&store](const auto& folder) {
                              reports::writeProgressReport(records::blindedReport(store), folder / "out");
                          }});
     exporters.push_back({"study status", [&store, nobody](const auto& folder) {
                              protocols::writeWholeFile(folder / "status.json", records::statusOf(store, nobody).dump(1),
+                                                       protocols::Sync::Later);
+                         }});
+    exporters.push_back({"study data-sheet", [&store](const auto& folder) {
+                             protocols::writeWholeFile(folder / "sheet.json", records::dataSheetOf(store).dump(1),
                                                        protocols::Sync::Later);
                          }});
     return exporters;

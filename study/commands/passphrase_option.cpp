@@ -41,9 +41,9 @@ private:
 
 bool hasTerminal() { return ::isatty(STDIN_FILENO) != 0 && ::isatty(STDERR_FILENO) != 0; }
 
-std::optional<std::string> asked(const char* question)
+std::optional<std::string> asked(const std::string& question)
 {
-    std::fprintf(stderr, "%s: ", question);
+    std::fprintf(stderr, "%s: ", question.c_str());
     std::string line;
     const Unechoed hidden;
     const bool isThere = static_cast<bool>(std::getline(std::cin, line));
@@ -76,11 +76,11 @@ void addPassphraseOption(CLI::App& command, PassphraseOption& option)
         "file with the owner's passphrase in its first line (default: VIS2HAP_PASSPHRASE, then the terminal asks)");
 }
 
-database::Passphrase passphraseFrom(const PassphraseOption& option)
+database::Passphrase passphraseFrom(const PassphraseOption& option, const std::string& whose)
 {
-    return [option]() -> std::optional<std::string> {
+    return [option, whose]() -> std::optional<std::string> {
         if (auto given = givenBeforehand(option)) return given;
-        return hasTerminal() ? asked("owner's passphrase") : std::nullopt;
+        return hasTerminal() ? asked(whose) : std::nullopt;
     };
 }
 
@@ -89,18 +89,18 @@ database::Passphrase givenPassphrase(const PassphraseOption& option)
     return [option] { return givenBeforehand(option); };
 }
 
-std::string newPassphrase(const PassphraseOption& option)
+std::string newPassphrase(const PassphraseOption& option, const std::string& key)
 {
     auto given = givenBeforehand(option);
     if (!given && hasTerminal()) {
-        given = asked("passphrase for the allocation key of this study");
+        given = asked("passphrase for " + key);
         if (given && asked("the same again") != given)
             throw protocols::badInput({"the two passphrases differ", "", "the same passphrase twice", "try again"});
     }
     if (!given)
-        throw protocols::badInput({"the study needs a passphrase, which seals who was shown what", "",
+        throw protocols::badInput({"a passphrase is needed, which seals " + key, "",
                                    "a terminal to ask on, --passphrase-file FILE or " + std::string(variable),
-                                   "give one; --no-passphrase is for simulated studies and tests"});
+                                   "give one; --no-passphrase leaves the key open, for simulated studies and tests"});
     if (given->size() < shortestPassphrase)
         throw protocols::badInput({"the passphrase is too short", "", std::to_string(shortestPassphrase) + " characters or more",
                                    "choose a longer one, such as four words"});

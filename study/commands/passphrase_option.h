@@ -16,14 +16,14 @@ struct PassphraseOption {
 /// Adds --passphrase-file.
 void addPassphraseOption(CLI::App& command, PassphraseOption& option);
 
-/// The file, the variable VIS2HAP_PASSPHRASE, or the terminal, in this order.
-database::Passphrase passphraseFrom(const PassphraseOption& option);
+/// The file, the variable VIS2HAP_PASSPHRASE, or the terminal, in this order. `whose`: what the terminal asks for.
+database::Passphrase passphraseFrom(const PassphraseOption& option, const std::string& whose = "owner's passphrase");
 
 /// The same without asking on the terminal.
 database::Passphrase givenPassphrase(const PassphraseOption& option);
 
-/// The passphrase of a new study: a terminal asks twice. Throws badInput where there is none, or where it has less than 8
+/// A new passphrase for this key: a terminal asks twice. Throws badInput where there is none, or where it has less than 8
 /// characters.
-std::string newPassphrase(const PassphraseOption& option);
+std::string newPassphrase(const PassphraseOption& option, const std::string& key = "the allocation key of this study");
 
 }  // namespace study::commands

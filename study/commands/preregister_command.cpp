@@ -8,6 +8,7 @@
 #include "reports/data/registration.h"
 #include "study/commands/command_line.h"
 #include "study/commands/json_output.h"
+#include "study/commands/text_checks.h"
 #include "study/making/preregistration.h"
 #include "study/session/clock.h"
 
@@ -72,7 +73,7 @@ void addPreregister(CLI::App& study, Action& action)
     auto call = std::make_shared<PreregisterCall>();
     command->add_option("STUDY", call->study, "the study")->required();
     command->add_option("--out", call->out, "folder for copies of the two files");
-    command->add_option("--who", call->who, "your name");
+    command->add_option("--who", call->who, "your name")->check(isName());
     addJsonOption(*command, call->target);
     command->callback([call, &action] {
         action.surroundings = Surroundings::Core;

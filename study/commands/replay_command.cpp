@@ -16,6 +16,7 @@
 #include "study/commands/json_output.h"
 #include "study/commands/passphrase_option.h"
 #include "study/commands/progress.h"
+#include "study/commands/text_checks.h"
 #include "study/players/scripted_participant.h"
 #include "study/records/stored_study.h"
 #include "study/session/stimuli.h"
@@ -168,7 +169,8 @@ void addReplay(CLI::App& app, Action& action)
     command->add_option("STUDY", call->study, "the study")->required();
     command->add_option("SCRIPT", call->scripts, "scripts, one for each participant")->required();
     command->add_flag("--gui", call->gui, "press the keys of the window, with or without a screen");
-    command->add_option("--operator", call->operatorName, "who runs the sessions (default: the name of this account)");
+    command->add_option("--operator", call->operatorName, "who runs the sessions (default: the name of this account)")
+        ->check(isName());
     addPassphraseOption(*command, call->passphrase);
     command->callback([call, &action] {
         action.surroundings = call->gui ? Surroundings::Offscreen : Surroundings::Core;

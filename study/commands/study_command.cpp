@@ -1,4 +1,4 @@
-// vis2hap study new|status|plan|amend|sheets; preregister has a file of its own
+// vis2hap study new|status|plan|amend|sheets; preregister, data-sheet, signing-key and sign have files of their own
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
@@ -16,6 +16,7 @@
 #include "study/commands/json_output.h"
 #include "study/commands/passphrase_option.h"
 #include "study/commands/progress.h"
+#include "study/commands/text_checks.h"
 #include "study/making/new_study.h"
 #include "study/making/study_sheets.h"
 #include "study/records/running_orders_csv.h"
@@ -170,6 +171,7 @@ void addStudy(CLI::App& app, Action& action)
     study->require_subcommand(1);
     addNew(*study, action);
     addPreregister(*study, action);
+    addProof(*study, action);
 
     auto* statusCommand = study->add_subcommand("status", "show progress, balance and data-quality flags; blinded");
     auto folder = std::make_shared<std::string>();
@@ -187,8 +189,8 @@ void addStudy(CLI::App& app, Action& action)
     auto* amendCommand = study->add_subcommand("amend", "use an edited protocol.json for later participants, or undo the edit");
     auto amendment = std::make_shared<Amendment>();
     amendCommand->add_option("STUDY", amendment->study, "the study")->required();
-    amendCommand->add_option("--who", amendment->who, "your name");
-    amendCommand->add_option("--why", amendment->why, "the reason");
+    amendCommand->add_option("--who", amendment->who, "your name")->check(isName());
+    amendCommand->add_option("--why", amendment->why, "the reason")->check(isReason());
     amendCommand->add_flag("--undo", amendment->undo, "restore the protocol that the study stores");
     amendCommand->callback([amendment, &action] {
         action.surroundings = Surroundings::Core;

@@ -6,10 +6,15 @@
 
 #include "database/keys.h"
 #include "protocols/files/errors.h"
+#include "protocols/files/safe_text.h"
+#include "protocols/files/whole_file.h"
+#include "protocols/secrets/signing.h"
 #include "study/commands/command_line.h"
 #include "study/commands/json_output.h"
 #include "study/commands/passphrase_option.h"
 #include "study/commands/recorded_act.h"
+#include "study/commands/text_checks.h"
+#include "study/records/evidence/signed_head.h"
 #include "study/records/log_heads.h"
 #include "study/records/stored_study.h"
 #include "study/records/study_faults.h"
@@ -34,7 +39,36 @@ nlohmann::ordered_json comparedWith(const database::StudyStore& store, const std
     return rows;
 }
 
-void print(const std::string& study, const database::StudyStore& store, const records::Findings& findings, std::size_t heads)
+struct VerifyCall {
+    std::string study, against, publicKey;
+    JsonTarget target;
+};
+
+/// Checks the signature of the statement in --against and adds its fault or a note. Null where nothing is signed.
+nlohmann::ordered_json checkedSignature(const database::StudyStore& store, const VerifyCall& call, records::Findings& findings)
+{
+    std::error_code unknown;
+    const bool isFile = std::filesystem::is_regular_file(call.against, unknown);
+    const auto signedHead = isFile ? records::signedHeadIn(protocols::readWholeFile(call.against), call.against) : std::nullopt;
+    if (!signedHead && !call.publicKey.empty())
+        throw protocols::badInput({"there is no signature to check", call.against.empty() ? "--public-key" : call.against,
+                                   "--against FILE with a statement of `vis2hap study sign`", "name that file"});
+    if (!signedHead) return nullptr;
+    nlohmann::ordered_json row{{"time", signedHead->time}, {"program", signedHead->program}, {"valid", nullptr}};
+    if (call.publicKey.empty()) {
+        findings.notes.push_back(call.against + ": its signature was not checked: name the public key with --public-key FILE");
+        row["why"] = {{"valid", "nobody named the public key"}};
+        return row;
+    }
+    const std::string key = protocols::publicKeyOfPem(protocols::readWholeFile(call.publicKey), call.publicKey);
+    const std::string fault = records::faultOfSignature(*signedHead, key, store);
+    row["valid"] = fault.empty();
+    if (!fault.empty()) findings.faults.push_back(call.against + ": " + fault);
+    return row;
+}
+
+void print(const std::string& study, const database::StudyStore& store, const records::Findings& findings, std::size_t heads,
+           const nlohmann::ordered_json& signature)
 {
     const auto& faults = findings.faults;
     for (const auto& fault : faults) std::printf("%s\n", fault.c_str());
@@ -43,26 +77,33 @@ void print(const std::string& study, const database::StudyStore& store, const re
                 faults.empty() ? "sound" : (std::to_string(faults.size()) + (faults.size() == 1 ? " fault" : " faults")).c_str(),
                 store.answerCount(), store.stimulusHashes().size());
     if (heads > 0 && faults.empty()) std::printf("  the log contains %s\n", heads == 1 ? "the given head" : "all given heads");
+    if (signature.is_object() && signature["valid"] == true)
+        std::printf("  the signature is that of the public key; the signer's clock said %s, which it does not prove\n",
+                    protocols::printable(signature["time"].get<std::string>()).c_str());
     std::printf("  log head %s\n", textOf(store.head()).c_str());
 }
 
-int verify(const std::string& study, const std::string& against, const JsonTarget& target)
+int verify(const VerifyCall& call)
 {
-    const auto store = records::openStudy(study);
+    const auto store = records::openStudy(call.study);
     auto findings = records::findingsOf(store);
-    const auto heads = comparedWith(store, against, findings.faults);
-    if (target)
-        writeJson(target, {{"schema", "vis2hap.verify/1"},
-                           {"study", store.facts().name},
-                           {"sound", findings.faults.empty()},
-                           {"stimuli", store.stimulusHashes().size()},
-                           {"answers", store.answerCount()},
-                           {"head", textOf(store.head())},
-                           {"against", heads},
-                           {"faults", findings.faults},
-                           {"notes", findings.notes}});
+    const auto signature = checkedSignature(store, call, findings);
+    // A statement of another signer or study says nothing about this log, so that its head would only add a second fault.
+    const bool isTrusted = !signature.is_object() || signature["valid"] != false;
+    const auto heads = comparedWith(store, isTrusted ? call.against : "", findings.faults);
+    if (call.target)
+        writeJson(call.target, {{"schema", "vis2hap.verify/1"},
+                                {"study", store.facts().name},
+                                {"sound", findings.faults.empty()},
+                                {"stimuli", store.stimulusHashes().size()},
+                                {"answers", store.answerCount()},
+                                {"head", textOf(store.head())},
+                                {"against", heads},
+                                {"signature", signature},
+                                {"faults", findings.faults},
+                                {"notes", findings.notes}});
     else
-        print(study, store, findings, heads.size());
+        print(call.study, store, findings, heads.size(), signature);
     return static_cast<int>(findings.faults.empty() ? protocols::ExitCode::Done : protocols::ExitCode::WorkFailed);
 }
 
@@ -70,8 +111,8 @@ int unblind(const std::string& study, const std::string& who, const std::string&
 {
     database::StudyStore store({study}, database::StudyStore::Access::Write);
     if (const auto earlier = store.unblinding()) {
-        std::printf("%s: already unblinded by %s on %s (%s)\n", study.c_str(), earlier->who.c_str(), earlier->wallTime.c_str(),
-                    earlier->why.c_str());
+        std::printf("%s: already unblinded by %s on %s (%s)\n", study.c_str(), protocols::printable(earlier->who).c_str(),
+                    earlier->wallTime.c_str(), protocols::printable(earlier->why).c_str());
         return 0;
     }
     const auto done = database::unblind(store, {who, why, session::SystemClock().wallTime()}, passphraseFrom(passphrase));
@@ -84,28 +125,23 @@ int unblind(const std::string& study, const std::string& who, const std::string&
     return 0;
 }
 
-std::string nonEmpty(const std::string& text)
-{
-    return text.find_first_not_of(" \t") == std::string::npos ? "must not be empty" : "";
-}
-
 }  // namespace
 
 void addVerify(CLI::App& app, Action& action)
 {
     auto* command = app.add_subcommand("verify", "check the database, hash chain, keys and stimuli of a study");
-    auto study = std::make_shared<std::string>();
-    auto against = std::make_shared<std::string>();
-    auto target = std::make_shared<JsonTarget>();
-    command->add_option("STUDY", *study, "the study")->required();
-    command->add_option("--against", *against,
+    auto call = std::make_shared<VerifyCall>();
+    command->add_option("STUDY", call->study, "the study")->required();
+    command->add_option("--against", call->against,
                         "a head of the log that was given out earlier (SEQUENCE:HASH), or a file that contains some: finds a log "
                         "that was cut, put back or written anew");
-    addJsonOption(*command, *target);
-    command->callback([study, against, target, &action] {
+    command->add_option("--public-key", call->publicKey,
+                        "public key of the laboratory: checks the signature of --against FILE (a statement of `study sign`)");
+    addJsonOption(*command, call->target);
+    command->callback([call, &action] {
         action.surroundings = Surroundings::Core;
         action.handlesStudy = true;
-        action.work = [study, against, target] { return verify(*study, *against, *target); };
+        action.work = [call] { return verify(*call); };
     });
 }
 
@@ -118,8 +154,8 @@ void addUnblind(CLI::App& app, Action& action)
     auto* command = app.add_subcommand("unblind", "reveal the conditions of a study; who and why are recorded");
     auto call = std::make_shared<UnblindCall>();
     command->add_option("STUDY", call->study, "the study")->required();
-    command->add_option("--who", call->who, "your name")->required()->check(nonEmpty);
-    command->add_option("--why", call->why, "the reason")->required()->check(nonEmpty);
+    command->add_option("--who", call->who, "your name")->required()->check(isName());
+    command->add_option("--why", call->why, "the reason")->required()->check(isReason());
     addPassphraseOption(*command, call->passphrase);
     command->callback([call, &action] {
         action.surroundings = Surroundings::Core;

@@ -2,6 +2,7 @@
 
 #include "database/evidence/acts.h"
 #include "protocols/files/folder_draft.h"
+#include "protocols/files/safe_text.h"
 #include "protocols/files/whole_file.h"
 
 namespace study::records {
@@ -23,9 +24,9 @@ std::string copiesOf(const database::StudyStore& store, const protocols::Partici
     const auto entries = store.events(participant);
     if (entries.empty()) return "The participant has no entry in the log, so no recorded copy holds data about them.\n";
     std::string text;
-    for (const auto& act : actsOf(store))
-        if (act.kind != "unblind" && !act.path.empty() && act.head.sequence >= entries.front().sequence)
-            text += "  " + act.kind + " " + act.path + " on " + act.host + ", " + act.wallTime + ", by " + act.who + "\n";
+    for (const auto& act : copiesSince(store, entries.front().sequence))
+        text += "  " + act.kind + " " + protocols::printable(act.path) + " on " + act.host + ", " + act.wallTime + ", by " +
+                protocols::printable(act.who) + "\n";
     return text.empty() ? "The study has a record of no such copy since the participant's first entry in the log.\n"
                         : "Copies on record since the participant's first entry in the log:\n" + text;
 }
@@ -37,14 +38,14 @@ std::filesystem::path writeErasureCertificate(const database::StudyStore& store,
 {
     std::string text = "Certificate of erasure\n\n";
     text += line("Study", store.facts().name);
-    text += line("Participant", erasure.participant.value);
+    text += line("Participant", protocols::printable(erasure.participant.value));
     text +=
         line("Erased", erasure.answersToo ? "facts, debriefing, answers, notes, times and the salts of their entries in the log"
                                           : "facts and debriefing");
     text += line("Rows removed", std::to_string(record.answers) + " answers, " + std::to_string(record.notes) + " notes, " +
                                      std::to_string(record.facts) + " facts");
-    text += line("Ordered by", erasure.who);
-    text += line("Reason", erasure.why);
+    text += line("Ordered by", protocols::printable(erasure.who));
+    text += line("Reason", protocols::printable(erasure.why));
     text += line("Time", record.wallTime);
     text += line("Entry of the log", std::to_string(record.event));
     text += line("Log head", textOf(store.head()));

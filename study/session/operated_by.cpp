@@ -5,19 +5,27 @@
 
 #include <array>
 
+#include "protocols/files/id_rule.h"
+
 namespace study::session {
 
 namespace {
 
-/// The full name of the account where it has one, with its login name: "Ada Lovelace (ada)".
+bool isGoodName(const std::string& name) { return protocols::faultOfLine(name, protocols::longestName).empty(); }
+
+/// The full name of the account where it has one, with its login name: "Ada Lovelace (ada)". Names that break the rule for names
+/// are left out.
 std::string accountName()
 {
+    const std::string number = "user " + std::to_string(::geteuid());
     const passwd* account = ::getpwuid(::geteuid());
-    if (account == nullptr) return "user " + std::to_string(::geteuid());
+    if (account == nullptr) return number;
     const std::string login = account->pw_name == nullptr ? "" : account->pw_name;
     std::string full = account->pw_gecos == nullptr ? "" : account->pw_gecos;
     full = full.substr(0, full.find(','));
-    return full.empty() || full == login ? login : full + " (" + login + ")";
+    const std::string both = full + " (" + login + ")";
+    if (!full.empty() && full != login && isGoodName(both)) return both;
+    return isGoodName(login) ? login : number;
 }
 
 std::string hostName()

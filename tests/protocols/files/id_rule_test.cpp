@@ -27,6 +27,28 @@ private Q_SLOTS:
         requireGoodId(id.toStdString(), "a participant", "here");
     }
 
+    void linesOfWords_data()
+    {
+        QTest::addColumn<QByteArray>("line");
+        QTest::addColumn<QString>("fault");
+        QTest::newRow("name") << QByteArray("Dr. Ada M\u00FCller, Ph.D. / lab 3") << "";
+        QTest::newRow("Persian") << QByteArray("\u0645\u06CC\u200C\u062E") << "";
+        QTest::newRow("200 bytes") << QByteArray(200, 'x') << "";
+        QTest::newRow("201 bytes") << QByteArray(201, 'x') << "has 201 bytes";
+        QTest::newRow("nothing") << QByteArray() << "is empty";
+        QTest::newRow("blanks") << QByteArray(" \u3000 ") << "is empty";
+        QTest::newRow("line end") << QByteArray("a\nb") << "holds a control character";
+        QTest::newRow("escape") << QByteArray("a\x1b[2J") << "holds a control character";
+        QTest::newRow("right to left") << QByteArray("a\u202Eb") << "holds an invisible character";
+        QTest::newRow("Latin-1") << QByteArray("Bj\xF6rn") << "is not UTF-8";
+    }
+    void linesOfWords()
+    {
+        QFETCH(const QByteArray, line);
+        QFETCH(const QString, fault);
+        QCOMPARE(QString::fromStdString(faultOfLine(line.toStdString(), longestName)), fault);
+    }
+
     void badIdsAreRefusedWithTheReason_data()
     {
         QTest::addColumn<QByteArray>("id");

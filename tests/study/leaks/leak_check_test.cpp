@@ -17,6 +17,8 @@
 #include "study/leaks/text_table.h"
 #include "study/players/session_script.h"
 #include "study/records/blinded_report.h"
+#include "study/records/evidence/exported_log.h"
+#include "study/records/evidence/participant_data.h"
 #include "tests/support/played_session.h"
 #include "tests/support/program.h"
 #include "tests/support/raw_sqlite.h"
@@ -91,7 +93,9 @@ std::vector<Exporter> exportersOf(const database::StudyStore& store)
 {
     return {{"script", [&store](const auto& out) { study::players::writeScripts(store, nullptr, out); }},
             {"report",
-             [&store](const auto& out) { reports::writeProgressReport(study::records::blindedReport(store), out / "report"); }}};
+             [&store](const auto& out) { reports::writeProgressReport(study::records::blindedReport(store), out / "report"); }},
+            {"log", [&store](const auto& out) { study::records::writeExportedLog(store, out); }},
+            {"people", [&store](const auto& out) { study::records::writeEveryParticipant(store, out); }}};
 }
 
 bool finds(const LeakReport& report, const std::string& attack, const std::string& target)

@@ -1,0 +1,158 @@
+// vis2hap study data-sheet|signing-key|sign
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "protocols/files/errors.h"
+#include "protocols/files/whole_file.h"
+#include "protocols/secrets/signing.h"
+#include "study/commands/command_line.h"
+#include "study/commands/json_output.h"
+#include "study/commands/passphrase_option.h"
+#include "study/commands/recorded_act.h"
+#include "study/records/evidence/data_sheet.h"
+#include "study/records/evidence/data_sheet_text.h"
+#include "study/records/evidence/signed_head.h"
+#include "study/records/stored_study.h"
+#include "study/records/study_faults.h"
+
+namespace study::commands {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A file in the study folder would be a fault of the study.
+void requireOutside(const std::string& study, const std::string& file)
+{
+    const auto inStudy = fs::weakly_canonical(fs::absolute(file)).lexically_relative(fs::weakly_canonical(study));
+    if (!inStudy.empty() && *inStudy.begin() != "..")
+        throw protocols::badInput({"the file would lie in the study folder", file, "a file outside " + study,
+                                   "choose another folder; nothing was written"});
+}
+
+void requireNew(const std::string& file)
+{
+    if (fs::exists(file))
+        throw protocols::badInput(
+            {"the file exists", file, "the name of a new file", "choose another name; nothing was written"});
+}
+
+struct SheetCall {
+    std::string study, out;
+    JsonTarget target;
+};
+
+int writeDataSheet(const SheetCall& call)
+{
+    if (!call.out.empty()) requireOutside(call.study, call.out);
+    const auto sheet = records::dataSheetOf(records::openStudy(call.study));
+    if (call.target) writeJson(call.target, sheet);
+    if (!call.out.empty()) {
+        protocols::writeWholeFile(call.out, records::textOfDataSheet(sheet));
+        if (!call.target) std::printf("%s: data sheet of %s\n", call.out.c_str(), call.study.c_str());
+    } else if (!call.target) {
+        std::fputs(records::textOfDataSheet(sheet).c_str(), stdout);
+    }
+    return 0;
+}
+
+struct KeyCall {
+    std::string out;
+    bool hasNoPassphrase = false;
+    PassphraseOption passphrase;
+};
+
+int makeSigningKey(const KeyCall& call)
+{
+    const std::string openFile = call.out + ".pub";
+    requireNew(call.out);
+    requireNew(openFile);
+    const auto seed = protocols::SecretKey::drawn();
+    const std::string text = records::signingKeyText(
+        seed, call.hasNoPassphrase ? std::nullopt : std::optional(newPassphrase(call.passphrase, "the signing key")));
+    protocols::writeWholeFile(call.out, text, protocols::Sync::Now, protocols::Readers::OwnerOnly);
+    protocols::writeWholeFile(openFile, protocols::pemOf(protocols::publicKeyOf(seed)));
+    std::printf("%s: the signing key; keep it secret, and away from the studies\n", call.out.c_str());
+    std::printf("%s: the public key; give it to everybody who checks\n", openFile.c_str());
+    return 0;
+}
+
+struct SignCall {
+    std::string study, key, out;
+    PassphraseOption passphrase;
+};
+
+int sign(const SignCall& call)
+{
+    requireOutside(call.study, call.out);
+    const auto store = records::openStudy(call.study);
+    const auto seed = records::signingKeyOf(protocols::readWholeFile(call.key), call.key,
+                                            passphraseFrom(call.passphrase, "passphrase of the signing key"));
+    const auto faults = records::findingsOf(store).faults;
+    if (!faults.empty())
+        throw protocols::workFailed({"the study is not sound: " + faults.front(), call.study, "a study without faults",
+                                     "see `vis2hap verify " + call.study + "`; nothing was signed"});
+    const std::string text = records::signedHeadText(store, seed, versionText());
+    protocols::writeWholeFile(call.out, text);
+    std::fputs(text.c_str(), stdout);
+    std::printf("%s: signed; this proves who vouches for the head, not when\n", call.out.c_str());
+    recordAct(store, "sign", call.out);
+    return 0;
+}
+
+void addDataSheet(CLI::App& study, Action& action)
+{
+    auto* command = study.add_subcommand("data-sheet", "what is stored, where, how long, and who reads it; for an ethics board");
+    auto call = std::make_shared<SheetCall>();
+    command->add_option("STUDY", call->study, "the study")->required();
+    command->add_option("--out", call->out, "text file to write (default: standard output)");
+    addJsonOption(*command, call->target);
+    command->callback([call, &action] {
+        action.surroundings = Surroundings::Core;
+        action.handlesStudy = true;
+        action.work = [call] { return writeDataSheet(*call); };
+    });
+}
+
+void addSigningKey(CLI::App& study, Action& action)
+{
+    auto* command = study.add_subcommand("signing-key", "make a key of the laboratory that signs heads of logs (Ed25519)");
+    auto call = std::make_shared<KeyCall>();
+    command->add_option("--out", call->out, "file of the key; FILE.pub becomes the public key")->required();
+    addPassphraseOption(*command, call->passphrase);
+    command->add_flag("--no-passphrase", call->hasNoPassphrase, "leave the key open in the file");
+    command->callback([call, &action] {
+        action.surroundings = Surroundings::Core;
+        action.handlesStudy = true;
+        action.work = [call] { return makeSigningKey(*call); };
+    });
+}
+
+void addSign(CLI::App& study, Action& action)
+{
+    auto* command = study.add_subcommand("sign", "sign the head of the log; `verify --against FILE --public-key KEY` checks it");
+    auto call = std::make_shared<SignCall>();
+    command->add_option("STUDY", call->study, "the study")->required();
+    command->add_option("--key", call->key, "the key of `study signing-key`")->required();
+    command->add_option("--out", call->out, "file to write the signed statement to")->required();
+    addPassphraseOption(*command, call->passphrase);
+    command->callback([call, &action] {
+        action.surroundings = Surroundings::Core;
+        action.handlesStudy = true;
+        action.work = [call] { return sign(*call); };
+    });
+}
+
+}  // namespace
+
+void addProof(CLI::App& study, Action& action)
+{
+    addDataSheet(study, action);
+    addSigningKey(study, action);
+    addSign(study, action);
+}
+
+}  // namespace study::commands

@@ -1,0 +1,331 @@
+// Evidence that leaves the study: the log in exports, the data of one person, and the rule for names of people.
+#include <QCryptographicHash>
+#include <QDir>
+#include <QFile>
+#include <QProcess>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QtTest>
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "database/evidence/acts.h"
+#include "protocols/files/csv_table.h"
+#include "tests/support/played_session.h"
+#include "tests/support/program.h"
+#include "tests/support/raw_sqlite.h"
+#include "tests/support/study_builder.h"
+
+using nlohmann::json;
+using protocols::CsvTable;
+using study::session::Noted;
+using support::mustRun;
+using support::runProgram;
+using tests::support::OpenSession;
+
+namespace {
+
+const std::string askingProtocol = R"({
+  "schema": "vis2hap.protocol/1", "name": "A <study> of touch", "participants": 2, "fabrics": ["F01", "F02", "F03"],
+  "conditions": ["v_grey", "h&f"],
+  "phases": [{"questions": ["Q1"], "alternatives": 3},
+             {"questions": ["Feel", "Why"], "scale": {"min": 1, "max": 7, "step": 0.5, "sections": 1}, "free_text": ["Why"]},
+             {"questions": ["Same"], "same_different": true}],
+  "question_texts": {"Feel": "How close is it?", "Why": "What did you feel?", "Same": "Is it the same?"},
+  "facts": ["age"], "consent": "I agree to take part."
+})";
+
+QString bytesOf(const QString& file)
+{
+    QFile opened(file);
+    return opened.open(QIODevice::ReadOnly) ? QString::fromUtf8(opened.readAll()) : QString();
+}
+
+json jsonOf(const QString& file) { return json::parse(bytesOf(file).toStdString()); }
+
+CsvTable tableOf(const QString& file) { return protocols::csvTableFrom(bytesOf(file).toStdString(), file.toStdString()); }
+
+/// The cell of the row in this column.
+QString cell(const CsvTable& table, std::size_t row, const std::string& column)
+{
+    const auto at = std::ranges::find(table.columns, column) - table.columns.begin();
+    return QString::fromStdString(table.rows.at(row).at(static_cast<std::size_t>(at)));
+}
+
+QByteArray field(const QByteArray& bytes) { return QByteArray::number(bytes.size()) + ':' + bytes + ','; }
+
+/// The head by the recipe of log.txt; empty where an entry does not fit.
+QString headOf(const CsvTable& log)
+{
+    QString previous;
+    for (std::size_t row = 0; row < log.rows.size(); ++row) {
+        QByteArray bytes = field(previous.toUtf8());
+        for (const char* column : {"sequence", "participant", "sitting", "kind", "places", "commitment"})
+            bytes += field(cell(log, row, column).toUtf8());
+        const QString own = QCryptographicHash::hash(bytes, QCryptographicHash::Sha256).toHex();
+        if (cell(log, row, "previous_hash") != previous || cell(log, row, "hash") != own) return {};
+        previous = own;
+    }
+    return QString::number(log.rows.size()) + ':' + previous;
+}
+
+}  // namespace
+
+class EvidenceCommandTest : public QObject {
+    Q_OBJECT
+    QTemporaryDir m_place;
+    int m_studies = 0;
+
+    QString at(const QString& name) const { return m_place.filePath(name); }
+
+    /// P1 finished, with a note, a correction and a voided presentation; P2 is on the way.
+    QString playedStudy(const std::string& protocol = askingProtocol)
+    {
+        const QString study = at(QString("study%1").arg(++m_studies));
+        tests::support::buildStudy(study.toStdString(), {.protocol = protocol});
+        {
+            OpenSession first({study.toStdString()}, "P1", database::ParticipantKind::Human, {"Ada", "test", "here"});
+            first.playUntilAnswers(2);
+            first.stepUntil("Presenting");
+            first.send(Noted{"smells of <glue>", true});
+            first.send(study::session::Voided{"wrong piece"});
+            first.playUntilAnswers(4);
+            first.playToEnd();
+        }
+        OpenSession({study.toStdString()}, "P2", database::ParticipantKind::Human).playUntilAnswers(3);
+        return study;
+    }
+
+    static QString headIn(const QString& study)
+    {
+        const database::StudyStore store({study.toStdString()}, database::StudyStore::Access::Read);
+        return QString::fromStdString(textOf(store.head()));
+    }
+
+private Q_SLOTS:
+    void theExportedLogLeadsToTheHead_data()
+    {
+        QTest::addColumn<QString>("format");
+        for (const char* format : {"csv", "json", "script"}) QTest::newRow(format) << format;
+    }
+    void theExportedLogLeadsToTheHead()
+    {
+        QFETCH(const QString, format);
+        const QString study = playedStudy();
+        const QString out = at("log-" + format);
+        const auto run = mustRun({"export", study, "--out", out, "--format", format, "--with-log"});
+        QVERIFY2(run.out.contains("log.csv holds the log"), qPrintable(run.out));
+        const auto log = tableOf(out + "/log.csv");
+        QCOMPARE(headOf(log), headIn(study));
+        QVERIFY(bytesOf(out + "/log.txt").contains("Head: " + headIn(study)));
+    }
+
+    void anExportHoldsNoLogUnlessAsked()
+    {
+        mustRun({"export", playedStudy(), "--out", at("plain")});
+        QVERIFY(!QFile::exists(at("plain/log.csv")) && !QFile::exists(at("plain/log.txt")));
+    }
+
+    /// The clear part alone: no salt, no payload, no answer.
+    void theExportedLogHoldsNoContent()
+    {
+        const QString study = playedStudy();
+        mustRun({"export", study, "--out", at("clear"), "--with-log"});
+        const QString text = bytesOf(at("clear/log.csv"));
+        tests::support::RawSqlite raw(study.toStdString() + "/study.db");
+        const auto salts = raw.rows("SELECT salt FROM events");
+        QVERIFY(salts.size() > 50);
+        for (const auto& salt : salts) QVERIFY(!text.contains(QString::fromStdString(salt)));
+        for (const char* word : {"glue", "wrong piece", "F01", "F02", "tenths", "Ada", "v_grey", "h&f"})
+            QVERIFY2(!text.contains(word), word);
+    }
+
+    /// log.txt ends with a program for Python. It must compute the head, and find an altered entry.
+    void theRecipeRuns()
+    {
+        const QString python = QStandardPaths::findExecutable("python3");
+        if (python.isEmpty()) QSKIP("python3 is not installed: the recipe is not run");
+        const QString study = playedStudy();
+        mustRun({"export", study, "--out", at("recipe"), "--with-log"});
+        const QString recipe = bytesOf(at("recipe/log.txt"));
+        QFile program(at("check.py"));
+        QVERIFY(program.open(QIODevice::WriteOnly));
+        program.write(recipe.mid(recipe.indexOf("import csv")).toUtf8());
+        program.close();
+        const auto result = [&] {
+            QProcess run;
+            run.start(python, {program.fileName(), at("recipe/log.csv")});
+            run.waitForFinished();
+            return QString::fromUtf8(run.readAllStandardOutput() + run.readAllStandardError()).trimmed();
+        };
+        QCOMPARE(result(), headIn(study));
+        QString altered = bytesOf(at("recipe/log.csv"));
+        altered.replace(altered.indexOf("noted"), 5, "rated");
+        QFile log(at("recipe/log.csv"));
+        QVERIFY(log.open(QIODevice::WriteOnly));
+        log.write(altered.toUtf8());
+        log.close();
+        QVERIFY2(result().contains("was altered"), qPrintable(result()));
+    }
+
+    void aPersonGetsTheirData()
+    {
+        const QString study = playedStudy();
+        const QString out = at("person");
+        const auto run = mustRun({"export", study, "--participant", "P1", "--out", out});
+        QVERIFY2(run.out.contains("blinded (no condition, no fabric"), qPrintable(run.out));
+        const json data = jsonOf(out + "/your-data.json");
+        QCOMPARE(data["schema"].get<std::string>(), "vis2hap.participant/1");
+        QCOMPARE(data["consent"]["text"].get<std::string>(), "I agree to take part.");
+        QVERIFY(data["consent"]["time"].is_string());
+        QCOMPARE(data["facts"].size(), std::size_t{2});  // age and the debriefing
+        QCOMPARE(data["facts"][1]["value"].get<std::string>(), "it was fun");
+        QCOMPARE(data["notes"].size(), std::size_t{2});  // one of the operator, one of the void
+        QCOMPARE(data["notes"][0]["text"].get<std::string>(), "smells of <glue>");
+        QCOMPARE(data["state"].get<std::string>(), "finished");
+        tests::support::RawSqlite raw(study.toStdString() + "/study.db");
+        QCOMPARE(std::to_string(data["answers"].size()),
+                 raw.rows("SELECT COUNT(*) FROM responses WHERE participant = 'P1'").front());
+        std::set<std::string> letters, kinds;
+        for (const auto& answer : data["answers"]) {
+            kinds.insert(answer["question"]);
+            if (answer["question"] == "Q1") letters.insert(answer["answer"]);
+            if (answer["question"] == "Feel") QVERIFY(answer["rating"].is_number());
+        }
+        QVERIFY((kinds == std::set<std::string>{"Q1", "Feel", "Why", "Same"}));
+        QVERIFY(std::ranges::includes(std::set<std::string>{"A", "B", "C"}, letters));
+        const auto table = tableOf(out + "/your-answers.csv");
+        QCOMPARE(table.rows.size(), data["answers"].size());
+        QCOMPARE(cell(table, 0, "participant"), "P1");
+        const QString page = bytesOf(out + "/your-data.html");
+        for (const char* text : {"Your data in the study A &lt;study&gt; of touch", "smells of &lt;glue&gt;", "it was fun",
+                                 "I agree to take part.", "wrong piece", "You may ask for a new sheet after the study"})
+            QVERIFY2(page.contains(text), text);
+    }
+
+    /// No fabric, no condition, nothing about right or wrong, and nothing about other people.
+    void aBlindedSheetUnblindsNothing()
+    {
+        const QString study = playedStudy();
+        mustRun({"export", study, "--participant", "P1", "--out", at("blind")});
+        for (const char* file : {"your-data.html", "your-data.json", "your-answers.csv"}) {
+            const QString text = bytesOf(at("blind/") + file);
+            for (const char* word : {"F01", "F02", "F03", "v_grey", "h&f", "h&amp;f", "correct\"", "P2", "Ada", "K1", "fabric\""})
+                QVERIFY2(!text.contains(word), qPrintable(QString(file) + " names " + word));
+        }
+    }
+
+    void afterTheUnblindingThePersonSeesWhatWasRight()
+    {
+        const QString study = playedStudy();
+        mustRun({"unblind", study, "--who", "M", "--why", "done"});
+        mustRun({"export", study, "--participant", "P1", "--out", at("open")});
+        mustRun({"export", study, "--out", at("open-all"), "--format", "json"});
+        const json data = jsonOf(at("open/your-data.json"));
+        QVERIFY(!data["blinded"].get<bool>());
+        const auto keyOf = [](const json& row) { return std::pair(row["trial"].get<int>(), row["question"].get<std::string>()); };
+        std::map<std::pair<int, std::string>, json> expected;
+        const json all = jsonOf(at("open-all/export.json"));
+        for (const auto& row : all["answers"])
+            if (row["participant"] == "P1" && row["voided"] == 0) expected[keyOf(row)] = row;
+        int choices = 0;
+        for (const auto& answer : data["answers"]) {
+            if (answer["voided"].get<bool>()) continue;
+            const json& row = expected.at(keyOf(answer));
+            QCOMPARE(answer["fabric"], row["fabric"]);
+            QCOMPARE(answer["condition"], row["condition"]);
+            if (answer["question"] != "Q1") continue;
+            ++choices;
+            QCOMPARE(answer["answer_fabric"], row["answer"]);
+            QCOMPARE(answer["correct"].get<bool>(), row["correct"] == 1);
+            QCOMPARE(row["alternatives"][static_cast<std::size_t>(answer["answer"].get<std::string>()[0] - 'A')], row["answer"]);
+        }
+        QCOMPARE(choices, 6);
+        QVERIFY(bytesOf(at("open/your-data.html")).contains("<th>condition</th>"));
+    }
+
+    void anErasedPersonGetsWhatIsLeft()
+    {
+        const QString study = playedStudy();
+        mustRun({"erase", study, "--participant", "P1", "--who", "Ada", "--why", "on request", "--answers"});
+        const auto run = mustRun({"export", study, "--participant", "P1", "--out", at("erased")});
+        QVERIFY2(run.out.contains("0 answers, 0 facts, 0 notes") && run.out.contains("erased on "), qPrintable(run.out));
+        const json data = jsonOf(at("erased/your-data.json"));
+        QCOMPARE(data["erasures"].size(), std::size_t{1});
+        QCOMPARE(data["erasures"][0]["who"].get<std::string>(), "Ada");
+        QVERIFY(data["answers"].empty() && data["facts"].empty() && data["sittings"].empty());
+        QVERIFY(data["consent"]["time"].is_null() && data["consent"]["why"]["time"].is_string());
+        const QString page = bytesOf(at("erased/your-data.html"));
+        QVERIFY(page.contains("Reason: on request") && !page.contains("glue") && !page.contains("it was fun"));
+        const QStringList certificates = QDir(at("erased")).entryList({"erasure-*.txt"});
+        QCOMPARE(certificates.size(), 1);
+        QVERIFY(bytesOf(at("erased/") + certificates.front()).contains("Certificate of erasure"));
+    }
+
+    void factsAloneCanBeErased()
+    {
+        const QString study = playedStudy();
+        mustRun({"erase", study, "--participant", "P1", "--who", "Ada", "--why", "on request"});
+        mustRun({"export", study, "--participant", "P1", "--out", at("factless")});
+        const json data = jsonOf(at("factless/your-data.json"));
+        QVERIFY(data["facts"].empty() && data["answers"].size() > 10);
+        QVERIFY(bytesOf(at("factless/your-data.html")).contains("Facts about you and your comments"));
+    }
+
+    void onlyKnownPeopleHaveData()
+    {
+        const auto run = runProgram({"export", playedStudy(), "--participant", "P9", "--out", at("nobody")});
+        QCOMPARE(run.exitCode, 2);
+        QVERIFY2(run.err.contains("unknown participant P9"), qPrintable(run.err));
+        QVERIFY(!QFile::exists(at("nobody")));
+    }
+
+    void bothExportsAreActs()
+    {
+        const QString study = playedStudy();
+        mustRun({"export", study, "--out", at("act1"), "--with-log"});
+        mustRun({"export", study, "--participant", "P2", "--out", at("act2")});
+        const database::StudyStore store({study.toStdString()}, database::StudyStore::Access::Read);
+        const auto acts = actsOf(store);
+        QCOMPARE(acts.size(), std::size_t{2});
+        QVERIFY(acts[0].path.ends_with("act1") && acts[1].path.ends_with("act2") && acts[1].kind == "export");
+    }
+
+    void namesAndReasonsAreOneLine_data()
+    {
+        QTest::addColumn<QStringList>("call");
+        QTest::addColumn<QString>("fault");
+        const QString control = "Ada\x1b[2J", lines = "Ada\nBob", turned = QString::fromUtf8("Ada\u202Eadb");
+        const QString tooLong(201, 'x'), tooLongReason(1001, 'x');
+        const QStringList unblind{"unblind", "STUDY"}, erase{"erase", "STUDY", "--participant", "P1"};
+        QTest::newRow("unblind who") << unblind + QStringList{"--who", control, "--why", "x"}
+                                     << "--who: the text holds a control";
+        QTest::newRow("unblind why") << unblind + QStringList{"--who", "x", "--why", lines} << "--why: the text holds a control";
+        QTest::newRow("unblind blank") << unblind + QStringList{"--who", " ", "--why", "x"} << "--who: the text is empty";
+        QTest::newRow("erase who") << erase + QStringList{"--who", turned, "--why", "x"} << "--who: the text holds an invisible";
+        QTest::newRow("erase why") << erase + QStringList{"--who", "x", "--why", tooLongReason}
+                                   << "--why: the text has 1001 bytes";
+        QTest::newRow("amend") << QStringList{"study", "amend", "STUDY", "--who", tooLong, "--why", "x"}
+                               << "--who: the text has 201 bytes";
+        QTest::newRow("preregister") << QStringList{"study", "preregister", "STUDY", "--who", lines}
+                                     << "--who: the text holds a control";
+        QTest::newRow("replay") << QStringList{"replay", "STUDY", "script.json", "--operator", control}
+                                << "--operator: the text holds a control";
+        QTest::newRow("app") << QStringList{"STUDY", "--operator", ""} << "--operator: the text is empty";
+    }
+    void namesAndReasonsAreOneLine()
+    {
+        QFETCH(QStringList, call);
+        QFETCH(const QString, fault);
+        static const QString study = playedStudy();
+        call.replaceInStrings("STUDY", study);
+        const auto run = runProgram(call);
+        QCOMPARE(run.exitCode, 2);
+        QVERIFY2(run.err.contains(fault), qPrintable(run.err));
+        QVERIFY2(!run.err.contains('\x1b') && run.err.count('\n') == 1, qPrintable(run.err));
+    }
+};
+
+QTEST_GUILESS_MAIN(EvidenceCommandTest)
+#include "evidence_command_test.moc"

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "database/event_chain.h"
+#include "database/evidence/payload_fields.h"
 #include "database/preregistrations.h"
 #include "database/response_columns.h"
 #include "database/schema.h"
@@ -127,7 +128,7 @@ std::string nameOfEntry(const EventRecord& event)
     return "log entry " + std::to_string(event.sequence) + " (" + event.kind + whose + ")";
 }
 
-nlohmann::json payloadOf(const LogEntry& entry) { return nlohmann::json::parse(entry.event.payloadJson, nullptr, false); }
+nlohmann::json payloadOf(const LogEntry& entry) { return payloadIn(entry.event.payloadJson); }
 
 /// Whether a recorded erasure concerns this entry: one of the participant's entries before it.
 bool isErased(const LogEntry& entry, const std::map<std::string, std::int64_t>& erasedBefore)
@@ -156,8 +157,7 @@ std::map<std::string, std::int64_t> erasuresIn(const Log& log)
     for (const auto& [sequence, entry] : log) {
         if (entry.event.kind != "erased" || !entry.event.participant.empty()) continue;
         const nlohmann::json payload = payloadOf(entry);
-        if (payload.is_object() && payload.value("answers_too", false))
-            acts[payload.value("participant", std::string())] = sequence;
+        if (yesIn(payload, "answers_too")) acts[textIn(payload, "participant")] = sequence;
     }
     return acts;
 }
@@ -267,7 +267,7 @@ void checkFixedTables(const SqliteConnection& sqlite, const Log& log, std::vecto
         return;
     }
     const nlohmann::json payload = payloadOf(upgradeIn(log).value_or(first->second));
-    if (!payload.is_object() || payload.value("fixed_sha256", std::string()) != hashOfFixedTables(sqlite))
+    if (textIn(payload, "fixed_sha256") != hashOfFixedTables(sqlite))
         faults.push_back(
             "study facts, fabrics, stimulus hashes, trial lists or swatch codes were altered after the study was made");
 }
@@ -281,10 +281,8 @@ void checkPlaces(const SqliteConnection& sqlite, const Log& log, std::vector<std
     };
     for (const auto& [sequence, entry] : log) {
         if (entry.event.kind != "enrolled") continue;
-        const nlohmann::json payload = nlohmann::json::parse(entry.event.payloadJson, nullptr, false);
-        if (payload.is_object())
-            logged.insert(place(payload.value("participant", std::string()), payload.value("slot", 0),
-                                payload.value("kind", std::string())));
+        const nlohmann::json payload = payloadOf(entry);
+        logged.insert(place(textIn(payload, "participant"), numberIn(payload, "slot", 0), textIn(payload, "kind")));
     }
     QSqlQuery row = sqlite.run(QStringLiteral("SELECT id, slot, kind FROM participants"));
     while (row.next()) stored.insert(place(fromQt(row.value(0)), row.value(1).toInt(), fromQt(row.value(2))));

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "database/evidence/payload_fields.h"
 #include "protocols/files/sha256.h"
 
 namespace database {
@@ -17,30 +18,6 @@ struct Told {
     int protocolVersion = 1;
     std::map<std::string, std::string> facts;  ///< commitments of the facts that no erasure removed; empty in older studies
 };
-
-json payloadAt(const LogEntry& entry)
-{
-    json payload = json::parse(entry.event.payloadJson, nullptr, false);
-    return payload.is_object() ? payload : json::object();
-}
-
-std::string textIn(const json& payload, const char* field)
-{
-    const auto value = payload.find(field);
-    return value != payload.end() && value->is_string() ? value->get<std::string>() : std::string();
-}
-
-bool yesIn(const json& payload, const char* field)
-{
-    const auto value = payload.find(field);
-    return value != payload.end() && value->is_boolean() && value->get<bool>();
-}
-
-int numberIn(const json& payload, const char* field, int otherwise)
-{
-    const auto value = payload.find(field);
-    return value != payload.end() && value->is_number_integer() ? value->get<int>() : otherwise;
-}
 
 /// Studies of earlier versions name the facts without commitments.
 void takeFacts(const LogEntry& entry, const json& payload, Told& told)
@@ -79,7 +56,7 @@ std::map<std::string, Told> toldBy(const Log& log)
 {
     std::map<std::string, Told> all;
     for (const auto& [sequence, entry] : log) {
-        const json payload = payloadAt(entry);
+        const json payload = payloadIn(entry.event.payloadJson);
         if (entry.event.participant.empty()) {
             takeActOnStudy(entry, payload, all);
             continue;
@@ -164,7 +141,7 @@ void checkErasures(const SqliteConnection& sqlite, const Log& log, std::vector<s
     Rows expected;
     for (const auto& [sequence, entry] : log) {
         if (entry.event.kind != "erased" || !entry.event.participant.empty()) continue;
-        const json payload = payloadAt(entry);
+        const json payload = payloadIn(entry.event.payloadJson);
         expected.insert({std::to_string(sequence), textIn(payload, "participant"), yesIn(payload, "answers_too") ? "1" : "0",
                          textIn(payload, "who"), textIn(payload, "why"), entry.event.wallTime});
     }
@@ -177,7 +154,7 @@ void checkProtocols(const SqliteConnection& sqlite, const Log& log, std::vector<
     Rows expected;
     for (const auto& [sequence, entry] : log) {
         if (entry.event.kind != "protocol_taken" || !entry.event.participant.empty()) continue;
-        const json payload = payloadAt(entry);
+        const json payload = payloadIn(entry.event.payloadJson);
         expected.insert({std::to_string(sequence), std::to_string(numberIn(payload, "version", 0)), textIn(payload, "sha256"),
                          textIn(payload, "who"), textIn(payload, "why"), entry.event.wallTime});
     }

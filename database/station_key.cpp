@@ -9,11 +9,28 @@
 
 namespace database {
 
+namespace {
+
+constexpr const char* stationKeySchema = "vis2hap.station-key/1";
+
+}  // namespace
+
 std::string writeStationKey(const StudyFolder& folder, const protocols::SecretKey& key)
 {
-    const std::string text = nlohmann::ordered_json{{"schema", "vis2hap.station-key/1"}, {"key", key.hex()}}.dump(2) + "\n";
+    const std::string text = nlohmann::ordered_json{{"schema", stationKeySchema}, {"key", key.hex()}}.dump(2) + "\n";
     protocols::writeWholeFile(folder.stationKey(), text, protocols::Sync::Later, protocols::Readers::OwnerOnly);
     return protocols::sha256(text);
+}
+
+protocols::SecretKey stationKeyFromJson(const std::string& text, const std::string& where)
+{
+    const nlohmann::json document = protocols::parseStrictJson(text, where);
+    if (!document.is_object() || document.value("schema", nlohmann::json()) != stationKeySchema || !document.contains("key") ||
+        !document["key"].is_string())
+        throw protocols::badInput({"this is no station key", where,
+                                   std::string("an object with the schema ") + stationKeySchema + " and a key",
+                                   "restore station-key.json from a backup"});
+    return protocols::SecretKey::ofHex(document["key"].get<std::string>(), where);
 }
 
 protocols::SecretKey readStationKey(const StudyStore& store)
@@ -27,8 +44,7 @@ protocols::SecretKey readStationKey(const StudyStore& store)
     if (!text) throw refused("the station key cannot be read");
     if (protocols::sha256(*text) != store.facts().stationKeySha256)
         throw refused("the station key is not the one committed in the database");
-    return protocols::SecretKey::ofHex(protocols::parseStrictJson(*text, file.string()).at("key").get<std::string>(),
-                                       file.string());
+    return stationKeyFromJson(*text, file.string());
 }
 
 }  // namespace database

@@ -10,6 +10,9 @@ namespace database {
 /// Writes the file of a new study, which is synced as a whole, and returns its SHA-256.
 std::string writeStationKey(const StudyFolder& folder, const protocols::SecretKey& key);
 
+/// The key in the text of the file, which `where` names in errors. Throws badInput.
+protocols::SecretKey stationKeyFromJson(const std::string& text, const std::string& where);
+
 /// Throws workFailed where the file is missing or is not the one committed in the database.
 protocols::SecretKey readStationKey(const StudyStore& store);
 

@@ -1,6 +1,13 @@
 #include "rendering/display/stimulus_bank.h"
 
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <map>
 #include <utility>
 
 #include "protocols/allocation.h"
@@ -17,6 +24,9 @@ namespace {
 
 constexpr std::size_t keptReady = 4;
 
+// A sealed image of 16,384 x 16,384 pixels fits.
+constexpr std::uintmax_t largestStimulus = std::uintmax_t{1} << 29;
+
 protocols::Error notUsable(const std::string& what, const std::filesystem::path& file)
 {
     return protocols::workFailed({.what = what,
@@ -25,16 +35,45 @@ protocols::Error notUsable(const std::string& what, const std::filesystem::path&
                                   .nextStep = "restore it from a backup; vis2hap verify lists all faults"});
 }
 
-/// Fault of a stimulus; empty for a sound one.
-std::string faultOf(const std::filesystem::path& file, const std::string& hash)
+/// Why the file cannot be read as a stimulus of at most `mostBytes`; empty where it can. Nothing is read.
+std::string whyUnreadable(const std::filesystem::path& file, std::uintmax_t mostBytes)
 {
-    std::error_code ignored;
-    if (!std::filesystem::is_regular_file(file, ignored)) return "the stimulus is missing";
+    struct stat status {};
+    if (::stat(file.c_str(), &status) != 0)
+        return errno == ENOENT ? "the stimulus is missing"
+                               : std::string("the stimulus cannot be read (") + std::strerror(errno) + ")";
+    if (!S_ISREG(status.st_mode)) return "the stimulus is missing: what stands in its place is no file";
+    if (const auto size = static_cast<std::uintmax_t>(status.st_size); size > mostBytes)
+        return "the stimulus was altered: it has " + std::to_string(size) + " bytes, and at most " + std::to_string(mostBytes) +
+               " are right";
+    if (::faccessat(AT_FDCWD, file.c_str(), R_OK, AT_EACCESS) != 0)
+        return std::string("the stimulus cannot be read (") + std::strerror(errno) + ")";
+    return {};
+}
+
+/// Fault of a stimulus; empty for a sound one.
+std::string faultOf(const std::filesystem::path& file, const std::string& hash, std::uintmax_t mostBytes)
+{
+    if (auto why = whyUnreadable(file, mostBytes); !why.empty()) return why;
     try {
         return protocols::sha256OfFile(file) == hash ? "" : "the stimulus was altered";
     } catch (const protocols::Error&) {
         return "the stimulus cannot be read";
     }
+}
+
+/// Most bytes of a stimulus: all stimuli of a study have one length. The commonest size of the files is taken for it, and the
+/// smallest of several that are as common.
+std::uintmax_t commonSize(const std::filesystem::path& stimuli, const StimulusHashes& hashes)
+{
+    std::map<std::uintmax_t, std::size_t> counts;
+    for (const auto& [code, hash] : hashes) {
+        std::error_code unknown;
+        const auto size = std::filesystem::file_size(protocols::stimulusFile(stimuli, code), unknown);
+        if (!unknown) ++counts[std::min<std::uintmax_t>(size, largestStimulus)];
+    }
+    const auto commonest = std::ranges::max_element(counts, {}, [](const auto& count) { return count.second; });
+    return commonest == counts.end() ? largestStimulus : commonest->first;
 }
 
 }  // namespace
@@ -51,8 +90,9 @@ StimulusBank::StimulusBank(const std::filesystem::path& stimuli, const StimulusH
 {
     for (const auto& [code, hash] : hashes) {
         const auto file = protocols::stimulusFile(stimuli, code);
+        if (const auto why = whyUnreadable(file, largestStimulus); !why.empty()) throw notUsable(why, file);
         auto sealed = protocols::readIfPossible(file);
-        if (!sealed) throw notUsable("the stimulus is missing", file);
+        if (!sealed) throw notUsable("the stimulus cannot be read", file);
         if (!protocols::open(stationKey, *sealed, code.value)) throw notUsable("the stimulus was altered", file);
         m_sealed.emplace(code, std::move(*sealed));
     }
@@ -90,9 +130,10 @@ void StimulusBank::makeReady(const protocols::FileCode& code)
 std::vector<std::string> faultsOfStimuli(const std::filesystem::path& stimuli, const StimulusHashes& hashes)
 {
     std::vector<std::string> lines;
+    const std::uintmax_t mostBytes = commonSize(stimuli, hashes);
     for (const auto& [code, hash] : hashes) {
         const auto file = protocols::stimulusFile(stimuli, code);
-        if (const auto fault = faultOf(file, hash); !fault.empty()) lines.push_back(file.string() + ": " + fault);
+        if (const auto fault = faultOf(file, hash, mostBytes); !fault.empty()) lines.push_back(file.string() + ": " + fault);
     }
     return lines;
 }

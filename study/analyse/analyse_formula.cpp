@@ -269,6 +269,10 @@ private:
 
 Formula::Formula(std::string_view text, const std::vector<std::string>& names, std::string* rest)
 {
+    constexpr std::size_t longestFormula = 10'000;  // reading and evaluating are recursive
+    if (text.size() > longestFormula)
+        throw RequestFault("the formula has " + std::to_string(text.size()) + " characters; expected at most " +
+                           std::to_string(longestFormula));
     FormulaReader reader(text, names);
     m_root = reader.sum();
     const std::string remainder = reader.rest();

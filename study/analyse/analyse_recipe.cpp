@@ -13,6 +13,7 @@ namespace study::analyse {
 namespace {
 
 constexpr double mostEntries = 2e8;
+constexpr std::size_t longestRecipe = 10'000;  // regular expressions and formulas are recursive
 
 struct ArrayDefinition {
     std::string name;
@@ -129,6 +130,9 @@ IndexRange rangeOf(const Recipe& recipe, const FormulaScope& scope, const std::m
 
 RecipeArrays arraysOfRecipe(const std::string& text, const std::map<std::string, double>& constants)
 {
+    if (text.size() > longestRecipe)
+        throw RequestFault("the recipe has " + std::to_string(text.size()) + " characters; expected at most " +
+                           std::to_string(longestRecipe));
     const Recipe recipe = readRecipe(text);
     FormulaScope scope;
     for (const auto& [name, value] : constants) scope.add(name, constant(value));

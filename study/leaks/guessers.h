@@ -31,14 +31,6 @@ struct Guess {
     double pAdjusted = 1;  ///< after Holm's correction over all guessers of the report
 };
 
-/// Guesses at the true pieces and the conditions by each value:
-/// - equal values of a choice trial and a rating trial (whole, beginnings, ends, lengths), the nearest by order, the nearest by
-///   differing letters, and all letters together; the rating trial's tray names the fabric;
-/// - a value that names a piece of the tray, or whose number modulo the slots is the slot;
-/// - learned from the truth about the other half of the slots: value -> slot, fabric, condition, and the nearest value's.
-/// The last is more than an operator has. It finds any dependence without knowing its form.
-std::vector<Guess> guessesByValues(const SeenStudy& study, const std::vector<Feature>& features, const Truth& truth);
-
 /// The guessers of tray_guessers.h.
 std::vector<Guess> guessesByTrays(const SeenStudy& study, const Truth& truth);
 

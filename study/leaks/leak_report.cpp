@@ -7,6 +7,7 @@
 #include "protocols/files/errors.h"
 #include "protocols/files/temporary_folder.h"
 #include "study/leaks/readable_files.h"
+#include "study/leaks/value_guessers.h"
 
 namespace study::leaks {
 
@@ -80,6 +81,13 @@ std::set<std::string> codesOf(const SeenStudy& seen)
     return codes;
 }
 
+std::size_t slotsIn(const SeenStudy& seen)
+{
+    std::set<int> slots;
+    for (const SeenTrial& trial : seen.trials) slots.insert(trial.slot);
+    return slots.size();
+}
+
 /// Every export that needs no key: words that it must not hold, and its tables for the guessers.
 void readExports(const std::vector<Exporter>& exporters, const SeenStudy& seen, LeakReport& report,
                  std::vector<TextTable>& tables)
@@ -123,6 +131,9 @@ LeakReport leakReport(const database::StudyStore& store, const std::optional<pro
     auto tables = tablesOfDatabase(folder.database());
     const SeenStudy seen = seenStudy(tables);
     report.trials = seen.trials.size();
+    report.slots = slotsIn(seen);
+    report.trialsOfStudy = seen.trialsOfStudy;
+    report.slotsOfStudy = seen.slotsOfStudy;
     report.choices = static_cast<std::size_t>(
         std::ranges::count_if(seen.trials, [&](const SeenTrial& trial) { return seen.isChoice(trial); }));
     if (fs::exists(folder.allocationKey()))

@@ -26,7 +26,9 @@ struct Exporter {
 
 struct LeakReport {
     std::string study;
-    std::size_t trials = 0;    ///< attacked
+    std::size_t trials = 0;  ///< attacked
+    std::size_t slots = 0;   ///< running orders that hold them
+    std::size_t trialsOfStudy = 0, slotsOfStudy = 0;
     std::size_t choices = 0;   ///< of them, with a true piece among foils
     std::size_t features = 0;  ///< readable values beside trials
     bool isUnblinded = false;

@@ -21,6 +21,15 @@ constexpr const char* memoryTells =
     "and "
     "sends one image at a time.";
 
+/// Which trials the guessers attacked, and the rule that chose them.
+std::string attackedTrials(const LeakReport& report)
+{
+    if (report.trials == report.trialsOfStudy) return "all " + std::to_string(report.trials) + " trials of the study";
+    return std::to_string(report.trials) + " of " + std::to_string(report.trialsOfStudy) +
+           " trials: " + std::to_string(report.slots) + " of " + std::to_string(report.slotsOfStudy) +
+           " running orders, in neighbouring pairs that are spread evenly over the study";
+}
+
 std::string verdictOfOperator(const LeakReport& report)
 {
     if (report.isUnblinded) return "the study is unblinded: the folder holds the open allocation key";
@@ -90,6 +99,8 @@ ordered_json jsonOf(const LeakReport& report)
         {"schema", "vis2hap.leak-check/1"},
         {"study", report.study},
         {"trials", report.trials},
+        {"trials_of_study", report.trialsOfStudy},
+        {"attacked", attackedTrials(report)},
         {"choice_trials", report.choices},
         {"readable_values", report.features},
         {"alpha", alpha},
@@ -113,6 +124,7 @@ std::string textOf(const LeakReport& report)
 {
     std::string text = line("%s: %zu trials, %zu of them choices, %zu readable values beside them\n", report.study.c_str(),
                             report.trials, report.choices, report.features);
+    text += "attacked: " + attackedTrials(report) + "\n";
     if (report.hasTruth) {
         text += line("%-42s %-20s %8s %11s %7s %9s %9s\n", "attack", "target", "guessers", "best", "chance", "p", "p (Holm)");
         for (const auto& [guess, count] : bestOfEach(report))

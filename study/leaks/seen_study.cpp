@@ -333,6 +333,43 @@ private:
     std::vector<Feature> m_features;
 };
 
+constexpr std::size_t mostSlots = 1'000'000;
+
+protocols::Error notAStudy(const std::string& what)
+{
+    return protocols::workFailed({what, "study.db", "the trials of a study", "run vis2hap verify"});
+}
+
+/// The fabrics in the stored list. Throws workFailed where it is none, or empty.
+std::vector<std::string> trayOf(const std::string& alternatives)
+{
+    const auto json = nlohmann::json::parse(alternatives, nullptr, false);
+    std::vector<std::string> tray;
+    if (json.is_array())
+        for (const auto& fabric : json) tray.push_back(fabric.is_string() ? fabric.get<std::string>() : fabric.dump());
+    if (tray.empty()) throw notAStudy("the tray of a trial is " + alternatives);
+    return tray;
+}
+
+/// Keeps the slots that seenStudy() names.
+void sampleSlots(SeenStudy& study, std::size_t most)
+{
+    std::vector<int> slots;
+    for (const SeenTrial& trial : study.trials)
+        if (slots.empty() || slots.back() != trial.slot) slots.push_back(trial.slot);
+    study.trialsOfStudy = study.trials.size();
+    study.slotsOfStudy = slots.size();
+    if (study.trialsOfStudy <= most) return;
+    const std::size_t pairs = (slots.size() + 1) / 2, trialsOfPair = 2 * study.trialsOfStudy / slots.size();
+    const std::size_t kept = std::clamp<std::size_t>(most / trialsOfPair, 1, pairs);
+    std::set<int> sample;
+    for (std::size_t i = 0; i < kept; ++i) {
+        const std::size_t pair = kept == 1 ? 0 : i * (pairs - 1) / (kept - 1);
+        for (std::size_t at = 2 * pair; at < std::min(2 * pair + 2, slots.size()); ++at) sample.insert(slots[at]);
+    }
+    std::erase_if(study.trials, [&](const SeenTrial& trial) { return !sample.contains(trial.slot); });
+}
+
 }  // namespace
 
 bool SeenStudy::showsTruth(const SeenTrial& trial) const
@@ -362,21 +399,21 @@ SeenStudy seenStudy(const std::vector<TextTable>& database, std::size_t most)
     });
     eachRow(database, "swatches", [&](const auto& cell) {
         const auto slot = static_cast<std::size_t>(whole(cell("slot")));
+        if (slot < 1 || slot > mostSlots) throw notAStudy("a piece of fabric has the slot " + cell("slot"));
         if (study.pieceCodes.size() < slot) study.pieceCodes.resize(slot);
         study.pieceCodes[slot - 1][cell("fabric")] = cell("code");
     });
     eachRow(database, "trials", [&](const auto& cell) {
+        const auto phase = whole(cell("phase"));
+        if (phase < 0 || phase >= static_cast<long long>(study.protocol.phases.size()))
+            throw notAStudy("a trial has the phase " + cell("phase"));
         study.trials.push_back({static_cast<int>(whole(cell("slot"))), static_cast<int>(whole(cell("number"))),
-                                static_cast<int>(whole(cell("phase"))), participants[cell("slot")], cell("presentation_code"),
-                                nlohmann::json::parse(cell("alternatives")).template get<std::vector<std::string>>()});
+                                static_cast<int>(phase), participants[cell("slot")], cell("presentation_code"),
+                                trayOf(cell("alternatives"))});
     });
-    if (study.trials.empty())
-        throw protocols::workFailed({"the study has no trials", "study.db", "the trials of a study", "run vis2hap verify"});
+    if (study.trials.empty()) throw notAStudy("the study has no trials");
     std::ranges::sort(study.trials, {}, [](const SeenTrial& trial) { return Place{trial.slot, trial.number}; });
-    if (study.trials.size() > most) {
-        const int lastSlot = study.trials[most].slot - 1;
-        std::erase_if(study.trials, [&](const SeenTrial& trial) { return trial.slot > std::max(lastSlot, 1); });
-    }
+    sampleSlots(study, most);
     return study;
 }
 

@@ -28,13 +28,17 @@ struct SeenStudy {
     std::vector<std::string> fabrics;
     std::vector<std::map<std::string, std::string>> pieceCodes;  ///< [slot - 1]: fabric -> code on its piece
     std::vector<SeenTrial> trials;                               ///< by slot and number
+    std::size_t trialsOfStudy = 0;                               ///< of all slots, also of those that are left out
+    std::size_t slotsOfStudy = 0;
 
     /// True where the tray holds the true fabric alone, as in phases of ratings.
     bool showsTruth(const SeenTrial& trial) const;
     bool isChoice(const SeenTrial& trial) const;
 };
 
-/// Reads the tables of study.db. At most `most` trials, of the first slots: later ones add numbers, but no new kind of attack.
+/// Reads the tables of study.db. Of a study with more than `most` trials it takes whole slots in neighbouring pairs that are
+/// spread evenly from the first slot to the last, as many as `most` allows, and at least one pair. Pairs serve the guessers who
+/// learn from slots of one parity for the other.
 SeenStudy seenStudy(const std::vector<TextTable>& database, std::size_t most = 4000);
 
 /// One readable value beside each trial.

@@ -62,6 +62,16 @@ std::vector<std::string> changesBetween(const ordered_json& before, const ordere
     return changes;
 }
 
+/// The plan in the registered JSON. Throws workFailed where somebody altered it.
+ordered_json registeredPart(const database::StudyStore& store, const PreregistrationRecord& record)
+{
+    const auto json = ordered_json::parse(record.json, nullptr, false);
+    if (json.is_object() && json.contains("plan") && json["plan"].is_object()) return json["plan"];
+    throw protocols::workFailed({"registered plan " + std::to_string(record.number) + " cannot be read",
+                                 store.folder().folder.string(), "a plan of schema vis2hap.preregistration/1",
+                                 "see `vis2hap verify`; restore the study from a backup"});
+}
+
 RegistrationStamp stampFor(const database::StudyStore& store, const PreregistrationCall& call,
                            const std::vector<PreregistrationRecord>& earlier, std::vector<std::string> changes)
 {
@@ -118,7 +128,7 @@ Preregistered preregister(database::StudyStore& store, const PreregistrationCall
         for (const auto& one : filesOf(store.folder(), record)) requireUnaltered(one);
 
     Preregistered done;
-    const ordered_json before = records.empty() ? ordered_json() : ordered_json::parse(records.back().json).at("plan");
+    const ordered_json before = records.empty() ? ordered_json() : registeredPart(store, records.back());
     if (!records.empty()) done.changes = changesBetween(before, planned);
     done.isNew = records.empty() || !done.changes.empty();
     if (done.isNew) {

@@ -6,6 +6,7 @@
 
 #include "protocols/allocation.h"
 #include "protocols/condition.h"
+#include "protocols/files/errors.h"
 
 namespace study::records {
 
@@ -50,7 +51,14 @@ DesignTrial designTrialOf(const protocols::BlindedTrial& trial, const Numbers& n
                        label == numbers.labels.end() ? protocols::catchTrialLabel : label->second,
                        numbers.fabrics.at(entry.fabric),
                        {}};
-    for (const auto& fabric : trial.alternatives) design.alternatives.push_back(numbers.fabrics.at(fabric));
+    for (const auto& fabric : trial.alternatives) {
+        const auto known = numbers.fabrics.find(fabric);
+        if (known == numbers.fabrics.end())
+            throw protocols::workFailed(
+                {"trial " + std::to_string(trial.number.value) + " has the unknown fabric " + fabric.value, "study.db",
+                 "a fabric of the study", "run vis2hap verify on the study"});
+        design.alternatives.push_back(known->second);
+    }
     return design;
 }
 
@@ -84,8 +92,14 @@ protocols::BalanceCertificate realisedBalance(const database::StudyStore& store,
         if (enrolment.state == database::SlotState::Withdrawn || own == presented.end()) continue;
         const auto list = store.trials(enrolment.slot);
         auto& trials = design.participants.emplace_back();
-        for (const int number : own->second)
-            trials.push_back(designTrialOf(list.at(static_cast<std::size_t>(number) - 1), numbers));
+        for (const int number : own->second) {
+            if (number < 1 || static_cast<std::size_t>(number) > list.size())
+                throw protocols::workFailed({"an answer of " + enrolment.participant.value + " names trial " +
+                                                 std::to_string(number) + ", which is not in the list",
+                                             store.folder().database().string(), "1 to " + std::to_string(list.size()),
+                                             "run vis2hap verify on the study"});
+            trials.push_back(designTrialOf(list[static_cast<std::size_t>(number) - 1], numbers));
+        }
     }
     return design.participants.empty() ? protocols::BalanceCertificate{} : balanceOf(design, protocol);
 }

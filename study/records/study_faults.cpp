@@ -2,12 +2,33 @@
 
 #include "database/evidence/acts.h"
 #include "database/keys.h"
+#include "protocols/files/errors.h"
 #include "protocols/files/sha256.h"
+#include "protocols/files/strict_json.h"
+#include "protocols/files/whole_file.h"
 #include "rendering/display/stimulus_bank.h"
 #include "study/records/folder_audit.h"
 #include "study/records/registered_plan.h"
 
 namespace study::records {
+
+namespace {
+
+std::vector<std::string> faultsOfProtocol(const database::StudyStore& store)
+{
+    const auto file = store.folder().protocol();
+    if (!std::filesystem::exists(file)) return {"protocol.json: missing"};
+    try {
+        // A larger file is another text, so its size is enough.
+        const auto text = protocols::readRegularFile(file, protocols::largestJson);
+        if (protocols::sha256(text) == store.protocolVersions().back().sha256) return {};
+    } catch (const protocols::Error& fault) {
+        return {fault.what()};
+    }
+    return {"protocol.json: changed since the study was made or last amended"};
+}
+
+}  // namespace
 
 Findings findingsOf(const database::StudyStore& store)
 {
@@ -21,11 +42,7 @@ Findings findingsOf(const database::StudyStore& store)
     if (!folder.isReadable) return findings;
     add(faultsOfKeys(store));
     add(rendering::faultsOfStimuli(store.folder().stimuli(), store.stimulusHashes()));
-    const auto file = store.folder().protocol();
-    if (!std::filesystem::exists(file))
-        add({"protocol.json: missing"});
-    else if (protocols::sha256OfFile(file) != store.protocolVersions().back().sha256)
-        add({"protocol.json: changed since the study was made or last amended"});
+    add(faultsOfProtocol(store));
     add(faultsOfRegisteredFiles(store));
     return findings;
 }

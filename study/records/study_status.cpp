@@ -1,11 +1,13 @@
 #include "study/records/study_status.h"
 
+#include <algorithm>
 #include <cstdarg>
 #include <cstdio>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "protocols/files/errors.h"
 #include "protocols/records/balance.h"
 #include "reports/analysis/quality_flags.h"
 #include "reports/data/registration.h"
@@ -144,6 +146,21 @@ std::string balanceText(const ordered_json& ranges)
     return text;
 }
 
+/// The stored ranges. Throws workFailed where somebody altered them.
+ordered_json plannedBalanceIn(const database::StudyFacts& facts)
+{
+    auto planned = ordered_json::parse(facts.plannedBalance, nullptr, false);
+    const auto isRange = [](const ordered_json& range) {
+        return range.is_object() && range.contains("what") && range["what"].is_string() && range.contains("min") &&
+               range["min"].is_number_integer() && range.contains("max") && range["max"].is_number_integer();
+    };
+    const bool isSound = planned.is_object() && planned.contains("balance") && planned["balance"].is_array() &&
+                         std::ranges::all_of(planned["balance"], isRange);
+    if (isSound) return planned;
+    throw protocols::workFailed({"the planned balance of the study cannot be read", "study.db", "ranges of counts",
+                                 "see `vis2hap verify`; restore the study from a backup"});
+}
+
 }  // namespace
 
 ordered_json statusOf(const database::StudyStore& store, const database::Passphrase& passphrase)
@@ -167,7 +184,7 @@ ordered_json statusOf(const database::StudyStore& store, const database::Passphr
     }
     json["kinds"] = kinds;
     json["states"] = states;
-    json.update(ordered_json::parse(facts.plannedBalance));
+    json.update(plannedBalanceIn(facts));
     const auto key = readKeyForAggregates(store, passphrase);
     json["balance_presented"] = key ? jsonOf(realisedBalance(store, answers, protocol, *key))["balance"] : ordered_json();
     if (!key) json["why"] = {{"balance_presented", "the study has a passphrase, and none was given"}};

@@ -13,6 +13,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <QCoreApplication>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
@@ -34,7 +35,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr unsigned longestInputS = 5;
-constexpr std::size_t largestInput = 1 << 16;
 
 struct Call {
     std::string reader;
@@ -86,7 +86,7 @@ Outcome outcomeOf(const fuzz::Reader& reader, const std::string& bytes)
 }
 
 /// A member of the corpus, perhaps with a part of another one, after some mutations.
-std::string nextInput(const std::vector<std::string>& corpus, protocols::Random& random)
+std::string nextInput(const std::vector<std::string>& corpus, std::size_t largest, protocols::Random& random)
 {
     std::string text = corpus[random.below(corpus.size())];
     if (random.below(4) == 0) {
@@ -95,7 +95,7 @@ std::string nextInput(const std::vector<std::string>& corpus, protocols::Random&
         text = text.substr(0, random.below(text.size() + 1)) + other.substr(from);
     }
     text = mutated_files::mutated(text, random);
-    if (text.size() > largestInput) text.resize(largestInput);
+    if (text.size() > largest) text.resize(largest);
     return text;
 }
 
@@ -104,7 +104,7 @@ void fuzzOne(const fuzz::Reader& reader, const Call& call)
     using Clock = std::chrono::steady_clock;
     keptAs = (fs::temp_directory_path() / ("vis2hap-fuzz-" + reader.name + "-" + std::to_string(call.seed))).string();
     auto random = protocols::Random::stream(call.seed, reader.name);
-    std::vector<std::string> corpus = reader.corpus;
+    std::vector<std::string> corpus = reader.makeCorpus ? reader.makeCorpus() : reader.corpus;
     if (outcomeOf(reader, corpus.front()) != Outcome::Taken) {
         std::fprintf(stderr, "fuzz: %s refuses its sound input\n", reader.name.c_str());
         std::_Exit(1);
@@ -113,7 +113,7 @@ void fuzzOne(const fuzz::Reader& reader, const Call& call)
     const auto end = Clock::now() + std::chrono::duration<double>(call.seconds);
     do {
         fuzz::hasNewCoverage();
-        const std::string input = nextInput(corpus, random);
+        const std::string input = nextInput(corpus, reader.largestInput, random);
         fuzz::hasNewCoverage();  // what the mutations reach does not count
         ++(outcomeOf(reader, input) == Outcome::Taken ? taken : refused);
         if (fuzz::hasNewCoverage()) corpus.push_back(input);
@@ -212,6 +212,7 @@ extern "C" const char* __ubsan_default_options() { return "print_stacktrace=1"; 
 
 int main(int argc, char** argv)
 {
+    const QCoreApplication application(argc, argv);  // Qt loads its SQLite driver as a plug-in
     const auto call = callFrom({argv + 1, argv + argc});
     if (!call) {
         std::fputs("fuzz: expected --list, --all or READER, with --seconds N, --seed S or --file FILE\n", stderr);

@@ -34,6 +34,8 @@
 #include "rendering/signals/spectrogram_file.h"
 #include "rendering/signals/tactile/calibration.h"
 #include "study/players/script.h"
+#include "tests/fuzz/number_readers.h"
+#include "tests/fuzz/study_readers.h"
 #include "tests/support/true_map_bytes.h"
 
 namespace fuzz {
@@ -303,7 +305,8 @@ std::vector<Reader> recordReaders(const fs::path& folder)
 std::vector<Reader> allReaders(const fs::path& folder)
 {
     std::vector<Reader> readers = textReaders();
-    for (auto& more : {imageReaders(folder), modelReaders(folder), recordReaders(folder)})
+    for (auto& more :
+         {imageReaders(folder), modelReaders(folder), recordReaders(folder), numberReaders(folder), studyReaders(folder)})
         readers.insert(readers.end(), more.begin(), more.end());
     return readers;
 }

@@ -197,9 +197,7 @@ Calibration calibrationFromJson(std::string_view text, const std::string& where)
 
 Calibration readCalibration(const std::filesystem::path& file)
 {
-    const std::optional<std::string> text = protocols::readIfPossible(file);
-    if (!text) throw notACalibration(file.string(), "the calibration cannot be read", "a file made by vis2hap calibrate");
-    return calibrationFromJson(*text, file.string());
+    return calibrationFromJson(protocols::readWholeFile(file), file.string());
 }
 
 std::string toJson(const Calibration& calibration)

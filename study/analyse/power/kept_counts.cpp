@@ -28,6 +28,18 @@ ordered_json settingsOf(const stats::StudyDesign& design, const stats::RatingTru
 
 ordered_json jsonOf(const stats::StudyMean& mean) { return {mean.studies, mean.sum, mean.sumOfSquares}; }
 
+protocols::Error damagedCounts(const std::string& truth)
+{
+    return protocols::badInput(
+        {"the counts are damaged", truth, "counts as this program writes them", "name another file after --resume"});
+}
+
+/// A count of studies; fails for a negative number and for a fraction.
+std::size_t countAt(const ordered_json& json, std::size_t place)
+{
+    return json.at(place).get_ref<const ordered_json::number_unsigned_t&>();
+}
+
 /// The counts that `read` takes from JSON. Throws badInput where they are not as add() writes them.
 template <class Read>
 auto countsFrom(const ordered_json& json, const std::string& truth, const Read& read)
@@ -36,15 +48,14 @@ auto countsFrom(const ordered_json& json, const std::string& truth, const Read& 
     try {
         for (const ordered_json& one : json) counts.push_back(read(one));
     } catch (const ordered_json::exception&) {
-        throw protocols::badInput(
-            {"the counts are damaged", truth, "counts as this program writes them", "name another file after --resume"});
+        throw damagedCounts(truth);
     }
     return counts;
 }
 
 stats::StudyMean studyMeanOf(const ordered_json& json)
 {
-    return {json.at(0).get<std::size_t>(), json.at(1).get<double>(), json.at(2).get<double>()};
+    return {countAt(json, 0), json.at(1).get<double>(), json.at(2).get<double>()};
 }
 
 }  // namespace
@@ -96,9 +107,12 @@ void resumeFrom(KeptCounts& kept, stats::CalibrationOptions& options)
     constexpr const char* kind = "calibrate";
     kept.require(kind, settingsOf(options.design, options.ratings, options.simulation));
     options.counted = [&kept](const std::string& truth) {
-        return countsFrom(kept.of(kind, truth), truth, [](const ordered_json& one) {
-            return stats::Rejections{one.at(0).get<std::size_t>(), one.at(1).get<std::size_t>(), one.at(2).get<std::size_t>()};
+        auto counts = countsFrom(kept.of(kind, truth), truth, [](const ordered_json& one) {
+            return stats::Rejections{countAt(one, 0), countAt(one, 1), countAt(one, 2)};
         });
+        for (const stats::Rejections& one : counts)
+            if (one.rejected > one.studies || one.undefined > one.studies - one.rejected) throw damagedCounts(truth);
+        return counts;
     };
     options.finished = [&kept](const std::string& truth, const std::vector<stats::Rejections>& counts) {
         ordered_json json = ordered_json::array();

@@ -1,7 +1,9 @@
 #include "rendering/display/stimulus_bank.h"
 
 #include <sys/stat.h>
+#include <unistd.h>
 
+#include <QElapsedTimer>
 #include <QTemporaryDir>
 #include <QTest>
 #include <filesystem>
@@ -130,6 +132,40 @@ private Q_SLOTS:
         const auto faults = faultsOfStimuli(stimuli.path, stimuli.hashes);
         QCOMPARE(faults.size(), std::size_t(1));
         QVERIFY(QString::fromStdString(faults.front()).contains(said));
+    }
+
+    void tooLargeStimulusIsNotRead()
+    {
+        const Stimuli stimuli(3);
+        std::filesystem::resize_file(stimuli.file("b"), 10'000'000'000);  // sparse
+        QElapsedTimer time;
+        time.start();
+        const auto refusal = refusalOf([&] { StimulusBank(stimuli.path, stimuli.hashes, key); });
+        const auto faults = faultsOfStimuli(stimuli.path, stimuli.hashes);
+        QVERIFY(time.elapsed() < 1000);
+        QVERIFY2(refusal.contains("it has 10000000000 bytes"), qPrintable(refusal));
+        QCOMPARE(faults.size(), std::size_t(1));
+        const auto size = std::filesystem::file_size(stimuli.file("a"));
+        const auto said =
+            QString("b.sealed: the stimulus was altered: it has 10000000000 bytes, and at most %1 are right").arg(size);
+        QVERIFY2(QString::fromStdString(faults.front()).contains(said), faults.front().c_str());
+    }
+
+    void unreadableStimulusIsNotMissing()
+    {
+        const Stimuli stimuli(3);
+        std::filesystem::permissions(stimuli.path, std::filesystem::perms(0755));
+        std::filesystem::permissions(stimuli.file("b"), std::filesystem::perms::none);
+        for (const char* name : {"a", "c"}) std::filesystem::permissions(stimuli.file(name), std::filesystem::perms(0644));
+        const bool isRoot = ::geteuid() == 0;  // root may read every file
+        if (isRoot) QCOMPARE(::seteuid(65534), 0);
+        const auto refusal = refusalOf([&] { StimulusBank(stimuli.path, stimuli.hashes, key); });
+        const auto faults = faultsOfStimuli(stimuli.path, stimuli.hashes);
+        if (isRoot) QCOMPARE(::seteuid(0), 0);
+        QVERIFY2(refusal.contains("the stimulus cannot be read (Permission denied)"), qPrintable(refusal));
+        QCOMPARE(faults.size(), std::size_t(1));
+        QVERIFY2(QString::fromStdString(faults.front()).endsWith("b.sealed: the stimulus cannot be read (Permission denied)"),
+                 faults.front().c_str());
     }
 
     void swappedFilesAreRefused()

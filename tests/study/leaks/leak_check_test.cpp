@@ -7,6 +7,7 @@
 #include <fstream>
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <thread>
 
 #include "database/keys.h"
@@ -194,6 +195,25 @@ private Q_SLOTS:
         study.plant(
             [&](const auto& trial, auto&) { return "w" + std::to_string(study.shown(trial).label.value[1] * 7919 % 1013); });
         QVERIFY(finds(study.check(), "equal values: learned condition", "condition"));
+    }
+
+    void largeStudiesAreAttackedFromTheFirstToTheLastRunningOrder()
+    {
+        const PaperStudy study(1, secretSeeds[0]);
+        const auto tables = tablesOfDatabase(study.folder.database());
+        const auto slotsIn = [](const SeenStudy& seen) {
+            std::set<int> slots;
+            for (const auto& trial : seen.trials) slots.insert(trial.slot);
+            return std::vector<int>(slots.begin(), slots.end());
+        };
+        const auto whole = seenStudy(tables), sample = seenStudy(tables, 600);
+        QCOMPARE(whole.trials.size(), std::size_t{1260});
+        QCOMPARE(slotsIn(sample), (std::vector<int>{1, 2, 9, 10}));
+        QCOMPARE(sample.trials.size(), std::size_t{504});
+        QCOMPARE(sample.trialsOfStudy, std::size_t{1260});
+        QCOMPARE(sample.slotsOfStudy, std::size_t{10});
+        QCOMPARE(slotsIn(seenStudy(tables, 800)), (std::vector<int>{1, 2, 5, 6, 9, 10}));
+        QCOMPARE(slotsIn(seenStudy(tables, 1)), (std::vector<int>{1, 2}));
     }
 
     /// One third of the trials name their piece; the others hold a word drawn at random.

@@ -1,0 +1,105 @@
+#include "tests/fuzz/damaged_rows.h"
+
+#include <sqlite3.h>
+
+#include <algorithm>
+#include <memory>
+#include <stdexcept>
+
+namespace fuzz {
+
+namespace {
+
+constexpr char separator = '\x1f';
+constexpr int mostRows = 40;
+
+using Database = std::unique_ptr<sqlite3, decltype(&sqlite3_close)>;
+using Statement = std::unique_ptr<sqlite3_stmt, decltype(&sqlite3_finalize)>;
+
+Database opened(const std::filesystem::path& file)
+{
+    sqlite3* database = nullptr;
+    if (sqlite3_open(file.c_str(), &database) != SQLITE_OK) throw std::runtime_error("the sound database cannot be opened");
+    return {database, sqlite3_close};
+}
+
+Statement prepared(const Database& database, const std::string& sql)
+{
+    sqlite3_stmt* statement = nullptr;
+    sqlite3_prepare_v2(database.get(), sql.c_str(), static_cast<int>(sql.size()), &statement, nullptr);
+    return {statement, sqlite3_finalize};
+}
+
+std::string textAt(const Statement& row, int column)
+{
+    const auto* text = reinterpret_cast<const char*>(sqlite3_column_text(row.get(), column));
+    return text == nullptr ? std::string() : std::string(text, static_cast<std::size_t>(sqlite3_column_bytes(row.get(), column)));
+}
+
+/// The first column of the rows.
+std::vector<std::string> textsIn(const Database& database, const std::string& sql)
+{
+    std::vector<std::string> texts;
+    const Statement row = prepared(database, sql);
+    while (row && sqlite3_step(row.get()) == SQLITE_ROW) texts.push_back(textAt(row, 0));
+    return texts;
+}
+
+std::string quoted(const std::string& name)
+{
+    const std::unique_ptr<char, decltype(&sqlite3_free)> text(sqlite3_mprintf("\"%w\"", name.c_str()), sqlite3_free);
+    return text.get();
+}
+
+std::string inputOf(const std::string& table, const std::string& column, std::size_t row, const std::string& value)
+{
+    return table + separator + column + separator + std::to_string(row) + separator + value + separator;
+}
+
+void change(const Database& database, const std::string& table, const std::string& column, const std::string& row,
+            const std::string& value)
+{
+    // The table of trials has no row numbers.
+    const std::string key = table == "trials" ? "(slot, number)" : "rowid",
+                      columns = table == "trials" ? "slot, number" : "rowid";
+    const Statement update = prepared(database, "UPDATE " + quoted(table) + " SET " + quoted(column) + " = ? WHERE " + key +
+                                                    " = (SELECT " + columns + " FROM " + quoted(table) + " LIMIT 1 OFFSET ?)");
+    if (!update) return;
+    sqlite3_bind_text(update.get(), 1, value.data(), static_cast<int>(value.size()), SQLITE_TRANSIENT);
+    sqlite3_bind_int64(update.get(), 2, std::atoll(row.c_str()));
+    sqlite3_step(update.get());
+}
+
+}  // namespace
+
+std::vector<std::string> rowsOf(const std::filesystem::path& file)
+{
+    const Database database = opened(file);
+    std::vector<std::string> inputs;
+    for (const auto& table : textsIn(database, "SELECT name FROM sqlite_master WHERE type = 'table' ORDER BY name"))
+        for (const auto& column : textsIn(database, "SELECT name FROM pragma_table_info(" + quoted(table) + ")")) {
+            const auto values = textsIn(database, "SELECT " + quoted(column) + " FROM " + quoted(table) + " LIMIT " +
+                                                      std::to_string(column == "payload" ? mostRows : 1));
+            for (std::size_t row = 0; row < values.size(); ++row) inputs.push_back(inputOf(table, column, row, values[row]));
+        }
+    return inputs;
+}
+
+void changeRows(const std::filesystem::path& file, const std::string& input)
+{
+    const Database database = opened(file);
+    for (const char* pragma :
+         {"PRAGMA ignore_check_constraints = ON", "PRAGMA foreign_keys = OFF", "PRAGMA synchronous = OFF", "BEGIN"})
+        sqlite3_exec(database.get(), pragma, nullptr, nullptr, nullptr);
+    for (const auto& trigger : textsIn(database, "SELECT name FROM sqlite_master WHERE type = 'trigger'"))
+        sqlite3_exec(database.get(), ("DROP TRIGGER " + quoted(trigger)).c_str(), nullptr, nullptr, nullptr);
+    std::vector<std::string> texts;
+    for (std::size_t begin = 0, end = input.find(separator); end != std::string::npos; end = input.find(separator, begin)) {
+        texts.push_back(input.substr(begin, end - begin));
+        begin = end + 1;
+    }
+    for (std::size_t i = 0; i + 3 < texts.size(); i += 4) change(database, texts[i], texts[i + 1], texts[i + 2], texts[i + 3]);
+    sqlite3_exec(database.get(), "COMMIT", nullptr, nullptr, nullptr);
+}
+
+}  // namespace fuzz

@@ -199,7 +199,7 @@ void addStudy(CLI::App& app, Action& action)
     });
 
     auto* sheetsCommand = study->add_subcommand(
-        "sheets", "write pages to print: labels of the fabric pieces, preparation sheets, the card of the scale");
+        "sheets", "write pages to print: labels of the fabric pieces, preparation and session sheets, the card of the scale");
     auto out = std::make_shared<std::string>();
     sheetsCommand->add_option("STUDY", *folder, "the study")->required();
     sheetsCommand->add_option("--out", *out, "folder to write the pages to")->required();

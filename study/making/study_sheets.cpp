@@ -14,7 +14,21 @@ namespace {
 
 using protocols::shortest;
 
-std::string page(const std::string& title, const std::string& body)
+/// What every page says about the log when it was printed.
+struct PrintedHead {
+    std::string study;  ///< name of the folder
+    database::LogHead head;
+};
+
+std::string footOf(const PrintedHead& printed)
+{
+    const std::string head = shortTextOf(printed.head);
+    return "<p class=\"foot\">Head of the log when this page was made: <b>" + head + "</b> (" +
+           std::to_string(printed.head.sequence) + (printed.head.sequence == 1 ? " entry" : " entries") +
+           "). Check: <code>vis2hap verify " + protocols::escapedMarkup(printed.study) + " --against " + head + "</code></p>\n";
+}
+
+std::string page(const std::string& title, const std::string& body, const PrintedHead& printed)
 {
     return "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" + protocols::escapedMarkup(title) +
            "</title><style>\n"
@@ -22,9 +36,10 @@ std::string page(const std::string& title, const std::string& body)
            "h1{font-size:20pt}h2{font-size:15pt;margin-top:10mm}table{border-collapse:collapse}\n"
            "td,th{border:1px solid #000;padding:2mm 5mm;text-align:left}\n"
            ".label{display:inline-block;border:1px dashed #000;padding:6mm 9mm;margin:2mm;font-size:26pt;font-weight:bold}\n"
-           ".sheet{page-break-after:always}p{max-width:170mm}\n"
+           ".sheet{page-break-after:always}p{max-width:170mm}.foot{font-size:9pt;margin-top:10mm}.blank "
+           "td{height:9mm;min-width:25mm}\n"
            "</style></head><body>\n<h1>" +
-           protocols::escapedMarkup(title) + "</h1>\n" + body + "</body></html>\n";
+           protocols::escapedMarkup(title) + "</h1>\n" + body + footOf(printed) + "</body></html>\n";
 }
 
 /// One set of labels. All slots share one set where the pieces are labelled once.
@@ -43,7 +58,7 @@ std::vector<LabelSet> labelSetsOf(const database::StudyFacts& facts, const proto
     return sets;
 }
 
-std::string labelsPage(const database::StudyFacts& facts, const std::vector<LabelSet>& sets)
+std::string labelsPage(const database::StudyFacts& facts, const std::vector<LabelSet>& sets, const PrintedHead& printed)
 {
     std::string body = "<p>Cut out the labels. Fix each label to the back of its piece, as the preparation sheet shows.</p>\n";
     for (const auto& set : sets) {
@@ -51,10 +66,10 @@ std::string labelsPage(const database::StudyFacts& facts, const std::vector<Labe
         for (const auto& [fabric, code] : set.codes) body += "<span class=\"label\">" + code + "</span>";
         body += "</div>\n";
     }
-    return page(facts.name + ": labels of the fabric pieces", body);
+    return page(facts.name + ": labels of the fabric pieces", body, printed);
 }
 
-std::string preparationPage(const database::StudyFacts& facts, const std::vector<LabelSet>& sets)
+std::string preparationPage(const database::StudyFacts& facts, const std::vector<LabelSet>& sets, const PrintedHead& printed)
 {
     std::string body = "<p>For the person who labels the pieces. The operator of a session only needs the codes.</p>\n";
     for (const auto& set : sets) {
@@ -71,7 +86,7 @@ std::string preparationPage(const database::StudyFacts& facts, const std::vector
         }
         body += "</div>\n";
     }
-    return page(facts.name + ": preparation of the fabric pieces", body);
+    return page(facts.name + ": preparation of the fabric pieces", body, printed);
 }
 
 /// The line with its equal sections. Only the ends have numbers, because the participant memorises the rest.
@@ -100,7 +115,7 @@ std::string scaleDrawing(const protocols::RatingScale& scale)
            "</svg>\n";
 }
 
-std::string scaleCard(const database::StudyFacts& facts, const protocols::RatingScale& scale)
+std::string scaleCard(const database::StudyFacts& facts, const protocols::RatingScale& scale, const PrintedHead& printed)
 {
     std::string body = "<p>Memorise this line. You will not see it during the session.</p>\n" + scaleDrawing(scale);
     if (scale.labels.empty())
@@ -113,7 +128,20 @@ std::string scaleCard(const database::StudyFacts& facts, const protocols::Rating
         for (const auto& label : scale.labels) body += "<li>" + protocols::escapedMarkup(label) + "</li>";
         body += "</ol>\n";
     }
-    return page(facts.name + ": the scale", body);
+    return page(facts.name + ": the scale", body, printed);
+}
+
+/// One row a sitting, to fill in by hand.
+std::string sessionPage(const database::StudyFacts& facts, const PrintedHead& printed)
+{
+    constexpr int rows = 12;
+    std::string body =
+        "<p>At the end of a sitting the app shows the head of the log. Copy it here: the number, the colon and the 16 digits. "
+        "Keep "
+        "this sheet away from the computer. It then shows later whether the log was cut, put back or written anew.</p>\n"
+        "<table><tr><th>date</th><th>participant</th><th>operator</th><th>head of the log</th></tr>\n";
+    for (int row = 0; row < rows; ++row) body += "<tr class=\"blank\"><td></td><td></td><td></td><td></td></tr>\n";
+    return page(facts.name + ": sittings", body + "</table>\n", printed);
 }
 
 }  // namespace
@@ -123,13 +151,16 @@ void writeSheets(const database::StudyStore& store, const std::filesystem::path&
     const auto facts = store.facts();
     const auto protocol = records::protocolOf(facts);
     const auto sets = labelSetsOf(facts, protocol);
+    const auto folder = std::filesystem::absolute(store.folder().folder).lexically_normal();
+    const PrintedHead printed{(folder.has_filename() ? folder : folder.parent_path()).filename().string(), store.head()};
     protocols::FolderDraft draft(out, protocols::Earlier::FilesJoined);
     const auto write = [&](const char* name, const std::string& html) {
         protocols::writeWholeFile(draft.file(name), html, protocols::Sync::Later);
     };
-    write("labels.html", labelsPage(facts, sets));
-    write("preparation.html", preparationPage(facts, sets));
-    if (const auto* scale = memorisedScaleOf(protocol)) write("scale-card.html", scaleCard(facts, *scale));
+    write("labels.html", labelsPage(facts, sets, printed));
+    write("session.html", sessionPage(facts, printed));
+    write("preparation.html", preparationPage(facts, sets, printed));
+    if (const auto* scale = memorisedScaleOf(protocol)) write("scale-card.html", scaleCard(facts, *scale, printed));
     draft.putInPlace();
 }
 

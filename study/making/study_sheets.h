@@ -1,5 +1,5 @@
-// Pages to print before participants come: labels for the fabric pieces, the preparation sheet with the code of each piece,
-// and the card of the scale to memorise.
+// Pages to print before participants come: labels for the fabric pieces, the preparation sheet with the code of each piece, the
+// session sheet on which the operator copies the head of the log, and the card of the scale to memorise.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +8,8 @@
 
 namespace study::making {
 
-/// Writes labels.html, preparation.html and, for a protocol with ratings, scale-card.html. Each page is complete in itself.
+/// Writes labels.html, preparation.html, session.html and, for a protocol with ratings, scale-card.html. Each page is complete in
+/// itself. Its foot names the head of the log (16 digits and the number of entries) and the command that checks it.
 /// The pages name fabrics and pieces, but no condition, presentation or file code. Throws environmentFault.
 void writeSheets(const database::StudyStore& store, const std::filesystem::path& out);
 

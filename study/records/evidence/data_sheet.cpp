@@ -48,7 +48,7 @@ std::string octal(mode_t mode)
 }
 
 /// Bytes of a file, or of everything in a folder.
-std::uintmax_t bytesOf(const fs::path& path)
+std::uintmax_t bytesBelow(const fs::path& path)
 {
     std::error_code gone;
     if (!fs::is_directory(path, gone)) return fs::is_regular_file(path, gone) ? fs::file_size(path, gone) : 0;
@@ -58,12 +58,12 @@ std::uintmax_t bytesOf(const fs::path& path)
     return bytes;
 }
 
-ordered_json fileRow(const fs::path& path)
+ordered_json sheetFileRow(const fs::path& path)
 {
     struct stat status {};
     if (::lstat(path.c_str(), &status) != 0) return {};
     const std::string name = path.filename().string();
-    ordered_json row{{"name", name}, {"mode", octal(status.st_mode)}, {"bytes", bytesOf(path)}};
+    ordered_json row{{"name", name}, {"mode", octal(status.st_mode)}, {"bytes", bytesBelow(path)}};
     const auto words = fileWords(name);
     row["what"] = words ? words->words : "does not belong to the study";
     row["protection"] = words ? words->protection : "unknown";
@@ -78,7 +78,7 @@ ordered_json fileRows(const fs::path& study)
     std::ranges::sort(paths);
     ordered_json rows = ordered_json::array();
     for (const auto& path : paths)
-        if (auto row = fileRow(path); !row.empty()) rows.push_back(std::move(row));
+        if (auto row = sheetFileRow(path); !row.empty()) rows.push_back(std::move(row));
     return rows;
 }
 
@@ -182,7 +182,7 @@ ordered_json erasureOf(const database::StudyStore& store)
             {"done", done}};
 }
 
-ordered_json actRows(const database::StudyStore& store)
+ordered_json sheetActRows(const database::StudyStore& store)
 {
     ordered_json rows = ordered_json::array();
     for (const auto& act : actsOf(store))
@@ -190,7 +190,7 @@ ordered_json actRows(const database::StudyStore& store)
     return rows;
 }
 
-std::string keyOf(const database::StudyStore& store, const database::StudyFacts& facts)
+std::string sentenceOnKey(const database::StudyStore& store, const database::StudyFacts& facts)
 {
     if (store.unblinding()) return "The study is unblinded: the key that names fabrics and conditions lies open.";
     return facts.hasPassphrase ? "A passphrase of the owner seals the key that names fabrics and conditions. Nobody can restore "
@@ -220,7 +220,7 @@ ordered_json dataSheetOf(const database::StudyStore& store)
     sheet["protection"] = {
         "The database is not encrypted. File modes keep other accounts out. Use an encrypted disk against theft.",
         "Images and codes of presentations are encrypted with the station key, which lies in the folder for the sessions.",
-        keyOf(store, facts)};
+        sentenceOnKey(store, facts)};
     sheet["tables"] = tableRows(store);
     sheet["readers"] = readerRows(facts);
     sheet["duration"] = durationOf(store, facts);
@@ -230,7 +230,7 @@ ordered_json dataSheetOf(const database::StudyStore& store)
         "If somebody removes the open database, the answers lie in a rescue file: in the study folder, beside it, or in the "
         "folder for temporary files.",
         "The program sends nothing over a network, except images to a display driver that the operator named."};
-    sheet["acts"] = actRows(store);
+    sheet["acts"] = sheetActRows(store);
     sheet["contact"] = nullptr;
     sheet["why"] = {{"contact", "protocols name no contact"}};
     sheet["log_head"] = textOf(store.head());

@@ -13,7 +13,7 @@ using nlohmann::ordered_json;
 
 constexpr std::size_t widest = 100;
 
-std::string cell(const ordered_json& row, const char* key)
+std::string sheetField(const ordered_json& row, const char* key)
 {
     if (!row.contains(key) || row[key].is_null()) return "";
     return protocols::printable(row[key].is_string() ? row[key].get<std::string>() : row[key].dump());
@@ -39,103 +39,108 @@ std::string wrapped(const std::string& first, const std::string& text)
     return lines + "\n";
 }
 
-std::string heading(const std::string& text) { return "\n" + text + "\n" + std::string(text.size(), '-') + "\n"; }
+std::string chapterHeading(const std::string& text) { return "\n" + text + "\n" + std::string(text.size(), '-') + "\n"; }
 
-std::string listed(const ordered_json& sentences)
+std::string bulleted(const ordered_json& sentences)
 {
     std::string text;
     for (const auto& sentence : sentences) text += wrapped("- ", protocols::printable(sentence.get<std::string>()));
     return text;
 }
 
-std::string counts(const ordered_json& numbers)
+std::string countsText(const ordered_json& numbers)
 {
     std::string text;
     for (const auto& [name, number] : numbers.items()) text += (text.empty() ? "" : ", ") + number.dump() + " " + name;
     return text;
 }
 
-std::string people(const ordered_json& sheet)
+std::string peopleChapter(const ordered_json& sheet)
 {
     std::string asked;
     for (const auto& fact : sheet["facts_asked"])
         asked += (asked.empty() ? "" : ", ") + protocols::printable(fact.get<std::string>());
-    return heading("1. Participants") +
-           wrapped("", "Participants appear under codes. " + counts(sheet["participants"]["kinds"]) + "; " +
-                           counts(sheet["participants"]["states"]) + ".") +
+    return chapterHeading("1. Participants") +
+           wrapped("", "Participants appear under codes. " + countsText(sheet["participants"]["kinds"]) + "; " +
+                           countsText(sheet["participants"]["states"]) + ".") +
            wrapped("", asked.empty() ? "The protocol asks for no facts about them."
                                      : "The protocol asks for these facts, each optional: " + asked + ".") +
            wrapped("", "Consent: " + protocols::printable(sheet["consent"].get<std::string>()));
 }
 
-std::string place(const ordered_json& sheet)
+std::string placeChapter(const ordered_json& sheet)
 {
-    std::string text = heading("2. Place and protection");
-    text += wrapped("", "Folder " + cell(sheet["place"], "folder") + " on the computer " + cell(sheet["place"], "host") + ".");
-    text += listed(sheet["protection"]) + "\n";
+    std::string text = chapterHeading("2. Place and protection");
+    text += wrapped(
+        "", "Folder " + sheetField(sheet["place"], "folder") + " on the computer " + sheetField(sheet["place"], "host") + ".");
+    text += bulleted(sheet["protection"]) + "\n";
     for (const auto& file : sheet["place"]["files"])
-        text += wrapped("- ", cell(file, "name") + ", mode " + cell(file, "mode") + ", " + cell(file, "bytes") +
-                                  " bytes: " + cell(file, "what") + " (" + cell(file, "protection") + ")");
-    return text + listed(sheet["elsewhere"]);
+        text += wrapped("- ", sheetField(file, "name") + ", mode " + sheetField(file, "mode") + ", " + sheetField(file, "bytes") +
+                                  " bytes: " + sheetField(file, "what") + " (" + sheetField(file, "protection") + ")");
+    return text + bulleted(sheet["elsewhere"]);
 }
 
-std::string columns(const ordered_json& table)
+std::string rowsText(const ordered_json& number) { return number.dump() + (number == 1 ? " row" : " rows"); }
+
+std::string columnLines(const ordered_json& table)
 {
     std::string text;
     for (const auto& column : table["columns"]) {
-        const std::string atErasure = cell(column, "at_erasure");
-        text += wrapped("    ", cell(column, "column") + ": " +
-                                    (column["what"].is_null() ? cell(column["why"], "what") : cell(column, "what")) +
+        const std::string atErasure = sheetField(column, "at_erasure");
+        text += wrapped("    ", sheetField(column, "column") + ": " +
+                                    (column["what"].is_null() ? sheetField(column["why"], "what") : sheetField(column, "what")) +
                                     (atErasure.empty() ? "" : " [" + atErasure + "]"));
     }
     return text;
 }
 
-std::string content(const ordered_json& sheet)
+std::string contentChapter(const ordered_json& sheet)
 {
-    std::string text = heading("3. Content of the database") +
+    std::string text = chapterHeading("3. Content of the database") +
                        wrapped("", "Columns about participants carry in brackets what an erasure does to them.");
     for (const auto& table : sheet["tables"])
-        text += wrapped("- ", cell(table, "table") + " (" + cell(table, "rows") + " rows): " + cell(table, "what") +
+        text += wrapped("- ", sheetField(table, "table") + " (" + rowsText(table["rows"]) + "): " + sheetField(table, "what") +
                                   (table["personal"].get<bool>() ? "" : "; nothing about participants")) +
-                columns(table);
+                columnLines(table);
     return text;
 }
 
-std::string readers(const ordered_json& sheet)
+std::string readersChapter(const ordered_json& sheet)
 {
-    std::string text = heading("4. Readers");
+    std::string text = chapterHeading("4. Readers");
     for (const auto& reader : sheet["readers"])
-        text += wrapped("- ", cell(reader, "who")) + wrapped("    before the unblinding: ", cell(reader, "before_unblinding")) +
-                wrapped("    after it: ", cell(reader, "after_unblinding"));
+        text += wrapped("- ", sheetField(reader, "who")) +
+                wrapped("    before the unblinding: ", sheetField(reader, "before_unblinding")) +
+                wrapped("    after it: ", sheetField(reader, "after_unblinding"));
     return text + wrapped("", sheet["blinded"].get<bool>() ? "The study is blinded now." : "The study is unblinded now.");
 }
 
-std::string duration(const ordered_json& sheet)
+std::string durationChapter(const ordered_json& sheet)
 {
-    return heading("5. Duration") +
-           wrapped("", "The study was made on " + cell(sheet["duration"], "since") + ". Its log has " +
-                           cell(sheet["duration"], "entries") + " entries.") +
-           wrapped("", "No period of storage is known: " + cell(sheet["duration"]["why"], "period") +
+    return chapterHeading("5. Duration") +
+           wrapped("", "The study was made on " + sheetField(sheet["duration"], "since") + ". Its log has " +
+                           sheetField(sheet["duration"], "entries") + " entries.") +
+           wrapped("", "No period of storage is known: " + sheetField(sheet["duration"]["why"], "period") +
                            ". State the period here, and delete the folder and its copies at its end.");
 }
 
-std::string erasure(const ordered_json& sheet)
+std::string erasureChapter(const ordered_json& sheet)
 {
-    std::string text = heading("6. Erasure") + "What it does:\n" + listed(sheet["erasure"]["does"]) + "What it cannot do:\n" +
-                       listed(sheet["erasure"]["cannot"]);
+    std::string text = chapterHeading("6. Erasure") + "What it does:\n" + bulleted(sheet["erasure"]["does"]) +
+                       "What it cannot do:\n" + bulleted(sheet["erasure"]["cannot"]);
     for (const auto& act : sheet["erasure"]["done"])
-        text += wrapped("", "Done on " + cell(act, "time") + ": " +
+        text += wrapped("", "Done on " + sheetField(act, "time") + ": " +
                                 (act["answers_too"].get<bool>() ? "facts, answers, notes and times." : "facts and debriefing."));
     return sheet["erasure"]["done"].empty() ? text + "None was done so far.\n" : text;
 }
 
-std::string acts(const ordered_json& sheet)
+std::string actsChapter(const ordered_json& sheet)
 {
-    std::string text = heading("7. Copies and acts on record");
+    std::string text = chapterHeading("7. Copies and acts on record");
     for (const auto& act : sheet["acts"])
-        text += wrapped("- ", cell(act, "time") + ": " + cell(act, "act") + " by " + cell(act, "who") + " on " +
-                                  cell(act, "host") + (cell(act, "path").empty() ? "" : ": " + cell(act, "path")));
+        text +=
+            wrapped("- ", sheetField(act, "time") + ": " + sheetField(act, "act") + " by " + sheetField(act, "who") + " on " +
+                              sheetField(act, "host") + (sheetField(act, "path").empty() ? "" : ": " + sheetField(act, "path")));
     if (sheet["acts"].empty()) text += "None is on record.\n";
     return text + "Copies that somebody made by hand are on no record.\n";
 }
@@ -144,13 +149,15 @@ std::string acts(const ordered_json& sheet)
 
 std::string textOfDataSheet(const ordered_json& sheet)
 {
-    std::string text = wrapped("", "Data sheet of the study " + cell(sheet, "study"));
-    text +=
-        wrapped("", "Made on " + cell(sheet, "made_at") + " from the study itself, which " + cell(sheet, "program") + " made.");
-    text +=
-        wrapped("", "Protocol SHA-256 " + cell(sheet, "protocol_sha256")) + wrapped("", "Log head " + cell(sheet, "log_head"));
-    text += people(sheet) + place(sheet) + content(sheet) + readers(sheet) + duration(sheet) + erasure(sheet) + acts(sheet);
-    return text + heading("8. Contact") + wrapped("", cell(sheet["why"], "contact") + ": add the name and the address here.");
+    std::string text = wrapped("", "Data sheet of the study " + sheetField(sheet, "study"));
+    text += wrapped("", "Made on " + sheetField(sheet, "made_at") + " from the study itself, which " +
+                            sheetField(sheet, "program") + " made.");
+    text += wrapped("", "Protocol SHA-256 " + sheetField(sheet, "protocol_sha256")) +
+            wrapped("", "Log head " + sheetField(sheet, "log_head"));
+    text += peopleChapter(sheet) + placeChapter(sheet) + contentChapter(sheet) + readersChapter(sheet) + durationChapter(sheet) +
+            erasureChapter(sheet) + actsChapter(sheet);
+    return text + chapterHeading("8. Contact") +
+           wrapped("", sheetField(sheet["why"], "contact") + ": add the name and the address here.");
 }
 
 }  // namespace study::records

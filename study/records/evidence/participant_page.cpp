@@ -47,7 +47,7 @@ std::string wordsFor(const std::string& kind)
     return kind;
 }
 
-std::string text(const ordered_json& row, const char* key)
+std::string fieldText(const ordered_json& row, const char* key)
 {
     if (!row.contains(key) || row[key].is_null()) return "";
     const auto& value = row[key];
@@ -59,20 +59,20 @@ std::string text(const ordered_json& row, const char* key)
 /// "2026-11-22 14:03:11" for an ISO 8601 time: a reader needs no milliseconds.
 std::string readableTime(const ordered_json& row, const char* key = "time")
 {
-    std::string time = text(row, key).substr(0, 19);
+    std::string time = fieldText(row, key).substr(0, 19);
     if (time.size() == 19 && time[10] == 'T') time[10] = ' ';
     return time;
 }
 
-std::string about(const ordered_json& data)
+std::string introduction(const ordered_json& data)
 {
-    std::string body = page::sentence("You take part under the code " + text(data, "participant") + ".");
-    const std::string state = text(data, "state");
+    std::string body = page::sentence("You take part under the code " + fieldText(data, "participant") + ".");
+    const std::string state = fieldText(data, "state");
     if (state == "withdrawn") body += page::sentence("Your participation has ended early. Your answers are not analysed.");
     if (state == "finished") body += page::sentence("You have finished the study.");
     if (state == "started") body += page::sentence("Your participation is not finished.");
-    if (text(data, "kind") != "human")
-        body += page::sentence("This participant is no person: the program made the answers (" + text(data, "kind") + ").");
+    if (fieldText(data, "kind") != "human")
+        body += page::sentence("This participant is no person: the program made the answers (" + fieldText(data, "kind") + ").");
     if (data["blinded"].get<bool>())
         body += page::sentence(
             "The study still hides what the screen showed in each trial. So this sheet does not say which answer was right. You "
@@ -80,15 +80,15 @@ std::string about(const ordered_json& data)
     return body;
 }
 
-std::string erasures(const ordered_json& data)
+std::string erasureSection(const ordered_json& data)
 {
     std::string body;
     for (const auto& act : data["erasures"])
-        body += page::sentence(std::string(act["answers_too"].get<bool>()
-                                               ? "Facts, comments, answers, notes and times were erased on "
-                                               : "Facts about you and your comments after the session were erased on ") +
-                               readableTime(act) + ", ordered by " + text(act, "who") + ". Reason: " + text(act, "why") +
-                               ". The file erasure-" + text(act, "entry") + ".txt is the certificate.");
+        body += page::sentence(
+            std::string(act["answers_too"].get<bool>() ? "Facts, comments, answers, notes and times were erased on "
+                                                       : "Facts about you and your comments after the session were erased on ") +
+            readableTime(act) + ", ordered by " + fieldText(act, "who") + ". Reason: " + fieldText(act, "why") +
+            ". The file erasure-" + fieldText(act, "entry") + ".txt is the certificate.");
     if (!body.empty())
         body += page::sentence(
             "What is left: your code, the number of your running order, and the kinds of your entries in the log without "
@@ -96,27 +96,27 @@ std::string erasures(const ordered_json& data)
     return body.empty() ? "" : page::section("Erasure", body);
 }
 
-std::string consent(const ordered_json& data)
+std::string consentSection(const ordered_json& data)
 {
     const auto& given = data["consent"];
     const std::string when = given["time"].is_null() ? "The study stores no time of your consent."
                                                      : "The operator confirmed your consent on " + readableTime(given) + ".";
-    return page::section("Consent", page::sentence(when) + page::sentence("The text was: “" + text(given, "text") + "”"));
+    return page::section("Consent", page::sentence(when) + page::sentence("The text was: “" + fieldText(given, "text") + "”"));
 }
 
-std::string facts(const ordered_json& data)
+std::string factSection(const ordered_json& data)
 {
     std::vector<std::vector<std::string>> rows;
-    for (const auto& fact : data["facts"]) rows.push_back({text(fact, "fact"), text(fact, "value")});
+    for (const auto& fact : data["facts"]) rows.push_back({fieldText(fact, "fact"), fieldText(fact, "value")});
     return page::section("What you told us about yourself",
                          rows.empty() ? page::sentence("Nothing is stored.") : page::table({"question", "your answer"}, rows));
 }
 
-std::string sittings(const ordered_json& data)
+std::string sittingSection(const ordered_json& data)
 {
     std::vector<std::vector<std::string>> rows;
     for (const auto& sitting : data["sittings"])
-        rows.push_back({text(sitting, "sitting"), readableTime(sitting, "from"), readableTime(sitting, "until")});
+        rows.push_back({fieldText(sitting, "sitting"), readableTime(sitting, "from"), readableTime(sitting, "until")});
     return page::section("Your sittings",
                          rows.empty() ? page::sentence("No time is stored.") : page::table({"sitting", "from", "until"}, rows));
 }
@@ -128,19 +128,19 @@ std::string remarkOn(const ordered_json& answer)
     return remark;
 }
 
-std::string answers(const ordered_json& data)
+std::string answerSection(const ordered_json& data)
 {
     const bool isBlinded = data["blinded"].get<bool>();
     std::vector<std::string> head{"time", "trial", "question", "your answer", "seconds", "remark"};
     if (!isBlinded) head.insert(head.end(), {"fabric", "condition", "right"});
     std::vector<std::vector<std::string>> rows;
     for (const auto& answer : data["answers"]) {
-        rows.push_back({readableTime(answer), text(answer, "trial"), text(answer, "question"),
-                        text(answer, answer.contains("rating") ? "rating" : "answer"), text(answer, "seconds"),
+        rows.push_back({readableTime(answer), fieldText(answer, "trial"), fieldText(answer, "question"),
+                        fieldText(answer, answer.contains("rating") ? "rating" : "answer"), fieldText(answer, "seconds"),
                         remarkOn(answer)});
         if (isBlinded) continue;
         const std::string right = answer.contains("correct") ? (answer["correct"].get<bool>() ? "yes" : "no") : "";
-        rows.back().insert(rows.back().end(), {text(answer, "fabric"), text(answer, "condition"), right});
+        rows.back().insert(rows.back().end(), {fieldText(answer, "fabric"), fieldText(answer, "condition"), right});
     }
     if (rows.empty()) return page::section("Your answers", page::sentence("No answer is stored."));
     return page::section("Your answers",
@@ -149,31 +149,32 @@ std::string answers(const ordered_json& data)
                              page::table(head, rows));
 }
 
-std::string notes(const ordered_json& data)
+std::string noteSection(const ordered_json& data)
 {
     std::vector<std::vector<std::string>> rows;
-    for (const auto& note : data["notes"]) rows.push_back({readableTime(note), text(note, "trial"), text(note, "text")});
+    for (const auto& note : data["notes"])
+        rows.push_back({readableTime(note), fieldText(note, "trial"), fieldText(note, "text")});
     return page::section("Notes of the operator during your session",
                          rows.empty() ? page::sentence("No note is stored.") : page::table({"time", "trial", "note"}, rows));
 }
 
-std::string events(const ordered_json& data)
+std::string eventSection(const ordered_json& data)
 {
     std::vector<std::vector<std::string>> rows;
     for (const auto& event : data["events"]) {
-        const std::string words = wordsFor(text(event, "kind"));
-        const std::string reason = event.contains("details") ? text(event["details"], "why") : "";
+        const std::string words = wordsFor(fieldText(event, "kind"));
+        const std::string reason = event.contains("details") ? fieldText(event["details"], "why") : "";
         if (!words.empty() && event.contains("time"))
             rows.push_back({readableTime(event), words + (reason.empty() ? "" : " Reason: " + reason)});
     }
     return page::section("What happened", rows.empty() ? page::sentence("No time is stored.") : page::table({"time", ""}, rows));
 }
 
-std::string copies(const ordered_json& data)
+std::string copySection(const ordered_json& data)
 {
     std::vector<std::vector<std::string>> rows;
     for (const auto& copy : data["copies"])
-        rows.push_back({readableTime(copy), text(copy, "act"), text(copy, "host") + ": " + text(copy, "path")});
+        rows.push_back({readableTime(copy), fieldText(copy, "act"), fieldText(copy, "host") + ": " + fieldText(copy, "path")});
     const std::string first =
         page::sentence("These copies of the study may hold data about you. Copies that somebody made by hand are on no record.");
     return page::section("Copies", rows.empty() ? page::sentence("The study has no record of a copy with your data.")
@@ -184,13 +185,14 @@ std::string copies(const ordered_json& data)
 
 std::string participantPage(const ordered_json& data)
 {
-    const std::string body = about(data) + erasures(data) + consent(data) + facts(data) + sittings(data) + answers(data) +
-                             notes(data) + events(data) + copies(data) +
+    const std::string body = introduction(data) + erasureSection(data) + consentSection(data) + factSection(data) +
+                             sittingSection(data) + answerSection(data) + noteSection(data) + eventSection(data) +
+                             copySection(data) +
                              page::section("Files", page::sentence("your-data.json holds everything in this sheet and the times "
                                                                    "of each step. your-answers.csv holds the answers as a "
                                                                    "table. This sheet was made on " +
                                                                    readableTime(data, "made_at") + "."));
-    return page::whole("Your data in the study " + text(data, "study"), body);
+    return page::whole("Your data in the study " + fieldText(data, "study"), body);
 }
 
 }  // namespace study::records

@@ -1,4 +1,5 @@
-// Evidence that leaves the study: the log in exports, the data of one person, and the rule for names of people.
+// Evidence that leaves the study: the log in exports, the data of one person, printed and signed heads, the data sheet; and the
+// rule for names of people.
 #include <QCryptographicHash>
 #include <QDir>
 #include <QFile>
@@ -290,6 +291,112 @@ private Q_SLOTS:
         const auto acts = actsOf(store);
         QCOMPARE(acts.size(), std::size_t{2});
         QVERIFY(acts[0].path.ends_with("act1") && acts[1].path.ends_with("act2") && acts[1].kind == "export");
+    }
+
+    void printedPagesCarryTheHead()
+    {
+        const QString study = playedStudy();
+        mustRun({"study", "sheets", study, "--out", at("pages")});
+        const QString head = headIn(study), number = head.left(head.indexOf(':')), brief = head.left(number.size() + 17);
+        const QString command = "vis2hap verify " + QDir(study).dirName() + " --against " + brief;
+        for (const char* page : {"labels.html", "preparation.html", "session.html", "scale-card.html"}) {
+            const QString text = bytesOf(at("pages/") + page);
+            QVERIFY2(text.contains("<b>" + brief + "</b> (" + number + " entries)") && text.contains(command), page);
+            QVERIFY2(!text.contains(head), page);
+        }
+        QVERIFY(bytesOf(at("pages/session.html")).contains("<th>head of the log</th>"));
+        QVERIFY(mustRun({"verify", study, "--against", brief}).out.contains("the log contains the given head"));
+    }
+
+    void aSignedHeadIsChecked()
+    {
+        const QString study = playedStudy(), key = at("lab"), statement = at("head.txt");
+        mustRun({"study", "signing-key", "--out", key, "--no-passphrase"});
+        mustRun({"study", "sign", study, "--key", key, "--out", statement});
+        const QString head = headIn(study);
+        QVERIFY(bytesOf(statement).contains("head: " + head + "\nentries: " + head.left(head.indexOf(':')) + "\ntime: "));
+        const QStringList check{"verify", study, "--against", statement, "--public-key", key + ".pub"};
+        auto run = mustRun(check);
+        QVERIFY2(run.out.contains("the signature is that of the public key") && run.out.contains("does not prove"),
+                 qPrintable(run.out));
+        const json result = json::parse(mustRun(check + QStringList{"--json"}).out.toStdString());
+        QVERIFY(result["signature"]["valid"].get<bool>() && result["against"][0]["contained"].get<bool>());
+
+        // Later entries do not matter.
+        mustRun({"unblind", study, "--who", "M", "--why", "done"});
+        mustRun(check);
+
+        run = mustRun({"verify", study, "--against", statement});
+        QVERIFY2(run.out.contains("its signature was not checked"), qPrintable(run.out));
+
+        mustRun({"study", "signing-key", "--out", at("other"), "--no-passphrase"});
+        run = runProgram({"verify", study, "--against", statement, "--public-key", at("other.pub")});
+        QCOMPARE(run.exitCode, 1);
+        QVERIFY2(run.out.contains("signed with another key") && run.out.contains(": 1 fault "), qPrintable(run.out));
+
+        QFile altered(at("altered.txt"));
+        QVERIFY(altered.open(QIODevice::WriteOnly));
+        altered.write(bytesOf(statement).replace("time: 2", "time: 1").toUtf8());
+        altered.close();
+        run = runProgram({"verify", study, "--against", altered.fileName(), "--public-key", key + ".pub"});
+        QCOMPARE(run.exitCode, 1);
+        QVERIFY2(run.out.contains("altered after it was signed") && run.out.contains(": 1 fault "), qPrintable(run.out));
+
+        run = runProgram({"verify", study, "--public-key", key + ".pub"});
+        QCOMPARE(run.exitCode, 2);
+        QVERIFY2(run.err.contains("there is no signature to check"), qPrintable(run.err));
+        run = runProgram({"verify", study, "--against", statement, "--public-key", key});
+        QCOMPARE(run.exitCode, 2);
+        QVERIFY2(run.err.contains("no public key of Ed25519"), qPrintable(run.err));
+    }
+
+    /// The database of an earlier day is put back: the signature holds, and the log lacks the head.
+    void aRolledBackStudyLacksTheSignedHead()
+    {
+        const QString study = at("rolled"), statement = at("rolled.txt");
+        tests::support::buildStudy(study.toStdString());
+        OpenSession({study.toStdString()}, "P1").playUntilAnswers(2);
+        QVERIFY(QFile::copy(study + "/study.db", at("earlier.db")));
+        OpenSession({study.toStdString()}, "P1").playUntilAnswers(5);
+        mustRun({"study", "signing-key", "--out", at("key"), "--no-passphrase"});
+        mustRun({"study", "sign", study, "--key", at("key"), "--out", statement});
+        for (const char* file : {"/study.db", "/study.db-wal", "/study.db-shm"}) QFile::remove(study + file);
+        QVERIFY(QFile::copy(at("earlier.db"), study + "/study.db"));
+        const auto run = runProgram({"verify", study, "--against", statement, "--public-key", at("key.pub")});
+        QCOMPARE(run.exitCode, 1);
+        QVERIFY2(run.out.contains("entries were cut off, or an earlier database was put back"), qPrintable(run.out));
+    }
+
+    void onlySoundStudiesAreSigned()
+    {
+        const QString study = playedStudy();
+        mustRun({"study", "signing-key", "--out", at("key3"), "--no-passphrase"});
+        QCOMPARE(runProgram({"study", "signing-key", "--out", at("key3"), "--no-passphrase"}).exitCode, 2);
+        QCOMPARE(QFile(at("key3")).permissions() & (QFile::ReadGroup | QFile::ReadOther), QFile::Permissions());
+        auto run = runProgram({"study", "sign", study, "--key", at("key3"), "--out", study + "/head.txt"});
+        QCOMPARE(run.exitCode, 2);
+        QVERIFY2(run.err.contains("would lie in the study folder"), qPrintable(run.err));
+        QVERIFY(QFile::copy(at("key3.pub"), study + "/stray"));
+        run = runProgram({"study", "sign", study, "--key", at("key3"), "--out", at("unsound.txt")});
+        QCOMPARE(run.exitCode, 1);
+        QVERIFY2(run.err.contains("the study is not sound: stray"), qPrintable(run.err));
+        QVERIFY(!QFile::exists(at("unsound.txt")));
+    }
+
+    void theDataSheetIsPrintedAndWritten()
+    {
+        const QString study = playedStudy();
+        mustRun({"export", study, "--out", at("listed")});
+        const auto run = mustRun({"study", "data-sheet", study});
+        QVERIFY2(run.out.contains("Data sheet of the study A <study> of touch") && run.out.contains("2 human"),
+                 qPrintable(run.out));
+        QVERIFY2(run.out.contains(at("listed")), qPrintable(run.out));
+        mustRun({"study", "data-sheet", study, "--out", at("sheet.txt")});
+        QVERIFY(bytesOf(at("sheet.txt")).contains("6. Erasure"));
+        const json sheet = json::parse(mustRun({"study", "data-sheet", study, "--json"}).out.toStdString());
+        QCOMPARE(sheet["schema"].get<std::string>(), "vis2hap.data-sheet/1");
+        QCOMPARE(sheet["acts"].size(), std::size_t{1});
+        QCOMPARE(runProgram({"study", "data-sheet", study, "--out", study + "/sheet.txt"}).exitCode, 2);
     }
 
     void namesAndReasonsAreOneLine_data()

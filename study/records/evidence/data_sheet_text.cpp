@@ -157,7 +157,7 @@ std::string textOfDataSheet(const ordered_json& sheet)
     text += peopleChapter(sheet) + placeChapter(sheet) + contentChapter(sheet) + readersChapter(sheet) + durationChapter(sheet) +
             erasureChapter(sheet) + actsChapter(sheet);
     return text + chapterHeading("8. Contact") +
-           wrapped("", sheetField(sheet["why"], "contact") + ": add the name and the address here.");
+           wrapped("", "No contact is known: " + sheetField(sheet["why"], "contact") + ". Add the name and the address here.");
 }
 
 }  // namespace study::records

@@ -288,17 +288,18 @@ void writeParticipantData(const database::StudyStore& store, const ordered_json&
 
 void writeEveryParticipant(const database::StudyStore& store, const std::filesystem::path& folder)
 {
-    std::string joined;
+    ordered_json joined;
     std::size_t number = 0;
     for (const auto& enrolment : store.enrolments()) {
         const auto data = withoutWords(participantData(store, enrolment.participant));
-        const auto own = folder / std::to_string(++number);
-        std::filesystem::create_directory(own);
-        writeParticipantData(store, data, own);
-        const std::string rows = answersCsv(data);
-        joined += joined.empty() ? rows : rows.substr(rows.find('\n') + 1);
+        protocols::writeWholeFile(folder / (std::to_string(++number) + ".html"), participantPage(data), protocols::Sync::Later);
+        for (const char* rows : {"facts", "sittings", "answers", "notes", "events"})
+            for (ordered_json row : data[rows]) {
+                row["participant"] = enrolment.participant.value;
+                joined[rows].push_back(std::move(row));
+            }
     }
-    if (number > 0) protocols::writeWholeFile(folder / "joined.csv", joined, protocols::Sync::Later);
+    if (number > 0) protocols::writeWholeFile(folder / "joined.json", joined.dump(1), protocols::Sync::Later);
 }
 
 }  // namespace study::records

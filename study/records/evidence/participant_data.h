@@ -21,7 +21,7 @@ void writeParticipantData(const database::StudyStore& store, const nlohmann::ord
                           const std::filesystem::path& folder);
 
 /// The data of all participants as leak-check attacks them: without what people said, wrote or answered, which no seal can hide.
-/// A folder for each participant, and all answers joined in one table, as an attacker would join them.
+/// Writes the page of each, and all rows joined in joined.json, as an attacker would join them.
 void writeEveryParticipant(const database::StudyStore& store, const std::filesystem::path& folder);
 
 }  // namespace study::records

@@ -1,5 +1,6 @@
 #include "study/records/evidence/participant_page.h"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "protocols/files/number_text.h"
@@ -54,6 +55,13 @@ std::string fieldText(const ordered_json& row, const char* key)
     if (value.is_string()) return value.get<std::string>();
     if (value.is_number_float()) return protocols::shortest(value.get<double>());
     return value.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+}
+
+/// With one decimal; your-data.json has the rest.
+std::string inSeconds(const ordered_json& answer)
+{
+    const double tenths = std::round(answer["seconds"].get<double>() * 10);
+    return protocols::shortest(tenths / 10);
 }
 
 /// "2026-11-22 14:03:11" for an ISO 8601 time: a reader needs no milliseconds.
@@ -136,17 +144,17 @@ std::string answerSection(const ordered_json& data)
     std::vector<std::vector<std::string>> rows;
     for (const auto& answer : data["answers"]) {
         rows.push_back({readableTime(answer), fieldText(answer, "trial"), fieldText(answer, "question"),
-                        fieldText(answer, answer.contains("rating") ? "rating" : "answer"), fieldText(answer, "seconds"),
-                        remarkOn(answer)});
+                        fieldText(answer, answer.contains("rating") ? "rating" : "answer"), inSeconds(answer), remarkOn(answer)});
         if (isBlinded) continue;
         const std::string right = answer.contains("correct") ? (answer["correct"].get<bool>() ? "yes" : "no") : "";
         rows.back().insert(rows.back().end(), {fieldText(answer, "fabric"), fieldText(answer, "condition"), right});
     }
     if (rows.empty()) return page::section("Your answers", page::sentence("No answer is stored."));
-    return page::section("Your answers",
-                         page::sentence("A letter names a place on the tray: A, B, C from your left. Seconds run from the first "
-                                        "touch to the answer.") +
-                             page::table(head, rows));
+    return page::section(
+        "Your answers",
+        page::sentence("A letter names a place on the tray. Seconds run from the first touch to the answer, or from "
+                       "the start of the presentation where no touch was stamped.") +
+            page::table(head, rows));
 }
 
 std::string noteSection(const ordered_json& data)

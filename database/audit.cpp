@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "database/disk/payload_fields.h"
 #include "database/event_chain.h"
-#include "database/evidence/payload_fields.h"
 #include "database/preregistrations.h"
 #include "database/response_columns.h"
 #include "database/schema.h"

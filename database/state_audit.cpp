@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "database/evidence/payload_fields.h"
+#include "database/disk/payload_fields.h"
 #include "protocols/files/sha256.h"
 
 namespace database {

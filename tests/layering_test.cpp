@@ -65,7 +65,7 @@ const QList<Room>& rooms()
         {"rendering/display/",
          "displays, their drivers, the stimulus bank, the simulated finger",
          {"rendering/composition/friction_image.h", "rendering/images/", "protocols/"}},
-        {"database/disk/", "whether open files are still in place", {}},
+        {"database/disk/", "whether open files are still in place; fields of payloads that may be altered", {}},
         {"database/", "`study.db`, the append-only log, the lock, keys and unblinding", {"database/disk/", "protocols/"}, true},
         {"database/evidence/",
          "the chain of exports, backups and reports; what evidence shows of the log",

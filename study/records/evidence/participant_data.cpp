@@ -1,8 +1,10 @@
 #include "study/records/evidence/participant_data.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "database/disk/payload_fields.h"
 #include "database/evidence/acts.h"
 #include "database/evidence/clear_log.h"
 #include "database/keys.h"
@@ -42,8 +44,8 @@ protocols::Protocol protocolFollowedBy(const database::StudyStore& store, const 
 {
     const auto versions = store.protocolVersions();
     const auto number = static_cast<std::size_t>(enrolment.protocolVersion);
-    return protocols::keptProtocolFromJson(versions.at(std::min(number, versions.size()) - 1).json, "the study's protocol",
-                                           store.facts().programVersion);
+    return protocols::keptProtocolFromJson(versions.at(std::clamp<std::size_t>(number, 1, versions.size()) - 1).json,
+                                           "the study's protocol", store.facts().programVersion);
 }
 
 Person personIn(const database::StudyStore& store, const protocols::ParticipantId& participant)
@@ -180,15 +182,13 @@ ordered_json erasureRows(const Person& person)
 {
     ordered_json rows = ordered_json::array();
     for (const auto& event : person.store.eventsOfKind("erased")) {
-        const auto act = ordered_json::parse(event.payloadJson, nullptr, false);
-        if (!event.participant.empty() || !act.is_object() ||
-            act.value("participant", std::string()) != person.enrolment.participant.value)
-            continue;
+        const auto act = database::payloadIn(event.payloadJson);
+        if (!event.participant.empty() || database::textIn(act, "participant") != person.enrolment.participant.value) continue;
         rows.push_back({{"entry", event.sequence},
                         {"time", event.wallTime},
-                        {"answers_too", act.value("answers_too", false)},
-                        {"who", act.value("who", std::string())},
-                        {"why", act.value("why", std::string())}});
+                        {"answers_too", database::yesIn(act, "answers_too")},
+                        {"who", database::textIn(act, "who")},
+                        {"why", database::textIn(act, "why")}});
     }
     return rows;
 }

@@ -31,7 +31,7 @@ struct Column {
 constexpr const char* text = "TEXT NOT NULL";
 constexpr const char* whole = "INTEGER NOT NULL";
 
-constexpr std::array<Column, 14> allColumns{{
+constexpr std::array<Column, 18> allColumns{{
     {"participant", "TEXT NOT NULL REFERENCES participants(id)", &ResponseRow::participant, AfterCorrection::OfFirst, true},
     {"trial", whole, &ResponseRow::trial, AfterCorrection::OfFirst, true},
     {"attempt", whole, &ResponseRow::attempt, AfterCorrection::OfFirst, true},
@@ -46,6 +46,10 @@ constexpr std::array<Column, 14> allColumns{{
     {"stored_at", whole, &ResponseRow::storedAt, AfterCorrection::OfLatest},
     {"is_correction", whole, &ResponseRow::isCorrection, AfterCorrection::NotShown, true},
     {"touched_by", "TEXT", &ResponseRow::touchedBy},
+    {"touch_ended_at", "INTEGER", &ResponseRow::touchEndedAt},
+    {"answer_begun_at", "INTEGER", &ResponseRow::answerBegunAt},
+    {"answer_begun_by", "TEXT", &ResponseRow::answerBegunBy},
+    {"entries", "INTEGER", &ResponseRow::entries},
 }};
 
 bool isAmong(const Column& column, ResponseColumns columns)

@@ -26,6 +26,9 @@ struct ResponseRow {
     std::int64_t answeredAt = 0, storedAt = 0;
     bool isCorrection = false;
     std::optional<std::string> touchedBy;
+    std::optional<std::int64_t> touchEndedAt, answerBegunAt;
+    std::optional<std::string> answerBegunBy;
+    std::optional<int> entries;
 };
 
 /// Which columns a statement reads.

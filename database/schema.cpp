@@ -113,7 +113,11 @@ constexpr const char* answersView =
         latest.rating_tenths / 10.0 AS rating, first.ready_at AS ready_at, first.touched_at AS touched_at,
         first.answered_at AS answered_at, latest.stored_at AS stored_at,
         (first.answered_at - COALESCE(first.touched_at, first.ready_at)) / 1e9 AS seconds, %1,
-        e.wall_time AS wall_time, %2
+        e.wall_time AS wall_time, %2, first.touch_ended_at AS touch_ended_at, first.answer_begun_at AS answer_begun_at,
+        first.answer_begun_by AS answer_begun_by, first.entries AS entries,
+        CASE WHEN first.answer_begun_at >= CASE WHEN first.answer_begun_by = 'script'
+                THEN COALESCE(first.touched_at, first.ready_at) ELSE first.touched_at END
+            THEN (first.answer_begun_at - COALESCE(first.touched_at, first.ready_at)) / 1e9 END AS response_seconds
       FROM %3
       ORDER BY p.slot, first.trial, first.id)";
 

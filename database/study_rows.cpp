@@ -46,8 +46,23 @@ AnswerRecord recordOf(const ResponseRow& row, KnownTrays& trays)
     record.readyAtNs = row.readyAt;
     record.touchedAtNs = row.touchedAt;
     record.touchedBy = row.touchedBy.value_or("");
+    record.touchEndedAtNs = row.touchEndedAt;
+    record.answerBegunAtNs = row.answerBegunAt;
+    record.answerBegunBy = row.answerBegunBy.value_or("");
     record.answeredAtNs = row.answeredAt;
+    record.entries = row.entries;
     return record;
+}
+
+/// Touch to answer begun, s. A script states one time, so without a touch its time runs from the question.
+std::optional<double> responseSecondsOf(const ResponseRow& row)
+{
+    const bool isScripted = row.answerBegunBy == "script";
+    if (!row.answerBegunAt || (!row.touchedAt && !isScripted)) return std::nullopt;
+    const std::int64_t from = row.touchedAt.value_or(row.readyAt);
+    // An operator who stamps the touch late, after the first key, has not measured this time.
+    if (*row.answerBegunAt < from) return std::nullopt;
+    return static_cast<double>(*row.answerBegunAt - from) / 1e9;
 }
 
 CurrentAnswer currentAnswerOf(const QSqlQuery& query, KnownTrays& trays)
@@ -66,6 +81,7 @@ CurrentAnswer currentAnswerOf(const QSqlQuery& query, KnownTrays& trays)
     answer.sitting = query.value(5).toInt();
     answer.record.isCorrection = answer.corrections > 0;
     answer.seconds = static_cast<double>(row.answeredAt - row.touchedAt.value_or(row.readyAt)) / 1e9;
+    answer.responseSeconds = responseSecondsOf(row);
     return answer;
 }
 
@@ -249,6 +265,14 @@ std::map<protocols::ParticipantId, std::map<std::string, std::string>> personalF
     QSqlQuery row = sqlite.run(QStringLiteral("SELECT participant, fact, value FROM participant_facts"));
     while (row.next()) facts[protocols::ParticipantId(fromQt(row.value(0)))][fromQt(row.value(1))] = fromQt(row.value(2));
     return facts;
+}
+
+std::map<protocols::ParticipantId, int> voidedPresentationsIn(const SqliteConnection& sqlite)
+{
+    std::map<protocols::ParticipantId, int> counts;
+    QSqlQuery row = sqlite.run(QStringLiteral("SELECT participant, COUNT(*) FROM voids GROUP BY participant"));
+    while (row.next()) counts[protocols::ParticipantId(fromQt(row.value(0)))] = row.value(1).toInt();
+    return counts;
 }
 
 }  // namespace database

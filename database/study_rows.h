@@ -25,5 +25,6 @@ std::optional<UnblindingRecord> unblindingIn(const SqliteConnection& sqlite);
 LogHead headIn(const SqliteConnection& sqlite);
 std::vector<Erasure> erasuresIn(const SqliteConnection& sqlite);
 std::map<protocols::ParticipantId, std::map<std::string, std::string>> personalFactsIn(const SqliteConnection& sqlite);
+std::map<protocols::ParticipantId, int> voidedPresentationsIn(const SqliteConnection& sqlite);
 
 }  // namespace database

@@ -209,6 +209,11 @@ std::size_t StudyStore::answerCount() const
 
 std::vector<CurrentAnswer> StudyStore::answers() const { return answersIn(m_connection->sqlite); }
 
+std::map<protocols::ParticipantId, int> StudyStore::voidedPresentations() const
+{
+    return voidedPresentationsIn(m_connection->sqlite);
+}
+
 std::map<protocols::ParticipantId, std::map<std::string, std::string>> StudyStore::personalFacts() const
 {
     return personalFactsIn(m_connection->sqlite);

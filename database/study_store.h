@@ -106,8 +106,12 @@ struct AnswerRecord {
     std::optional<protocols::Tenths> rating;  ///< rating questions only
     std::int64_t readyAtNs = 0;
     std::optional<std::int64_t> touchedAtNs;
-    std::string touchedBy;  ///< "display" or "operator"; empty without a touch
-    std::int64_t answeredAtNs = 0;
+    std::string touchedBy;                        ///< "display" or "operator"; empty without a touch
+    std::optional<std::int64_t> touchEndedAtNs;   ///< last time before the answer that the finger left the display
+    std::optional<std::int64_t> answerBegunAtNs;  ///< none: from a version that did not stamp it
+    std::string answerBegunBy;                    ///< "entry", "spoken" or "script"; empty without the stamp
+    std::int64_t answeredAtNs = 0;                ///< the answer was entered
+    std::optional<int> entries;                   ///< entries until two agreed; none where one is enough
     std::string note;
     bool isCorrection = false;
 };
@@ -120,7 +124,8 @@ struct CurrentAnswer {
     int sitting = 0;         ///< of the first answer: number of times that the session was opened, from 1
     int attempt = 1;         ///< number of this presentation of the trial, from 1; a void starts the next
     std::int64_t storedAtNs = 0;
-    double seconds = 0;  ///< answered - touched; answered - ready if there was no touch
+    double seconds = 0;                     ///< answered - touched; answered - ready if there was no touch
+    std::optional<double> responseSeconds;  ///< answer begun - touched; none where a stamp is missing
     int corrections = 0;
     bool voided = false;
     std::string wallTime;
@@ -241,6 +246,9 @@ public:
     /// Number of current answers, without reading them.
     std::size_t answerCount() const;
     std::vector<CurrentAnswer> answers() const;  ///< answers of all participants, by slot, trial and question
+
+    /// Presentations that were voided, answered or not, by participant.
+    std::map<protocols::ParticipantId, int> voidedPresentations() const;
 
     /// Facts about participants that were given and not erased.
     std::map<protocols::ParticipantId, std::map<std::string, std::string>> personalFacts() const;

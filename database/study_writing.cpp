@@ -72,7 +72,11 @@ ResponseRow rowOf(const SqliteConnection& sqlite, const StudyStore::Append& entr
     row.readyAt = answer.readyAtNs;
     row.touchedAt = answer.touchedAtNs;
     if (!answer.touchedBy.empty()) row.touchedBy = answer.touchedBy;
+    row.touchEndedAt = answer.touchEndedAtNs;
+    row.answerBegunAt = answer.answerBegunAtNs;
+    if (!answer.answerBegunBy.empty()) row.answerBegunBy = answer.answerBegunBy;
     row.answeredAt = answer.answeredAtNs;
+    row.entries = answer.entries;
     row.storedAt = entry.storedAtNs;
     row.isCorrection = answer.isCorrection;
     if (row.isCorrection)

@@ -127,6 +127,7 @@ void checkNumbers(const Protocol& p, Faults& faults)
     if (p.breakAfterPresentations < 1) faults.push_back("break_after: expected at least 1 presentation");
     if (p.sittingMinutes < 1) faults.push_back("sitting_minutes: expected at least 1 minute");
     if (p.breakAfterMinutes.value_or(1) < 1) faults.push_back("break_after_minutes: expected at least 1 minute");
+    if (!(p.deadTimeSeconds >= 0 && p.deadTimeSeconds <= 5)) faults.push_back("dead_time_seconds: expected 0 to 5 seconds");
     if (p.familiarisationFabrics < 0) faults.push_back("familiarisation_fabrics: expected 0 or more");
 }
 

@@ -63,6 +63,8 @@ struct Protocol {
     SwatchCodes swatchCodes = SwatchCodes::Once;
     int familiarisationFabrics = 0;  ///< at most; not among those of the study; fewer if the data set has fewer
     bool secondEntry = false;        ///< the operator enters every answer twice; both must agree
+    double deadTimeSeconds = 0.7;    ///< a new tray cannot be confirmed within it, so that a key that bounces arms nothing
+    bool confirmPieces = false;      ///< the operator scans or types the code of every piece on the tray
 
     /// Conditions x fabrics, without catch trials.
     int presentationsPerPhase() const { return fabricCount * static_cast<int>(conditions.size()); }

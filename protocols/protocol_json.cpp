@@ -140,6 +140,8 @@ void readCourse(const ProtocolPart& document, Protocol& protocol, ProtocolEditio
     protocol.swatchCodes = document.text("swatches", "once") == "fresh" ? SwatchCodes::PerParticipant : SwatchCodes::Once;
     protocol.familiarisationFabrics = document.whole("familiarisation_fabrics", protocol.familiarisationFabrics);
     protocol.secondEntry = document.yesOrNo("second_entry", protocol.secondEntry);
+    protocol.deadTimeSeconds = document.number("dead_time_seconds", protocol.deadTimeSeconds);
+    protocol.confirmPieces = document.yesOrNo("confirm_pieces", protocol.confirmPieces);
     protocol.checklist = document.texts("checklist");
     protocol.readings = document.texts("readings");
     protocol.facts = document.texts("facts");

@@ -10,10 +10,11 @@ namespace {
 
 constexpr std::size_t longestQuestionId = 40;
 
-constexpr std::array<std::string_view, 19> columnsOfAnswers{
-    "participant", "trial",       "question", "fabric",    "condition",  "alternatives", "answer",
-    "correct",     "rating",      "seconds",  "ready_at",  "touched_at", "touched_by",   "answered_at",
-    "stored_at",   "corrections", "voided",   "wall_time", "note"};
+constexpr std::array<std::string_view, 24> columnsOfAnswers{
+    "participant", "trial",          "question",        "fabric",          "condition", "alternatives",
+    "answer",      "correct",        "rating",          "seconds",         "ready_at",  "touched_at",
+    "touched_by",  "answered_at",    "stored_at",       "corrections",     "voided",    "wall_time",
+    "note",        "touch_ended_at", "answer_begun_at", "answer_begun_by", "entries",   "response_seconds"};
 
 // Not the functions of <cctype>: those follow the user's locale.
 bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }

@@ -17,6 +17,7 @@ public:
     void show(const cv::Mat&) override {}
     void clear() override {}
     std::string name() const override { return "none"; }
+    bool isThere() const override { return false; }
 };
 
 class FolderDisplay : public HapticDisplay {

@@ -24,10 +24,14 @@ public:
     virtual void show(const cv::Mat& frictionImage) = 0;
     virtual void clear() = 0;
     virtual std::string name() const = 0;
+    /// False where nothing can be felt, because the session runs without a device.
+    virtual bool isThere() const { return true; }
 
     virtual bool reportsTouches() const { return false; }
     /// Sets the function that is called when a finger touches the display, on the thread that shows images.
     virtual void onTouched(std::function<void(const Touch&)>) {}
+    /// Sets the function that is called when the finger leaves the display. `ago` is the age of that moment.
+    virtual void onReleased(std::function<void(const Touch&)>) {}
 
     /// File descriptor that becomes readable when the device sends something between two calls; constant for the lifetime of
     /// the display. -1 where the device never does.

@@ -15,7 +15,8 @@ struct KindRow {
 };
 constexpr KindRow kinds[] = {{MessageKind::Hello, "hello"},     {MessageKind::Shown, "shown"},
                              {MessageKind::Cleared, "cleared"}, {MessageKind::Status, "status"},
-                             {MessageKind::Touched, "touched"}, {MessageKind::Failed, "failed"}};
+                             {MessageKind::Touched, "touched"}, {MessageKind::Released, "released"},
+                             {MessageKind::Failed, "failed"}};
 
 std::optional<MessageKind> kindNamed(const ordered_json& name)
 {

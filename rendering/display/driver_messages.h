@@ -11,7 +11,7 @@ namespace rendering {
 
 inline constexpr const char* displaySchema = "vis2hap.display/1";
 
-enum class MessageKind { Hello, Shown, Cleared, Status, Touched, Failed };
+enum class MessageKind { Hello, Shown, Cleared, Status, Touched, Released, Failed };
 
 /// Message of a driver: the reply to the request `id`, or a touch of the image `id`.
 struct DriverMessage {

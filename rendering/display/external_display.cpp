@@ -169,19 +169,20 @@ std::optional<DriverMessage> ExternalDisplay::received(const std::string& line)
         if (m_clockAhead.size() > stampsKept) m_clockAhead.pop_front();
     }
     if (message->kind == MessageKind::Hello) m_hello = *message;
-    if (message->kind == MessageKind::Touched) reportTouch(*message);
+    if (message->kind == MessageKind::Touched) reportTouch(m_touched, *message);
+    if (message->kind == MessageKind::Released) reportTouch(m_released, *message);
     return message;
 }
 
 /// The message with the shortest delay gives the difference between the clocks. The touch is as old as the additional delay
 /// of its own message.
-void ExternalDisplay::reportTouch(const DriverMessage& message)
+void ExternalDisplay::reportTouch(const std::function<void(const Touch&)>& report, const DriverMessage& message)
 {
-    if (!m_showing || message.id != *m_showing || !m_touched) return;
+    if (!m_showing || message.id != *m_showing || !report) return;
     Touch touch;
     if (message.deviceS)
         touch.ago = std::min(m_clockAhead.back() - *std::min_element(m_clockAhead.begin(), m_clockAhead.end()), oldestTouch);
-    m_touched(touch);
+    report(touch);
 }
 
 void ExternalDisplay::processMessages()

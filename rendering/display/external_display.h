@@ -31,6 +31,7 @@ public:
     std::string name() const override;
     bool reportsTouches() const override { return m_hello.touches; }
     void onTouched(std::function<void(const Touch&)> touched) override { m_touched = std::move(touched); }
+    void onReleased(std::function<void(const Touch&)> released) override { m_released = std::move(released); }
     int descriptorToWatch() const override { return m_watched; }
     void processMessages() override;
 
@@ -46,7 +47,7 @@ private:
     StartResult start();
     std::optional<DriverMessage> exchange(const DriverRequest& request, std::chrono::milliseconds patience);
     std::optional<DriverMessage> received(const std::string& line);
-    void reportTouch(const DriverMessage& touch);
+    void reportTouch(const std::function<void(const Touch&)>& report, const DriverMessage& touch);
     void lose(const std::string& why);
     void wakeIfLinesWait();
     protocols::Fault fault(const std::string& what) const;
@@ -62,7 +63,7 @@ private:
     bool m_isTimedOut = false;                          ///< the last exchange failed by its deadline; the driver did not end
     std::string m_trouble, m_noise;                     ///< reason of the last loss; the last line that was not a message
     std::deque<std::chrono::nanoseconds> m_clockAhead;  ///< our clock minus the device's for the last time stamps
-    std::function<void(const Touch&)> m_touched;
+    std::function<void(const Touch&)> m_touched, m_released;
 };
 
 }  // namespace rendering

@@ -129,4 +129,23 @@ std::vector<ConditionSpeed> speedWithoutChoices(const StudyData& data)
     return std::vector<ConditionSpeed>(data.conditions.size(), {none.median, none.mean, none.mean, noInterval, noInterval});
 }
 
+std::vector<StampCounts> stampCountsOf(const StudyData& data)
+{
+    std::vector<StampCounts> counts;
+    for (const QuestionInfo& question : data.questions) {
+        StampCounts count{.question = question.id};
+        for (const StudyResponse& response : data.responses) {
+            if (response.question != question.id) continue;
+            ++count.answers;
+            count.withTime += responseTimeOf(response).has_value();
+            count.touchedByDisplay += response.touchedBy == "display";
+            count.touchedByOperator += response.touchedBy == "operator";
+            count.secondEntries += response.entries.has_value();
+            count.differing += response.entries.value_or(0) > 2;
+        }
+        counts.push_back(std::move(count));
+    }
+    return counts;
+}
+
 }  // namespace reports

@@ -37,6 +37,20 @@ struct SpeedAnalysis {
     std::string contrastsWhy;                ///< reason where there are none
 };
 
+/// Who stamped the times of the answers to one question, and how often two entries of an answer differed.
+struct StampCounts {
+    std::string question;
+    std::size_t answers = 0;
+    std::size_t withTime = 0;           ///< a response time is known
+    std::size_t touchedByDisplay = 0;   ///< the display stamped the first touch
+    std::size_t touchedByOperator = 0;  ///< a key of the operator stamped it
+    std::size_t secondEntries = 0;      ///< answers that were entered twice
+    std::size_t differing = 0;          ///< ... of which the first two entries differed
+};
+
+/// In the order of the questions.
+std::vector<StampCounts> stampCountsOf(const StudyData& data);
+
 /// `claims`: those of the same question; their contrasts are the family.
 SpeedAnalysis analyseSpeed(const StudyData& data, const AnswerCells& cells, const std::string& question, int alternatives,
                            const QuestionClaims& claims);

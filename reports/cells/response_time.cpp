@@ -20,10 +20,24 @@ std::optional<double> logTimeOf(const StudyResponse& response)
     return time && *time > 0 ? std::optional(std::log(*time)) : std::nullopt;
 }
 
-std::string responseTimeSentence()
+std::string responseTimeSentence(TimesTaken times)
 {
-    return "Response time runs from the first touch to the answer, or from the moment when the tray was ready where no touch was "
-           "recorded. Answers of other experiments bring their own times.";
+    switch (times) {
+        case TimesTaken::ToBeginning:
+            return "Response time runs from the first touch of the display to the beginning of the answer. The beginning is the "
+                   "first key of its entry, or the key or pedal that marks the spoken word. Where a stamp is missing, the time "
+                   "is "
+                   "missing.";
+        case TimesTaken::ToEntry:
+            return "Response time runs from the first touch, or from the moment when the tray was ready, to the entry of the "
+                   "answer. "
+                   "It contains the operator's typing, because an older version of the program began this study and did not "
+                   "stamp "
+                   "the beginning of answers.";
+        case TimesTaken::AsRecorded:
+            return "The response times are those of the file. This program does not know how they were measured.";
+    }
+    return {};
 }
 
 }  // namespace reports

@@ -10,8 +10,9 @@
 
 namespace reports {
 
-/// Response time, s: from the first touch of the screen to the answer. Where no touch was stamped, it runs from the moment when
-/// the tray was ready. Answers of other experiments bring their own times. None: no time was recorded.
+/// Response time, s, as StudyData::times defines it: from the first touch of the display to the beginning of the answer. Studies
+/// that an older version began keep the time to the entry; answers of other experiments bring their own times. None: not
+/// recorded.
 std::optional<double> responseTimeOf(const StudyResponse& response);
 
 /// The response times of the answers that carry one, s.
@@ -20,7 +21,7 @@ std::vector<double> responseTimesOf(const std::vector<const StudyResponse*>& res
 /// Natural logarithm of the response time in seconds; none for a time that is not positive.
 std::optional<double> logTimeOf(const StudyResponse& response);
 
-/// The definition as a sentence of the report.
-std::string responseTimeSentence();
+/// The definition as sentences of the report.
+std::string responseTimeSentence(TimesTaken times);
 
 }  // namespace reports

@@ -276,7 +276,8 @@ private:
         const std::optional<int> session = sessionIn(row, participant);
         for (const QuestionColumns& columns : m_questions)
             if (const auto content = contentIn(row, columns)) {
-                StudyResponse response{participant, fabric, condition, columns.info.id, *content, {}, repetition};
+                StudyResponse response{participant, fabric, condition, columns.info.id, *content};
+                response.repetition = repetition;
                 if (columns.time) response.seconds = protocols::numberOrMissing(m_table, row, *columns.time);
                 response.trial = countIn(row, columns.trial ? columns.trial : m_trial);
                 const auto sitting = columns.sitting ? columns.sitting : m_sitting;

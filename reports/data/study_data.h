@@ -41,9 +41,18 @@ struct StudyResponse {
     std::string question;   ///< "Q1"
     AnswerContent content;
     std::optional<double> seconds = {};  ///< as recorded; the analysis reads it through responseTimeOf()
+    std::optional<int> entries = {};     ///< of a second entry: entries until two agreed
+    std::string touchedBy = {};          ///< "display" or "operator"; empty: no touch was stamped
     std::string repetition = {};         ///< name of the repetition and session; empty where a cell is asked once
     std::optional<int> trial = {};       ///< place in the participant's running order, from 1
     std::optional<int> sitting = {};     ///< number of times that the session was opened, from 1
+};
+
+/// What the times of a study are.
+enum class TimesTaken {
+    ToBeginning,  ///< from the first touch to the beginning of the answer: the participant's time
+    ToEntry,      ///< to the entry of the answer, because this study was begun by a version without the stamp of its beginning
+    AsRecorded,   ///< another laboratory's file states them
 };
 
 /// How the answers to a question are analysed. Several kinds of answer can share one scoring.
@@ -96,6 +105,7 @@ struct StudyData {
     std::vector<StudyResponse> catchResponses;  ///< to blank glass; only quality flags use them
     std::vector<std::string> withdrawn;         ///< participants who withdrew; their answers are not analysed
     std::string participantsSentence;           ///< who took part, by the facts they gave; empty: none were asked
+    TimesTaken times = TimesTaken::AsRecorded;  ///< what `seconds` of the responses is
     std::size_t voided = 0;                     ///< presentations that are kept but not analysed
     std::size_t expectedResponses = 0;          ///< number in a complete study; 0: unknown
     std::optional<SignalComparison> signals;    ///< none while blinded

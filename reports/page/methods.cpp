@@ -166,10 +166,10 @@ std::string measuredSizesParagraph()
            "anti-conservative. Tests that treat the fabrics as fixed say nothing about other fabrics.";
 }
 
-std::string speedParagraph(const ChoiceQuestions& questions)
+std::string speedParagraph(const ChoiceQuestions& questions, TimesTaken times)
 {
     return "<b>Speed and accuracy</b> are those of " + protocols::escapedMarkup(questions.front().id()) + ". " +
-           responseTimeSentence() +
+           responseTimeSentence(times) +
            " Bits per second are the information of one choice "
            "among m = " +
            std::to_string(questions.front().findings.alternatives) +
@@ -236,7 +236,7 @@ std::vector<std::string> methodParagraphs(const StudyAnalysis& analysis)
     if (hasRatings) paragraphs.push_back(equivalenceParagraph(analysis.data));
     if (hasChoices || hasRatings) paragraphs.push_back(omnibusParagraph(hasChoices, hasRatings));
     if (hasChoices || hasRatings) paragraphs.push_back(measuredSizesParagraph());
-    if (hasChoices) paragraphs.push_back(speedParagraph(choices));
+    if (hasChoices) paragraphs.push_back(speedParagraph(choices, analysis.data.times));
     if (!analysis.order.questions.empty()) paragraphs.push_back(orderParagraph());
     if (hasWords) paragraphs.push_back(wordsParagraph());
     paragraphs.push_back(participantsParagraph(analysis.data));

@@ -105,6 +105,21 @@ Table accuracyTable(const StudyAnalysis& analysis, const std::string& id, const 
     return table;
 }
 
+Table stampTable(const std::vector<StampCounts>& counts)
+{
+    Table table{"stamps",
+                "Times and entries: who stamped the first touch, how many answers have a response time, and how many second "
+                "entries differed from the first",
+                {"question", "answers", "with a response time", "touch stamped by the display", "by the operator",
+                 "entered twice", "first two entries differed"},
+                {}};
+    for (const StampCounts& count : counts)
+        table.rows.push_back({textCell(count.question), countCell(count.answers), countCell(count.withTime),
+                              countCell(count.touchedByDisplay), countCell(count.touchedByOperator),
+                              countCell(count.secondEntries), countCell(count.differing)});
+    return table;
+}
+
 }  // namespace
 
 std::vector<ReportTable> speedTables(const StudyAnalysis& analysis)
@@ -125,6 +140,10 @@ std::vector<ReportTable> speedTables(const StudyAnalysis& analysis)
                               .question = question.id(),
                               .foldedUnder = question.id() + ": share correct by response time"});
     }
+    if (analysis.data.times != TimesTaken::AsRecorded)
+        tables.push_back({.table = stampTable(stampCountsOf(analysis.data)),
+                          .section = PageSection::Speed,
+                          .foldedUnder = "Times and entries"});
     return tables;
 }
 

@@ -39,7 +39,15 @@ struct EventActions {
         press("confirmButton");
     }
     void operator()(const SittingPrepared&) const { enter(); }
-    void operator()(const TrayReady&) const { enter(); }
+    void operator()(const TrayReady& event) const
+    {
+        for (const std::string& piece : event.pieces) {
+            gui.focusOn(QStringLiteral("pieceField"));
+            gui.type(QString::fromStdString(piece));
+            enter();
+        }
+        enter();
+    }
     void operator()(const Touched& event) const
     {
         if (event.by == TouchSource::Display)
@@ -49,6 +57,7 @@ struct EventActions {
     }
     void operator()(const Answered& event) const
     {
+        window.session()->setStamps(event.stamps);
         const int entries = gui.plan().protocol.secondEntry ? 2 : 1;
         for (int entry = 0; entry < entries; ++entry) {
             give(event.response, formOf(gui.view()));
@@ -81,6 +90,8 @@ struct EventActions {
     void operator()(const WithdrawnEvent& event) const
     {
         click("withdrawButton");
+        gui.focusOn(QStringLiteral("confirmField"));
+        gui.type(QString::fromStdString(gui.view().participant));
         giveReason(event.why, true);
     }
     void operator()(const Noted& event) const

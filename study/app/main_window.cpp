@@ -2,6 +2,7 @@
 
 #include <QCloseEvent>
 #include <QKeyEvent>
+#include <QScreen>
 #include <QShortcut>
 #include <QStackedWidget>
 #include <QVBoxLayout>
@@ -10,6 +11,7 @@
 #include "study/app/pages/data_page.h"
 #include "study/app/pages/new_study_page.h"
 #include "study/app/pages/session_page.h"
+#include "study/app/pages/stage_page.h"
 #include "study/app/pages/start_page.h"
 #include "study/app/pages/study_page.h"
 #include "study/app/pieces/pieces.h"
@@ -53,7 +55,7 @@ MainWindow::MainWindow(const AppOptions& options, QWidget* parent)
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(m_pages);
-    resize(1100, 750);
+    resize(QSize(1100, 750).boundedTo(screen()->availableSize()));
     connectPages();
     connect(new QShortcut(QKeySequence(Qt::CTRL | Qt::Key_Q), this), &QShortcut::activated, this, [this] { close(); });
     showStart();
@@ -88,6 +90,13 @@ void MainWindow::connectPages()
             [this] { m_sessionPage->openCorrection(m_session->correctables()); });
     connect(m_sessionPage, &SessionPage::eventRequested, this, [this](const session::EventBody& event) {
         if (m_session) m_session->send(event);
+    });
+    connect(m_sessionPage, &SessionPage::answerMarked, this, [this](AnswerMark mark) {
+        if (!m_session) return;
+        if (mark == AnswerMark::Emptied)
+            m_session->unmarkEntry();
+        else
+            m_session->markAnswerBegun(mark == AnswerMark::Spoken ? session::BegunBy::Spoken : session::BegunBy::Entry);
     });
     // Queued, so that the page is not rebuilt while it still handles its own event.
     connect(m_sessionPage, &SessionPage::leaveRequested, this, &MainWindow::leaveSession, Qt::QueuedConnection);

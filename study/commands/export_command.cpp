@@ -65,15 +65,20 @@ ordered_json rowOf(const Export& job, const CurrentAnswer& answer)
     row["correct"] = right ? ordered_json(*right ? 1 : 0) : ordered_json();
     row["rating"] = record.rating ? ordered_json(record.rating->inScaleUnits()) : ordered_json();
     row["seconds"] = answer.seconds;
+    row["response_seconds"] = answer.responseSeconds ? ordered_json(*answer.responseSeconds) : ordered_json();
     row["ready_at"] = record.readyAtNs;
     row["touched_at"] = record.touchedAtNs ? ordered_json(*record.touchedAtNs) : ordered_json();
     row["touched_by"] = record.touchedAtNs ? ordered_json(record.touchedBy) : ordered_json();
+    row["touch_ended_at"] = record.touchEndedAtNs ? ordered_json(*record.touchEndedAtNs) : ordered_json();
+    row["answer_begun_at"] = record.answerBegunAtNs ? ordered_json(*record.answerBegunAtNs) : ordered_json();
+    row["answer_begun_by"] = record.answerBegunAtNs ? ordered_json(record.answerBegunBy) : ordered_json();
     row["answered_at"] = record.answeredAtNs;
     row["stored_at"] = answer.storedAtNs;
     row["corrections"] = answer.corrections;
     row["voided"] = answer.voided ? 1 : 0;
     row["wall_time"] = answer.wallTime;
     row["note"] = record.note;
+    row["entries"] = record.entries ? ordered_json(*record.entries) : ordered_json();
     return row;
 }
 

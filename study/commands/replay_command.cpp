@@ -81,15 +81,16 @@ struct Playing {
     session::OperatedBy operatedBy;
 };
 
-players::ScriptedTrials trialsFor(const StudyStore& store, int slot, const Playing& playing)
+players::ScriptedTrials trialsFor(const StudyStore& store, const protocols::ParticipantId& participant, const Playing& playing)
 {
-    return {store.trials(slot), playing.key, playing.protocol};
+    const session::Plan plan = session::readPlan(store, participant);
+    return {plan.trials, playing.key, playing.protocol, plan.fabricNames};
 }
 
 void play(const players::Script& script, StudyStore& store, players::Hands& hands, session::VirtualClock& clock,
           const std::vector<database::EventRecord>& logged, const Playing& playing)
 {
-    const auto trials = trialsFor(store, slotOf(store, script.participant).number, playing);
+    const auto trials = trialsFor(store, script.participant, playing);
     Progress progress(script.participant.value);
     players::playScript(script, trials, logged, hands, clock, [&](int stored) { progress.show(stored, playing.answersInAll); });
     std::printf("%s: %d answers stored, %s\n", script.participant.value.c_str(), hands.state().answersStored,

@@ -157,6 +157,13 @@ ScriptedAnswer answerFrom(const Entry& entry)
     if (entry.has("touched_by") && toucher != "display" && toucher != "operator")
         throw entry.fault("touched_by", "unknown touched_by \"" + toucher + "\"", "\"display\" or \"operator\"");
     answer.touchedByDisplay = toucher == "display";
+    if (entry.has("begun_seconds")) answer.begunSeconds = entry.seconds("begun_seconds", 0);
+    const std::string beginner = entry.textOrNothing("begun_by");
+    if (entry.has("begun_by") && beginner != "entry" && beginner != "spoken")
+        throw entry.fault("begun_by", "unknown begun_by \"" + beginner + "\"", "\"entry\" or \"spoken\"");
+    answer.begunBySpokenKey = beginner == "spoken";
+    if (entry.has("touch_ended_seconds")) answer.touchEndedSeconds = entry.seconds("touch_ended_seconds", 0);
+    if (entry.has("entries")) answer.entries = entry.whole("entries", 2);
     return answer;
 }
 

@@ -32,6 +32,10 @@ struct ScriptedAnswer {
     double seconds = 0;                  ///< more than 0; from the touch, or from the question if no touch is scripted
     std::optional<double> touchSeconds;  ///< from the question to the first touch
     bool touchedByDisplay = false;
+    std::optional<double> begunSeconds;       ///< from the question to the beginning of the answer; none: with the answer
+    bool begunBySpokenKey = false;            ///< a key or pedal marked the spoken word
+    std::optional<double> touchEndedSeconds;  ///< from the question to the last end of touching
+    std::optional<int> entries;               ///< until two agreed
 };
 
 /// The state that the session must have when the event happens. Fields without a value are not checked.

@@ -222,6 +222,21 @@ bool Player::performDueEvent()
     return false;
 }
 
+/// The stamps of a recorded answer, or those of a script that states one time only.
+AnswerStamps stampsOf(const ScriptedAnswer& scripted, std::int64_t readyAtNs, std::int64_t nowNs)
+{
+    const auto ago = [&](double secondsAfterQuestion) {
+        return nowNs - readyAtNs - static_cast<std::int64_t>(std::llround(secondsAfterQuestion * 1e9));
+    };
+    AnswerStamps stamps{.begunAgoNs = 0, .begunBy = BegunBy::Script, .touchEndedAgoNs = {}, .entries = scripted.entries};
+    if (scripted.begunSeconds) {
+        stamps.begunAgoNs = ago(*scripted.begunSeconds);
+        stamps.begunBy = scripted.begunBySpokenKey ? BegunBy::Spoken : BegunBy::Entry;
+    }
+    if (scripted.touchEndedSeconds) stamps.touchEndedAgoNs = ago(*scripted.touchEndedSeconds);
+    return stamps;
+}
+
 void Player::answer(const Presenting& presenting)
 {
     const auto& trial = m_trials.trials[presenting.index];
@@ -241,7 +256,7 @@ void Player::answer(const Presenting& presenting)
         act(Touched{scripted->touchedByDisplay ? TouchSource::Display : TouchSource::Operator});
     }
     m_clock.advanceSeconds(scripted->seconds);
-    act(Answered{response});
+    act(Answered{response, stampsOf(*scripted, presenting.readyAtNs, m_clock.monotonicNs())});
 }
 
 void Player::moveOn()
@@ -251,7 +266,8 @@ void Player::moveOn()
     if (const auto preparation = nextOfPreparation(m_trials.protocol, stage)) return act(*preparation);
     if (std::holds_alternative<PlacingTray>(stage)) {
         m_clock.advanceSeconds(2);
-        return act(TrayReady{});
+        return act(trayReadyOf(m_trials.protocol, m_trials.trials[std::get<PlacingTray>(stage).index].alternatives,
+                               m_trials.fabricNames));
     }
     answer(std::get<Presenting>(stage));
 }

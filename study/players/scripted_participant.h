@@ -16,6 +16,7 @@ struct ScriptedTrials {
     std::vector<protocols::BlindedTrial> trials;
     protocols::AllocationKey key;
     protocols::Protocol protocol;
+    session::PieceNames fabricNames = {};
 };
 
 /// `logged`: the events in the session's log, so that events before a crash are not repeated. `progress` gets the number of

@@ -95,7 +95,20 @@ private:
             entry["touch_seconds"] = static_cast<double>(*asked.touchedAtNs - asked.readyAtNs) / 1e9;
             if (asked.touchedBy == TouchSource::Display) entry["touched_by"] = "display";
         }
+        addStamps(entry, asked, answered.stamps, atNs);
         return entry;
+    }
+
+    /// A script states its own time, so only stamps of people are written.
+    static void addStamps(ordered_json& entry, const Presenting& asked, const AnswerStamps& stamps, std::int64_t atNs)
+    {
+        const auto afterQuestion = [&](std::int64_t ago) { return static_cast<double>(atNs - ago - asked.readyAtNs) / 1e9; };
+        if (stamps.begunAgoNs && stamps.begunBy != BegunBy::Script) {
+            entry["begun_seconds"] = std::max(0.0, afterQuestion(*stamps.begunAgoNs));
+            entry["begun_by"] = nameOf(stamps.begunBy);
+        }
+        if (stamps.touchEndedAgoNs) entry["touch_ended_seconds"] = std::max(0.0, afterQuestion(*stamps.touchEndedAgoNs));
+        if (stamps.entries) entry["entries"] = *stamps.entries;
     }
 
     const Plan& m_plan;

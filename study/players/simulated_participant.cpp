@@ -100,7 +100,7 @@ void playSimulated(SimulatedParticipant& participant, const Plan& plan, Hands& h
         }
         const auto judgement = simulatedAnswer(participant, trial, question);
         clock.advanceSeconds(judgement.seconds);
-        act(Answered{judgement.response});
+        act(Answered{judgement.response, {.begunAgoNs = 0, .begunBy = BegunBy::Script}});
     };
     while (true) {
         const Stage stage = hands.state().stage;
@@ -111,7 +111,7 @@ void playSimulated(SimulatedParticipant& participant, const Plan& plan, Hands& h
         else if (const auto preparation = nextOfPreparation(plan.protocol, stage))
             act(*preparation);
         else if (std::holds_alternative<PlacingTray>(stage))
-            act(TrayReady{});
+            act(trayReadyOf(plan.protocol, plan.trials[std::get<PlacingTray>(stage).index].alternatives, plan.fabricNames));
         else
             answer(std::get<Presenting>(stage));
         if (progress) progress(hands.state().answersStored);

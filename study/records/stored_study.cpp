@@ -52,14 +52,16 @@ using PresentationKey = std::tuple<protocols::ParticipantId, protocols::TrialNum
 PresentationKey keyOf(const database::CurrentAnswer& answer) { return {answer.participant, answer.record.trial, answer.attempt}; }
 
 reports::StudyResponse responseOf(const database::CurrentAnswer& answer, const Naming::Entry& entry,
-                                  const protocols::AnswerKind& kind, int place)
+                                  const protocols::AnswerKind& kind, int place, reports::TimesTaken times)
 {
     return {.participant = answer.participant.value,
             .fabric = entry.fabric.value,
             .condition = entry.condition,
             .question = answer.record.question.value,
             .content = contentOf(answer.record, entry.fabric, kind),
-            .seconds = answer.seconds,
+            .seconds = times == reports::TimesTaken::ToBeginning ? answer.responseSeconds : answer.seconds,
+            .entries = answer.record.entries,
+            .touchedBy = answer.record.touchedBy,
             .trial = place,
             .sitting = answer.sitting};
 }
@@ -81,12 +83,21 @@ std::map<PresentationKey, int> placesInTime(const std::vector<database::CurrentA
     return places;
 }
 
+/// Times of two definitions must not meet in one table. A study that an older version began keeps the older definition.
+reports::TimesTaken timesOf(const std::vector<database::CurrentAnswer>& answers)
+{
+    const bool allBegun =
+        std::ranges::all_of(answers, [](const auto& answer) { return answer.record.answerBegunAtNs.has_value(); });
+    return allBegun ? reports::TimesTaken::ToBeginning : reports::TimesTaken::ToEntry;
+}
+
 /// Sorts the current answers into analysed answers, answers to blank glass, and a count of voided presentations.
 void readAnswers(const std::vector<database::CurrentAnswer>& answers, const protocols::Protocol& protocol, const Naming& naming,
                  reports::StudyData& data)
 {
     const std::set<std::string> analysed(data.participants.begin(), data.participants.end());
     std::set<PresentationKey> voided;
+    data.times = timesOf(answers);
     const auto places = placesInTime(answers);
     for (const auto& answer : answers) {
         if (!analysed.contains(answer.participant.value)) continue;
@@ -98,7 +109,7 @@ void readAnswers(const std::vector<database::CurrentAnswer>& answers, const prot
             voided.insert(keyOf(answer));
         else if (question != nullptr)
             (entry.condition == protocols::catchTrialId().value ? data.catchResponses : data.responses)
-                .push_back(responseOf(answer, entry, question->kind, places.at(keyOf(answer))));
+                .push_back(responseOf(answer, entry, question->kind, places.at(keyOf(answer)), data.times));
     }
     data.voided = voided.size();
 }

@@ -22,7 +22,7 @@ using nlohmann::ordered_json;
 
 /// What a participant has answered so far.
 struct AnswerCounts {
-    int answered = 0, voided = 0, corrected = 0, flagged = 0;
+    int answered = 0, voided = 0, voidedPresentations = 0, corrected = 0, flagged = 0;
 };
 using CountsByParticipant = std::map<protocols::ParticipantId, AnswerCounts>;
 
@@ -34,6 +34,8 @@ CountsByParticipant countsOf(const database::StudyStore& store, const std::vecto
         ++(answer.voided ? own.voided : own.answered);
         own.corrected += answer.corrections > 0;
     }
+    for (const auto& [participant, presentations] : store.voidedPresentations())
+        counts[participant].voidedPresentations = presentations;
     for (const auto& flag : store.flags()) ++counts[flag.participant].flagged;
     return counts;
 }
@@ -42,7 +44,11 @@ ordered_json answersOf(const protocols::ParticipantId& participant, const Counts
 {
     const auto found = counts.find(participant);
     const AnswerCounts own = found == counts.end() ? AnswerCounts{} : found->second;
-    return {{"answers", own.answered}, {"voided", own.voided}, {"corrected", own.corrected}, {"flagged", own.flagged}};
+    return {{"answers", own.answered},
+            {"voided", own.voided},
+            {"voided_presentations", own.voidedPresentations},
+            {"corrected", own.corrected},
+            {"flagged", own.flagged}};
 }
 
 ordered_json slotsOf(const database::StudyStore& store, const CountsByParticipant& counts)
@@ -104,9 +110,9 @@ std::string peopleText(const ordered_json& status)
             text += line("  slot %2d  free\n", slot["slot"].get<int>());
             continue;
         }
-        text += line("  slot %2d  %-8s %-9s %-9s %d of %d answers, %d voided, %d corrected, %d flagged\n",
+        text += line("  slot %2d  %-8s %-9s %-9s %d of %d answers, %d presentations voided, %d corrected, %d flagged\n",
                      slot["slot"].get<int>(), word(slot, "participant").c_str(), word(slot, "kind").c_str(),
-                     word(slot, "state").c_str(), slot["answers"].get<int>(), expected, slot["voided"].get<int>(),
+                     word(slot, "state").c_str(), slot["answers"].get<int>(), expected, slot["voided_presentations"].get<int>(),
                      slot["corrected"].get<int>(), slot["flagged"].get<int>());
     }
     for (const auto& one : status["withdrawn"])

@@ -1,5 +1,7 @@
 #include "study/session/driver.h"
 
+#include <algorithm>
+
 #include "protocols/files/errors.h"
 #include "protocols/files/sha256.h"
 #include "protocols/files/whole_file.h"
@@ -52,14 +54,28 @@ AnswerRecord recordOf(const Plan& plan, const State& state, const StoredAnswer& 
     return record;
 }
 
+/// Ages come from outside. No answer begins before its question, and no touch ends before it began.
+void addStamps(AnswerRecord& record, const Presenting& asked, const AnswerStamps& stamps)
+{
+    const std::int64_t atNs = record.answeredAtNs;
+    if (stamps.begunAgoNs) {
+        record.answerBegunAtNs = std::clamp(atNs - *stamps.begunAgoNs, asked.readyAtNs, atNs);
+        record.answerBegunBy = nameOf(stamps.begunBy);
+    }
+    if (stamps.touchEndedAgoNs && asked.touchedAtNs)
+        record.touchEndedAtNs = std::clamp(atNs - *stamps.touchEndedAgoNs, *asked.touchedAtNs, atNs);
+    record.entries = stamps.entries;
+}
+
 AnswerRecord firstAnswer(const Plan& plan, const State& state, const Presenting& asked, const StoredAnswer& answer,
-                         std::int64_t atNs)
+                         const AnswerStamps& stamps, std::int64_t atNs)
 {
     AnswerRecord record = recordOf(plan, state, answer);
     record.readyAtNs = asked.readyAtNs;
     record.touchedAtNs = asked.touchedAtNs;
     if (asked.touchedAtNs) record.touchedBy = asked.touchedBy == TouchSource::Display ? "display" : "operator";
     record.answeredAtNs = atNs;
+    addStamps(record, asked, stamps);
     return record;
 }
 
@@ -89,9 +105,9 @@ std::optional<int> trialNotedOn(const State& state)
 
 void addWhatItStores(StudyStore::Append& entry, const Plan& plan, const State& before, const State& next, const EventBody& body)
 {
-    if (std::holds_alternative<Answered>(body))
-        entry.answers.push_back(
-            firstAnswer(plan, before, std::get<Presenting>(before.stage), next.answers.back(), entry.event.atNs));
+    if (const auto* answered = std::get_if<Answered>(&body))
+        entry.answers.push_back(firstAnswer(plan, before, std::get<Presenting>(before.stage), next.answers.back(),
+                                            answered->stamps, entry.event.atNs));
     if (const auto* corrected = std::get_if<Corrected>(&body)) entry.answers.push_back(correction(plan, next, *corrected));
     if (const auto* voided = std::get_if<Voided>(&body)) {
         entry.voids = trialOf(plan, voidedTrial(before, next)).number;
@@ -123,7 +139,8 @@ Driver::Driver(StudyStore& store, const protocols::ParticipantId& participant, d
     store.enrol(participant, kind);
     m_plan = readPlan(store, participant);
     replayLog();
-    if (const auto refusal = send(SittingStarted{}))
+    const auto deadTimeNs = static_cast<std::int64_t>(m_plan.protocol.deadTimeSeconds * 1e9);
+    if (const auto refusal = send(SittingStarted{deadTimeNs}))
         throw protocols::workFailed(
             {"the session cannot be opened: " + refusal->reason, participant.value, "", "run vis2hap verify on the study"});
 }

@@ -29,4 +29,12 @@ std::optional<EventBody> nextOfPreparation(const protocols::Protocol& protocol, 
     return std::visit(NextEvent{protocol}, stage);
 }
 
+TrayReady trayReadyOf(const protocols::Protocol& protocol, const std::vector<protocols::FabricId>& tray, const PieceNames& names)
+{
+    TrayReady ready;
+    if (!protocol.confirmPieces) return ready;
+    for (const protocols::FabricId& fabric : tray) ready.pieces.push_back(nameIn(names, fabric));
+    return ready;
+}
+
 }  // namespace study::session

@@ -11,4 +11,7 @@ namespace study::session {
 /// at the end.
 std::optional<EventBody> nextOfPreparation(const protocols::Protocol& protocol, const Stage& stage);
 
+/// The tray as it should be: every piece is confirmed where the protocol asks for it.
+TrayReady trayReadyOf(const protocols::Protocol& protocol, const std::vector<protocols::FabricId>& tray, const PieceNames& names);
+
 }  // namespace study::session

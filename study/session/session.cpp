@@ -15,7 +15,7 @@
 //                 | Ready |         |           |      | Ended |           |       |
 // ----------------+-------+---------+-----------+------+-------+-----------+-------+-------
 // Enrolled ... CheckingList         |           |      |       |           | +p    |
-// PlacingTray i   | Pres. |         |           | (a)  |       |           | +p    |
+// PlacingTray i   | Pres.b|         |           | (a)  |       |           | +p    |
 // Presenting i q  |       | Pres.   | Pres. q+1 | next |       |           | Tray i|
 //                 |       |         | or next   |      |       |           | +p    |
 // OnBreak         |       |         |           | (a)  | Tray  |           | +p    |
@@ -29,6 +29,7 @@
 //         next presentation, or Debriefing after the last one.
 // (a)   = voids the presentation that was just completed (or the interrupted one, if it has answers already) and stays in the
 //         stage (from Debriefing: PlacingTray); the next tray may then be another one.
+// b     = not within the dead time after the tray was asked for, so that a key that bounces arms no presentation.
 // Not drawn, because every stage takes them: SittingStarted (Presenting i -> PlacingTray i; a pause remains), Noted,
 // WithdrawnEvent -> Withdrawn (only once), Corrected (not after a withdrawal, and only if there is an answer to correct).
 //
@@ -96,8 +97,11 @@ struct Transition {
         return step;
     }
 
-    Outcome operator()(const PlacingTray& tray, const TrayReady&) const
+    Outcome operator()(const PlacingTray& tray, const TrayReady& ready) const
     {
+        if (state.deadTimeNs > 0 && atNs - state.trayAskedAtNs < state.deadTimeNs) return Refusal{tooSoon()};
+        if (plan.protocol.confirmPieces)
+            if (const auto fault = faultOfPieces(plan, tray.index, ready.pieces)) return Refusal{*fault};
         SessionStep step = moved(Presenting{tray.index, answersTo(state, tray.index), atNs, std::nullopt, TouchSource::Operator});
         step.effects.emplace_back(ShowStimulus{plan.trials[static_cast<std::size_t>(tray.index)].sealedCode});
         if (const auto next = sealedCodeAt(plan, state, state.position + 1)) step.effects.emplace_back(Prefetch{*next});
@@ -148,6 +152,11 @@ struct Transition {
     Outcome operator()(const Debriefing&, const Debriefed&) const { return moved(Finished{}); }
 
 private:
+    static std::string tooSoon()
+    {
+        return "The last step was only just taken, so this key confirmed nothing. Put the pieces on the tray, then confirm it.";
+    }
+
     SessionStep moved(const Stage& stage) const
     {
         SessionStep step{state, {}};
@@ -213,13 +222,14 @@ Outcome resume(const Plan& plan, const State& state, std::int64_t atNs)
 }
 
 /// The clock may start again at any value, so all times that are measured from stamps begin anew.
-Outcome startSitting(const State& state, std::int64_t atNs)
+Outcome startSitting(const State& state, const SittingStarted& started, std::int64_t atNs)
 {
     SessionStep step{state, {ClearDisplay{}}};
     interrupt(step.next);
     ++step.next.sitting;
     step.next.sittingBeganAtNs = step.next.restedAtNs = step.next.trayAskedAtNs = atNs;
     step.next.sittingOverTold = false;
+    step.next.deadTimeNs = started.deadTimeNs;
     return step;
 }
 
@@ -263,7 +273,7 @@ State withOrder(const Plan& plan, State state)
 Outcome applyTo(const Plan& plan, const State& state, const Event& event)
 {
     // Every stage takes these events, paused or not.
-    if (std::holds_alternative<SittingStarted>(event.body)) return startSitting(state, event.atNs);
+    if (const auto* started = std::get_if<SittingStarted>(&event.body)) return startSitting(state, *started, event.atNs);
     if (std::holds_alternative<Resumed>(event.body)) return resume(plan, state, event.atNs);
     if (const auto* withdrawn = std::get_if<WithdrawnEvent>(&event.body)) return withdraw(state, *withdrawn);
     if (const auto* corrected = std::get_if<Corrected>(&event.body)) return correct(plan, state, *corrected);

@@ -128,6 +128,7 @@ struct State {
     int preparedSitting = 0;  ///< the sitting whose checklist was completed last
     bool sittingOverTold = false;
     std::int64_t sittingBeganAtNs = 0;
+    std::int64_t deadTimeNs = 0;                       ///< in this sitting; a bounced key confirms no tray within it
     std::int64_t restedAtNs = 0;                       ///< end of the last break or pause, or start of the sitting
     std::int64_t trayAskedAtNs = 0;                    ///< start of the present presentation, with its tray
     std::vector<std::pair<int, std::int64_t>> paceNs;  ///< phase and duration of each finished presentation
@@ -135,9 +136,13 @@ struct State {
 };
 
 // ---- events; each brings its time.
-struct SittingStarted {};  ///< the session was opened, or opened again
-struct Begun {};           ///< leaves Enrolled
-struct Consented {};       ///< the participant has agreed to the protocol's consent text
+/// The session was opened, or opened again. `deadTimeNs`: in this sitting, the least time between a new tray and its
+/// confirmation.
+struct SittingStarted {
+    std::int64_t deadTimeNs = 0;
+};
+struct Begun {};      ///< leaves Enrolled
+struct Consented {};  ///< the participant has agreed to the protocol's consent text
 /// Facts that the participant gave, with their values. The log keeps the names of the facts, never the values.
 struct FactsGiven {
     std::map<std::string, std::string> facts;
@@ -156,14 +161,29 @@ struct ChecklistDone {
     std::map<std::string, std::string> readings;
 };
 struct SittingPrepared {};  ///< the operator begins the preparation of a later sitting
-struct TrayReady {};        ///< the tray is complete: show the stimulus, ask the first question
+/// The tray is complete: show the stimulus, ask the first question. `pieces`: the codes that were read from the pieces in the
+/// order of the slots; empty where the protocol does not ask for them.
+struct TrayReady {
+    std::vector<std::string> pieces = {};
+};
 /// First touch of the display. `agoNs`: its age at the event, if the display reports it.
 struct Touched {
     TouchSource by = TouchSource::Operator;
     std::int64_t agoNs = 0;
 };
+/// What marked the beginning of an answer: the first key of its entry, a key or pedal at the spoken word, or a script.
+enum class BegunBy { Entry, Spoken, Script };
+/// Times of an answer before it was entered, as their ages at the event.
+struct AnswerStamps {
+    std::optional<std::int64_t> begunAgoNs = {};
+    BegunBy begunBy = BegunBy::Entry;
+    std::optional<std::int64_t> touchEndedAgoNs = {};  ///< the finger left the display for the last time before the answer
+    std::optional<int> entries = {};                   ///< entries until two agreed; none where one is enough
+    bool operator==(const AnswerStamps&) const = default;
+};
 struct Answered {
     GivenAnswer response;
+    AnswerStamps stamps = {};
 };
 /// Changes the latest answer to `question`.
 struct Corrected {

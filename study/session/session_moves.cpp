@@ -125,6 +125,19 @@ std::optional<std::string> faultOfAnswer(const Plan& plan, int index, int questi
     return faultOf(answer, questionOf(plan, index, question), tray, plan.fabricNames);
 }
 
+std::optional<std::string> faultOfPieces(const Plan& plan, int index, const std::vector<std::string>& pieces)
+{
+    const auto& tray = plan.trials.at(static_cast<std::size_t>(index)).alternatives;
+    for (std::size_t slot = 0; slot < tray.size(); ++slot) {
+        const std::string letter(1, static_cast<char>('A' + static_cast<char>(slot % 26)));
+        const std::string needed = nameIn(plan.fabricNames, tray[slot]);
+        if (slot >= pieces.size()) return "The piece in slot " + letter + " is not confirmed. It must be " + needed + ".";
+        if (pieces[slot] != needed) return "Slot " + letter + " holds " + pieces[slot] + ". It must be " + needed + ".";
+    }
+    if (pieces.size() > tray.size()) return "More pieces were confirmed than the tray has slots.";
+    return std::nullopt;
+}
+
 std::string refusalOf(const State& state, const EventBody& body)
 {
     if (std::holds_alternative<Finished>(state.stage)) return "The session is finished.";

@@ -41,6 +41,9 @@ std::vector<protocols::Tenths> placesToName(const Plan& plan, const State& state
 /// Why this answer cannot be stored for that question, as a sentence for the operator; empty if it can.
 std::optional<std::string> faultOfAnswer(const Plan& plan, int index, int question, const GivenAnswer& answer);
 
+/// Which piece that was read is not the one that its slot needs, as a sentence for the operator; empty if all are right.
+std::optional<std::string> faultOfPieces(const Plan& plan, int index, const std::vector<std::string>& pieces);
+
 /// Why a stage without a cell for this event refuses it.
 std::string refusalOf(const State& state, const EventBody& body);
 

@@ -37,6 +37,31 @@ Touched touchOf(const Json& payload)
             payload.value("ago_ns", std::int64_t{0})};
 }
 
+constexpr std::pair<BegunBy, const char*> begunByNames[] = {
+    {BegunBy::Entry, "entry"}, {BegunBy::Spoken, "spoken"}, {BegunBy::Script, "script"}};
+
+AnswerStamps stampsIn(const Json& payload)
+{
+    AnswerStamps stamps;
+    if (payload.contains("begun_ago_ns")) stamps.begunAgoNs = payload.at("begun_ago_ns").get<std::int64_t>();
+    const std::string begunBy = payload.value("begun_by", "entry");
+    for (const auto& [by, name] : begunByNames)
+        if (begunBy == name) stamps.begunBy = by;
+    if (payload.contains("touch_ended_ago_ns")) stamps.touchEndedAgoNs = payload.at("touch_ended_ago_ns").get<std::int64_t>();
+    if (payload.contains("entries")) stamps.entries = payload.at("entries").get<int>();
+    return stamps;
+}
+
+void addStampsTo(Json& payload, const AnswerStamps& stamps)
+{
+    if (stamps.begunAgoNs) {
+        payload["begun_ago_ns"] = *stamps.begunAgoNs;
+        payload["begun_by"] = nameOf(stamps.begunBy);
+    }
+    if (stamps.touchEndedAgoNs) payload["touch_ended_ago_ns"] = *stamps.touchEndedAgoNs;
+    if (stamps.entries) payload["entries"] = *stamps.entries;
+}
+
 struct Kind {
     const char* name;
     EventBody (*read)(const Json& payload);
@@ -44,7 +69,8 @@ struct Kind {
 
 /// In the order of EventBody's alternatives.
 constexpr Kind kinds[] = {
-    {"sitting_started", [](const Json&) -> EventBody { return SittingStarted{}; }},
+    {"sitting_started",
+     [](const Json& payload) -> EventBody { return SittingStarted{payload.value("dead_time_ns", std::int64_t{0})}; }},
     {"begun", [](const Json&) -> EventBody { return Begun{}; }},
     {"consented", [](const Json&) -> EventBody { return Consented{}; }},
     {"facts_given", [](const Json& payload) -> EventBody { return factsOf(payload); }},
@@ -58,9 +84,13 @@ constexpr Kind kinds[] = {
     {"scale_training_done", [](const Json&) -> EventBody { return ScaleTrainingDone{}; }},
     {"checklist_done", [](const Json& payload) -> EventBody { return checklistOf(payload); }},
     {"sitting_prepared", [](const Json&) -> EventBody { return SittingPrepared{}; }},
-    {"tray_ready", [](const Json&) -> EventBody { return TrayReady{}; }},
+    {"tray_ready",
+     [](const Json& payload) -> EventBody { return TrayReady{payload.value("pieces", std::vector<std::string>())}; }},
     {"touched", [](const Json& payload) -> EventBody { return touchOf(payload); }},
-    {"answered", [](const Json& payload) -> EventBody { return Answered{givenAnswerIn(payload)}; }},
+    {"answered",
+     [](const Json& payload) -> EventBody {
+         return Answered{givenAnswerIn(payload), stampsIn(payload)};
+     }},
     {"corrected", [](const Json& payload) -> EventBody { return correctedOf(payload); }},
     {"voided", [](const Json& payload) -> EventBody { return Voided{payload.at("why").get<std::string>()}; }},
     {"break_ended", [](const Json&) -> EventBody { return BreakEnded{}; }},
@@ -78,7 +108,17 @@ static_assert(std::size(kinds) == std::variant_size_v<EventBody>);
 Json payloadOfEvent(const EventBody& body)
 {
     return std::visit(
-        Overloaded{[](const Answered& event) { return payloadOf(event.response); },
+        Overloaded{[](const Answered& event) {
+                       Json payload = payloadOf(event.response);
+                       addStampsTo(payload, event.stamps);
+                       return payload;
+                   },
+                   [](const TrayReady& event) {
+                       return event.pieces.empty() ? Json::object() : Json{{"pieces", event.pieces}};
+                   },
+                   [](const SittingStarted& event) {
+                       return event.deadTimeNs == 0 ? Json::object() : Json{{"dead_time_ns", event.deadTimeNs}};
+                   },
                    [](const Corrected& event) {
                        Json payload{{"question", event.question.value}};
                        payload.update(payloadOf(event.response));
@@ -130,6 +170,13 @@ void addOperator(Json& payload, const EventBody& body, const OperatedBy& operate
 }
 
 }  // namespace
+
+std::string nameOf(BegunBy by)
+{
+    for (const auto& [known, name] : begunByNames)
+        if (known == by) return name;
+    return {};
+}
 
 std::string kindOf(const EventBody& body) { return kinds[body.index()].name; }
 

@@ -39,10 +39,17 @@ void addLastAnswer(View& view, const Plan& plan, const State& state)
     view.lastAnswer = view.lastQuestion->value + ": " + spoken(plan, last.response);
 }
 
+std::size_t nextIndex(const State& state)
+{
+    return static_cast<std::size_t>(state.order[static_cast<std::size_t>(state.position) + 1].index);
+}
+
+/// Answers stored so far and those to come. A presentation that was voided before an answer adds none.
 int answersInAll(const Plan& plan, const State& state)
 {
-    int answers = 0;
-    for (const PlaceInOrder& place : state.order) answers += questionsOf(plan, place.index);
+    int answers = state.answersStored;
+    for (std::size_t at = static_cast<std::size_t>(state.position); at < state.order.size(); ++at)
+        answers += questionsOf(plan, state.order[at].index) - answersTo(state, state.order[at].index);
     return answers;
 }
 
@@ -95,8 +102,12 @@ View viewOf(const Plan& plan, const State& state, const protocols::ParticipantId
         view.phaseName = nameOfPhase(phaseOf(plan, state.order[static_cast<std::size_t>(state.position)].index));
     if (const auto* tray = std::get_if<PlacingTray>(&state.stage))
         addTrial(view, plan, state, tray->index, answersTo(state, tray->index));
-    if (const auto* presenting = std::get_if<Presenting>(&state.stage))
+    if (const auto* presenting = std::get_if<Presenting>(&state.stage)) {
         addTrial(view, plan, state, presenting->index, presenting->question);
+        if (state.position + 1 < count)
+            for (const protocols::FabricId& fabric : plan.trials[nextIndex(state)].alternatives)
+                view.nextTray.push_back(nameIn(plan.fabricNames, fabric));
+    }
     view.presentation = std::min(state.position + 1, count);
     view.presentations = count;
     view.answersStored = state.answersStored;

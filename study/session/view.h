@@ -17,6 +17,7 @@ struct View {
     protocols::PresentationCode code;  ///< code of the presentation; empty between presentations
     std::vector<std::string> tray;     ///< the codes on the fabric pieces in slots A, B, C
     std::vector<protocols::FabricId> trayIds;
+    std::vector<std::string> nextTray;            ///< while a presentation runs: the pieces of the next one; empty at the end
     std::optional<protocols::Question> question;  ///< the one now asked, or asked next in PlacingTray
     int presentation = 0, presentations = 0;      ///< progress, from 1; a voided presentation adds to the total
     int answersStored = 0, answersInAll = 0;

@@ -43,6 +43,10 @@ StudyStore::Append answerOf(const StudyStore& store, const char* question, std::
         answer.answer = trial.alternatives.front().value;
     answer.readyAtNs = 5 * oneSecondNs;
     answer.touchedAtNs = 8 * oneSecondNs;
+    answer.touchEndedAtNs = 9 * oneSecondNs;
+    answer.answerBegunAtNs = 9500000000;
+    answer.answerBegunBy = "entry";
+    answer.entries = 2;
     answer.answeredAtNs = 10 * oneSecondNs;
     entry.answers.push_back(answer);
     entry.storedAtNs = 10 * oneSecondNs + 100;
@@ -345,12 +349,13 @@ private Q_SLOTS:
         QCOMPARE(
             columns,
             std::string("participant, trial, question, presentation_code, alternatives, answer, rating, ready_at, touched_at, "
-                        "answered_at, stored_at, seconds, corrections, voided, wall_time, note"));
+                        "answered_at, stored_at, seconds, corrections, voided, wall_time, note, touch_ended_at, "
+                        "answer_begun_at, answer_begun_by, entries, response_seconds"));
         const auto trial = store.trials(1).front();
-        const std::string expected = "S01|1|Q1|" + trial.presentationCode.value + "|[\"" + trial.alternatives[0].value + "\",\"" +
-                                     trial.alternatives[1].value + "\",\"" + trial.alternatives[2].value + "\"]|" +
-                                     trial.alternatives[0].value +
-                                     "||5000000000|8000000000|10000000000|10000000100|2.0|0|0|2026-01-01T10:00:00.000Z|";
+        const std::string expected =
+            "S01|1|Q1|" + trial.presentationCode.value + "|[\"" + trial.alternatives[0].value + "\",\"" +
+            trial.alternatives[1].value + "\",\"" + trial.alternatives[2].value + "\"]|" + trial.alternatives[0].value +
+            "||5000000000|8000000000|10000000000|10000000100|2.0|0|0|2026-01-01T10:00:00.000Z||9000000000|9500000000|entry|2|1.5";
         QCOMPARE(raw.rows("SELECT * FROM answers"), std::vector<std::string>{expected});
     }
 
@@ -433,7 +438,8 @@ private Q_SLOTS:
         QTest::newRow("an answer put in")
             << "INSERT INTO responses SELECT 999, event, participant, 77, attempt, question, presentation_code, alternatives, "
                "choice, "
-               "rating_tenths, ready_at, touched_at, answered_at, stored_at, 0, touched_by FROM responses WHERE id = 4"
+               "rating_tenths, ready_at, touched_at, answered_at, stored_at, 0, touched_by, touch_ended_at, answer_begun_at, "
+               "answer_begun_by, entries FROM responses WHERE id = 4"
             << "were altered";
         QTest::newRow("an event's payload") << "UPDATE events SET payload = '{\"fabric\":\"F99\"}' WHERE sequence = 9"
                                             << "log entry 9 (";

@@ -58,6 +58,7 @@ private Q_SLOTS:
  "phases": [{"questions": ["S1", "N1"], "same_different": true, "free_text": ["N1"], "catch_trials": 2},
             {"questions": ["L1"], "scale": {"min": 1, "max": 3, "step": 1, "sections": 2, "labels": ["no", "so so", "yes"]}}],
  "swatches": "fresh", "second_entry": true, "familiarisation_fabrics": 2, "break_after_minutes": 15,
+ "dead_time_seconds": 1.5, "confirm_pieces": true,
  "readings": ["temperature in °C"])")
                 .toStdString(),
             "study.json");
@@ -72,6 +73,9 @@ private Q_SLOTS:
         QCOMPARE(protocol.swatchCodes, SwatchCodes::PerParticipant);
         QCOMPARE(protocol.breakAfterMinutes, std::optional<int>(15));
         QVERIFY(protocol.secondEntry);
+        QCOMPARE(protocol.deadTimeSeconds, 1.5);
+        QVERIFY(protocol.confirmPieces);
+        QCOMPARE(paper().deadTimeSeconds, 0.7);
     }
 
     void onlyWordsTimesAndAnalysisMayChangeInMidStudy()

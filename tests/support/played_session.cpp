@@ -46,7 +46,10 @@ struct NextEventOfView {
     {
         return ChecklistDone{plan.protocol.checklist, filledIn(plan.protocol.readings)};
     }
-    std::optional<EventBody> operator()(const PlacingTray&) const { return TrayReady{}; }
+    std::optional<EventBody> operator()(const PlacingTray&) const
+    {
+        return trayReadyOf(plan.protocol, view.trayIds, plan.fabricNames);
+    }
     std::optional<EventBody> operator()(const Presenting&) const { return Answered{responseTo(view)}; }
     std::optional<EventBody> operator()(const OnBreak&) const { return BreakEnded{}; }
     std::optional<EventBody> operator()(const Debriefing&) const { return Debriefed{"it was fun"}; }
@@ -87,6 +90,7 @@ bool OpenSession::step()
         if (presenting->question == 0 && !presenting->touchedAtNs) send(Touched{});
         clock.advanceSeconds(2.5);
     }
+    if (std::holds_alternative<PlacingTray>(driver->state().stage)) clock.advanceSeconds(driver->plan().protocol.deadTimeSeconds);
     const auto event = nextEvent(driver->view(), driver->plan());
     if (event) send(*event);
     return event.has_value();

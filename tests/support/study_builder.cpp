@@ -48,10 +48,16 @@ std::string protocolText(const StudyRecipe& recipe)
     const nlohmann::ordered_json phases = {
         {{"questions", {"Q1"}}, {"alternatives", recipe.alternatives}},
         {{"questions", {"Q2", "Q3", "Q4"}}, {"scale", {{"min", 0}, {"max", 10}, {"step", 0.1}, {"sections", 9}}}}};
-    const nlohmann::ordered_json protocol = {{"schema", "vis2hap.protocol/1"},      {"name", "Small study"},
-                                             {"participants", recipe.participants}, {"fabrics", fabrics},
-                                             {"conditions", recipe.conditions},     {"phases", phases},
-                                             {"seconds_per_presentation", 30},      {"break_after", recipe.breakAfter}};
+    const nlohmann::ordered_json protocol = {{"schema", "vis2hap.protocol/1"},
+                                             {"name", "Small study"},
+                                             {"participants", recipe.participants},
+                                             {"fabrics", fabrics},
+                                             {"conditions", recipe.conditions},
+                                             {"phases", phases},
+                                             {"seconds_per_presentation", 30},
+                                             {"break_after", recipe.breakAfter},
+                                             {"dead_time_seconds", recipe.deadTimeSeconds},
+                                             {"confirm_pieces", recipe.confirmPieces}};
     return protocol.dump(2);
 }
 

@@ -20,7 +20,9 @@ struct StudyRecipe {
     std::vector<std::string> conditions{"v_grey", "h&f"};
     int participants = 2;
     int alternatives = 3;
-    int breakAfter = 4;  ///< presentations between two breaks
+    int breakAfter = 4;          ///< presentations between two breaks
+    double deadTimeSeconds = 0;  ///< after a step of the operator; tests press keys without waiting
+    bool confirmPieces = false;
     std::uint64_t designSeed = 1;
     std::uint64_t keySeed = 2;
     std::optional<std::string> passphrase = {};  ///< none: the allocation key lies open

@@ -41,6 +41,7 @@ std::string wholeProtocolText(const WholeProtocol& wanted)
                            {"sitting_minutes", wanted.sittingMinutes},
                            {"familiarisation_fabrics", 2},
                            {"second_entry", wanted.secondEntry},
+                           {"dead_time_seconds", 0},
                            {"checklist", paper.at("checklist")},
                            {"readings", paper.at("readings")},
                            {"facts", paper.at("facts")}};

@@ -48,11 +48,13 @@ FormPanel::FormPanel(QWidget* parent)
     connect(m_back, &QPushButton::clicked, this, &FormPanel::closeRequested);
 }
 
-void FormPanel::addRow(const QString& caption, QWidget* control)
+QWidget* FormPanel::addRow(const QString& caption, QWidget* control)
 {
     const int row = m_form->rowCount() > rowOfReason ? m_form->count() / 2 : m_form->rowCount();
-    m_form->addWidget(captionFor(caption, this), row, 0, Qt::AlignTop);
+    QLabel* made = captionFor(caption, this);
+    m_form->addWidget(made, row, 0, Qt::AlignTop);
     m_form->addWidget(control, row, 1);
+    return made;
 }
 
 void FormPanel::setReasonAfter(const QWidget& controls) { setTabOrderAfter(controls, {m_reason, m_action, m_back}); }

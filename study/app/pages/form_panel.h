@@ -34,8 +34,8 @@ protected:
 
     /// Shows the form with an empty reason.
     void open(const Texts& texts);
-    /// Adds a row above the reason and takes ownership of the control.
-    void addRow(const QString& caption, QWidget* control);
+    /// Adds a row above the reason and takes ownership of the control. Returns the label of the caption.
+    QWidget* addRow(const QString& caption, QWidget* control);
     /// Moves the focus to the reason.
     void focusReason();
     /// Puts the reason and the buttons after `controls` in the tab order.

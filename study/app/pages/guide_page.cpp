@@ -1,5 +1,6 @@
 #include "study/app/pages/guide_page.h"
 
+#include <QTimer>
 #include <QVBoxLayout>
 
 #include "study/app/pieces/flow_layout.h"
@@ -10,6 +11,8 @@ namespace study::app {
 
 GuidePage::GuidePage(QWidget* parent)
     : StagePage(parent),
+      m_tick(new QTimer(this)),
+      m_clock(label("breakClock", Type::Title, this, Weight::Bold)),
       m_head(new PageHead(this)),
       m_steps(new StepList(this)),
       m_action(mainButton("confirmButton", tr("Continue (Enter)"), this)),
@@ -18,10 +21,13 @@ GuidePage::GuidePage(QWidget* parent)
     auto* column = new QVBoxLayout(this);
     column->setSpacing(14);
     column->addWidget(m_head);
+    column->addWidget(m_clock);
     column->addWidget(m_steps);
     column->addSpacing(6);
     column->addLayout(actionsRow({m_action, m_second}));
     column->addStretch(1);
+    m_tick->setInterval(1000);
+    connect(m_tick, &QTimer::timeout, this, &GuidePage::showClock);
     connect(m_action, &QPushButton::clicked, this, [this] { act(m_guide.act); });
     connect(m_second, &QPushButton::clicked, this, [this] { act(m_guide.second->act); });
 }
@@ -31,11 +37,27 @@ void GuidePage::present(const session::View& view)
     const auto guide = guideFor(view, m_facts, m_isPreparationDue);
     if (!guide) return;
     m_guide = *guide;
+    const auto* onBreak = view.state.paused ? nullptr : std::get_if<session::OnBreak>(&view.state.stage);
+    if (onBreak && m_shownBreak != *onBreak) m_sinceBreak.start();
+    m_shownBreak = onBreak ? std::optional(*onBreak) : std::nullopt;
+    m_clock->setVisible(onBreak != nullptr);
+    if (onBreak) {
+        showClock();
+        m_tick->start();
+    } else {
+        m_tick->stop();
+    }
     m_head->setTexts(m_guide.title, m_guide.lead);
     m_steps->setSteps(m_guide.steps);
     setButtonText(*m_action, m_guide.action);
     m_second->setVisible(m_guide.second.has_value());
     if (m_guide.second) setButtonText(*m_second, m_guide.second->text);
+}
+
+void GuidePage::showClock()
+{
+    const qint64 seconds = m_sinceBreak.elapsed() / 1000;
+    m_clock->setText(tr("Break: %1:%2").arg(seconds / 60).arg(seconds % 60, 2, 10, QLatin1Char('0')));
 }
 
 void GuidePage::act(GuideAct act)

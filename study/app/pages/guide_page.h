@@ -2,10 +2,14 @@
 // Its texts come from stage_guides.h.
 #pragma once
 
+#include <QElapsedTimer>
+
 #include "study/app/pages/stage_guides.h"
 #include "study/app/pages/stage_page.h"
 
+class QLabel;
 class QPushButton;
+class QTimer;
 
 namespace study::app {
 
@@ -35,6 +39,12 @@ private:
     SessionFacts m_facts;
     bool m_isPreparationDue = false;
     Guide m_guide;
+    void showClock();
+
+    std::optional<session::OnBreak> m_shownBreak;
+    QElapsedTimer m_sinceBreak;
+    QTimer* m_tick;
+    QLabel* m_clock;  ///< how long the break has lasted
     PageHead* m_head;
     StepList* m_steps;
     QPushButton* m_action;

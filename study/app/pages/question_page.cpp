@@ -6,6 +6,7 @@
 #include "study/app/pieces/flow_layout.h"
 #include "study/app/pieces/pieces.h"
 #include "study/app/pieces/question_head.h"
+#include "study/app/state/tray_steps.h"
 
 namespace study::app {
 
@@ -19,6 +20,7 @@ QuestionPage::QuestionPage(QWidget* parent)
       m_readBack(label("readBack", Type::Lead, this)),
       m_touch(new TouchButton(this)),
       m_store(mainButton("storeButton", tr("Store the answer (Enter)"), this)),
+      m_next(quietLabel("nextTray", this, Type::Plain)),
       m_stroke(quietLabel("strokeWords", this, Type::Plain))
 {
     auto* column = new QVBoxLayout(this);
@@ -28,9 +30,11 @@ QuestionPage::QuestionPage(QWidget* parent)
     column->addWidget(m_readBack);
     column->addLayout(actionsRow({m_store, m_touch}));
     column->addSpacing(6);
+    column->addWidget(m_next);
     column->addWidget(m_stroke);
     column->addStretch(1);
     connect(m_entry, &AnswerEntry::changed, this, &QuestionPage::showReadBack);
+    connect(m_entry, &AnswerEntry::changed, this, &QuestionPage::markEntry);
     connect(m_store, &QPushButton::clicked, this, &QuestionPage::store);
     connect(m_touch, &TouchButton::touched, this, [this] {
         firstFocus().setFocus();
@@ -56,12 +60,23 @@ bool QuestionPage::isSameQuestion(const session::View& view) const
 void QuestionPage::present(const session::View& view)
 {
     m_head->present(view);
+    showText(*m_next, view.nextTray.empty()
+                          ? QString()
+                          : tr("Lay ready for the next tray: %1")
+                                .arg(trayStepsText(trayStepsTo(view.nextTray, view.tray), view.nextTray.size())));
     m_touch->present(view);
     if (isSameQuestion(view)) return;  // a touch, a note or a fault must not clear the entry
     m_shown = std::get<Presenting>(view.state.stage);
     m_shownCode = view.code;
     m_firstEntry.reset();
+    m_entries = 0;
     m_entry->ask(formOf(view));
+}
+
+void QuestionPage::markEntry()
+{
+    // The second entry of an answer is no new answer.
+    if (m_entries == 0) Q_EMIT answerMarked(m_entry->isEmpty() ? AnswerMark::Emptied : AnswerMark::Begun);
 }
 
 void QuestionPage::showReadBack()
@@ -93,11 +108,12 @@ void QuestionPage::takeEntry(const GivenAnswer& response)
         Q_EMIT eventRequested(session::Answered{response});
         return;
     }
+    ++m_entries;
     const QString differing = m_firstEntry ? disagreement(m_entry->form(), *m_firstEntry, response) : QString();
     if (m_firstEntry && differing.isEmpty()) {
         // Texts that differ in spaces agree; the first entry is the one that was read back.
         const GivenAnswer agreed = *m_firstEntry;
-        Q_EMIT eventRequested(session::Answered{agreed});
+        Q_EMIT eventRequested(session::Answered{agreed, {.entries = m_entries}});
         return;
     }
     if (m_firstEntry)
@@ -119,6 +135,11 @@ bool QuestionPage::pressKey(int key)
     }
     // Before T: on a tray of twenty slots, T is the letter of a slot.
     if (m_entry->pressKey(key)) return true;
+    if (key == Qt::Key_F9) {
+        Q_EMIT answerMarked(AnswerMark::Spoken);
+        Q_EMIT hinted(tr("The beginning of the answer is stamped."));
+        return true;
+    }
     if (key != Qt::Key_T) return false;
     Q_EMIT eventRequested(session::Touched{});
     return true;

@@ -30,6 +30,7 @@ public:
 private:
     bool isSameQuestion(const session::View& view) const;
     void showReadBack();
+    void markEntry();
     void store();
     void takeEntry(const session::GivenAnswer& response);
 
@@ -38,10 +39,12 @@ private:
     QLabel* m_readBack;
     TouchButton* m_touch;
     QPushButton* m_store;
+    QLabel* m_next;
     QLabel* m_stroke;
 
     bool m_wantsSecondEntry = false;
     std::optional<session::GivenAnswer> m_firstEntry;
+    int m_entries = 0;  ///< of this answer, where it is entered twice
     std::optional<session::Presenting> m_shown;
     protocols::PresentationCode m_shownCode;
 };

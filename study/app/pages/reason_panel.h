@@ -3,24 +3,36 @@
 
 #include "study/app/pages/form_panel.h"
 
+class QLineEdit;
+
 namespace study::app {
 
 class ReasonPanel : public FormPanel {
     Q_OBJECT
 public:
-    explicit ReasonPanel(QWidget* parent) : FormPanel(parent) {}
+    explicit ReasonPanel(QWidget* parent);
+
+    void begin(const SessionFacts& facts) override { m_participantCode = facts.participant; }
 
     void askForNote();
     /// Marks a presentation for inspection; the reason is optional. `presentation`: see askWhyVoid().
     void askForFlag(const QString& presentation);
     /// `presentation`: its code; empty: the presentation before the current tray.
     void askWhyVoid(const QString& presentation);
+    /// Ends a session for good, so the operator types the participant's code.
     void askWhyWithdrawn();
+    QWidget& firstFocus() override;
 
 protected:
+    bool isReady() override;
     session::EventBody eventFor(const std::string& reason) override { return m_event(reason); }
 
 private:
+    void askForCode(bool isAsked);
+
+    QString m_participantCode;
+    QLineEdit* m_code;
+    QWidget* m_codeCaption;
     std::function<session::EventBody(const std::string&)> m_event;
 };
 

@@ -38,6 +38,7 @@ SessionPage::SessionPage(QWidget* parent)
     column->addLayout(messageRow);
     column->addWidget(m_footer);
     connect(m_stages, &StageStack::eventRequested, this, &SessionPage::eventRequested);
+    connect(m_stages, &StageStack::answerMarked, this, &SessionPage::answerMarked);
     connect(m_stages, &StageStack::hinted, this, [this](const QString& text) { showMessage(text, Tone::Hint); });
     connect(m_stages, &StageStack::panelCloseRequested, this, &SessionPage::closePanel);
     connect(&m_stages->guide(), &GuidePage::leaveRequested, this, &SessionPage::leaveRequested);
@@ -111,7 +112,7 @@ void SessionPage::present(const View& view, bool canCorrect)
     m_header->present(view);
     m_footer->present(view, canCorrect);
     m_stages->guide().offerPreparation(offersPreparation());
-    if (std::holds_alternative<Presenting>(view.state.stage)) m_stages->tray().setPlaced(view.trayIds);
+    if (std::holds_alternative<Presenting>(view.state.stage)) m_stages->tray().setPlaced(view.tray);
     StagePage& page = pageOf(view);
     page.present(view);
     if (!m_panel) bringForward(page);

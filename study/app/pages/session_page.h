@@ -4,6 +4,7 @@
 
 #include <QWidget>
 
+#include "study/app/state/answer_mark.h"
 #include "study/app/state/session_controller.h"
 
 namespace study::app {
@@ -37,6 +38,7 @@ public:
 
 Q_SIGNALS:
     void eventRequested(const study::session::EventBody& event);
+    void answerMarked(study::app::AnswerMark mark);
     void correctionRequested();
     /// The operator leaves the session; a running session must be paused first.
     void leaveRequested();

@@ -3,6 +3,7 @@
 
 #include <QWidget>
 
+#include "study/app/state/answer_mark.h"
 #include "study/app/state/session_facts.h"
 #include "study/session/driver.h"
 
@@ -26,6 +27,7 @@ public:
 
 Q_SIGNALS:
     void eventRequested(const study::session::EventBody& event);
+    void answerMarked(study::app::AnswerMark mark);
     /// A hint for the operator that does not come from the engine; empty clears the last hint.
     void hinted(const QString& text);
 };

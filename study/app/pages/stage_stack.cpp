@@ -76,6 +76,7 @@ Page* StageStack::add(const char* areaName)
     QScrollArea* area = scrolling(areaName, page, this);
     addWidget(area);
     connect(page, &StagePage::eventRequested, this, &StageStack::eventRequested);
+    connect(page, &StagePage::answerMarked, this, &StageStack::answerMarked);
     connect(page, &StagePage::hinted, this, &StageStack::hinted);
     connect(area->verticalScrollBar(), &QScrollBar::rangeChanged, area, [area] { scrollToTextEntry(*area); });
     return page;

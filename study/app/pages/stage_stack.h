@@ -33,6 +33,7 @@ public:
 
 Q_SIGNALS:
     void eventRequested(const study::session::EventBody& event);
+    void answerMarked(study::app::AnswerMark mark);
     void hinted(const QString& text);
     void panelCloseRequested();
 

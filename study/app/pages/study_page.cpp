@@ -35,6 +35,7 @@ StudyPage::StudyPage(QWidget* parent)
       m_summary(label("studySummary", Type::Lead, this)),
       m_middle(new QBoxLayout(QBoxLayout::LeftToRight)),
       m_places(new QTreeWidget(this)),
+      m_going(field("resumeField", tr("Code of the participant who goes on"), this)),
       m_resume(mainButton("resumeButton", tr("Continue a session"), this)),
       m_participant(field("participantField", tr("Code of the next participant"), this)),
       m_enrol(mainButton("enrolButton", tr("Enrol and begin (Enter)"), this)),
@@ -51,12 +52,14 @@ StudyPage::StudyPage(QWidget* parent)
     m_places->header()->setStretchLastSection(true);
     m_places->header()->setFocusPolicy(Qt::NoFocus);
     setType(*m_participant, Type::Lead, Weight::Bold);
+    setType(*m_going, Type::Lead, Weight::Bold);
 
     auto* side = new QVBoxLayout;
     side->setSpacing(14);
     side->addWidget(
         card("enrolCard", tr("Next participant"), tr("Type a code, not the name of the person."), {m_participant, m_enrol}));
-    side->addWidget(card("resumeCard", tr("Session in progress"), tr("Choose a participant in the list."), {m_resume}));
+    side->addWidget(
+        card("resumeCard", tr("Session in progress"), tr("Type the code of the participant who is here."), {m_going, m_resume}));
     side->addStretch(1);
     m_middle->setSpacing(22);
     m_middle->addLayout(side, 2);
@@ -78,12 +81,19 @@ StudyPage::StudyPage(QWidget* parent)
     outer->setContentsMargins(0, 0, 0, 0);
     outer->addWidget(scrolling("studyArea", page, this));
     setTabOrder(m_participant, m_enrol);
-    setTabOrder(m_enrol, m_resume);
+    setTabOrder(m_enrol, m_going);
+    setTabOrder(m_going, m_resume);
     setTabOrder(m_resume, m_places);
     setTabOrder(m_places, m_close);
 
     connect(m_enrol, &QPushButton::clicked, this, &StudyPage::enrol);
     connect(m_resume, &QPushButton::clicked, this, &StudyPage::resumeChosen);
+    connect(m_participant, &QLineEdit::textChanged, this, [this] { m_isAskedAgain = false; });
+    connect(m_going, &QLineEdit::textChanged, this, [this](const QString& typed) {
+        for (std::size_t row = 0; row < m_overview.places.size(); ++row)
+            if (canResume(m_overview.places[row]) && m_overview.places[row].participant == typed.trimmed())
+                m_places->setCurrentItem(m_places->topLevelItem(static_cast<int>(row)));
+    });
     connect(m_places, &QTreeWidget::itemActivated, this, &StudyPage::resumeChosen);
     connect(m_places, &QTreeWidget::currentItemChanged, this, &StudyPage::showChosen);
     connect(m_close, &QPushButton::clicked, this, &StudyPage::closeRequested);
@@ -151,6 +161,8 @@ void StudyPage::present(const StudyOverview& overview, database::ParticipantKind
     m_overview = overview;
     m_kind = kind;
     m_message->clearMessage();
+    m_isAskedAgain = false;
+    m_going->clear();
     m_title->setText(overview.name);
     m_folder->setText(overview.folder);
     const int free = overview.placesIn(SlotState::Free);
@@ -228,16 +240,23 @@ void StudyPage::showChosen()
     const auto* place = chosenPlace();
     const bool isResumable = place && canResume(*place);
     m_resume->setEnabled(isResumable);
+    m_going->setEnabled(isResumable);
     setButtonText(*m_resume, isResumable ? tr("Continue with %1").arg(place->participant) : tr("Continue a session"));
 }
 
+/// The list may stand on anybody, so the typed code decides, and the chosen row must not contradict it.
 void StudyPage::resumeChosen()
 {
     const auto* place = chosenPlace();
-    if (place && canResume(*place))
-        Q_EMIT sessionRequested(place->participant);
-    else
+    const QString typed = m_going->text().trimmed();
+    m_message->clearMessage();
+    if (!place || !canResume(*place))
         m_message->showHint(tr("Choose a participant whose session has started but is not finished."));
+    else if (typed != place->participant) {
+        m_going->setFocus();
+        m_message->showHint(tr("To continue with %1, type this code in \"Session in progress\".").arg(place->participant));
+    } else
+        Q_EMIT sessionRequested(place->participant);
 }
 
 void StudyPage::enrol()
@@ -252,7 +271,10 @@ void StudyPage::enrol()
     else if (isTaken)
         m_message->showHint(tr("%1 is already enrolled. Choose this participant in the list to continue, or type another code.")
                                 .arg(participant));
-    else
+    else if (m_overview.placesIn(SlotState::Started) > 0 && !m_isAskedAgain) {
+        m_isAskedAgain = true;
+        m_message->showHint(tr("A session is in progress. Press Enter again to enrol %1 as a new participant.").arg(participant));
+    } else
         Q_EMIT sessionRequested(participant);
 }
 
@@ -261,7 +283,7 @@ void StudyPage::showFault(const QString& text) { m_message->showFault(text); }
 void StudyPage::focusFirst()
 {
     if (m_resume->isEnabled())
-        m_resume->setFocus();
+        m_going->setFocus();
     else if (m_participant->isEnabled())
         m_participant->setFocus();
     else
@@ -277,6 +299,8 @@ void StudyPage::keyPressEvent(QKeyEvent* event)
         pressed->click();
     else if (isEnter(event->key()) && focusWidget() == m_participant)
         enrol();
+    else if (isEnter(event->key()) && focusWidget() == m_going)
+        resumeChosen();
     else
         QWidget::keyPressEvent(event);
 }

@@ -50,6 +50,7 @@ private:
     bool canResume(const StudyOverview::ParticipantPlace& place) const;
     QString stateText(const StudyOverview::ParticipantPlace& place) const;
 
+    bool m_isAskedAgain = false;  ///< whether a new participant is really meant while a session is in progress
     StudyOverview m_overview;
     database::ParticipantKind m_kind = database::ParticipantKind::Human;
     QLabel* m_title;
@@ -57,6 +58,7 @@ private:
     QLabel* m_summary;
     QBoxLayout* m_middle;
     QTreeWidget* m_places;
+    QLineEdit* m_going;  ///< code of the participant who goes on
     QPushButton* m_resume;
     QLineEdit* m_participant;
     QPushButton* m_enrol;

@@ -2,10 +2,12 @@
 
 #include <QGridLayout>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "study/app/pieces/pieces.h"
 #include "study/app/pieces/slot_card.h"
 #include "study/app/state/answer_form.h"
+#include "study/app/state/tray_steps.h"
 
 namespace study::app {
 
@@ -17,52 +19,92 @@ constexpr int cardsInARow = 3;
 
 TrayPage::TrayPage(QWidget* parent)
     : StagePage(parent),
-      m_code(label("presentationCode", Type::Huge, this, Weight::Bold)),
-      m_task(label("trayTask", Type::Lead, this)),
+      m_code(quietLabel("presentationCode", this)),
+      m_task(label("trayTask", Type::Title, this, Weight::Bold)),
       m_grid(new QGridLayout),
+      m_piece(field("pieceField", tr("Code of the next piece"), this)),
       m_stroke(quietLabel("strokeWords", this, Type::Plain)),
       m_ready(mainButton("trayReadyButton", tr("The tray is ready (Enter)"), this))
 {
-    auto* caption = quietLabel("presentationCaption", this);
-    caption->setText(tr("Presentation"));
     m_grid->setSpacing(18);
     auto* column = new QVBoxLayout(this);
     column->setSpacing(6);
-    column->addWidget(caption);
-    column->addWidget(m_code);
-    column->addSpacing(6);
     column->addWidget(m_task);
-    column->addSpacing(6);
+    column->addSpacing(10);
     column->addLayout(m_grid);
     column->addSpacing(10);
+    column->addWidget(m_piece);
     column->addWidget(m_ready, 0, Qt::AlignLeft);
     column->addSpacing(10);
     column->addWidget(m_stroke);
+    column->addWidget(m_code);
     column->addStretch(1);
-    connect(m_ready, &QPushButton::clicked, this, [this] { Q_EMIT eventRequested(session::TrayReady{}); });
+    m_piece->setMaximumWidth(420);
+    connect(m_ready, &QPushButton::clicked, this, &TrayPage::confirm);
 }
 
 void TrayPage::begin(const SessionFacts& facts)
 {
     m_placed.clear();
+    m_confirmsPieces = facts.confirmPieces;
+    m_piece->setVisible(m_confirmsPieces);
+    m_wanted.clear();
+    m_shownFor.reset();
     showText(*m_stroke, strokeText(facts));
 }
 
-bool TrayPage::isNew(const session::View& view, std::size_t place) const
+QString TrayPage::actOf(const session::View& view, std::size_t place) const
 {
-    return m_placed.size() != view.trayIds.size() || m_placed[place] != view.trayIds[place];
+    const std::string& piece = view.tray[place];
+    if (place < m_placed.size() && m_placed[place] == piece) return tr("stays");
+    const auto from = std::ranges::find(m_placed, piece);
+    if (from == m_placed.end()) return tr("put here");
+    return view.tray.size() > 1 ? tr("from %1").arg(slotLetter(static_cast<std::size_t>(from - m_placed.begin()))) : tr("stays");
 }
 
 void TrayPage::present(const session::View& view)
 {
-    m_code->setText(QString::fromStdString(view.code.value));
+    m_code->setText(tr("Presentation %1").arg(QString::fromStdString(view.code.value)));
     showCards(view);
-    bool isAnyNew = false;
-    for (std::size_t place = 0; place < view.trayIds.size(); ++place) isAnyNew = isAnyNew || isNew(view, place);
-    if (!isAnyNew)
-        m_task->setText(tr("All pieces stay on the tray."));
-    else
-        m_task->setText(view.tray.size() == 1 ? tr("Put this piece on the tray.") : tr("Put these pieces on the tray."));
+    m_task->setText(trayStepsText(trayStepsTo(view.tray, m_placed), view.tray.size()));
+    const bool isSameTray = m_shownFor == view.state.trayAskedAtNs && m_wanted == view.tray;
+    m_shownFor = view.state.trayAskedAtNs;
+    m_wanted = view.tray;
+    if (isSameTray) return showConfirmed();  // a note or a fault must not take back what is confirmed
+    m_confirmed.clear();
+    m_piece->clear();
+    showConfirmed();
+}
+
+/// A scanner types the code and presses Enter.
+void TrayPage::takePiece()
+{
+    const std::string read = m_piece->text().trimmed().toStdString();
+    const std::size_t slot = m_confirmed.size();
+    m_piece->clear();
+    if (read != m_wanted[slot])
+        return Q_EMIT hinted(tr("%1 is not the piece of slot %2. It must be %3.")
+                                 .arg(QString::fromStdString(read), slotLetter(slot), QString::fromStdString(m_wanted[slot])));
+    m_confirmed.push_back(read);
+    Q_EMIT hinted({});
+    showConfirmed();
+}
+
+void TrayPage::showConfirmed()
+{
+    if (!m_confirmsPieces) return;
+    for (std::size_t slot = 0; slot < m_wanted.size(); ++slot) m_cards[slot]->setConfirmed(slot < m_confirmed.size());
+    const bool isComplete = m_confirmed.size() == m_wanted.size();
+    m_piece->setEnabled(!isComplete);
+    m_piece->setPlaceholderText(isComplete ? tr("All pieces are confirmed.")
+                                           : tr("Scan or type the piece in slot %1").arg(slotLetter(m_confirmed.size())));
+    firstFocus().setFocus();
+}
+
+void TrayPage::confirm()
+{
+    if (!m_piece->text().trimmed().isEmpty() && m_confirmed.size() < m_wanted.size()) return takePiece();
+    Q_EMIT eventRequested(session::TrayReady{m_confirmed});
 }
 
 void TrayPage::showCards(const session::View& view)
@@ -75,7 +117,9 @@ void TrayPage::showCards(const session::View& view)
     // Cards are reused for the next tray, because making a card takes longer than showing one.
     for (std::size_t place = 0; place < m_cards.size(); ++place) {
         const bool isNeeded = place < view.tray.size();
-        if (isNeeded) m_cards[place]->showPiece(nameOfPiece(view.tray[place]), isNew(view, place), view.tray.size() > 1);
+        if (isNeeded)
+            m_cards[place]->showPiece(QString::fromStdString(view.tray[place]), actOf(view, place),
+                                      actOf(view, place) != tr("stays"), view.tray.size() > 1);
         m_cards[place]->setVisible(isNeeded);
     }
 }
@@ -83,10 +127,14 @@ void TrayPage::showCards(const session::View& view)
 bool TrayPage::pressKey(int key)
 {
     if (!isEnter(key)) return false;
-    Q_EMIT eventRequested(session::TrayReady{});
+    confirm();
     return true;
 }
 
-QWidget& TrayPage::firstFocus() { return *m_ready; }
+QWidget& TrayPage::firstFocus()
+{
+    const bool isOpen = m_confirmsPieces && m_confirmed.size() < m_wanted.size();
+    return isOpen ? static_cast<QWidget&>(*m_piece) : *m_ready;
+}
 
 }  // namespace study::app

@@ -16,6 +16,7 @@ public:
 
     std::variant<session::GivenAnswer, NoAnswer> give() { return m_shown->give(); }
     ReadBack readBack() const { return m_shown->readBack(); }
+    bool isEmpty() const { return m_shown->isEmpty(); }
     bool pressKey(int key) { return m_shown->pressKey(key); }
     QWidget& firstFocus() { return m_shown->firstFocus(); }
 

@@ -16,6 +16,7 @@ public:
     void ask(const AnswerForm& form) override;
     std::variant<session::GivenAnswer, NoAnswer> give() override;
     ReadBack readBack() const override;
+    bool isEmpty() const override { return !m_chosen.has_value(); }
     bool pressKey(int key) override;
     QWidget& firstFocus() override { return *this; }
 

@@ -30,6 +30,8 @@ public:
     /// The entered answer, or the reason why there is none yet.
     virtual std::variant<session::GivenAnswer, NoAnswer> give() = 0;
     virtual ReadBack readBack() const = 0;
+    /// True while the operator has entered nothing.
+    virtual bool isEmpty() const = 0;
     /// Handles a key that no control used; returns whether it chose an answer.
     virtual bool pressKey(int key) = 0;
     virtual QWidget& firstFocus() = 0;

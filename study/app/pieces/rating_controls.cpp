@@ -94,6 +94,8 @@ ReadBack RatingControls::readBack() const
                          : std::get<NoRating>(typed).why};
 }
 
+bool RatingControls::isEmpty() const { return m_rating->text().trimmed().isEmpty(); }
+
 QWidget& RatingControls::firstFocus() { return *m_rating; }
 
 }  // namespace study::app

@@ -19,6 +19,7 @@ public:
     void ask(const AnswerForm& form) override;
     std::variant<session::GivenAnswer, NoAnswer> give() override;
     ReadBack readBack() const override;
+    bool isEmpty() const override;
     bool pressKey(int) override { return false; }
     QWidget& firstFocus() override;
 

@@ -23,6 +23,7 @@ QLabel* fact(const char* objectName, QWidget* parent, Weight weight = Weight::No
 
 SessionHeader::SessionHeader(QWidget* parent)
     : QFrame(parent),
+      m_display(fact("displayFact", this, Weight::Bold)),
       m_participant(fact("participantFact", this, Weight::Bold)),
       m_part(fact("partFact", this)),
       m_presentations(fact("presentationFact", this)),
@@ -37,7 +38,7 @@ SessionHeader::SessionHeader(QWidget* parent)
     name(*m_bar, "progressBar", tr("Answers stored"));
     m_bar->setTextVisible(false);
     auto* facts = new FlowLayout(26, 4);
-    for (QLabel* made : {m_participant, m_part, m_presentations, m_answers, m_timeLeft, m_nextBreak, m_sitting})
+    for (QLabel* made : {m_display, m_participant, m_part, m_presentations, m_answers, m_timeLeft, m_nextBreak, m_sitting})
         facts->addWidget(made);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(28, 12, 28, 12);
@@ -46,8 +47,31 @@ SessionHeader::SessionHeader(QWidget* parent)
     column->addWidget(m_bar);
 }
 
+void SessionHeader::begin(const SessionFacts& facts)
+{
+    m_sittingMinutes = facts.sittingMinutes;
+    m_displayName = facts.displayName;
+    setRole(*m_display, m_displayName.isEmpty() ? "fault" : "tag");
+}
+
+namespace {
+
+/// Whether an image can be felt now.
+bool isFelt(const session::View& view)
+{
+    const auto* familiarising = std::get_if<session::Familiarising>(&view.state.stage);
+    const bool shows = std::holds_alternative<session::Presenting>(view.state.stage) || (familiarising && familiarising->shown);
+    return shows && !view.state.paused;
+}
+
+}  // namespace
+
 void SessionHeader::present(const session::View& view)
 {
+    if (m_displayName.isEmpty())
+        m_display->setText(tr("NO DISPLAY: rehearsal"));
+    else
+        m_display->setText(isFelt(view) ? tr("%1: on").arg(m_displayName) : tr("%1: off").arg(m_displayName));
     const bool isOver = std::holds_alternative<session::Finished>(view.state.stage) ||
                         std::holds_alternative<session::Withdrawn>(view.state.stage);
     const bool isBetween = isOver || view.presentation <= 0 || std::holds_alternative<session::Debriefing>(view.state.stage);

@@ -1,4 +1,5 @@
-// Header of a session: participant, phase, progress, time left, duration of this sitting, and next break.
+// Header of a session: the display and whether an image can be felt, participant, phase, progress, time left, duration of this
+// sitting, and next break.
 #pragma once
 
 #include <QFrame>
@@ -15,11 +16,13 @@ class SessionHeader : public QFrame {
 public:
     explicit SessionHeader(QWidget* parent);
 
-    void begin(const SessionFacts& facts) { m_sittingMinutes = facts.sittingMinutes; }
+    void begin(const SessionFacts& facts);
     void present(const session::View& view);
 
 private:
     int m_sittingMinutes = 60;
+    QString m_displayName;
+    QLabel* m_display;
     QLabel* m_participant;
     QLabel* m_part;
     QLabel* m_presentations;

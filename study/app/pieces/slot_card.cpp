@@ -11,7 +11,7 @@ SlotCard::SlotCard(const QString& letter, QWidget* parent)
     : QFrame(parent),
       m_letter(label("slotLetter", Type::Title, this, Weight::Bold)),
       m_tag(label("slotTag", Type::Small, this)),
-      m_piece(label("slotPiece", Type::Title, this))
+      m_piece(label("slotPiece", Type::Huge, this))
 {
     setObjectName(QStringLiteral("slotCard%1").arg(letter));
     m_letter->setText(letter);
@@ -28,15 +28,19 @@ SlotCard::SlotCard(const QString& letter, QWidget* parent)
     column->addStretch(1);
 }
 
-void SlotCard::showPiece(const QString& piece, bool isNew, bool hasLetter)
+void SlotCard::showPiece(const QString& piece, const QString& act, bool isNew, bool hasLetter)
 {
     setRole(*this, isNew ? "card-new" : "card");
     setRole(*m_tag, isNew ? "tag-new" : "tag");
     setType(*m_tag, Type::Small, isNew ? Weight::Bold : Weight::Normal);
-    setType(*m_piece, Type::Title, isNew ? Weight::Bold : Weight::Normal);
+    setType(*m_piece, Type::Huge, isNew ? Weight::Bold : Weight::Normal);
     m_letter->setVisible(hasLetter);
-    m_tag->setText(isNew ? tr("put here") : tr("stays"));
+    m_act = act;
+    m_tag->setText(act);
     m_piece->setText(piece);
+    m_piece->setAccessibleName(tr("%1, %2").arg(piece, act));
 }
+
+void SlotCard::setConfirmed(bool isConfirmed) { m_tag->setText(isConfirmed ? tr("confirmed ✓") : m_act); }
 
 }  // namespace study::app

@@ -1,4 +1,5 @@
-// Card of one tray slot: its letter, the piece of fabric that belongs there, and whether the operator must put it there now.
+// Card of one tray slot: its letter, the code of the piece that belongs there, large enough to be read from two metres, and what
+// the operator does with it now.
 #pragma once
 
 #include <QFrame>
@@ -12,11 +13,14 @@ class SlotCard : public QFrame {
 public:
     SlotCard(const QString& letter, QWidget* parent);
 
-    /// `hasLetter`: false if the tray has only one slot.
-    void showPiece(const QString& piece, bool isNew, bool hasLetter);
+    /// `act`: "stays", "put here"; `isNew`: the operator must act. `hasLetter`: false if the tray has only one slot.
+    void showPiece(const QString& piece, const QString& act, bool isNew, bool hasLetter);
+    /// Marks the piece as confirmed, or takes the mark back.
+    void setConfirmed(bool isConfirmed);
 
 private:
     QLabel* m_letter;
+    QString m_act;
     QLabel* m_tag;
     QLabel* m_piece;
 };

@@ -37,6 +37,8 @@ ReadBack WordsControls::readBack() const
     return {tr("Write the words of the participant. Press Shift and Enter for a new line."), true};
 }
 
+bool WordsControls::isEmpty() const { return m_words->words().isEmpty(); }
+
 QWidget& WordsControls::firstFocus() { return *m_words; }
 
 }  // namespace study::app

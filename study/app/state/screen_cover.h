@@ -23,8 +23,13 @@ public:
     void clear() override { m_wrapped->clear(); }
     std::string name() const override;
     bool reportsTouches() const override { return true; }
+    bool isThere() const override { return m_wrapped->isThere(); }
     /// Reports touches by a finger, presses of the mouse, and touches that the wrapped display reports.
     void onTouched(std::function<void(const rendering::Touch&)> touched) override;
+    void onReleased(std::function<void(const rendering::Touch&)> released) override
+    {
+        m_wrapped->onReleased(std::move(released));
+    }
     int descriptorToWatch() const override { return m_wrapped->descriptorToWatch(); }
     void processMessages() override { m_wrapped->processMessages(); }
 

@@ -34,6 +34,14 @@ QString withNextStep(const QString& trouble, bool isPaused)
                : SessionController::tr("%1. Your last entry was not stored. Fix the problem, then enter it again.").arg(trouble);
 }
 
+/// Whether another question, or none, is asked now.
+bool isOtherQuestion(const session::Stage& before, const session::Stage& now)
+{
+    const auto* old = std::get_if<session::Presenting>(&before);
+    const auto* asked = std::get_if<session::Presenting>(&now);
+    return !old || !asked || old->index != asked->index || old->question != asked->question || old->readyAtNs != asked->readyAtNs;
+}
+
 }  // namespace
 
 SessionController::SessionController(database::StudyStore& store, const protocols::ParticipantId& participant,
@@ -47,6 +55,7 @@ SessionController::SessionController(database::StudyStore& store, const protocol
       m_view(m_driver.view())
 {
     m_display->onTouched([this](const rendering::Touch& touch) { displayTouched(touch); });
+    m_display->onReleased([this](const rendering::Touch& release) { displayReleased(release); });
     watchDisplay();
 }
 
@@ -68,8 +77,11 @@ void SessionController::attendDisplay()
     }
 }
 
-void SessionController::send(const session::EventBody& event)
+void SessionController::send(const session::EventBody& asked)
 {
+    session::EventBody event = asked;
+    if (auto* answered = std::get_if<session::Answered>(&event)) answered->stamps = stampsNow(answered->stamps);
+    const auto askedBefore = m_view.state.stage;
     m_lastOutcome = EventOutcome{event, std::nullopt, nullptr};
     ++m_eventsSent;
     QString trouble;
@@ -80,6 +92,7 @@ void SessionController::send(const session::EventBody& event)
         trouble = QString::fromUtf8(fault.what());
     }
     m_view = m_driver.view();
+    if (isOtherQuestion(askedBefore, m_view.state.stage)) forgetStamps();
     Q_EMIT viewChanged();
     reportOutcome(trouble);
 }
@@ -99,6 +112,43 @@ void SessionController::displayTouched(const rendering::Touch& touch)
 {
     const auto* presenting = std::get_if<session::Presenting>(&m_view.state.stage);
     if (presenting && !presenting->touchedAtNs) send(session::Touched{session::TouchSource::Display, touch.ago.count()});
+}
+
+void SessionController::displayReleased(const rendering::Touch& release)
+{
+    if (std::holds_alternative<session::Presenting>(m_view.state.stage))
+        m_releasedAtNs = m_clock->monotonicNs() - release.ago.count();
+}
+
+void SessionController::markAnswerBegun(session::BegunBy by)
+{
+    if (m_begunAtNs || !std::holds_alternative<session::Presenting>(m_view.state.stage)) return;
+    m_begunAtNs = m_clock->monotonicNs();
+    m_begunBy = by;
+}
+
+void SessionController::unmarkEntry()
+{
+    if (m_begunBy == session::BegunBy::Entry) m_begunAtNs.reset();
+}
+
+session::AnswerStamps SessionController::stampsNow(const session::AnswerStamps& fromPage) const
+{
+    if (m_scriptedStamps) return *m_scriptedStamps;
+    session::AnswerStamps stamps = fromPage;
+    const std::int64_t nowNs = m_clock->monotonicNs();
+    if (m_begunAtNs) stamps.begunAgoNs = nowNs - *m_begunAtNs;
+    stamps.begunBy = m_begunBy;
+    if (m_releasedAtNs) stamps.touchEndedAgoNs = nowNs - *m_releasedAtNs;
+    return stamps;
+}
+
+void SessionController::forgetStamps()
+{
+    m_begunAtNs.reset();
+    m_releasedAtNs.reset();
+    m_begunBy = session::BegunBy::Entry;
+    m_scriptedStamps.reset();
 }
 
 const protocols::Question& SessionController::questionOf(const StoredAnswer& answer) const
@@ -162,7 +212,9 @@ SessionFacts SessionController::facts() const
             .scale = scale ? std::optional(*scale) : std::nullopt,
             .sittingMinutes = protocol.sittingMinutes,
             .secondEntry = protocol.secondEntry,
-            .displayReportsTouches = m_display->reportsTouches()};
+            .confirmPieces = protocol.confirmPieces,
+            .displayReportsTouches = m_display->reportsTouches(),
+            .displayName = m_display->isThere() ? QString::fromStdString(m_display->name()) : QString()};
 }
 
 }  // namespace study::app

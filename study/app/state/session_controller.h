@@ -44,6 +44,12 @@ public:
     void send(const session::EventBody& event);
     /// Stamps the first touch if the presentation waits for one; otherwise does nothing.
     void displayTouched(const rendering::Touch& touch = {});
+    /// Stamps the beginning of the present answer now, if nothing has stamped it yet.
+    void markAnswerBegun(session::BegunBy by);
+    /// Takes back the stamp that the first key of an entry made.
+    void unmarkEntry();
+    /// The stamps of the next answer, as a script states them.
+    void setStamps(const session::AnswerStamps& stamps) { m_scriptedStamps = stamps; }
 
     const session::View& view() const { return m_view; }
     const session::Plan& plan() const { return m_driver.plan(); }
@@ -66,12 +72,18 @@ private:
     void reportOutcome(const QString& trouble);
     void watchDisplay();
     void attendDisplay();
+    void displayReleased(const rendering::Touch& release);
+    session::AnswerStamps stampsNow(const session::AnswerStamps& fromPage) const;
+    void forgetStamps();
 
     std::unique_ptr<rendering::HapticDisplay> m_display;
     std::unique_ptr<QSocketNotifier> m_watch;  ///< declared after the display, so destroyed before it
     std::shared_ptr<session::Clock> m_clock;
     session::Driver m_driver;
     session::View m_view;
+    std::optional<std::int64_t> m_begunAtNs, m_releasedAtNs;  ///< of the present question
+    session::BegunBy m_begunBy = session::BegunBy::Entry;
+    std::optional<session::AnswerStamps> m_scriptedStamps;
     std::optional<EventOutcome> m_lastOutcome;
     int m_eventsSent = 0;
 };

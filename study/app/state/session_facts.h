@@ -19,7 +19,9 @@ struct SessionFacts {
     std::optional<protocols::RatingScale> scale;  ///< scale of the first rating question
     int sittingMinutes = 60;                      ///< planned duration of a sitting, min
     bool secondEntry = false;                     ///< every answer is entered twice and must agree
+    bool confirmPieces = false;                   ///< every piece on the tray is confirmed by its code
     bool displayReportsTouches = false;
+    QString displayName;  ///< empty: the session runs without a display
 };
 
 /// The stroking instruction as the pages of a presentation show it; empty if the protocol has none.

@@ -36,6 +36,7 @@ class AppAnswersTest : public tests::support::WindowTest {
 private Q_SLOTS:
     void secondEntryMustAgree_data();
     void secondEntryMustAgree();
+    void theTimeOfAnAnswerIsThatOfItsBeginning();
     void secondEnterStoresAnAnswerWithoutWords();
     void lettersAreTextInATextField();
     void correctionsOfEveryKindOfAnswer();
@@ -115,6 +116,47 @@ void AppAnswersTest::lettersAreTextInATextField()
     QCOMPARE(answersIn(folder).at(asked), std::string("quite flat, not warm,\ntwo pleats"));
     open.playTo("Presenting", "Q1");
     QVERIFY(!open.widget<QPushButton>("noteButton").text().contains("Alt"));
+}
+
+void AppAnswersTest::theTimeOfAnAnswerIsThatOfItsBeginning()
+{
+    const auto folder = newStudy();
+    OpenWindow open(folder);
+    open.enrolAndBegin();
+    open.playTo("Presenting", "Q2");
+    const auto wait = [&](double seconds) { open.clock().advanceSeconds(seconds); };
+    const auto store = [&] {
+        wait(4);
+        pressKey(open, Qt::Key_Return);
+        return database::StudyStore(folder, database::StudyStore::Access::Read).answers().back();
+    };
+    if (!std::get<Presenting>(open.view().state.stage).touchedAtNs) pressKey(open, Qt::Key_T);
+    wait(1);
+    typeText(open, "5");
+    wait(1);
+    typeText(open, ".4");
+    auto stored = store();  // Q2: the first key counts, not Enter
+    QCOMPARE(stored.responseSeconds, std::optional(1.0));
+    QCOMPARE(stored.seconds, 6.0);
+    QCOMPARE(stored.record.answerBegunBy, std::string("entry"));
+
+    pressKey(open, Qt::Key_T);
+    wait(0.5);
+    pressKey(open, Qt::Key_F9);
+    wait(2);
+    typeText(open, "7");
+    stored = store();  // Q3: the key that marks the spoken word counts
+    QCOMPARE(stored.responseSeconds, std::optional(0.5));
+    QCOMPARE(stored.record.answerBegunBy, std::string("spoken"));
+
+    pressKey(open, Qt::Key_T);
+    typeText(open, "3");
+    wait(2);
+    pressKey(open, Qt::Key_Backspace);
+    wait(1);
+    typeText(open, "8");
+    stored = store();  // Q4: an entry that was emptied was no answer
+    QCOMPARE(stored.responseSeconds, std::optional(3.0));
 }
 
 void AppAnswersTest::correctionsOfEveryKindOfAnswer()
@@ -216,7 +258,7 @@ void AppAnswersTest::pagesNamePiecesByTheirCodesOnly()
             for (const QString& name : names) QVERIFY2(!text.contains(name), qPrintable(text));
         if (std::holds_alternative<PlacingTray>(open.view().state.stage)) {
             const QString piece = open.widget<QLabel>("slotPiece").text();
-            QCOMPARE(piece, QString("Piece %1").arg(QString::fromStdString(open.view().tray.front())));
+            QCOMPARE(piece, QString::fromStdString(open.view().tray.front()));
         }
         open.perform(open.nextEvent());
     }

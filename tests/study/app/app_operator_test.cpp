@@ -3,6 +3,7 @@
 #include <QLabel>
 #include <QTest>
 
+#include "study/app/state/tray_steps.h"
 #include "tests/support/typed_answers.h"
 
 using namespace study::session;
@@ -20,6 +21,13 @@ private Q_SLOTS:
     void noteIsStored();
     void withdrawalNeedsNoReason();
     void trayMarksOnlyPiecesThatChange();
+    void aWithdrawalAsksForTheCode();
+    void aBouncedEnterArmsNothing();
+    void aWrongPieceIsCaughtBeforeThePresentation();
+    void theTrayPageSaysWhatToDo_data();
+    void theTrayPageSaysWhatToDo();
+    void theHeaderShowsWhetherAnImageIsFelt();
+    void aVoidBeforeAnyAnswerAddsNoAnswer();
     void heldKeyStoresOneAnswer();
     void displayFaultPausesAndLosesNothing();
     void enterStoresNothingBeforeAChoice();
@@ -135,6 +143,109 @@ void AppOperatorTest::withdrawalNeedsNoReason()
     QVERIFY(open.widget<QLabel>("pageTitle").text().contains("withdrawn"));
     pressKey(open, Qt::Key_Return);
     QTRY_COMPARE(open.window().currentPage()->objectName(), QString("studyPage"));
+}
+
+void AppOperatorTest::aWithdrawalAsksForTheCode()
+{
+    OpenWindow open(newStudy());
+    open.enrolAndBegin();
+    open.playTo("Presenting");
+    pressKey(open, Qt::Key_W);
+    pressKey(open, Qt::Key_Return);
+    pressKey(open, Qt::Key_Return);
+    QCOMPARE(nameOf(open.view().state), std::string("Presenting"));
+    QVERIFY2(open.message().contains("Type P01"), qPrintable(open.message()));
+    pressKey(open, Qt::Key_Escape);
+    open.perform(WithdrawnEvent{"tired"});
+    QCOMPARE(nameOf(open.view().state), std::string("Withdrawn"));
+}
+
+void AppOperatorTest::aBouncedEnterArmsNothing()
+{
+    OpenWindow open(newStudy({.deadTimeSeconds = 0.7}));
+    open.enrolAndBegin();
+    open.playTo("Presenting", "Q1");
+    pressKey(open, Qt::Key_A);
+    pressKey(open, Qt::Key_Return);
+    QCOMPARE(nameOf(open.view().state), std::string("PlacingTray"));
+    pressKey(open, Qt::Key_Return);
+    QCOMPARE(nameOf(open.view().state), std::string("PlacingTray"));
+    QVERIFY2(open.message().contains("only just"), qPrintable(open.message()));
+    open.clock().advanceSeconds(0.7);
+    pressKey(open, Qt::Key_Return);
+    QCOMPARE(nameOf(open.view().state), std::string("Presenting"));
+}
+
+void AppOperatorTest::aWrongPieceIsCaughtBeforeThePresentation()
+{
+    OpenWindow open(newStudy({.confirmPieces = true, .hasSwatchCodes = true}));
+    open.enrolAndBegin();
+    const auto scan = [&](const std::string& piece) {
+        open.gui().type(QString::fromStdString(piece));
+        pressKey(open, Qt::Key_Return);
+    };
+    const auto tray = open.view().tray;
+    pressKey(open, Qt::Key_Return);
+    QCOMPARE(nameOf(open.view().state), std::string("PlacingTray"));
+    scan(tray[0]);
+    scan(tray[2]);
+    QVERIFY2(open.message().contains("is not the piece of slot B"), qPrintable(open.message()));
+    scan(tray[1]);
+    scan(tray[2]);
+    QCOMPARE(nameOf(open.view().state), std::string("PlacingTray"));  // storing the last code is not arming
+    pressKey(open, Qt::Key_Return);
+    QCOMPARE(nameOf(open.view().state), std::string("Presenting"));
+    open.playToEnd();
+}
+
+void AppOperatorTest::theTrayPageSaysWhatToDo_data()
+{
+    using Tray = std::vector<std::string>;
+    QTest::addColumn<Tray>("wanted");
+    QTest::addColumn<Tray>("placed");
+    QTest::addColumn<QString>("text");
+    QTest::newRow("first") << Tray{"1", "2", "3"} << Tray{} << "Put 1 on A · put 2 on B · put 3 on C";
+    QTest::newRow("all stay") << Tray{"1", "2", "3"} << Tray{"1", "2", "3"} << "All pieces stay on the tray.";
+    QTest::newRow("one of each") << Tray{"829", "663", "11"} << Tray{"795", "829", "11"}
+                                 << "Take off 795 · move 829 from B to A · put 663 on B";
+    QTest::newRow("a smaller tray") << Tray{"829"} << Tray{"795", "829", "11"} << "Take off 795 · take off 11";
+    QTest::newRow("one slot") << Tray{"7"} << Tray{"829"} << "Take off 829 · put 7 on the tray";
+}
+
+void AppOperatorTest::theTrayPageSaysWhatToDo()
+{
+    QFETCH(std::vector<std::string>, wanted);
+    QFETCH(std::vector<std::string>, placed);
+    QFETCH(QString, text);
+    QCOMPARE(study::app::trayStepsText(study::app::trayStepsTo(wanted, placed), wanted.size()), text);
+}
+
+void AppOperatorTest::theHeaderShowsWhetherAnImageIsFelt()
+{
+    OpenWindow open(newStudy());
+    open.enrolAndBegin();
+    const auto shown = [&] { return open.widget<QLabel>("displayFact").text(); };
+    QVERIFY2(shown().endsWith("off"), qPrintable(shown()));
+    open.playTo("Presenting");
+    QVERIFY2(shown().endsWith("on"), qPrintable(shown()));
+    QVERIFY(!open.widget<QLabel>("nextTray").text().isEmpty());
+    open.perform(Paused{});
+    QVERIFY2(shown().endsWith("off"), qPrintable(shown()));
+}
+
+void AppOperatorTest::aVoidBeforeAnyAnswerAddsNoAnswer()
+{
+    const auto folder = newStudy();
+    OpenWindow open(folder);
+    open.enrolAndBegin();
+    open.playTo("Presenting");
+    const int inAll = open.view().answersInAll;
+    open.perform(Voided{"wrong piece"});
+    QCOMPARE(open.view().answersInAll, inAll);
+    open.playToEnd();
+    QCOMPARE(open.view().answersStored, inAll);
+    const database::StudyStore store(folder, database::StudyStore::Access::Read);
+    QCOMPARE(store.voidedPresentations().at(protocols::ParticipantId("P01")), 1);
 }
 
 void AppOperatorTest::trayMarksOnlyPiecesThatChange()

@@ -34,6 +34,7 @@ private Q_SLOTS:
     void startPageShowsWhyAFolderCannotBeOpened();
     void recentStudiesAreListed();
     void studyPageShowsEveryParticipant();
+    void aNewParticipantBesideAnOpenSessionIsAskedTwice();
     void nextParticipantTakesThePlaceAfterAWithdrawal();
     void takenOrInvalidCodesAreNotEnrolled_data();
     void takenOrInvalidCodesAreNotEnrolled();
@@ -167,6 +168,23 @@ void AppPagesTest::studyPageShowsEveryParticipant()
     QCOMPARE(placeAt(open, 1), QString("2|P02|in progress|6 of 24"));
     QCOMPARE(placeAt(open, 2), QString("3|–|free|"));
     QCOMPARE(open.widget<QLineEdit>("participantField").text(), QString("P03"));
+}
+
+void AppPagesTest::aNewParticipantBesideAnOpenSessionIsAskedTwice()
+{
+    OpenWindow open(newStudy({.participants = 3}));
+    open.enrolAndBegin();
+    open.gui().pressKey(Qt::Key_Q);
+    QTRY_COMPARE(open.window().currentPage()->objectName(), QString("studyPage"));
+    open.gui().click("enrolButton");
+    QVERIFY(!open.window().session());
+    QVERIFY2(open.message("studyMessage").contains("P02 as a new participant"), qPrintable(open.message("studyMessage")));
+    open.widget<QLineEdit>("participantField").setText("P07");  // another code is another decision
+    open.gui().click("enrolButton");
+    QVERIFY(!open.window().session());
+    open.gui().click("enrolButton");
+    QVERIFY(open.window().session());
+    QCOMPARE(open.view().participant, std::string("P07"));
 }
 
 void AppPagesTest::takenOrInvalidCodesAreNotEnrolled_data()

@@ -231,14 +231,18 @@ void AppTest::reopenedSessionContinuesAtTheSamePresentation()
     }
     OpenWindow open(folder);
     QVERIFY(open.widget<QPushButton>("resumeButton").text().contains("P01"));
-    QCOMPARE(open.window().focusWidget()->objectName(), QString("resumeButton"));
+    QCOMPARE(open.window().focusWidget()->objectName(), QString("resumeField"));
+    pressKey(open, Qt::Key_Return);
+    QVERIFY(!open.window().session());
+    QVERIFY2(open.message("studyMessage").contains("type this code"), qPrintable(open.message("studyMessage")));
+    open.gui().type("P01");
     pressKey(open, Qt::Key_Return);
     QVERIFY(open.view().state.paused);
     QVERIFY(open.widget<QLabel>("pageTitle").text().contains("Welcome back"));
     pressKey(open, Qt::Key_G);  // skips the preparation
     QCOMPARE(open.view().code.value, code);
     QCOMPARE(nameOf(open.view().state), std::string("PlacingTray"));
-    QCOMPARE(open.widget<QLabel>("presentationCode").text().toStdString(), code);
+    QVERIFY(open.widget<QLabel>("presentationCode").text().endsWith(QString::fromStdString(code)));
     QCOMPARE(answersIn(folder), before);
     open.playToEnd();
     QCOMPARE(answersIn(folder).size(), std::size_t(24));

@@ -74,7 +74,8 @@ void replay(const std::string& text, OpenSession& session)
     const auto script = study::players::scriptFromJson(text, "exported", plan.protocol);
     study::players::DriverHands hands(*session.driver);
     const study::players::ScriptedTrials trials{
-        plan.trials, readAllocationKeyForTestDriver(session.store, database::ParticipantKind::Scripted, {}), plan.protocol};
+        plan.trials, readAllocationKeyForTestDriver(session.store, database::ParticipantKind::Scripted, {}), plan.protocol,
+        plan.fabricNames};
     study::players::playScript(script, trials, {}, hands, session.clock);
 }
 

@@ -72,6 +72,46 @@ private Q_SLOTS:
         QVERIFY(session.store.faults().empty());
     }
 
+    void theTimesOfAnAnswerAreItsOwn()
+    {
+        OpenSession session(newStudy(), "S01");
+        session.stepUntil("Presenting");
+        const auto answer = [&](const AnswerStamps& stamps) {
+            session.clock.advanceSeconds(6);
+            session.send(
+                Answered{std::get<Answered>(*nextEvent(session.driver->view(), session.driver->plan())).response, stamps});
+            return session.store.answers().back();
+        };
+        constexpr std::int64_t second = 1000000000;
+        session.clock.advanceSeconds(1);
+        session.send(Touched{TouchSource::Display});
+        CurrentAnswer stored = answer({.begunAgoNs = 4 * second, .begunBy = BegunBy::Spoken, .touchEndedAgoNs = 5 * second});
+        QCOMPARE(stored.responseSeconds, std::optional(2.0));
+        QCOMPARE(stored.seconds, 6.0);
+        QCOMPARE(stored.record.answerBegunBy, std::string("spoken"));
+        QCOMPARE(*stored.record.touchEndedAtNs, *stored.record.touchedAtNs + second);
+
+        session.stepUntil("Presenting");
+        stored = answer({.begunAgoNs = 4 * second});  // nobody stamped the touch
+        QVERIFY(!stored.responseSeconds);
+        QCOMPARE(stored.seconds, 6.0);
+
+        session.stepUntil("Presenting");
+        session.clock.advanceSeconds(3);
+        session.send(Touched{});  // the operator stamped the touch after the first key of the answer
+        stored = answer({.begunAgoNs = 8 * second});
+        QVERIFY(!stored.responseSeconds);
+
+        session.stepUntil("Presenting");
+        stored = answer({.begunAgoNs = 0, .begunBy = BegunBy::Script});  // a script states one time
+        QCOMPARE(stored.responseSeconds, std::optional(stored.seconds));
+
+        session.stepUntil("Presenting");
+        stored = answer({.begunAgoNs = 1000 * second, .touchEndedAgoNs = 1000 * second});  // ages from outside may be anything
+        QCOMPARE(*stored.record.answerBegunAtNs, stored.record.readyAtNs);
+        QVERIFY(session.store.faults().empty());
+    }
+
     void theDisplayShowsEachTrialsOwnStimulusAndIsClearBetween()
     {
         OpenSession session(newStudy(), "S01");

@@ -4,6 +4,7 @@
 #include <iostream>
 #include <sstream>
 
+#include "study/session/preparation.h"
 #include "study/session/session_moves.h"
 #include "study/session/session_record.h"
 
@@ -281,6 +282,35 @@ private Q_SLOTS:
         session << Touched{};
         QCOMPARE(*std::get<Presenting>(session.state().stage).touchedAtNs, answeredAt + oneSecondNs);
         QVERIFY(session.refusalOf(Touched{}).contains("already"));
+    }
+
+    void aKeyThatBouncesArmsNoPresentation()
+    {
+        Session session = Session() << SittingStarted{700000000} << Begun{} << FamiliarisationDone{} << ScaleTrainingDone{};
+        session.choose();
+        QCOMPARE(session.name(), std::string("PlacingTray"));
+        QVERIFY(session.refusalOf(TrayReady{}).contains("only just"));
+        session << TrayReady{};  // a second later
+        QCOMPARE(session.name(), std::string("Presenting"));
+        session << Answered{FabricId("F01")} << Paused{} << Resumed{};
+        QVERIFY(session.refusalOf(TrayReady{}).contains("only just"));
+    }
+
+    void everyPieceOnTheTrayIsConfirmed()
+    {
+        Plan plan = smallPlan();
+        plan.protocol.confirmPieces = true;
+        plan.fabricNames = {{FabricId("F01"), "795"}, {FabricId("F02"), "829"}, {FabricId("F03"), "663"}};
+        Session session = Session(plan) << SittingStarted{} << Begun{} << FamiliarisationDone{} << ScaleTrainingDone{};
+        QCOMPARE(session.refusalOf(TrayReady{}), QString("The piece in slot A is not confirmed. It must be 795."));
+        QCOMPARE(session.refusalOf(TrayReady{{"795", "663", "829"}}), QString("Slot B holds 663. It must be 829."));
+        QCOMPARE(session.refusalOf(TrayReady{{"795", "829", "663", "795"}}),
+                 QString("More pieces were confirmed than the tray has slots."));
+        const TrayReady right{{"795", "829", "663"}};
+        session << right;
+        QCOMPARE(session.name(), std::string("Presenting"));
+        QCOMPARE(std::get<TrayReady>(eventFromRecord("tray_ready", payloadJson(right))).pieces, right.pieces);
+        QCOMPARE(trayReadyOf(plan.protocol, plan.trials[0].alternatives, plan.fabricNames).pieces, right.pieces);
     }
 
     void anImpossibleAnswerIsRefusedWithItsReason_data()

@@ -1,0 +1,63 @@
+#include "study/app/state/tray_steps.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+#include <algorithm>
+#include <optional>
+
+#include "study/app/state/answer_form.h"
+
+namespace study::app {
+
+namespace {
+
+QString stepTr(const char* text) { return QCoreApplication::translate("study::app::TraySteps", text); }
+
+std::optional<std::size_t> placeOf(const std::string& piece, const std::vector<std::string>& tray)
+{
+    const auto found = std::ranges::find(tray, piece);
+    return found == tray.end() ? std::nullopt : std::optional<std::size_t>(found - tray.begin());
+}
+
+QString textOfStep(const TrayStep& step, bool hasLetters)
+{
+    const QString piece = QString::fromStdString(step.piece);
+    if (step.to.isEmpty()) return stepTr("take off %1").arg(piece);
+    if (!hasLetters) return stepTr("put %1 on the tray").arg(piece);
+    return step.from.isEmpty() ? stepTr("put %1 on %2").arg(piece, step.to)
+                               : stepTr("move %1 from %2 to %3").arg(piece, step.from, step.to);
+}
+
+}  // namespace
+
+std::vector<TrayStep> trayStepsTo(const std::vector<std::string>& wanted, const std::vector<std::string>& placed)
+{
+    std::vector<TrayStep> off, moved, on;
+    for (std::size_t place = 0; place < placed.size(); ++place)
+        if (!placeOf(placed[place], wanted)) off.push_back({placed[place], slotLetter(place), {}});
+    for (std::size_t place = 0; place < wanted.size(); ++place) {
+        const auto from = placeOf(wanted[place], placed);
+        if (!from)
+            on.push_back({wanted[place], {}, slotLetter(place)});
+        else if (*from != place)
+            moved.push_back({wanted[place], slotLetter(*from), slotLetter(place)});
+    }
+    std::vector<TrayStep> steps = std::move(off);
+    steps.insert(steps.end(), moved.begin(), moved.end());
+    steps.insert(steps.end(), on.begin(), on.end());
+    return steps;
+}
+
+QString trayStepsText(const std::vector<TrayStep>& steps, std::size_t slots)
+{
+    // A piece that only changes its place on a tray of one slot needs no act.
+    QStringList texts;
+    for (const TrayStep& step : steps)
+        if (slots > 1 || step.from.isEmpty() || step.to.isEmpty()) texts << textOfStep(step, slots > 1);
+    if (texts.isEmpty()) return stepTr("All pieces stay on the tray.");
+    QString text = texts.join(QStringLiteral(" · "));
+    text[0] = text[0].toUpper();
+    return text;
+}
+
+}  // namespace study::app

@@ -19,6 +19,7 @@ QuestionPage::QuestionPage(QWidget* parent)
       m_entry(new AnswerEntry(this)),
       m_readBack(label("readBack", Type::Lead, this)),
       m_touch(new TouchButton(this)),
+      m_spoken(button("spokenButton", tr("The answer begins (F9)"), this)),
       m_store(mainButton("storeButton", tr("Store the answer (Enter)"), this)),
       m_next(quietLabel("nextTray", this, Type::Plain)),
       m_stroke(quietLabel("strokeWords", this, Type::Plain))
@@ -28,13 +29,15 @@ QuestionPage::QuestionPage(QWidget* parent)
     column->addWidget(m_head);
     column->addWidget(m_entry);
     column->addWidget(m_readBack);
-    column->addLayout(actionsRow({m_store, m_touch}));
+    column->addLayout(actionsRow({m_store, m_touch, m_spoken}));
     column->addSpacing(6);
     column->addWidget(m_next);
     column->addWidget(m_stroke);
     column->addStretch(1);
     connect(m_entry, &AnswerEntry::changed, this, &QuestionPage::showReadBack);
     connect(m_entry, &AnswerEntry::changed, this, &QuestionPage::markEntry);
+    setRole(*m_spoken, "stamp");
+    connect(m_spoken, &QPushButton::clicked, this, &QuestionPage::markSpoken);
     connect(m_store, &QPushButton::clicked, this, &QuestionPage::store);
     connect(m_touch, &TouchButton::touched, this, [this] {
         firstFocus().setFocus();
@@ -70,7 +73,18 @@ void QuestionPage::present(const session::View& view)
     m_shownCode = view.code;
     m_firstEntry.reset();
     m_entries = 0;
+    m_spoken->setEnabled(true);
+    setButtonText(*m_spoken, tr("The answer begins (F9)"));
     m_entry->ask(formOf(view));
+}
+
+void QuestionPage::markSpoken()
+{
+    if (!m_spoken->isEnabled()) return;
+    firstFocus().setFocus();
+    m_spoken->setEnabled(false);
+    setButtonText(*m_spoken, tr("The beginning is stamped ✓"));
+    Q_EMIT answerMarked(AnswerMark::Spoken);
 }
 
 void QuestionPage::markEntry()
@@ -136,8 +150,7 @@ bool QuestionPage::pressKey(int key)
     // Before T: on a tray of twenty slots, T is the letter of a slot.
     if (m_entry->pressKey(key)) return true;
     if (key == Qt::Key_F9) {
-        Q_EMIT answerMarked(AnswerMark::Spoken);
-        Q_EMIT hinted(tr("The beginning of the answer is stamped."));
+        markSpoken();
         return true;
     }
     if (key != Qt::Key_T) return false;

@@ -31,6 +31,7 @@ private:
     bool isSameQuestion(const session::View& view) const;
     void showReadBack();
     void markEntry();
+    void markSpoken();
     void store();
     void takeEntry(const session::GivenAnswer& response);
 
@@ -38,6 +39,7 @@ private:
     AnswerEntry* m_entry;
     QLabel* m_readBack;
     TouchButton* m_touch;
+    QPushButton* m_spoken;
     QPushButton* m_store;
     QLabel* m_next;
     QLabel* m_stroke;

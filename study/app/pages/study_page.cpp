@@ -89,11 +89,6 @@ StudyPage::StudyPage(QWidget* parent)
     connect(m_enrol, &QPushButton::clicked, this, &StudyPage::enrol);
     connect(m_resume, &QPushButton::clicked, this, &StudyPage::resumeChosen);
     connect(m_participant, &QLineEdit::textChanged, this, [this] { m_isAskedAgain = false; });
-    connect(m_going, &QLineEdit::textChanged, this, [this](const QString& typed) {
-        for (std::size_t row = 0; row < m_overview.places.size(); ++row)
-            if (canResume(m_overview.places[row]) && m_overview.places[row].participant == typed.trimmed())
-                m_places->setCurrentItem(m_places->topLevelItem(static_cast<int>(row)));
-    });
     connect(m_places, &QTreeWidget::itemActivated, this, &StudyPage::resumeChosen);
     connect(m_places, &QTreeWidget::currentItemChanged, this, &StudyPage::showChosen);
     connect(m_close, &QPushButton::clicked, this, &StudyPage::closeRequested);
@@ -244,7 +239,7 @@ void StudyPage::showChosen()
     setButtonText(*m_resume, isResumable ? tr("Continue with %1").arg(place->participant) : tr("Continue a session"));
 }
 
-/// The list may stand on anybody, so the typed code decides, and the chosen row must not contradict it.
+/// Two acts that do not follow each other must agree: the row of the list and the typed code. So one slip opens nobody's session.
 void StudyPage::resumeChosen()
 {
     const auto* place = chosenPlace();
@@ -254,7 +249,9 @@ void StudyPage::resumeChosen()
         m_message->showHint(tr("Choose a participant whose session has started but is not finished."));
     else if (typed != place->participant) {
         m_going->setFocus();
-        m_message->showHint(tr("To continue with %1, type this code in \"Session in progress\".").arg(place->participant));
+        m_message->showHint(typed.isEmpty() ? tr("Type %1 to continue with this participant.").arg(place->participant)
+                                            : tr("%1 is chosen in the list, and %2 is typed. Choose and type the same participant.")
+                                                  .arg(place->participant, typed));
     } else
         Q_EMIT sessionRequested(place->participant);
 }

@@ -3,6 +3,7 @@
 #include <QGridLayout>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <utility>
 
 #include "study/app/pieces/pieces.h"
 #include "study/app/pieces/slot_card.h"
@@ -72,6 +73,7 @@ void TrayPage::present(const session::View& view)
     m_wanted = view.tray;
     if (isSameTray) return showConfirmed();  // a note or a fault must not take back what is confirmed
     m_confirmed.clear();
+    m_isTypedAhead = false;
     m_piece->clear();
     showConfirmed();
 }
@@ -126,7 +128,16 @@ void TrayPage::showCards(const session::View& view)
 
 bool TrayPage::pressKey(int key)
 {
+    const bool isOfAnAnswer = (key >= Qt::Key_0 && key <= Qt::Key_9) || (key >= Qt::Key_A && key <= Qt::Key_D) ||
+                              key == Qt::Key_S || key == Qt::Key_Period || key == Qt::Key_Comma;
+    if (isOfAnAnswer) {
+        // Who types an answer now believes that the presentation runs. The Enter that follows must not begin it.
+        m_isTypedAhead = true;
+        Q_EMIT hinted(tr("No question is asked yet, so this key is no answer. Look at the tray, then press Enter twice."));
+        return true;
+    }
     if (!isEnter(key)) return false;
+    if (std::exchange(m_isTypedAhead, false)) return true;
     confirm();
     return true;
 }

@@ -41,6 +41,7 @@ private:
     std::vector<std::string> m_confirmed;    ///< in the order of the slots
     std::optional<std::int64_t> m_shownFor;  ///< time when the shown tray was asked for
     bool m_confirmsPieces = false;
+    bool m_isTypedAhead = false;  ///< a key of an answer came before its question
     QLabel* m_code;
     QLabel* m_task;
     QGridLayout* m_grid;

@@ -71,7 +71,7 @@ void SessionHeader::present(const session::View& view)
     if (m_displayName.isEmpty())
         m_display->setText(tr("NO DISPLAY: rehearsal"));
     else
-        m_display->setText(isFelt(view) ? tr("%1: on").arg(m_displayName) : tr("%1: off").arg(m_displayName));
+        m_display->setText(isFelt(view) ? tr("Display on: %1").arg(m_displayName) : tr("Display off: %1").arg(m_displayName));
     const bool isOver = std::holds_alternative<session::Finished>(view.state.stage) ||
                         std::holds_alternative<session::Withdrawn>(view.state.stage);
     const bool isBetween = isOver || view.presentation <= 0 || std::holds_alternative<session::Debriefing>(view.state.stage);

@@ -225,12 +225,12 @@ void AppOperatorTest::theHeaderShowsWhetherAnImageIsFelt()
     OpenWindow open(newStudy());
     open.enrolAndBegin();
     const auto shown = [&] { return open.widget<QLabel>("displayFact").text(); };
-    QVERIFY2(shown().endsWith("off"), qPrintable(shown()));
+    QVERIFY2(shown().startsWith("Display off"), qPrintable(shown()));
     open.playTo("Presenting");
-    QVERIFY2(shown().endsWith("on"), qPrintable(shown()));
+    QVERIFY2(shown().startsWith("Display on"), qPrintable(shown()));
     QVERIFY(!open.widget<QLabel>("nextTray").text().isEmpty());
     open.perform(Paused{});
-    QVERIFY2(shown().endsWith("off"), qPrintable(shown()));
+    QVERIFY2(shown().startsWith("Display off"), qPrintable(shown()));
 }
 
 void AppOperatorTest::aVoidBeforeAnyAnswerAddsNoAnswer()

@@ -234,7 +234,7 @@ void AppTest::reopenedSessionContinuesAtTheSamePresentation()
     QCOMPARE(open.window().focusWidget()->objectName(), QString("resumeField"));
     pressKey(open, Qt::Key_Return);
     QVERIFY(!open.window().session());
-    QVERIFY2(open.message("studyMessage").contains("type this code"), qPrintable(open.message("studyMessage")));
+    QVERIFY2(open.message("studyMessage").contains("Type P01"), qPrintable(open.message("studyMessage")));
     open.gui().type("P01");
     pressKey(open, Qt::Key_Return);
     QVERIFY(open.view().state.paused);
